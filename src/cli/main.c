@@ -16,21 +16,6 @@ static const QnSubcommand *const subcommands[] = {
   &qn_cmd_figures, &qn_cmd_report, &qn_cmd_study,     &qn_cmd_verify,
 };
 
-static void
-print_help (void)
-{
-  printf (_ ("Usage: quoin-cli SUBCOMMAND [OPTION…] ARGUMENT…\n\n"
-             "Block masonry: contacts, load path, collapse mechanism and pictures.\n\n"
-             "Subcommands:\n"));
-  for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
-    printf ("  %-10s%s\n", subcommands[i]->name, _ (subcommands[i]->summary));
-  printf (
-    _ ("\n\"quoin-cli SUBCOMMAND --help\" explains one of them; --version tells the "
-       "version.\n\n"
-       "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 invalid input, 4 no "
-       "answer,\n5 file cannot be read or written, 130 cancelled.\n"));
-}
-
 static const QnSubcommand *
 find_subcommand (const char *name)
 {
@@ -58,7 +43,16 @@ dispatch (int argc, char **argv)
     return qn_cli_usage_error (NULL, _ ("a subcommand is missing"));
   }
   if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
-    print_help ();
+    printf (_ ("Usage: quoin-cli SUBCOMMAND [OPTION…] ARGUMENT…\n\n"
+               "Block masonry: contacts, load path, collapse mechanism and pictures.\n\n"
+               "Subcommands:\n"));
+    for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
+      printf ("  %-10s%s\n", subcommands[i]->name, _ (subcommands[i]->summary));
+    printf (
+      _ ("\n\"quoin-cli SUBCOMMAND --help\" explains one of them; --version tells the "
+         "version.\n\n"
+         "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 invalid input, 4 no "
+         "answer,\n5 file cannot be read or written, 130 cancelled.\n"));
     return QN_EXIT_DONE;
   }
   if (strcmp (argv[1], "--version") == 0) {
@@ -82,14 +76,16 @@ int
 main (int argc, char **argv)
 {
   setlocale (LC_ALL, "");
-  /* Numbers look the same everywhere, in files and reports; in pictures they go with the words. */
+  /* Numbers look the same everywhere, in files and reports; in pictures they go with the
+   * words. */
   setlocale (LC_NUMERIC, "C");
   bindtextdomain (GETTEXT_PACKAGE, QN_LOCALE_DIR);
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
   textdomain (GETTEXT_PACKAGE);
   g_set_prgname ("quoin-cli");
   qn_shown_text_on_standard_output ();
-  /* A file beyond what the user may write is an error like others, not a reason to end the program. */
+  /* A file beyond what the user may write is an error like others, not a reason to end
+   * the program. */
   signal (SIGXFSZ, SIG_IGN);
 
   QnExit code = dispatch (argc, argv);

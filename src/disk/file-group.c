@@ -99,20 +99,6 @@ exchange (const QnFileGroup *group, const char *name)
   return trouble;
 }
 
-/* Undoes an exchange; a file that took nobody's place comes back. */
-static void
-take_back (const QnFileGroup *group, const char *name)
-{
-  char *from = join (group->hidden, name), *to = join (group->folder, name);
-
-  if (from != NULL && to != NULL && access (from, F_OK) == 0)
-    (void) !rename (from, to);
-  else if (to != NULL)
-    unlink (to);
-  free (from);
-  free (to);
-}
-
 void
 qn_file_group_discard (QnFileGroup *group)
 {
@@ -142,8 +128,18 @@ qn_file_group_commit (QnFileGroup *group)
     if (trouble == 0)
       done++;
   }
-  while (trouble != 0 && done > 0)
-    take_back (group, group->names[--done]);
+  while (trouble != 0 && done > 0) {
+    /* Undoes an exchange; a file that took nobody's place comes back. */
+    const char *name = group->names[--done];
+    char *from = join (group->hidden, name), *to = join (group->folder, name);
+
+    if (from != NULL && to != NULL && access (from, F_OK) == 0)
+      (void) !rename (from, to);
+    else if (to != NULL)
+      unlink (to);
+    free (from);
+    free (to);
+  }
   qn_file_group_discard (group);
   return trouble;
 }

@@ -101,19 +101,6 @@ open_nameless (QnWholeFile *file)
   return trouble;
 }
 
-static int
-open_beside (QnWholeFile *file, const struct stat *existing)
-{
-  int trouble = open_nameless (file);
-
-  if (trouble == EOPNOTSUPP)
-    trouble = take_name (file, create);
-  /* Where the mode cannot be carried over, the new file has that of a new file. */
-  if (trouble == 0 && existing != NULL)
-    (void) !fchmod (file->fd, existing->st_mode & 07777);
-  return trouble;
-}
-
 /* The path that a link leads to, from the folder that it lies in; NULL with an errno. */
 static char *
 read_link (const char *path)
@@ -170,7 +157,15 @@ open_target (QnWholeFile *file, const char *path)
   file->target = exists ? realpath (path, NULL) : follow_links (path);
   if (file->target == NULL)
     return errno;
-  return open_beside (file, exists ? &status : NULL);
+  const struct stat *existing = exists ? &status : NULL;
+  int trouble = open_nameless (file);
+
+  if (trouble == EOPNOTSUPP)
+    trouble = take_name (file, create);
+  /* Where the mode cannot be carried over, the new file has that of a new file. */
+  if (trouble == 0 && existing != NULL)
+    (void) !fchmod (file->fd, existing->st_mode & 07777);
+  return trouble;
 }
 
 static void

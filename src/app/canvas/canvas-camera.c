@@ -162,7 +162,8 @@ qn_canvas_fit_now (QnCanvas *self)
   if (scene != NULL) {
     QnBox legend = qn_canvas_legend_box (self, scene);
     if (is_under (self, box, legend)) {
-      /* The legend hides nothing: the structure goes beside it or above it, where it is larger. */
+      /* The legend hides nothing: the structure goes beside it or above it, where it is
+       * larger. */
       double left = legend.max.x, bottom = self->camera.height - legend.min.y;
       fit_beside (self, box, left, 0.0);
       double beside = self->camera.scale;

@@ -263,17 +263,6 @@ on_points_chosen (GtkNativeDialog *dialog, int response, Form *form)
 }
 
 static void
-write_picture (Form *form, const char *path, GError **error)
-{
-  QnOutput output;
-  QnMetadata metadata;
-  qn_output_init (&output);
-  qn_document_get_metadata (form->document, &metadata);
-  qn_capacity_answer_export (&form->answer, form->title, FALSE, path, &output, &metadata,
-                             error);
-}
-
-static void
 on_picture_chosen (GtkNativeDialog *dialog, int response, Form *form)
 {
   static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
@@ -281,8 +270,14 @@ on_picture_chosen (GtkNativeDialog *dialog, int response, Form *form)
   g_autofree char *path = response == GTK_RESPONSE_ACCEPT
                             ? qn_dialog_dup_chosen_path (dialog, endings, &error)
                             : NULL;
-  if (path != NULL)
-    write_picture (form, path, &error);
+  if (path != NULL) {
+    QnOutput output;
+    QnMetadata metadata;
+    qn_output_init (&output);
+    qn_document_get_metadata (form->document, &metadata);
+    qn_capacity_answer_export (&form->answer, form->title, FALSE, path, &output,
+                               &metadata, &error);
+  }
   if (error != NULL)
     say (form, error->message);
   g_clear_object (&form->chooser);

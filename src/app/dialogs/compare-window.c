@@ -661,35 +661,6 @@ on_export (Compare *compare)
 
 /* ---- building ---- */
 
-static void
-add_commands (Compare *compare, GActionMap *map)
-{
-  static const struct {
-    const char *name;
-    void (*carry_out) (Compare *compare);
-  } commands[] = {
-    { "add-files", on_add_files },
-    { "add-folders", on_add_folders },
-    { "export", on_export },
-    { "zoom-in", on_zoom_in },
-    { "fit", on_fit },
-    { "zoom-out", on_zoom_out },
-  };
-  static const GActionEntry others[] = {
-    { .name = "add-path", .activate = add_path, .parameter_type = "s" },
-    { .name = "move", .activate = move_by_menu, .parameter_type = "(uu)" },
-    { .name = "copy", .activate = copy_by_menu, .parameter_type = "u" },
-    { .name = "remove", .activate = remove_by_menu, .parameter_type = "u" },
-  };
-  for (gsize i = 0; i < G_N_ELEMENTS (commands); i++) {
-    g_autoptr (GSimpleAction) action = g_simple_action_new (commands[i].name, NULL);
-    g_signal_connect_swapped (action, "activate", G_CALLBACK (commands[i].carry_out),
-                              compare);
-    g_action_map_add_action (map, G_ACTION (action));
-  }
-  g_action_map_add_action_entries (map, others, G_N_ELEMENTS (others), compare);
-}
-
 void
 qn_compare_window_show (GtkWindow *parent, QnDocument *document,
                         QnDocumentsFunc list_others)
@@ -730,7 +701,31 @@ qn_compare_window_show (GtkWindow *parent, QnDocument *document,
   g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
   qn_accept_files (compare->dialog, add_file, compare);
   g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
-  add_commands (compare, G_ACTION_MAP (group));
+  GActionMap *map = G_ACTION_MAP (group);
+  static const struct {
+    const char *name;
+    void (*carry_out) (Compare *compare);
+  } commands[] = {
+    { "add-files", on_add_files },
+    { "add-folders", on_add_folders },
+    { "export", on_export },
+    { "zoom-in", on_zoom_in },
+    { "fit", on_fit },
+    { "zoom-out", on_zoom_out },
+  };
+  static const GActionEntry others[] = {
+    { .name = "add-path", .activate = add_path, .parameter_type = "s" },
+    { .name = "move", .activate = move_by_menu, .parameter_type = "(uu)" },
+    { .name = "copy", .activate = copy_by_menu, .parameter_type = "u" },
+    { .name = "remove", .activate = remove_by_menu, .parameter_type = "u" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (commands); i++) {
+    g_autoptr (GSimpleAction) action = g_simple_action_new (commands[i].name, NULL);
+    g_signal_connect_swapped (action, "activate", G_CALLBACK (commands[i].carry_out),
+                              compare);
+    g_action_map_add_action (map, G_ACTION (action));
+  }
+  g_action_map_add_action_entries (map, others, G_N_ELEMENTS (others), compare);
   gtk_widget_insert_action_group (compare->dialog, "compare", G_ACTION_GROUP (group));
   qn_watch (compare->grid, document, "runs-changed", G_CALLBACK (on_runs_changed),
             compare);

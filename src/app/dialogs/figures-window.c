@@ -60,7 +60,8 @@ make_all (Figures *figures)
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
     made += qn_document_export_figure (document, recipe, NULL, &error);
     if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE)) {
-      /* A project from elsewhere may name any file: the user decides about each figure. */
+      /* A project from elsewhere may name any file: the user decides about each figure.
+       * */
       GtkWidget *dialog = gtk_message_dialog_new (
         GTK_WINDOW (figures->dialog), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
         GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s",

@@ -23,36 +23,6 @@ on_gone (gpointer data, GObject *where)
   g_free (view);
 }
 
-static void
-draw_plot (const View *view, cairo_t *cr, int width, int height)
-{
-  gboolean strain = view->what.law.basis == QN_BASIS_MATERIAL;
-  gboolean stress = view->what.law.basis != QN_BASIS_CONTACT;
-  int axis = view->what.shear ? 1 : 0;
-  guint count = view->samples->len;
-  g_autofree double *x = g_new (double, count), *y = g_new (double, count);
-  for (guint i = 0; i < count; i++) {
-    const QnLawSample *s = &g_array_index (view->samples, QnLawSample, i);
-    x[i] = s->elongation[axis] * 1e3;
-    y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
-  }
-  QnCurve curve = {
-    .x = x, .y = y, .count = count, .limit_point = -1, .collapse_point = -1, .dot = -1
-  };
-  QnCurvePlot plot = { .x_label = view->what.shear ? _ ("Slip")
-                                  : strain         ? _ ("Strain")
-                                                   : _ ("Elongation"),
-                       .x_unit = strain ? "‰" : "mm",
-                       .y_label = view->what.shear ? (stress ? _ ("Shear stress (MPa)")
-                                                             : _ ("Shear force (kN)"))
-                                  : stress         ? _ ("Stress (MPa)")
-                                                   : _ ("Force (kN)"),
-                       .curves = &curve,
-                       .curve_count = 1 };
-  QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
-  qn_curve_plot_draw (&plot, cr, &page, 6.0, 6.0, width - 12.0, height - 12.0);
-}
-
 /* Plots are on paper, in dark windows too. */
 static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
@@ -61,8 +31,33 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   (void) area;
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
-  if (view->samples->len > 0)
-    draw_plot (view, cr, width, height);
+  if (view->samples->len > 0) {
+    gboolean strain = view->what.law.basis == QN_BASIS_MATERIAL;
+    gboolean stress = view->what.law.basis != QN_BASIS_CONTACT;
+    int axis = view->what.shear ? 1 : 0;
+    guint count = view->samples->len;
+    g_autofree double *x = g_new (double, count), *y = g_new (double, count);
+    for (guint i = 0; i < count; i++) {
+      const QnLawSample *s = &g_array_index (view->samples, QnLawSample, i);
+      x[i] = s->elongation[axis] * 1e3;
+      y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
+    }
+    QnCurve curve = {
+      .x = x, .y = y, .count = count, .limit_point = -1, .collapse_point = -1, .dot = -1
+    };
+    QnCurvePlot plot = { .x_label = view->what.shear ? _ ("Slip")
+                                    : strain         ? _ ("Strain")
+                                                     : _ ("Elongation"),
+                         .x_unit = strain ? "‰" : "mm",
+                         .y_label = view->what.shear ? (stress ? _ ("Shear stress (MPa)")
+                                                               : _ ("Shear force (kN)"))
+                                    : stress         ? _ ("Stress (MPa)")
+                                                     : _ ("Force (kN)"),
+                         .curves = &curve,
+                         .curve_count = 1 };
+    QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
+    qn_curve_plot_draw (&plot, cr, &page, 6.0, 6.0, width - 12.0, height - 12.0);
+  }
 }
 
 void

@@ -127,10 +127,21 @@ insert_row (GtkTextBuffer *buffer, const char *line)
   insert (buffer, "\n", NULL);
 }
 
-/* Lines of a paragraph belong together; an empty line, or a line of another kind, ends it. */
-static void
-fill_page (GtkTextBuffer *buffer, const char *text)
+static GtkWidget *
+make_page (const char *text, const char *title)
 {
+  GtkWidget *view = gtk_text_view_new ();
+  gtk_accessible_update_property (GTK_ACCESSIBLE (view), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  title, -1);
+  GtkTextBuffer *buffer = gtk_text_view_get_buffer (GTK_TEXT_VIEW (view));
+  gtk_text_buffer_create_tag (buffer, "h1", "scale", 1.6, "weight", PANGO_WEIGHT_BOLD,
+                              NULL);
+  gtk_text_buffer_create_tag (buffer, "h2", "scale", 1.2, "weight", PANGO_WEIGHT_BOLD,
+                              NULL);
+  gtk_text_buffer_create_tag (buffer, "bold", "weight", PANGO_WEIGHT_BOLD, NULL);
+  gtk_text_buffer_create_tag (buffer, "code", "family", "monospace", "scale", 0.9, NULL);
+  /* Lines of a paragraph belong together; an empty line, or a line of another kind, ends
+   * it. */
   g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
   gboolean code = FALSE;
   for (int i = 0; lines[i] != NULL; i++) {
@@ -158,22 +169,6 @@ fill_page (GtkTextBuffer *buffer, const char *text)
       insert (buffer, goes_on ? " " : "\n", NULL);
     }
   }
-}
-
-static GtkWidget *
-make_page (const char *text, const char *title)
-{
-  GtkWidget *view = gtk_text_view_new ();
-  gtk_accessible_update_property (GTK_ACCESSIBLE (view), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  title, -1);
-  GtkTextBuffer *buffer = gtk_text_view_get_buffer (GTK_TEXT_VIEW (view));
-  gtk_text_buffer_create_tag (buffer, "h1", "scale", 1.6, "weight", PANGO_WEIGHT_BOLD,
-                              NULL);
-  gtk_text_buffer_create_tag (buffer, "h2", "scale", 1.2, "weight", PANGO_WEIGHT_BOLD,
-                              NULL);
-  gtk_text_buffer_create_tag (buffer, "bold", "weight", PANGO_WEIGHT_BOLD, NULL);
-  gtk_text_buffer_create_tag (buffer, "code", "family", "monospace", "scale", 0.9, NULL);
-  fill_page (buffer, text);
   gtk_text_view_set_editable (GTK_TEXT_VIEW (view), FALSE);
   gtk_text_view_set_cursor_visible (GTK_TEXT_VIEW (view), FALSE);
   gtk_text_view_set_wrap_mode (GTK_TEXT_VIEW (view), GTK_WRAP_WORD_CHAR);

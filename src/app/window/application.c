@@ -140,16 +140,6 @@ qn_application_handle_local_options (GApplication *application, GVariantDict *op
 }
 
 static void
-load_css (void)
-{
-  g_autoptr (GtkCssProvider) provider = gtk_css_provider_new ();
-  gtk_css_provider_load_from_resource (provider, "/io/github/quoin/Quoin/style.css");
-  gtk_style_context_add_provider_for_display (gdk_display_get_default (),
-                                              GTK_STYLE_PROVIDER (provider),
-                                              GTK_STYLE_PROVIDER_PRIORITY_APPLICATION);
-}
-
-static void
 qn_application_startup (GApplication *application)
 {
   static const GActionEntry actions[] = {
@@ -164,7 +154,11 @@ qn_application_startup (GApplication *application)
                                    G_N_ELEMENTS (actions), application);
   gtk_window_set_default_icon_name ("io.github.quoin.Quoin");
   qn_settings_apply_style ();
-  load_css ();
+  g_autoptr (GtkCssProvider) provider = gtk_css_provider_new ();
+  gtk_css_provider_load_from_resource (provider, "/io/github/quoin/Quoin/style.css");
+  gtk_style_context_add_provider_for_display (gdk_display_get_default (),
+                                              GTK_STYLE_PROVIDER (provider),
+                                              GTK_STYLE_PROVIDER_PRIORITY_APPLICATION);
   qn_action_add_accelerators (GTK_APPLICATION (application));
 }
 

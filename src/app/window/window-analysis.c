@@ -97,17 +97,6 @@ clear_queue (QnWindow *self)
   self->next_analysis = self->last_analysis = NULL;
 }
 
-/* The path has a curve and steps; limit analysis has neither. */
-static void
-show_first_of_queue (QnWindow *self)
-{
-  const GPtrArray *runs = qn_document_get_runs (self->document);
-  guint back = G_N_ELEMENTS (queue) + 1;
-  gtk_stack_set_visible_child_name (self->side_stack, "result");
-  if (runs->len >= back)
-    qn_document_set_run (self->document, g_ptr_array_index (runs, runs->len - back));
-}
-
 /* Starts the next of those to be compared; behind the last they are shown. */
 static void
 start_next (QnWindow *self)
@@ -122,7 +111,12 @@ start_next (QnWindow *self)
   }
   if (self->next_analysis == self->last_analysis) {
     clear_queue (self);
-    show_first_of_queue (self);
+    /* The path has a curve and steps; limit analysis has neither. */
+    const GPtrArray *runs = qn_document_get_runs (self->document);
+    guint back = G_N_ELEMENTS (queue) + 1;
+    gtk_stack_set_visible_child_name (self->side_stack, "result");
+    if (runs->len >= back)
+      qn_document_set_run (self->document, g_ptr_array_index (runs, runs->len - back));
     return;
   }
   const QnQueuedAnalysis *next = self->next_analysis++;

@@ -98,26 +98,6 @@ take_kept (Options *options, const QnProject *project, GError **error)
 }
 
 static QnExit
-parse_code_spectrum (const QnSubcommand *self, const Options *options, Answer *answer)
-{
-  QnSpectrum *s = &answer->answer.spectrum;
-  s->kind =
-    strcmp (options->spectrum, "type1") == 0 ? QN_SPECTRUM_EN_1 : QN_SPECTRUM_EN_2;
-  s->damping = options->damping;
-  if (options->ag == NULL || options->soil == NULL)
-    return qn_cli_usage_error (self->name,
-                               _ ("a spectrum of EN 1998-1 needs --ag and --soil"));
-  s->ground_acceleration = parse_acceleration (options->ag);
-  if (s->ground_acceleration == 0)
-    return qn_cli_usage_error (
-      self->name, _ ("--ag is a positive acceleration in m/s2, or in g as 0.25g"));
-  if (strlen (options->soil) != 1 || *options->soil < 'A' || *options->soil > 'E')
-    return qn_cli_usage_error (self->name, _ ("--soil is A, B, C, D or E"));
-  s->soil = (QnSoil) (*options->soil - 'A');
-  return QN_EXIT_DONE;
-}
-
-static QnExit
 parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer)
 {
   GError *error = NULL;
@@ -132,8 +112,23 @@ parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer
       return QN_EXIT_DONE;
     return qn_cli_usage_error (self->name, _ ("--spectrum is missing"));
   }
-  if (is_of_code (options->spectrum))
-    return parse_code_spectrum (self, options, answer);
+  if (is_of_code (options->spectrum)) {
+    QnSpectrum *s = &answer->answer.spectrum;
+    s->kind =
+      strcmp (options->spectrum, "type1") == 0 ? QN_SPECTRUM_EN_1 : QN_SPECTRUM_EN_2;
+    s->damping = options->damping;
+    if (options->ag == NULL || options->soil == NULL)
+      return qn_cli_usage_error (self->name,
+                                 _ ("a spectrum of EN 1998-1 needs --ag and --soil"));
+    s->ground_acceleration = parse_acceleration (options->ag);
+    if (s->ground_acceleration == 0)
+      return qn_cli_usage_error (
+        self->name, _ ("--ag is a positive acceleration in m/s2, or in g as 0.25g"));
+    if (strlen (options->soil) != 1 || *options->soil < 'A' || *options->soil > 'E')
+      return qn_cli_usage_error (self->name, _ ("--soil is A, B, C, D or E"));
+    s->soil = (QnSoil) (*options->soil - 'A');
+    return QN_EXIT_DONE;
+  }
   if (options->ag != NULL || options->soil != NULL)
     return qn_cli_usage_error (
       self->name, _ ("--ag and --soil belong to the spectra type1 and type2"));

@@ -16,21 +16,6 @@ typedef struct Options {
   gboolean loaded, quiet, no_timings;
 } Options;
 
-static void
-print_table (const QnModes *modes)
-{
-  printf ("%6s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
-          _ ("frequency [Hz]"), _ ("period [s]"));
-  for (size_t i = 0; i < modes->count; i++) {
-    double hertz = modes->omega[i] / (2 * G_PI);
-    printf ("%6zu  %14.6f  %14.6f  ", i + 1, modes->omega[i], hertz);
-    if (hertz > 0)
-      printf ("%14.6g\n", 1 / hertz);
-    else
-      printf ("%14s\n", _ ("rigid motion"));
-  }
-}
-
 static QnExit
 write_csv (const Options *options, const QnModel *model, const QnModes *modes)
 {
@@ -118,7 +103,16 @@ solve (const Options *options, const QnInput *input)
     code = QN_EXIT_NO_ANSWER;
   } else if (!options->quiet && g_strcmp0 (options->output, "-") != 0
              && g_strcmp0 (options->csv, "-") != 0) {
-    print_table (&modes);
+    printf ("%6s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
+            _ ("frequency [Hz]"), _ ("period [s]"));
+    for (size_t i = 0; i < modes.count; i++) {
+      double hertz = modes.omega[i] / (2 * G_PI);
+      printf ("%6zu  %14.6f  %14.6f  ", i + 1, modes.omega[i], hertz);
+      if (hertz > 0)
+        printf ("%14.6g\n", 1 / hertz);
+      else
+        printf ("%14s\n", _ ("rigid motion"));
+    }
   }
   if (code == QN_EXIT_DONE && options->csv != NULL)
     code = write_csv (options, &input->project.model, &modes);

@@ -39,36 +39,6 @@ dup_unstable_names (const QnModel *model, const QnResult *result)
   return g_string_free (names, FALSE);
 }
 
-/* Tells how the analysis ended where that is no success, and gives the exit code. */
-static QnExit
-judge_outcome (const QnProject *project, const QnResult *result)
-{
-  switch (result->outcome) {
-  case QN_OUTCOME_COLLAPSE:
-  case QN_OUTCOME_TARGET_REACHED:
-  case QN_OUTCOME_SNAP:
-  case QN_OUTCOME_UNBOUNDED:
-  case QN_OUTCOME_REST:
-    return QN_EXIT_DONE;
-  case QN_OUTCOME_CANCELLED:
-    return qn_cli_cancelled (project->name);
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
-    g_autofree char *names = dup_unstable_names (&project->model, result);
-    qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"), project->name,
-                  names);
-    return QN_EXIT_NO_ANSWER;
-  }
-  case QN_OUTCOME_NOT_CONVERGED: {
-    g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
-    qn_cli_error (_ ("%s: the analysis did not converge: %s"), project->name, reason);
-    return QN_EXIT_NO_ANSWER;
-  }
-  case QN_OUTCOME_COUNT:
-    break;
-  }
-  g_assert_not_reached ();
-}
-
 /* How far an analysis in time went, and what its numbers are worth. */
 static void
 print_history (const char *title, const QnResult *result)
@@ -206,7 +176,32 @@ report (const Options *options, const QnInput *input, const QnResult *result)
     if (code != QN_EXIT_DONE)
       return code;
   }
-  return judge_outcome (&input->project, result);
+  /* Tells how the analysis ended where that is no success, and gives the exit code. */
+  switch (result->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+  case QN_OUTCOME_TARGET_REACHED:
+  case QN_OUTCOME_SNAP:
+  case QN_OUTCOME_UNBOUNDED:
+  case QN_OUTCOME_REST:
+    return QN_EXIT_DONE;
+  case QN_OUTCOME_CANCELLED:
+    return qn_cli_cancelled (input->project.name);
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
+    g_autofree char *names = dup_unstable_names (&input->project.model, result);
+    qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"),
+                  input->project.name, names);
+    return QN_EXIT_NO_ANSWER;
+  }
+  case QN_OUTCOME_NOT_CONVERGED: {
+    g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, result);
+    qn_cli_error (_ ("%s: the analysis did not converge: %s"), input->project.name,
+                  reason);
+    return QN_EXIT_NO_ANSWER;
+  }
+  case QN_OUTCOME_COUNT:
+    break;
+  }
+  g_assert_not_reached ();
 }
 
 static QnExit

@@ -7,27 +7,6 @@
 #include <glib/gi18n.h>
 #include <stdio.h>
 
-static void
-print_table (const QnModel *model, const QnLimitSensitivity *s)
-{
-  printf (_ ("Change of the associative multiplier %.6f, of this mechanism:\n"),
-          s->multiplier);
-  printf ("%-24s %12s %12s %12s %12s %12s\n", _ ("law"), _ ("friction"), _ ("cohesion"),
-          _ ("tension"), _ ("weight"), _ ("thickness"));
-  for (size_t i = 0; i < model->law_count; i++)
-    printf ("%-24s %12.6g %12.6g %12.6g %12.6g %12.6g\n", model->laws[i].name,
-            s->laws[i].friction, s->laws[i].cohesion, s->laws[i].tension,
-            s->laws[i].weight, s->laws[i].thickness);
-  for (size_t i = 0; i < model->dead_load_count; i++)
-    printf (_ ("dead load %zu: %.6g\n"), i + 1, s->dead_loads[i]);
-  for (size_t i = 0; i < model->live_load_count; i++)
-    if (model->live_loads[i].set == 0)
-      printf (_ ("live load %zu: %.6g\n"), i + 1, s->live_loads[i]);
-  printf (
-    _ ("Friction per 1, cohesion and tension per N or Pa as the law has them; weight, "
-       "thickness and loads per factor: of 1 %% more, a hundredth.\n"));
-}
-
 QnExit
 qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
                       const QnResult *result)
@@ -43,7 +22,23 @@ qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
       != QN_OK) {
     return qn_input_refuse (project, &diag);
   }
-  print_table (&project->model, &sensitivity);
+  printf (_ ("Change of the associative multiplier %.6f, of this mechanism:\n"),
+          sensitivity.multiplier);
+  printf ("%-24s %12s %12s %12s %12s %12s\n", _ ("law"), _ ("friction"), _ ("cohesion"),
+          _ ("tension"), _ ("weight"), _ ("thickness"));
+  for (size_t i = 0; i < project->model.law_count; i++)
+    printf ("%-24s %12.6g %12.6g %12.6g %12.6g %12.6g\n", project->model.laws[i].name,
+            sensitivity.laws[i].friction, sensitivity.laws[i].cohesion,
+            sensitivity.laws[i].tension, sensitivity.laws[i].weight,
+            sensitivity.laws[i].thickness);
+  for (size_t i = 0; i < project->model.dead_load_count; i++)
+    printf (_ ("dead load %zu: %.6g\n"), i + 1, sensitivity.dead_loads[i]);
+  for (size_t i = 0; i < project->model.live_load_count; i++)
+    if (project->model.live_loads[i].set == 0)
+      printf (_ ("live load %zu: %.6g\n"), i + 1, sensitivity.live_loads[i]);
+  printf (
+    _ ("Friction per 1, cohesion and tension per N or Pa as the law has them; weight, "
+       "thickness and loads per factor: of 1 %% more, a hundredth.\n"));
   qn_limit_sensitivity_clear (&sensitivity);
   return QN_EXIT_DONE;
 }

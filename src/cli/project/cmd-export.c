@@ -46,31 +46,6 @@ write_csv (const Options *options, const QnInput *input, const QnResult *result,
 }
 
 static QnExit
-export_model (const Options *options, Format format, const QnInput *input,
-              const QnResult *result)
-{
-  const QnModel *model = &input->project.model;
-  double unit = options->unit != NULL ? qn_import_unit (options->unit) : 1;
-  GError *error = NULL;
-  gboolean done = FALSE;
-  switch (format) {
-  case FORMAT_DXF:
-    done = qn_dxf_export (model, &input->contacts, result, options->scale, unit,
-                          options->output, &error);
-    break;
-  case FORMAT_PVD:
-    done = qn_vtu_export (model, &input->contacts, result, options->output, &error);
-    break;
-  case FORMAT_CSV:
-    done = write_csv (options, input, result, &error);
-    break;
-  case FORMAT_COUNT:
-    break;
-  }
-  return done ? QN_EXIT_DONE : qn_cli_fail (error);
-}
-
-static QnExit
 load_and_export (const Options *options, Format format, const char *path)
 {
   QnInput input;
@@ -81,7 +56,26 @@ load_and_export (const Options *options, Format format, const char *path)
                             : qn_input_load (&input, path, options->overrides, FALSE);
   if (code != QN_EXIT_DONE)
     return code;
-  code = export_model (options, format, &input, with_result ? &file.result : NULL);
+  const QnResult *result = with_result ? &file.result : NULL;
+  const QnModel *model = &input.project.model;
+  double unit = options->unit != NULL ? qn_import_unit (options->unit) : 1;
+  GError *error = NULL;
+  gboolean done = FALSE;
+  switch (format) {
+  case FORMAT_DXF:
+    done = qn_dxf_export (model, &input.contacts, result, options->scale, unit,
+                          options->output, &error);
+    break;
+  case FORMAT_PVD:
+    done = qn_vtu_export (model, &input.contacts, result, options->output, &error);
+    break;
+  case FORMAT_CSV:
+    done = write_csv (options, &input, result, &error);
+    break;
+  case FORMAT_COUNT:
+    break;
+  }
+  code = done ? QN_EXIT_DONE : qn_cli_fail (error);
   if (with_result)
     qn_result_file_clear (&file);
   qn_input_clear (&input);

@@ -183,30 +183,6 @@ run_run (const QnSubcommand *self, int argc, char **argv)
 }
 
 static QnExit
-submit (const char *folder, const QnSlurmSettings *settings)
-{
-  QnStudy study;
-  QnSubmission submission;
-  GError *error = NULL;
-  if (!qn_folder_read_study (folder, &study, &error))
-    return qn_cli_fail (error);
-  gboolean ok = qn_study_submit (&study, folder, settings, &submission, &error);
-  qn_study_clear (&study);
-  if (!ok)
-    return qn_cli_fail (error);
-  if (submission.script == NULL)
-    printf (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
-            folder, submission.missing, submission.active);
-  else if (submission.job == NULL)
-    fputs (submission.script, stdout);
-  else
-    printf (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
-            submission.missing, submission.tasks, submission.job);
-  qn_submission_clear (&submission);
-  return QN_EXIT_DONE;
-}
-
-static QnExit
 run_submit (const QnSubcommand *self, int argc, char **argv)
 {
   gboolean slurm = FALSE, dry_run = FALSE;
@@ -233,7 +209,26 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
                                      .array_size = (guint) size,
                                      .partition = partition,
                                      .dry_run = dry_run };
-  return submit (argv[1], &settings);
+  const char *folder = argv[1];
+  QnStudy study;
+  QnSubmission submission;
+  GError *error = NULL;
+  if (!qn_folder_read_study (folder, &study, &error))
+    return qn_cli_fail (error);
+  gboolean ok = qn_study_submit (&study, folder, &settings, &submission, &error);
+  qn_study_clear (&study);
+  if (!ok)
+    return qn_cli_fail (error);
+  if (submission.script == NULL)
+    printf (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
+            folder, submission.missing, submission.active);
+  else if (submission.job == NULL)
+    fputs (submission.script, stdout);
+  else
+    printf (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
+            submission.missing, submission.tasks, submission.job);
+  qn_submission_clear (&submission);
+  return QN_EXIT_DONE;
 }
 
 static const QnSubcommand submit_action = {

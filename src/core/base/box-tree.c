@@ -119,7 +119,8 @@ qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count)
     qn_box_tree_clear (tree);
     return false;
   }
-  /* Fills the levels above the items, each node around QN_BOX_TREE_FANOUT of the level below. */
+  /* Fills the levels above the items, each node around QN_BOX_TREE_FANOUT of the level
+   * below. */
   for (int32_t level = 1; level < tree->level_count; level++) {
     const QnBox *below = tree->nodes + tree->level_starts[level - 1];
     QnBox *nodes = tree->nodes + tree->level_starts[level];

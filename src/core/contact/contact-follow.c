@@ -528,41 +528,6 @@ longer_side (const QnSides *sides, QnId block, QnId corner)
   return longest;
 }
 
-static void
-append (const QnModel *model, const QnSides *sides, const QnFoundContact *c,
-        QnContacts *contacts)
-{
-  const QnSide *side = side_of (sides, c->block, c->side);
-  const QnBlock *blocks = model->blocks;
-  QnContactFace *face = &contacts->faces[contacts->face_count];
-
-  *face = (QnContactFace){
-    .a = c->block,
-    .b = c->other,
-    .edge_a = c->side,
-    .edge_b = c->corner,
-    .start = side->start,
-    .end = side->end,
-    .normal = qn_vec2 (side->direction.y, -side->direction.x),
-    .tangent = side->direction,
-    .length = side->length,
-    .thickness = fmin (blocks[c->block].thickness, blocks[c->other].thickness),
-    .law_a = law_of (model, c->block),
-    .law_b = law_of (model, c->other),
-    .first_pair = (QnId) contacts->pair_count,
-    .pair_count = 1,
-  };
-  contacts->pairs[contacts->pair_count++] = (QnContactPair){
-    .face = (QnId) contacts->face_count++,
-    .bar = QN_NONE,
-    .point = qn_model_block_vertices (model, c->other)[c->corner],
-    .abscissa = c->foot,
-    .tributary = 0.5 * fmin (side->length, longer_side (sides, c->other, c->corner)),
-    .found = true,
-  };
-  qn_contacts_set_inset (contacts, contacts->pair_count - 1, c->inset);
-}
-
 bool
 qn_contacts_set_inset (QnContacts *contacts, size_t pair, double inset)
 {
@@ -596,7 +561,37 @@ qn_contacts_with_found (const QnModel *model, const QnContacts *drawn,
     memcpy (contacts->faces, drawn->faces, drawn->face_count * sizeof *contacts->faces);
   if (drawn->pair_count > 0)
     memcpy (contacts->pairs, drawn->pairs, drawn->pair_count * sizeof *contacts->pairs);
-  for (size_t i = 0; i < count; i++)
-    append (model, sides, &found[i], contacts);
+  for (size_t i = 0; i < count; i++) {
+    const QnFoundContact *c = &found[i];
+    const QnSide *side = side_of (sides, c->block, c->side);
+    const QnBlock *blocks = model->blocks;
+    QnContactFace *face = &contacts->faces[contacts->face_count];
+
+    *face = (QnContactFace){
+      .a = c->block,
+      .b = c->other,
+      .edge_a = c->side,
+      .edge_b = c->corner,
+      .start = side->start,
+      .end = side->end,
+      .normal = qn_vec2 (side->direction.y, -side->direction.x),
+      .tangent = side->direction,
+      .length = side->length,
+      .thickness = fmin (blocks[c->block].thickness, blocks[c->other].thickness),
+      .law_a = law_of (model, c->block),
+      .law_b = law_of (model, c->other),
+      .first_pair = (QnId) contacts->pair_count,
+      .pair_count = 1,
+    };
+    contacts->pairs[contacts->pair_count++] = (QnContactPair){
+      .face = (QnId) contacts->face_count++,
+      .bar = QN_NONE,
+      .point = qn_model_block_vertices (model, c->other)[c->corner],
+      .abscissa = c->foot,
+      .tributary = 0.5 * fmin (side->length, longer_side (sides, c->other, c->corner)),
+      .found = true,
+    };
+    qn_contacts_set_inset (contacts, contacts->pair_count - 1, c->inset);
+  }
   return QN_OK;
 }

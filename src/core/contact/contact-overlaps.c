@@ -144,20 +144,6 @@ try_boundary (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts
   return true;
 }
 
-static void
-try_inner_point (const QnContactSearch *search, QnId a, QnId b, Deepest *deepest)
-{
-  const QnModel *model = search->model;
-  QnVec2 inner = qn_polygon_inner_point (qn_model_block_vertices (model, a),
-                                         (size_t) model->blocks[a].vertex_count);
-  Deepest own = { 0, inner, 0 }, other = { 0, inner, 0 };
-  try_point (search, a, b, inner, 0, &own);
-  try_point (search, b, a, inner, 0, &other);
-  double depth = fmin (own.depth, other.depth);
-  if (depth > deepest->depth)
-    *deepest = (Deepest){ depth, inner, 0 };
-}
-
 /* Whether two blocks fill the same box, up to what may pass unnoticed on either. */
 static bool
 fill_same_box (const QnContactSearch *search, QnId a, QnId b)
@@ -179,8 +165,17 @@ find_deepest (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts
   if (!try_boundary (search, a, b, cuts, deepest)
       || !try_boundary (search, b, a, cuts, deepest))
     return false;
-  if (deepest->depth <= search->lengths.tolerance && fill_same_box (search, a, b))
-    try_inner_point (search, a, b, deepest);
+  if (deepest->depth <= search->lengths.tolerance && fill_same_box (search, a, b)) {
+    const QnModel *model = search->model;
+    QnVec2 inner = qn_polygon_inner_point (qn_model_block_vertices (model, a),
+                                           (size_t) model->blocks[a].vertex_count);
+    Deepest own = { 0, inner, 0 }, other = { 0, inner, 0 };
+    try_point (search, a, b, inner, 0, &own);
+    try_point (search, b, a, inner, 0, &other);
+    double depth = fmin (own.depth, other.depth);
+    if (depth > deepest->depth)
+      *deepest = (Deepest){ depth, inner, 0 };
+  }
   return true;
 }
 

@@ -220,18 +220,6 @@ list_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai, int32_t f,
   return fill;
 }
 
-/* mirror[p]: where the transpose of the entry at p stands. Columns are visited in order, and so
- * are the entries of their rows. */
-static void
-find_mirrors (int32_t n, const int32_t *ap, const int32_t *ai, int32_t *next,
-              int32_t *mirror)
-{
-  memcpy (next, ap, (size_t) n * sizeof *next);
-  for (int32_t j = 0; j < n; j++)
-    for (int32_t p = ap[j]; p < ap[j + 1]; p++)
-      mirror[p] = next[ai[p]]++;
-}
-
 static bool
 list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai)
 {
@@ -243,7 +231,12 @@ list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai)
   bool ok = unknown && where && mirror;
 
   if (ok) {
-    find_mirrors (tree->n, ap, ai, where, mirror);
+    /* mirror[p]: where the transpose of the entry at p stands. Columns are visited in
+     * order, and so are the entries of their rows. */
+    memcpy (where, ap, (size_t) tree->n * sizeof *where);
+    for (int32_t j = 0; j < tree->n; j++)
+      for (int32_t p = ap[j]; p < ap[j + 1]; p++)
+        mirror[p] = where[ai[p]]++;
     for (int32_t i = 0; i < tree->n; i++)
       unknown[tree->position[i]] = i;
     for (int32_t f = 0; f < tree->front_count; f++) {

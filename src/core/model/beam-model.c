@@ -179,17 +179,6 @@ derive_beam (QnModel *model, QnId index, QnDiag *diag)
   return QN_OK;
 }
 
-static void
-derive_section (const QnModel *model, QnSection *section)
-{
-  if (section->height > 0) {
-    section->area = section->width * section->height;
-    section->inertia = section->area * section->height * section->height / 12;
-  }
-  if (section->density >= 0)
-    section->unit_weight = section->density * model->gravity;
-}
-
 static QnStatus
 check_moments (const QnModel *model, const QnLoad *loads, size_t count, QnEntity entity,
                QnDiag *diag)
@@ -218,8 +207,15 @@ qn_model_derive_beams (QnModel *model, QnDiag *diag)
 {
   QnStatus status = QN_OK;
 
-  for (size_t i = 0; i < model->section_count; i++)
-    derive_section (model, &model->sections[i]);
+  for (size_t i = 0; i < model->section_count; i++) {
+    QnSection *section = &model->sections[i];
+    if (section->height > 0) {
+      section->area = section->width * section->height;
+      section->inertia = section->area * section->height * section->height / 12;
+    }
+    if (section->density >= 0)
+      section->unit_weight = section->density * model->gravity;
+  }
   for (size_t i = 0; i < model->node_count; i++) {
     QnNode *node = &model->nodes[i];
     if (node->seat == QN_SEAT_CENTROID)

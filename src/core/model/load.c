@@ -78,32 +78,6 @@ add_force (const QnModel *model, const QnLoad *load, double factor, double *forc
   out[QN_DOF_RZ] += factor * moment;
 }
 
-/* forces += factor x load */
-static void
-add_load (const QnModel *model, const QnLoad *load, double factor, double *forces)
-{
-  switch (load->kind) {
-  case QN_LOAD_WEIGHT:
-    for (size_t b = 0; b < model->block_count; b++) {
-      double *out = forces + b * QN_DOF_COUNT;
-      out[QN_DOF_UX] += factor * (model->blocks[b].weight * load->vector.x);
-      out[QN_DOF_UY] += factor * (model->blocks[b].weight * load->vector.y);
-    }
-    break;
-  case QN_LOAD_FORCE:
-  case QN_LOAD_NODE:
-    add_force (model, load, factor, forces);
-    break;
-  case QN_LOAD_SETTLEMENT:
-  case QN_LOAD_LINE:
-  case QN_LOAD_EDGE: /* their forces come behind the loads */
-  case QN_LOAD_SURCHARGE:
-  case QN_LOAD_BACKFILL:
-  case QN_LOAD_KIND_COUNT:
-    break;
-  }
-}
-
 static void
 set_zero (const QnModel *model, double *forces)
 {
@@ -127,8 +101,29 @@ sum_forces (const QnModel *model, const double *factors, double *forces)
   for (size_t i = 0; i < qn_model_acting_count (model); i++) {
     const QnLoad load = qn_model_acting_load (model, i);
     double part = part_of (&load, factors);
-    if (part != 0)
-      add_load (model, &load, part, forces);
+    if (part != 0) {
+      /* forces += factor x load */
+      switch (load.kind) {
+      case QN_LOAD_WEIGHT:
+        for (size_t b = 0; b < model->block_count; b++) {
+          double *out = forces + b * QN_DOF_COUNT;
+          out[QN_DOF_UX] += part * (model->blocks[b].weight * load.vector.x);
+          out[QN_DOF_UY] += part * (model->blocks[b].weight * load.vector.y);
+        }
+        break;
+      case QN_LOAD_FORCE:
+      case QN_LOAD_NODE:
+        add_force (model, &load, part, forces);
+        break;
+      case QN_LOAD_SETTLEMENT:
+      case QN_LOAD_LINE:
+      case QN_LOAD_EDGE: /* their forces come behind the loads */
+      case QN_LOAD_SURCHARGE:
+      case QN_LOAD_BACKFILL:
+      case QN_LOAD_KIND_COUNT:
+        break;
+      }
+    }
   }
 }
 

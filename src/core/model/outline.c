@@ -77,11 +77,20 @@ append (Envelope *out, double from, double to, const Segment *segment)
     out->items[out->count++] = (Piece){ from, to, segment };
 }
 
-/* Both envelopes begin and end pieces at ends of segments, and so does the merged one: of n segments
- * it has fewer than 2 n pieces. */
+/* Room for 2 count pieces in both. */
 static Envelope
-merge (Envelope a, Envelope b, Piece *room)
+find_envelope (const Segment *segments, size_t count, Piece *room, Piece *scratch)
 {
+  if (count == 1) {
+    room[0] = (Piece){ segments->low.x, segments->high.x, segments };
+    return (Envelope){ room, 1 };
+  }
+  size_t half = count / 2;
+  Envelope a = find_envelope (segments, half, scratch, room);
+  Envelope b =
+    find_envelope (segments + half, count - half, scratch + 2 * half, room + 2 * half);
+  /* Both envelopes begin and end pieces at ends of segments, and so does the merged one:
+   * of n segments it has fewer than 2 n pieces. */
   Envelope out = { room, 0 };
   size_t i = 0, j = 0;
   double u = -INFINITY;
@@ -109,21 +118,6 @@ merge (Envelope a, Envelope b, Piece *room)
     j += j < b.count && u >= to_b;
   }
   return out;
-}
-
-/* Room for 2 count pieces in both. */
-static Envelope
-find_envelope (const Segment *segments, size_t count, Piece *room, Piece *scratch)
-{
-  if (count == 1) {
-    room[0] = (Piece){ segments->low.x, segments->high.x, segments };
-    return (Envelope){ room, 1 };
-  }
-  size_t half = count / 2;
-  Envelope a = find_envelope (segments, half, scratch, room);
-  Envelope b =
-    find_envelope (segments + half, count - half, scratch + 2 * half, room + 2 * half);
-  return merge (a, b, room);
 }
 
 static QnVec2

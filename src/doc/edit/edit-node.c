@@ -53,28 +53,6 @@ replace_id (QnId *id, QnId gone, QnId by)
     *id = by;
 }
 
-/* Everything that named the one names the other; rebuilding leaves out a node without beams. */
-static gboolean
-merge (QnModel *model, QnId gone, QnId into, GError **error)
-{
-  for (gsize i = 0; i < model->beam_count; i++) {
-    replace_id (&model->beams[i].nodes[0], gone, into);
-    replace_id (&model->beams[i].nodes[1], gone, into);
-  }
-  for (gsize i = 0; i < model->dead_load_count; i++)
-    if (model->dead_loads[i].kind == QN_LOAD_NODE)
-      replace_id (&model->dead_loads[i].node, gone, into);
-  for (gsize i = 0; i < model->live_load_count; i++)
-    if (model->live_loads[i].kind == QN_LOAD_NODE)
-      replace_id (&model->live_loads[i].node, gone, into);
-  replace_id (&model->analysis.control_node, gone, into);
-  for (gsize i = 0; i < model->stage_count; i++)
-    replace_id (&model->stages[i].control_node, gone, into);
-  model->nodes[gone].seat = QN_SEAT_FREE;
-  model->nodes[gone].block = QN_NONE;
-  return qn_edit_rebuild (model, NULL, error);
-}
-
 static double
 reach_of (QnVec2 at)
 {
@@ -99,7 +77,24 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
   QnId other = qn_model_node_near (model, at, reach_of (at));
   if (other != QN_NONE) {
     node->at = from;
-    return merge (model, id, other, error);
+    /* Everything that named the one names the other; rebuilding leaves out a node without
+     * beams. */
+    for (gsize i = 0; i < model->beam_count; i++) {
+      replace_id (&model->beams[i].nodes[0], id, other);
+      replace_id (&model->beams[i].nodes[1], id, other);
+    }
+    for (gsize i = 0; i < model->dead_load_count; i++)
+      if (model->dead_loads[i].kind == QN_LOAD_NODE)
+        replace_id (&model->dead_loads[i].node, id, other);
+    for (gsize i = 0; i < model->live_load_count; i++)
+      if (model->live_loads[i].kind == QN_LOAD_NODE)
+        replace_id (&model->live_loads[i].node, id, other);
+    replace_id (&model->analysis.control_node, id, other);
+    for (gsize i = 0; i < model->stage_count; i++)
+      replace_id (&model->stages[i].control_node, id, other);
+    model->nodes[id].seat = QN_SEAT_FREE;
+    model->nodes[id].block = QN_NONE;
+    return qn_edit_rebuild (model, NULL, error);
   }
   node->at = at;
   QnId block = qn_model_block_under (model, at, reach_of (at));

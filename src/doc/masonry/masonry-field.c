@@ -130,11 +130,10 @@ address (QnMasonry *masonry, const Field *field)
   return base + field->offset;
 }
 
-double
-qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
+static double
+get_number (gconstpointer at, Type type)
 {
-  const void *at = address ((QnMasonry *) masonry, &fields[field]);
-  switch (fields[field].type) {
+  switch (type) {
   case TYPE_NUMBER:
     return *(const double *) at;
   case TYPE_COUNT:
@@ -143,6 +142,28 @@ qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
     return *(const uint32_t *) at;
   }
   return 0.0;
+}
+
+static void
+set_number (gpointer at, Type type, double value)
+{
+  switch (type) {
+  case TYPE_NUMBER:
+    *(double *) at = value;
+    break;
+  case TYPE_COUNT:
+    *(int32_t *) at = (int32_t) qn_to_integer (round (value), G_MININT32, G_MAXINT32);
+    break;
+  case TYPE_SEED:
+    *(uint32_t *) at = (uint32_t) qn_to_integer (round (value), 0, G_MAXUINT32);
+    break;
+  }
+}
+
+double
+qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
+{
+  return get_number (address ((QnMasonry *) masonry, &fields[field]), fields[field].type);
 }
 
 /* Numbers that others depend on take them along. */
@@ -164,18 +185,7 @@ follow (QnMasonry *masonry, QnMasonryField field)
 void
 qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
 {
-  void *at = address (masonry, &fields[field]);
-  switch (fields[field].type) {
-  case TYPE_NUMBER:
-    *(double *) at = value;
-    break;
-  case TYPE_COUNT:
-    *(int32_t *) at = (int32_t) qn_to_integer (round (value), G_MININT32, G_MAXINT32);
-    break;
-  case TYPE_SEED:
-    *(uint32_t *) at = (uint32_t) qn_to_integer (round (value), 0, G_MAXUINT32);
-    break;
-  }
+  set_number (address (masonry, &fields[field]), fields[field].type, value);
   for (gsize i = 1; fields[field].leaf && i < masonry->wall.leaf_count; i++) {
     /* Leaves keep lengths of their own; blocks are alike. */
     if (field != QN_MASONRY_LENGTH)
@@ -186,108 +196,67 @@ qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
 
 /* ---- openings ---- */
 
-static const QnFieldInfo opening_infos[QN_OPENING_FIELD_COUNT] = {
-  [QN_OPENING_LEFT] = { N_ ("From the left"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST, 0,
-                        "at[0]" },
-  [QN_OPENING_BOTTOM] = { N_ ("From the foot"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST, 0,
-                          "at[1]" },
-  [QN_OPENING_WIDTH] = { N_ ("Width"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0, "width" },
-  [QN_OPENING_HEIGHT] = { N_ ("Height"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0,
-                          "height" },
-  [QN_OPENING_RISE] = { N_ ("Rise of the head"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0,
-                        "rise" },
-  [QN_OPENING_DEPTH] = { N_ ("Depth of what spans it"), QN_QUANTITY_LENGTH, SMALL,
-                         LARGEST, 0, "depth" },
-  [QN_OPENING_BEARING] = { N_ ("Bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0,
-                           "bearing" },
-  [QN_OPENING_VOUSSOIRS] = { N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, TRUE,
-                             "voussoirs" },
-  [QN_OPENING_SKEW] = { N_ ("Lean of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, 0,
-                        "skew" },
-  [QN_OPENING_SILL_HEIGHT] = { N_ ("Sill height"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0,
-                               "sill[0]" },
-  [QN_OPENING_SILL_BEARING] = { N_ ("Sill bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0,
-                                "sill[1]" },
+typedef struct OpeningField {
+  QnFieldInfo info;
+  gsize offset;
+  guint spans; /* a bit for each QnSpan that has it; 0: all */
+} OpeningField;
+
+#define LENGTH(text, key, least, member, spans)                                          \
+  {                                                                                      \
+    { text, QN_QUANTITY_LENGTH, least, LARGEST, FALSE, key },                            \
+      G_STRUCT_OFFSET (QnOpening, member), spans                                         \
+  }
+#define SPANS_PIECES (1u << QN_SPAN_FLAT_ARCH | 1u << QN_SPAN_VOUSSOIRS)
+#define SPANS_ANY    (SPANS_PIECES | 1u << QN_SPAN_LINTEL)
+
+/* clang-format off */
+static const OpeningField opening_fields[QN_OPENING_FIELD_COUNT] = {
+  [QN_OPENING_LEFT] = LENGTH (N_ ("From the left"), "at[0]", -LARGEST, at.x, 0),
+  [QN_OPENING_BOTTOM] = LENGTH (N_ ("From the foot"), "at[1]", -LARGEST, at.y, 0),
+  [QN_OPENING_WIDTH] = LENGTH (N_ ("Width"), "width", SMALL, width, 0),
+  [QN_OPENING_HEIGHT] = LENGTH (N_ ("Height"), "height", SMALL, height, 0),
+  [QN_OPENING_RISE] = LENGTH (N_ ("Rise of the head"), "rise", SMALL, rise, 0),
+  [QN_OPENING_DEPTH] = LENGTH (N_ ("Depth of what spans it"), "depth", SMALL, depth, SPANS_ANY),
+  [QN_OPENING_BEARING] = LENGTH (N_ ("Bearing"), "bearing", 0.0, bearing, 1u << QN_SPAN_LINTEL),
+  [QN_OPENING_VOUSSOIRS] = { { N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, TRUE, "voussoirs" },
+                             G_STRUCT_OFFSET (QnOpening, voussoirs), SPANS_PIECES },
+  [QN_OPENING_SKEW] = { { N_ ("Lean of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, FALSE, "skew" },
+                        G_STRUCT_OFFSET (QnOpening, skew), 1u << QN_SPAN_FLAT_ARCH },
+  [QN_OPENING_SILL_HEIGHT] = LENGTH (N_ ("Sill height"), "sill[0]", 0.0, sill_height, 0),
+  [QN_OPENING_SILL_BEARING] = LENGTH (N_ ("Sill bearing"), "sill[1]", 0.0, sill_bearing, 0),
 };
+/* clang-format on */
 
 const QnFieldInfo *
 qn_opening_field_info (QnOpeningField field)
 {
-  return &opening_infos[field];
+  return &opening_fields[field].info;
 }
 
 gboolean
 qn_opening_has_field (const QnOpening *opening, QnOpeningField field)
 {
-  switch (field) {
-  case QN_OPENING_RISE:
+  const guint spans = opening_fields[field].spans;
+  if (field == QN_OPENING_RISE)
     return opening->head == QN_HEAD_SEGMENTAL;
-  case QN_OPENING_DEPTH:
-    return opening->span != QN_SPAN_NONE;
-  case QN_OPENING_BEARING:
-    return opening->span == QN_SPAN_LINTEL;
-  case QN_OPENING_VOUSSOIRS:
-    return opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
-  case QN_OPENING_SKEW:
-    return opening->span == QN_SPAN_FLAT_ARCH;
-  case QN_OPENING_SILL_BEARING:
+  if (field == QN_OPENING_SILL_BEARING)
     return opening->sill_height > 0.0;
-  case QN_OPENING_LEFT:
-  case QN_OPENING_BOTTOM:
-  case QN_OPENING_WIDTH:
-  case QN_OPENING_HEIGHT:
-  case QN_OPENING_SILL_HEIGHT:
-    return TRUE;
-  case QN_OPENING_FIELD_COUNT:
-    break;
-  }
-  return FALSE;
-}
-
-static double *
-opening_number (QnOpening *opening, QnOpeningField field)
-{
-  switch (field) {
-  case QN_OPENING_LEFT:
-    return &opening->at.x;
-  case QN_OPENING_BOTTOM:
-    return &opening->at.y;
-  case QN_OPENING_WIDTH:
-    return &opening->width;
-  case QN_OPENING_HEIGHT:
-    return &opening->height;
-  case QN_OPENING_RISE:
-    return &opening->rise;
-  case QN_OPENING_DEPTH:
-    return &opening->depth;
-  case QN_OPENING_BEARING:
-    return &opening->bearing;
-  case QN_OPENING_SKEW:
-    return &opening->skew;
-  case QN_OPENING_SILL_HEIGHT:
-    return &opening->sill_height;
-  case QN_OPENING_SILL_BEARING:
-    return &opening->sill_bearing;
-  case QN_OPENING_VOUSSOIRS:
-  case QN_OPENING_FIELD_COUNT:
-    break;
-  }
-  return NULL;
+  return spans == 0 || (spans >> opening->span & 1) != 0;
 }
 
 double
 qn_opening_get_field (const QnOpening *opening, QnOpeningField field)
 {
-  const double *number = opening_number ((QnOpening *) opening, field);
-  return number != NULL ? *number : opening->voussoirs;
+  const OpeningField *f = &opening_fields[field];
+  return get_number ((const char *) opening + f->offset,
+                     f->info.whole ? TYPE_COUNT : TYPE_NUMBER);
 }
 
 void
 qn_opening_set_field (QnOpening *opening, QnOpeningField field, double value)
 {
-  double *number = opening_number (opening, field);
-  if (number != NULL)
-    *number = value;
-  else
-    opening->voussoirs = (int32_t) qn_to_integer (round (value), G_MININT32, G_MAXINT32);
+  const OpeningField *f = &opening_fields[field];
+  set_number ((char *) opening + f->offset, f->info.whole ? TYPE_COUNT : TYPE_NUMBER,
+              value);
 }

@@ -26,34 +26,29 @@ clear_step (gpointer data)
   g_free (((QnJsonStep *) data)->key);
 }
 
-/* Reads [3] or ["key"]; returns what follows, or NULL. */
-static const char *
-parse_bracket (const char *text, QnJsonStep *step)
-{
-  text++;
-  if (*text == '"') {
-    QnJsonScanner scanner;
-    qn_json_scanner_init (&scanner, text, strlen (text));
-    if (qn_json_next (&scanner) != QN_JSON_STRING || text[scanner.end] != ']')
-      return NULL;
-    step->key = qn_json_dup_string (&scanner);
-    return text + scanner.end + 1;
-  }
-
-  char *end;
-  guint64 index = g_ascii_strtoull (text, &end, 10);
-  if (!g_ascii_isdigit (*text) || *end != ']' || index > G_MAXINT32)
-    return NULL;
-  step->index = (gsize) index;
-  return end + 1;
-}
-
 /* Reads one step; returns what follows, or NULL. */
 static const char *
 parse_step (const char *text, gboolean first, QnJsonStep *step)
 {
-  if (*text == '[')
-    return parse_bracket (text, step);
+  if (*text == '[') {
+    /* Reads [3] or ["key"]; returns what follows, or NULL. */
+    text++;
+    if (*text == '"') {
+      QnJsonScanner scanner;
+      qn_json_scanner_init (&scanner, text, strlen (text));
+      if (qn_json_next (&scanner) != QN_JSON_STRING || text[scanner.end] != ']')
+        return NULL;
+      step->key = qn_json_dup_string (&scanner);
+      return text + scanner.end + 1;
+    }
+
+    char *end;
+    guint64 index = g_ascii_strtoull (text, &end, 10);
+    if (!g_ascii_isdigit (*text) || *end != ']' || index > G_MAXINT32)
+      return NULL;
+    step->index = (gsize) index;
+    return end + 1;
+  }
   if (!first && *text++ != '.')
     return NULL;
 

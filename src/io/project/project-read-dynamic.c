@@ -17,23 +17,6 @@ read_point (const QnJsonValue *place, QnGroundMotion *motion)
 }
 
 static gboolean
-read_points (const QnJsonValue *points, QnGroundMotion *motion)
-{
-  gsize index = 0;
-  if (!qn_json_value_array (points))
-    return FALSE;
-  for (const cJSON *item = points->json->child; item != NULL; item = item->next) {
-    QnJsonValue point = qn_json_value_element (points, index++, item);
-    if (index > QN_MAX_SIGNAL_POINTS)
-      return qn_json_value_fail (points,
-                                 _ (qn_problem_text (QN_PROBLEM_SIGNAL_TOO_LONG)));
-    if (!read_point (&point, motion))
-      return FALSE;
-  }
-  return TRUE;
-}
-
-static gboolean
 read_pulse (const QnJsonValue *place, QnPulse *pulse)
 {
   static const char *const keys[] = { "kind", "amplitude", "duration", "start" };
@@ -65,8 +48,20 @@ read_signal (const QnJsonValue *place, QnGroundMotion *motion)
           || motion->rests))
     return qn_json_value_fail (place,
                                _ ("unit, time_step, peak and rest belong to a record"));
-  if (points.json != NULL)
-    return read_points (&points, motion);
+  if (points.json != NULL) {
+    gsize index = 0;
+    if (!qn_json_value_array (&points))
+      return FALSE;
+    for (const cJSON *item = points.json->child; item != NULL; item = item->next) {
+      QnJsonValue point = qn_json_value_element (&points, index++, item);
+      if (index > QN_MAX_SIGNAL_POINTS)
+        return qn_json_value_fail (&points,
+                                   _ (qn_problem_text (QN_PROBLEM_SIGNAL_TOO_LONG)));
+      if (!read_point (&point, motion))
+        return FALSE;
+    }
+    return TRUE;
+  }
   if (pulse.json == NULL)
     return TRUE;
   motion->kind = QN_SIGNAL_PULSE;

@@ -34,21 +34,6 @@ append_section (GString *json, const QnModel *model, size_t index)
   return section->note;
 }
 
-static void
-append_node (GString *json, const QnModel *model, const QnNode *node)
-{
-  g_string_append_c (json, '{');
-  qn_json_put_string (json, "name", node->name);
-  if (node->seat != QN_SEAT_FREE)
-    qn_json_put_string (json, "block", model->blocks[node->block].name);
-  if (node->seat == QN_SEAT_SIDE)
-    qn_json_put_string (json, "side", qn_block_side_names[node->side]);
-  if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT)
-    qn_json_put_vec2 (json, "at", node->at);
-  qn_json_put_support (json, node->support);
-  g_string_append (json, " }");
-}
-
 static int32_t
 append_beam (GString *json, const QnModel *model, size_t index)
 {
@@ -87,7 +72,17 @@ qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
     if (model->nodes[i].beam != QN_NONE)
       continue;
     g_string_append (json, first ? "  \"nodes\": [\n    " : ",\n    ");
-    append_node (json, model, &model->nodes[i]);
+    const QnNode *node = &model->nodes[i];
+    g_string_append_c (json, '{');
+    qn_json_put_string (json, "name", node->name);
+    if (node->seat != QN_SEAT_FREE)
+      qn_json_put_string (json, "block", model->blocks[node->block].name);
+    if (node->seat == QN_SEAT_SIDE)
+      qn_json_put_string (json, "side", qn_block_side_names[node->side]);
+    if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT)
+      qn_json_put_vec2 (json, "at", node->at);
+    qn_json_put_support (json, node->support);
+    g_string_append (json, " }");
     qn_json_append_note (json, inner, model->nodes[i].note);
     first = FALSE;
   }

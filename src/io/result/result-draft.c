@@ -200,7 +200,8 @@ take_arrays (QnJsonStream *stream, QnResultDraft *draft)
 gboolean
 qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
 {
-  /* Numbers that may be null; what the file says of the first limit point stands, whatever its events. */
+  /* Numbers that may be null; what the file says of the first limit point stands,
+   * whatever its events. */
   QnResult *result = &draft->file.result;
   result->has_collapse_multiplier = draft->collapse.given;
   result->collapse_multiplier = draft->collapse.number;

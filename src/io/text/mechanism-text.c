@@ -210,26 +210,6 @@ write_body (QnFileWriter *writer, const QnMechanism *mechanism, QnId id)
   qn_file_writer_puts (writer, " }");
 }
 
-static void
-write_joint (QnFileWriter *writer, const QnContacts *contacts, QnId face,
-             const QnJointMotion *joint, gboolean first)
-{
-  QnVec2 start, end;
-  qn_joint_corners (contacts, face, &start, &end);
-  qn_file_writer_printf (writer,
-                         "%s\n      { \"face\": %d, \"kind\": \"%s\", \"slides\": %s",
-                         first ? "" : ",", face, qn_joint_kind_names[joint->kind],
-                         joint->slides ? "true" : "false");
-  if (joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END) {
-    qn_file_writer_puts (writer, ", \"hinge\": ");
-    qn_file_writer_vec2 (writer, joint->kind == QN_JOINT_HINGE_START ? start : end);
-  }
-  qn_file_writer_puts_number (writer, ", \"opening\": [", joint->opening_start);
-  qn_file_writer_puts_number (writer, ", ", joint->opening_end);
-  qn_file_writer_puts_number (writer, "], \"slip\": ", joint->slip);
-  qn_file_writer_puts (writer, " }");
-}
-
 void
 qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
                     const QnMechanism *mechanism)
@@ -244,7 +224,21 @@ qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
     const QnJointMotion *joint = &mechanism->joints[f];
     if (joint->kind == QN_JOINT_CLOSED)
       continue;
-    write_joint (writer, contacts, (QnId) f, joint, first);
+    QnId face = (QnId) f;
+    QnVec2 start, end;
+    qn_joint_corners (contacts, face, &start, &end);
+    qn_file_writer_printf (writer,
+                           "%s\n      { \"face\": %d, \"kind\": \"%s\", \"slides\": %s",
+                           first ? "" : ",", face, qn_joint_kind_names[joint->kind],
+                           joint->slides ? "true" : "false");
+    if (joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END) {
+      qn_file_writer_puts (writer, ", \"hinge\": ");
+      qn_file_writer_vec2 (writer, joint->kind == QN_JOINT_HINGE_START ? start : end);
+    }
+    qn_file_writer_puts_number (writer, ", \"opening\": [", joint->opening_start);
+    qn_file_writer_puts_number (writer, ", ", joint->opening_end);
+    qn_file_writer_puts_number (writer, "], \"slip\": ", joint->slip);
+    qn_file_writer_puts (writer, " }");
     first = FALSE;
   }
   qn_file_writer_puts (writer, "]\n  }");

@@ -93,42 +93,6 @@ qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double s
   draw_marker (cr, marker, x, y, size, angle, false, unit, color);
 }
 
-static void
-draw_command (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
-              double line_factor, cairo_t *cr)
-{
-  QnVec2 s = { 0, 0 };
-  if (command->count > 0)
-    s = qn_camera_to_screen (camera, *qn_scene_points (scene, command));
-  switch ((QnCommandKind) command->kind) {
-  case QN_COMMAND_FILL:
-    trace_points (scene, command, camera, true, cr);
-    qn_set_color (cr, command->color, 1);
-    cairo_fill (cr);
-    break;
-  case QN_COMMAND_STROKE:
-    draw_stroke (scene, command, camera,
-                 qn_command_is_thinned (command) ? line_factor : 1, cr);
-    break;
-  case QN_COMMAND_MARKER:
-    draw_marker (cr, (QnMarker) command->marker, s.x, s.y, command->size * camera->unit,
-                 command->angle, command->mirrored, camera->unit, command->color);
-    break;
-  case QN_COMMAND_TEXT:
-    qn_text_draw (cr,
-                  &(QnTextStyle){ .size = command->size * camera->unit,
-                                  .halo = command->layer == QN_LAYER_LABELS
-                                            ? LABEL_HALO * camera->unit
-                                            : 0 },
-                  command->text, s.x, s.y, command->align_x, 1 - command->align_y,
-                  command->angle, command->color);
-    break;
-  case QN_COMMAND_IMAGE:
-    draw_image (scene, command, camera, cr);
-    break;
-  }
-}
-
 void
 qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
                bool antialias, cairo_t *cr, QnDrawCounts *counts)
@@ -150,7 +114,36 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
       tally.skipped++;
       continue;
     }
-    draw_command (scene, command, camera, line_factor, cr);
+    QnVec2 s = { 0, 0 };
+    if (command->count > 0)
+      s = qn_camera_to_screen (camera, *qn_scene_points (scene, command));
+    switch ((QnCommandKind) command->kind) {
+    case QN_COMMAND_FILL:
+      trace_points (scene, command, camera, true, cr);
+      qn_set_color (cr, command->color, 1);
+      cairo_fill (cr);
+      break;
+    case QN_COMMAND_STROKE:
+      draw_stroke (scene, command, camera,
+                   qn_command_is_thinned (command) ? line_factor : 1, cr);
+      break;
+    case QN_COMMAND_MARKER:
+      draw_marker (cr, (QnMarker) command->marker, s.x, s.y, command->size * camera->unit,
+                   command->angle, command->mirrored, camera->unit, command->color);
+      break;
+    case QN_COMMAND_TEXT:
+      qn_text_draw (cr,
+                    &(QnTextStyle){ .size = command->size * camera->unit,
+                                    .halo = command->layer == QN_LAYER_LABELS
+                                              ? LABEL_HALO * camera->unit
+                                              : 0 },
+                    command->text, s.x, s.y, command->align_x, 1 - command->align_y,
+                    command->angle, command->color);
+      break;
+    case QN_COMMAND_IMAGE:
+      draw_image (scene, command, camera, cr);
+      break;
+    }
     tally.drawn++;
   }
   cairo_restore (cr);

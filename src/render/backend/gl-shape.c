@@ -138,30 +138,6 @@ add_convex_vertex (const Convex *shape, uint32_t i, QnVec2 grow)
   add_vertex (shape->brush, v);
 }
 
-static void
-add_convex (const QnGlBrush *brush, const QnVec2 *points, uint32_t count, double turn)
-{
-  Convex shape = { .brush = brush, .points = points, .count = count };
-  uint32_t base = brush->batch->vertices->len;
-  for (uint32_t i = 0; i < count; i++)
-    shape.normals[i] = side_normal (points, count, i, turn);
-  for (uint32_t i = 0; i < count; i++) {
-    QnVec2 before = shape.normals[(i + count - 1) % count], after = shape.normals[i];
-    QnVec2 corner;
-    if (mitre (before, after, &corner)) {
-      add_convex_vertex (&shape, i, qn_vec2_scale (GROWTH, corner));
-      continue;
-    }
-    /* A sharp tip is cut off square: both sides go on as far as they are grown. */
-    QnVec2 ahead = qn_vec2_scale (turn, qn_vec2_perp (before));
-    QnVec2 back = qn_vec2_scale (-turn, qn_vec2_perp (after));
-    add_convex_vertex (&shape, i, qn_vec2_scale (GROWTH, qn_vec2_add (before, ahead)));
-    add_convex_vertex (&shape, i, qn_vec2_scale (GROWTH, qn_vec2_add (after, back)));
-  }
-  for (uint32_t i = base + 1; i + 1 < brush->batch->vertices->len; i++)
-    add_triangle (brush, base, i, i + 1);
-}
-
 /* Any polygon: its triangles, shrunk by half a pixel, and a band a pixel wide around them. */
 static void
 add_banded (const QnGlBrush *brush, const QnVec2 *points, uint32_t count, double turn)
@@ -196,9 +172,27 @@ static void
 add_simple (const QnGlBrush *brush, const QnVec2 *points, uint32_t count)
 {
   double turn = turning (points, count) < 0 ? -1 : 1;
-  if (is_small_and_convex (points, count, turn))
-    add_convex (brush, points, count, turn);
-  else
+  if (is_small_and_convex (points, count, turn)) {
+    Convex shape = { .brush = brush, .points = points, .count = count };
+    uint32_t base = brush->batch->vertices->len;
+    for (uint32_t i = 0; i < count; i++)
+      shape.normals[i] = side_normal (points, count, i, turn);
+    for (uint32_t i = 0; i < count; i++) {
+      QnVec2 before = shape.normals[(i + count - 1) % count], after = shape.normals[i];
+      QnVec2 corner;
+      if (mitre (before, after, &corner)) {
+        add_convex_vertex (&shape, i, qn_vec2_scale (GROWTH, corner));
+        continue;
+      }
+      /* A sharp tip is cut off square: both sides go on as far as they are grown. */
+      QnVec2 ahead = qn_vec2_scale (turn, qn_vec2_perp (before));
+      QnVec2 back = qn_vec2_scale (-turn, qn_vec2_perp (after));
+      add_convex_vertex (&shape, i, qn_vec2_scale (GROWTH, qn_vec2_add (before, ahead)));
+      add_convex_vertex (&shape, i, qn_vec2_scale (GROWTH, qn_vec2_add (after, back)));
+    }
+    for (uint32_t i = base + 1; i + 1 < brush->batch->vertices->len; i++)
+      add_triangle (brush, base, i, i + 1);
+  } else
     add_banded (brush, points, count, turn);
 }
 

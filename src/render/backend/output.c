@@ -169,27 +169,6 @@ describe (const QnMetadata *m, QnPngText texts[5])
   return n;
 }
 
-static GBytes *
-encode_png (const QnOutput *output, const QnPage *page, const QnMetadata *metadata,
-            QnPageFunc draw, void *data, GError **error)
-{
-  cairo_surface_t *surface = cairo_image_surface_create (
-    CAIRO_FORMAT_ARGB32, (int) qn_to_integer (page->width, 1, G_MAXINT16),
-    (int) qn_to_integer (page->height, 1, G_MAXINT16));
-  cairo_t *cr = cairo_create (surface);
-  GBytes *bytes = NULL;
-  if (draw_page (cr, page, draw, data, error)) {
-    QnPngText texts[5];
-    size_t count = describe (metadata, texts);
-    bytes = qn_png_encode (surface, recorded_dpi (output), texts, count, error);
-    for (size_t i = 0; i < count; i++)
-      g_free (texts[i].text);
-  }
-  cairo_destroy (cr);
-  cairo_surface_destroy (surface);
-  return bytes;
-}
-
 static cairo_status_t
 append_output (void *closure, const unsigned char *data, unsigned int length)
 {
@@ -334,7 +313,21 @@ qn_page_encode (QnFormat format, const QnOutput *output, const QnMetadata *metad
     if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
       return NULL;
     page.painter = painter;
-    return encode_png (output, &page, metadata, draw, data, error);
+    cairo_surface_t *surface = cairo_image_surface_create (
+      CAIRO_FORMAT_ARGB32, (int) qn_to_integer (page.width, 1, G_MAXINT16),
+      (int) qn_to_integer (page.height, 1, G_MAXINT16));
+    cairo_t *cr = cairo_create (surface);
+    GBytes *bytes = NULL;
+    if (draw_page (cr, &page, draw, data, error)) {
+      QnPngText texts[5];
+      size_t count = describe (metadata, texts);
+      bytes = qn_png_encode (surface, recorded_dpi (output), texts, count, error);
+      for (size_t i = 0; i < count; i++)
+        g_free (texts[i].text);
+    }
+    cairo_destroy (cr);
+    cairo_surface_destroy (surface);
+    return bytes;
   }
   return encode_vector (format, output, &page, metadata, draw, data, error);
 }

@@ -92,21 +92,6 @@ append_correlations (GString *text, const QnTable *table, gsize column)
 }
 
 static void
-append_sobol (GString *text, const QnTable *table, gsize column)
-{
-  g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
-  if (!qn_table_sobol (table, column, indices))
-    return;
-  g_string_append (text, _ ("  Sobol indices: first order, total\n"));
-  for (gsize k = 0; k < table->parameters; k++)
-    g_string_append_printf (text, "    %-24s %8.3f (%.3f … %.3f) %8.3f (%.3f … %.3f)\n",
-                            qn_table_column_name (table, k), indices[k].first,
-                            indices[k].of_first.low, indices[k].of_first.high,
-                            indices[k].total, indices[k].of_total.low,
-                            indices[k].of_total.high);
-}
-
-static void
 append_effects (GString *text, const QnTable *table, gsize column)
 {
   double base = NAN;
@@ -143,7 +128,16 @@ append_output (GString *text, const QnTable *table, gsize column)
   if (g_str_has_suffix (name, "_multiplier"))
     append_fragility (text, sorted, count);
   append_correlations (text, table, column);
-  append_sobol (text, table, column);
+  g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
+  if (!qn_table_sobol (table, column, indices))
+    return;
+  g_string_append (text, _ ("  Sobol indices: first order, total\n"));
+  for (gsize k = 0; k < table->parameters; k++)
+    g_string_append_printf (text, "    %-24s %8.3f (%.3f … %.3f) %8.3f (%.3f … %.3f)\n",
+                            qn_table_column_name (table, k), indices[k].first,
+                            indices[k].of_first.low, indices[k].of_first.high,
+                            indices[k].total, indices[k].of_total.low,
+                            indices[k].of_total.high);
 }
 
 static void
