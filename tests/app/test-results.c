@@ -71,6 +71,12 @@ test_curve (void)
   /* The click has taken the drawing along. */
   g_assert_cmpint (qn_view_state_get_step (qn_window_get_view_state (window)), !=,
                    QN_STEP_LAST);
+  /* Far into a place where no curve is, nothing is told of points that are out of sight. */
+  driver_point_at (widget, x, 0.7 * gtk_widget_get_height (widget));
+  for (int i = 0; i < 14; i++)
+    driver_press_button ("4");
+  g_assert_null (qn_curve_view_dup_values (curve, x, y));
+  driver_screenshot (GTK_WIDGET (window), "curve-close");
   driver_key ("0");
   g_assert_cmpfloat_with_epsilon (width_of_range (curve), fitting, 1e-12);
   driver_discard (window);

@@ -217,24 +217,30 @@ to_screen (QnCurveView *self, double x, double y)
                   MARGIN_TOP + (1.0 - v) * plot_height (self));
 }
 
-/* Within the frame: points outside of the range stand at its edge. */
+/* Points outside of the range stand at the edge of the frame, but not where the user has chosen the
+ * range. */
 static QnVec2
 to_frame (QnCurveView *self, const QnCurve *curve, gsize i)
 {
   QnVec2 p = to_screen (self, curve->x[i], curve->y[i]);
+  if (self->chosen)
+    return p;
   return qn_vec2 (CLAMP (p.x, MARGIN_LEFT, MARGIN_LEFT + plot_width (self)),
                   CLAMP (p.y, MARGIN_TOP, MARGIN_TOP + plot_height (self)));
 }
 
-/* The point of a curve that is nearest, and how far it is, px; -1: it has none. */
+/* The point of a curve that is nearest of those in sight, and how far it is, px; -1: there is none. */
 static int
 nearest_point (QnCurveView *self, const QnCurve *curve, QnVec2 at, double *distance)
 {
   int best = -1;
   *distance = INFINITY;
   for (gsize i = 0; i < curve->count; i++) {
-    double d = qn_vec2_length (qn_vec2_sub (to_frame (self, curve, i), at));
-    if (d < *distance) {
+    QnVec2 p = to_frame (self, curve, i);
+    double d = qn_vec2_length (qn_vec2_sub (p, at));
+    bool shown = p.x >= MARGIN_LEFT && p.x <= MARGIN_LEFT + plot_width (self)
+                 && p.y >= MARGIN_TOP && p.y <= MARGIN_TOP + plot_height (self);
+    if (shown && d < *distance) {
       *distance = d;
       best = (int) i;
     }
@@ -430,13 +436,19 @@ draw_runaway (QnCurveView *self, cairo_t *cr, const QnCurve *curve)
 }
 
 static void
+clip_to_frame (QnCurveView *self, cairo_t *cr, double more)
+{
+  cairo_rectangle (cr, MARGIN_LEFT, MARGIN_TOP - more, plot_width (self),
+                   plot_height (self) + 2.0 * more);
+  cairo_clip (cr);
+}
+
+static void
 draw_series (QnCurveView *self, cairo_t *cr, int index, const GdkRGBA *ink)
 {
   const QnCurve *curve = &self->series[index].curve;
   cairo_save (cr);
-  cairo_rectangle (cr, MARGIN_LEFT, MARGIN_TOP - 1.0, plot_width (self),
-                   plot_height (self) + 2.0);
-  cairo_clip (cr);
+  clip_to_frame (self, cr, 1.0);
   for (gsize i = 0; i < curve->count; i++) {
     QnVec2 p = to_screen (self, curve->x[i], curve->y[i]);
     cairo_line_to (cr, CLAMP (p.x, -1e5, 1e5), CLAMP (p.y, -1e5, 1e5));
@@ -450,7 +462,11 @@ draw_series (QnCurveView *self, cairo_t *cr, int index, const GdkRGBA *ink)
     return;
   gdk_cairo_set_source_rgba (cr, ink);
   cairo_set_line_width (cr, 1.5);
+  cairo_save (cr);
+  if (self->chosen)
+    clip_to_frame (self, cr, 1.0);
   draw_marks (self, cr, curve);
+  cairo_restore (cr);
   draw_runaway (self, cr, curve);
 }
 
@@ -465,6 +481,9 @@ draw_cursor (QnCurveView *self, cairo_t *cr)
   if (i >= curve->count)
     return;
   QnVec2 p = to_frame (self, curve, i);
+  cairo_save (cr);
+  if (self->chosen)
+    clip_to_frame (self, cr, 1.0);
   cairo_set_source_rgb (cr, 0.9, 0.35, 0.0);
   cairo_set_line_width (cr, 1.0);
   cairo_move_to (cr, floor (p.x) + 0.5, MARGIN_TOP);
@@ -472,6 +491,7 @@ draw_cursor (QnCurveView *self, cairo_t *cr)
   cairo_stroke (cr);
   cairo_arc (cr, p.x, p.y, 5.0, 0.0, 2.0 * G_PI);
   cairo_fill (cr);
+  cairo_restore (cr);
 }
 
 void
