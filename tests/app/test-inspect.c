@@ -5,6 +5,7 @@
 #include "app/views/curve-view.h"
 #include "doc/view/inspect.h"
 
+#include <glib/gstdio.h>
 #include <string.h>
 
 /* A wall, solved. */
@@ -169,6 +170,65 @@ test_table_row (void)
   driver_discard (window);
 }
 
+/* The text with one part replaced, which must be there; frees the old one. */
+static char *
+replace (char *text, const char *part, const char *by)
+{
+  g_assert_nonnull (strstr (text, part));
+  g_auto (GStrv) parts = g_strsplit (text, part, 2);
+  g_free (text);
+  return g_strjoinv (by, parts);
+}
+
+/* A block that has fallen lies on contacts found on the way: they have rows below the pairs, which
+ * say what it weighs, and a row leads to its corner. */
+static void
+test_found_rows (void)
+{
+  g_autofree char *example = driver_example_path ("40-rocking-in-time.quoin");
+  char *text = NULL;
+  g_assert_true (g_file_get_contents (example, &text, NULL, NULL));
+  text = replace (text, "[-0.049757, 0.008652, 0.0986978]", "[0.25, -0.02, -0.35]");
+  text = replace (text, "[0.5, -0.2], [0.5, 0]", "[3, -0.2], [3, 0]");
+  text = replace (text, "\"mass\": 0", "\"mass\": 2");
+  text = replace (text, "\"rho\": 0.8",
+                  "\"rho\": 0.8, \"contacts\": \"follow\", \"fall\": true");
+  g_autofree char *path =
+    g_build_filename (g_get_tmp_dir (), "quoin-test-found.quoin", NULL);
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  g_free (text);
+  QnWindow *window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, path));
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  gsize count;
+  const QnFoundForce *found =
+    qn_step_found (&run->result, run->result.step_count - 1, &count);
+  g_assert_cmpuint (count, >, 0);
+  double carried = 0.0;
+  for (gsize i = 0; i < count; i++)
+    carried -= found[i].normal;
+  double weight = run->model.blocks[1].weight;
+  g_assert_cmpfloat_with_epsilon (carried, weight, 0.05 * weight);
+
+  driver_activate (window, "win.show-panel::result");
+  GtkWidget *expander =
+    driver_find_widget (GTK_WIDGET (window), is_contact_expander, NULL);
+  gtk_expander_set_expanded (GTK_EXPANDER (expander), TRUE);
+  driver_run (300);
+  GtkWidget *table = driver_find_widget (GTK_WIDGET (window), is_contact_table, NULL);
+  GtkSelectionModel *rows = gtk_column_view_get_model (GTK_COLUMN_VIEW (table));
+  g_assert_cmpuint (g_list_model_get_n_items (G_LIST_MODEL (rows)), ==,
+                    run->result.pair_count + count);
+  gtk_single_selection_set_selected (GTK_SINGLE_SELECTION (rows),
+                                     (guint) run->result.pair_count);
+  driver_run (200);
+  driver_screenshot (GTK_WIDGET (window), "inspect-found");
+  driver_discard (window);
+  g_unlink (path);
+}
+
 /* After an edit the result is of another model: its blocks are known by name alone. */
 static gboolean
 edit_delete_first (QnModel *model, gpointer data, GError **error)
@@ -234,5 +294,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/inspect/table-row", test_table_row);
   g_test_add_func ("/app/inspect/stale-result", test_stale_result);
   g_test_add_func ("/app/inspect/fields-and-loads", test_fields_and_loads);
+  g_test_add_func ("/app/inspect/found-rows", test_found_rows);
   return g_test_run ();
 }

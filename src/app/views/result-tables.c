@@ -7,9 +7,8 @@
 #include "doc/text/beam-summary.h"
 #include "doc/text/explain.h"
 #include "io/text/outcome-text.h"
-#include "render/scene/motion.h"
+#include "render/scene/reading.h"
 #include <glib/gi18n.h>
-#include <math.h>
 
 #define TABLE_HEIGHT 220
 
@@ -123,34 +122,58 @@ follow_step (Table *table)
   g_signal_handlers_unblock_by_func (table->selection, on_selected, table);
 }
 
-/* ---- contacts ---- */
+/* ---- contacts: pairs, then what was found on the way and carries something at the end ---- */
+
+static const QnFoundForce *
+found_forces (const QnRun *run, gsize *count)
+{
+  *count = 0;
+  return run->result.step_count > 0
+           ? qn_step_found (&run->result, run->result.step_count - 1, count)
+           : NULL;
+}
 
 enum { BLOCKS, STATE, NORMAL, SHEAR, CONTACT_COLUMNS };
 
 static gsize
 count_contacts (const QnRun *run)
 {
-  return run->result.pairs != NULL ? run->result.pair_count : 0;
+  gsize found;
+  found_forces (run, &found);
+  return run->result.pairs != NULL ? run->result.pair_count + found : 0;
 }
 
 static char *
 dup_contact_cell (const Table *table, const QnRun *run, guint row, guint column)
 {
-  const QnPairResult *pair = &run->result.pairs[row];
+  const QnResult *result = &run->result;
+  gsize count;
+  const QnFoundForce *found = row >= result->pair_count
+                                ? &found_forces (run, &count)[row - result->pair_count]
+                                : NULL;
+  const QnPairResult *pair = found == NULL ? &result->pairs[row] : NULL;
   (void) table;
   switch (column) {
   case BLOCKS: {
-    if (row >= run->contacts.pair_count)
+    if (found == NULL && row >= run->contacts.pair_count)
       return g_strdup ("");
-    const QnContactFace *face = &run->contacts.faces[run->contacts.pairs[row].face];
-    return g_strdup_printf ("%s – %s", run->model.blocks[face->a].name,
-                            run->model.blocks[face->b].name);
+    const QnFoundContact *contact =
+      found != NULL ? &result->found[found->found].contact : NULL;
+    const QnContactFace *face =
+      found == NULL ? &run->contacts.faces[run->contacts.pairs[row].face] : NULL;
+    const QnBlock *blocks = run->model.blocks;
+    return g_strdup_printf ("%s – %s",
+                            blocks[found != NULL ? contact->block : face->a].name,
+                            blocks[found != NULL ? contact->other : face->b].name);
   }
   case STATE:
-    return g_strdup (qn_explain_pair_state (pair->state));
+    return g_strdup (qn_explain_pair_state (found != NULL ? found->state : pair->state));
+  case NORMAL:
+    return dup_quantity (QN_QUANTITY_FORCE,
+                         found != NULL ? found->normal : pair->normal_force);
   default:
     return dup_quantity (QN_QUANTITY_FORCE,
-                         column == NORMAL ? pair->normal_force : pair->shear_force);
+                         found != NULL ? found->shear : pair->shear_force);
   }
 }
 
@@ -158,6 +181,14 @@ dup_contact_cell (const Table *table, const QnRun *run, guint row, guint column)
 static void
 select_contact (const Table *table, const QnRun *run, guint row)
 {
+  gsize count;
+  const QnFoundForce *found = found_forces (run, &count);
+  gsize pairs = run->result.pair_count;
+  if (row >= pairs && row - pairs < count)
+    qn_canvas_show_place (
+      table->canvas,
+      qn_found_corner (&run->model,
+                       &run->result.found[found[row - pairs].found].contact));
   if (row >= run->contacts.pair_count)
     return;
   qn_canvas_show_place (table->canvas, run->contacts.pairs[row].point);

@@ -156,7 +156,9 @@ add_values (QnSceneBuilder *b, QnVec2 at, double normal, double shear, double mo
   g_autofree char *e = place != QN_PLACE_NOWHERE
                          ? qn_label_number ("%.3g", 1000 * eccentricity)
                          : g_strdup ("–");
-  g_autofree char *text = g_strdup_printf ("N %s\nT %s\nM %s\ne %s", n, t, m, e);
+  bool point = place == QN_PLACE_NOWHERE && moment == 0; /* a corner on a side */
+  g_autofree char *text = point ? g_strdup_printf ("N %s\nT %s", n, t)
+                                : g_strdup_printf ("N %s\nT %s\nM %s\ne %s", n, t, m, e);
   QnCommand *command =
     qn_scene_text (b->scene, QN_LAYER_LABELS, at, VALUE_SIZE, text, color);
   command->align_x = BESIDE;
