@@ -333,6 +333,47 @@ test_column (void)
   driver_discard (window);
 }
 
+static gboolean
+is_kind (GtkWidget *widget, gconstpointer id)
+{
+  return GTK_IS_DROP_DOWN (widget) && gtk_widget_get_mapped (widget)
+         && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
+}
+
+/* The column tool also draws what its panel says: the upright face of a buttress is where the drag
+ * began. */
+static void
+test_kinds (void)
+{
+  static const struct {
+    QnMasonryKind kind;
+    const char *step;
+  } cases[] = { { QN_MASONRY_COLUMN, "Add Column" },
+                { QN_MASONRY_BUTTRESS, "Add Buttress" },
+                { QN_MASONRY_PORTAL, "Add Portal" },
+                { QN_MASONRY_RUBBLE, "Add Rubble" } };
+  QnWindow *window = open_blank ();
+  driver_key ("c");
+  driver_run (200);
+  GtkWidget *kind = driver_find_widget (GTK_WIDGET (window), is_kind, "kind");
+  g_assert_nonnull (kind);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    gtk_drop_down_set_selected (GTK_DROP_DOWN (kind), (guint) i);
+    driver_run (100);
+    double x = 0.9 * (double) i;
+    driver_drag (window, x + 0.6, 0.2, x, 1.6);
+    QnMasonries list = masonry_of (window);
+    g_assert_cmpuint (list.count, ==, i + 1);
+    g_assert_cmpint (list.items[i].kind, ==, cases[i].kind);
+    if (cases[i].kind == QN_MASONRY_BUTTRESS)
+      g_assert_false (list.items[i].buttress.leans_right);
+    qn_masonries_clear (&list);
+    g_assert_cmpstr (last_step (window), ==, cases[i].step);
+  }
+  driver_screenshot (GTK_WIDGET (window), "kinds");
+  driver_discard (window);
+}
+
 /* A block is cut, its parts are joined again. */
 static void
 test_cut_join (void)
@@ -567,6 +608,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/draw/listed-wall", test_listed_wall);
   g_test_add_func ("/app/draw/arch", test_arch);
   g_test_add_func ("/app/draw/column", test_column);
+  g_test_add_func ("/app/draw/kinds", test_kinds);
   g_test_add_func ("/app/draw/cut-join", test_cut_join);
   g_test_add_func ("/app/draw/turn-mirror-array", test_turn_mirror_array);
   g_test_add_func ("/app/draw/keyboard", test_keyboard);

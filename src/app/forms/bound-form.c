@@ -208,25 +208,38 @@ qn_bound_form_show (gpointer data)
   return form->root;
 }
 
+/* A part of what scrolls, as much of it as there is room for. */
+static void
+scroll_to_part (GtkWidget *part)
+{
+  GtkWidget *scroller = gtk_widget_get_ancestor (part, GTK_TYPE_SCROLLED_WINDOW);
+  double x, y;
+  if (scroller == NULL
+      || !gtk_widget_translate_coordinates (part, scroller, 0.0, 0.0, &x, &y))
+    return;
+  GtkAdjustment *place =
+    gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (scroller));
+  const double top = gtk_adjustment_get_value (place) + y;
+  gtk_adjustment_clamp_page (
+    place, top,
+    top + MIN (gtk_widget_get_height (part), gtk_adjustment_get_page_size (place)));
+}
+
 /* In the second frame: in the first one the form gets its place. */
 static gboolean
 scroll_to (GtkWidget *root, GdkFrameClock *clock, gpointer data)
 {
   QnBoundForm *form = data;
-  GtkWidget *scroller = gtk_widget_get_ancestor (root, GTK_TYPE_SCROLLED_WINDOW);
-  double x, y;
   (void) clock;
   if (form->frames++ < 2)
     return G_SOURCE_CONTINUE;
-  if (scroller != NULL
-      && gtk_widget_translate_coordinates (root, scroller, 0.0, 0.0, &x, &y)) {
-    GtkAdjustment *place =
-      gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (scroller));
-    const double top = gtk_adjustment_get_value (place) + y;
-    const double height =
-      MIN (gtk_widget_get_height (root), gtk_adjustment_get_page_size (place));
-    gtk_adjustment_clamp_page (place, top, top + height);
+  for (guint i = 0; form->widgets[i] != NULL; i++) {
+    GtkListBox *list =
+      GTK_IS_LIST_BOX (form->widgets[i]) ? (gpointer) form->widgets[i] : NULL;
+    if (list != NULL && gtk_list_box_get_selected_row (list) != NULL)
+      scroll_to_part (GTK_WIDGET (gtk_list_box_get_selected_row (list)));
   }
+  scroll_to_part (root);
   form->frames = 0;
   return G_SOURCE_REMOVE;
 }

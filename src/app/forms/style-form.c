@@ -6,6 +6,7 @@
 
 enum {
   TITLE,
+  KIND,
   UNIT_X,
   UNIT_Y,
   BOND,
@@ -30,6 +31,7 @@ enum {
 
 static const QnFormField fields[] = {
   [TITLE] = { .id = "title" },
+  [KIND] = { .id = "kind" },
   [UNIT_X] = { .id = "unit_x" },
   [UNIT_Y] = { .id = "unit_y" },
   [BOND] = { .id = "bond" },
@@ -63,7 +65,8 @@ static const struct {
   { &qn_tool_wall, OF_BLOCK | BIT (UNIT_X) | BIT (UNIT_Y) | BIT (BOND) | BIT (BASE) },
   { &qn_tool_opening, BIT (HEAD) },
   { &qn_tool_arch, OF_BLOCK | BIT (SHAPE) | BIT (RING) | BIT (VOUSSOIRS) | BIT (BASE) },
-  { &qn_tool_column, OF_BLOCK | BIT (UNIT_Y) | BIT (TAPER) | BIT (BASE) },
+  { &qn_tool_column,
+    OF_BLOCK | BIT (KIND) | BIT (UNIT_X) | BIT (UNIT_Y) | BIT (TAPER) | BIT (BASE) },
   { &qn_tool_rectangle, OF_BLOCK },
   { &qn_tool_polygon, OF_BLOCK },
   { &qn_tool_beam,
@@ -91,6 +94,19 @@ static const struct {
               { QN_HEAD_SEGMENTAL, QN_SPAN_VOUSSOIRS },
               { QN_HEAD_SEMICIRCULAR, QN_SPAN_VOUSSOIRS },
               { QN_HEAD_FLAT, QN_SPAN_NONE } };
+
+/* What stands by itself, in the list. */
+static const QnMasonryKind kinds[] = { QN_MASONRY_COLUMN, QN_MASONRY_BUTTRESS,
+                                       QN_MASONRY_PORTAL, QN_MASONRY_RUBBLE };
+
+/* Stones of rubble have a length, drums and courses a height; piers of a portal are upright. */
+static guint
+not_of_kind (QnMasonryKind kind)
+{
+  return kind == QN_MASONRY_RUBBLE   ? BIT (UNIT_Y)
+         : kind == QN_MASONRY_PORTAL ? BIT (UNIT_X) | BIT (TAPER)
+                                     : BIT (UNIT_X);
+}
 
 static guint
 fields_of (const QnTool *tool)
@@ -148,6 +164,11 @@ show (gpointer data, guint field, QnValue *value)
       if (heads[i].head == style->head && heads[i].span == style->span)
         value->number = i;
     break;
+  case KIND:
+    for (guint i = 0; i < G_N_ELEMENTS (kinds); i++)
+      if (kinds[i] == style->kind)
+        value->number = i;
+    break;
   case SHAPE:
     value->number = style->shape;
     break;
@@ -190,7 +211,8 @@ show (gpointer data, guint field, QnValue *value)
   default:
     break;
   }
-  return (fields_of (tool) & BIT (field)) != 0;
+  return (fields_of (tool) & BIT (field)) != 0
+         && (tool != &qn_tool_column || (not_of_kind (style->kind) & BIT (field)) == 0);
 }
 
 static void
@@ -222,6 +244,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case HEAD:
     style->head = heads[row].head;
     style->span = heads[row].span;
+    break;
+  case KIND:
+    style->kind = kinds[row];
     break;
   case SHAPE:
     style->shape = (QnArchShape) row;

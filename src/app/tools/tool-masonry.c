@@ -1,4 +1,4 @@
-/* Wall and column: a dragged rectangle becomes parametric masonry. */
+/* Wall, and column, buttress, portal or rubble: a dragged rectangle becomes parametric masonry. */
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
@@ -13,7 +13,7 @@ make_plan (QnCanvas *canvas, QnMasonry *masonry)
   const QnMasonryStyle *style = &qn_canvas_get_tool_settings (canvas)->masonry;
   return qn_canvas_get_tool (canvas) == &qn_tool_wall
            ? qn_plan_wall (masonry, style, gesture->from, gesture->to)
-           : qn_plan_column (masonry, style, gesture->from, gesture->to);
+           : qn_plan_in_box (masonry, style, gesture->from, gesture->to);
 }
 
 static gboolean
@@ -28,10 +28,16 @@ static void
 complete (QnCanvas *canvas)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const char *name =
-    qn_canvas_get_tool (canvas) == &qn_tool_wall ? _ ("Add Wall") : _ ("Add Column");
+  static const char *const names[QN_MASONRY_KIND_COUNT] = {
+    [QN_MASONRY_WALL] = N_ ("Add Wall"),         [QN_MASONRY_COLUMN] = N_ ("Add Column"),
+    [QN_MASONRY_BUTTRESS] = N_ ("Add Buttress"), [QN_MASONRY_PORTAL] = N_ ("Add Portal"),
+    [QN_MASONRY_RUBBLE] = N_ ("Add Rubble"),
+  };
+  const QnMasonryKind kind = qn_canvas_get_tool (canvas) == &qn_tool_wall
+                               ? QN_MASONRY_WALL
+                               : qn_canvas_get_tool_settings (canvas)->masonry.kind;
   if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y)
-    qn_canvas_edit_project (canvas, name, NULL, edit_add, canvas);
+    qn_canvas_edit_project (canvas, _ (names[kind]), NULL, edit_add, canvas);
   qn_canvas_set_in_gesture (canvas, FALSE);
 }
 
@@ -70,8 +76,9 @@ const QnTool qn_tool_column = {
   .name = "column",
   .icon = "quoin-column-symbolic",
   .label = N_ ("Column"),
-  .hint = N_ ("Drag a rectangle: it becomes a column of drums, each about a course high; "
-              "or click a corner and type width; height"),
+  .hint =
+    N_ ("Drag a rectangle: it becomes a column of drums, or, chosen in the panel, a "
+        "buttress, portal or rubble; or click a corner and type width; height"),
   .accel = "c",
   QN_GESTURE_RECTANGLE,
   .complete = complete,

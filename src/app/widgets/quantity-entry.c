@@ -37,6 +37,7 @@ quantity_type (void)
     { QN_QUANTITY_FORCE, "QN_QUANTITY_FORCE", "force" },
     { QN_QUANTITY_MOMENT, "QN_QUANTITY_MOMENT", "moment" },
     { QN_QUANTITY_STRESS, "QN_QUANTITY_STRESS", "stress" },
+    { QN_QUANTITY_PRESSURE, "QN_QUANTITY_PRESSURE", "pressure" },
     { QN_QUANTITY_STIFFNESS, "QN_QUANTITY_STIFFNESS", "stiffness" },
     { QN_QUANTITY_SURFACE_STIFFNESS, "QN_QUANTITY_SURFACE_STIFFNESS",
       "surface-stiffness" },

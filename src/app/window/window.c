@@ -451,6 +451,7 @@ static const QnToolSettings first_settings = { .masonry = { .unit = { 0.4, 0.175
                                                             .thickness = 1.0,
                                                             .law = QN_NONE,
                                                             .base = TRUE,
+                                                            .kind = QN_MASONRY_COLUMN,
                                                             .head = QN_HEAD_FLAT,
                                                             .span = QN_SPAN_LINTEL,
                                                             .shape = QN_ARCH_CIRCULAR,

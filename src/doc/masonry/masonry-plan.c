@@ -83,18 +83,54 @@ qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left, QnVe
   return TRUE;
 }
 
-gboolean
-qn_plan_column (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVec2 to)
+static int32_t
+count_courses (const QnMasonryStyle *style, double height)
 {
-  if (!begin (masonry, style, QN_MASONRY_COLUMN))
+  return (int32_t) qn_to_integer (round (height / style->unit.y), 1, QN_MAX_BLOCKS);
+}
+
+static void
+plan_portal (QnPortal *portal, const QnMasonryStyle *style, QnVec2 size)
+{
+  portal->bays = 1;
+  portal->pier_width = 0.2 * size.x;
+  portal->span = 0.6 * size.x;
+  portal->lintel_height = MIN (style->unit.y, 0.5 * size.y);
+  portal->pier_height = size.y - portal->lintel_height;
+  portal->courses = count_courses (style, portal->pier_height);
+}
+
+gboolean
+qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVec2 to)
+{
+  const QnVec2 size = qn_vec2 (fabs (to.x - from.x), fabs (to.y - from.y));
+  const double top = style->top_to_foot * size.x;
+  if (!begin (masonry, style, style->kind))
     return FALSE;
-  QnColumn *column = &masonry->column;
-  column->height = fabs (to.y - from.y);
-  column->bottom = fabs (to.x - from.x);
-  column->top = style->top_to_foot * column->bottom;
-  column->drums =
-    (int32_t) qn_to_integer (round (column->height / style->unit.y), 1, QN_MAX_BLOCKS);
-  masonry->origin = qn_vec2 (0.5 * (from.x + to.x), MIN (from.y, to.y));
+  masonry->origin = qn_vec2 (MIN (from.x, to.x), MIN (from.y, to.y));
+  if (style->kind == QN_MASONRY_PORTAL)
+    plan_portal (&masonry->portal, style, size);
+  else if (style->kind == QN_MASONRY_BUTTRESS) {
+    masonry->origin.x = from.x;
+    masonry->buttress = (QnButtress){ .height = size.y,
+                                      .bottom = size.x,
+                                      .top = top,
+                                      .courses = count_courses (style, size.y),
+                                      .leans_right = to.x > from.x };
+  } else if (style->kind == QN_MASONRY_RUBBLE)
+    masonry->rubble = (QnRubble){ .width = size.x,
+                                  .top = top,
+                                  .height = size.y,
+                                  .stone = style->unit.x,
+                                  .irregularity = 0.7,
+                                  .seed = 1 };
+  else {
+    masonry->origin.x = 0.5 * (from.x + to.x);
+    masonry->column.height = size.y;
+    masonry->column.bottom = size.x;
+    masonry->column.top = top;
+    masonry->column.drums = count_courses (style, size.y);
+  }
   return TRUE;
 }
 

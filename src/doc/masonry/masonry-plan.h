@@ -18,12 +18,15 @@ typedef struct QnMasonryStyle {
   QnId law;           /* or QN_NONE */
   gboolean base;      /* on fixed blocks, one course deep */
 
+  QnMasonryKind
+    kind; /* of what stands in a rectangle by itself: COLUMN, BUTTRESS, PORTAL or RUBBLE */
   QnHead head; /* of openings */
   QnSpan span;
-  QnArchShape shape;  /* of arches */
-  double ring;        /* m, thickness of arches */
-  int32_t voussoirs;  /* of arches */
-  double top_to_foot; /* of columns: width at the top to that at the foot */
+  QnArchShape shape; /* of arches */
+  double ring;       /* m, thickness of arches */
+  int32_t voussoirs; /* of arches */
+  double
+    top_to_foot; /* of columns, buttresses and rubble: width at the top to that at the foot */
 } QnMasonryStyle;
 
 /* A wall in the rectangle between two corners, from the first one; at least half a block and a
@@ -44,12 +47,14 @@ gboolean qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 l
 /* How high a point lies above the chord of an arch, m, positive on the side of the crown. */
 double qn_plan_arch_rise (QnVec2 left, QnVec2 right, QnVec2 at);
 
-/* A column as wide and high as the rectangle, with drums one course high. FALSE without
- * memory. */
-gboolean qn_plan_column (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
+/* What the style's kind says, as wide and high as the rectangle: drums, and courses of a buttress and of
+ * piers, are about a course high, stones of rubble a block long. The upright face of a buttress is
+ * where the gesture began. A portal has one bay under a lintel of a course, piers a third as wide as
+ * their distance. FALSE without memory. */
+gboolean qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
                          QnVec2 to);
 
-/* Blocks of a wall or column of this size, about: to know what is quick to draw. */
+/* Blocks of an object of this size, about: to know what is quick to draw. */
 double qn_masonry_estimate_blocks (const QnMasonry *masonry);
 
 #endif

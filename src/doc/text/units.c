@@ -38,6 +38,9 @@ static const UnitRow unit_rows[] = {
   { QN_QUANTITY_STRESS, "MPa", 1e6 },
   { QN_QUANTITY_STRESS, "GPa", 1e9 },
   { QN_QUANTITY_STRESS, "N/mm²", 1e6 },
+  { QN_QUANTITY_PRESSURE, "Pa", 1.0 },
+  { QN_QUANTITY_PRESSURE, "kPa", 1e3 },
+  { QN_QUANTITY_PRESSURE, "MPa", 1e6 },
   { QN_QUANTITY_STIFFNESS, "N/m", 1.0 },
   { QN_QUANTITY_STIFFNESS, "kN/m", 1e3 },
   { QN_QUANTITY_STIFFNESS, "kN/mm", 1e6 },
@@ -60,6 +63,7 @@ static const char *const length_symbols[] = { "m", "cm", "mm" };
 static const char *const force_symbols[] = { "N", "kN" };
 static const char *const moment_symbols[] = { "N·m", "kN·m" };
 static const char *const stress_symbols[] = { "Pa", "kPa", "MPa" };
+static const char *const pressure_symbols[] = { "Pa", "kPa" };
 static const char *const stiffness_symbols[] = { "N/m", "kN/m" };
 static const char *const surface_symbols[] = { "Pa/m", "kPa/m", "MPa/m" };
 static const char *const unit_weight_symbols[] = { "N/m³", "kN/m³" };
@@ -90,6 +94,7 @@ qn_units_symbol (QnUnits units, QnQuantity quantity)
     [QN_QUANTITY_FORCE] = force_symbols[units.force],
     [QN_QUANTITY_MOMENT] = moment_symbols[units.force],
     [QN_QUANTITY_STRESS] = stress_symbols[units.stress],
+    [QN_QUANTITY_PRESSURE] = pressure_symbols[units.force],
     [QN_QUANTITY_STIFFNESS] = stiffness_symbols[units.force],
     [QN_QUANTITY_SURFACE_STIFFNESS] = surface_symbols[units.stress],
     [QN_QUANTITY_UNIT_WEIGHT] = unit_weight_symbols[units.force],

@@ -16,6 +16,7 @@ typedef enum {
   QN_QUANTITY_FORCE,             /* N */
   QN_QUANTITY_MOMENT,            /* N m */
   QN_QUANTITY_STRESS,            /* Pa */
+  QN_QUANTITY_PRESSURE,          /* Pa; of loads on ground and structures, shown in kPa */
   QN_QUANTITY_STIFFNESS,         /* N/m */
   QN_QUANTITY_SURFACE_STIFFNESS, /* Pa/m */
   QN_QUANTITY_UNIT_WEIGHT,       /* N/m3 */

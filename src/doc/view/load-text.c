@@ -64,7 +64,7 @@ static char *
 dup_surcharge_text (const QnLoad *load, QnUnits units)
 {
   g_autofree char *pressure =
-    qn_units_format_full (units, QN_QUANTITY_STRESS, load->pressure, 4);
+    qn_units_format_full (units, QN_QUANTITY_PRESSURE, load->pressure, 4);
   g_autofree char *weight =
     qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
   g_autofree char *level =
@@ -91,7 +91,7 @@ dup_backfill_text (const QnLoad *load, QnUnits units)
   g_autofree char *weight =
     qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
   g_autofree char *pressure =
-    qn_units_format_full (units, QN_QUANTITY_STRESS, load->pressure, 4);
+    qn_units_format_full (units, QN_QUANTITY_PRESSURE, load->pressure, 4);
   g_autofree char *k =
     qn_units_format (units, QN_QUANTITY_NUMBER, qn_load_earth_coefficient (load), 4);
   g_autofree char *from = dup_limit (units, load->span[0]);

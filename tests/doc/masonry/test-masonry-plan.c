@@ -1,3 +1,4 @@
+#include "core/base/box.h"
 #include "doc/masonry/masonry-plan.h"
 #include "doc/masonry/masonry-shape.h"
 
@@ -75,16 +76,55 @@ test_arch (void)
   qn_masonry_clear (&arch);
 }
 
-static void
-test_column (void)
+/* Blocks of what a rectangle becomes, and the box around those that are not fixed. */
+static gsize
+lay (QnMasonryKind kind, QnVec2 from, QnVec2 to, QnBox *box)
 {
-  QnMasonry column;
-  g_assert_true (
-    qn_plan_column (&column, &style, qn_vec2 (1.0, 0.0), qn_vec2 (1.5, 2.1)));
-  g_assert_cmpint (column.column.drums, ==, 11);
-  g_assert_cmpfloat_with_epsilon (column.column.top, 0.4, 1e-12);
-  g_assert_cmpfloat_with_epsilon (column.origin.x, 1.25, 1e-12);
-  qn_masonry_clear (&column);
+  QnMasonryStyle asked = style;
+  QnMasonry masonry;
+  QnModel model;
+  gsize count = 0;
+  asked.kind = kind;
+  g_assert_true (qn_plan_in_box (&masonry, &asked, from, to));
+  qn_model_init (&model);
+  masonry.name = g_strdup ("it");
+  g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, NULL), ==, QN_OK);
+  *box = QN_BOX_EMPTY;
+  for (QnId i = 0; i < (QnId) model.block_count; i++) {
+    const QnVec2 *v = qn_model_block_vertices (&model, i);
+    for (QnId k = 0; !model.blocks[i].support[0] && k < model.blocks[i].vertex_count; k++)
+      qn_box_add_point (box, v[k]);
+    count += !model.blocks[i].support[0];
+  }
+  qn_model_clear (&model);
+  g_clear_pointer (&masonry.name, g_free);
+  qn_masonry_clear (&masonry);
+  return count;
+}
+
+/* All of them fill the rectangle, whichever corner it was begun at. */
+static void
+test_in_box (void)
+{
+  static const struct {
+    QnMasonryKind kind;
+    gsize least, most; /* blocks */
+  } cases[] = { { QN_MASONRY_COLUMN, 11, 11 },
+                { QN_MASONRY_BUTTRESS, 11, 11 },
+                { QN_MASONRY_PORTAL, 2 * 9 + 1, 2 * 10 + 1 },
+                { QN_MASONRY_RUBBLE, 10, 40 } };
+  const QnVec2 corners[] = { { 1, 0 }, { 2.5, 0 }, { 2.5, 2.1 }, { 1, 2.1 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++)
+    for (gsize c = 0; c < G_N_ELEMENTS (corners); c++) {
+      QnBox box;
+      gsize count = lay (cases[i].kind, corners[c], corners[(c + 2) % 4], &box);
+      g_assert_cmpuint (count, >=, cases[i].least);
+      g_assert_cmpuint (count, <=, cases[i].most);
+      g_assert_cmpfloat_with_epsilon (box.min.x, 1.0, 1e-9);
+      g_assert_cmpfloat_with_epsilon (box.max.x, 2.5, 1e-9);
+      g_assert_cmpfloat_with_epsilon (box.min.y, 0.0, 1e-9);
+      g_assert_cmpfloat_with_epsilon (box.max.y, 2.1, 1e-9);
+    }
 }
 
 int
@@ -94,6 +134,6 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/masonry-plan/wall", test_wall);
   g_test_add_func ("/doc/masonry-plan/opening", test_opening);
   g_test_add_func ("/doc/masonry-plan/arch", test_arch);
-  g_test_add_func ("/doc/masonry-plan/column", test_column);
+  g_test_add_func ("/doc/masonry-plan/in-box", test_in_box);
   return g_test_run ();
 }

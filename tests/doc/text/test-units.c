@@ -30,6 +30,8 @@ test_parse (void)
   check_parse (cm_kn, QN_QUANTITY_UNIT_WEIGHT, "10 kN/m3", 1e4);
   check_parse (cm_kn, QN_QUANTITY_STRESS, "0.2", 2e5);
   check_parse (cm_kn, QN_QUANTITY_STRESS, "3 N/mm²", 3e6);
+  check_parse (cm_kn, QN_QUANTITY_PRESSURE, "5", 5e3); /* of loads: kPa */
+  check_parse (QN_UNITS_SI, QN_QUANTITY_PRESSURE, "5 kPa", 5e3);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45°", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "1 rad", 1.0);
