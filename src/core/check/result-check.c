@@ -142,23 +142,6 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
-/* The last step's forces stand in a result twice. */
-static void
-check_copies (QnCheck *check)
-{
-  const QnResult *r = check->result;
-
-  for (size_t p = 0; p < r->pair_count && r->step_forces != NULL && r->step_count > 0;
-       p++) {
-    size_t at = (r->step_count - 1) * r->pair_count + p;
-    const double force[2] = { r->pairs[p].normal_force, r->pairs[p].shear_force };
-    if (!same_force (r->step_forces + 2 * at, force, check->tolerance * check->scale)
-        || r->step_states[at] != r->pairs[p].state)
-      qn_check_tell (check, QN_CLAIM_FORCES, (QnId) r->step_count - 1, QN_ENTITY_CONTACT,
-                     (QnId) p, r->step_forces[2 * at], force[0]);
-  }
-}
-
 /* The slip and opening that leave a joint with this force at elongation q. Of two springs all that is
  * new counts as the first one's: which of them slid makes no difference to both together. False for
  * what is not elastic and perfectly plastic. */
@@ -635,7 +618,18 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   for (size_t i = 0; status == QN_OK && i < result->step_count; i++)
     status = check_step (&check, i, diag);
   if (status == QN_OK) {
-    check_copies (&check);
+    /* The last step's forces stand in a result twice. */
+    const QnResult *r = check.result;
+
+    for (size_t p = 0; p < r->pair_count && r->step_forces != NULL && r->step_count > 0;
+         p++) {
+      size_t at = (r->step_count - 1) * r->pair_count + p;
+      const double force[2] = { r->pairs[p].normal_force, r->pairs[p].shear_force };
+      if (!same_force (r->step_forces + 2 * at, force, check.tolerance * check.scale)
+          || r->step_states[at] != r->pairs[p].state)
+        qn_check_tell (&check, QN_CLAIM_FORCES, (QnId) r->step_count - 1,
+                       QN_ENTITY_CONTACT, (QnId) p, r->step_forces[2 * at], force[0]);
+    }
     qn_check_course (&check);
     qn_check_events (&check);
     qn_check_mechanism (&check);

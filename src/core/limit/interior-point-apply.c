@@ -3,25 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-/* out (row_count) += scale * B y */
-static void
-add_forces (const QnIpProblem *problem, const double *y, double scale, double *out)
-{
-  for (int32_t g = 0; g < problem->group_count; g++) {
-    const QnIpGroup *group = &problem->groups[g];
-    double sum[QN_IP_GROUP_ROWS] = { 0 };
-
-    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
-      const QnIpCell *cell = &problem->cells[c];
-      for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-        sum[i] += cell->map[i][0] * y[2 * c] + cell->map[i][1] * y[2 * c + 1];
-    }
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-      if (group->rows[i] >= 0)
-        out[group->rows[i]] += scale * sum[i];
-  }
-}
-
 void
 qn_ip_add_rates (const QnIpProblem *problem, const double *v, double scale, double *out)
 {
@@ -124,7 +105,20 @@ qn_interior_point_balance (const QnIpProblem *p, const double *y, double lambda,
 {
   for (int32_t r = 0; r < p->row_count; r++)
     out[r] = tau * p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);
-  add_forces (p, y, 1.0, out);
+  /* out (row_count) += B y */
+  for (int32_t g = 0; g < p->group_count; g++) {
+    const QnIpGroup *group = &p->groups[g];
+    double sum[QN_IP_GROUP_ROWS] = { 0 };
+
+    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
+      const QnIpCell *cell = &p->cells[c];
+      for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+        sum[i] += cell->map[i][0] * y[2 * c] + cell->map[i][1] * y[2 * c + 1];
+    }
+    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+      if (group->rows[i] >= 0)
+        out[group->rows[i]] += sum[i];
+  }
 }
 
 void

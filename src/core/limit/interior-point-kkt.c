@@ -110,30 +110,6 @@ schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnDiag *diag)
   return schur->lu != NULL ? QN_OK : qn_diag_no_memory (diag);
 }
 
-static void
-scatter_group (QnIpSchur *schur, const double *compliance, int32_t g)
-{
-  const QnIpGroup *group = &schur->problem->groups[g];
-  const int32_t *slots = schur->slots + (size_t) g * GROUP_ENTRIES;
-  double sum[QN_IP_GROUP_ROWS][QN_IP_GROUP_ROWS] = { { 0 } };
-
-  for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
-    const double (*map)[2] = schur->problem->cells[c].map;
-    const double *inverse = compliance + 3 * c;
-
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
-      double n = map[i][0] * inverse[0] + map[i][1] * inverse[1];
-      double t = map[i][0] * inverse[1] + map[i][1] * inverse[2];
-      for (int j = 0; j <= i; j++)
-        sum[i][j] += n * map[j][0] + t * map[j][1];
-    }
-  }
-  for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-    for (int j = 0; j < QN_IP_GROUP_ROWS; j++)
-      if (slots[QN_IP_GROUP_ROWS * i + j] >= 0)
-        schur->values[slots[QN_IP_GROUP_ROWS * i + j]] += i > j ? sum[i][j] : sum[j][i];
-}
-
 /* Builds and factorises M for the compliances H^-1 (cell_count x 3: nn, nt, tt) and r. *ok is
  * false where M is singular to working precision. */
 static QnStatus
@@ -147,8 +123,27 @@ schur_factorize (QnIpSchur *schur, const double *compliance, double regularizati
           (size_t) schur->columns[schur->problem->row_count] * sizeof *schur->values);
   for (int32_t r = 0; r < schur->problem->row_count; r++)
     schur->values[schur->diagonal[r]] = regularization;
-  for (int32_t g = 0; g < schur->problem->group_count; g++)
-    scatter_group (schur, compliance, g);
+  for (int32_t g = 0; g < schur->problem->group_count; g++) {
+    const QnIpGroup *group = &schur->problem->groups[g];
+    const int32_t *slots = schur->slots + (size_t) g * GROUP_ENTRIES;
+    double sum[QN_IP_GROUP_ROWS][QN_IP_GROUP_ROWS] = { { 0 } };
+
+    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
+      const double (*map)[2] = schur->problem->cells[c].map;
+      const double *inverse = compliance + 3 * c;
+
+      for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
+        double n = map[i][0] * inverse[0] + map[i][1] * inverse[1];
+        double t = map[i][0] * inverse[1] + map[i][1] * inverse[2];
+        for (int j = 0; j <= i; j++)
+          sum[i][j] += n * map[j][0] + t * map[j][1];
+      }
+    }
+    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+      for (int j = 0; j < QN_IP_GROUP_ROWS; j++)
+        if (slots[QN_IP_GROUP_ROWS * i + j] >= 0)
+          schur->values[slots[QN_IP_GROUP_ROWS * i + j]] += i > j ? sum[i][j] : sum[j][i];
+  }
   *ok = qn_block_lu_factor (schur->lu, schur->values) > 0;
   schur->factorizations++;
   schur->seconds += qn_clock_seconds () - start;
@@ -443,22 +438,16 @@ undo (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
   return follow (kkt, right, NULL, -1.0, out);
 }
 
-static void
-set_zero (const QnIpProblem *p, QnIpKktVector *out)
-{
-  memset (out->y, 0, 2 * (size_t) p->cell_count * sizeof (double));
-  memset (out->g, 0, (size_t) p->bound_count * sizeof (double));
-  memset (out->v, 0, (size_t) p->row_count * sizeof (double));
-  out->lambda = 0.0;
-}
-
 QnStatus
 qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
                  QnDiag *diag)
 {
   double last = INFINITY;
 
-  set_zero (kkt->problem, out);
+  memset (out->y, 0, 2 * (size_t) kkt->problem->cell_count * sizeof (double));
+  memset (out->g, 0, (size_t) kkt->problem->bound_count * sizeof (double));
+  memset (out->v, 0, (size_t) kkt->problem->row_count * sizeof (double));
+  out->lambda = 0.0;
   condense (kkt, right);
   for (int round = 0; round <= MOST_REFINEMENTS; round++) {
     QnStatus status = correct (kkt, out, diag);

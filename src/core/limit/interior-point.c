@@ -652,25 +652,6 @@ qn_interior_point_start_from (QnInteriorPoint *ip, const QnIpVector *iterate)
   residuals (ip);
 }
 
-static void
-take_step (QnInteriorPoint *ip, double length)
-{
-  const QnIpProblem *p = ip->work->problem;
-  const QnIpVector *step = &ip->work->step;
-
-  for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    ip->y[i] += length * step->y[i];
-  for (int32_t r = 0; r < p->row_count; r++)
-    ip->v[r] += length * step->v[r];
-  for (int32_t i = 0; i < p->bound_count; i++) {
-    ip->s[i] += length * step->s[i];
-    ip->z[i] += length * step->z[i];
-  }
-  ip->lambda += length * step->lambda;
-  ip->tau += length * step->tau;
-  ip->kappa += length * step->kappa;
-}
-
 /* Decides whether the iterate is an answer, and keeps the best one for the case that rounding
  * ends the progress. */
 static void
@@ -750,7 +731,20 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
     give_up (ip);
     return QN_OK;
   }
-  take_step (ip, length);
+  const QnIpProblem *p = ip->work->problem;
+  const QnIpVector *step = &ip->work->step;
+
+  for (int32_t i = 0; i < 2 * p->cell_count; i++)
+    ip->y[i] += length * step->y[i];
+  for (int32_t r = 0; r < p->row_count; r++)
+    ip->v[r] += length * step->v[r];
+  for (int32_t i = 0; i < p->bound_count; i++) {
+    ip->s[i] += length * step->s[i];
+    ip->z[i] += length * step->z[i];
+  }
+  ip->lambda += length * step->lambda;
+  ip->tau += length * step->tau;
+  ip->kappa += length * step->kappa;
   ip->iterations++;
   residuals (ip);
   take_measures (ip);

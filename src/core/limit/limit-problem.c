@@ -65,22 +65,6 @@ restrict_by_spring (Strength *strength, const QnSpring *spring, const double *an
   }
 }
 
-static void
-drop_dominated (Strength *strength)
-{
-  const Strength all = *strength;
-
-  strength->cone_count = 0;
-  for (int j = 0; j < all.cone_count; j++) {
-    bool needed = true;
-    for (int i = 0; i < all.cone_count && needed; i++)
-      needed = i == j || !dominates (&all.cones[i], &all.cones[j], &all)
-               || (i > j && dominates (&all.cones[j], &all.cones[i], &all));
-    if (needed)
-      strength->cones[strength->cone_count++] = all.cones[j];
-  }
-}
-
 /* An adjustable problem keeps all rows, but those of one law once. */
 static Strength
 pair_strength (const QnLimitProblem *limit, const QnModel *model,
@@ -95,8 +79,19 @@ pair_strength (const QnLimitProblem *limit, const QnModel *model,
   restrict_by_spring (&strength, &springs.a, anchor, remaining);
   if (!springs.equal)
     restrict_by_spring (&strength, &springs.b, anchor, remaining);
-  if (!limit->adjustable)
-    drop_dominated (&strength);
+  if (!limit->adjustable) {
+    const Strength all = strength;
+
+    strength.cone_count = 0;
+    for (int j = 0; j < all.cone_count; j++) {
+      bool needed = true;
+      for (int i = 0; i < all.cone_count && needed; i++)
+        needed = i == j || !dominates (&all.cones[i], &all.cones[j], &all)
+                 || (i > j && dominates (&all.cones[j], &all.cones[i], &all));
+      if (needed)
+        strength.cones[strength.cone_count++] = all.cones[j];
+    }
+  }
   return strength;
 }
 
@@ -147,19 +142,6 @@ typical_size (const double *values, const int32_t *rows, size_t count)
       n++;
     }
   return n > 0 ? sqrt (sum / (double) n) : 0.0;
-}
-
-static void
-number_rows (QnLimitProblem *limit, const QnModel *model)
-{
-  int32_t count = 0;
-
-  for (size_t b = 0; b < model->block_count; b++)
-    for (int d = 0; d < QN_DOF_COUNT; d++)
-      limit->rows[b * QN_DOF_COUNT + (size_t) d] =
-        model->blocks[b].support[d] ? -1 : count++;
-  limit->ip.row_count = count;
-  limit->ip.workers = model->analysis.workers;
 }
 
 static QnStatus
@@ -224,18 +206,6 @@ map_force (const QnModel *model, QnId id, QnVec2 point, QnVec2 axis, double sign
   map[QN_DOF_RZ][column] = sign * qn_vec2_cross (arm, axis) / length_unit;
 }
 
-static void
-map_pair (QnIpCell *cell, const QnModel *model, const QnContactFace *face, QnVec2 point,
-          double length_unit)
-{
-  double (*on_b)[2] = cell->map + QN_DOF_COUNT;
-
-  map_force (model, face->a, point, face->normal, 1.0, length_unit, 0, cell->map);
-  map_force (model, face->a, point, face->tangent, 1.0, length_unit, 1, cell->map);
-  map_force (model, face->b, point, face->normal, -1.0, length_unit, 0, on_b);
-  map_force (model, face->b, point, face->tangent, -1.0, length_unit, 1, on_b);
-}
-
 /* Groups, cells and bounds of all faces that touch a free degree of freedom. */
 static void
 fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *contacts)
@@ -259,7 +229,15 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
       QnIpCell *cell = &limit->cells[ip->cell_count];
       Strength strength = pair_strength (limit, model, contacts, p, NULL, 1.0);
 
-      map_pair (cell, model, face, contacts->pairs[p].point, limit->length_unit);
+      QnVec2 point = contacts->pairs[p].point;
+      double (*on_b)[2] = cell->map + QN_DOF_COUNT;
+
+      map_force (model, face->a, point, face->normal, 1.0, limit->length_unit, 0,
+                 cell->map);
+      map_force (model, face->a, point, face->tangent, 1.0, limit->length_unit, 1,
+                 cell->map);
+      map_force (model, face->b, point, face->normal, -1.0, limit->length_unit, 0, on_b);
+      map_force (model, face->b, point, face->tangent, -1.0, limit->length_unit, 1, on_b);
       cell->first_bound = ip->bound_count;
       cell->bound_count =
         write_bounds (limit, &strength, cell, limit->bounds + ip->bound_count);
@@ -311,7 +289,14 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
       || !limit->cell_pairs || !limit->bounds) {
     status = qn_diag_no_memory (diag);
   } else {
-    number_rows (limit, model);
+    int32_t count = 0;
+
+    for (size_t b = 0; b < model->block_count; b++)
+      for (int d = 0; d < QN_DOF_COUNT; d++)
+        limit->rows[b * QN_DOF_COUNT + (size_t) d] =
+          model->blocks[b].support[d] ? -1 : count++;
+    limit->ip.row_count = count;
+    limit->ip.workers = model->analysis.workers;
     status = scale_loads (limit, model, diag);
   }
   if (status) {

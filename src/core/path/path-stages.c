@@ -125,22 +125,6 @@ run_live_loads (QnPath *path, QnDiag *diag)
 
 /* --- One stage -------------------------------------------------------------------------- */
 
-static void
-take_settings (QnPath *path, const QnStage *stage)
-{
-  QnAnalysisSettings *settings = &path->own_settings;
-
-  *settings = path->model->analysis;
-  settings->procedure = stage->procedure;
-  if (stage->increments > 0)
-    settings->increments = stage->increments;
-  settings->control_block = stage->control_block;
-  settings->control_node = stage->control_node;
-  settings->control_dof = stage->control_dof;
-  settings->control_target = stage->control_target;
-  settings->max_multiplier = INFINITY;
-}
-
 /* Loads of the stage with the sets at `at` and those driven growing by `scale` per mu. */
 static void
 set_loads (QnPath *path, const QnStage *stage, const double *at, double scale)
@@ -156,16 +140,6 @@ set_loads (QnPath *path, const QnStage *stage, const double *at, double scale)
   qn_assembly_set_loads (&path->equilibrium.assembly, at, driven);
 }
 
-/* Forgets what the stage before found about its own end. */
-static void
-reset_result (QnResult *result)
-{
-  result->outcome = QN_OUTCOME_NOT_CONVERGED;
-  result->stop = QN_STOP_UNKNOWN;
-  qn_result_clear_collapse (result);
-  qn_result_clear_events (result);
-}
-
 /* Puts the solver at mu = 0 under the loads as they stand. *idle is set where the stage would
  * end where it begins. */
 static QnStatus
@@ -177,8 +151,22 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle,
   bool settles = !controlled && !qn_model_sets_have_force (path->model, stage->sets);
   int sense = 1;
 
-  take_settings (path, stage);
-  reset_result (path->result);
+  QnAnalysisSettings *settings = &path->own_settings;
+
+  *settings = path->model->analysis;
+  settings->procedure = stage->procedure;
+  if (stage->increments > 0)
+    settings->increments = stage->increments;
+  settings->control_block = stage->control_block;
+  settings->control_node = stage->control_node;
+  settings->control_dof = stage->control_dof;
+  settings->control_target = stage->control_target;
+  settings->max_multiplier = INFINITY;
+  /* Forgets what the stage before found about its own end. */
+  path->result->outcome = QN_OUTCOME_NOT_CONVERGED;
+  path->result->stop = QN_STOP_UNKNOWN;
+  qn_result_clear_collapse (path->result);
+  qn_result_clear_events (path->result);
   set_loads (path, stage, at, 1);
   eq->multiplier = eq->committed.multiplier = 0;
   qn_equilibrium_restore (eq);
@@ -200,19 +188,6 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle,
   return QN_OK;
 }
 
-/* Gives the multipliers that the stage ended with their meaning. */
-static void
-end_stage (QnPath *path, const QnStage *stage, double *at)
-{
-  QnResult *result = path->result;
-  double reached = path->equilibrium.committed.multiplier;
-
-  result->collapse_multiplier = path->origin + path->scale * result->collapse_multiplier;
-  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
-    if ((stage->sets >> set & 1) != 0)
-      at[set] = path->origin + path->scale * reached;
-}
-
 static QnStatus
 run_stages (QnPath *path, QnDiag *diag)
 {
@@ -230,7 +205,15 @@ run_stages (QnPath *path, QnDiag *diag)
       status = qn_path_trace (path, diag);
     if (status != QN_OK)
       return status;
-    end_stage (path, stage, at);
+    /* Gives the multipliers that the stage ended with their meaning. */
+    QnResult *result = path->result;
+    double reached = path->equilibrium.committed.multiplier;
+
+    result->collapse_multiplier =
+      path->origin + path->scale * result->collapse_multiplier;
+    for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+      if ((stage->sets >> set & 1) != 0)
+        at[set] = path->origin + path->scale * reached;
     if (path->result->outcome != QN_OUTCOME_TARGET_REACHED)
       return QN_OK;
   }

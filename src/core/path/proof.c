@@ -2,34 +2,6 @@
 
 #include "core/check/result-check.h"
 
-/* A result of which nothing is concluded. */
-static void
-withdraw (QnResult *result)
-{
-  result->outcome = QN_OUTCOME_NOT_CONVERGED;
-  result->stop = QN_STOP_CHECK;
-  result->stability = QN_STABILITY_UNKNOWN;
-  result->has_associative_bound = false;
-  qn_result_clear_collapse (result);
-  qn_result_clear_events (result);
-  if (result->step_count > 0)
-    result->steps[result->step_count - 1].event = QN_EVENT_NONE;
-}
-
-/* Keeps the steps before this one, with the forces of the last of them. */
-static void
-keep_steps_before (const QnModel *model, QnResult *result, size_t step)
-{
-  for (size_t p = 0; p < result->pair_count; p++)
-    result->pairs[p] =
-      step > 0 ? qn_result_pair_at (result, step - 1, p) : (QnPairResult){ 0 };
-  result->step_count = step;
-  if (step > 0)
-    result->stage = result->steps[step - 1].stage;
-  qn_result_clear_events (result);
-  qn_result_judge_linearity (model, result);
-}
-
 /* A path that came to no end is told as far as its steps are true. Where the forces of earlier steps were
  * not kept all of them stay. */
 static QnStatus
@@ -50,7 +22,15 @@ keep_what_is_true (const QnModel *model, const QnContacts *contacts, QnResult *r
     if (first == result->step_count
         || (first > 0 && !qn_result_has_forces (result, first - 1)))
       return QN_OK;
-    keep_steps_before (model, result, first);
+    /* Keeps the steps before this one, with the forces of the last of them. */
+    for (size_t p = 0; p < result->pair_count; p++)
+      result->pairs[p] =
+        first > 0 ? qn_result_pair_at (result, first - 1, p) : (QnPairResult){ 0 };
+    result->step_count = first;
+    if (first > 0)
+      result->stage = result->steps[first - 1].stage;
+    qn_result_clear_events (result);
+    qn_result_judge_linearity (model, result);
   }
   return QN_OK;
 }
@@ -80,6 +60,14 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
   }
   if (status != QN_OK || stands)
     return status;
-  withdraw (result);
+  /* A result of which nothing is concluded. */
+  result->outcome = QN_OUTCOME_NOT_CONVERGED;
+  result->stop = QN_STOP_CHECK;
+  result->stability = QN_STABILITY_UNKNOWN;
+  result->has_associative_bound = false;
+  qn_result_clear_collapse (result);
+  qn_result_clear_events (result);
+  if (result->step_count > 0)
+    result->steps[result->step_count - 1].event = QN_EVENT_NONE;
   return keep_what_is_true (model, contacts, result, diag);
 }
