@@ -203,6 +203,8 @@ static const Forgery forgeries[] = {
   { "bound of a path", WALL, "collapse_interval/1", TIMES, 1.05, NULL, "upper bound" },
   { "solution of a path", WALL, "solutions/0/displacement", TIMES, 1.01, NULL,
     "interval" },
+  { "another way to a solution", WALL, "solutions/0/found_by", TEXT, 0, "limit",
+    "interval" },
   { "linear geometry", WALL, "beyond_linear_multiplier", TIMES, 0.9, NULL,
     "linear geometry" },
   { "place of a contact", ARCH, "contacts/3/point/0", ADD, 0.01, NULL, "contacts[3]" },

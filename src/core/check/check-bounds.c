@@ -124,10 +124,30 @@ agree (double stated, double found)
   return qn_check_agrees (stated, found, AGREE * (1 + fabs (found)));
 }
 
-/* The displacement of a solution that a path has met is that of a step with its multiplier. */
+/* Whether a path with this procedure may tell a solution as found by another: load control prescribes the
+ * work of the live load where the path bends. */
 static bool
-is_met (const QnResult *result, const QnSolution *solution)
+finds_by (const QnCheck *check, QnProcedure found_by)
 {
+  const QnModel *model = check->model;
+  int32_t stage = check->result->stage;
+  bool staged = stage > 0 && (size_t) stage <= model->stage_count;
+  QnProcedure procedure =
+    staged ? model->stages[stage - 1].procedure : model->analysis.procedure;
+
+  return found_by == procedure
+         || (procedure == QN_PROCEDURE_LOAD && found_by == QN_PROCEDURE_WORK);
+}
+
+/* The solution that a path has met is its collapse, with the displacement of a step of that multiplier. */
+static bool
+is_met (const QnCheck *check, const QnSolution *solution)
+{
+  const QnResult *result = check->result;
+
+  if (!finds_by (check, solution->found_by)
+      || !agree (solution->multiplier, result->collapse_multiplier))
+    return false;
   for (size_t i = 0; i < result->step_count; i++) {
     double moved = qn_result_motion (result, 0, i);
     if (agree (result->steps[i].multiplier, solution->multiplier)
@@ -157,7 +177,7 @@ check_solutions (QnCheck *check)
     const QnSolution *solution = &result->solutions[i];
     least = fmin (least, solution->multiplier);
     greatest = fmax (greatest, solution->multiplier);
-    if (!limit->given && !is_met (result, solution))
+    if (!limit->given && !is_met (check, solution))
       tell_interval (check, solution->multiplier, NAN);
   }
   if (result->solution_count == 0) {

@@ -110,6 +110,10 @@ qn_check_found_take (QnCheck *check, size_t step)
        check->next_force++) {
     const QnFoundForce *force = &r->found_forces[check->next_force];
     check->found[force->found] = *force;
+    if (!(r->found[force->found].time
+          <= r->steps[step].time)) /* carries before it is found */
+      qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step,
+                           r->found[force->found].time, r->steps[step].time);
     as->asleep[drawn + (size_t) force->found] = false;
   }
   for (size_t i = 0; i < r->left_count; i++) {
