@@ -172,24 +172,14 @@ is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
   return relaxation->doublings > FALL_DOUBLINGS;
 }
 
-/* With a measure held a structure may well move far and come to rest; but not by more than a
- * block, or a radian, beyond which the contacts that were detected mean nothing. */
-static bool
-has_left (const QnEquilibrium *eq)
-{
-  return qn_equilibrium_motion (eq) > eq->assembly.length;
-}
-
 /* Whether the structure moves on for good after a converged step. */
 static bool
 is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
 {
   double time_step = 1 / relaxation->viscosity;
 
-  if (eq->assembly.nonlinear && relaxation->held)
-    return has_left (eq);
   if (eq->assembly.nonlinear)
-    return is_falling (eq, relaxation);
+    return !relaxation->held && is_falling (eq, relaxation);
   if (qn_equilibrium_elastic_displacements (eq) > eq->runaway)
     return true;
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
@@ -242,7 +232,7 @@ adapt_step (Relaxation *relaxation, int iterations)
 }
 
 QnSolveStatus
-qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
+qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, double far, int budget)
 {
   Relaxation relaxation = { .held = target->direction != NULL,
                             .duration = find_duration (eq, target),
@@ -273,6 +263,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
     qn_assembly_commit (&eq->assembly);
     relaxation.elapsed += 1 / relaxation.viscosity;
     update_velocity (eq, &relaxation);
+    if (eq->assembly.nonlinear && qn_equilibrium_motion (eq) > far)
+      return QN_SOLVE_MECHANISM;
     if (eq->out_of_balance <= eq->tolerance && relaxation.elapsed >= relaxation.duration)
       return QN_SOLVE_CONVERGED;
     if (is_mechanism (eq, &relaxation))

@@ -113,8 +113,7 @@ has_collapsed (const QnPathTrace *trace)
   double moved = events->displacement - events->highest_displacement;
 
   return trace->load_control && !qn_path_trace_is_linear (trace) && events->below
-         && (moved > tuning->collapsed_motion * eq->assembly.length
-             || eq->multiplier <= tuning->collapsed_part * events->highest);
+         && moved > tuning->collapsed_motion * eq->assembly.length;
 }
 
 void

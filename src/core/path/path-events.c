@@ -164,9 +164,9 @@ qn_path_events_observe (QnPathEvents *events, bool jumped, bool *snap)
 bool
 qn_path_events_has_snapped (const QnPathEvents *events)
 {
-  return events->below
-         && jump_size (events->highest_displacement, events->displacement)
-              >= QN_JUMP_SNAP;
+  double now = largest_shift (events->path, events->rest, events->path->equilibrium.u);
+
+  return jump_size (events->highest_displacement, now) >= QN_JUMP_SNAP;
 }
 
 bool

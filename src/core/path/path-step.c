@@ -40,9 +40,11 @@ go_straight_on (QnPathTrace *trace, const QnTarget *target)
   QnSolveStatus status = QN_SOLVE_FAILED;
   double advanced = 0;
 
+  if (!qn_path_trace_is_linear (trace))
+    return QN_SOLVE_FAILED;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     advanced += target->direction[i] * (now[i] - last[i]);
-  if (!qn_path_trace_is_linear (trace) || advanced == 0)
+  if (advanced == 0)
     return QN_SOLVE_FAILED;
   double times = target->advance / advanced;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
@@ -104,7 +106,7 @@ jump (QnPathTrace *trace, const QnTarget *target)
   if (status != QN_SOLVE_FAILED)
     return status;
   qn_equilibrium_restore (eq);
-  return qn_equilibrium_relax (eq, target, QN_RELAX_BUDGET);
+  return qn_equilibrium_relax (eq, target, INFINITY, QN_RELAX_BUDGET);
 }
 
 /* Whether a step that was solved went much farther than the steps before it, and not much less far
@@ -186,17 +188,17 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
 
 /* In nonlinear geometry, where branches lie close to each other: cut until it is solved without a jump
  * or is the smallest one. Static solutions come first, and are cheap, unless relaxation was needed
- * just before: then their first failure is enough. Under load control, where nobody asks for what lies
- * between, they are tried in shorter steps too: relaxation rests below the path. */
+ * just before: then their first failure is enough. Relaxation moves the structure no farther than a
+ * block, or a radian, beyond which the contacts that were detected mean nothing. Under load control the
+ * load is held first where no static solution is found (path-trace.c). */
 static QnSolveStatus
 solve_nonlinear (QnPathTrace *trace, double *step)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  double least_for_newton =
-    trace->load_control                      ? tuning->newton_step_load * trace->largest
-    : trace->means == QN_FOUND_BY_RELAXATION ? INFINITY
-                                             : tuning->newton_step * trace->largest;
-  double before = 0;
+  double least_for_newton = trace->means == QN_FOUND_BY_RELAXATION && !trace->load_control
+                              ? INFINITY
+                              : tuning->newton_step * trace->largest;
+  double before = 0, far = eq->assembly.length;
   bool relaxes = false;
 
   for (;;) {
@@ -204,7 +206,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
     bool smallest = fabs (*step) <= tuning->smallest_step * trace->largest;
     QnSolveStatus status =
       relaxes ? qn_equilibrium_relax (
-        eq, &target, smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT)
+        eq, &target, far, smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT)
               : solve_statically (trace, &target);
     if (relaxes)
       trace->means = QN_FOUND_BY_RELAXATION;
@@ -219,6 +221,8 @@ solve_nonlinear (QnPathTrace *trace, double *step)
     qn_equilibrium_restore (eq);
     if (relaxes || fabs (*step) * tuning->cut >= least_for_newton)
       *step *= tuning->cut;
+    else if (trace->load_control && !trace->events.below)
+      return QN_SOLVE_FAILED;
     else
       relaxes = true;
   }

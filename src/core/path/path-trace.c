@@ -32,7 +32,6 @@ const QnPathTuning qn_path_tuning = {
   .smallest_step = 1.0 / 1024,
   .restart_step = 1.0 / 64,
   .newton_step = 1.0 / 16,
-  .newton_step_load = 1.0 / 256,
   .least_lean = 1e-2,
   .most_of_step = 0.9,
   .jump = 3,
@@ -50,7 +49,6 @@ const QnPathTuning qn_path_tuning = {
   .nearly_settled = 5e-3,
   .settled = 0.1,
   .collapsed_motion = 0.1,
-  .collapsed_part = 0.5,
   .most_steps = 100000,
 };
 
@@ -108,6 +106,25 @@ largest_next_step (const QnPathTrace *trace)
   return fmin (most, fmax (far / trace->pace, is_displacement ? first : 0));
 }
 
+/* Load control in nonlinear geometry: a step that passes the highest multiplier misses it by bend / 8 x
+ * step^2, with `bend` the curvature of the multiplier over the work, from the slopes of the last two
+ * steps. Up to half the way to where the slope ends by that curvature nothing is missed. */
+static double
+largest_step_to_peak (QnPathTrace *trace, double step)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  double missed = trace->path->settings->multiplier_tolerance * fabs (eq->multiplier);
+  double slope = (eq->multiplier - eq->committed.multiplier) / step;
+  double bend = 2 * (trace->slope - slope) / (step + trace->last_step);
+  bool known = trace->last_step > 0 && bend > 0;
+
+  trace->slope = slope;
+  trace->last_step = step;
+  if (!known)
+    return INFINITY;
+  return fmax (sqrt (8 * missed / bend), 0.5 * (slope / bend - step / 2));
+}
+
 static void
 choose_next_step (QnPathTrace *trace, double step, bool easy)
 {
@@ -119,6 +136,10 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
                       tuning->restart_step * trace->largest);
   trace->step =
     copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
+  if (trace->load_control && !qn_path_trace_is_linear (trace) && !trace->events.below
+      && trace->measure.procedure == QN_PROCEDURE_WORK)
+    trace->step =
+      fmin (trace->step, fmax (tuning->cut * step, largest_step_to_peak (trace, step)));
 }
 
 /* A first increment that fails is cut. False where it is short enough. */
@@ -142,14 +163,16 @@ take_work (QnPathTrace *trace, QnDiag *diag)
 
   QnStatus status =
     qn_path_measure_take_work (&trace->measure, trace->step, &trace->step, diag);
-  if (status == QN_OK && eq->committed.multiplier > 0) {
+  if (status == QN_OK) {
     for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
       work +=
         trace->measure.direction[i] * (eq->committed.u[i] - trace->measure.last_u[i]);
-    trace->step = fabs (work);
+    if (work != 0)
+      trace->step = fabs (work);
   }
   trace->largest = trace->step;
   trace->pace = 0;
+  trace->last_step = 0;
   return status;
 }
 
@@ -177,15 +200,12 @@ accept (QnPathTrace *trace)
   if (!qn_path_events_observe (&trace->events, trace->jumped, &snap))
     return false;
   if (trace->load_control && !climbs) {
-    if (!trace->beyond)
-      memcpy (trace->onset, eq->u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
-    trace->beyond = true;
     qn_equilibrium_commit (eq);
-    if (!holds_still (eq->multiplier, trace->lower.multiplier))
+    if (qn_path_trace_is_linear (trace)
+        && !holds_still (eq->multiplier, trace->lower.multiplier))
       qn_equilibrium_save (eq, &trace->lower);
     return true;
   }
-  trace->beyond = false;
   snap = trace->load_control ? snap : trace->jumped;
   if (!qn_path_accept (path, multiplier, snap ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return false;
@@ -401,14 +421,15 @@ judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
 
 /* How the structure moves on at its highest multiplier: as in the last step, where geometry is linear and
  * motion settles as it grows. In large displacements other joints slide and open as it falls, and the
- * first step beyond is nearest; where there is none, what relaxation has seen fall. */
+ * first state below is nearest; where there is none, what relaxation has seen fall. */
 static void
 find_velocity (const QnPathTrace *trace, double *velocity)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
-  bool first = trace->beyond && !qn_path_trace_is_linear (trace);
+  bool first =
+    trace->load_control && trace->events.below && !qn_path_trace_is_linear (trace);
   const double *from = first ? trace->highest.u : trace->measure.last_u;
-  const double *to = first ? trace->onset : eq->committed.u;
+  const double *to = first ? trace->lower.u : eq->committed.u;
 
   if (trace->stop == QN_STOP_FALL && !trace->events.below)
     return;
@@ -486,6 +507,82 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
 }
 
+/* Load control in large displacements: where the path turns down, or leads no farther, the structure moves
+ * on under a load that is held, a little above the highest multiplier. It comes to rest near by, as a
+ * block does that rocks on its own while the others stand: then load control goes on from there. Or it
+ * falls: that is its collapse. Where neither is certain the path is followed to its end. */
+static QnStatus
+hold_load (QnPathTrace *trace, QnDiag *diag)
+{
+  QnPath *path = trace->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  double highest = trace->events.highest;
+  double more = path->settings->multiplier_tolerance * fmax (highest, trace->unit);
+  double far = tuning->collapsed_motion * eq->assembly.length;
+  const QnTarget target = qn_target_multiplier (fmin (highest + more, trace->end));
+
+  qn_equilibrium_save (eq, &trace->lower);
+  qn_equilibrium_set_state (eq, &trace->highest);
+  qn_equilibrium_commit (eq);
+  QnSolveStatus status = qn_equilibrium_relax (eq, &target, far, QN_RELAX_BUDGET);
+
+  if (status == QN_SOLVE_CONVERGED)
+    status = qn_path_stay (path, far);
+  if (status == QN_SOLVE_CONVERGED && !qn_path_events_climbs (&trace->events))
+    status = QN_SOLVE_FAILED;
+  switch (status) {
+  case QN_SOLVE_NO_MEMORY:
+    return qn_diag_no_memory (diag);
+  case QN_SOLVE_CANCELLED:
+  case QN_SOLVE_MECHANISM:
+    qn_path_end_give_up (trace, status);
+    return QN_OK;
+  case QN_SOLVE_FAILED:
+    qn_equilibrium_set_state (eq, &trace->lower);
+    qn_equilibrium_commit (eq);
+    return QN_OK;
+  case QN_SOLVE_CONVERGED:
+    break;
+  }
+  if (path->settings->snap == QN_SNAP_THROUGH_STOP
+      && qn_path_events_has_snapped (&trace->events)) {
+    qn_path_end_give_up (trace, status);
+    return QN_OK;
+  }
+  trace->stop = QN_STOP_UNKNOWN;
+  trace->means = QN_FOUND_BY_RELAXATION;
+  trace->jumped = true;
+  if (!accept (trace))
+    return qn_diag_no_memory (diag);
+  qn_path_measure_keep_last (&trace->measure);
+  qn_path_predictor_note (&trace->predictor, eq, 0, false);
+  trace->measure.procedure = QN_PROCEDURE_LOAD;
+  trace->step = trace->largest = more;
+  trace->pace = 0;
+  qn_path_end_check (trace);
+  return QN_OK;
+}
+
+/* One step of the path, by what leads on from where it has come. The load is held once at each highest
+ * multiplier. */
+static QnStatus
+go_on (QnPathTrace *trace, QnDiag *diag)
+{
+  bool holds =
+    trace->load_control && !qn_path_trace_is_linear (trace) && !trace->events.below;
+  QnStatus status = trace->measure.procedure == QN_PROCEDURE_LOAD
+                      ? advance_by_load (trace, diag)
+                    : goes_far (trace) ? advance_far (trace, diag)
+                                       : advance (trace, diag);
+  bool goes_on = trace->stop == QN_STOP_UNKNOWN;
+  bool turns = (goes_on || trace->stop == QN_STOP_ZERO || trace->stop == QN_STOP_FALL)
+               && trace->events.below;
+
+  return status == QN_OK && holds && (turns || trace->stop == QN_STOP_STEP_TOO_SMALL)
+           ? hold_load (trace, diag)
+           : status;
+}
+
 static QnStatus
 run (QnPathTrace *trace, QnDiag *diag)
 {
@@ -498,9 +595,7 @@ run (QnPathTrace *trace, QnDiag *diag)
   for (int step = 0;
        status == QN_OK && trace->stop == QN_STOP_UNKNOWN && step < tuning->most_steps;
        step++)
-    status = trace->measure.procedure == QN_PROCEDURE_LOAD ? advance_by_load (trace, diag)
-             : goes_far (trace)                            ? advance_far (trace, diag)
-                                                           : advance (trace, diag);
+    status = go_on (trace, diag);
   if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
     qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEPS);
   return status == QN_OK ? conclude (trace, diag) : status;
@@ -515,6 +610,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
                         .long_growth = tuning->long_growth,
+                        .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };
   bool has_joints = qn_central_path_has_joints (as);
@@ -531,10 +627,9 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   if (trace.central != NULL && trace.load_control)
     qn_central_path_keep_together (trace.central);
   trace.buckling = qn_alloc ((size_t) as->unknown_count, sizeof *trace.buckling);
-  trace.onset = qn_alloc ((size_t) as->unknown_count, sizeof *trace.onset);
   bool ready = qn_path_predictor_init (&trace.predictor, as) && trace.buckling != NULL
-               && trace.onset != NULL && (trace.central != NULL || !has_joints)
-               && qn_path_events_init (&trace.events, path, live > 0 ? dead / live : 0)
+               && (trace.central != NULL || !has_joints)
+               && qn_path_events_init (&trace.events, path, trace.unit)
                && (!trace.load_control
                    || (qn_equilibrium_state_init (&trace.highest, as)
                        && qn_equilibrium_state_init (&trace.lower, as)));
@@ -545,12 +640,11 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   if (ready && trace.load_control)
     qn_equilibrium_save (eq, &trace.highest);
   if (ready && trace.load_control && has_joints && dead > 0)
-    trace.measure.first = tuning->start * dead / live;
+    trace.measure.first = tuning->start * trace.unit;
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
   qn_path_events_clear (&trace.events);
   qn_central_path_free (trace.central);
   free (trace.buckling);
-  free (trace.onset);
   qn_path_predictor_clear (&trace.predictor);
   qn_equilibrium_state_clear (&trace.highest);
   qn_equilibrium_state_clear (&trace.lower);

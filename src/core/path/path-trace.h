@@ -36,8 +36,8 @@ typedef struct QnPathTuning {
   double smallest_step, restart_step;
 
   /* Nonlinear geometry: smallest step, as a part of the largest, that Newton's method is worth:
-   * relaxation takes a longer one for the same effort. And under load control. */
-  double newton_step, newton_step_load;
+   * relaxation takes a longer one for the same effort. */
+  double newton_step;
 
   /* How far a structure is moved out of an unstable equilibrium at first, in characteristic lengths; up
    * to one. */
@@ -81,8 +81,8 @@ typedef struct QnPathTuning {
   double nearly_settled, settled;
 
   /* In nonlinear geometry a structure under load control has collapsed where it has moved by this part
-   * of the characteristic length since its highest multiplier, or carries no more than this part of it. */
-  double collapsed_motion, collapsed_part;
+   * of the characteristic length since its highest multiplier. */
+  double collapsed_motion;
 
   int most_steps; /* of a path that nothing else ends */
 } QnPathTuning;
@@ -103,18 +103,19 @@ typedef struct QnPathTrace {
   QnPathEvents events;
   QnCentralPath *central; /* NULL where it does not apply */
   bool load_control;
-  bool may_jump;  /* some joint is not associative, or not known to be */
-  bool jumped;    /* the last step moved on by a jump */
-  double end;     /* largest multiplier */
+  bool may_jump; /* some joint is not associative, or not known to be */
+  bool jumped;   /* the last step moved on by a jump */
+  double end;    /* largest multiplier */
+  double
+    unit; /* multiplier at which the largest live load on a block equals the largest dead load */
   double step;    /* to try next */
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
+  double slope,
+    last_step; /* of the multiplier in the last step of work, and that step; 0: unknown */
   double *buckling; /* scratch: the motion in which an unstable equilibrium is left */
-  double *onset;   /* load control in large displacements: where the first step beyond the
-                       highest multiplier came to */
-  bool beyond;     /* there has been one */
-  int orientation; /* of the path where it began; 0: unknown */
+  int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
   bool straight;          /* the last step went on as the one before */
   double long_growth;     /* of the work in the next long step */
@@ -125,7 +126,8 @@ typedef struct QnPathTrace {
   QnEquilibriumState
     highest; /* of load control: the state with the highest multiplier, */
   QnEquilibriumState
-    lower; /* and below it that from which on the multiplier holds still */
+    lower; /* and one below it: in linear geometry that from which on the multiplier holds still,
+              in large displacements the first */
 } QnPathTrace;
 
 static inline bool

@@ -11,7 +11,7 @@
 #define FIRST_TURN 50
 #define LAST_TURN  400
 
-/* How far a structure is moved out of an unstable equilibrium, as a part of its displacements. */
+/* How far a structure is moved out of an unstable equilibrium, as a part of how far it may go. */
 #define LEAN 0.01
 
 QnStatus
@@ -222,7 +222,7 @@ relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
   QnSolveStatus solve;
 
   for (int steps = FIRST_TURN; steps <= LAST_TURN; steps *= 2) {
-    solve = qn_equilibrium_relax (eq, &target, steps);
+    solve = qn_equilibrium_relax (eq, &target, INFINITY, steps);
     if (solve != QN_SOLVE_FAILED)
       return solve;
     qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
@@ -254,33 +254,30 @@ find_rest (QnEquilibrium *eq)
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
     solve = applies ? relax_in_turns (eq, central)
-                    : qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET);
+                    : qn_equilibrium_relax (eq, &target, INFINITY, QN_RELAX_BUDGET);
   }
   qn_central_path_free (central);
   return solve;
 }
 
-/* Whether a structure that cannot stay where it is, with eq->motion how it leaves, rests near by: a block
- * that stands on one edge turns until another touches. Near: no farther than the dead load has moved
- * it. What falls, or bends away, does not stand. */
-static QnSolveStatus
-find_rest_near (QnPath *path)
+QnSolveStatus
+qn_path_stay (QnPath *path, double far)
 {
   QnEquilibrium *eq = &path->equilibrium;
   const QnAssembly *as = &eq->assembly;
-  const QnTarget target = qn_target_multiplier (0);
-  double far = qn_assembly_largest (as, eq->u, NULL);
+  const QnTarget target = qn_target_multiplier (eq->multiplier);
+  QnSolveStatus solve = qn_path_judge_stability (path, NULL);
 
+  if (solve != QN_SOLVE_MECHANISM)
+    return solve;
   qn_equilibrium_commit (eq);
   for (int32_t i = 0; i < as->unknown_count; i++)
     eq->u[i] += LEAN * far * eq->motion[i];
-  QnSolveStatus solve = qn_assembly_evaluate (&eq->assembly, eq->u)
-                          ? qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET)
-                          : QN_SOLVE_FAILED;
-  if (solve == QN_SOLVE_CONVERGED && qn_equilibrium_motion (eq) <= far)
+  solve = qn_assembly_evaluate (&eq->assembly, eq->u)
+            ? qn_equilibrium_relax (eq, &target, far, QN_RELAX_BUDGET)
+            : QN_SOLVE_FAILED;
+  if (solve == QN_SOLVE_CONVERGED)
     solve = qn_path_judge_stability (path, NULL);
-  else if (solve == QN_SOLVE_CONVERGED)
-    solve = QN_SOLVE_MECHANISM;
   if (solve == QN_SOLVE_CONVERGED || solve == QN_SOLVE_CANCELLED
       || solve == QN_SOLVE_NO_MEMORY)
     return solve;
@@ -294,11 +291,9 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
   QnEquilibrium *eq = &path->equilibrium;
   QnSolveStatus solve = find_rest (eq);
 
-  if (solve == QN_SOLVE_CONVERGED) {
-    solve = qn_path_judge_stability (path, NULL);
-    if (solve == QN_SOLVE_MECHANISM)
-      solve = find_rest_near (path);
-  }
+  if (solve
+      == QN_SOLVE_CONVERGED) /* or near by: no farther than the dead load has moved it */
+    solve = qn_path_stay (path, qn_assembly_largest (&eq->assembly, eq->u, NULL));
   *stands = solve == QN_SOLVE_CONVERGED;
 
   switch (solve) {

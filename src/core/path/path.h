@@ -69,6 +69,10 @@ QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
  * largest entry 1. Or NO_MEMORY. */
 QnSolveStatus qn_path_judge_stability (QnPath *path, const double *held);
 
+/* The same for a structure that is at rest under its loads. Where it leaves, it is let move by `far` (m) at
+ * most: a block that stands on one edge turns until another touches. CONVERGED where it stays then. */
+QnSolveStatus qn_path_stay (QnPath *path, double far);
+
 /* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
  * (path-stages.c). *stands is false where there is no equilibrium under dead load. */
 QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
