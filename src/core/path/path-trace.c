@@ -454,7 +454,7 @@ take_last_state (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
 
-  if (trace->may_jump && trace->beyond && moves_on (trace)
+  if (trace->may_jump && isfinite (trace->lower.multiplier) && moves_on (trace)
       && trace->lower.multiplier > trace->events.least
       && !holds_still (trace->lower.multiplier, trace->highest.multiplier)) {
     qn_equilibrium_set_state (eq, &trace->lower);
