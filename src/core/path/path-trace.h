@@ -112,8 +112,8 @@ typedef struct QnPathTrace {
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
-  double slope,
-    last_step; /* of the multiplier in the last step of work, and that step; 0: unknown */
+  /* The last step of work (0: unknown), and the slope of the multiplier in it. */
+  double last_step, slope;
   double *buckling; /* scratch: the motion in which an unstable equilibrium is left */
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
@@ -123,11 +123,9 @@ typedef struct QnPathTrace {
   double last_multiplier; /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
   QnStop stop;                               /* UNKNOWN while the path goes on */
-  QnEquilibriumState
-    highest; /* of load control: the state with the highest multiplier, */
-  QnEquilibriumState
-    lower; /* and one below it: in linear geometry that from which on the multiplier holds still,
-              in large displacements the first */
+  /* Load control: the state with the highest multiplier, and one below it: in linear geometry that from
+   * which on the multiplier holds still, in large displacements the first. */
+  QnEquilibriumState highest, lower;
 } QnPathTrace;
 
 static inline bool
