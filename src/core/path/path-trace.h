@@ -106,9 +106,8 @@ typedef struct QnPathTrace {
   bool may_jump; /* some joint is not associative, or not known to be */
   bool jumped;   /* the last step moved on by a jump */
   double end;    /* largest multiplier */
-  double
-    unit; /* multiplier at which the largest live load on a block equals the largest dead load */
-  double step;    /* to try next */
+  double unit;   /* that at which the largest live load on a block equals the dead load */
+  double step;   /* to try next */
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
