@@ -154,8 +154,9 @@ QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
 /* Lets the structure move from the current state while the target holds, with viscosity that
  * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
- * with eq->motion): in large displacements also where it has moved by more than `far`, m or
- * characteristic lengths of rotation. FAILED when neither is certain after `budget` viscous steps. */
+ * with eq->motion). Where only rests near by count, `far` is finite: in large displacements what has
+ * moved by more, m or characteristic lengths of rotation, moves on; what seems to fall before may still
+ * come to rest. FAILED when neither is certain after `budget` viscous steps. */
 QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, double far,
                                     int budget);
 
