@@ -49,7 +49,8 @@ typedef struct QnCheck {
   double largest;      /* m: largest displacement of the step */
   double change;       /* m: largest change of an elongation in a step so far */
   bool relaxed;        /* some step so far is not the laws' answer to the one before */
-  double slack;        /* m: what elongations may be off by, of all steps so far */
+  bool lost;    /* and its forces were not kept: none are known until some are stated */
+  double slack; /* m: what elongations may be off by, of all steps so far */
   double stiffness_at_rest;  /* N/m: against the mechanism, at the first step */
   double *u, *residual;      /* unknowns */
   double *rows;              /* scratch, a row for every body */

@@ -262,7 +262,8 @@ check_forces (QnCheck *check, size_t step)
 {
   QnAssembly *as = &check->assembly;
   const QnStep *told = &check->result->steps[step];
-  bool jumped = false, free_to_slide = told->relaxed || check->result->history.width > 0;
+  bool jumped = false;
+  bool free_to_slide = told->relaxed || check->lost || check->result->history.width > 0;
 
   check->relaxed = check->relaxed || told->relaxed;
   add_slack (check);
@@ -273,8 +274,10 @@ check_forces (QnCheck *check, size_t step)
     QnPairMemory memory;
     QnPairState state;
     double force[2], tolerance = force_tolerance (check, springs, q);
-    if (!stated_force (check, step, p, force, &state))
+    if (!stated_force (check, step, p, force, &state)) {
+      check->lost = check->lost || told->relaxed;
       return;
+    }
     QnPairResponse *response = &as->responses[p];
     if (!same_force (response->force, force, tolerance)) {
       QnPairResponse replayed = *response;
@@ -301,6 +304,7 @@ check_forces (QnCheck *check, size_t step)
     /* What follows is checked with the forces as they are stated. */
     memcpy (response->force, force, sizeof force);
   }
+  check->lost = false;
   check->faults->jumps += free_to_slide && jumped;
 }
 
@@ -552,14 +556,17 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
   if (!result->limit.given) {
     check_settlements (check, step);
     check_forces (check, step);
-    check_beam_forces (check, step);
   }
-  check_strength (check, step);
-  check_states (check, step);
-  /* Rigid blocks have no forces but at collapse. */
-  if (!(in_time && step > 0) && !(result->limit.given && step + 1 < result->step_count))
-    check_balance (check, step);
-  check_reactions (check, step);
+  if (!check->lost) {
+    if (!result->limit.given)
+      check_beam_forces (check, step);
+    check_strength (check, step);
+    check_states (check, step);
+    /* Rigid blocks have no forces but at collapse. */
+    if (!(in_time && step > 0) && !(result->limit.given && step + 1 < result->step_count))
+      check_balance (check, step);
+    check_reactions (check, step);
+  }
   QnStatus status = qn_check_modes (check, step, diag);
   if (status == QN_OK && in_time)
     status = qn_check_motion (check, step, diag);

@@ -146,6 +146,45 @@ test_proved (void)
   qn_model_clear (&model);
 }
 
+/* Of long paths the forces of steps before the last are not kept. What slid in a relaxed step is then not
+ * known until the last, and a true result is not called false. */
+static void
+test_forces_not_kept (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+  QnResultFaults faults;
+  int relaxed = 0;
+  test_model_init_wall (&model, 2, 0);
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  model.laws[0].kn = model.laws[0].ks = 1e9;
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                   QN_OK);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  for (size_t i = 0; i + 1 < result.step_count; i++)
+    relaxed += result.steps[i].relaxed;
+  g_assert_cmpint (relaxed, >, 0);
+  result.forces_dropped = true;
+  g_clear_pointer (&result.step_forces, free);
+  g_clear_pointer (&result.step_states, free);
+  g_assert_false (qn_result_has_forces (&result, 0));
+  for (int forged = 0; forged < 2; forged++) {
+    if (forged)
+      result.pairs[0].normal_force *= 1.1;
+    g_assert_cmpint (
+      qn_result_find_faults (&model, &contacts, &result, QN_CHECK_STATED, &faults, NULL),
+      ==, QN_OK);
+    g_assert_true (faults.forces_unknown);
+    g_assert_true ((faults.count > 0) == forged);
+  }
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
 /* The collapse of a path lies between the least solution and the associative bound, which is there
  * where it was asked for. */
 static void
@@ -261,6 +300,7 @@ main (int argc, char **argv)
   g_test_add_func ("/analysis/unbounded", test_unbounded);
   g_test_add_func ("/analysis/dead-load-alone", test_dead_load_alone);
   g_test_add_func ("/analysis/proved", test_proved);
+  g_test_add_func ("/analysis/forces-not-kept", test_forces_not_kept);
   g_test_add_func ("/analysis/settled", test_settled);
   g_test_add_func ("/analysis/interval", test_interval);
   g_test_add_func ("/analysis/linearity", test_linearity);
