@@ -52,10 +52,11 @@ static const char *const fields[] = {
   "rotation", "stress",       "opening",        "sliding",
 };
 /* None, each alone, all; test_known() holds them to the program's own list, as the others. */
-#define ALL_DECORATIONS "ghost,symbols,loads,dimensions,names,legend,titles,monochrome"
+#define ALL_DECORATIONS                                                                  \
+  "ghost,symbols,loads,dimensions,names,values,legend,titles,monochrome"
 static const char *const decorations[] = {
-  "",      "ghost",  "symbols", "loads",      "dimensions",
-  "names", "legend", "titles",  "monochrome", ALL_DECORATIONS,
+  "",       "ghost",  "symbols", "loads",      "dimensions",    "names",
+  "values", "legend", "titles",  "monochrome", ALL_DECORATIONS,
 };
 
 static const char *const diagrams[] = { "M", "V", "N" };
