@@ -47,6 +47,24 @@ on_allow_response (GtkDialog *dialog, int response, Figures *figures)
     make_all (figures);
 }
 
+/* A project from elsewhere may name any file: the user decides about each figure. */
+static void
+ask_to_allow (Figures *figures, const QnRecipe *recipe, const char *what)
+{
+  GtkWidget *dialog = gtk_message_dialog_new (
+    GTK_WINDOW (figures->dialog), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
+    GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s",
+    _ ("Use files outside the project's folder?"));
+  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s", what);
+  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
+  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Allow for This Figure"),
+                         GTK_RESPONSE_ACCEPT);
+  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
+  g_object_set_data_full (G_OBJECT (dialog), "qn-name", g_strdup (recipe->name), g_free);
+  g_signal_connect (dialog, "response", G_CALLBACK (on_allow_response), figures);
+  gtk_window_present (GTK_WINDOW (dialog));
+}
+
 static void
 make_all (Figures *figures)
 {
@@ -59,24 +77,8 @@ make_all (Figures *figures)
   for (guint i = 0; error == NULL && i < recipes->len; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
     made += qn_document_export_figure (document, recipe, NULL, &error);
-    if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE)) {
-      /* A project from elsewhere may name any file: the user decides about each figure.
-       * */
-      GtkWidget *dialog = gtk_message_dialog_new (
-        GTK_WINDOW (figures->dialog), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
-        GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s",
-        _ ("Use files outside the project's folder?"));
-      gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s",
-                                                error->message);
-      gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
-      gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Allow for This Figure"),
-                             GTK_RESPONSE_ACCEPT);
-      gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
-      g_object_set_data_full (G_OBJECT (dialog), "qn-name", g_strdup (recipe->name),
-                              g_free);
-      g_signal_connect (dialog, "response", G_CALLBACK (on_allow_response), figures);
-      gtk_window_present (GTK_WINDOW (dialog));
-    }
+    if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
+      ask_to_allow (figures, recipe, error->message);
   }
   if (error != NULL) {
     tell (figures, error->message);
