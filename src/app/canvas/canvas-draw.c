@@ -237,7 +237,8 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr)
   for (int live = 0; live < 2; live++) {
     QnId load =
       qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
-    gsize loads = live ? model->live_load_count : model->dead_load_count;
+    gsize loads;
+    qn_model_loads (model, live, &loads);
     if (load != QN_NONE && (gsize) load < loads)
       trace_load (self, cr, live, load);
   }

@@ -161,9 +161,9 @@ look (gpointer data)
   for (int live = 0; live < 2; live++) {
     QnId id =
       qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
-    gsize index;
-    if (id == QN_NONE
-        || (gsize) id >= (live ? model->live_load_count : model->dead_load_count))
+    gsize index, count;
+    qn_model_loads (model, live, &count);
+    if (id == QN_NONE || (gsize) id >= count)
       continue;
     qn_model_place_load (model, live, id, &form->shown, &index);
     form->selected = (int) index;

@@ -49,9 +49,7 @@ edit_put (QnModel *model, gpointer data, GError **error)
   const Put *put = data;
   if (put->load == QN_NONE)
     return qn_edit_add_edge_load (model, put->chain, put->live, put->intensity, error);
-  qn_load_set_chain (put->live ? &model->live_loads[put->load]
-                               : &model->dead_loads[put->load],
-                     put->chain);
+  qn_load_set_chain (&qn_model_loads (model, put->live, NULL)[put->load], put->chain);
   return TRUE;
 }
 
@@ -65,16 +63,15 @@ find_selected (QnCanvas *canvas, Put *put)
   put->load =
     qn_selection_get_item (selection, put->live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
   return put->load != QN_NONE
-         && (put->live ? model->live_loads : model->dead_loads)[put->load].kind
-              == QN_LOAD_EDGE;
+         && qn_model_loads (model, put->live, NULL)[put->load].kind == QN_LOAD_EDGE;
 }
 
 /* The new load is selected, so that its numbers are there. */
 static void
 select_last (QnCanvas *canvas, gboolean live)
 {
-  const QnModel *model = qn_canvas_get_model (canvas);
-  gsize count = live ? model->live_load_count : model->dead_load_count;
+  gsize count;
+  qn_model_loads (qn_canvas_get_model (canvas), live, &count);
   qn_selection_set_item (qn_canvas_get_selection (canvas),
                          live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD, (QnId) count - 1);
 }

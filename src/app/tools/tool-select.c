@@ -171,8 +171,7 @@ select_item (QnCanvas *canvas, QnVec2 screen, gboolean weights)
     return FALSE;
   if (pick.kind != QN_PICK_NOTHING && pick.id != QN_NONE
       && (weights
-          || (live ? model->live_loads : model->dead_loads)[pick.id].kind
-               != QN_LOAD_WEIGHT)) {
+          || qn_model_loads (model, live, NULL)[pick.id].kind != QN_LOAD_WEIGHT)) {
     qn_selection_set_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD,
                            pick.id);
     return TRUE;

@@ -99,7 +99,7 @@ static void
 write_loads (QnFileWriter *out, const QnModel *model)
 {
   qn_file_writer_puts (out, "  \"loads\": [");
-  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
     const QnLoad *load = qn_model_load (model, i);
     qn_file_writer_puts_string (out, i > 0 ? ",\n    { \"kind\": " : "\n    { \"kind\": ",
                                 qn_load_kind_names[load->kind]);

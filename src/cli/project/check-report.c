@@ -97,7 +97,7 @@ print_loads (const QnModel *model)
   /* What every case comes to, over all lists. */
   for (size_t k = 0; k < model->load_case_count; k++) {
     QnVec2 sum = { 0, 0 };
-    for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++)
+    for (size_t i = 0; i < qn_model_load_count (model); i++)
       if (qn_model_load (model, i)->load_case == (int32_t) k + 1)
         sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
     printf (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),

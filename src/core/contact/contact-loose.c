@@ -126,7 +126,7 @@ qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
 static bool
 report_loads (const QnModel *model, QnFindings *findings)
 {
-  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
     const QnLoad *load = qn_model_load (model, i);
     bool any = load->pressure > 0 || load->unit_weight > 0;
     size_t count;

@@ -27,8 +27,8 @@ qn_load_earth_coefficient (const QnLoad *load)
 void
 qn_model_renumber_loaded_edges (QnModel *model)
 {
-  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
-    QnLoad *load = (QnLoad *) qn_model_load (model, i);
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    QnLoad *load = qn_model_load (model, i);
     if (load->kind != QN_LOAD_EDGE || load->has_side)
       continue;
     QnId edges = model->blocks[load->block].vertex_count;
@@ -273,8 +273,7 @@ qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag)
   QnStatus status = QN_OK;
 
   model->edge_force_count = 0;
-  for (; r.source < model->dead_load_count + model->live_load_count && status == QN_OK;
-       r.source++) {
+  for (; r.source < qn_model_load_count (model) && status == QN_OK; r.source++) {
     r.load = qn_model_load (model, r.source);
     if (r.load->kind == QN_LOAD_EDGE)
       status = resolve_edge (&r);

@@ -1,6 +1,6 @@
 #include "core/model/model.h"
 
-const QnLoad *
+QnLoad *
 qn_model_load (const QnModel *model, size_t source)
 {
   return source < model->dead_load_count
@@ -17,7 +17,7 @@ qn_model_load_factor (const QnModel *model, const QnLoad *load)
 size_t
 qn_model_acting_source (const QnModel *model, size_t index)
 {
-  size_t given = model->dead_load_count + model->live_load_count;
+  size_t given = qn_model_load_count (model);
 
   return index < given ? index : model->edge_forces[index - given].source;
 }
@@ -25,7 +25,7 @@ qn_model_acting_source (const QnModel *model, size_t index)
 QnLoad
 qn_model_acting_load (const QnModel *model, size_t index)
 {
-  size_t given = model->dead_load_count + model->live_load_count;
+  size_t given = qn_model_load_count (model);
   size_t source = qn_model_acting_source (model, index);
   QnLoad load = *qn_model_load (model, source);
   double factor = qn_model_load_factor (model, &load);

@@ -484,13 +484,20 @@ void qn_model_move_riding_nodes (const QnModel *model, bool finite,
 /* Whether a degree of freedom of a body is fixed, or moved by that of another body. */
 bool qn_model_body_is_fixed (const QnModel *model, size_t body, QnDof dof);
 
+/* The dead loads and those of all sets. */
+static inline size_t
+qn_model_load_count (const QnModel *model)
+{
+  return model->dead_load_count + model->live_load_count;
+}
+
 /* Loads as analyses take them: the dead ones, the live ones, then the forces that loads on edges
  * come to, each times the factor of its case. Dead ones have the set QN_NONE. The model must be
  * prepared; index < qn_model_acting_count(). */
 static inline size_t
 qn_model_acting_count (const QnModel *model)
 {
-  return model->dead_load_count + model->live_load_count + model->edge_force_count;
+  return qn_model_load_count (model) + model->edge_force_count;
 }
 
 QnLoad qn_model_acting_load (const QnModel *model, size_t index);
@@ -502,8 +509,17 @@ size_t qn_model_acting_source (const QnModel *model, size_t index);
 const QnEdgeForce *qn_model_edge_forces_of (const QnModel *model, size_t source,
                                             size_t *count);
 
+/* The dead loads, or those of all sets, and how many they are (nullable). */
+static inline QnLoad *
+qn_model_loads (const QnModel *model, bool live, size_t *count)
+{
+  if (count != NULL)
+    *count = live ? model->live_load_count : model->dead_load_count;
+  return live ? model->live_loads : model->dead_loads;
+}
+
 /* One of the loads, counted through the dead and then the live ones; its factor. */
-const QnLoad *qn_model_load (const QnModel *model, size_t source);
+QnLoad *qn_model_load (const QnModel *model, size_t source);
 double qn_model_load_factor (const QnModel *model, const QnLoad *load);
 
 /* Whether a load is resolved into forces on edges. */

@@ -485,8 +485,8 @@ same_item (QnItemKind kind, const QnModel *a, QnId one, const QnModel *b, QnId o
 {
   if (kind != QN_ITEM_BAR) {
     gboolean live = kind == QN_ITEM_LIVE_LOAD;
-    return same_load (a, live ? &a->live_loads[one] : &a->dead_loads[one], b,
-                      live ? &b->live_loads[other] : &b->dead_loads[other]);
+    return same_load (a, &qn_model_loads (a, live, NULL)[one], b,
+                      &qn_model_loads (b, live, NULL)[other]);
   }
   const QnBar *x = &a->bars[one], *y = &b->bars[other];
   return x->area == y->area && x->start.x == y->start.x && x->start.y == y->start.y

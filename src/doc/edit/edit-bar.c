@@ -133,9 +133,11 @@ qn_edit_remove_bar (QnModel *model, QnId bar, GError **error)
 gboolean
 qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error)
 {
-  QnBar *added = has_bar (model, bar, error) ? qn_model_add_bar (model) : NULL;
+  if (!has_bar (model, bar, error))
+    return FALSE;
+  QnBar *added = qn_model_add_bar (model);
   if (added == NULL)
-    return *error != NULL ? FALSE : qn_edit_no_memory (error);
+    return qn_edit_no_memory (error);
   *added = model->bars[bar];
   QnVec2 along = qn_vec2_sub (added->end, added->start);
   QnVec2 aside =

@@ -198,14 +198,10 @@ move_points (QnModel *model, const gboolean *flags, QnTransform transform)
     for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
       v[k] = qn_transform_apply (transform, v[k]);
   }
-  QnLoad *lists[] = { model->dead_loads, model->live_loads };
-  gsize counts[] = { model->dead_load_count, model->live_load_count };
-  for (int l = 0; l < 2; l++) {
-    for (gsize i = 0; i < counts[l]; i++) {
-      QnLoad *load = &lists[l][i];
-      if (load->kind == QN_LOAD_FORCE && load->has_at && flags[load->block])
-        load->at = qn_transform_apply (transform, load->at);
-    }
+  for (gsize i = 0; i < qn_model_load_count (model); i++) {
+    QnLoad *load = qn_model_load (model, i);
+    if (load->kind == QN_LOAD_FORCE && load->has_at && flags[load->block])
+      load->at = qn_transform_apply (transform, load->at);
   }
   qn_edit_transform_nodes (model, flags, transform);
 }

@@ -182,8 +182,8 @@ is_line_load (const QnLoad *load, QnId beam)
 QnVec2
 qn_model_line_load (const QnModel *model, QnId beam, gboolean live)
 {
-  const QnLoad *loads = live ? model->live_loads : model->dead_loads;
-  gsize count = live ? model->live_load_count : model->dead_load_count;
+  gsize count;
+  const QnLoad *loads = qn_model_loads (model, live, &count);
   QnVec2 sum = qn_vec2 (0.0, 0.0);
   for (gsize i = 0; i < count; i++)
     if (is_line_load (&loads[i], beam))
@@ -196,17 +196,17 @@ qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live, QnVec2 valu
                        GError **error)
 {
   for (guint k = 0; k < set.count; k++) {
-    gsize count = live ? model->live_load_count : model->dead_load_count;
+    gsize count;
+    const QnLoad *loads = qn_model_loads (model, live, &count);
     for (gsize i = count; i > 0; i--)
-      if (is_line_load (&(live ? model->live_loads : model->dead_loads)[i - 1],
-                        set.ids[k])
+      if (is_line_load (&loads[i - 1], set.ids[k])
           && !qn_edit_delete_load (model, live, (QnId) i - 1, error))
         return FALSE;
     if (value.x == 0.0 && value.y == 0.0)
       continue;
-    QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+    QnLoad *load = qn_edit_new_load (model, live, error);
     if (load == NULL)
-      return qn_edit_no_memory (error);
+      return FALSE;
     load->kind = QN_LOAD_LINE;
     load->beam = set.ids[k];
     load->vector = value;

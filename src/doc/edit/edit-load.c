@@ -7,13 +7,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+QnLoad *
+qn_edit_new_load (QnModel *model, gboolean live, GError **error)
+{
+  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  if (load == NULL)
+    qn_edit_no_memory (error);
+  return load;
+}
+
 gboolean
 qn_edit_add_force (QnModel *model, QnId block, gboolean live, QnVec2 force, QnVec2 at,
                    GError **error)
 {
-  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  QnLoad *load = qn_edit_new_load (model, live, error);
   if (load == NULL)
-    return qn_edit_no_memory (error);
+    return FALSE;
   load->kind = QN_LOAD_FORCE;
   load->block = block;
   load->vector = force;
@@ -68,9 +77,9 @@ gboolean
 qn_edit_add_edge_load (QnModel *model, QnEdgeChain chain, gboolean live, double intensity,
                        GError **error)
 {
-  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  QnLoad *load = qn_edit_new_load (model, live, error);
   if (load == NULL)
-    return qn_edit_no_memory (error);
+    return FALSE;
   load->kind = QN_LOAD_EDGE;
   load->normal = true;
   load->part[1] = 1.0;
@@ -83,9 +92,8 @@ void
 qn_edit_move_edge_loads (QnModel *model, const gboolean *blocks, QnTransform t)
 {
   const gboolean turns = t.xx != 1.0 || t.yy != 1.0 || t.xy != 0.0 || t.yx != 0.0;
-  const gsize dead = model->dead_load_count;
-  for (gsize i = 0; turns && i < dead + model->live_load_count; i++) {
-    QnLoad *load = i < dead ? &model->dead_loads[i] : &model->live_loads[i - dead];
+  for (gsize i = 0; turns && i < qn_model_load_count (model); i++) {
+    QnLoad *load = qn_model_load (model, i);
     QnEdgeChain chain = { .block = load->block };
     if (load->kind != QN_LOAD_EDGE || !load->has_side || !blocks[load->block])
       continue;
@@ -94,23 +102,33 @@ qn_edit_move_edge_loads (QnModel *model, const gboolean *blocks, QnTransform t)
   }
 }
 
-static void
-remove_load (QnLoad *loads, size_t *count, size_t index)
+gboolean
+qn_edit_has_load (const QnModel *model, gboolean live, QnId id, GError **error)
 {
-  memmove (loads + index, loads + index + 1, (*count - index - 1) * sizeof *loads);
+  gsize count;
+  qn_model_loads (model, live, &count);
+  if (id >= 0 && (gsize) id < count)
+    return TRUE;
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       _ ("There is no such load"));
+  return FALSE;
+}
+
+static void
+remove_load (QnModel *model, gboolean live, gsize index)
+{
+  gsize *count = live ? &model->live_load_count : &model->dead_load_count;
+  QnLoad *loads = qn_model_loads (model, live, NULL);
   (*count)--;
+  memmove (loads + index, loads + index + 1, (*count - index) * sizeof *loads);
 }
 
 gboolean
 qn_edit_delete_load (QnModel *model, gboolean live, QnId id, GError **error)
 {
-  size_t *count = live ? &model->live_load_count : &model->dead_load_count;
-  if (id < 0 || (size_t) id >= *count) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is no such load"));
+  if (!qn_edit_has_load (model, live, id, error))
     return FALSE;
-  }
-  remove_load (live ? model->live_loads : model->dead_loads, count, (size_t) id);
+  remove_load (model, live, (gsize) id);
   return TRUE;
 }
 
@@ -196,18 +214,16 @@ gboolean
 qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error)
 {
   for (int live = 0; live < 2; live++) {
-    gsize count = live ? model->live_load_count : model->dead_load_count;
+    gsize count;
+    const QnLoad *loads = qn_model_loads (model, live, &count);
     g_autoptr (GArray) carried = g_array_new (FALSE, FALSE, sizeof (QnLoad));
-    for (gsize i = 0; i < count; i++) {
-      const QnLoad *load = live ? &model->live_loads[i] : &model->dead_loads[i];
-      if (load->kind == QN_LOAD_EDGE && load->block == gone)
-        carry (carried, model, load, first);
-    }
+    for (gsize i = 0; i < count; i++)
+      if (loads[i].kind == QN_LOAD_EDGE && loads[i].block == gone)
+        carry (carried, model, &loads[i], first);
     for (guint i = 0; i < carried->len; i++) {
-      QnLoad *added =
-        live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+      QnLoad *added = qn_edit_new_load (model, live, error);
       if (added == NULL)
-        return qn_edit_no_memory (error);
+        return FALSE;
       *added = g_array_index (carried, QnLoad, i);
     }
   }
@@ -217,23 +233,23 @@ qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error)
 gboolean
 qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction, GError **error)
 {
-  size_t *count = live ? &model->live_load_count : &model->dead_load_count;
-  QnLoad *loads = live ? model->live_loads : model->dead_loads;
+  gsize count;
+  QnLoad *loads = qn_model_loads (model, live, &count);
   gboolean wanted = direction.x != 0.0 || direction.y != 0.0, found = FALSE;
-  for (size_t i = *count; i > 0; i--) {
+  for (gsize i = count; i > 0; i--) {
     if (loads[i - 1].kind != QN_LOAD_WEIGHT || loads[i - 1].set != 0)
       continue;
     if (wanted && !found)
       loads[i - 1].vector = direction;
     else
-      remove_load (loads, count, i - 1);
+      remove_load (model, live, i - 1);
     found = TRUE;
   }
   if (!wanted || found)
     return TRUE;
-  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  QnLoad *load = qn_edit_new_load (model, live, error);
   if (load == NULL)
-    return qn_edit_no_memory (error);
+    return FALSE;
   load->kind = QN_LOAD_WEIGHT;
   load->vector = direction;
   return TRUE;

@@ -223,16 +223,12 @@ move_forces (QnModel *model, const gboolean *whole, QnTransform transform)
   for (gsize i = 0; i < model->block_count; i++)
     moved[i] = model->blocks[i].masonry != QN_NONE && whole[model->blocks[i].masonry];
   qn_edit_move_edge_loads (model, moved, transform);
-  QnLoad *lists[] = { model->dead_loads, model->live_loads };
-  gsize counts[] = { model->dead_load_count, model->live_load_count };
-  for (int l = 0; l < 2; l++) {
-    for (gsize i = 0; i < counts[l]; i++) {
-      QnLoad *load = &lists[l][i];
-      if (load->kind != QN_LOAD_FORCE || !load->has_at)
-        continue;
-      if (moved[load->block])
-        load->at = qn_transform_apply (transform, load->at);
-    }
+  for (gsize i = 0; i < qn_model_load_count (model); i++) {
+    QnLoad *load = qn_model_load (model, i);
+    if (load->kind != QN_LOAD_FORCE || !load->has_at)
+      continue;
+    if (moved[load->block])
+      load->at = qn_transform_apply (transform, load->at);
   }
   for (gsize i = 0; i < model->node_count; i++) {
     QnNode *node = &model->nodes[i];

@@ -83,12 +83,9 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
       replace_id (&model->beams[i].nodes[0], id, other);
       replace_id (&model->beams[i].nodes[1], id, other);
     }
-    for (gsize i = 0; i < model->dead_load_count; i++)
-      if (model->dead_loads[i].kind == QN_LOAD_NODE)
-        replace_id (&model->dead_loads[i].node, id, other);
-    for (gsize i = 0; i < model->live_load_count; i++)
-      if (model->live_loads[i].kind == QN_LOAD_NODE)
-        replace_id (&model->live_loads[i].node, id, other);
+    for (gsize i = 0; i < qn_model_load_count (model); i++)
+      if (qn_model_load (model, i)->kind == QN_LOAD_NODE)
+        replace_id (&qn_model_load (model, i)->node, id, other);
     replace_id (&model->analysis.control_node, id, other);
     for (gsize i = 0; i < model->stage_count; i++)
       replace_id (&model->stages[i].control_node, id, other);
@@ -168,9 +165,9 @@ gboolean
 qn_edit_add_node_force (QnModel *model, QnId node, gboolean live, QnVec2 force,
                         GError **error)
 {
-  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  QnLoad *load = qn_edit_new_load (model, live, error);
   if (load == NULL)
-    return qn_edit_no_memory (error);
+    return FALSE;
   load->kind = QN_LOAD_NODE;
   load->node = node;
   load->vector = force;

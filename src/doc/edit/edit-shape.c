@@ -79,24 +79,19 @@ block_at (const QnModel *model, QnId first, QnVec2 at)
 static void
 redirect (QnModel *model, QnId gone, QnId first, QnId main)
 {
-  QnLoad *lists[] = { model->dead_loads, model->live_loads };
-  gsize counts[] = { model->dead_load_count, model->live_load_count };
-  for (int l = 0; l < 2; l++) {
-    for (gsize i = 0; i < counts[l]; i++) {
-      QnLoad *load = &lists[l][i];
-      if (load->kind == QN_LOAD_WEIGHT || load->kind == QN_LOAD_EDGE
-          || load->block != gone)
-        continue;
-      if (load->kind == QN_LOAD_SETTLEMENT) {
-        load->block = main;
-        continue;
-      }
-      if (!load->has_at) {
-        load->has_at = true;
-        load->at = model->blocks[gone].centroid;
-      }
-      load->block = block_at (model, first, load->at);
+  for (gsize i = 0; i < qn_model_load_count (model); i++) {
+    QnLoad *load = qn_model_load (model, i);
+    if (load->kind == QN_LOAD_WEIGHT || load->kind == QN_LOAD_EDGE || load->block != gone)
+      continue;
+    if (load->kind == QN_LOAD_SETTLEMENT) {
+      load->block = main;
+      continue;
     }
+    if (!load->has_at) {
+      load->has_at = true;
+      load->at = model->blocks[gone].centroid;
+    }
+    load->block = block_at (model, first, load->at);
   }
   gsize kept = 0;
   for (gsize i = 0; i < model->override_count; i++) {

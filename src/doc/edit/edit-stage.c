@@ -113,8 +113,8 @@ qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error)
 {
   (void) error;
   for (int live = 0; live < 2; live++) {
-    QnLoad *loads = live ? model->live_loads : model->dead_loads;
-    gsize count = live ? model->live_load_count : model->dead_load_count;
+    gsize count;
+    QnLoad *loads = qn_model_loads (model, live, &count);
     for (gsize i = 0; i < count; i++) {
       if (loads[i].load_case == number)
         loads[i].load_case = 0;
@@ -219,41 +219,32 @@ qn_model_count_loads (const QnModel *model, int32_t list)
 const QnLoad *
 qn_model_get_load (const QnModel *model, int32_t list, gsize index)
 {
-  gsize place = find_load (model, list, index);
-  if (list == QN_DEAD_LOADS)
-    return place < model->dead_load_count ? &model->dead_loads[place] : NULL;
-  return place < model->live_load_count ? &model->live_loads[place] : NULL;
+  gsize count, place = find_load (model, list, index);
+  const QnLoad *loads = qn_model_loads (model, list != QN_DEAD_LOADS, &count);
+  return place < count ? &loads[place] : NULL;
 }
 
 gboolean
 qn_edit_append_load (QnModel *model, int32_t list, QnLoad load, GError **error)
 {
-  QnLoad *added = list == QN_DEAD_LOADS ? qn_model_add_dead_load (model)
-                                        : qn_model_add_live_load (model);
+  QnLoad *added = qn_edit_new_load (model, list != QN_DEAD_LOADS, error);
   if (added == NULL)
-    return qn_edit_no_memory (error);
+    return FALSE;
   *added = load;
   added->set = MAX (list, 0);
   return TRUE;
-}
-
-static gboolean
-refuse_load (GError **error)
-{
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("There is no such load"));
-  return FALSE;
 }
 
 gboolean
 qn_edit_replace_load (QnModel *model, int32_t list, gsize index, QnLoad load,
                       GError **error)
 {
-  if (qn_model_get_load (model, list, index) == NULL)
-    return refuse_load (error);
-  QnLoad *loads = list == QN_DEAD_LOADS ? model->dead_loads : model->live_loads;
+  const gboolean live = list != QN_DEAD_LOADS;
+  const gsize place = find_load (model, list, index);
+  if (!qn_edit_has_load (model, live, (QnId) place, error))
+    return FALSE;
   load.set = MAX (list, 0);
-  loads[find_load (model, list, index)] = load;
+  qn_model_loads (model, live, NULL)[place] = load;
   return TRUE;
 }
 
@@ -267,29 +258,27 @@ qn_edit_remove_load (QnModel *model, int32_t list, gsize index, GError **error)
 gboolean
 qn_edit_duplicate_load (QnModel *model, gboolean live, QnId load, GError **error)
 {
-  const gsize behind = (gsize) load + 1;
-  const gsize count = live ? model->live_load_count : model->dead_load_count;
-  if (load < 0 || behind > count)
-    return refuse_load (error);
-  const QnLoad copy = live ? model->live_loads[load] : model->dead_loads[load];
-  if (!qn_edit_append_load (model, live ? copy.set : QN_DEAD_LOADS, copy, error))
+  if (!qn_edit_has_load (model, live, load, error)
+      || qn_edit_new_load (model, live, error) == NULL)
     return FALSE;
-  QnLoad *loads = live ? model->live_loads : model->dead_loads;
-  memmove (loads + behind + 1, loads + behind, (count - behind) * sizeof *loads);
-  loads[behind] = copy;
+  gsize count;
+  QnLoad *original = qn_model_loads (model, live, &count) + load;
+  memmove (original + 1, original, (count - 1 - (gsize) load) * sizeof *original);
   return TRUE;
 }
 
 gboolean
 qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **error)
 {
-  QnLoad *loads = live ? model->live_loads : model->dead_loads;
-  const QnId count = (QnId) (live ? model->live_load_count : model->dead_load_count);
+  if (!qn_edit_has_load (model, live, load, error))
+    return FALSE;
+  gsize count;
+  QnLoad *loads = qn_model_loads (model, live, &count);
   QnId other = load + by;
-  while (other >= 0 && other < count && loads[other].set != loads[load].set)
+  while (other >= 0 && (gsize) other < count && loads[other].set != loads[load].set)
     other += by;
-  if (load < 0 || load >= count || other < 0 || other >= count)
-    return refuse_load (error);
+  if (!qn_edit_has_load (model, live, other, error))
+    return FALSE;
   const QnLoad moved = loads[load];
   loads[load] = loads[other];
   loads[other] = moved;

@@ -87,6 +87,11 @@ gboolean qn_edit_rename_block (QnModel *model, QnId block, const char *name,
 /* A force at a point of a block; `live`: grows with the multiplier. */
 gboolean qn_edit_add_force (QnModel *model, QnId block, gboolean live, QnVec2 force,
                             QnVec2 at, GError **error);
+/* A new dead or live load, on nothing yet; NULL with an error where memory runs out. */
+QnLoad *qn_edit_new_load (QnModel *model, gboolean live, GError **error);
+/* Whether there is a load of this number; an error where there is none. */
+gboolean qn_edit_has_load (const QnModel *model, gboolean live, QnId load,
+                           GError **error);
 gboolean qn_edit_delete_load (QnModel *model, gboolean live, QnId load, GError **error);
 
 /* A stretch of a block's outline: `count` edges, counter-clockwise, from edge `first` on. */

@@ -235,7 +235,7 @@ write_loads (QnPages *pages, const QnReport *report)
 {
   const QnModel *model = &report->project->model;
   qn_pages_heading (pages, _ ("Loads and Analysis"));
-  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++)
+  for (size_t i = 0; i < qn_model_load_count (model); i++)
     write_load (pages, report, qn_model_load (model, i), i < model->dead_load_count);
   for (size_t i = 0; i < model->stage_count; i++) {
     g_autofree char *text = qn_stage_dup_text (model, i, report->units);

@@ -111,13 +111,11 @@ write_numbers (QnFileWriter *writer, const double *numbers, size_t count)
 static gboolean
 settles (const QnModel *model, QnId block, QnDof dof)
 {
-  const QnLoad *lists[] = { model->dead_loads, model->live_loads };
-  const size_t counts[] = { model->dead_load_count, model->live_load_count };
-  for (int l = 0; l < 2; l++)
-    for (size_t i = 0; i < counts[l]; i++)
-      if (lists[l][i].kind == QN_LOAD_SETTLEMENT && lists[l][i].block == block
-          && lists[l][i].dof == dof)
-        return TRUE;
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    if (load->kind == QN_LOAD_SETTLEMENT && load->block == block && load->dof == dof)
+      return TRUE;
+  }
   return FALSE;
 }
 

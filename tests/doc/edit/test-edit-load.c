@@ -350,6 +350,7 @@ remove_bar (QnModel *model, gpointer data, GError **error)
 static gboolean
 duplicate_bar (QnModel *model, gpointer data, GError **error)
 {
+  g_assert_false (qn_edit_duplicate_bar (model, (QnId) model->bar_count, NULL));
   return qn_edit_duplicate_bar (model, *(const QnId *) data, error);
 }
 

@@ -202,6 +202,7 @@ test_load_order (void)
   refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), -1 });
   refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 1), 1 });
   refuse (document, move_or_copy, &(Place){ 9, 1 });
+  refuse (document, move_or_copy, &(Place){ 3, -1 }); /* nor is one read behind the last */
   refuse (document, move_or_copy, &(Place){ 9, 0 });
   model =
     edit (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), 0 });
