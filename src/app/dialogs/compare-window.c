@@ -382,6 +382,20 @@ on_run_toggled (GtkCheckButton *check, Compare *compare)
   fill (compare);
 }
 
+static void
+add_run (Compare *compare, QnDocument *document, QnRun *run)
+{
+  g_autofree char *title = qn_document_dup_display_name (document);
+  g_autofree char *label = g_strdup_printf (_ ("%s: %s"), title, run->name);
+  GtkWidget *check = gtk_check_button_new_with_label (label);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
+                               g_ptr_array_find (compare->shown, run, NULL));
+  g_object_set_data_full (G_OBJECT (check), "qn-run", qn_run_ref (run),
+                          (GDestroyNotify) qn_run_unref);
+  g_signal_connect (check, "toggled", G_CALLBACK (on_run_toggled), compare);
+  gtk_box_append (GTK_BOX (compare->list), check);
+}
+
 /* The runs of all windows, those of this one first, and of the files. */
 static void
 list_runs (Compare *compare)
@@ -393,18 +407,8 @@ list_runs (Compare *compare)
   for (guint k = 0; k < documents->len; k++) {
     QnDocument *document = g_ptr_array_index (documents, k);
     const GPtrArray *runs = qn_document_get_runs (document);
-    for (guint i = 0; i < runs->len; i++) {
-      QnRun *run = g_ptr_array_index (runs, i);
-      g_autofree char *title = qn_document_dup_display_name (document);
-      g_autofree char *label = g_strdup_printf (_ ("%s: %s"), title, run->name);
-      GtkWidget *check = gtk_check_button_new_with_label (label);
-      gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
-                                   g_ptr_array_find (compare->shown, run, NULL));
-      g_object_set_data_full (G_OBJECT (check), "qn-run", qn_run_ref (run),
-                              (GDestroyNotify) qn_run_unref);
-      g_signal_connect (check, "toggled", G_CALLBACK (on_run_toggled), compare);
-      gtk_box_append (GTK_BOX (compare->list), check);
-    }
+    for (guint i = 0; i < runs->len; i++)
+      add_run (compare, document, g_ptr_array_index (runs, i));
   }
 }
 
@@ -661,47 +665,9 @@ on_export (Compare *compare)
 
 /* ---- building ---- */
 
-void
-qn_compare_window_show (GtkWindow *parent, QnDocument *document,
-                        QnDocumentsFunc list_others)
+static void
+add_commands (Compare *compare, GActionMap *map)
 {
-  Compare *compare = g_new0 (Compare, 1);
-  compare->parent = parent;
-  compare->document = document;
-  compare->list_others = list_others;
-  compare->shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
-  compare->batch = qn_batch_new ();
-  compare->known =
-    g_hash_table_new_full (NULL, NULL, (GDestroyNotify) qn_run_unref, NULL);
-  g_signal_connect_swapped (compare->batch, "changed", G_CALLBACK (on_batch_changed),
-                            compare);
-  compare->view = (QnCompareView){
-    .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare
-  };
-  compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1160, 720);
-  qn_help_set_page (compare->dialog, "results");
-  gtk_window_set_modal (GTK_WINDOW (compare->dialog), FALSE);
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("compare-window");
-  compare->list = qn_builder_get_widget (builder, "list");
-  compare->hint = qn_builder_get_widget (builder, "hint");
-  compare->grid = qn_builder_get_widget (builder, "grid");
-  compare->curves = qn_builder_get_widget (builder, "curves");
-  compare->table = qn_builder_get_widget (builder, "table");
-  compare->message = GTK_LABEL (qn_builder_get_widget (builder, "message"));
-  g_signal_connect (qn_builder_get_widget (builder, "play"), "toggled",
-                    G_CALLBACK (on_play), compare);
-  g_signal_connect (qn_builder_get_widget (builder, "outline"), "toggled",
-                    G_CALLBACK (on_outline), compare);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (compare->curves), draw_curves,
-                                  compare, NULL);
-  gtk_window_set_titlebar (GTK_WINDOW (compare->dialog),
-                           qn_builder_get_widget (builder, "header"));
-  gtk_window_set_child (GTK_WINDOW (compare->dialog),
-                        qn_builder_get_widget (builder, "content"));
-  g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
-  qn_accept_files (compare->dialog, add_file, compare);
-  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
-  GActionMap *map = G_ACTION_MAP (group);
   static const struct {
     const char *name;
     void (*carry_out) (Compare *compare);
@@ -726,6 +692,55 @@ qn_compare_window_show (GtkWindow *parent, QnDocument *document,
     g_action_map_add_action (map, G_ACTION (action));
   }
   g_action_map_add_action_entries (map, others, G_N_ELEMENTS (others), compare);
+}
+
+static void
+build (Compare *compare)
+{
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("compare-window");
+  compare->list = qn_builder_get_widget (builder, "list");
+  compare->hint = qn_builder_get_widget (builder, "hint");
+  compare->grid = qn_builder_get_widget (builder, "grid");
+  compare->curves = qn_builder_get_widget (builder, "curves");
+  compare->table = qn_builder_get_widget (builder, "table");
+  compare->message = GTK_LABEL (qn_builder_get_widget (builder, "message"));
+  g_signal_connect (qn_builder_get_widget (builder, "play"), "toggled",
+                    G_CALLBACK (on_play), compare);
+  g_signal_connect (qn_builder_get_widget (builder, "outline"), "toggled",
+                    G_CALLBACK (on_outline), compare);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (compare->curves), draw_curves,
+                                  compare, NULL);
+  gtk_window_set_titlebar (GTK_WINDOW (compare->dialog),
+                           qn_builder_get_widget (builder, "header"));
+  gtk_window_set_child (GTK_WINDOW (compare->dialog),
+                        qn_builder_get_widget (builder, "content"));
+}
+
+void
+qn_compare_window_show (GtkWindow *parent, QnDocument *document,
+                        QnDocumentsFunc list_others)
+{
+  Compare *compare = g_new0 (Compare, 1);
+  compare->parent = parent;
+  compare->document = document;
+  compare->list_others = list_others;
+  compare->shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+  compare->batch = qn_batch_new ();
+  compare->known =
+    g_hash_table_new_full (NULL, NULL, (GDestroyNotify) qn_run_unref, NULL);
+  g_signal_connect_swapped (compare->batch, "changed", G_CALLBACK (on_batch_changed),
+                            compare);
+  compare->view = (QnCompareView){
+    .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare
+  };
+  compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1160, 720);
+  qn_help_set_page (compare->dialog, "results");
+  gtk_window_set_modal (GTK_WINDOW (compare->dialog), FALSE);
+  build (compare);
+  g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
+  qn_accept_files (compare->dialog, add_file, compare);
+  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
+  add_commands (compare, G_ACTION_MAP (group));
   gtk_widget_insert_action_group (compare->dialog, "compare", G_ACTION_GROUP (group));
   qn_watch (compare->grid, document, "runs-changed", G_CALLBACK (on_runs_changed),
             compare);

@@ -53,6 +53,43 @@ update_number (Card *card, const QnRun *run)
 }
 
 static void
+update_values (Card *card, const QnRun *run, GArray *bounds)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (guint i = 0; i < bounds->len; i++) {
+    const QnBound *bound = &g_array_index (bounds, QnBound, i);
+    if (isinf (bound->value))
+      g_string_append_printf (text, "%s: ∞. %s\n\n", bound->label, bound->guarantee);
+    else
+      g_string_append_printf (text, "%s: %.4f. %s\n\n", bound->label, bound->value,
+                              bound->guarantee);
+  }
+  const QnStatistics *s = &run->result.statistics;
+  const QnCount counts[] = {
+    { QN_COUNTED_STEPS, run->result.step_count },
+    { QN_COUNTED_ITERATIONS, (gsize) s->iterations },
+    { QN_COUNTED_FACTORISATIONS, (gsize) s->factorizations },
+  };
+  g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
+  g_string_append_printf (text, _ ("%s, %.2f s"), work, s->seconds);
+  set_text (card->values, text->str);
+}
+
+static void
+update_events (Card *card, const QnRun *run)
+{
+  g_autoptr (GPtrArray) events = qn_run_dup_events (run, qn_settings_get_units ());
+  gtk_widget_set_visible (card->events, events->len > 0);
+  g_autofree char *title = g_strdup_printf (
+    ngettext ("%u _event on the path", "%u _events on the path", (gulong) events->len),
+    events->len);
+  gtk_expander_set_label (GTK_EXPANDER (card->events), title);
+  g_ptr_array_add (events, NULL);
+  g_autofree char *lines = g_strjoinv ("\n", (char **) events->pdata);
+  set_text (card->happened, lines);
+}
+
+static void
 update (Card *card)
 {
   const QnRun *run = qn_document_get_run (card->document);
@@ -80,33 +117,8 @@ update (Card *card)
   if (!given)
     set_text (card->outcome, outcome);
   set_text (card->explanation, given ? explanation : whole);
-  g_autoptr (GString) text = g_string_new (NULL);
-  for (guint i = 0; i < bounds->len; i++) {
-    const QnBound *bound = &g_array_index (bounds, QnBound, i);
-    if (isinf (bound->value))
-      g_string_append_printf (text, "%s: ∞. %s\n\n", bound->label, bound->guarantee);
-    else
-      g_string_append_printf (text, "%s: %.4f. %s\n\n", bound->label, bound->value,
-                              bound->guarantee);
-  }
-  const QnStatistics *s = &run->result.statistics;
-  const QnCount counts[] = {
-    { QN_COUNTED_STEPS, run->result.step_count },
-    { QN_COUNTED_ITERATIONS, (gsize) s->iterations },
-    { QN_COUNTED_FACTORISATIONS, (gsize) s->factorizations },
-  };
-  g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
-  g_string_append_printf (text, _ ("%s, %.2f s"), work, s->seconds);
-  set_text (card->values, text->str);
-  g_autoptr (GPtrArray) events = qn_run_dup_events (run, qn_settings_get_units ());
-  gtk_widget_set_visible (card->events, events->len > 0);
-  g_autofree char *title = g_strdup_printf (
-    ngettext ("%u _event on the path", "%u _events on the path", (gulong) events->len),
-    events->len);
-  gtk_expander_set_label (GTK_EXPANDER (card->events), title);
-  g_ptr_array_add (events, NULL);
-  g_autofree char *lines = g_strjoinv ("\n", (char **) events->pdata);
-  set_text (card->happened, lines);
+  update_values (card, run, bounds);
+  update_events (card, run);
 }
 
 static GtkWidget *

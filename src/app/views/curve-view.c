@@ -63,6 +63,28 @@ clear_series (QnCurveView *self)
   self->series_count = 0;
 }
 
+static void
+take_live_curve (QnCurveView *self, QnJob *job)
+{
+  gsize count = 0;
+  const QnVec2 *points = qn_job_get_curve (job, &count);
+  QnCurve *curve = &self->series[0].curve;
+  self->live = TRUE;
+  self->live_end = qn_job_get_followed (job, &self->block, &self->dof);
+  self->model = qn_job_get_model (job);
+  self->series_count = 1;
+  *curve = (QnCurve){
+    .limit_point = -1, .collapse_point = -1, .dot = -1, .in_time = self->live_end > 0.0
+  };
+  curve->count = count;
+  curve->x = g_new (double, count + 1);
+  curve->y = g_new (double, count + 1);
+  for (gsize i = 0; i < count; i++) {
+    curve->x[i] = points[i].x;
+    curve->y[i] = points[i].y;
+  }
+}
+
 /* Whether displacements are shown over the time instead of multipliers over displacements. */
 static gboolean
 is_in_time (QnCurveView *self)
@@ -95,6 +117,24 @@ fit (QnCurveView *self)
   else
     box.max.y = box.max.y > 0.0 ? box.max.y + 0.06 * (box.max.y - box.min.y) : 1.0;
   self->range = box;
+}
+
+static void
+update_description (QnCurveView *self, const QnRun *run)
+{
+  g_autofree char *text = NULL;
+  if (run != NULL && run->result.step_count > 0 && run->result.history.width > 0)
+    text = g_strdup_printf (
+      _ ("History of %u steps over %.4g s; the arrow keys go from step to step"),
+      (guint) run->result.step_count, run->result.steps[run->result.step_count - 1].time);
+  else if (run != NULL && run->result.step_count > 0)
+    text = g_strdup_printf (_ ("Curve of %u steps up to a load multiplier of %.4g; the "
+                               "arrow keys go from step to step"),
+                            (guint) run->result.step_count,
+                            run->result.steps[run->result.step_count - 1].multiplier);
+  gtk_accessible_update_property (
+    GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Load–displacement curve"),
+    GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text != NULL ? text : _ ("No result yet"), -1);
 }
 
 /* The controlled block, or node behind the blocks; in time the one that is followed. */
@@ -155,41 +195,12 @@ update (QnCurveView *self)
   self->live = FALSE;
   self->model = NULL;
   self->block = QN_NONE;
-  if (job != NULL) {
-    gsize count = 0;
-    const QnVec2 *points = qn_job_get_curve (job, &count);
-    QnCurve *curve = &self->series[0].curve;
-    self->live = TRUE;
-    self->live_end = qn_job_get_followed (job, &self->block, &self->dof);
-    self->model = qn_job_get_model (job);
-    self->series_count = 1;
-    *curve = (QnCurve){
-      .limit_point = -1, .collapse_point = -1, .dot = -1, .in_time = self->live_end > 0.0
-    };
-    curve->count = count;
-    curve->x = g_new (double, count + 1);
-    curve->y = g_new (double, count + 1);
-    for (gsize i = 0; i < count; i++) {
-      curve->x[i] = points[i].x;
-      curve->y[i] = points[i].y;
-    }
-  } else
+  if (job != NULL)
+    take_live_curve (self, job);
+  else
     take_runs (self, document);
   fit (self);
-  const QnRun *run = qn_document_get_run (document);
-  g_autofree char *text = NULL;
-  if (run != NULL && run->result.step_count > 0 && run->result.history.width > 0)
-    text = g_strdup_printf (
-      _ ("History of %u steps over %.4g s; the arrow keys go from step to step"),
-      (guint) run->result.step_count, run->result.steps[run->result.step_count - 1].time);
-  else if (run != NULL && run->result.step_count > 0)
-    text = g_strdup_printf (_ ("Curve of %u steps up to a load multiplier of %.4g; the "
-                               "arrow keys go from step to step"),
-                            (guint) run->result.step_count,
-                            run->result.steps[run->result.step_count - 1].multiplier);
-  gtk_accessible_update_property (
-    GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Load–displacement curve"),
-    GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text != NULL ? text : _ ("No result yet"), -1);
+  update_description (self, qn_document_get_run (document));
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 

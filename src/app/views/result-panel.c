@@ -121,8 +121,7 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->content, run != NULL || busy);
   gtk_widget_set_visible (panel->empty, run == NULL && !busy);
   update_runs (panel);
-  /* Limit analysis and modes follow no path; without an equilibrium there is none either.
-   * */
+  /* Limit analysis and modes follow no path; without an equilibrium there is none. */
   gtk_widget_set_visible (panel->curve,
                           busy || run == NULL
                             || (qn_run_has_curve (run) && run->result.step_count > 0));

@@ -53,9 +53,8 @@ qn_result_check_add_beams (const QnResultFile *file, const QnModel *model,
         place_of (model, model->block_count + (size_t) element->nodes[end], deformation);
     QnVec2 chord = qn_vec2_sub (ends[1], ends[0]);
     double length = qn_vec2_length (chord);
-    /* What the two ends of an element exert on their nodes: forces, and moments. N pulls
-     * the nodes together, V pushes the first one down, along -y, and the second one up.
-     * */
+    /* What the two ends of an element exert on their nodes: forces, and moments. N pulls the
+     * nodes together, V pushes the first one down, along -y, and the second one up. */
     const QnBeamForces *forces = &all[e];
     QnVec2 x = qn_vec2_scale (1 / length, chord);
     QnVec2 y = qn_vec2_perp (x);

@@ -244,8 +244,7 @@ static void
 find_worst_block (const QnModel *model, const double *balance, QnResultCheck *check)
 {
   double worst = 0;
-  /* Where supports settle or beams alone are loaded, joints and beams give the measure.
-   * */
+  /* Where supports settle or beams alone are loaded, joints and beams are the measure. */
   if (check->force_scale == 0)
     check->force_scale = MAX (check->contact_scale, check->beam_scale);
   for (size_t i = 0; i < model->block_count; i++) {
