@@ -15,6 +15,18 @@ QnWindow *driver_open_window (int width, int height);
 /* A window with a file of the examples. */
 QnWindow *driver_open_example (const char *name);
 
+static inline const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static inline QnSelection *
+selection_of (QnWindow *window)
+{
+  return qn_document_get_selection (qn_window_get_document (window));
+}
+
 /* Path of an example; the caller frees it. */
 char *driver_example_path (const char *name);
 

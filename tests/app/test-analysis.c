@@ -10,12 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
 static gboolean
 has_fresh_run (gpointer window)
 {

@@ -5,18 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
-static QnSelection *
-selection_of (QnWindow *window)
-{
-  return qn_document_get_selection (qn_window_get_document (window));
-}
-
 static guint
 selected_beams (QnWindow *window)
 {

@@ -11,12 +11,6 @@
 #include <math.h>
 #include <string.h>
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
 static guint
 steps_of (QnWindow *window)
 {

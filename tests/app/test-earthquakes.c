@@ -215,12 +215,6 @@ test_playback (void)
 
 /* ---- where blocks start ---- */
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
 static gboolean
 start_is (QnWindow *window, double x, double y, double angle)
 {

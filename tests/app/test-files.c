@@ -12,12 +12,6 @@
 #include <glib/gstdio.h>
 #include <string.h>
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
 static gboolean
 is_joints_choice (GtkWidget *widget, gconstpointer data)
 {

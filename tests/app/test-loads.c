@@ -4,18 +4,6 @@
 
 #include "doc/edit/edit-stage.h"
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
-static QnSelection *
-selection_of (QnWindow *window)
-{
-  return qn_document_get_selection (qn_window_get_document (window));
-}
-
 static gboolean
 has_id (GtkWidget *widget, gconstpointer id)
 {

@@ -115,12 +115,6 @@ check_keys (GtkWidget *widget, const char *label)
   }
 }
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
 static QnWindow *
 open_panel (const char *example, const char *panel)
 {

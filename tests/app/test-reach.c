@@ -60,18 +60,6 @@ open_blocks (void)
   return open_text (two_blocks);
 }
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
-static QnSelection *
-selection_of (QnWindow *window)
-{
-  return qn_document_get_selection (qn_window_get_document (window));
-}
-
 static QnVec2
 corner_of (QnWindow *window, const char *name)
 {

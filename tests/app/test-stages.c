@@ -5,12 +5,6 @@
 
 #include <math.h>
 
-static const QnModel *
-model_of (QnWindow *window)
-{
-  return qn_document_get_model (qn_window_get_document (window));
-}
-
 static gboolean
 is_expander (GtkWidget *widget, gconstpointer label)
 {

@@ -86,6 +86,13 @@ cli_assert_done (const CliRun *run)
   g_assert_cmpint (run->code, ==, 0);
 }
 
+void
+cli_expect_done (CliRun run)
+{
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+}
+
 char *
 cli_write (const char *folder, const char *name, const char *text)
 {

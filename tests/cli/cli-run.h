@@ -27,6 +27,10 @@ void cli_assert_failed (CliRun *run, int code, const char *part);
 /* Fails unless the run ended well and quietly on standard error. */
 void cli_assert_done (const CliRun *run);
 
+/* Runs, with the words of cli_run(), and fails unless that ended well and quietly. */
+#define cli_do(...) cli_expect_done (cli_run (__VA_ARGS__))
+void cli_expect_done (CliRun run);
+
 /* Writes a file into the folder; the path is returned. Free with g_free(). */
 char *cli_write (const char *folder, const char *name, const char *text);
 

@@ -221,14 +221,12 @@ solve (Source source)
   g_autofree char *model = cli_example (sources[source].example);
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
   const char *set = sources[source].set, *option = sources[source].option;
-  CliRun run = cli_run (sources[source].command, model, "-q", "-o", path,
-                        set != NULL      ? "--set"
-                        : option != NULL ? option
-                                         : NULL,
-                        set, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("check", model, "--result", path, NULL);
+  cli_do (sources[source].command, model, "-q", "-o", path,
+          set != NULL      ? "--set"
+          : option != NULL ? option
+                           : NULL,
+          set, NULL);
+  CliRun run = cli_run ("check", model, "--result", path, NULL);
   g_test_message ("%s%s", sources[source].example, run.err);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "passes"));
@@ -307,10 +305,8 @@ test_other_project (void)
   g_autofree char *rough = cli_replace (text, "\"friction\": 0.4", "\"friction\": 0.5");
   g_autofree char *other = cli_write (folder, "rough.quoin", rough);
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
-  CliRun run = cli_run ("solve", model, "-q", "-o", path, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("check", other, "--result", path, NULL);
+  cli_do ("solve", model, "-q", "-o", path, NULL);
+  CliRun run = cli_run ("check", other, "--result", path, NULL);
   cli_assert_failed (&run, 3, "computed from another project than");
 }
 
@@ -320,14 +316,12 @@ test_json (void)
 {
   g_autofree char *model = cli_example (sources[SLIDING].example);
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
-  CliRun run = cli_run ("solve", model, "-q", "-o", path, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", model, "-q", "-o", path, NULL);
   g_autofree char *text = cli_read (path);
   g_autofree char *forged =
     cli_replace (text, "\"collapse_multiplier\": ", "\"collapse_multiplier\": 1");
   g_autofree char *wrong = cli_write (folder, "wrong.json", forged);
-  run = cli_run ("check", model, "--json", "--result", wrong, NULL);
+  CliRun run = cli_run ("check", model, "--json", "--result", wrong, NULL);
   g_assert_cmpint (run.code, ==, 3);
   g_assert_nonnull (strstr (run.out, "\"passes\": false"));
   g_assert_nonnull (strstr (run.out, "\"claim\": \"collapse-multiplier\""));

@@ -130,9 +130,7 @@ test_escapes (void)
   run = cli_run ("check", "a\033[31m\nb", NULL);
   cli_assert_failed (&run, 5, "a\\u001b[31m b");
 
-  run = cli_run ("render", model, "-o", picture, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("render", model, "-o", picture, NULL);
   g_autofree char *svg = cli_read (picture);
   GMarkupParser nothing = { 0 };
   g_autoptr (GMarkupParseContext) context =
@@ -182,15 +180,11 @@ test_no_timings (void)
   char *text[2];
   for (int i = 0; i < 2; i++) {
     g_autofree char *result = g_build_filename (folder, "r.json", NULL);
-    CliRun run = cli_run ("solve", model, "--no-timings", "-o", result, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("solve", model, "--no-timings", "-o", result, NULL);
     text[i] = cli_read (result);
     g_assert_null (strstr (text[i], "seconds"));
     g_assert_nonnull (strstr (text[i], "\"factorizations\""));
-    run = cli_run ("check", model, "--result", result, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("check", model, "--result", result, NULL);
   }
   g_assert_cmpstr (text[0], ==, text[1]);
   g_free (text[0]);

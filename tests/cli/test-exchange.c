@@ -17,12 +17,8 @@ test_generate (void)
   char *folder = test_scratch_new ();
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *path = file_in (folder, kinds[i]);
-    CliRun run = cli_run ("generate", kinds[i], "-o", path, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
-    run = cli_run ("limit", path, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("generate", kinds[i], "-o", path, NULL);
+    cli_do ("limit", path, NULL);
   }
   test_scratch_free (folder);
 }
@@ -32,16 +28,14 @@ test_generate_keys (void)
 {
   char *folder = test_scratch_new ();
   g_autofree char *path = file_in (folder, "wall.quoin");
-  CliRun run = cli_run ("generate", "wall", "--length", "3", "unit=0.5x0.25",
-                        "--bond=flemish", "-o", path, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("generate", "wall", "--length", "3", "unit=0.5x0.25", "--bond=flemish", "-o",
+          path, NULL);
   g_autofree char *text = cli_read (path);
   g_assert_nonnull (strstr (text, "\"length\": 3"));
   g_assert_nonnull (strstr (text, "\"unit\": [0.5, 0.25]"));
   g_assert_nonnull (strstr (text, "\"flemish\""));
 
-  run = cli_run ("generate", "wall", "lenth=3", "-o", path, NULL);
+  CliRun run = cli_run ("generate", "wall", "lenth=3", "-o", path, NULL);
   cli_assert_failed (&run, 2, "lenth");
   run = cli_run ("generate", "wall", "length=-3", "-o", path, NULL);
   cli_assert_failed (&run, 3, "length");
@@ -65,12 +59,8 @@ test_round_trip (void)
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "blocks: 47"));
   cli_run_clear (&run);
-  run = cli_run ("export", first, "--unit", "mm", "-o", back, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("import", back, "-o", second, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("export", first, "--unit", "mm", "-o", back, NULL);
+  cli_do ("import", back, "-o", second, NULL);
   g_autofree char *a = cli_read (first), *b = cli_read (second);
   g_assert_cmpstr (a, ==, b);
   test_scratch_free (folder);
@@ -114,19 +104,15 @@ test_export_results (void)
   char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", cli_sliding_block);
   g_autofree char *result = file_in (folder, "result.json");
-  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", model, "-q", "-o", result, NULL);
   static const char *const outputs[] = { "out.dxf", "out.pvd", "out.csv" };
   for (size_t i = 0; i < G_N_ELEMENTS (outputs); i++) {
     g_autofree char *output = file_in (folder, outputs[i]);
-    run = cli_run ("export", model, "--result", result, "-o", output, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("export", model, "--result", result, "-o", output, NULL);
     g_autofree char *text = cli_read (output);
     g_assert_cmpuint (strlen (text), >, 50);
   }
-  run = cli_run ("export", model, "-o", "out.csv", NULL);
+  CliRun run = cli_run ("export", model, "-o", "out.csv", NULL);
   cli_assert_failed (&run, 2, "--result");
   run = cli_run ("export", model, "-o", "out.stl", NULL);
   cli_assert_failed (&run, 2, ".dxf");

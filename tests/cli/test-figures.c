@@ -30,9 +30,7 @@ test_figures (void)
     with_figures ("[{\"name\": \"a\", \"view\": \"mechanism\", \"size\": \"300x200\"},"
                   "{\"name\": \"b\", \"view\": \"model\", \"file\": \"c.pdf\"}]");
   g_autofree char *model = cli_write (folder, "m.quoin", text);
-  CliRun run = cli_run ("figures", model, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("figures", model, NULL);
   g_autofree char *a = g_build_filename (folder, "a.png", NULL);
   g_autofree char *c = g_build_filename (folder, "c.pdf", NULL);
   assert_begins (a, "\x89PNG");
@@ -42,13 +40,11 @@ test_figures (void)
   g_autofree char *first = NULL, *second = NULL;
   gsize lengths[2];
   g_assert_true (g_file_get_contents (a, &first, &lengths[0], NULL));
-  run = cli_run ("figures", model, "--figure", "a", NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("figures", model, "--figure", "a", NULL);
   g_assert_true (g_file_get_contents (a, &second, &lengths[1], NULL));
   g_assert_cmpmem (first, lengths[0], second, lengths[1]);
 
-  run = cli_run ("figures", model, "--list", NULL);
+  CliRun run = cli_run ("figures", model, "--list", NULL);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "a\tmechanism\ta.png\tcurrent"));
   cli_run_clear (&run);
@@ -64,9 +60,7 @@ test_figures (void)
   run = cli_run ("figures", same, NULL);
   cli_assert_failed (&run, 3, "the same file");
   g_assert_false (g_file_test (d, G_FILE_TEST_EXISTS));
-  run = cli_run ("figures", same, "--figure", "e", NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("figures", same, "--figure", "e", NULL);
   test_scratch_free (folder);
 }
 
@@ -100,9 +94,7 @@ test_outside (void)
   }
   g_autofree char *text = with_figures ("[{\"name\": \"a\", \"file\": \"../b.png\"}]");
   g_autofree char *model = cli_write (inner, "m.quoin", text);
-  CliRun run = cli_run ("figures", model, "--allow-outside", NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("figures", model, "--allow-outside", NULL);
   g_autofree char *made = g_build_filename (folder, "b.png", NULL);
   assert_begins (made, "\x89PNG");
   test_scratch_free (folder);
@@ -141,26 +133,20 @@ test_animate (void)
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   g_autofree char *gif = g_build_filename (folder, "a.gif", NULL);
   g_autofree char *frames = g_build_filename (folder, "frames/", NULL);
-  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", model, "-q", "-o", result, NULL);
 
   const char *const views[] = { "mechanism", "deformed" };
   for (size_t i = 0; i < G_N_ELEMENTS (views); i++) {
-    run = cli_run ("animate", model, "--result", result, "--view", views[i], "--frames",
-                   "4", "--size", "200x150", "-o", gif, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("animate", model, "--result", result, "--view", views[i], "--frames", "4",
+            "--size", "200x150", "-o", gif, NULL);
     assert_begins (gif, "GIF89a");
   }
-  run = cli_run ("animate", model, "--result", result, "--frames", "3", "--size",
-                 "200x150", "-o", frames, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("animate", model, "--result", result, "--frames", "3", "--size", "200x150",
+          "-o", frames, NULL);
   g_autofree char *third = g_build_filename (frames, "frame-0003.png", NULL);
   assert_begins (third, "\x89PNG");
 
-  run = cli_run ("animate", model, "-o", gif, NULL);
+  CliRun run = cli_run ("animate", model, "-o", gif, NULL);
   cli_assert_failed (&run, 2, "--result");
   run = cli_run ("animate", model, "--result", result, "-o", "a.mp4", NULL);
   cli_assert_failed (&run, 2, "a.mp4");
@@ -187,9 +173,7 @@ test_speed (void)
   char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("40-rocking-in-time.quoin");
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
-  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", model, "-q", "-o", result, NULL);
   const struct {
     const char *speed, *last, *beyond;
   } cases[] = { { "1", "one/frame-0016.png", "one/frame-0017.png" },
@@ -199,15 +183,13 @@ test_speed (void)
     g_autofree char *beyond = g_build_filename (folder, cases[i].beyond, NULL);
     g_autofree char *into = g_path_get_dirname (last);
     g_autofree char *frames = g_strconcat (into, "/", NULL);
-    run = cli_run ("animate", model, "--result", result, "--speed", cases[i].speed,
-                   "--rate", "5", "--size", "120x90", "-o", frames, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("animate", model, "--result", result, "--speed", cases[i].speed, "--rate",
+            "5", "--size", "120x90", "-o", frames, NULL);
     g_assert_true (g_file_test (last, G_FILE_TEST_EXISTS));
     g_assert_false (g_file_test (beyond, G_FILE_TEST_EXISTS));
   }
-  run = cli_run ("animate", model, "--result", result, "--speed", "1e-5", "-o", "a.gif",
-                 NULL);
+  CliRun run = cli_run ("animate", model, "--result", result, "--speed", "1e-5", "-o",
+                        "a.gif", NULL);
   cli_assert_failed (&run, 2, "pictures");
   run =
     cli_run ("animate", model, "--result", result, "--speed", "-1", "-o", "a.gif", NULL);
@@ -217,9 +199,7 @@ test_speed (void)
   cli_assert_failed (&run, 2, "--frames");
   g_autofree char *still = cli_write (folder, "m.quoin", cli_sliding_block);
   g_autofree char *path = g_build_filename (folder, "still.json", NULL);
-  run = cli_run ("solve", still, "-q", "-o", path, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", still, "-q", "-o", path, NULL);
   run = cli_run ("animate", still, "--result", path, "--speed", "1", "-o", "a.gif", NULL);
   cli_assert_failed (&run, 2, "--speed");
   test_scratch_free (folder);

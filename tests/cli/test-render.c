@@ -15,9 +15,7 @@ set_up (Solved *solved, gconstpointer data)
   solved->folder = test_scratch_new ();
   solved->model = cli_example ("06-arch.quoin");
   solved->result = g_build_filename (solved->folder, "arch.json", NULL);
-  CliRun run = cli_run ("solve", solved->model, "-q", "-o", solved->result, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", solved->model, "-q", "-o", solved->result, NULL);
 }
 
 static void
@@ -58,10 +56,8 @@ test_views_and_formats (Solved *solved, gconstpointer data)
     for (size_t k = 0; k < G_N_ELEMENTS (endings); k++) {
       g_autofree char *name = g_strdup_printf ("%s.%s", views[i], endings[k]);
       g_autofree char *path = g_build_filename (solved->folder, name, NULL);
-      CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
-                            views[i], "--size", "400x300", "-o", path, NULL);
-      cli_assert_done (&run);
-      cli_run_clear (&run);
+      cli_do ("render", solved->model, "--result", solved->result, "--view", views[i],
+              "--size", "400x300", "-o", path, NULL);
       assert_picture (path);
     }
 }
@@ -75,11 +71,8 @@ test_forces_of_steps (Solved *solved, gconstpointer data)
   (void) data;
   for (int step = 0; step < 4; step++) {
     g_autofree char *number = g_strdup_printf ("%d", step);
-    CliRun run =
-      cli_run ("render", solved->model, "--result", solved->result, "--view", "forces",
-               "--field", "stress", "--step", number, "-o", path, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("render", solved->model, "--result", solved->result, "--view", "forces",
+            "--field", "stress", "--step", number, "-o", path, NULL);
     char *picture = cli_read (path);
     g_assert_cmpstr (picture, !=, before);
     g_free (before);
@@ -95,10 +88,8 @@ test_stress_of_mechanism (Solved *solved, gconstpointer data)
   g_autofree char *path = g_build_filename (solved->folder, "m.svg", NULL);
   (void) data;
   for (size_t i = 0; i < G_N_ELEMENTS (views); i++) {
-    CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
-                          views[i], "--field", "stress", "-o", path, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("render", solved->model, "--result", solved->result, "--view", views[i],
+            "--field", "stress", "-o", path, NULL);
     assert_picture (path);
   }
 }
@@ -108,12 +99,9 @@ test_render_options (Solved *solved, gconstpointer data)
 {
   (void) data;
   g_autofree char *path = g_build_filename (solved->folder, "o.png", NULL);
-  CliRun run =
-    cli_run ("render", solved->model, "--result", solved->result, "--view", "deformed",
-             "--step", "0", "--scale", "100", "--size", "60mmx40mm", "--dpi", "200",
-             "--backend", "cairo", "--transparent", "--monochrome", "-o", path, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("render", solved->model, "--result", solved->result, "--view", "deformed",
+          "--step", "0", "--scale", "100", "--size", "60mmx40mm", "--dpi", "200",
+          "--backend", "cairo", "--transparent", "--monochrome", "-o", path, NULL);
   assert_picture (path);
 }
 
@@ -145,10 +133,8 @@ test_same_bytes (Solved *solved, gconstpointer data)
   gsize lengths[2];
   for (int i = 0; i < 2; i++) {
     g_autofree char *path = g_build_filename (solved->folder, "o.pdf", NULL);
-    CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
-                          "mechanism", "-o", path, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("render", solved->model, "--result", solved->result, "--view", "mechanism",
+            "-o", path, NULL);
     g_assert_true (g_file_get_contents (path, &bytes[i], &lengths[i], NULL));
   }
   g_assert_cmpmem (bytes[0], lengths[0], bytes[1], lengths[1]);
@@ -166,13 +152,10 @@ test_compare_and_curve (Solved *solved, gconstpointer data)
   for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++) {
     g_autofree char *name = g_strconcat (subcommands[i], ".png", NULL);
     g_autofree char *path = g_build_filename (solved->folder, name, NULL);
-    CliRun run =
-      cli_run (subcommands[i], given, stack, "--size", "800x600", "-o", path, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do (subcommands[i], given, stack, "--size", "800x600", "-o", path, NULL);
     assert_picture (path);
 
-    run = cli_run (subcommands[i], given, "-o", "/no/such/folder/o.png", NULL);
+    CliRun run = cli_run (subcommands[i], given, "-o", "/no/such/folder/o.png", NULL);
     cli_assert_failed (&run, 5, NULL);
     run = cli_run (subcommands[i], given, "-o", "o.txt", NULL);
     cli_assert_failed (&run, 2, NULL);
@@ -187,16 +170,14 @@ test_compare_table (Solved *solved, gconstpointer data)
   g_autofree char *path = g_build_filename (solved->folder, "table.csv", NULL);
   g_autofree char *given = g_strdup_printf ("%s=%s", solved->model, solved->result);
   g_autofree char *stack = cli_example ("05-stack.quoin");
-  CliRun run = cli_run ("compare", given, stack, "-o", path, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("compare", given, stack, "-o", path, NULL);
   g_autofree char *table = cli_read (path);
   g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
   g_assert_cmpuint (g_strv_length (lines), ==, 4);
   g_assert_cmpstr (lines[0], ==, "project,title,outcome,multiplier [-],mechanism,steps");
   g_assert_nonnull (strstr (lines[1], ",collapse,"));
   g_assert_nonnull (strstr (lines[2], "05-stack.quoin"));
-  run = cli_run ("compare", stack, "-o", "/no/such/folder/c.csv", NULL);
+  CliRun run = cli_run ("compare", stack, "-o", "/no/such/folder/c.csv", NULL);
   cli_assert_failed (&run, 5, NULL);
 }
 
@@ -211,9 +192,7 @@ test_columns (Solved *solved, gconstpointer data)
     CliRun run = cli_run ("compare", given, "--columns", wrong[i], "-o", path, NULL);
     cli_assert_failed (&run, 2, i < 2 ? "--columns must be positive" : wrong[i]);
   }
-  CliRun run = cli_run ("compare", given, given, "--columns", "1", "-o", path, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("compare", given, given, "--columns", "1", "-o", path, NULL);
   assert_picture (path);
 }
 
@@ -227,17 +206,11 @@ test_curve_runs (Solved *solved, gconstpointer data)
   g_autofree char *csv = g_build_filename (solved->folder, "c.csv", NULL);
   g_autofree char *first = g_strdup_printf ("%s=%s", solved->model, solved->result);
   g_autofree char *second = g_strdup_printf ("%s=%s", solved->model, other);
-  CliRun run = cli_run ("solve", solved->model, "-q", "--set", "analysis.increments=10",
-                        "-o", other, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("curve", first, second, "--reference", "0.25=published", "--reference",
-                 "0.1", "-o", svg, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("curve", first, second, "-o", csv, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", solved->model, "-q", "--set", "analysis.increments=10", "-o", other,
+          NULL);
+  cli_do ("curve", first, second, "--reference", "0.25=published", "--reference", "0.1",
+          "-o", svg, NULL);
+  cli_do ("curve", first, second, "-o", csv, NULL);
   g_autofree char *table = cli_read (csv);
   g_assert_true (
     g_str_has_prefix (table, "run,step,displacement [m or rad],multiplier [-],mark\n"));
@@ -245,7 +218,7 @@ test_curve_runs (Solved *solved, gconstpointer data)
   g_assert_nonnull (strstr (table, "(other.json)\",0,"));
   g_assert_nonnull (strstr (table, ",collapse\n"));
 
-  run = cli_run ("curve", first, "--reference", "much", "-o", svg, NULL);
+  CliRun run = cli_run ("curve", first, "--reference", "much", "-o", svg, NULL);
   cli_assert_failed (&run, 2, "a reference is a number");
   run = cli_run ("curve", first, "-o", "/no/such/folder/c.csv", NULL);
   cli_assert_failed (&run, 5, NULL);

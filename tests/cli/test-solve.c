@@ -264,30 +264,41 @@ wait_for_handler (GPid pid)
   }
 }
 
+/* The multiplier at which a wall of units of 0.4 x 0.2 m with two windows collapses in large
+ * displacements. */
+static double
+collapse_of_wall (const char *length, const char *height, const char *first,
+                  const char *second, const char *stiffness)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = g_build_filename (folder, "wall.quoin", NULL);
+  const char *opening = "\"span\": \"lintel\", \"depth\": 0.2, \"bearing\": 0.2}";
+  g_autofree char *openings =
+    g_strdup_printf ("openings=[{%s, %s, {%s, %s]", first, opening, second, opening);
+  g_autofree char *kn = g_strconcat ("laws[0].kn=", stiffness, NULL);
+  g_autofree char *ks = g_strconcat ("laws[0].ks=", stiffness, NULL);
+  cli_do ("generate", "wall", length, height, "unit=0.4x0.2", openings, "-o", model,
+          NULL);
+  CliRun run = cli_run ("solve", model, "--set", "analysis.geometry=nonlinear", "--set",
+                        kn, "--set", ks, "-o", "-", NULL);
+  cli_assert_done (&run);
+  double multiplier = number_of (run.out, "collapse_multiplier");
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+  return multiplier;
+}
+
 /* A sill under which the wall bulges stands on one edge, an equilibrium that it leaves: it turns by
  * micrometres until the next edge touches, and the wall stands. In linear geometry it collapses at 0.503,
  * and no equilibrium is above 0.5335. */
 static void
 test_block_on_an_edge (void)
 {
-  char *folder = test_scratch_new ();
-  g_autofree char *model = g_build_filename (folder, "wall.quoin", NULL);
-  CliRun run = cli_run ("generate", "wall", "length=4.8", "height=2.4", "unit=0.4x0.2",
-                        "openings=["
-                        "{\"at\": [0.75, 0.78], \"width\": 0.87, \"height\": 0.88, "
-                        "\"span\": \"lintel\", \"depth\": 0.2, \"bearing\": 0.2}, "
-                        "{\"at\": [2.8, 0.62], \"width\": 0.79, \"height\": 1.06, "
-                        "\"span\": \"lintel\", \"depth\": 0.2, \"bearing\": 0.2}]",
-                        "-o", model, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("solve", model, "--set", "analysis.geometry=nonlinear", "-o", "-", NULL);
-  cli_assert_done (&run);
-  double multiplier = number_of (run.out, "collapse_multiplier");
+  double multiplier = collapse_of_wall (
+    "length=4.8", "height=2.4", "\"at\": [0.75, 0.78], \"width\": 0.87, \"height\": 0.88",
+    "\"at\": [2.8, 0.62], \"width\": 0.79, \"height\": 1.06", "2e10");
   g_assert_cmpfloat (multiplier, >, 0.45);
   g_assert_cmpfloat (multiplier, <, 0.5335);
-  cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 /* The sill of a window rocks on the joint below it. With the work of the live load prescribed it would unload
@@ -296,25 +307,11 @@ test_block_on_an_edge (void)
 static void
 test_rocking_sill (void)
 {
-  char *folder = test_scratch_new ();
-  g_autofree char *model = g_build_filename (folder, "wall.quoin", NULL);
-  CliRun run = cli_run ("generate", "wall", "length=3.2", "height=2.8", "unit=0.4x0.2",
-                        "openings=["
-                        "{\"at\": [0.5, 0.8], \"width\": 0.6, \"height\": 0.8, "
-                        "\"span\": \"lintel\", \"depth\": 0.2, \"bearing\": 0.2}, "
-                        "{\"at\": [1.9, 0.6], \"width\": 1, \"height\": 1.2, "
-                        "\"span\": \"lintel\", \"depth\": 0.2, \"bearing\": 0.2}]",
-                        "-o", model, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("solve", model, "--set", "laws[0].kn=2e9", "--set", "laws[0].ks=2e9",
-                 "--set", "analysis.geometry=nonlinear", "-o", "-", NULL);
-  cli_assert_done (&run);
-  double multiplier = number_of (run.out, "collapse_multiplier");
+  double multiplier = collapse_of_wall (
+    "length=3.2", "height=2.8", "\"at\": [0.5, 0.8], \"width\": 0.6, \"height\": 0.8",
+    "\"at\": [1.9, 0.6], \"width\": 1, \"height\": 1.2", "2e9");
   g_assert_cmpfloat (multiplier, >, 0.32);
   g_assert_cmpfloat (multiplier, <, 0.349);
-  cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 /* Ctrl+C during a large analysis: the code is 130 and a file that was written is a whole one. */
@@ -327,9 +324,7 @@ test_interrupt (void)
   const char *command[] = {
     g_getenv ("QUOIN_CLI"), "solve", model, "-q", "-o", result, NULL
   };
-  CliRun run = cli_run ("generate", "wall", "length=20", "height=10", "-o", model, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("generate", "wall", "length=20", "height=10", "-o", model, NULL);
   g_autoptr (GError) error = NULL;
   GPid pid;
   int status = 0;

@@ -103,9 +103,7 @@ test_any_number_of_workers (void)
     /* Gathering is safe to repeat, and before all slices are there, or when one has just begun. */
     if (i == 0)
       g_free (cli_write (sliced, "shard-3-of-3.db", ""));
-    run = cli_run ("study", "gather", sliced, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("study", "gather", sliced, NULL);
   }
   g_autofree char *first = table_of (one), *second = table_of (three);
   g_autofree char *third = table_of (sliced);
@@ -126,9 +124,7 @@ test_goes_on (void)
     write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 3000 }");
   g_autofree char *whole = g_build_filename (folder, "whole", NULL);
   g_autofree char *parts = g_build_filename (folder, "parts", NULL);
-  CliRun run = cli_run ("study", "run", study, "-o", whole, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("study", "run", study, "-o", whole, NULL);
 
   GPid child = start (study, parts, "2");
   wait_for_rows (parts);
@@ -144,7 +140,7 @@ test_goes_on (void)
   int code = finish (child);
   g_assert_true (code == 130 || code == 0 || code == 128 + SIGINT);
 
-  run = cli_run ("study", "run", study, "-o", parts, NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", parts, NULL);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "3000 of 3000 cases"));
   cli_run_clear (&run);
@@ -198,9 +194,7 @@ test_outcomes (void)
     "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\", "
     "\"mechanism_kind\"] }\n");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
-  CliRun run = cli_run ("study", "run", study, "-o", results, "-q", NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("study", "run", study, "-o", results, "-q", NULL);
   g_autofree char *text = table_of (results);
   g_autoptr (GPtrArray) table = test_table_read (text);
   guint seen[3] = { 0 };
@@ -221,7 +215,7 @@ test_outcomes (void)
   }
   for (guint k = 0; k < 3; k++)
     g_assert_cmpuint (seen[k], >, 0);
-  run = cli_run ("study", "summary", results, NULL);
+  CliRun run = cli_run ("study", "summary", results, NULL);
   cli_assert_done (&run);
   g_assert_null (strstr (run.out, "nan"));
   g_assert_null (strstr (run.out, "inf"));
@@ -252,9 +246,7 @@ test_worker_dies (void)
   g_assert_nonnull (strstr (failed, "signal 9"));
   g_assert_null (strstr (failed + 1, ",failed,"));
 
-  CliRun run = cli_run ("study", "run", study, "-o", results, "--retry", NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("study", "run", study, "-o", results, "--retry", NULL);
   g_autofree char *mended = table_of (results);
   g_assert_null (strstr (mended, ",failed,"));
   test_scratch_free (folder);
@@ -387,17 +379,12 @@ test_keep (void)
   char *folder = test_scratch_new ();
   g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
-  CliRun run = cli_run ("study", "run", study, "-o", results, "--keep", NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("study", "run", study, "-o", results, "--keep", NULL);
   g_autofree char *kept =
     g_build_filename (results, "results", "case-0000003.json", NULL);
   g_autofree char *model = g_build_filename (results, "model.quoin", NULL);
   g_autofree char *picture = g_build_filename (folder, "p.png", NULL);
-  run = cli_run ("render", model, "--result", kept, "--view", "mechanism", "-o", picture,
-                 NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("render", model, "--result", kept, "--view", "mechanism", "-o", picture, NULL);
   test_scratch_free (folder);
 }
 
@@ -477,12 +464,10 @@ test_record (void)
     "      \"values\": [0.02] } ],\n"
     "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"peak_displacement\"] }\n");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
-  CliRun run = cli_run ("study", "run", study, "-o", results, "--prepare", NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("study", "run", study, "-o", results, "--prepare", NULL);
   g_autofree char *other = g_strconcat (record, "11,0\n", NULL);
   g_assert_true (g_file_set_contents (record_path, other, -1, NULL));
-  run = cli_run ("study", "run", study, "-o", results, NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
   cli_assert_failed (&run, 3, "another study");
   g_assert_cmpint (unlink (record_path), ==, 0);
   run = cli_run ("study", "run", results, NULL);
@@ -509,10 +494,8 @@ test_one_value (void)
     "  \"plan\": { \"kind\": \"latin-hypercube\", \"count\": 40 },\n"
     "  \"outputs\": [\"collapse_multiplier\"] }\n");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
-  CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
-  run = cli_run ("study", "summary", results, NULL);
+  cli_do ("study", "run", study, "-o", results, NULL);
+  CliRun run = cli_run ("study", "summary", results, NULL);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "100.00 %"));
   g_auto (GStrv) lines = g_strsplit (run.out, "\n", -1);
@@ -563,12 +546,8 @@ test_gap (void)
     g_autofree char *study = cli_write (folder, "s.quoin-study", text);
     g_autofree char *results = g_build_filename (folder, middles[i], NULL);
     g_autofree char *picture = g_build_filename (folder, "e.svg", NULL);
-    CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
-    run = cli_run ("study", "plot", results, "--kind", "envelope", "-o", picture, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
+    cli_do ("study", "run", study, "-o", results, NULL);
+    cli_do ("study", "plot", results, "--kind", "envelope", "-o", picture, NULL);
     paths[i] = cli_read (picture);
   }
   /* Five points: one line of four pieces, or two of one each. */
@@ -594,10 +573,8 @@ test_figures (void)
     g_autofree char *study = write_study (folder, plans[p]);
     g_autofree char *name = g_strdup_printf ("results-%zu", p);
     g_autofree char *results = g_build_filename (folder, name, NULL);
-    CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
-    cli_assert_done (&run);
-    cli_run_clear (&run);
-    run = cli_run ("study", "summary", results, NULL);
+    cli_do ("study", "run", study, "-o", results, NULL);
+    CliRun run = cli_run ("study", "summary", results, NULL);
     cli_assert_done (&run);
     g_assert_nonnull (strstr (run.out, "collapse_multiplier"));
     cli_run_clear (&run);
@@ -605,9 +582,7 @@ test_figures (void)
       g_autofree char *first = NULL, *second = NULL;
       for (int again = 0; again < 2; again++) {
         g_autofree char *path = g_build_filename (folder, "figure.svg", NULL);
-        run = cli_run ("study", "plot", results, "--kind", kinds[k], "-o", path, NULL);
-        cli_assert_done (&run);
-        cli_run_clear (&run);
+        cli_do ("study", "plot", results, "--kind", kinds[k], "-o", path, NULL);
         *(again ? &second : &first) = cli_read (path);
       }
       g_assert_cmpstr (first, ==, second);

@@ -166,9 +166,7 @@ test_interrupt_animation (gconstpointer data)
   g_autofree char *model = cli_example ("ferris-tin-loi/wall3.quoin");
   g_autofree char *result = g_build_filename (folder, "result.json", NULL);
   g_autofree char *output = g_build_filename (folder, name, NULL);
-  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
-  cli_assert_done (&run);
-  cli_run_clear (&run);
+  cli_do ("solve", model, "-q", "-o", result, NULL);
   char *command[] = { (char *) g_getenv ("QUOIN_CLI"),
                       "animate",
                       model,

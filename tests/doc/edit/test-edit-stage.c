@@ -109,6 +109,12 @@ change_stage (QnModel *model, gpointer data, GError **error)
   return qn_edit_change_stage (model, s->stage, &s->settings, error);
 }
 
+static const QnLoad push = { .kind = QN_LOAD_FORCE,
+                             .block = 1,
+                             .node = QN_NONE,
+                             .beam = QN_NONE,
+                             .vector = { 0, -500 } };
+
 static const QnLoad settlement = { .kind = QN_LOAD_SETTLEMENT,
                                    .block = 0,
                                    .node = QN_NONE,
@@ -128,11 +134,7 @@ test_loads (void)
   refuse (document, rename_set, "live");
   refuse (document, rename_set, "");
 
-  QnLoad force = { .kind = QN_LOAD_FORCE,
-                   .block = 1,
-                   .node = QN_NONE,
-                   .beam = QN_NONE,
-                   .vector = { 0, -500 } };
+  QnLoad force = push;
   edit (document, append, &(Put){ 1, 0, force });
   edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
   edit (document, append, &(Put){ 0, 0, force });
@@ -184,11 +186,7 @@ static void
 test_load_order (void)
 {
   g_autoptr (QnDocument) document = open_text (text);
-  QnLoad force = { .kind = QN_LOAD_FORCE,
-                   .block = 1,
-                   .node = QN_NONE,
-                   .beam = QN_NONE,
-                   .vector = { 0, -500 } };
+  QnLoad force = push;
   edit (document, add_set, NULL);
   edit (document, append, &(Put){ 1, 0, force });
   const QnModel *model = edit (document, append, &(Put){ 0, 0, force });
@@ -202,7 +200,8 @@ test_load_order (void)
   refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), -1 });
   refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 1), 1 });
   refuse (document, move_or_copy, &(Place){ 9, 1 });
-  refuse (document, move_or_copy, &(Place){ 3, -1 }); /* nor is one read behind the last */
+  refuse (document, move_or_copy,
+          &(Place){ 3, -1 }); /* nor is one read behind the last */
   refuse (document, move_or_copy, &(Place){ 9, 0 });
   model =
     edit (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), 0 });
@@ -238,11 +237,7 @@ static void
 test_unknown_members (void)
 {
   g_autoptr (QnDocument) document = open_text (text);
-  QnLoad force = { .kind = QN_LOAD_FORCE,
-                   .block = 1,
-                   .node = QN_NONE,
-                   .beam = QN_NONE,
-                   .vector = { 0, -500 } };
+  QnLoad force = push;
   edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
   g_auto (GStrv) parts = g_strsplit (qn_document_get_text (document), "[0, -500]", 2);
   g_autofree char *marked =
