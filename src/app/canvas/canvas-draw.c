@@ -23,9 +23,9 @@
 #define LEGEND_TOP   42.0 /* points: below the choice of view */
 
 static void
-set_ink (cairo_t *cr, QnInk ink, double alpha)
+set_selection_ink (cairo_t *cr, double alpha)
 {
-  qn_set_color (cr, qn_ink (ink, false), alpha);
+  qn_set_color (cr, qn_ink (QN_INK_SELECTION, false), alpha);
 }
 
 /* Text in the widget's font, as large on the drawing as what the scene says in so many points. */
@@ -129,7 +129,7 @@ static void
 draw_pointer_on_rulers (QnCanvas *self, cairo_t *cr)
 {
   QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
+  set_selection_ink (cr, 1.0);
   cairo_move_to (cr, floor (s.x) + 0.5, 0.0);
   cairo_rel_line_to (cr, 0.0, ruler_px (self));
   cairo_move_to (cr, 0.0, floor (s.y) + 0.5);
@@ -243,12 +243,10 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr)
       trace_load (self, cr, live, load);
   }
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
-  set_ink (cr, QN_INK_SELECTION, 0.3);
-  cairo_set_line_width (cr, 9.0);
-  cairo_stroke_preserve (cr);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
-  cairo_set_line_width (cr, 3.0);
-  cairo_stroke (cr);
+  const QnColor c = qn_ink (QN_INK_SELECTION, false);
+  GdkRGBA ink = { c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1.0f }, halo = ink;
+  halo.alpha = 0.3f;
+  qn_gesture_stroke (cr, halo, 9.0, ink, 3.0);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
 }
 
@@ -283,9 +281,9 @@ draw_selection (QnCanvas *self, cairo_t *cr)
     }
     cairo_close_path (cr);
   }
-  set_ink (cr, QN_INK_SELECTION, 0.18);
+  set_selection_ink (cr, 0.18);
   cairo_fill_preserve (cr);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
+  set_selection_ink (cr, 1.0);
   cairo_set_line_width (cr, 2.0);
   cairo_stroke (cr);
 
@@ -334,19 +332,15 @@ draw_place (QnCanvas *self, cairo_t *cr)
   QnVec2 s = qn_canvas_to_screen (self, self->place);
   cairo_new_path (cr); /* text leaves a current point behind */
   cairo_arc (cr, s.x, s.y, RING_PX, 0.0, 2.0 * G_PI);
-  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.9);
-  cairo_set_line_width (cr, 6.0);
-  cairo_stroke_preserve (cr);
-  cairo_set_source_rgb (cr, 0.85, 0.1, 0.1);
-  cairo_set_line_width (cr, 2.5);
-  cairo_stroke (cr);
+  qn_gesture_stroke (cr, (GdkRGBA){ 1.0f, 1.0f, 1.0f, 0.9f }, 6.0,
+                     (GdkRGBA){ 0.85f, 0.1f, 0.1f, 1.0f }, 2.5);
 }
 
 static void
 draw_magnet (QnCanvas *self, cairo_t *cr)
 {
   QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
+  set_selection_ink (cr, 1.0);
   cairo_set_line_width (cr, 1.5);
   switch (self->hit.kind) {
   case QN_MAGNET_NODE:
@@ -392,12 +386,8 @@ draw_cursor (QnCanvas *self, cairo_t *cr)
   cairo_line_to (cr, s.x + CURSOR_PX, s.y);
   cairo_move_to (cr, s.x, s.y - CURSOR_PX);
   cairo_line_to (cr, s.x, s.y + CURSOR_PX);
-  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.9);
-  cairo_set_line_width (cr, 4.0);
-  cairo_stroke_preserve (cr);
-  cairo_set_source_rgb (cr, 0.1, 0.1, 0.1);
-  cairo_set_line_width (cr, 1.5);
-  cairo_stroke (cr);
+  qn_gesture_stroke (cr, (GdkRGBA){ 1.0f, 1.0f, 1.0f, 0.9f }, 4.0,
+                     (GdkRGBA){ 0.1f, 0.1f, 0.1f, 1.0f }, 1.5);
 }
 
 /* What is typed for the gesture, beside the pointer. */
@@ -415,7 +405,7 @@ draw_typed (QnCanvas *self, cairo_t *cr)
   cairo_rectangle (cr, x - 6.0, y - 4.0, width + 12.0, height + 8.0);
   cairo_set_source_rgb (cr, 1.0, 1.0, 0.92);
   cairo_fill_preserve (cr);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
+  set_selection_ink (cr, 1.0);
   cairo_set_line_width (cr, 1.0);
   cairo_stroke (cr);
   cairo_set_source_rgb (cr, 0.1, 0.1, 0.1);
@@ -431,7 +421,7 @@ draw_layout (cairo_t *cr, PangoLayout *layout, QnVec2 at)
   cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.85);
   cairo_rectangle (cr, at.x - 2.0, at.y, width + 4.0, height);
   cairo_fill (cr);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
+  set_selection_ink (cr, 1.0);
   cairo_move_to (cr, at.x, at.y);
   pango_cairo_show_layout (cr, layout);
 }
@@ -441,7 +431,7 @@ qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
 {
   QnVec2 sa = qn_canvas_to_screen (self, a), sb = qn_canvas_to_screen (self, b);
   double length = qn_vec2_length (qn_vec2_sub (b, a));
-  set_ink (cr, QN_INK_SELECTION, 1.0);
+  set_selection_ink (cr, 1.0);
   cairo_set_line_width (cr, 1.0);
   cairo_move_to (cr, sa.x, sa.y);
   cairo_line_to (cr, sb.x, sb.y);
@@ -476,9 +466,9 @@ draw_initial (QnCanvas *self, cairo_t *cr)
   for (gsize i = 0; i < model->initial_count; i++)
     qn_gesture_trace_block (self, cr, model->initial[i].block,
                             qn_initial_transform (model, &model->initial[i]));
-  set_ink (cr, QN_INK_SELECTION, 0.12);
+  set_selection_ink (cr, 0.12);
   cairo_fill_preserve (cr);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
+  set_selection_ink (cr, 1.0);
   cairo_set_line_width (cr, 1.5);
   cairo_set_dash (cr, dashes, G_N_ELEMENTS (dashes), 0.0);
   cairo_stroke (cr);

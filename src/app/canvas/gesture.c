@@ -143,6 +143,17 @@ qn_gesture_trace_points (QnCanvas *canvas, cairo_t *cr)
 /* ---- drawing ---- */
 
 void
+qn_gesture_stroke (cairo_t *cr, GdkRGBA below, double wide, GdkRGBA ink, double narrow)
+{
+  gdk_cairo_set_source_rgba (cr, &below);
+  cairo_set_line_width (cr, wide);
+  cairo_stroke_preserve (cr);
+  gdk_cairo_set_source_rgba (cr, &ink);
+  cairo_set_line_width (cr, narrow);
+  cairo_stroke (cr);
+}
+
+void
 qn_gesture_paint (cairo_t *cr)
 {
   cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.15);

@@ -59,6 +59,10 @@ void qn_gesture_trace_block (QnCanvas *canvas, cairo_t *cr, QnId block,
 /* Outlines of the selected blocks as a transform would put them. */
 void qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform);
 
+/* Strokes the path twice, the first time wider, px: such a line is seen on any ground. */
+void qn_gesture_stroke (cairo_t *cr, GdkRGBA below, double wide, GdkRGBA ink,
+                        double narrow);
+
 /* Fill and outline of everything that is about to be. */
 void qn_gesture_paint (cairo_t *cr);
 

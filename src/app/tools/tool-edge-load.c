@@ -131,7 +131,6 @@ draw (QnCanvas *canvas, cairo_t *cr)
   const QnVec2 *v = qn_model_block_vertices (model, chain.block);
   const QnId n = model->blocks[chain.block].vertex_count;
   double length = 0.0;
-  cairo_new_path (cr); /* text leaves a current point behind */
   for (QnId i = 0; i <= chain.count; i++) {
     const QnVec2 corner = v[(chain.first + i) % n];
     const QnVec2 at = qn_canvas_to_screen (canvas, corner);
@@ -141,12 +140,8 @@ draw (QnCanvas *canvas, cairo_t *cr)
   }
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.3);
-  cairo_set_line_width (cr, 12.0);
-  cairo_stroke_preserve (cr);
-  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
-  cairo_set_line_width (cr, 3.0);
-  cairo_stroke (cr);
+  qn_gesture_stroke (cr, (GdkRGBA){ 0.1f, 0.4f, 0.9f, 0.3f }, 12.0,
+                     (GdkRGBA){ 0.1f, 0.4f, 0.9f, 1.0f }, 3.0);
   g_autofree char *size =
     qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_LENGTH, length, 4);
   g_autofree char *text =

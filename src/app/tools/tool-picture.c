@@ -1,6 +1,6 @@
 /* Picture behind the drawing: drag it; click two points on it and type how far they are from each
  * other; or click the corners of what is a rectangle in truth and type its width and height. */
-#include "app/canvas/canvas.h"
+#include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
 #include "doc/document/picture.h"
@@ -154,12 +154,8 @@ draw (QnCanvas *canvas, cairo_t *cr)
     cairo_new_sub_path (cr);
     cairo_arc (cr, s.x, s.y, 0.5 * MARK_PX, 0.0, 2.0 * G_PI);
   }
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_set_line_width (cr, 4.0);
-  cairo_stroke_preserve (cr);
-  cairo_set_source_rgb (cr, 0.75, 0.0, 0.4);
-  cairo_set_line_width (cr, 1.5);
-  cairo_stroke (cr);
+  qn_gesture_stroke (cr, (GdkRGBA){ 1.0f, 1.0f, 1.0f, 1.0f }, 4.0,
+                     (GdkRGBA){ 0.75f, 0.0f, 0.4f, 1.0f }, 1.5);
 }
 
 const QnTool qn_tool_picture = {
