@@ -1,8 +1,6 @@
 #include "app/forms/law-view.h"
 
 #include "doc/text/law-trace.h"
-#include "render/figure/curve-plot.h"
-#include <glib/gi18n.h>
 
 #define PX_PER_POINT (96.0 / 72.0)
 
@@ -32,31 +30,12 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
   if (view->samples->len > 0) {
-    gboolean strain = view->what.law.basis == QN_BASIS_MATERIAL;
-    gboolean stress = view->what.law.basis != QN_BASIS_CONTACT;
-    int axis = view->what.shear ? 1 : 0;
-    guint count = view->samples->len;
-    g_autofree double *x = g_new (double, count), *y = g_new (double, count);
-    for (guint i = 0; i < count; i++) {
-      const QnLawSample *s = &g_array_index (view->samples, QnLawSample, i);
-      x[i] = s->elongation[axis] * 1e3;
-      y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
-    }
-    QnCurve curve = {
-      .x = x, .y = y, .count = count, .limit_point = -1, .collapse_point = -1, .dot = -1
-    };
-    QnCurvePlot plot = { .x_label = view->what.shear ? _ ("Slip")
-                                    : strain         ? _ ("Strain")
-                                                     : _ ("Elongation"),
-                         .x_unit = strain ? "‰" : "mm",
-                         .y_label = view->what.shear ? (stress ? _ ("Shear stress (MPa)")
-                                                               : _ ("Shear force (kN)"))
-                                    : stress         ? _ ("Stress (MPa)")
-                                                     : _ ("Force (kN)"),
-                         .curves = &curve,
-                         .curve_count = 1 };
+    QnCurve curve;
+    QnCurvePlot plot;
+    qn_law_plot (&view->what, view->samples, &curve, &plot);
     QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
     qn_curve_plot_draw (&plot, cr, &page, 6.0, 6.0, width - 12.0, height - 12.0);
+    qn_curve_clear (&curve);
   }
 }
 

@@ -4,7 +4,6 @@
 #include "doc/text/law-trace.h"
 #include "io/project/project.h"
 #include "io/text/file-writer.h"
-#include "render/figure/curve-plot.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -197,38 +196,17 @@ static QnExit
 draw (const History *history, const Options *options, const char *name,
       const QnOutput *output)
 {
-  const gboolean strain = history->what.law.basis == QN_BASIS_MATERIAL;
-  const gboolean stress = history->what.law.basis != QN_BASIS_CONTACT;
-  const int axis = history->what.shear ? 1 : 0;
-  guint count = history->samples->len;
-  g_autofree double *x = g_new (double, count), *y = g_new (double, count);
-  for (guint i = 0; i < count; i++) {
-    const QnLawSample *s = &g_array_index (history->samples, QnLawSample, i);
-    x[i] = s->elongation[axis] * 1e3;
-    y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
-  }
-  QnCurve curve = {
-    .x = x, .y = y, .count = count, .limit_point = -1, .collapse_point = -1, .dot = -1
-  };
-  QnCurvePlot plot = {
-    .title = name,
-    .x_label = history->what.shear ? _ ("Slip")
-               : strain            ? _ ("Strain")
-                                   : _ ("Elongation"),
-    .x_unit = strain ? "‰" : "mm",
-    .y_label = history->what.shear
-                 ? (stress ? _ ("Shear stress (MPa)") : _ ("Shear force (kN)"))
-               : stress ? _ ("Stress (MPa)")
-                        : _ ("Force (kN)"),
-    .curves = &curve,
-    .curve_count = 1,
-    .monochrome = options->picture.monochrome,
-  };
+  QnCurve curve;
+  QnCurvePlot plot;
+  qn_law_plot (&history->what, history->samples, &curve, &plot);
+  plot.title = name;
+  plot.monochrome = options->picture.monochrome;
   QnMetadata metadata;
   GError *error = NULL;
   qn_picture_metadata (NULL, &metadata);
   metadata.title = name;
   qn_curve_export (&plot, options->picture.path, output, &metadata, &error);
+  qn_curve_clear (&curve);
   return qn_cli_end (error);
 }
 

@@ -1,6 +1,7 @@
 #include "doc/text/law-trace.h"
 
 #include "core/law/spring.h"
+#include <glib/gi18n.h>
 #include <math.h>
 
 /* Points between two turning points of the history. */
@@ -34,6 +35,35 @@ qn_law_trace (const QnLawPreset *what, double length, GArray *samples)
     from = what->turns[turn];
   }
   return TRUE;
+}
+
+void
+qn_law_plot (const QnLawPreset *what, const GArray *samples, QnCurve *curve,
+             QnCurvePlot *plot)
+{
+  const gboolean strain = what->law.basis == QN_BASIS_MATERIAL;
+  const gboolean stress = what->law.basis != QN_BASIS_CONTACT;
+  const int axis = what->shear ? 1 : 0;
+  *curve = (QnCurve){ .x = g_new (double, samples->len),
+                      .y = g_new (double, samples->len),
+                      .count = samples->len,
+                      .limit_point = -1,
+                      .collapse_point = -1,
+                      .dot = -1 };
+  for (guint i = 0; i < samples->len; i++) {
+    const QnLawSample *s = &g_array_index (samples, QnLawSample, i);
+    curve->x[i] = s->elongation[axis] * 1e3;
+    curve->y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
+  }
+  *plot =
+    (QnCurvePlot){ .x_unit = strain ? "‰" : "mm", .curves = curve, .curve_count = 1 };
+  if (what->shear) {
+    plot->x_label = _ ("Slip");
+    plot->y_label = stress ? _ ("Shear stress (MPa)") : _ ("Shear force (kN)");
+  } else {
+    plot->x_label = strain ? _ ("Strain") : _ ("Elongation");
+    plot->y_label = stress ? _ ("Stress (MPa)") : _ ("Force (kN)");
+  }
 }
 
 /* The elongation at which what is particular about a law happens. */

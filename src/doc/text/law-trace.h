@@ -3,6 +3,7 @@
 #define QN_DOC_LAW_TRACE_H
 
 #include "doc/text/law-preset.h"
+#include "render/figure/curve-plot.h"
 
 /* One point of the history; normal and tangential. */
 typedef struct QnLawSample {
@@ -15,6 +16,11 @@ typedef struct QnLawSample {
  * side where the law speaks of strains, 1 elsewhere. Appends QnLawSample. FALSE where the law has
  * too little fracture energy for that length. */
 gboolean qn_law_trace (const QnLawPreset *what, double length, GArray *samples);
+
+/* A plot of such samples with its axes, and its curve, which the caller keeps as long as the plot and
+ * then clears. */
+void qn_law_plot (const QnLawPreset *what, const GArray *samples, QnCurve *curve,
+                  QnCurvePlot *plot);
 
 /* A law of one's own with the typical history of its kind, scaled to its numbers. */
 QnLawPreset qn_law_preset_for (const QnLaw *law);
