@@ -8,10 +8,12 @@
 /* A body with this share of all moving blocks is a pier. */
 #define PIER_SHARE 0.18
 
-/* Joints lie on one line where they deviate by less than this part of the characteristic block
- * length, and their normals by less than this sine. */
-#define SAME_LEVEL     0.2
-#define SAME_DIRECTION 0.1
+/* Joints meet where their ends are nearer than this part of the characteristic block length. */
+#define MEETING 0.2
+
+/* A joint is inclined where its normal deviates from the level and the vertical by more than this
+ * sine. */
+#define INCLINED 0.1
 
 /* A folding chain needs this many hinges: three make a statically determined arch. */
 #define CHAIN_HINGES 4
@@ -33,100 +35,149 @@ is_hinge (const QnJointMotion *joint)
   return joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END;
 }
 
+/* A bed that a body leaves: what it stands on stays behind, or moves otherwise. */
 static bool
-same_line (const QnContactFace *a, const QnContactFace *b, double length)
+is_tread (const QnMechanism *m, const QnContacts *contacts, size_t f, QnId body)
 {
-  QnVec2 between = qn_vec2_sub (b->start, a->start);
+  const QnContactFace *face = &contacts->faces[f];
+  QnId a = m->body_of_block[face->a], b = m->body_of_block[face->b];
 
-  return fabs (qn_vec2_cross (a->normal, b->normal)) < SAME_DIRECTION
-         && fabs (qn_vec2_dot (between, a->normal)) < SAME_LEVEL * length;
+  return m->joints[f].kind != QN_JOINT_CLOSED && a != b
+         && fabs (face->normal.y) >= fabs (face->normal.x)
+         && (face->normal.y > 0.0 ? b : a) == body;
 }
 
-/* Whether a body leaves what is beneath it along a staircase: beds of its foot that move lie on more
- * than one line, and a head joint of it opens between them. Courses that slide over each other have
- * beds on many lines, but no head joint that opens. */
-static bool
-leaves_steps (const QnMechanism *m, const QnModel *model, const QnContacts *contacts,
-              QnId body)
+/* Whether such a bed ends at the head joint `riser`, at its foot or beneath it, or at its head or
+ * above; and to which side it extends from there: -1, 1, or 0 where it does not. */
+static int
+tread_side (const QnContactFace *tread, const QnContactFace *riser, bool above,
+            double near)
 {
-  const QnContactFace *first = NULL;
-  bool treads = false, risers = false;
+  bool up = riser->end.y > riser->start.y;
+  QnVec2 end = up == above ? riser->end : riser->start;
+  double low = fmin (tread->start.x, tread->end.x);
+  double high = fmax (tread->start.x, tread->end.x);
+  double y = 0.5 * (tread->start.y + tread->end.y);
 
-  for (size_t f = 0; f < m->joint_count; f++) {
-    const QnContactFace *face = &contacts->faces[f];
-    const QnJointMotion *joint = &m->joints[f];
-    QnId a = m->body_of_block[face->a], b = m->body_of_block[face->b];
-    if (joint->kind == QN_JOINT_CLOSED || (a != body && b != body) || a == b)
-      continue;
-    if (fabs (face->normal.y) < fabs (face->normal.x)) /* a head joint */
-      risers |= joint->kind != QN_JOINT_SLIDING;
-    else if ((face->normal.y > 0.0 ? b : a) == body) { /* which stands on the other one */
-      treads |= first && !same_line (first, face, model->characteristic_length);
-      first = first ? first : face;
+  if (above ? y < end.y - near : y > end.y + near)
+    return 0;
+  return fabs (low - end.x) < near ? 1 : fabs (high - end.x) < near ? -1 : 0;
+}
+
+/* Whether a body leaves what is beneath it along a step: two of its beds lie to either side of a head
+ * joint that opens, one at its foot and one at its head. */
+static bool
+leaves_step (const QnMechanism *m, const QnContacts *contacts, const QnContactFace *riser,
+             QnId body, double near)
+{
+  bool treads[2][2] = { { false } }; /* beneath and above, to the left and to the right */
+
+  for (size_t f = 0; f < m->joint_count; f++)
+    for (int above = 0; above < 2 && is_tread (m, contacts, f, body); above++) {
+      int side = tread_side (&contacts->faces[f], riser, above, near);
+      if (side != 0)
+        treads[above][side > 0] = true;
     }
-  }
-  return treads && risers;
+  return (treads[0][0] && treads[1][1]) || (treads[0][1] && treads[1][0]);
 }
 
+/* Whether a body leaves a staircase. Courses that slide over each other have no head joint that opens,
+ * a part that stands on two levels has none between them. */
 static bool
 is_stepped (const QnMechanism *m, const QnModel *model, const QnContacts *contacts)
 {
-  for (size_t i = 0; i < m->body_count; i++)
-    if (leaves_steps (m, model, contacts, (QnId) i))
+  double near = MEETING * model->characteristic_length;
+
+  for (size_t f = 0; f < m->joint_count; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    QnId a = m->body_of_block[face->a], b = m->body_of_block[face->b];
+    bool opens =
+      m->joints[f].kind != QN_JOINT_CLOSED && m->joints[f].kind != QN_JOINT_SLIDING;
+    if (opens && fabs (face->normal.y) < fabs (face->normal.x) && a != b
+        && ((a != QN_NONE && leaves_step (m, contacts, face, a, near))
+            || (b != QN_NONE && leaves_step (m, contacts, face, b, near))))
       return true;
+  }
   return false;
 }
 
 /* Bodies that turn against each other in alternating senses, one hinge more than bodies or so: a
- * chain that folds. */
+ * chain that folds. Rings upon each other have more hinges, for they slide over each other as they
+ * fold: they are told from walls by joints that mostly lie neither level nor upright, and by large
+ * parts that turn either way. */
 static bool
-is_folding (const QnMechanism *m, const QnContacts *contacts)
+is_folding (const QnMechanism *m, const QnContacts *contacts, int32_t moving)
 {
   int32_t hinges = m->counts[QN_JOINT_HINGE_START] + m->counts[QN_JOINT_HINGE_END];
-  int32_t opposite = 0, alike = 0;
+  int32_t opposite = 0, alike = 0, inclined = 0, turning[2] = { 0, 0 };
 
   if (hinges < CHAIN_HINGES || m->body_count < 2)
     return false;
   for (size_t f = 0; f < m->joint_count; f++) {
-    QnId a = m->body_of_block[contacts->faces[f].a];
-    QnId b = m->body_of_block[contacts->faces[f].b];
-    if (!is_hinge (&m->joints[f]) || a == QN_NONE || b == QN_NONE)
+    const QnContactFace *face = &contacts->faces[f];
+    QnId a = m->body_of_block[face->a], b = m->body_of_block[face->b];
+    if (!is_hinge (&m->joints[f]))
       continue;
-    if (m->bodies[a].rotation * m->bodies[b].rotation < 0.0)
+    inclined += fmin (fabs (face->normal.x), fabs (face->normal.y)) > INCLINED;
+    if (a == QN_NONE || b == QN_NONE)
+      continue;
+    if (m->bodies[a].turns && m->bodies[b].turns
+        && m->bodies[a].rotation * m->bodies[b].rotation < 0.0)
       opposite++;
     else
       alike++;
   }
-  return opposite > alike && hinges <= (int32_t) m->body_count + 2;
+  for (size_t i = 0; i < m->body_count; i++)
+    if (m->bodies[i].turns)
+      turning[m->bodies[i].rotation > 0.0] += m->bodies[i].block_count;
+  return (opposite > alike && hinges <= (int32_t) m->body_count + 2)
+         || (2 * inclined > hinges && turning[0] >= PIER_SHARE * moving
+             && turning[1] >= PIER_SHARE * moving);
 }
 
-/* Large bodies that turn in the sense of the largest: piers, where there are several. */
+/* Large bodies that turn in the sense of the largest that turns: piers, where there are several. */
 static int32_t
-count_piers (const QnMechanism *m)
+count_piers (const QnMechanism *m, int32_t moving)
 {
-  int32_t moving = 0, piers = 0;
+  double sense = 0.0;
+  int32_t piers = 0;
 
-  for (size_t i = 0; i < m->body_count; i++)
-    moving += m->bodies[i].block_count;
   for (size_t i = 0; i < m->body_count; i++) {
     const QnMechanismBody *body = &m->bodies[i];
-    if (body->turns && body->rotation * m->bodies[0].rotation > 0.0
-        && body->block_count >= PIER_SHARE * moving)
-      piers++;
+    if (!body->turns || body->block_count < PIER_SHARE * moving)
+      continue;
+    sense = piers == 0 ? body->rotation : sense;
+    piers += body->rotation * sense > 0.0;
   }
   return piers;
 }
 
-static QnMechanismKind
-classify_turning (const QnMechanism *m, const QnModel *model, const QnContacts *contacts)
+/* Whether a joint slides more than it opens: what rocks slips a little at its hinges. */
+static bool
+slides_foremost (const QnMechanism *m)
 {
-  if (is_folding (m, contacts))
+  for (size_t f = 0; f < m->joint_count; f++) {
+    const QnJointMotion *joint = &m->joints[f];
+    if (joint->slides
+        && fabs (joint->slip) > fmax (joint->opening_start, joint->opening_end))
+      return true;
+  }
+  return false;
+}
+
+static QnMechanismKind
+classify_turning (const QnMechanism *m, const QnModel *model, const QnContacts *contacts,
+                  int32_t moving)
+{
+  if (is_folding (m, contacts, moving))
     return QN_MECHANISM_KIND_ARCH;
-  if (count_piers (m) > 1)
+  if (count_piers (m, moving) > 1)
     return QN_MECHANISM_KIND_ROCKING;
   if (is_stepped (m, model, contacts))
     return QN_MECHANISM_KIND_STEPPED;
-  return m->body_count == 1 ? QN_MECHANISM_KIND_OVERTURNING : QN_MECHANISM_KIND_MIXED;
+  if (m->body_count == 1)
+    return QN_MECHANISM_KIND_OVERTURNING;
+  return slides_foremost (m) ? QN_MECHANISM_KIND_MIXED : QN_MECHANISM_KIND_ROCKING;
 }
 
 QnMechanismKind
@@ -134,20 +185,20 @@ qn_mechanism_classify (const QnMechanism *m, const QnModel *model,
                        const QnContacts *contacts)
 {
   int32_t hinges = m->counts[QN_JOINT_HINGE_START] + m->counts[QN_JOINT_HINGE_END];
-  int32_t turning_blocks = 0, moving_blocks = 0;
+  int32_t turning_blocks = 0, moving = 0;
 
   if (m->body_count == 0)
     return QN_MECHANISM_KIND_NONE;
   if (hinges == 0 && m->sliding_count == 0)
     return QN_MECHANISM_KIND_FALLING;
   for (size_t i = 0; i < m->body_count; i++) {
-    moving_blocks += m->bodies[i].block_count;
+    moving += m->bodies[i].block_count;
     if (m->bodies[i].turns)
       turning_blocks += m->bodies[i].block_count;
   }
-  double turning = (double) turning_blocks / moving_blocks;
-  if (turning >= PREVAILING && hinges > 0)
-    return classify_turning (m, model, contacts);
+  double turning = (double) turning_blocks / moving;
+  if (hinges > 0 && (turning >= PREVAILING || !slides_foremost (m)))
+    return classify_turning (m, model, contacts, moving);
   if (turning <= 1.0 - PREVAILING && m->sliding_count > 0)
     return is_stepped (m, model, contacts) ? QN_MECHANISM_KIND_STEPPED
                                            : QN_MECHANISM_KIND_SLIDING;

@@ -8,6 +8,9 @@
 /* Bodies told one by one; the rest are counted. */
 #define BODIES_IN_WORDS 3
 
+/* A mechanism has a direction where this part of its motion, block by block, has it. */
+#define COMMON_SHARE 0.5
+
 typedef enum { TO_THE_RIGHT, TO_THE_LEFT, UPWARDS, DOWNWARDS } Direction;
 
 static Direction
@@ -18,41 +21,52 @@ direction_of (QnVec2 velocity)
   return velocity.y >= 0 ? UPWARDS : DOWNWARDS;
 }
 
-/* Whole phrases: languages do not build "to the right" into a sentence alike. NULL: as without a side. */
-static const struct {
-  const char *right, *left, *other;
-} titles[QN_MECHANISM_KIND_COUNT] = {
-  [QN_MECHANISM_KIND_NONE] = { .other = N_ ("Beams give way") }, /* no block moves */
-  [QN_MECHANISM_KIND_OVERTURNING] = { N_ ("Overturning to the right"),
-                                      N_ ("Overturning to the left"),
-                                      N_ ("Overturning") },
-  [QN_MECHANISM_KIND_ROCKING] = { N_ ("Rocking to the right"), N_ ("Rocking to the left"),
-                                  N_ ("Rocking") },
-  [QN_MECHANISM_KIND_SLIDING] = { N_ ("Sliding to the right along a course"),
-                                  N_ ("Sliding to the left along a course"),
-                                  N_ ("Sliding along a course") },
-  [QN_MECHANISM_KIND_STEPPED] = { N_ ("Stepped crack, opening to the right"),
-                                  N_ ("Stepped crack, opening to the left"),
-                                  N_ ("Stepped crack") },
-  [QN_MECHANISM_KIND_ARCH] = { .other = N_ ("Folding like an arch") },
-  [QN_MECHANISM_KIND_FALLING] = { .other = N_ ("Falling") },
-  [QN_MECHANISM_KIND_MIXED] = { N_ ("Rocking and sliding to the right"),
-                                N_ ("Rocking and sliding to the left"),
-                                N_ ("Rocking and sliding") },
+/* Whole phrases: languages do not build "to the right" into a sentence alike. Without one for its
+ * direction a mechanism has that for none. */
+#define NO_DIRECTION 4
+static const char *const titles[QN_MECHANISM_KIND_COUNT][NO_DIRECTION + 1] = {
+  [QN_MECHANISM_KIND_NONE] = { [NO_DIRECTION] =
+                                 N_ ("Beams give way") }, /* no block moves */
+  [QN_MECHANISM_KIND_OVERTURNING] = { [TO_THE_RIGHT] = N_ ("Overturning to the right"),
+                                      [TO_THE_LEFT] = N_ ("Overturning to the left"),
+                                      [NO_DIRECTION] = N_ ("Overturning") },
+  [QN_MECHANISM_KIND_ROCKING] = { [TO_THE_RIGHT] = N_ ("Rocking to the right"),
+                                  [TO_THE_LEFT] = N_ ("Rocking to the left"),
+                                  [NO_DIRECTION] = N_ ("Rocking") },
+  [QN_MECHANISM_KIND_SLIDING] = { [TO_THE_RIGHT] = N_ ("Sliding to the right"),
+                                  [TO_THE_LEFT] = N_ ("Sliding to the left"),
+                                  [UPWARDS] = N_ ("Sliding upwards"),
+                                  [DOWNWARDS] = N_ ("Sliding downwards"),
+                                  [NO_DIRECTION] = N_ ("Sliding") },
+  [QN_MECHANISM_KIND_STEPPED] = { [TO_THE_RIGHT] =
+                                    N_ ("Stepped crack, opening to the right"),
+                                  [TO_THE_LEFT] =
+                                    N_ ("Stepped crack, opening to the left"),
+                                  [NO_DIRECTION] = N_ ("Stepped crack") },
+  [QN_MECHANISM_KIND_ARCH] = { [NO_DIRECTION] = N_ ("Folding like an arch") },
+  [QN_MECHANISM_KIND_FALLING] = { [UPWARDS] = N_ ("Lifting off"),
+                                  [NO_DIRECTION] = N_ ("Falling") },
+  [QN_MECHANISM_KIND_MIXED] = { [TO_THE_RIGHT] = N_ ("Rocking and sliding to the right"),
+                                [TO_THE_LEFT] = N_ ("Rocking and sliding to the left"),
+                                [NO_DIRECTION] = N_ ("Rocking and sliding") },
 };
 
 char *
 qn_mechanism_dup_title (const QnMechanism *mechanism)
 {
+  const char *const *phrases = titles[mechanism->kind];
+  const char *title = NULL;
   QnVec2 sum = { 0, 0 };
-  for (size_t i = 0; i < mechanism->body_count; i++)
-    sum = qn_vec2_add_scaled (sum, mechanism->bodies[i].block_count,
-                              mechanism->bodies[i].velocity);
-  Direction direction = direction_of (sum);
-  const char *title = direction == TO_THE_RIGHT  ? titles[mechanism->kind].right
-                      : direction == TO_THE_LEFT ? titles[mechanism->kind].left
-                                                 : NULL;
-  return g_strdup (_ (title != NULL ? title : titles[mechanism->kind].other));
+  double apart = 0;
+  for (size_t i = 0; i < mechanism->body_count; i++) {
+    const QnMechanismBody *body = &mechanism->bodies[i];
+    sum = qn_vec2_add_scaled (sum, body->block_count, body->velocity);
+    apart += body->block_count * qn_vec2_length (body->velocity);
+  }
+  /* Parts that move against each other have no direction in common. */
+  if (qn_vec2_length (sum) > COMMON_SHARE * apart)
+    title = phrases[direction_of (sum)];
+  return g_strdup (_ (title != NULL ? title : phrases[NO_DIRECTION]));
 }
 
 /* “w.3.1” or “w.3.1” … “w.7.4” (23 blocks) */

@@ -317,6 +317,33 @@ static const Drawing drawings[] = {
   { { "|CCC|", "|A| |B|", "|A| |B|", "|A| |B|" },
     { CLOCKWISE ('A', 1, 0), CLOCKWISE ('B', 3, 0), TO ('C', 3, 0) },
     QN_MECHANISM_KIND_ROCKING },
+  /* A heavy block on two piers goes straight on, but nothing slides. */
+  { { "|CCC|", "|CCC|", "|CCC|", "|CCC|", "|CCC|", "|A| |B|" },
+    { CLOCKWISE ('A', 1, 0), CLOCKWISE ('B', 3, 0), TO ('C', 1, 0) },
+    QN_MECHANISM_KIND_ROCKING },
+  { { "|C|C|C|", "|C|C|C|", "|A| |B|" },
+    { CLOCKWISE ('A', 1, 0), CLOCKWISE ('B', 3, 0), { 'C', 1, 0, 1e-9, 1.5, 2 } },
+    QN_MECHANISM_KIND_ROCKING },
+  /* A pier on its foot, which rocks on its own foot, both in one sense: they slip a little. */
+  { { "|.|A|", "|.|A|", "|.|B|" },
+    { { 'A', 0.3, 0, -2, 2, 1 }, CLOCKWISE ('B', 2, 0) },
+    QN_MECHANISM_KIND_ROCKING },
+  /* A part that stands on two levels has no crack in steps, nor has a straight one. */
+  { { "|AAAA|..|", "|A|  |.|" },
+    { ANTICLOCKWISE ('A', 0, 0) },
+    QN_MECHANISM_KIND_OVERTURNING },
+  { { "|AAAAAA|..|", "|AA|  |....|" },
+    { ANTICLOCKWISE ('A', 0, 0) },
+    QN_MECHANISM_KIND_OVERTURNING },
+  { { "|..|AA|", "|..|AA|", "|..|AA|" },
+    { CLOCKWISE ('A', 4, 0) },
+    QN_MECHANISM_KIND_OVERTURNING },
+  /* Steps two courses high. */
+  { { "|..|AA|AA|", "|..|AA|AA|", "|....|AA|", "|....|AA|" },
+    { CLOCKWISE ('A', 6, 0) },
+    QN_MECHANISM_KIND_STEPPED },
+  /* A stone that is lifted out of a wall slides along its neighbours. */
+  { { "|.|AA|.|", "|..|..|" }, { TO ('A', 0, 1) }, QN_MECHANISM_KIND_SLIDING },
   /* A stone that drops out of a wall, and nothing at all. */
   { { "|..|..|", "|..|AA|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
   { { "|..|..|", "|.|..|.|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_NONE },

@@ -69,7 +69,35 @@ test_sliding (void)
   test_model_add_weight_loads (&model, 1);
   model.laws[0].friction = 0;
   model.laws[0].cohesion = 1000;
-  assert_words (&model, "Sliding to the right along a course", words);
+  assert_words (&model, "Sliding to the right", words);
+}
+
+/* The title of a mechanism of two bodies of two blocks each that move so. */
+static void
+assert_title (QnMechanismKind kind, QnVec2 first, QnVec2 second, const char *expected)
+{
+  QnMechanismBody bodies[] = { { .block_count = 2, .velocity = first },
+                               { .block_count = 2, .velocity = second } };
+  QnMechanism mechanism = { .kind = kind, .bodies = bodies, .body_count = 2 };
+  g_autofree char *title = qn_mechanism_dup_title (&mechanism);
+  g_assert_cmpstr (title, ==, expected);
+}
+
+/* A title tells the direction that its bodies have in common, and none where they part. */
+static void
+test_direction (void)
+{
+  const QnVec2 right = { 1, 0.1 }, left = { -1, 0.1 }, up = { 0, 1 }, down = { 0.1, -1 };
+  assert_title (QN_MECHANISM_KIND_SLIDING, right, right, "Sliding to the right");
+  assert_title (QN_MECHANISM_KIND_SLIDING, left, left, "Sliding to the left");
+  assert_title (QN_MECHANISM_KIND_SLIDING, up, up, "Sliding upwards");
+  assert_title (QN_MECHANISM_KIND_SLIDING, down, down, "Sliding downwards");
+  assert_title (QN_MECHANISM_KIND_SLIDING, right, left, "Sliding");
+  assert_title (QN_MECHANISM_KIND_ROCKING, left, right, "Rocking");
+  assert_title (QN_MECHANISM_KIND_ROCKING, down, down, "Rocking");
+  assert_title (QN_MECHANISM_KIND_MIXED, left, left, "Rocking and sliding to the left");
+  assert_title (QN_MECHANISM_KIND_FALLING, up, up, "Lifting off");
+  assert_title (QN_MECHANISM_KIND_FALLING, down, down, "Falling");
 }
 
 /* Every wall is told with its bodies by the names of their blocks, and its joints counted. */
@@ -109,6 +137,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/mechanism-text/overturning", test_overturning);
   g_test_add_func ("/mechanism-text/sliding", test_sliding);
+  g_test_add_func ("/mechanism-text/direction", test_direction);
   g_test_add_func ("/mechanism-text/walls", test_every_wall);
   g_test_add_func ("/mechanism-text/mirrored-wall", test_mirrored_wall);
   return g_test_run ();
