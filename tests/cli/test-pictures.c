@@ -154,6 +154,7 @@ draw (const char *model, const char *result, const char *view, const char *field
   cli_run_clear (&run);
   g_autofree char *text = cli_read (picture);
   g_assert_nonnull (strstr (text, "</svg>"));
+  g_assert_null (strstr (text, "<symbol")); /* letters that are no text */
   return TRUE;
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/integer.h"
 #include "render/backend/gl-painter.h"
 #include "render/backend/png-encode.h"
+#include "render/scene/svg-text.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -233,20 +234,6 @@ renumber_surfaces (GString *svg)
   g_string_assign (svg, out->str);
 }
 
-/* Text as XML: what no XML document may hold, not even as a reference, becomes U+FFFD. */
-static char *
-dup_xml_text (const char *text)
-{
-  g_autoptr (GString) allowed = g_string_new (NULL);
-  for (const char *c = text; *c != '\0'; c = g_utf8_next_char (c)) {
-    gunichar character = g_utf8_get_char (c);
-    gboolean control = g_unichar_iscntrl (character) && strchr ("\n\t", *c) == NULL;
-    g_string_append_unichar (allowed,
-                             control || (character | 1) == 0xffff ? 0xfffd : character);
-  }
-  return g_markup_escape_text (allowed->str, -1);
-}
-
 /* Adds <title> and <metadata> as first children of the root. */
 static void
 describe_svg (GString *svg, const QnMetadata *metadata)
@@ -255,12 +242,12 @@ describe_svg (GString *svg, const QnMetadata *metadata)
   size_t count = describe (metadata, texts);
   g_autoptr (GString) head = g_string_new (NULL);
   if (metadata->title != NULL) {
-    g_autofree char *title = dup_xml_text (metadata->title);
+    g_autofree char *title = qn_xml_dup_text (metadata->title);
     g_string_append_printf (head, "<title>%s</title>\n", title);
   }
   g_string_append (head, "<metadata>\n");
   for (size_t i = 0; i < count; i++) {
-    g_autofree char *text = dup_xml_text (texts[i].text);
+    g_autofree char *text = qn_xml_dup_text (texts[i].text);
     g_string_append_printf (head, "%s: %s\n", texts[i].key, text);
     g_free (texts[i].text);
   }
@@ -282,6 +269,7 @@ encode_vector (QnFormat format, const QnOutput *output, const QnPage *page,
   cairo_surface_t *surface =
     pdf ? cairo_pdf_surface_create_for_stream (append_output, bytes, width, height)
         : cairo_svg_surface_create_for_stream (append_output, bytes, width, height);
+  g_autoptr (GPtrArray) texts = pdf ? NULL : qn_svg_text_collect (surface);
   if (pdf)
     qn_output_describe_pdf (surface, metadata);
   cairo_t *cr = cairo_create (surface);
@@ -297,6 +285,7 @@ encode_vector (QnFormat format, const QnOutput *output, const QnPage *page,
 
   g_autoptr (GString) svg = g_string_new_len ((const char *) bytes->data, bytes->len);
   renumber_surfaces (svg);
+  qn_svg_text_insert (svg, texts);
   describe_svg (svg, metadata);
   return g_string_free_to_bytes (g_steal_pointer (&svg));
 }

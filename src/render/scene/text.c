@@ -2,6 +2,7 @@
 
 #include "core/base/integer.h"
 #include "render/scene/paint.h"
+#include "render/scene/svg-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <pango/pangocairo.h>
@@ -97,7 +98,8 @@ qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
   }
   qn_set_color (cr, color, 1);
   cairo_move_to (cr, -align_x * set_width, -align_y * height);
-  pango_cairo_show_layout (cr, layout);
+  if (!qn_svg_text_draw (cr, layout, style, color))
+    pango_cairo_show_layout (cr, layout);
   cairo_restore (cr);
   g_object_unref (layout);
 }

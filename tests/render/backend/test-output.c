@@ -1,5 +1,7 @@
 #include "render/backend/output.h"
 
+#include "render/scene/text.h"
+
 #include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
@@ -122,6 +124,45 @@ test_metadata (void)
   g_assert_false (contains (pdf, "/CreationDate"));
 }
 
+static bool
+draw_words (cairo_t *cr, const QnPage *page, void *data, GError **error)
+{
+  QnTextStyle style = { .size = 8, .halo = 1 }, narrow = { .size = 8, .width = 30 };
+  QnColor red = qn_rgb (0xff0000);
+  (void) data;
+  (void) error;
+  qn_text_draw (cr, &style, "σ < 5 kN/m²", page->width / 2, 10, 0.5, 0, 0, red);
+  qn_text_draw (cr, &style, "Höhe", 5, page->height / 2, 0.5, 0.5, G_PI / 2, red);
+  qn_text_draw (cr, &narrow, "one two three four five six seven", 2, 20, 0, 0, 0, red);
+  cairo_rectangle (cr, 0, 0, page->width, 9);
+  cairo_clip (cr);
+  qn_text_draw (cr, &style, "hidden", 5, 30, 0, 0, 0, red);
+  return true;
+}
+
+/* Words of an SVG are text, in the place, order and clip of what is drawn; and a text that was
+ * shortened says so. */
+static void
+test_words (void)
+{
+  QnOutput output;
+  g_autoptr (GError) error = NULL;
+  qn_output_init (&output);
+  output.width = output.height = 60;
+  g_autoptr (GBytes) svg =
+    qn_page_encode (QN_FORMAT_SVG, &output, &(QnMetadata){ 0 }, draw_words, NULL, &error);
+  g_assert_no_error (error);
+  g_assert_true (contains (svg, ">σ &lt; 5 kN/m²</text>"));
+  g_assert_true (contains (svg, ">Höhe</text>"));
+  g_assert_true (contains (svg, ">one"));
+  g_assert_true (contains (svg, "…</text>"));
+  g_assert_true (contains (svg, " fill=\"#ff0000\""));
+  g_assert_false (contains (svg, "seven"));
+  g_assert_false (contains (svg, "hidden"));
+  g_assert_false (contains (svg, "<symbol"));
+  g_assert_false (contains (svg, "rgb(1.2"));
+}
+
 static void
 test_same_bytes_twice (void)
 {
@@ -193,6 +234,7 @@ main (int argc, char **argv)
   g_test_add_func ("/render/output/sizes", test_sizes);
   g_test_add_func ("/render/output/sizes-refused", test_sizes_refused);
   g_test_add_func ("/render/output/metadata", test_metadata);
+  g_test_add_func ("/render/output/words", test_words);
   g_test_add_func ("/render/output/same-bytes", test_same_bytes_twice);
   g_test_add_func ("/render/output/transparent", test_transparent_ground);
   g_test_add_func ("/render/output/endings", test_endings);
