@@ -2,6 +2,7 @@
 
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
+#include "render/scene/text.h"
 
 #include <glib/gi18n.h>
 
@@ -114,14 +115,34 @@ qn_explain_pair_state (QnPairState state)
 char *
 qn_explain_outcome (const QnModel *model, const QnResult *result)
 {
-  return qn_outcome_dup_reason (model, result);
+  return result->vibration.mode > 0
+           ? g_strdup (_ ("Small vibrations about an equilibrium."))
+           : qn_outcome_dup_reason (model, result);
+}
+
+/* What the motion is that a result has in place of a mechanism, or NULL where it is one. */
+static char *
+dup_mode (const QnResult *result)
+{
+  if (result->mechanism != NULL && result->stability == QN_STABILITY_LOST)
+    return g_strdup (_ ("Buckling mode, of no given size."));
+  if (result->mechanism == NULL || result->vibration.mode == 0)
+    return NULL;
+  double hertz = result->vibration.omega / (2 * G_PI);
+  g_autofree char *frequency = qn_label_number ("%.4g", hertz);
+  return result->vibration.dead_load
+           ? g_strdup_printf (_ ("Mode %d of vibration under dead load, %s Hz."),
+                              result->vibration.mode, frequency)
+           : g_strdup_printf (_ ("Mode %d of vibration about the last step, %s Hz."),
+                              result->vibration.mode, frequency);
 }
 
 char *
 qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
                       const QnResult *result)
 {
-  return qn_collapse_dup_text (model, contacts, result);
+  char *mode = dup_mode (result);
+  return mode != NULL ? mode : qn_collapse_dup_text (model, contacts, result);
 }
 
 char *
@@ -130,6 +151,9 @@ qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
 {
   if (result->mechanism == NULL)
     return NULL;
+  char *mode = dup_mode (result);
+  if (mode != NULL)
+    return mode;
   QnMechanism mechanism;
   if (qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL) != QN_OK)
     return NULL;

@@ -277,12 +277,13 @@ write_findings (QnPages *pages, const QnReport *report)
 
 /* ---- joints ---- */
 
-/* A column of numbers with the same decimals, so that the largest has four digits. */
+/* A column of numbers with the same decimals, so that the largest has four digits; or
+ * `least_largest` would have, where all are smaller. */
 static void
 set_column (char **cells, size_t rows, size_t columns, size_t column,
-            const double *values)
+            const double *values, double least_largest)
 {
-  double largest = 0;
+  double largest = least_largest;
   for (size_t r = 0; r < rows; r++)
     if (isfinite (values[r]))
       largest = fmax (largest, fabs (values[r]));
@@ -338,7 +339,7 @@ write_faces (QnPages *pages, const QnReport *report)
       dup_between (&report->project->model, face->a, face->b);
     lengths[r] = face->length / qn_units_factor (report->units, QN_QUANTITY_LENGTH);
   }
-  set_column (cells, rows, COLUMNS, LENGTH, lengths);
+  set_column (cells, rows, COLUMNS, LENGTH, lengths, 0);
   qn_pages_table (pages, (const char *const *) cells, rows + 1, COLUMNS);
   tell_rest (pages, contacts->face_count, rows);
 }
@@ -369,6 +370,7 @@ write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
   size_t joints = contacts->face_count + touch_count, rows = count_rows (report, joints);
   g_auto (GStrv) cells = g_new0 (char *, (rows + 1) * COLUMNS + 1);
   g_autofree double *values = g_new (double, rows *COLUMNS + 1); /* by column */
+  double force = 0, length = 0; /* the largest, N and m */
   QnUnits units = qn_units_of_motion (report->units);
   const char *const names[COLUMNS] = { _ ("Joint"), _ ("Between"), _ ("Length"), "N", "T",
                                        "M",         "e",           _ ("State") };
@@ -401,9 +403,16 @@ write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
     };
     for (int c = LENGTH; c <= E; c++)
       values[(size_t) c * rows + r] = numbers[c] / qn_units_factor (units, quantities[c]);
+    force = fmax (force, fmax (fabs (numbers[N]), fabs (numbers[T])));
+    length = fmax (length, numbers[LENGTH]);
   }
+  /* What is small beside the others is told as such, not by the digits that rounding left. */
+  const double least[COLUMNS] = {
+    [T] = 0.01 * force, [M] = 0.01 * force * length, [E] = 0.1 * length
+  };
   for (size_t c = LENGTH; c <= E; c++)
-    set_column (cells, rows, COLUMNS, c, values + c * rows);
+    set_column (cells, rows, COLUMNS, c, values + c * rows,
+                least[c] / qn_units_factor (units, quantities[c]));
   g_autofree char *heading = g_strdup_printf (_ ("Forces of joints: %s"), run->name);
   qn_pages_heading (pages, heading);
   qn_pages_table (pages, (const char *const *) cells, rows + 1, COLUMNS);
@@ -478,8 +487,10 @@ write_result (QnPages *pages, const QnReportRun *run, GError **error)
   g_autofree char *words = qn_explain_mechanism (model, run->contacts, result);
   if (words != NULL)
     qn_pages_paragraph (pages, words);
+  bool mode = result->vibration.mode > 0 || result->stability == QN_STABILITY_LOST;
   if (result->mechanism != NULL
-      && !write_figure (pages, run, QN_VIEW_MECHANISM, _ ("Mechanism"), error))
+      && !write_figure (pages, run, QN_VIEW_MECHANISM,
+                        mode ? _ ("Mode") : _ ("Mechanism"), error))
     return false;
   if (result->mechanism == NULL && result->step_count > 0
       && !write_figure (pages, run, QN_VIEW_DEFORMED, _ ("Displacements"), error))

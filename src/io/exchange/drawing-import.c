@@ -11,23 +11,30 @@
 /* Tolerance where the user gives none, as part of a block's size. */
 #define DEFAULT_TOLERANCE 0.002
 
+/* Blocks stand in one row where their feet differ by less than this part of the least height: nobody
+ * draws to a thousandth. */
+#define SAME_ROW 0.05
+
 /* Fixes the lowest row where no layer says what is fixed. */
 static void
 infer_supports (QnImportWork *work)
 {
-  double lowest = INFINITY;
+  double lowest = INFINITY, least_height = INFINITY;
   gsize supports = 0;
   for (guint i = 0; i < work->outlines->len; i++) {
     const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
     supports += outline->role == QN_ROLE_SUPPORT;
-    lowest = fmin (lowest, qn_ring_bounds (&outline->ring).min.y);
+    QnBox box = qn_ring_bounds (&outline->ring);
+    lowest = fmin (lowest, box.min.y);
+    least_height = fmin (least_height, box.max.y - box.min.y);
   }
   work->report->supported = work->outlines->len > 0;
   if (supports > 0) {
     qn_import_tell (work, FALSE, _ ("fixed by their layer: %zu"), supports);
     return;
   }
-  double margin = fmax (work->tolerance, 1e-9 * fabs (lowest));
+  double margin =
+    fmax (SAME_ROW * least_height, fmax (work->tolerance, 1e-9 * fabs (lowest)));
   for (guint i = 0; i < work->outlines->len; i++) {
     QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
     if (qn_ring_bounds (&outline->ring).min.y <= lowest + margin) {

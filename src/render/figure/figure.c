@@ -99,7 +99,17 @@ append_mechanism (GString *text, const QnFigure *figure, const QnScene *scene)
       || figure->result->mechanism == NULL
       || figure->result->block_count != figure->model->block_count)
     return;
-  append_part (text, qn_mechanism_kind_text (scene->mechanism));
+  if (figure->result->vibration.mode > 0) {
+    g_autofree char *frequency =
+      qn_label_number ("%.4g", figure->result->vibration.omega / (2 * G_PI));
+    g_autofree char *mode =
+      g_strdup_printf (_ ("mode %d, %s Hz"), figure->result->vibration.mode, frequency);
+    append_part (text, mode);
+    return;
+  }
+  append_part (text, figure->result->stability == QN_STABILITY_LOST
+                       ? _ ("buckling mode")
+                       : qn_mechanism_kind_text (scene->mechanism));
   if (figure->result->mechanism_uncertain)
     append_part (text, _ ("last motion"));
 }

@@ -124,6 +124,30 @@ test_not_converged (void)
   g_assert_nonnull (strstr (path, "dead load"));
 }
 
+/* A mode of vibration or of buckling is no mechanism, and is not called one. */
+static void
+test_modes (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  const QnModel *model = qn_document_get_model (document);
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  double *shape = g_new0 (double, QN_DOF_COUNT * model->block_count);
+  shape[QN_DOF_COUNT * (model->block_count - 1)] = 1;
+  QnResult result = { .mechanism = shape, .block_count = model->block_count };
+  g_autofree char *mechanism = qn_explain_mechanism_briefly (model, contacts, &result);
+  g_assert_cmpstr (mechanism, ==, "Sliding to the right");
+  result.vibration = (QnVibration){ .dead_load = true, .mode = 2, .omega = 4 * G_PI };
+  g_autofree char *loaded = qn_explain_mechanism (model, contacts, &result);
+  g_assert_cmpstr (loaded, ==, "Mode 2 of vibration under dead load, 2 Hz.");
+  g_autofree char *outcome = qn_explain_outcome (model, &result);
+  g_assert_cmpstr (outcome, ==, "Small vibrations about an equilibrium.");
+  result.vibration = (QnVibration){ 0 };
+  result.stability = QN_STABILITY_LOST;
+  g_autofree char *buckling = qn_explain_mechanism_briefly (model, contacts, &result);
+  g_assert_cmpstr (buckling, ==, "Buckling mode, of no given size.");
+  g_free (shape);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -133,5 +157,6 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/explain/outcome", test_outcome);
   g_test_add_func ("/doc/explain/frame", test_frame);
   g_test_add_func ("/doc/explain/not-converged", test_not_converged);
+  g_test_add_func ("/explain/modes", test_modes);
   return g_test_run ();
 }
