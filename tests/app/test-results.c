@@ -38,6 +38,23 @@ solve (QnWindow *window, const char *action)
   driver_wait_for_job (window);
 }
 
+/* The block slides by less than the dead load has pressed it down: its sliding is shown. */
+static void
+test_curve_of_sliding (void)
+{
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  solve (window, "win.run");
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnResult *result = &run->result;
+  const double *last = qn_result_step_displacements (result, result->step_count - 1) + 3;
+  QnVec2 low, high;
+  g_assert_cmpfloat (fabs (last[QN_DOF_UY]), >, last[QN_DOF_UX]);
+  qn_curve_view_get_range (curve_of (window), &low, &high);
+  g_assert_cmpfloat (low.x, ==, 0.0);
+  g_assert_cmpfloat_with_epsilon (high.x, last[QN_DOF_UX], 1e-12);
+  driver_discard (window);
+}
+
 /* The axis ends a little beyond the peak although the last motion goes ten times as far; the wheel
  * zooms about the pointer, a double click fits again. */
 static void
@@ -177,6 +194,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
+  g_test_add_func ("/app/results/curve-of-sliding", test_curve_of_sliding);
   g_test_add_func ("/app/results/curve", test_curve);
   g_test_add_func ("/app/results/factor", test_factor);
   g_test_add_func ("/app/results/runs", test_runs);

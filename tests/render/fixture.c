@@ -125,6 +125,7 @@ begin (Fixture *f, const char *title)
                               .friction = 0.65 };
   f->model.law_count = f->model.law_capacity = 1;
   f->model.analysis.control_block = QN_NONE;
+  f->model.analysis.control_node = QN_NONE;
   f->model.characteristic_length = sqrt (unit_length * unit_height);
   add_loads (f);
 }

@@ -93,6 +93,13 @@ put (Compare *compare, int column, int row, const char *text)
   gtk_grid_attach (GTK_GRID (compare->table), label, column, row, 1, 1);
 }
 
+static gboolean
+take_curve (QnCurve *curve, const QnRun *run)
+{
+  return qn_curve_from_result (curve, &run->result,
+                               qn_result_curve_motion (&run->model, &run->result));
+}
+
 /* How far the curve's point had moved at the last step. */
 static char *
 dup_displacement (const QnRun *run)
@@ -100,8 +107,7 @@ dup_displacement (const QnRun *run)
   const QnUnits millimetres = { .length = QN_LENGTH_MM };
   QnCurve curve = { 0 };
   char *text = NULL;
-  if (qn_run_has_curve (run)
-      && qn_curve_from_result (&curve, &run->result, QN_NONE, QN_DOF_UX, NULL, NULL)) {
+  if (qn_run_has_curve (run) && take_curve (&curve, run)) {
     if (!curve.in_time && curve.count > 0)
       text = qn_units_format_full (millimetres, QN_QUANTITY_LENGTH,
                                    curve.x[curve.count - 1], 4);
@@ -155,8 +161,7 @@ draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer 
   for (guint i = 0; i < compare->shown->len; i++) {
     QnRun *run = compare->shown->pdata[i];
     QnCurve *curve = &curves[count];
-    if (!qn_run_has_curve (run)
-        || !qn_curve_from_result (curve, &run->result, QN_NONE, QN_DOF_UX, NULL, NULL))
+    if (!qn_run_has_curve (run) || !take_curve (curve, run))
       continue;
     qn_curve_cut_runaway (curve);
     g_ptr_array_add (titles, dup_title (compare, run));

@@ -137,27 +137,12 @@ update_description (QnCurveView *self, const QnRun *run)
     GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text != NULL ? text : _ ("No result yet"), -1);
 }
 
-/* The controlled block, or node behind the blocks; in time the one that is followed. */
-static QnId
-controlled_body (const QnRun *run, QnDof *dof)
-{
-  const QnModel *model = &run->model;
-  size_t body = qn_model_controlled_body (model, model->analysis.control_block,
-                                          model->analysis.control_node);
-  *dof = model->analysis.control_dof;
-  if (run->result.history.width > 0)
-    qn_model_followed (model, &body, dof);
-  return body != SIZE_MAX ? (QnId) body : QN_NONE;
-}
-
-/* The displacement of that block; of QN_NONE the one that moves most, which is told. */
 static void
-take_run (QnCurveView *self, QnRun *run, QnId block, QnDof dof)
+take_run (QnCurveView *self, QnRun *run, QnCurveMotion motion)
 {
   Series *series = &self->series[self->series_count];
   if (!qn_run_has_curve (run) || run->result.step_count == 0
-      || !qn_curve_from_result (&series->curve, &run->result, block, dof, &self->block,
-                                &self->dof))
+      || !qn_curve_from_result (&series->curve, &run->result, motion))
     return;
   series->run = qn_run_ref (run);
   self->series_count++;
@@ -170,9 +155,10 @@ take_runs (QnCurveView *self, QnDocument *document)
   QnRun *run = qn_document_get_run (document);
   if (run == NULL)
     return;
-  QnDof dof;
-  QnId block = controlled_body (run, &dof);
-  take_run (self, run, block, dof);
+  QnCurveMotion motion = qn_result_curve_motion (&run->model, &run->result);
+  self->block = motion.body;
+  self->dof = motion.dof;
+  take_run (self, run, motion);
   self->model = &run->model;
   const GPtrArray *runs = qn_document_get_runs (document);
   for (guint i = runs->len;
@@ -182,7 +168,7 @@ take_runs (QnCurveView *self, QnDocument *document)
         && (other->result.history.width > 0) == (run->result.history.width > 0)
         && other->model.block_count == run->model.block_count
         && other->model.node_count == run->model.node_count)
-      take_run (self, other, self->block, self->dof);
+      take_run (self, other, motion);
   }
 }
 
@@ -356,7 +342,7 @@ draw_x_ticks (QnCurveView *self, cairo_t *cr)
   }
 }
 
-/* "ux, block (mm)"; NULL where no block is followed. */
+/* "ux since the dead load, block (mm)"; NULL where no block is followed. */
 static char *
 dup_displacement_label (QnCurveView *self)
 {
@@ -364,7 +350,9 @@ dup_displacement_label (QnCurveView *self)
   if (self->series_count == 0 || self->block == QN_NONE)
     return NULL;
   return g_strdup_printf (
-    "%s, %s (%s)", components[self->dof], qn_result_body_name (self->model, self->block),
+    self->series[0].curve.since_dead ? _ ("%s since the dead load, %s (%s)")
+                                     : "%s, %s (%s)",
+    components[self->dof], qn_result_body_name (self->model, self->block),
     qn_units_symbol (qn_units_of_motion (qn_settings_get_units ()), displacement (self)));
 }
 

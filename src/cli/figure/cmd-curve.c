@@ -25,13 +25,12 @@ take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
 {
   const QnModel *model = &item->input.project.model;
   const QnResult *result = &item->file.result;
-  QnDof dof;
-  QnId block = qn_result_curve_motion (model, result, &dof);
-  if (block == QN_NONE) {
+  QnCurveMotion motion = qn_result_curve_motion (model, result);
+  if (motion.body == QN_NONE) {
     qn_cli_error (_ ("%s: no step to show"), item->input.project.name);
     return QN_EXIT_INVALID;
   }
-  if (!qn_curve_from_result (curve, result, block, dof, NULL, NULL)) {
+  if (!qn_curve_from_result (curve, result, motion)) {
     qn_cli_error (_ ("not enough memory"));
     return QN_EXIT_INTERNAL;
   }
@@ -198,9 +197,9 @@ const QnSubcommand qn_cmd_curve = {
   .name = "curve",
   .arguments = "MODEL[=RESULT]…",
   .summary = N_ ("Plot load–displacement curves, several in one picture"),
-  .help = N_ (
-    "A project without a result is solved first. Each curve shows the block that "
-    "the project controls, or else the one that moves furthest. The ending .csv gives "
-    "a table."),
+  .help =
+    N_ ("A project without a result is solved first. Each curve shows the block that "
+        "the project controls, or else the one that moves furthest since the dead "
+        "load. The ending .csv gives a table."),
   .run = run,
 };

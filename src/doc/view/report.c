@@ -446,11 +446,10 @@ take_curve (const QnReportRun *run, QnCurve *curve)
 {
   const QnModel *model = &run->project->model;
   const QnResult *result = &run->file->result;
-  QnDof dof;
-  QnId block = qn_result_curve_motion (model, result, &dof);
-  if (block == QN_NONE || result->step_count < 2 || result->limit.given)
+  QnCurveMotion motion = qn_result_curve_motion (model, result);
+  if (motion.body == QN_NONE || result->step_count < 2 || result->limit.given)
     return false;
-  if (!qn_curve_from_result (curve, result, block, dof, NULL, NULL))
+  if (!qn_curve_from_result (curve, result, motion))
     return false;
   curve->label = run->name;
   qn_curve_cut_runaway (curve);

@@ -1,68 +1,12 @@
 #include "io/exchange/table-csv.h"
 
+#include "core/result/curve-motion.h"
 #include "io/result/result-contact.h"
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
 #include "io/text/plain-character.h"
 
 #include <string.h>
-
-static bool
-is_free (const QnBlock *block)
-{
-  return !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
-           && block->support[QN_DOF_RZ]);
-}
-
-QnId
-qn_result_curve_block (const QnModel *model, const QnResult *result)
-{
-  size_t controlled = qn_model_controlled_body (model, model->analysis.control_block,
-                                                model->analysis.control_node);
-  if (controlled != SIZE_MAX || result->step_count == 0)
-    return controlled != SIZE_MAX ? (QnId) controlled : QN_NONE;
-
-  const double *last = qn_result_step_displacements (result, result->step_count - 1);
-  QnId furthest = QN_NONE, node = QN_NONE;
-  double distance = -1;
-  for (size_t i = 0; i < result->block_count; i++) {
-    double moved = hypot (last[i * QN_DOF_COUNT], last[i * QN_DOF_COUNT + 1]);
-    if (is_free (&model->blocks[i]) && moved > distance) {
-      distance = moved;
-      furthest = (QnId) i;
-    }
-  }
-  for (size_t i = result->block_count;
-       furthest == QN_NONE && i < qn_result_body_count (result); i++) {
-    double moved = hypot (last[i * QN_DOF_COUNT], last[i * QN_DOF_COUNT + 1]);
-    if (moved > distance) {
-      distance = moved;
-      node = (QnId) i;
-    }
-  }
-  return furthest != QN_NONE ? furthest : node;
-}
-
-QnId
-qn_result_curve_motion (const QnModel *model, const QnResult *result, QnDof *dof)
-{
-  size_t body = SIZE_MAX;
-  *dof = model->analysis.control_dof;
-  if (result->history.width > 0)
-    qn_model_followed (model, &body, dof);
-  if (body != SIZE_MAX)
-    return (QnId) body;
-  QnId block = qn_result_curve_block (model, result);
-  if (block == QN_NONE
-      || qn_model_controlled_body (model, model->analysis.control_block,
-                                   model->analysis.control_node)
-           == (size_t) block)
-    return block;
-  const double *u = qn_result_step_displacements (result, result->step_count - 1)
-                    + (size_t) block * QN_DOF_COUNT;
-  *dof = fabs (u[QN_DOF_UX]) >= fabs (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
-  return block;
-}
 
 const char *
 qn_result_body_name (const QnModel *model, QnId body)
@@ -192,7 +136,7 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
-  QnId block = qn_result_curve_block (&project->model, result);
+  QnId block = qn_result_curve_motion (&project->model, result).body;
   static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
   qn_file_writer_puts (writer, "step,multiplier [-]");
   for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {

@@ -6,21 +6,11 @@
 #include "core/result/result.h"
 #include "io/project/project.h"
 
-/* The block whose displacement a load–displacement curve shows: the analysis' control block if
- * it has one, otherwise the free block that moves furthest at the last step. A node of beams,
- * where the analysis controls one or there are no blocks, counts behind the blocks. QN_NONE for
- * a result without steps. */
-QnId qn_result_curve_block (const QnModel *model, const QnResult *result);
-
-/* The same for a picture, and which component of its displacement is shown: the controlled one, in time
- * that of qn_model_followed(), else the larger at the last step. QN_NONE where there is nothing. */
-QnId qn_result_curve_motion (const QnModel *model, const QnResult *result, QnDof *dof);
-
 /* Name of a block or, behind the blocks, of a node of beams. */
 const char *qn_result_body_name (const QnModel *model, QnId body);
 
 /* Load–displacement curve, a row per step: step number, multiplier, displacements of the block
- * of qn_result_curve_block(), iterations, residual, event. */
+ * of qn_result_curve_motion(), iterations, residual, event. */
 gboolean qn_curve_csv_write (const char *path, const QnProject *project,
                              const QnResult *result, GError **error);
 

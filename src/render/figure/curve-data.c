@@ -4,28 +4,6 @@
 #include <glib.h>
 #include <math.h>
 
-/* The component that moves most over the whole path. A rotation counts only where it is
- * asked for. */
-static void
-find_busiest (const QnResult *result, QnId *block, QnDof *dof)
-{
-  const double *u = qn_result_step_displacements (result, result->step_count - 1);
-  double largest = -1;
-  /* Nodes of beams count where there are no blocks. */
-  size_t bodies =
-    result->block_count > 0 ? result->block_count : qn_result_body_count (result);
-  for (size_t b = 0; b < bodies; b++) {
-    for (int k = QN_DOF_UX; k <= QN_DOF_UY; k++) {
-      double size = fabs (u[b * QN_DOF_COUNT + k]);
-      if (size > largest) {
-        largest = size;
-        *block = (QnId) b;
-        *dof = (QnDof) k;
-      }
-    }
-  }
-}
-
 /* The step from which the path first loses stability: the first that comes up to the multiplier
  * that the analysis reports, or the one before it goes beyond. Further on a path that descends
  * from its peak stays below. */
@@ -52,22 +30,16 @@ find_collapse (const QnResult *result)
 }
 
 bool
-qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof dof,
-                      QnId *block_used, QnDof *dof_used)
+qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion motion)
 {
+  bool shown =
+    motion.body != QN_NONE && (size_t) motion.body < qn_result_body_count (result);
+  size_t count = shown ? result->step_count : 0;
+
   *curve = (QnCurve){ .limit_point = -1,
                       .collapse_point = -1,
                       .dot = -1,
                       .in_time = result->history.width > 0 };
-  if (result->step_count > 0 && qn_result_body_count (result) > 0
-      && (block == QN_NONE || (size_t) block >= qn_result_body_count (result)))
-    find_busiest (result, &block, &dof);
-  if (block_used != NULL)
-    *block_used = block;
-  if (dof_used != NULL)
-    *dof_used = dof;
-
-  size_t count = qn_result_body_count (result) > 0 ? result->step_count : 0;
   curve->x = g_try_new0 (double, MAX (count, 1));
   curve->y = g_try_new0 (double, MAX (count, 1));
   if (curve->x == NULL || curve->y == NULL) {
@@ -76,12 +48,13 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof 
   }
   curve->count = count;
   for (size_t s = 0; s < count; s++) {
-    double u =
-      qn_result_step_displacements (result, s)[(size_t) block * QN_DOF_COUNT + dof];
+    double u = qn_curve_motion_at (result, motion, s);
     curve->x[s] = curve->in_time ? result->steps[s].time : u;
     curve->y[s] = curve->in_time ? u : result->steps[s].multiplier;
   }
   if (count > 0) {
+    QnCurveMotion total = { motion.body, motion.dof, false };
+    curve->since_dead = motion.since_dead && qn_curve_motion_at (result, total, 0) != 0;
     curve->limit_point = find_limit_point (result);
     curve->collapse_point = find_collapse (result);
   }

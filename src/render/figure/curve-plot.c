@@ -212,21 +212,31 @@ y_unit (const QnCurvePlot *data, double largest, double *factor)
                                                     : NULL;
 }
 
+static const char *
+motion_name (const QnCurvePlot *data)
+{
+  for (size_t i = 0; i < data->curve_count; i++)
+    if (data->curves[i].since_dead)
+      return _ ("Displacement since the dead load");
+  return _ ("Displacement");
+}
+
 static void
 draw_names (const Plot *plot, const char *unit, const char *unit_y, double x,
             double bottom)
 {
   const char *name = plot->data->x_label != NULL ? plot->data->x_label
                      : is_in_time (plot->data)   ? _ ("Time")
-                                                 : _ ("Displacement");
+                                                 : motion_name (plot->data);
   g_autofree char *label =
     *unit != '\0' ? g_strdup_printf ("%s (%s)", name, unit) : g_strdup (name);
   g_autofree char *label_y =
     unit_y == NULL
       ? g_strdup (plot->data->y_label != NULL ? plot->data->y_label
                                               : _ ("Load multiplier λ"))
-      : g_strdup_printf (
-        "%s (%s)", plot->data->rotation ? _ ("Rotation") : _ ("Displacement"), unit_y);
+      : g_strdup_printf ("%s (%s)",
+                         plot->data->rotation ? _ ("Rotation") : motion_name (plot->data),
+                         unit_y);
   qn_axes_draw_names (&plot->x, &plot->y, plot->cr, plot->unit, label, label_y, x, bottom,
                       plot->data->monochrome);
 }

@@ -4,7 +4,7 @@
 #define QN_RENDER_CURVE_PLOT_H
 
 #include "core/model/model.h"
-#include "core/result/result.h"
+#include "core/result/curve-motion.h"
 #include "render/backend/output.h"
 
 /* One run. */
@@ -13,6 +13,8 @@ typedef struct QnCurve {
   double *x;         /* displacement in SI (m or rad), `count` values; owned */
   double *y;         /* multiplier; owned */
   bool in_time;      /* of an analysis in time: x is the time, s, y the displacement */
+  bool
+    since_dead; /* displacements leave out what the dead load has moved, which is not 0 */
   size_t count;
   ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
   ptrdiff_t collapse_point; /* index of the point marked as collapse, or -1 */
@@ -28,7 +30,7 @@ typedef struct QnReferenceLine {
 
 typedef struct QnCurvePlot {
   const char *title;   /* or NULL */
-  const char *x_label; /* without unit, or NULL: "Displacement" */
+  const char *x_label; /* without unit, or NULL: "Displacement", and since when */
   const char
     *x_unit; /* unit of x as it is, "" for none; NULL: x is in m or rad, or s where
                           the first curve is in time */
@@ -43,12 +45,9 @@ typedef struct QnCurvePlot {
   bool monochrome;
 } QnCurvePlot;
 
-/* The curve of one component of one block's displacement over the steps of a result. With
- * block = QN_NONE: the block that moves most at the last step, by its larger component,
- * which *block_used and *dof_used (nullable) tell. Of an analysis in time its history. False when
- * memory runs out. */
-bool qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof dof,
-                           QnId *block_used, QnDof *dof_used);
+/* The curve of a displacement over the steps of a result, empty where there is none. Of an analysis
+ * in time its history. False when memory runs out. */
+bool qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion motion);
 
 /* Where a curve has nothing more to tell: from near its peak on the multiplier stays as it is to
  * the end, while the displacement grows to many times what it was. Gives a displacement a little

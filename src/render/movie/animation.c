@@ -183,12 +183,8 @@ player_init (Player *player, const QnAnimation *animation, const QnPage *page,
                            _ ("the result has no steps"));
       return false;
     }
-    QnDof dof = QN_DOF_UX;
-    size_t body = SIZE_MAX;
-    if (result->history.width > 0)
-      qn_model_followed (animation->figure.model, &body, &dof);
     qn_curve_from_result (&player->curve, result,
-                          body != SIZE_MAX ? (QnId) body : QN_NONE, dof, NULL, NULL);
+                          qn_result_curve_motion (animation->figure.model, result));
     player->steps = choose_steps (&player->curve, animation->frames);
     qn_curve_cut_runaway (&player->curve);
   }

@@ -1,5 +1,7 @@
 #include "io/exchange/table-csv.h"
 
+#include "core/result/curve-motion.h"
+
 #include "io/result-fixture.h"
 #include "io/text/io-error.h"
 #include "support/scratch.h"
@@ -64,9 +66,9 @@ test_control_block (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
   QnModel *model = &fixture->project.model;
-  g_assert_cmpint (qn_result_curve_block (model, &fixture->result), ==, 1);
+  g_assert_cmpint (qn_result_curve_motion (model, &fixture->result).body, ==, 1);
   model->analysis.control_block = 0;
-  g_assert_cmpint (qn_result_curve_block (model, &fixture->result), ==, 0);
+  g_assert_cmpint (qn_result_curve_motion (model, &fixture->result).body, ==, 0);
   model->blocks[0].name[0] = ',';
   model->blocks[0].name[1] = '"';
   expect (
@@ -82,8 +84,8 @@ test_no_steps (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
   fixture->result.step_count = 0;
-  g_assert_cmpint (qn_result_curve_block (&fixture->project.model, &fixture->result), ==,
-                   QN_NONE);
+  g_assert_cmpint (
+    qn_result_curve_motion (&fixture->project.model, &fixture->result).body, ==, QN_NONE);
   expect (fixture, write_curve, "step,multiplier [-],iterations,residual [-],event\n");
 }
 

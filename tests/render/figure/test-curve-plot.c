@@ -4,32 +4,57 @@
 #include <glib/gstdio.h>
 #include <math.h>
 
+static const double *
+displacement (const Fixture *f, size_t step, QnCurveMotion motion)
+{
+  return qn_result_step_displacements (&f->result, step) + 3 * (size_t) motion.body
+         + (size_t) motion.dof;
+}
+
 static void
 test_curve_of_result (void)
 {
   Fixture f;
   QnCurve curve;
-  QnId block;
-  QnDof dof;
   fixture_init_wall (&f, 4, 4);
   f.result.has_first_limit_multiplier = true;
   f.result.first_limit_multiplier = f.result.steps[2].multiplier;
-  g_assert_true (
-    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  size_t last = f.result.step_count - 1;
+  QnCurveMotion motion = qn_result_curve_motion (&f.model, &f.result);
+  g_assert_true (qn_curve_from_result (&curve, &f.result, motion));
   g_assert_cmpuint (curve.count, ==, f.result.step_count);
-  const double *last = qn_result_step_displacements (&f.result, curve.count - 1);
-  for (size_t b = 0; b < f.model.block_count; b++)
-    for (int k = 0; k < 2; k++)
-      g_assert_cmpfloat (fabs (last[3 * b + k]), <=, fabs (last[3 * block + dof]));
-  g_assert_cmpfloat (curve.x[curve.count - 1], ==, last[3 * block + dof]);
+  g_assert_cmpfloat (curve.x[last], ==,
+                     *displacement (&f, last, motion) - *displacement (&f, 0, motion));
   g_assert_cmpfloat (curve.y[1], ==, f.result.steps[1].multiplier);
   g_assert_cmpint (curve.limit_point, ==, 2);
-  g_assert_cmpint (curve.collapse_point, ==, (ptrdiff_t) curve.count - 1);
+  g_assert_cmpint (curve.collapse_point, ==, (ptrdiff_t) last);
+  g_assert_false (curve.since_dead);
   qn_curve_clear (&curve);
 
-  g_assert_true (qn_curve_from_result (&curve, &f.result, 3, QN_DOF_RZ, &block, &dof));
-  g_assert_cmpint (block, ==, 3);
-  g_assert_cmpfloat (curve.x[curve.count - 1], ==, last[3 * 3 + QN_DOF_RZ]);
+  const QnCurveMotion turning = { 3, QN_DOF_RZ, false };
+  g_assert_true (qn_curve_from_result (&curve, &f.result, turning));
+  g_assert_cmpfloat (curve.x[last], ==, *displacement (&f, last, turning));
+  qn_curve_clear (&curve);
+  fixture_clear (&f);
+}
+
+/* Where the dead load has moved the body, the curve begins at 0 and says so. */
+static void
+test_since_dead_load (void)
+{
+  Fixture f;
+  QnCurve curve;
+  fixture_init_wall (&f, 4, 4);
+  const QnCurveMotion total = { 3, QN_DOF_UX, false }, since = { 3, QN_DOF_UX, true };
+  for (size_t s = 0; s < f.result.step_count; s++)
+    *(double *) displacement (&f, s, total) -= 0.25;
+  g_assert_true (qn_curve_from_result (&curve, &f.result, since));
+  g_assert_true (curve.since_dead);
+  g_assert_cmpfloat (curve.x[0], ==, 0);
+  qn_curve_clear (&curve);
+  g_assert_true (qn_curve_from_result (&curve, &f.result, total));
+  g_assert_false (curve.since_dead);
+  g_assert_cmpfloat (curve.x[0], ==, -0.25);
   qn_curve_clear (&curve);
   fixture_clear (&f);
 }
@@ -47,7 +72,8 @@ test_history (void)
     f.result.steps[s].time = 0.5 * (double) s;
     f.result.steps[s].multiplier = 0;
   }
-  g_assert_true (qn_curve_from_result (&curve, &f.result, 3, QN_DOF_UX, NULL, NULL));
+  g_assert_true (
+    qn_curve_from_result (&curve, &f.result, (QnCurveMotion){ 3, QN_DOF_UX, true }));
   g_assert_true (curve.in_time);
   for (size_t s = 0; s < curve.count; s++) {
     g_assert_cmpfloat (curve.x[s], ==, 0.5 * (double) s);
@@ -65,8 +91,6 @@ test_limit_of_descending_curve (void)
 {
   Fixture f;
   QnCurve curve;
-  QnId block;
-  QnDof dof;
   fixture_init_wall (&f, 4, 4);
   QnStep *steps = f.result.steps;
   g_assert_cmpuint (f.result.step_count, >, 3);
@@ -74,14 +98,14 @@ test_limit_of_descending_curve (void)
     steps[s].multiplier = s == 2 ? 0.5 : s < 2 ? 0.1 * (double) s : 0.4;
   f.result.has_first_limit_multiplier = true;
   f.result.first_limit_multiplier = 0.5;
-  g_assert_true (
-    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  g_assert_true (qn_curve_from_result (&curve, &f.result,
+                                       qn_result_curve_motion (&f.model, &f.result)));
   g_assert_cmpint (curve.limit_point, ==, 2);
   qn_curve_clear (&curve);
 
   f.result.first_limit_multiplier = 0.45; /* between two steps */
-  g_assert_true (
-    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  g_assert_true (qn_curve_from_result (&curve, &f.result,
+                                       qn_result_curve_motion (&f.model, &f.result)));
   g_assert_cmpint (curve.limit_point, ==, 1);
   qn_curve_clear (&curve);
   fixture_clear (&f);
@@ -221,6 +245,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
+  g_test_add_func ("/render/curve-plot/since-dead-load", test_since_dead_load);
   g_test_add_func ("/render/curve-plot/limit-of-descending-curve",
                    test_limit_of_descending_curve);
   g_test_add_func ("/render/curve-plot/runaway", test_runaway);

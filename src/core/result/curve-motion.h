@@ -1,0 +1,23 @@
+/* What a load–displacement curve shows of a result. */
+#ifndef QN_CORE_CURVE_MOTION_H
+#define QN_CORE_CURVE_MOTION_H
+
+#include "core/result/result.h"
+
+/* The displacement of one body, block or node behind the blocks. */
+typedef struct QnCurveMotion {
+  QnId body; /* QN_NONE: there is nothing to show */
+  QnDof dof;
+  bool since_dead; /* counts from the equilibrium under dead load, step 0 */
+} QnCurveMotion;
+
+/* The component that the analysis controls, as a total, as its target is. In time the one of
+ * qn_model_followed(), otherwise that of the free block (where there is none, of the node) that
+ * moves furthest from the equilibrium under dead load on, in its larger direction: what moves in the
+ * mechanism, not what settles. */
+QnCurveMotion qn_result_curve_motion (const QnModel *model, const QnResult *result);
+
+/* The displacement at a step, m or rad. */
+double qn_curve_motion_at (const QnResult *result, QnCurveMotion motion, size_t step);
+
+#endif
