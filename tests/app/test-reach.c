@@ -362,6 +362,49 @@ test_keys_after_buttons (void)
   driver_discard (window);
 }
 
+static gboolean
+is_tool (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_TOGGLE_BUTTON (widget)
+         && g_strcmp0 (gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)),
+                       "win.tool")
+              == 0;
+}
+
+/* Every tool lies in the window, beside or below the one before, whatever the height. */
+static void
+expect_tools_in_sight (QnWindow *window)
+{
+  GtkWidget *tool = driver_find_widget (GTK_WIDGET (window), is_tool, NULL);
+  int count = 0;
+  graphene_rect_t at, before = GRAPHENE_RECT_INIT (0, 0, 0, 0);
+  for (; tool != NULL; tool = gtk_widget_get_next_sibling (tool), count++) {
+    g_assert_true (gtk_widget_get_mapped (tool));
+    g_assert_true (gtk_widget_compute_bounds (tool, GTK_WIDGET (window), &at));
+    g_assert_cmpfloat (at.origin.y + at.size.height, <=,
+                       gtk_widget_get_height (GTK_WIDGET (window)));
+    g_assert_cmpfloat (at.origin.x + at.size.width, <, 200.0f);
+    g_assert_false (count > 0 && graphene_rect_intersection (&at, &before, NULL));
+    before = at;
+  }
+  g_assert_cmpint (count, ==, 19);
+}
+
+static gboolean
+is_info_bar (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_INFO_BAR (widget);
+}
+
+static gboolean
+is_title (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_LABEL (widget) && gtk_widget_has_css_class (widget, "title");
+}
+
 /* It fits into 600 x 500, also with results and a message; the side panel folds away and back. */
 static void
 test_small_window (void)
@@ -377,6 +420,9 @@ test_small_window (void)
                                 "line where the window is as narrow as this one is.");
   driver_run (500);
   driver_screenshot (GTK_WIDGET (window), "small-window");
+  expect_tools_in_sight (window);
+  GtkWidget *title = driver_find_widget (GTK_WIDGET (window), is_title, NULL);
+  g_assert_false (pango_layout_is_ellipsized (gtk_label_get_layout (GTK_LABEL (title))));
   int width = 0, height = 0;
   gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL,
                       NULL, NULL);
@@ -408,10 +454,19 @@ test_message_over_drawing (void)
 {
   QnWindow *window = open_blocks ();
   int height = gtk_widget_get_height (GTK_WIDGET (qn_window_get_canvas (window)));
-  qn_window_show_error (window, "Something is wrong");
+  expect_tools_in_sight (window);
+  qn_window_show_error (window, "Something is wrong, and it takes so many words to tell "
+                                "what it is, and where, and what can be done about it, "
+                                "that one line of the drawing is too short for them.");
   driver_run (500);
-  g_assert_cmpint (gtk_widget_get_height (GTK_WIDGET (qn_window_get_canvas (window))), ==,
-                   height);
+  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  g_assert_cmpint (gtk_widget_get_height (canvas), ==, height);
+  GtkWidget *bar = driver_find_widget (GTK_WIDGET (window), is_info_bar, NULL);
+  graphene_rect_t bounds,
+    room =
+      GRAPHENE_RECT_INIT (0, 0, (float) gtk_widget_get_width (canvas), (float) height);
+  g_assert_true (gtk_widget_compute_bounds (bar, canvas, &bounds));
+  g_assert_true (graphene_rect_contains_rect (&room, &bounds));
   driver_screenshot (GTK_WIDGET (window), "message");
   driver_discard (window);
 }

@@ -49,8 +49,9 @@ struct _QnWindow {
   GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,
     *findings_scroller;
   QnCanvas *canvas;
-  GtkWidget *playback, *side_panel, *export_button;
+  GtkWidget *playback, *side_panel, *open_button, *save_button, *export_button;
   gboolean is_narrow; /* too narrow for drawing and side panel beside each other */
+  gboolean is_small;  /* too narrow for a title between all buttons */
 };
 
 /* window-actions.c: actions of viewing, tools, panels. */

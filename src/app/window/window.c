@@ -20,6 +20,9 @@
 /* px of the window beside the side panel, below which the panel folds away. */
 #define DRAWING_WIDTH 550
 
+/* px of the window below which the title has no room between all buttons. */
+#define TITLED_WIDTH 800
+
 /* A view whose name has no room is told by that many letters. */
 
 G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
@@ -64,7 +67,10 @@ update_title (QnWindow *self)
   }
   gboolean blank = qn_window_is_blank (self);
   gtk_label_set_text (self->title_label, blank ? _ ("Quoin") : title);
-  gtk_label_set_text (self->subtitle_label, subtitle);
+  gtk_label_set_text (self->subtitle_label,
+                      self->is_small && base != NULL ? base : subtitle);
+  gtk_widget_set_tooltip_text (gtk_widget_get_parent (GTK_WIDGET (self->title_label)),
+                               blank ? NULL : subtitle);
   gtk_widget_set_visible (GTK_WIDGET (self->subtitle_label), !blank);
   g_autofree char *window_title =
     blank ? g_strdup (_ ("Quoin")) : g_strdup_printf ("%s — Quoin", title);
@@ -331,6 +337,7 @@ qn_window_open_recovered (QnWindow *self, const char *recovery_path)
 static void
 build_tools (QnWindow *self)
 {
+  qn_layout_columns (GTK_WIDGET (self->tool_box));
   for (int i = 0; qn_tools[i] != NULL; i++) {
     const QnTool *tool = qn_tools[i];
     GtkWidget *button = gtk_toggle_button_new ();
@@ -406,6 +413,28 @@ bind_settings (QnWindow *self)
                    G_SETTINGS_BIND_DEFAULT);
 }
 
+/* Messages lie over the drawing, not over the side panel. */
+static gboolean
+place_message (GtkOverlay *overlay, GtkWidget *message, GdkRectangle *place,
+               QnWindow *self)
+{
+  graphene_rect_t room;
+  int least, usual;
+  gtk_widget_measure (message, GTK_ORIENTATION_HORIZONTAL, -1, &least, &usual, NULL,
+                      NULL);
+  if (!gtk_widget_get_mapped (GTK_WIDGET (self->canvas))
+      || !gtk_widget_compute_bounds (GTK_WIDGET (self->canvas), GTK_WIDGET (overlay),
+                                     &room)
+      || room.size.width < (float) least)
+    return FALSE;
+  place->width = MIN (usual, (int) room.size.width);
+  gtk_widget_measure (message, GTK_ORIENTATION_VERTICAL, place->width, NULL,
+                      &place->height, NULL, NULL);
+  place->x = (int) (room.origin.x + 0.5f * (room.size.width - (float) place->width));
+  place->y = (int) (room.origin.y + room.size.height) - place->height;
+  return TRUE;
+}
+
 /* In a narrow window the drawing comes first: the side panel folds away, and comes back where there is
  * room again, or when it is asked for. */
 static void
@@ -416,7 +445,13 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
   int panel = 0;
   gtk_widget_measure (GTK_WIDGET (self->side_stack), GTK_ORIENTATION_HORIZONTAL, -1,
                       &panel, NULL, NULL, NULL);
-  gboolean narrow = width < DRAWING_WIDTH + panel;
+  gboolean narrow = width < DRAWING_WIDTH + panel, small = width < TITLED_WIDTH;
+  if (small != self->is_small) { /* the menu has them too */
+    self->is_small = small;
+    gtk_widget_set_visible (self->open_button, !small);
+    gtk_widget_set_visible (self->save_button, !small);
+    update_title (self);
+  }
   if (narrow == self->is_narrow)
     return;
   self->is_narrow = narrow;
@@ -429,9 +464,8 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
 void
 qn_window_update_palette (QnWindow *self)
 {
-  gtk_widget_set_visible (
-    gtk_widget_get_ancestor (GTK_WIDGET (self->tool_box), GTK_TYPE_SCROLLED_WINDOW),
-    !self->is_narrow || !gtk_widget_get_visible (self->side_panel));
+  gtk_widget_set_visible (GTK_WIDGET (self->tool_box),
+                          !self->is_narrow || !gtk_widget_get_visible (self->side_panel));
 }
 
 /* A window that begins narrow must not grow by its side panel first. */
@@ -603,6 +637,8 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (findings_scroller);
   BIND (canvas);
   BIND (side_panel);
+  BIND (open_button);
+  BIND (save_button);
   BIND (export_button);
 #undef BIND
 }
@@ -617,6 +653,7 @@ qn_window_class_init (QnWindowClass *klass)
   gtk_widget_class_set_template_from_resource (widget_class,
                                                "/io/github/quoin/Quoin/window.ui");
   bind_children (widget_class);
+  gtk_widget_class_bind_template_callback (widget_class, place_message);
   gtk_widget_class_bind_template_callback (widget_class, on_info_button);
   gtk_widget_class_bind_template_callback (widget_class, on_info_response);
 }

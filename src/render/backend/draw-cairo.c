@@ -93,6 +93,80 @@ qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double s
   draw_marker (cr, marker, x, y, size, angle, false, unit, color);
 }
 
+/* ---- labels ---- */
+
+/* Boxes may overlap by this part of the smaller side: letters do not fill their lines. */
+#define LABEL_BLUR 0.12
+
+/* Lines by which a label may move away from its place. */
+#define FARTHEST_LABEL 5
+
+/* What the labels of a drawing take of the page, in the order in which they were drawn. */
+typedef struct Labels {
+  const QnCamera *camera;
+  GArray *taken; /* of cairo_rectangle_t */
+  bool optional; /* the next one may be left out */
+} Labels;
+
+static bool
+is_taken (const Labels *labels, const cairo_rectangle_t *box)
+{
+  double blur = LABEL_BLUR * fmin (box->width, box->height);
+  for (guint i = 0; i < labels->taken->len; i++) {
+    const cairo_rectangle_t *b = &g_array_index (labels->taken, cairo_rectangle_t, i);
+    if (box->x + box->width - blur > b->x && b->x + b->width > box->x + blur
+        && box->y + box->height - blur > b->y && b->y + b->height > box->y + blur)
+      return true;
+  }
+  return false;
+}
+
+static bool
+is_inside (const QnCamera *camera, const cairo_rectangle_t *box)
+{
+  return box->x >= camera->x && box->x + box->width <= camera->x + camera->width
+         && box->y >= camera->y && box->y + box->height <= camera->y + camera->height;
+}
+
+/* The nearest free place above or below, of upright text beside. What has room elsewhere after
+ * zooming in is left out; what has none stays where it belongs. */
+static bool
+place_label (void *data, cairo_rectangle_t *box)
+{
+  Labels *labels = data;
+  const bool level = box->width >= box->height;
+  const double step = (1 - LABEL_BLUR) * (level ? box->height : box->width);
+  for (int i = 0; i <= 2 * FARTHEST_LABEL; i++) {
+    double way = (i % 2 == 1 ? -1 : 1) * (i + 1) / 2 * step;
+    cairo_rectangle_t place = *box;
+    *(level ? &place.y : &place.x) += way;
+    if (is_taken (labels, &place) || (i > 0 && !is_inside (labels->camera, &place))) {
+      if (labels->optional)
+        return false;
+      continue;
+    }
+    *box = place;
+    break;
+  }
+  g_array_append_val (labels->taken, *box);
+  return true;
+}
+
+static void
+draw_text (cairo_t *cr, const QnCommand *command, QnVec2 at, Labels *labels)
+{
+  const bool label = command->layer == QN_LAYER_LABELS;
+  const double unit = labels->camera->unit;
+  labels->optional = command->extent > 0;
+  qn_text_draw (cr,
+                &(QnTextStyle){ .size = command->size * unit,
+                                .halo = label ? LABEL_HALO * unit : 0,
+                                .place = label ? place_label : NULL,
+                                .place_data = labels },
+                command->text, at.x, at.y, command->align_x, 1 - command->align_y,
+                command->angle, command->color);
+}
+
 void
 qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
                bool antialias, cairo_t *cr, QnDrawCounts *counts)
@@ -100,6 +174,8 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   QnBox visible = qn_camera_visible_box (camera);
   double line_factor = qn_scene_line_factor (scene, camera);
   QnDrawCounts tally = { 0, 0 };
+  Labels labels = { camera, g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
+                    false };
   cairo_save (cr);
   cairo_rectangle (cr, camera->x, camera->y, camera->width, camera->height);
   cairo_clip (cr);
@@ -132,13 +208,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
                    command->angle, command->mirrored, camera->unit, command->color);
       break;
     case QN_COMMAND_TEXT:
-      qn_text_draw (cr,
-                    &(QnTextStyle){ .size = command->size * camera->unit,
-                                    .halo = command->layer == QN_LAYER_LABELS
-                                              ? LABEL_HALO * camera->unit
-                                              : 0 },
-                    command->text, s.x, s.y, command->align_x, 1 - command->align_y,
-                    command->angle, command->color);
+      draw_text (cr, command, s, &labels);
       break;
     case QN_COMMAND_IMAGE:
       draw_image (scene, command, camera, cr);
@@ -147,6 +217,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
     tally.drawn++;
   }
   cairo_restore (cr);
+  g_array_unref (labels.taken);
   if (counts != NULL)
     *counts = tally;
 }

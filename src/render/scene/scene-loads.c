@@ -198,7 +198,24 @@ loaded_width (const QnModel *model, const QnEdgeForce *force)
          * (down ? fabs (edge.x) / qn_vec2_length (edge) : 1);
 }
 
-/* The load on edges with its largest intensity or pressure beside the arrow of it. */
+/* Of all loads on edges at an end of one of them, N/m: where there is most, arrows of others are in
+ * the way of its label. */
+static double
+total_intensity (const QnModel *model, const QnEdgeForce *force, int end)
+{
+  double total = 0;
+  for (size_t i = 0; i < model->edge_force_count; i++) {
+    const QnEdgeForce *other = &model->edge_forces[i];
+    for (int k = 0; k < 2 && other->block == force->block; k++)
+      if (other->ends[k].x == force->ends[end].x
+          && other->ends[k].y == force->ends[end].y)
+        total += qn_vec2_length (other->intensity[k]);
+  }
+  return total;
+}
+
+/* The load on edges with its largest intensity or pressure beside the arrow of it; of equal ones
+ * beside that where it stands most alone. */
 static void
 add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick,
                QnId index, QnColor color)
@@ -206,6 +223,7 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
   const QnModel *model = b->model;
   const bool pressure = qn_model_load (model, source)->kind != QN_LOAD_EDGE;
   double scale = EDGE_ARROW * b->block_size / largest, most = 0, shown = 0;
+  double crowd = INFINITY;
   QnVec2 at = { 0, 0 }, direction = { 0, 0 };
   size_t count;
   const QnEdgeForce *forces = qn_model_edge_forces_of (model, source, &count);
@@ -214,9 +232,11 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
     add_edge_force (b, force, scale, pick, index, color);
     for (int end = 0; end < 2; end++) {
       double size = qn_vec2_length (force->intensity[end]);
-      if (!(size > most))
+      double others = size >= most * (1 - 1e-9) ? total_intensity (model, force, end) : 0;
+      if (size < most * (1 - 1e-9) || (size <= most * (1 + 1e-9) && others >= crowd))
         continue;
       most = size;
+      crowd = others;
       shown = pressure ? size / loaded_width (model, force) : size;
       direction = force->intensity[end];
       at = qn_builder_place (b, force->block, force->ends[end]);

@@ -5,6 +5,7 @@
 #include "render/scene/svg-text.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <pango/pangocairo.h>
 #include <string.h>
 
@@ -73,6 +74,25 @@ qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text, double
   g_object_unref (layout);
 }
 
+/* Moves (x, y) as the style's owner wants it; false: the text is left out. */
+static bool
+ask_for_place (const QnTextStyle *style, double width, double height, double align_x,
+               double align_y, double angle, double *x, double *y)
+{
+  const bool upright = fabs (sin (angle)) > 0.99;
+  if (style->place == NULL || (!upright && fabs (sin (angle)) > 0.01))
+    return true;
+  const double left = upright ? align_y * height : align_x * width;
+  const double above = upright ? (1 - align_x) * width : align_y * height;
+  cairo_rectangle_t box = { *x - left, *y - above, upright ? height : width,
+                            upright ? width : height };
+  if (!style->place (style->place_data, &box))
+    return false;
+  *x = box.x + left;
+  *y = box.y + above;
+  return true;
+}
+
 void
 qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x, double y,
               double align_x, double align_y, double angle, QnColor color)
@@ -85,6 +105,10 @@ qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
                                       : align_x > 0.1 ? PANGO_ALIGN_CENTER
                                                       : PANGO_ALIGN_LEFT);
   double set_width = style->width > 0 ? style->width : width;
+  if (!ask_for_place (style, set_width, height, align_x, align_y, angle, &x, &y)) {
+    g_object_unref (layout);
+    return;
+  }
   cairo_save (cr);
   cairo_translate (cr, x, y);
   cairo_rotate (cr, -angle);

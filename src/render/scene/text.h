@@ -7,11 +7,17 @@
 #include <cairo.h>
 #include <stdbool.h>
 
+/* Where a text goes whose box this would be, in px of the page: moves it, or says false to leave the
+ * text out. */
+typedef bool (*QnTextPlace) (void *data, cairo_rectangle_t *box);
+
 typedef struct QnTextStyle {
   double size; /* px, height of the font's em */
   bool bold;
-  double halo;  /* px: rim of white that sets the text off its ground; 0: none */
-  double width; /* px: wraps to at most two lines, then shortens; 0: one line */
+  double halo;       /* px: rim of white that sets the text off its ground; 0: none */
+  double width;      /* px: wraps to at most two lines, then shortens; 0: one line */
+  QnTextPlace place; /* asked where the text stands level or upright; or NULL */
+  void *place_data;
 } QnTextStyle;
 
 /* A number as text, with the decimal sign of the language that words are in, so that a picture is

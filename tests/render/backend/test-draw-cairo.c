@@ -1,0 +1,73 @@
+#include "render/backend/draw-cairo.h"
+
+#include <glib.h>
+#include <math.h>
+
+static const QnColor black = { 0, 0, 0, 255 };
+
+/* What the labels of a scene cover, px, with a point to the px and 100 px to the metre. */
+static cairo_rectangle_t
+extents_of (QnScene *scene)
+{
+  cairo_surface_t *page =
+    cairo_recording_surface_create (CAIRO_CONTENT_COLOR_ALPHA, NULL);
+  cairo_t *cr = cairo_create (page);
+  const QnCamera camera = {
+    .width = 400, .height = 300, .scale = 100, .unit = 1, .center = { 2.0, 1.5 }
+  };
+  cairo_rectangle_t box;
+  qn_scene_finish (scene);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
+  cairo_recording_surface_ink_extents (page, &box.x, &box.y, &box.width, &box.height);
+  cairo_destroy (cr);
+  cairo_surface_destroy (page);
+  qn_scene_free (scene);
+  return box;
+}
+
+/* Labels of loads at one place, then of a joint, which may be left out. */
+static QnScene *
+create_labels (int count, int optional, double angle)
+{
+  QnScene *scene = qn_scene_new ();
+  for (int i = 0; i < count + optional; i++) {
+    QnCommand *label =
+      qn_scene_text (scene, QN_LAYER_LABELS, qn_vec2 (2.0, 1.5), 10, "18 kPa", black);
+    label->angle = (float) angle;
+    label->extent = i < count ? 0 : 1;
+  }
+  return scene;
+}
+
+/* Labels at one place stand one above the other, and those of joints give way. */
+static void
+test_labels_keep_clear (void)
+{
+  cairo_rectangle_t one = extents_of (create_labels (1, 0, 0));
+  cairo_rectangle_t three = extents_of (create_labels (3, 0, 0));
+  cairo_rectangle_t more = extents_of (create_labels (3, 2, 0));
+  g_assert_cmpfloat (one.height, >, 5.0);
+  g_assert_cmpfloat (three.height, >, 2.7 * one.height);
+  g_assert_cmpfloat (three.width, ==, one.width);
+  g_assert_cmpfloat (more.height, ==, three.height);
+}
+
+/* Labels along upright lines move sideways. */
+static void
+test_upright_labels (void)
+{
+  cairo_rectangle_t one = extents_of (create_labels (1, 0, G_PI_2));
+  cairo_rectangle_t two = extents_of (create_labels (2, 0, G_PI_2));
+  g_assert_cmpfloat (one.height, >, one.width);
+  g_assert_cmpfloat (two.width, >, 1.8 * one.width);
+  g_assert_cmpfloat (two.height, ==, one.height);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/draw-cairo/labels", test_labels_keep_clear);
+  g_test_add_func ("/render/draw-cairo/upright-labels", test_upright_labels);
+  return g_test_run ();
+}
