@@ -556,12 +556,12 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
   if (!result->limit.given) {
     check_settlements (check, step);
     check_forces (check, step);
+    check_beam_forces (check, step);
   }
+  /* These say nothing where forces are not known. */
+  check_strength (check, step);
+  check_states (check, step);
   if (!check->lost) {
-    if (!result->limit.given)
-      check_beam_forces (check, step);
-    check_strength (check, step);
-    check_states (check, step);
     /* Rigid blocks have no forces but at collapse. */
     if (!(in_time && step > 0) && !(result->limit.given && step + 1 < result->step_count))
       check_balance (check, step);
