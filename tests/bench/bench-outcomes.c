@@ -21,6 +21,7 @@
 #include "core/path/analysis.h"
 #include "io/result/result-check.h"
 #include "io/result/result-claims.h"
+#include "io/result/result-derived.h"
 #include "io/text/fault-text.h"
 #include "stress/random-wall.h"
 #include "support/models.h"
@@ -303,9 +304,18 @@ read_and_check (const char *path, const QnProject *project, const QnContacts *co
   QnResultFile file;
   g_autoptr (GError) error = NULL;
 
-  if (!qn_result_file_read (path, &file, &error))
+  g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
+  gsize length;
+  g_autofree char *text = NULL;
+
+  if (!g_file_get_contents (path, &text, &length, &error)
+      || !qn_result_file_parse (text, length, path, &file, &error))
     return g_strdup (error->message);
   char *untruth = find_untruth (&file, project, contacts);
+  if (untruth == NULL
+      && !qn_result_text_agrees (text, length, path, &file, project, contacts, unproved,
+                                 &error))
+    untruth = g_strdup (error->message);
   qn_result_file_clear (&file);
   return untruth;
 }

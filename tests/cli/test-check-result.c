@@ -205,6 +205,35 @@ static const Forgery forgeries[] = {
     "interval" },
   { "another way to a solution", WALL, "solutions/0/found_by", TEXT, 0, "limit",
     "interval" },
+  { "load control beyond the peak", PIER, "solutions/0/found_by", TEXT, 0, "load",
+    "interval" },
+  { "end of the interval", WALL, "collapse_interval_ends/0", TEXT, 0, "limit",
+    "collapse_interval_ends[0]: this contradicts" },
+  { "solution of rigid blocks", LIMIT, "solutions/0/found_by", TEXT, 0, "work",
+    "interval" },
+  { "sentence", SLIDING, "reason", TEXT, 0, "Collapse at a load multiplier of 0.5.",
+    "reason: this contradicts" },
+  { "kind of mechanism", ARCH, "mechanism_facts/kind", TEXT, 0, "sliding",
+    "mechanism_facts.kind: this contradicts" },
+  { "hinge", ARCH, "mechanism_facts/joints/0/hinge/0", ADD, 0.1, NULL,
+    "mechanism_facts.joints[0].hinge[0]: this contradicts" },
+  { "rotation of a body", WALL, "mechanism_facts/bodies/0/rotation", ADD, 0.01, NULL,
+    "mechanism_facts.bodies[0].rotation: this contradicts" },
+  { "name of a stage", STAGES, "stages/0", TEXT, 0, "other",
+    "stages[0]: this contradicts" },
+  { "stage of the end", STAGES, "stage", ADD, -1, NULL, "" },
+  { "element of a beam", FRAME, "elements/0/2", ADD, 1, NULL,
+    "elements[0][2]: this contradicts" },
+  { "name of a beam", FRAME, "beams/0", TEXT, 0, "other", "beams[0]: this contradicts" },
+  { "tracked block", ROCKING, "history/tracks/0/block", TEXT, 0, "other",
+    "history.tracks[0].block: this contradicts" },
+  { "time that ran back", SLIDING, "timings/seconds", TIMES, -1, NULL,
+    "timings.seconds" },
+  { "negative residual", ARCH, "steps/3/residual", ADD, -1, NULL, "step 3" },
+  { "blocks of a collapse", WALL, "events/-1/blocks/0", TIMES, 0, NULL,
+    "the event is not one" },
+  { "row between two times", ROCKING, "history/time/21", ADD, 1e-3, NULL, "history" },
+  { "time of a kept step", ROCKING, "steps/20/time", ADD, 1e-3, NULL, "history" },
   { "linear geometry", WALL, "beyond_linear_multiplier", TIMES, 0.9, NULL,
     "linear geometry" },
   { "place of a contact", ARCH, "contacts/3/point/0", ADD, 0.01, NULL, "contacts[3]" },
@@ -328,6 +357,64 @@ test_json (void)
   cli_run_clear (&run);
 }
 
+/* What falls under its dead load, and what carries any load, have no equilibrium, and are checked too. */
+static void
+check_without_steps (const char *command, const char *example, const char *set, int code,
+                     const char *from, const char *to)
+{
+  g_autofree char *model = cli_example (example);
+  g_autofree char *path = g_build_filename (folder, "none.json", NULL);
+  CliRun run = cli_run (command, model, "-q", "-o", path, "--set", set, NULL);
+  g_assert_cmpint (run.code, ==, code);
+  cli_run_clear (&run);
+  run = cli_run ("check", model, "--result", path, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "passes"));
+  cli_run_clear (&run);
+  g_autofree char *text = cli_read (path);
+  g_autofree char *forged = cli_replace (text, from, to);
+  g_autofree char *wrong = cli_write (folder, "wrong.json", forged);
+  run = cli_run ("check", model, "--result", wrong, NULL);
+  cli_assert_failed (&run, 3, "outcome");
+}
+
+static void
+test_without_steps (void)
+{
+  const char *slope = "04-block-on-slope.quoin", *smooth = "laws[0].friction=0.1";
+  const char *down = "loads.live=[{\"kind\":\"weight\",\"direction\":[0,-1]}]";
+  check_without_steps ("solve", slope, smooth, 4, "\"unstable_blocks\": [1]",
+                       "\"unstable_blocks\": [0]");
+  check_without_steps ("limit", slope, smooth, 4, "\"collapse_multiplier\": null",
+                       "\"collapse_multiplier\": 0.3");
+  check_without_steps ("limit", "01-sliding-block.quoin", down, 0,
+                       "\"outcome\": \"unbounded\"",
+                       "\"outcome\": \"dead-load-unstable\", \"unstable_blocks\": [1]");
+}
+
+/* What nothing proves is told. */
+static void
+test_unproved (void)
+{
+  g_autofree char *model = cli_example (sources[SLIDING].example);
+  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *text = cli_read (path);
+  g_autofree char *more = cli_replace (text, "\"outcome\":", "\"mood\": 1, \"outcome\":");
+  g_autofree char *other = cli_write (folder, "more.json", more);
+  run = cli_run ("check", model, "--result", other, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "not proved by the file: generator, model,"));
+  g_assert_nonnull (strstr (run.out, "mood"));
+  cli_run_clear (&run);
+  run = cli_run ("check", model, "--json", "--result", other, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "\"not_proved\": [\"generator\", \"model\""));
+  cli_run_clear (&run);
+}
+
 /* Forces of joints that were not kept say nothing of the beams, which are checked all the same. */
 static void
 test_beams_without_forces (void)
@@ -368,6 +455,8 @@ main (int argc, char **argv)
   }
   g_test_add_func ("/cli/check-result/other project", test_other_project);
   g_test_add_func ("/cli/check-result/json", test_json);
+  g_test_add_func ("/cli/check-result/without steps", test_without_steps);
+  g_test_add_func ("/cli/check-result/unproved", test_unproved);
   g_test_add_func ("/cli/check-result/beams without forces", test_beams_without_forces);
   int code = g_test_run ();
   for (int i = 0; i < RESULT_COUNT; i++)

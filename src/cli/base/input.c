@@ -99,7 +99,14 @@ qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
   memset (input, 0, sizeof *input);
   if (!qn_result_file_read (result_path, file, &error))
     return qn_cli_fail (error);
+  return qn_input_load_for_result (input, file, path, result_path, overrides, quiet);
+}
 
+QnExit
+qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
+                          const char *result_path, char **overrides, gboolean quiet)
+{
+  GError *error = NULL;
   g_autofree char **joined = join_overrides (file->overrides, overrides);
   QnExit code = qn_input_load (input, path, joined, quiet);
   if (code != QN_EXIT_DONE) {

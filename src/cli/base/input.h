@@ -61,6 +61,11 @@ QnExit qn_input_load_with_result (QnInput *input, QnResultFile *file, const char
                                   const char *result_path, char **overrides,
                                   gboolean quiet);
 
+/* The same of a result that has been read already; where it is refused, it is cleared. */
+QnExit qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
+                                 const char *result_path, char **overrides,
+                                 gboolean quiet);
+
 void qn_input_clear (QnInput *input);
 
 #endif

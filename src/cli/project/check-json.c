@@ -194,8 +194,11 @@ write_result (QnFileWriter *out, const QnCheckReport *report)
     qn_file_writer_json_string (out, text);
     qn_file_writer_puts (out, " }");
   }
-  qn_file_writer_puts (out, "]");
-  qn_file_writer_puts (out, " }");
+  qn_file_writer_puts (out, "],\n    \"not_proved\": [");
+  for (guint i = 0; i < report->unproved->len; i++)
+    qn_file_writer_puts_string (out, i > 0 ? ", " : "",
+                                g_ptr_array_index (report->unproved, i));
+  qn_file_writer_puts (out, "] }");
 }
 
 gboolean

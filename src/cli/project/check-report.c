@@ -227,6 +227,10 @@ print_result (const QnCheckReport *report)
   if (faults->in_time)
     printf (
       _ ("  not checked: the balance in motion, to which inertia and damping belong\n"));
+  for (guint i = 0; i < report->unproved->len; i++)
+    printf ("%s%s", i == 0 ? _ ("  not proved by the file: ") : ", ",
+            (const char *) g_ptr_array_index (report->unproved, i));
+  printf (report->unproved->len > 0 ? "\n" : "");
 }
 
 void

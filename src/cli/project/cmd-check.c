@@ -2,7 +2,9 @@
 #include "cli/base/subcommand.h"
 #include "cli/project/check-report.h"
 #include "io/exchange/record.h"
+#include "io/result/result-derived.h"
 #include "io/text/fault-text.h"
+#include "io/text/file-read.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -56,32 +58,54 @@ tell_first_fault (const QnCheckReport *report)
   qn_cli_error (_ ("%s: not true: %s"), report->result_name, text);
 }
 
+/* Everything that the result says; with `check`, the last equilibrium is added up too. */
+static gboolean
+find_faults (const Options *options, QnInput *input, const QnResultFile *file,
+             const char *text, gsize length, QnResultCheck *check, QnCheckReport *report,
+             QnResultFaults *faults, GError **error)
+{
+  const char *name = options->result;
+  if (file->result.history.width > 0
+      && !qn_project_read_records (&input->project, NULL, options->allow_outside, error))
+    return FALSE;
+  return qn_result_file_find_faults (file, name, &input->project, &input->contacts,
+                                     faults, error)
+         && (check == NULL || qn_result_check (file, &input->project, check, error))
+         && (faults->count > 0
+             || qn_result_text_agrees (text, length, name, file, &input->project,
+                                       &input->contacts, report->unproved, error));
+}
+
 static QnExit
 check_result (const Options *options, const char *path)
 {
   QnInput input;
   QnResultFile file;
   GError *error = NULL;
-  QnExit code = qn_input_load_with_result (&input, &file, path, options->result,
-                                           options->overrides, TRUE);
+  gsize length;
+  g_autofree char *text = qn_file_read (options->result, &length, &error);
+  if (text == NULL
+      || !qn_result_file_parse (text, length, options->result, &file, &error))
+    return qn_cli_fail (error);
+  QnExit code = qn_input_load_for_result (&input, &file, path, options->result,
+                                          options->overrides, TRUE);
   if (code != QN_EXIT_DONE)
     return code;
 
   QnResultCheck check;
   QnResultFaults faults;
-  gboolean in_time = file.result.history.width > 0;
-  if ((in_time
-       && !qn_project_read_records (&input.project, NULL, options->allow_outside, &error))
-      || !qn_result_file_find_faults (&file, options->result, &input.project,
-                                      &input.contacts, &faults, &error)
-      || (!in_time && !qn_result_check (&file, &input.project, &check, &error))) {
+  gboolean rests = file.result.step_count > 0 && file.result.history.width == 0;
+  g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
+  QnCheckReport report = { .input = &input,
+                           .sound = TRUE,
+                           .result_name = options->result,
+                           .check = rests ? &check : NULL,
+                           .faults = &faults,
+                           .unproved = unproved };
+  if (!find_faults (options, &input, &file, text, length, rests ? &check : NULL, &report,
+                    &faults, &error)) {
     code = qn_cli_fail (error);
   } else {
-    QnCheckReport report = { .input = &input,
-                             .sound = TRUE,
-                             .result_name = options->result,
-                             .check = in_time ? NULL : &check,
-                             .faults = &faults };
     code = tell (options, &report);
     if (code == QN_EXIT_DONE && !qn_check_report_passes (&report)) {
       code = QN_EXIT_INVALID;

@@ -124,8 +124,19 @@ agree (double stated, double found)
   return qn_check_agrees (stated, found, AGREE * (1 + fabs (found)));
 }
 
+/* The collapse of a path; NULL where none is told. */
+static const QnPathEvent *
+find_collapse (const QnResult *result)
+{
+  size_t last = result->event_count;
+
+  return last > 0 && result->events[last - 1].kind == QN_EVENT_KIND_COLLAPSE
+           ? &result->events[last - 1]
+           : NULL;
+}
+
 /* Whether a path with this procedure may tell a solution as found by another: load control prescribes the
- * work of the live load where the path bends. */
+ * work of the live load where the path bends, and alone goes beyond the highest multiplier then. */
 static bool
 finds_by (const QnCheck *check, QnProcedure found_by)
 {
@@ -135,6 +146,12 @@ finds_by (const QnCheck *check, QnProcedure found_by)
   QnProcedure procedure =
     staged ? model->stages[stage - 1].procedure : model->analysis.procedure;
 
+  const QnPathEvent *collapse = find_collapse (check->result);
+  bool beyond = collapse != NULL
+                && !agree (collapse->displacement_after, collapse->displacement_before);
+
+  if (procedure == QN_PROCEDURE_LOAD && beyond)
+    return found_by == QN_PROCEDURE_WORK;
   return found_by == procedure
          || (procedure == QN_PROCEDURE_LOAD && found_by == QN_PROCEDURE_WORK);
 }
@@ -163,6 +180,16 @@ tell_interval (QnCheck *check, double stated, double found)
   qn_check_tell_model (check, QN_CLAIM_INTERVAL, QN_NONE, stated, found);
 }
 
+/* Rigid blocks have no displacements, and paths beside limit analysis some. */
+static bool
+suits_limit (const QnLimitFigures *limit, const QnSolution *solution)
+{
+  bool rigid = solution->found_by == QN_PROCEDURE_LIMIT;
+
+  return rigid ? isnan (solution->displacement)
+               : limit->flow == QN_FLOW_NON_ASSOCIATIVE && solution->displacement >= 0;
+}
+
 /* Least and greatest solution are those that the result tells, and nothing exceeds the associative
  * bound. */
 static void
@@ -177,7 +204,7 @@ check_solutions (QnCheck *check)
     const QnSolution *solution = &result->solutions[i];
     least = fmin (least, solution->multiplier);
     greatest = fmax (greatest, solution->multiplier);
-    if (!limit->given && !is_met (check, solution))
+    if (limit->given ? !suits_limit (limit, solution) : !is_met (check, solution))
       tell_interval (check, solution->multiplier, NAN);
   }
   if (result->solution_count == 0) {

@@ -24,6 +24,9 @@ check_numbers (QnCheck *check)
   for (size_t i = 0; i < r->step_count; i++)
     finite = finite && isfinite (r->steps[i].multiplier) && isfinite (r->steps[i].time)
              && isfinite (r->steps[i].residual);
+  const QnStatistics *spent = &r->statistics;
+  finite = finite && spent->seconds >= 0 && spent->factor_seconds >= 0
+           && spent->assembly_seconds >= 0 && spent->law_seconds >= 0;
   for (size_t i = 0; i < r->step_count * bodies; i++)
     finite = finite && isfinite (r->displacements[i]);
   for (size_t p = 0; r->step_count > 0 && p < r->pair_count; p++)
@@ -57,7 +60,8 @@ check_order (QnCheck *check)
     if (!in_order)
       qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i,
                            in_time ? step->time : step->multiplier, NAN);
-    if (!(step->residual <= fmax (check->tolerance, QN_CHECK_FORCES)))
+    if (!(step->residual >= 0
+          && step->residual <= fmax (check->tolerance, QN_CHECK_FORCES)))
       qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i, step->residual,
                            check->tolerance);
   }
@@ -79,6 +83,19 @@ check_events (QnCheck *check)
     if (i == 0 && r->steps[i].event == QN_EVENT_SNAP && r->step_count > 1)
       qn_check_tell_model (check, QN_CLAIM_EVENTS, 0, NAN, NAN);
   }
+}
+
+/* Without any equilibrium there is nothing that is told of one. */
+static void
+check_nothing (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  bool tells = r->has_collapse_multiplier || r->has_first_limit_multiplier
+               || r->event_count > 0 || r->solution_count > 0 || r->limit.given
+               || r->stability != QN_STABILITY_UNKNOWN || r->vibration.mode > 0;
+
+  if (r->step_count == 0 && tells)
+    qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
 }
 
 /* Of the steps of the last stage: the highest multiplier, counted in the sense in which it grows. */
@@ -223,7 +240,9 @@ check_outcome (QnCheck *check)
   case QN_OUTCOME_REST:
     is_true = in_time && last != NULL;
     break;
-  case QN_OUTCOME_UNBOUNDED:
+  case QN_OUTCOME_UNBOUNDED: /* limit analysis tells no step; see check-fall.c */
+    is_true = r->mechanism == NULL && !r->has_collapse_multiplier;
+    break;
   case QN_OUTCOME_CANCELLED:
   case QN_OUTCOME_NOT_CONVERGED:
     break;
@@ -258,6 +277,7 @@ qn_check_course (QnCheck *check)
   check_order (check);
   check_events (check);
   check_outcome (check);
+  check_nothing (check);
   check_collapse (check);
   check_first_limit (check);
   check_linearity (check);

@@ -217,6 +217,30 @@ is_recomputed (QnCheck *check, const Stretch *stretch, const QnPathEvent *event,
                           NEARLY * energy + SAME * check->scale * now);
 }
 
+/* Blocks ascend, and none of them is held altogether. */
+static bool
+has_movers (const QnCheck *check, const QnPathEvent *event)
+{
+  bool is_one = true;
+
+  for (size_t i = 0; is_one && i < event->block_count; i++) {
+    const int32_t *unknown = check->assembly.unknown + QN_DOF_COUNT * event->blocks[i];
+    is_one = (i == 0 || event->blocks[i] > event->blocks[i - 1])
+             && (unknown[0] != QN_NONE || unknown[1] != QN_NONE);
+  }
+  return is_one;
+}
+
+/* Under load control no state below the highest is a step. Where the path was not followed beyond it,
+ * nothing has moved. */
+static bool
+suits_end (const QnPathEvent *event)
+{
+  double before = event->displacement_before, after = event->displacement_after;
+
+  return !same (after, before) || (event->energy == 0 && event->block_count == 0);
+}
+
 /* Returns whether an event is one of the steps; *start is where it begins. */
 static bool
 is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_t *start)
@@ -227,7 +251,8 @@ is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_
 
   *start = (size_t) found;
   if (found < 0 || event->stage != r->stage || !suits_kind (event)
-      || !(event->energy >= 0))
+      || !(event->energy >= 0) || !(event->displacement_after >= 0)
+      || !has_movers (check, event))
     return false;
   if (collapses && (!r->has_collapse_multiplier || climbs_after (check, stretch, *start)))
     return false;
@@ -235,7 +260,7 @@ is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_
     return collapses;
   size_t end = collapses ? stretch->last : find_end (check, stretch, *start);
   if (stretch->by_load && collapses)
-    return true;
+    return suits_end (event);
   return has_blocks (check, event, *start, end)
          && (stretch->by_load || is_recomputed (check, stretch, event, *start, end));
 }

@@ -70,7 +70,9 @@ check_rows (QnCheck *check, const QnGround *ground)
   const QnResult *r = check->result;
   const QnHistory *h = &r->history;
   const QnModel *model = check->model;
-  double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 1;
+  const QnDynamicSettings *settings = &model->analysis.dynamic;
+  double apart =
+    settings->duration / fmax (ceil (settings->duration / settings->time_step - 1e-9), 1);
   size_t step = 0;
 
   for (size_t i = 0; i < h->row_count; i++) {
@@ -78,7 +80,11 @@ check_rows (QnCheck *check, const QnGround *ground)
     double time = row[QN_HISTORY_TIME];
     QnVec2 moved = qn_ground_acceleration (ground, time);
     double size = 1e-6 * (1 + hypot (moved.x, moved.y));
-    if ((i > 0 && !(time > row[QN_HISTORY_TIME - (ptrdiff_t) h->width]))
+    /* A row for every multiple of the step, and one where the motion ends. */
+    bool in_place = i + 1 == h->row_count
+                      ? time <= h->end + SAME_TIME * apart
+                      : qn_check_agrees (time, (double) i * apart, SAME_TIME * apart);
+    if ((i > 0 && !(time > row[QN_HISTORY_TIME - (ptrdiff_t) h->width])) || !in_place
         || !qn_check_agrees (row[QN_HISTORY_GROUND_X], moved.x, size)
         || !qn_check_agrees (row[QN_HISTORY_GROUND_Y], moved.y, size))
       qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) i, QN_ENTITY_GROUND_MOTION, QN_NONE,
@@ -228,6 +234,10 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     gather_velocity (check, step);
     check_rest (check, step);
   }
+  /* The last step may lie between two rows, and the dead load has none. */
+  if (row == NULL && step > 0 && step + 1 < r->step_count)
+    qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
+                   r->steps[step].time, NAN);
   if (row == NULL || r->history.width != QN_HISTORY_TRACK + check->model->track_count)
     return QN_OK;
   if (check->mass == NULL) {
@@ -262,6 +272,47 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
   return QN_OK;
 }
 
+/* A block that has turned by a right angle has overturned by then. */
+static void
+check_overturning (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  const double *start = qn_result_step_displacements (r, 0);
+
+  for (size_t i = 1; r->outcome == QN_OUTCOME_COLLAPSE && i < r->step_count; i++)
+    for (size_t b = 0; b < r->block_count; b++) {
+      size_t rz = QN_DOF_COUNT * b + QN_DOF_RZ;
+      double turned = qn_result_step_displacements (r, i)[rz] - start[rz];
+      if (fabs (turned) > QN_OVERTURNED * (1 + QN_CHECK_EXACT)
+          && !(r->history.collapse_time <= r->steps[i].time))
+        qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) i, QN_ENTITY_BLOCK, (QnId) b,
+                       r->history.collapse_time, r->steps[i].time);
+    }
+}
+
+/* Where the motion ends with collapse, its mechanism is its last motion. */
+static void
+check_last_motion (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  size_t count = qn_result_body_count (r) * QN_DOF_COUNT, last = r->step_count - 1;
+  double product = 0, square = 0;
+
+  if (r->outcome != QN_OUTCOME_COLLAPSE || r->velocities == NULL || r->mechanism == NULL
+      || r->history.collapse_time < r->steps[last].time)
+    return;
+  const double *v = r->velocities + last * count;
+  for (size_t i = 0; i < count; i++) {
+    product += v[i] * r->mechanism[i];
+    square += r->mechanism[i] * r->mechanism[i];
+  }
+  double speed = product / square, none = QN_CHECK_TOLERANCE * qn_largest (v, count);
+  for (size_t i = 0; i < count; i++)
+    if (!(speed > 0 && qn_check_agrees (speed * r->mechanism[i], v[i], none)))
+      qn_check_tell_body (check, QN_CLAIM_FLOW, (QnId) last, i / QN_DOF_COUNT,
+                          r->mechanism[i], v[i] / speed);
+}
+
 static bool
 has_all_records (const QnModel *model)
 {
@@ -285,6 +336,8 @@ qn_check_history (QnCheck *check)
   }
   check_scalars (check);
   check_energy (check);
+  check_overturning (check);
+  check_last_motion (check);
   /* No step has moved further than the peaks say. */
   const QnResult *r = check->result;
   const double *start = qn_result_step_displacements (r, 0);

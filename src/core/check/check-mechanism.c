@@ -114,9 +114,8 @@ check_work (QnCheck *check)
     qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) result->step_count - 1, power, 0);
 }
 
-/* Supports stand, and nodes move with the blocks that they ride on. */
-static void
-check_bodies (QnCheck *check)
+void
+qn_check_bodies (QnCheck *check)
 {
   const QnAssembly *as = &check->assembly;
   const double *stated = check->result->mechanism;
@@ -143,7 +142,7 @@ qn_check_mechanism (QnCheck *check)
   if (result->mechanism == NULL || result->step_count == 0)
     return;
   qn_check_gather (as, result->mechanism, check->velocity);
-  check_bodies (check);
+  qn_check_bodies (check);
   if (result->outcome != QN_OUTCOME_COLLAPSE || result->history.width > 0)
     return;
   check_work (check);

@@ -100,6 +100,12 @@ void qn_check_events (QnCheck *check);
 /* The mechanism at the last step (check-mechanism.c). */
 void qn_check_mechanism (QnCheck *check);
 
+/* Supports stand in the mechanism, and nodes move with the blocks that they ride on. */
+void qn_check_bodies (QnCheck *check);
+
+/* A result without any equilibrium (check-fall.c). */
+QnStatus qn_check_fall (QnCheck *check, QnDiag *diag);
+
 /* Vibrations and stability, at the state of a step (check-modes.c). */
 QnStatus qn_check_modes (QnCheck *check, size_t step, QnDiag *diag);
 

@@ -642,6 +642,8 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
     qn_check_mechanism (&check);
     qn_check_history (&check);
     status = qn_check_bounds (&check, diag);
+    if (status == QN_OK)
+      status = qn_check_fall (&check, diag);
   }
   qn_inertia_free (check.inertia);
   qn_assembly_clear (&check.assembly);

@@ -19,8 +19,6 @@
  * while they meet make of a step that is too long for the impact. */
 #define STEP_ENERGY 2e-5
 
-#define RIGHT_ANGLE 1.57079632679489661923
-
 typedef struct {
   QnTimeStep step;
   QnGround ground;
@@ -179,7 +177,7 @@ has_overturned (const Run *run)
   for (size_t b = 0; b < run->model->block_count; b++) {
     double turned = run->displacements[3 * b + QN_DOF_RZ] - run->start[3 * b + QN_DOF_RZ];
     double distance = isfinite (run->distances[b]) ? run->distances[b] : 0;
-    if (fabs (turned) > RIGHT_ANGLE || distance > sqrt (run->model->blocks[b].area))
+    if (fabs (turned) > QN_OVERTURNED || distance > sqrt (run->model->blocks[b].area))
       return true;
   }
   return false;

@@ -10,9 +10,6 @@
  * none, and a point is on the surface of the strength. */
 #define STATE_TOLERANCE 1e-6
 
-/* Blocks that move less than this part of the fastest are not named as unstable. */
-#define UNSTABLE_SHARE 1e-3
-
 /* A pair without force is open; at a strength that limits shear it slips, at one that limits
  * compression it yields. */
 static QnPairState
@@ -71,7 +68,7 @@ keep_unstable (QnResult *result, const QnModel *model, const double *velocities,
   }
   qsort (movers, model->block_count, sizeof *movers, compare_movers);
   for (size_t b = 0; b < model->block_count; b++)
-    if (movers[b].size > UNSTABLE_SHARE * movers[0].size)
+    if (movers[b].size > QN_UNSTABLE_RIGID * movers[0].size)
       result->unstable_blocks[result->unstable_count++] = movers[b].block;
   free (movers);
   return QN_OK;

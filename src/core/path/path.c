@@ -163,7 +163,7 @@ record_unstable_blocks (QnPath *path, QnDiag *diag)
   }
   qsort (moving, count, sizeof *moving, compare_speed);
   while (result->unstable_count < count && moving[0].speed > 0
-         && moving[result->unstable_count].speed >= 0.1 * moving[0].speed) {
+         && moving[result->unstable_count].speed >= QN_UNSTABLE_SHARE * moving[0].speed) {
     result->unstable_blocks[result->unstable_count] =
       moving[result->unstable_count].block;
     result->unstable_count++;

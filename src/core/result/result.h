@@ -105,6 +105,14 @@ typedef enum {
 enum { QN_HISTORY_TIME, QN_HISTORY_GROUND_X, QN_HISTORY_GROUND_Y, QN_HISTORY_ENERGY };
 #define QN_HISTORY_TRACK (QN_HISTORY_ENERGY + QN_ENERGY_KIND_COUNT)
 
+/* A block that has turned by more, rad, has overturned. */
+#define QN_OVERTURNED 1.57079632679489661923
+
+/* Blocks that move by this part of the fastest are named as unstable: of a path, whose elastic joints
+ * drag others along, and of rigid blocks. */
+#define QN_UNSTABLE_SHARE 0.1
+#define QN_UNSTABLE_RIGID 1e-3
+
 /* What an analysis in time adds: a row for every multiple of its longest step. */
 typedef struct QnHistory {
   size_t row_count, width; /* width = QN_HISTORY_TRACK + tracks; 0: no analysis in time */

@@ -48,6 +48,10 @@ gboolean qn_result_file_write (const char *path, const QnProject *project,
                                const QnContacts *contacts, const QnResult *result,
                                GError **error);
 
+/* The text of such a file; free with g_free(). */
+char *qn_result_dup_text (const QnProject *project, const QnContacts *contacts,
+                          const QnResult *result, gsize *length);
+
 /* Reads a result file. `file` is overwritten without being cleared and holds nothing on
  * failure. Unknown keys are ignored: later versions of the program add some. Errors: QN_IO_ERROR. */
 gboolean qn_result_file_read (const char *path, QnResultFile *file, GError **error);

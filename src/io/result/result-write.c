@@ -404,14 +404,10 @@ qn_result_file_write (const char *path, const QnProject *project,
                                         error);
 }
 
-gboolean
-qn_result_file_write_detailed (const char *path, const QnProject *project,
-                               const QnContacts *contacts, const QnResult *result,
-                               QnResultDetail detail, GError **error)
+static void
+write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+           const QnResult *result, QnResultDetail detail)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
   write_head (writer, project, result);
   write_stages (writer, &project->model, result);
   if (result->unstable_count > 0) {
@@ -446,5 +442,25 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
   if (result->history.width > 0)
     qn_result_history_write (writer, &project->model, result);
   write_statistics (writer, &result->statistics);
+}
+
+gboolean
+qn_result_file_write_detailed (const char *path, const QnProject *project,
+                               const QnContacts *contacts, const QnResult *result,
+                               QnResultDetail detail, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  write_all (writer, project, contacts, result, detail);
   return qn_file_writer_commit (writer, error);
+}
+
+char *
+qn_result_dup_text (const QnProject *project, const QnContacts *contacts,
+                    const QnResult *result, gsize *length)
+{
+  QnFileWriter *writer = qn_file_writer_new_in_memory ();
+  write_all (writer, project, contacts, result, QN_DETAIL_FORCES);
+  return qn_file_writer_steal (writer, length);
 }

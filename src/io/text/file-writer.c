@@ -12,7 +12,7 @@
 #define BUFFER_SIZE (1 << 16)
 
 struct QnFileWriter {
-  char *name; /* for messages */
+  char *name; /* for messages; NULL: in memory */
   QnWholeFile file;
   int trouble; /* errno of the first failure, 0 while all is well */
   GString *buffer;
@@ -47,6 +47,23 @@ qn_file_writer_open_as (const char *path, const char *name, GError **error)
   return NULL;
 }
 
+QnFileWriter *
+qn_file_writer_new_in_memory (void)
+{
+  QnFileWriter *writer = g_new0 (QnFileWriter, 1);
+  writer->buffer = g_string_sized_new (BUFFER_SIZE);
+  return writer;
+}
+
+char *
+qn_file_writer_steal (QnFileWriter *writer, gsize *length)
+{
+  *length = writer->buffer->len;
+  char *text = g_string_free (writer->buffer, FALSE);
+  g_free (writer);
+  return text;
+}
+
 static void
 flush (QnFileWriter *writer)
 {
@@ -59,7 +76,7 @@ flush (QnFileWriter *writer)
 static inline void
 flush_when_full (QnFileWriter *writer)
 {
-  if (writer->buffer->len >= BUFFER_SIZE)
+  if (writer->name != NULL && writer->buffer->len >= BUFFER_SIZE)
     flush (writer);
 }
 

@@ -25,6 +25,11 @@ QnFileWriter *qn_file_writer_open (const char *path, GError **error);
 /* The same for a file that messages call by another name. */
 QnFileWriter *qn_file_writer_open_as (const char *path, const char *name, GError **error);
 
+/* Writes into memory instead: ended by qn_file_writer_steal(), which frees the writer and returns the
+ * text, NUL-terminated; free with g_free(). */
+QnFileWriter *qn_file_writer_new_in_memory (void);
+char *qn_file_writer_steal (QnFileWriter *writer, gsize *length);
+
 /* Append. What goes wrong is kept until the commit, which tells it. */
 void qn_file_writer_write (QnFileWriter *writer, const char *bytes, gsize length);
 void qn_file_writer_puts (QnFileWriter *writer, const char *text);

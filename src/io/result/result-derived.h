@@ -1,0 +1,21 @@
+/* What a result file says twice, and what follows from the rest of it: words, names, counts, the facts
+ * of the mechanism, ends of the interval.
+ *
+ * A result that was read is written again, and both texts are compared member by member. What the program
+ * would write otherwise contradicts the rest of the file.
+ */
+#ifndef QN_IO_RESULT_DERIVED_H
+#define QN_IO_RESULT_DERIVED_H
+
+#include "io/result/result-file.h"
+
+/* Compares the text that `file` was read from with what the program says of the same numbers; `name`
+ * stands for it in messages. False with an error that names the place (QN_IO_ERROR) where they differ.
+ * Adds to `unproved` (of char *, which it owns) the members that nothing in the file or the project proves,
+ * each once: "generator", "steps[].iterations". A member that is left out states nothing. */
+gboolean qn_result_text_agrees (const char *text, gsize length, const char *name,
+                                const QnResultFile *file, const QnProject *project,
+                                const QnContacts *contacts, GPtrArray *unproved,
+                                GError **error);
+
+#endif
