@@ -368,7 +368,7 @@ test_capacity (void)
   driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
   g_assert_nonnull (dialog);
-  driver_press (dialog, "Find Curve");
+  driver_press (dialog, "Compute Curve");
   driver_wait (has_ratio, dialog);
   driver_run (300);
   driver_screenshot (dialog, "capacity");
@@ -400,7 +400,7 @@ test_capacity (void)
   /* The selected block is controlled; one that is not there is refused. */
   driver_press (dialog, "Take Selected Block");
   driver_run (100);
-  driver_press (dialog, "Find Curve");
+  driver_press (dialog, "Compute Curve");
   driver_wait (has_ratio, dialog);
   g_assert_false (has_note (dialog));
   gtk_window_destroy (GTK_WINDOW (dialog));
@@ -487,7 +487,7 @@ close_while_searching (gboolean project)
   driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
   g_assert_nonnull (dialog);
-  driver_press (dialog, "Find Curve");
+  driver_press (dialog, "Compute Curve");
   GtkWidget *cancel = driver_find_widget (dialog, is_called, "cancel");
   g_assert_true (gtk_widget_get_mapped (cancel));
   gpointer gone = dialog;

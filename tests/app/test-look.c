@@ -128,7 +128,7 @@ expect_to_fit (GtkWidget *window, const char *what)
   walk_below (window, what);
 }
 
-/* The window on the screen that is none of the main ones. */
+/* The window on the screen that is not one of the main ones. */
 static GtkWidget *
 find_other (void)
 {

@@ -76,7 +76,7 @@ test_refused (void)
     { "plastic", "--path", "1", 2, "no law is called" },
     { "steel", "--set", "friction=1", 2, "has no" },
     { "steel", "--set", "yield", 2, "KEY=VALUE" },
-    { "steel", "--set", "yield=much", 2, "is no number" },
+    { "steel", "--set", "yield=much", 2, "is not a number" },
     { "steel", "--set", "basis=volume", 2, "no basis is called" },
     { "steel", "--set", "yield=-1", 3, "yield: number must be positive" },
     { "steel", "--path", "1,x", 2, "--path" },

@@ -60,7 +60,7 @@ test_unstable (void)
 {
   g_autofree char *example = cli_example ("24-rocking-block.quoin");
   CliRun run = cli_run ("modal", example, "--loaded", NULL);
-  cli_assert_failed (&run, 4, "not stable");
+  cli_assert_failed (&run, 4, "unstable");
 }
 
 /* What an analysis may spend holds for these as well. */

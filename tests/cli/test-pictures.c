@@ -85,10 +85,10 @@ dup_known (const char *option)
 {
   g_autofree char *model = cli_example ("06-arch.quoin");
   CliRun run = cli_run ("render", model, option, "nonsense", "-o", "never.svg", NULL);
-  const char *known = strstr (run.err, "is none of ");
+  const char *known = strstr (run.err, "is not one of ");
   g_assert_nonnull (known);
-  char *names = g_strndup (known + strlen ("is none of "),
-                           strcspn (known + strlen ("is none of "), "(\n") - 1);
+  char *names = g_strndup (known + strlen ("is not one of "),
+                           strcspn (known + strlen ("is not one of "), "(\n") - 1);
   cli_assert_failed (&run, 2, "nonsense");
   return names;
 }

@@ -167,15 +167,16 @@ test_stability_linear (void)
   g_autofree char *example = cli_example ("20-column-free.quoin");
   CliRun run = cli_run ("stability", example, "--set", "analysis.geometry=linear", NULL);
   cli_assert_failed (&run, 3,
-                     "20-column-free.quoin: analysis.geometry: nothing buckles in linear "
-                     "geometry: set it to nonlinear (set by");
+                     "20-column-free.quoin: analysis.geometry: linear geometry has no "
+                     "buckling: set it to nonlinear (set by");
 
   char *folder = test_scratch_new ();
   g_autofree char *text = cli_read (example);
   g_autofree char *linear = cli_replace (text, "\"nonlinear\"", "\"linear\"");
   g_autofree char *path = cli_write (folder, "linear.quoin", linear);
   run = cli_run ("stability", path, NULL);
-  cli_assert_failed (&run, 3, "linear.quoin:43:49: analysis.geometry: nothing buckles");
+  cli_assert_failed (
+    &run, 3, "linear.quoin:43:49: analysis.geometry: linear geometry has no buckling");
   test_scratch_free (folder);
 }
 

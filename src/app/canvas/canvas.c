@@ -520,9 +520,8 @@ tell_outcome (QnCanvas *self, gboolean done, const GError *error)
   if (!done)
     qn_canvas_emit_failed (self, error->message);
   else if (qn_document_has_dissolved (qn_canvas_get_document (self)))
-    qn_canvas_emit_failed (
-      self, _ ("A wall has become free blocks, which its own measures do not change any "
-               "more. Undo makes it a wall again."));
+    qn_canvas_emit_failed (self, _ ("The wall is now a set of free blocks without "
+                                    "parameters. Undo restores the wall."));
   return done;
 }
 

@@ -340,8 +340,7 @@ dup_facts (const Form *form)
   g_string_append_printf (
     text,
     c->reaches_zero ? _ ("The multiplier is back at zero at d0* = %s.")
-                    : _ ("The path ends before zero, at d* = %s, which stands for "
-                         "d0*."),
+                    : _ ("The path ends before zero, at d* = %s, which is taken as d0*."),
     end);
   if (form->reason != NULL)
     g_string_append_printf (text, " %s", form->reason);

@@ -310,8 +310,8 @@ make_cell_menu (GtkWidget *cell, QnMenuPlace *place, gpointer data)
   if (!g_ptr_array_find (compare->shown, qn_compare_cell_get_run (cell), &at))
     return NULL;
   if (at > 0) {
-    qn_menu_add_target (order, _ ("_First, with Which Others Are Compared"),
-                        "compare.move", g_variant_new ("(uu)", at, 0));
+    qn_menu_add_target (order, _ ("_Reference for the Comparison"), "compare.move",
+                        g_variant_new ("(uu)", at, 0));
     qn_menu_add_target (order, _ ("_Earlier"), "compare.move",
                         g_variant_new ("(uu)", at, at - 1));
   }

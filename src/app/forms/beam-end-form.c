@@ -21,7 +21,7 @@ static const QnFormField fields[] = {
   [SUPPORT + QN_DOF_UY] = { .id = "support_y", .step = N_ ("Set Support") },
   [SUPPORT + QN_DOF_RZ] = { .id = "support_turn", .step = N_ ("Set Support") },
   [FACTS] = { .id = "facts" },
-  [PART] = { .id = "part", .step = N_ ("Part Beams") },
+  [PART] = { .id = "part", .step = N_ ("Disconnect Beams") },
 };
 
 /* Rows of the choice: free, at the centroid, at a point, and the sides. */

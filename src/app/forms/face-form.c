@@ -25,7 +25,7 @@ static const QnFormField fields[] = {
   [OFFSET] = { .id = "offset", .step = N_ ("Place Pairs") },
   [COUNT] = { .id = "count", .step = N_ ("Place Pairs") },
   [POSITIONS] = { .id = "positions", .step = N_ ("Place Pairs") },
-  [RESET] = { .id = "reset", .step = N_ ("Forget Exceptions") },
+  [RESET] = { .id = "reset", .step = N_ ("Remove Exceptions") },
   [VIEW] = { .id = "view" },
   [STATES] = { .id = "states" },
 };

@@ -99,8 +99,8 @@ static const struct {
         "mechanism are consistent. There may be several."),
     QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
   { N_ ("In time (earthquakes)"),
-    N_ ("Under the constant loads the ground moves, step by step in time; growing loads "
-        "have no part in it."),
+    N_ ("The ground moves under the constant loads, step by step in time; growing loads "
+        "are not applied."),
     QN_PROCEDURE_DYNAMIC, QN_FLOW_ASSOCIATIVE },
 };
 

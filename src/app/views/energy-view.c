@@ -212,7 +212,7 @@ qn_energy_view_new (QnViewState *state)
   gtk_accessible_update_property (
     GTK_ACCESSIBLE (view->plot), GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Energy over time"),
     GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
-    _ ("The arrow keys go from step to step; the values are told beneath"), -1);
+    _ ("The arrow keys go from step to step; the values are shown below"), -1);
   GtkGesture *drag = gtk_gesture_drag_new ();
   g_signal_connect (drag, "drag-begin", G_CALLBACK (on_drag_begin), view);
   g_signal_connect (drag, "drag-update", G_CALLBACK (on_drag_update), view);

@@ -210,7 +210,7 @@ update (Panel *panel)
   g_autofree char *text = g_strdup_printf (
     "%s.\n%s", content,
     shown == 0
-      ? gaps ? "" : _ ("Nothing to complain of.")
+      ? gaps ? "" : _ ("No findings.")
       : _ ("Click a line to go to its place; triangles mark the places in the drawing."));
   gtk_label_set_text (panel->summary, text);
 }

@@ -115,9 +115,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
       return FALSE;
   } else
     *number_of (&underlay, field) = value->number;
-  return qn_document_place_picture (document,
-                                    fade ? _ ("Fade Picture") : _ ("Place Picture"),
-                                    fade ? "picture-opacity" : NULL, &underlay, error);
+  return qn_document_place_picture (
+    document, fade ? _ ("Change Opacity of Picture") : _ ("Place Picture"),
+    fade ? "picture-opacity" : NULL, &underlay, error);
 }
 
 GtkWidget *

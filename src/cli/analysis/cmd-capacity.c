@@ -204,8 +204,8 @@ print (const Answer *answer)
   if (c->reaches_zero)
     printf (_ ("multiplier back at zero: d0* %.4g m\n"), c->end);
   else
-    printf (_ ("the path ends at d* %.4g m, multiplier %.5f, before zero: its end stands "
-               "for d0*. %s\n"),
+    printf (_ ("the path ends at d* %.4g m, multiplier %.5f, before zero: its end is "
+               "taken as d0*. %s\n"),
             c->end, c->points[c->count - 1].multiplier, answer->reason);
   if (c->share < SMALL_SHARE)
     printf (

@@ -98,7 +98,7 @@ solve (const Options *options, const QnInput *input)
     qn_cli_error ("%s: %s", input->project.name, reason);
     code = QN_EXIT_NO_ANSWER;
   } else if (modes.count == 0) {
-    qn_cli_error (_ ("%s: there is no equilibrium to vibrate about"),
+    qn_cli_error (_ ("%s: no equilibrium was found, so there are no vibrations about it"),
                   input->project.name);
     code = QN_EXIT_NO_ANSWER;
   } else if (!options->quiet && g_strcmp0 (options->output, "-") != 0

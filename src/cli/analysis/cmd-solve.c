@@ -146,7 +146,7 @@ require_live_load (const QnProject *project)
   if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
     if (!lacks)
       qn_cli_warning ("%s: loads.live: %s", project->name,
-                      _ ("has no part in an analysis in time"));
+                      _ ("has no effect in an analysis in time"));
     return QN_EXIT_DONE;
   }
   if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
@@ -300,7 +300,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
     /* Of limit analysis alone. */
     { override != NULL ? "sensitivity" : NULL, 0, 0, G_OPTION_ARG_NONE,
       &options.sensitivity,
-      N_ ("Tell how the associative multiplier changes with laws, weights and loads"),
+      N_ ("Print how the associative multiplier changes with laws, weights and loads"),
       NULL },
     G_OPTION_ENTRY_NULL,
   };

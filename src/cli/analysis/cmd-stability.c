@@ -82,7 +82,7 @@ require_nonlinear (const QnInput *input)
   if (input->project.model.analysis.geometry == QN_GEOMETRY_NONLINEAR)
     return QN_EXIT_DONE;
   qn_project_set_key_error (&input->project, "analysis.geometry",
-                            _ ("nothing buckles in linear geometry: set it to nonlinear"),
+                            _ ("linear geometry has no buckling: set it to nonlinear"),
                             &error);
   return qn_cli_fail (error);
 }

@@ -176,7 +176,7 @@ run (const QnSubcommand *self, int argc, char **argv)
 const QnSubcommand qn_cmd_animate = {
   .name = "animate",
   .arguments = "MODEL",
-  .summary = N_ ("Move a mechanism or a load path: GIF, WebM or numbered pictures"),
+  .summary = N_ ("Animate a mechanism or a load path: GIF, WebM or numbered pictures"),
   .help = N_ ("The ending of the output chooses the format; a name that ends in / is a "
               "folder for pictures frame-0001.png and so on."),
   .run = run,

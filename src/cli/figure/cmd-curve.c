@@ -150,7 +150,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "until", 0, 0, G_OPTION_ARG_DOUBLE, &options.until,
       N_ ("End the curves at this displacement, m or rad"), N_ ("LIMIT") },
     { "whole", 0, 0, G_OPTION_ARG_NONE, &options.whole,
-      N_ ("Draw the last motion to its end, too, however far it runs"), NULL },
+      N_ ("Draw the last motion to its end"), NULL },
     { "energy", 0, 0, G_OPTION_ARG_NONE, &options.energy,
       N_ ("Of one analysis in time: its energies over the time"), NULL },
     { "reference", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.references,

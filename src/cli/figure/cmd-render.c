@@ -33,7 +33,7 @@ refuse_unknown (const QnSubcommand *self, const char *const *names, size_t count
   g_autoptr (GString) known = g_string_new (NULL);
   for (size_t i = 0; i < count; i++)
     g_string_append_printf (known, "%s%s", i > 0 ? ", " : "", names[i]);
-  g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known->str);
+  g_autofree char *reason = g_strdup_printf (_ ("is not one of %s"), known->str);
   return refuse (self, reason, text);
 }
 

@@ -46,7 +46,7 @@ choose_sections (const QnSubcommand *self, const char *list, bool *sections)
       i++;
     if (i == QN_REPORT_SECTION_COUNT) {
       g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
-      g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known);
+      g_autofree char *reason = g_strdup_printf (_ ("is not one of %s"), known);
       return refuse (self, *name, reason);
     }
     sections[i] = true;

@@ -67,7 +67,7 @@ apply_setting (const QnSubcommand *self, QnLaw *law, const char *setting)
     if (number == NULL)
       message = g_strdup_printf (_ ("this kind of law has no “%s”"), parts[0]);
     else if (!parse_number (parts[1], number))
-      message = g_strdup_printf (_ ("“%s” is no number"), parts[1]);
+      message = g_strdup_printf (_ ("“%s” is not a number"), parts[1]);
   }
   if (message != NULL)
     qn_cli_usage_error (self->name, message);

@@ -74,7 +74,8 @@ run_summary (const QnSubcommand *self, int argc, char **argv)
 const QnSubcommand qn_study_action_summary = {
   .name = "study summary",
   .arguments = "FOLDER",
-  .summary = N_ ("Tell mean, deviation, quantiles, fragility, what matters, mechanisms"),
+  .summary =
+    N_ ("Print mean, deviation, quantiles, fragility, sensitivities, mechanisms"),
   .run = run_summary,
 };
 

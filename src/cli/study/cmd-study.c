@@ -351,6 +351,6 @@ run (const QnSubcommand *self, int argc, char **argv)
 const QnSubcommand qn_cmd_study = {
   .name = "study",
   .arguments = "ACTION",
-  .summary = N_ ("Compute many cases of what is uncertain, and what follows"),
+  .summary = N_ ("Study uncertain parameters: compute many cases, and their statistics"),
   .run = run,
 };

@@ -17,7 +17,7 @@
   X (NEGATIVE, "number must not be negative") \
   X (TOO_LARGE, "number is too large") \
   X (TOLERANCE_FINE, "tolerance is below what double precision resolves") \
-  X (TOLERANCE_COARSE, "tolerance does not tell equilibrium from collapse") \
+  X (TOLERANCE_COARSE, "tolerance is too coarse to distinguish equilibrium from collapse") \
   X (TOO_FEW_VERTICES, "polygon has fewer than three vertices") \
   X (DUPLICATE_VERTEX, "polygon repeats a vertex") \
   X (ZERO_AREA, "polygon has no area") \
@@ -51,13 +51,13 @@
   X (LAW_WITHOUT_LIMIT, "limit analysis covers the strengths of joints only, not of this kind of law") \
   X (BLOCK_WITHOUT_MASS, "block has no mass to vibrate with") \
   X (STATE_SLIPS, "pairs slip without dilatancy in this state: no symmetric stiffness") \
-  X (LIMIT_WITHOUT_STATE, "limit analysis leaves no state to vibrate about") \
+  X (LIMIT_WITHOUT_STATE, "limit analysis ends without displacements: vibrations need another procedure") \
   X (TIME_WITHOUT_STATE, "an analysis in time leaves no equilibrium to start from") \
   X (STABILITY_STAGES, "stability is looked for along the live loads, not along stages") \
   X (STATE_SINGULAR, "stiffness of this state is singular") \
-  X (STATE_UNSTABLE, "this state is not stable: a structure does not vibrate about it") \
+  X (STATE_UNSTABLE, "this state is unstable: there are no vibrations about it") \
   X (CAPACITY_LOADS, "a capacity curve needs horizontal weights as live loads") \
-  X (CAPACITY_BEAMS, "capacity curves are of blocks alone: beams have no part in them") \
+  X (CAPACITY_BEAMS, "capacity curves are for blocks only: remove the beams") \
   X (CAPACITY_MOTION, "block does not move with the live load: control another one") \
   X (TOO_FEW_UNKNOWNS, "structure has no degree of freedom") \
   X (MODES_NOT_FOUND, "modes were not found") \

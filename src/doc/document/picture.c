@@ -79,8 +79,7 @@ qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
   const char *folder = qn_document_get_folder (document);
   g_autofree char *name = qn_underlay_dup_name (path, folder);
   g_autofree char *json = qn_underlay_to_json (name, &underlay);
-  return qn_document_edit_extra (document, _ ("Lay Picture Behind"), NULL, MEMBER, json,
-                                 error);
+  return qn_document_edit_extra (document, _ ("Add Picture"), NULL, MEMBER, json, error);
 }
 
 /* Path of the present picture, or NULL with an error. */

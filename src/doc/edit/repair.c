@@ -140,7 +140,7 @@ qn_repair_get_label (QnRepair repair)
     [QN_REPAIR_CLOSE] = N_ ("Close"),   [QN_REPAIR_SNAP] = N_ ("Snap"),
     [QN_REPAIR_MOVE] = N_ ("Move"),     [QN_REPAIR_TRIM] = N_ ("Trim"),
     [QN_REPAIR_MERGE] = N_ ("Merge"),   [QN_REPAIR_SUPPORT] = N_ ("Fix"),
-    [QN_REPAIR_DELETE] = N_ ("Delete"), [QN_REPAIR_FORGET] = N_ ("Forget"),
+    [QN_REPAIR_DELETE] = N_ ("Delete"), [QN_REPAIR_FORGET] = N_ ("Remove"),
   };
   return _ (labels[repair]);
 }
@@ -156,7 +156,7 @@ qn_repair_get_step_name (QnRepair repair)
     [QN_REPAIR_MERGE] = N_ ("Merge Blocks"),
     [QN_REPAIR_SUPPORT] = N_ ("Fix Block"),
     [QN_REPAIR_DELETE] = N_ ("Delete Block"),
-    [QN_REPAIR_FORGET] = N_ ("Forget Exception"),
+    [QN_REPAIR_FORGET] = N_ ("Remove Exception"),
   };
   return _ (names[repair]);
 }
@@ -169,7 +169,7 @@ qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repa
       N_ ("Lets all blocks beside gaps like this one grow to the middle"),
     [QN_REPAIR_SNAP] = N_ ("Moves corners of %s onto %s"),
     [QN_REPAIR_MOVE] = N_ ("Moves %s as a whole until it touches %s"),
-    [QN_REPAIR_TRIM] = N_ ("Takes from %s what it has in common with %s"),
+    [QN_REPAIR_TRIM] = N_ ("Removes from %s its overlap with %s"),
     [QN_REPAIR_MERGE] = N_ ("Makes one block of %s and %s"),
     [QN_REPAIR_SUPPORT] = N_ ("Fixes %s to the ground"),
     [QN_REPAIR_DELETE] = N_ ("Removes %s"),

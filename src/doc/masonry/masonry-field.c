@@ -221,7 +221,7 @@ static const OpeningField opening_fields[QN_OPENING_FIELD_COUNT] = {
   [QN_OPENING_BEARING] = LENGTH (N_ ("Bearing"), "bearing", 0.0, bearing, 1u << QN_SPAN_LINTEL),
   [QN_OPENING_VOUSSOIRS] = { { N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, TRUE, "voussoirs" },
                              G_STRUCT_OFFSET (QnOpening, voussoirs), SPANS_PIECES },
-  [QN_OPENING_SKEW] = { { N_ ("Lean of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, FALSE, "skew" },
+  [QN_OPENING_SKEW] = { { N_ ("Inclination of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, FALSE, "skew" },
                         G_STRUCT_OFFSET (QnOpening, skew), 1u << QN_SPAN_FLAT_ARCH },
   [QN_OPENING_SILL_HEIGHT] = LENGTH (N_ ("Sill height"), "sill[0]", 0.0, sill_height, 0),
   [QN_OPENING_SILL_BEARING] = LENGTH (N_ ("Sill bearing"), "sill[1]", 0.0, sill_bearing, 0),

@@ -61,9 +61,9 @@ settle_unit (Reading *r, gsize line, const char *said)
   double own = said != NULL ? unit_factor (said) : 0;
   double given = r->unit != NULL ? unit_factor (r->unit) : 0;
   if (r->unit != NULL && given == 0)
-    return fail (r, 0, _ ("unit is none of m/s2, cm/s2, gal, mm/s2 and g"));
+    return fail (r, 0, _ ("unit is not one of m/s2, cm/s2, gal, mm/s2 and g"));
   if (said != NULL && own == 0)
-    return fail (r, line, _ ("unit is none of m/s2, cm/s2, gal, mm/s2 and g"));
+    return fail (r, line, _ ("unit is not one of m/s2, cm/s2, gal, mm/s2 and g"));
   if (own > 0 && given > 0 && own != given)
     return fail (r, line, _ ("the file says another unit than the one given"));
   if (own == 0 && given == 0)

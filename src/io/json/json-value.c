@@ -360,7 +360,7 @@ fail_choice (const QnJsonValue *member, const char *given, const char *const *na
   GString *message = g_string_new (NULL);
   qn_json_append_string (message, given);
   /* Translators: followed by a list of words. */
-  g_string_append (message, _ (" is none of "));
+  g_string_append (message, _ (" is not one of "));
   for (int i = 0; i < count; i++)
     g_string_append_printf (message, "%s%s", i > 0 ? ", " : "", names[i]);
   qn_json_value_fail (member, message->str);

@@ -26,7 +26,7 @@ check_head (QnJsonStream *stream, QnResultDraft *draft)
     }
   }
   return qn_json_stream_fail_at (stream, "outcome",
-                                 _ ("this is no outcome of an analysis"));
+                                 _ ("this is not an outcome of an analysis"));
 }
 
 static gboolean

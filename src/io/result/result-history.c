@@ -251,7 +251,7 @@ read_found_force (QnJsonStream *stream, gpointer target)
       || !take_count (stream, numbers[3], &state))
     return FALSE;
   if (state >= QN_PAIR_STATE_COUNT)
-    return qn_json_stream_fail (stream, _ ("this is no state of a contact pair"));
+    return qn_json_stream_fail (stream, _ ("this is not a state of a contact pair"));
   force.normal = numbers[1];
   force.shear = numbers[2];
   force.state = (QnPairState) state;

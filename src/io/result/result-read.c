@@ -96,14 +96,14 @@ static gboolean
 read_flow (QnJsonStream *stream, gpointer target)
 {
   return read_word (stream, qn_flow_names, QN_FLOW_COUNT,
-                    _ ("this is no flow rule of limit analysis"), target);
+                    _ ("this is not a flow rule of limit analysis"), target);
 }
 
 static gboolean
 read_procedure (QnJsonStream *stream, gpointer target)
 {
   return read_word (stream, qn_procedure_names, QN_PROCEDURE_COUNT,
-                    _ ("this is no procedure of an analysis"), target);
+                    _ ("this is not a procedure of an analysis"), target);
 }
 
 /* More than a result keeps is read and left out. */
@@ -287,7 +287,7 @@ static gboolean
 read_state (QnJsonStream *stream, gpointer target)
 {
   return read_word (stream, qn_pair_state_names, QN_PAIR_STATE_COUNT,
-                    _ ("this is no state of a contact pair"), target);
+                    _ ("this is not a state of a contact pair"), target);
 }
 
 static gboolean

@@ -11,7 +11,8 @@ static const struct {
   [QN_CLAIM_STEPS] = { "steps",
                        N_ ("the steps are not in order, or one is out of balance"), "" },
   [QN_CLAIM_DISPLACEMENTS] = { "displacements",
-                               N_ ("a support, or what rides on a block, is displaced"),
+                               N_ ("a support, or a node on a block, has a wrong "
+                                   "displacement"),
                                "m" },
   [QN_CLAIM_FORCES] = { "forces",
                         N_ ("the force is not the one that the displacements cause"),
@@ -31,8 +32,7 @@ static const struct {
   [QN_CLAIM_EVENTS] = { "events", N_ ("the event is not one of the steps"), "" },
   [QN_CLAIM_OUTCOME] = { "outcome", N_ ("the outcome is not that of the steps"), NULL },
   [QN_CLAIM_COLLAPSE] = { "collapse-multiplier",
-                          N_ ("the collapse multiplier is not the highest of the steps"),
-                          "" },
+                          N_ ("the collapse multiplier is not that of the steps"), "" },
   [QN_CLAIM_FIRST_LIMIT] = { "first-limit-multiplier",
                              N_ ("no step has the multiplier of the first limit point"),
                              "" },
@@ -56,7 +56,8 @@ static const struct {
                               "not those of the steps"),
                           "" },
   [QN_CLAIM_LINEARITY] = { "linearity",
-                           N_ ("blocks leave linear geometry elsewhere than told"), "" },
+                           N_ ("linear geometry ends at another multiplier than stated"),
+                           "" },
   [QN_CLAIM_HISTORY] = { "history", N_ ("the history is not that of the steps"), "" },
 };
 

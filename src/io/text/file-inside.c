@@ -65,7 +65,7 @@ qn_file_inside (const char *folder, const char *file, gboolean allow_outside,
   g_autofree char *line = g_strescape (shown, "\"");
   g_set_error (
     error, QN_IO_ERROR, inside ? QN_IO_ERROR_FILE : QN_IO_ERROR_OUTSIDE,
-    inside ? _ ("%s: the project names this, which is a pipe or a device and no file")
+    inside ? _ ("%s: the project names this file, which is a pipe or a device")
            : _ ("%s: the project names this file, which is outside the project's folder"),
     line);
   return NULL;

@@ -25,8 +25,7 @@ direction_of (QnVec2 velocity)
  * direction a mechanism has that for none. */
 #define NO_DIRECTION 4
 static const char *const titles[QN_MECHANISM_KIND_COUNT][NO_DIRECTION + 1] = {
-  [QN_MECHANISM_KIND_NONE] = { [NO_DIRECTION] =
-                                 N_ ("Beams give way") }, /* no block moves */
+  [QN_MECHANISM_KIND_NONE] = { [NO_DIRECTION] = N_ ("Beams fail") }, /* no block moves */
   [QN_MECHANISM_KIND_OVERTURNING] = { [TO_THE_RIGHT] = N_ ("Overturning to the right"),
                                       [TO_THE_LEFT] = N_ ("Overturning to the left"),
                                       [NO_DIRECTION] = N_ ("Overturning") },
@@ -43,7 +42,7 @@ static const char *const titles[QN_MECHANISM_KIND_COUNT][NO_DIRECTION + 1] = {
                                   [TO_THE_LEFT] =
                                     N_ ("Stepped crack, opening to the left"),
                                   [NO_DIRECTION] = N_ ("Stepped crack") },
-  [QN_MECHANISM_KIND_ARCH] = { [NO_DIRECTION] = N_ ("Folding like an arch") },
+  [QN_MECHANISM_KIND_ARCH] = { [NO_DIRECTION] = N_ ("Hinging like an arch") },
   [QN_MECHANISM_KIND_FALLING] = { [UPWARDS] = N_ ("Lifting off"),
                                   [NO_DIRECTION] = N_ ("Falling") },
   [QN_MECHANISM_KIND_MIXED] = { [TO_THE_RIGHT] = N_ ("Rocking and sliding to the right"),

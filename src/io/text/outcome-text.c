@@ -221,9 +221,7 @@ qn_outcome_dup_interval (const QnResult *result)
   double carried = most_carried (result);
   g_autofree char *from =
     carried > (1 + QN_SETTLED) * least ? g_strdup_printf (
-      _ ("The multiplier was %s, where the structure moves on after it "
-         "has carried %.4f;"),
-      found, carried)
+      _ ("The multiplier was %s: the plateau beyond a peak of %.4f;"), found, carried)
     : result->solution_count == 1
       ? g_strdup_printf (_ ("The multiplier was %s;"), found)
       : g_strdup_printf (
@@ -321,9 +319,9 @@ explain_failure (const Task *task, const QnResult *result)
   const QnStep *last = last_step (result);
   double reached = last != NULL ? last->multiplier : 0;
   if (result->stop == QN_STOP_CHECK)
-    return g_strdup (_ ("The result does not pass the check of its own numbers, so that "
-                        "nothing is concluded from it: `quoin-cli check --result` tells "
-                        "which of them are not true."));
+    return g_strdup (
+      _ ("The numbers of this result contradict each other, so no conclusion is drawn. "
+         "`quoin-cli check --result` lists what is wrong."));
   if (result->stop == QN_STOP_FACTORIZATIONS)
     return g_strdup_printf (
       _ ("Stopped at a load multiplier of %.4g, after as many factorisations as "
@@ -347,14 +345,14 @@ explain_failure (const Task *task, const QnResult *result)
          "found. Try more increments or a coarser tolerance."),
       last->multiplier);
   if (result->stop == QN_STOP_STEPS)
-    return g_strdup_printf (_ ("The path was stopped at a load multiplier of %.4g: it "
-                               "has the largest number of steps. Ask for fewer "
-                               "increments or a nearer target."),
-                            last->multiplier);
+    return g_strdup_printf (
+      _ ("The path was stopped at a load multiplier of %.4g, after the largest number of "
+         "steps. Use fewer increments or a nearer target."),
+      last->multiplier);
   return g_strdup_printf (
-    _ ("The path was lost at a load multiplier of %.4g: no equilibrium was found even at "
-       "the shortest step. Try more increments, another controlled displacement or a "
-       "coarser tolerance."),
+    _ ("The path ends at a load multiplier of %.4g: beyond it no equilibrium was found, "
+       "even with the shortest step. Try more increments, another controlled "
+       "displacement or a coarser tolerance."),
     last->multiplier);
 }
 

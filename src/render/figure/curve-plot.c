@@ -171,7 +171,7 @@ create_legend (const QnCurvePlot *data)
   }
   if (runs_on) {
     QnLegendEntry *entry =
-      qn_scene_legend (scene, QN_COMMAND_MARKER, ink, "%s", _ ("moves on and on"));
+      qn_scene_legend (scene, QN_COMMAND_MARKER, ink, "%s", _ ("grows without limit"));
     entry->marker = QN_MARKER_ARROW_HEAD;
     entry->size = 1;
   }

@@ -223,7 +223,7 @@ qn_mechanism_kind_text (QnMechanismKind kind)
     [QN_MECHANISM_KIND_ARCH] = N_ ("hinged arch"),
     [QN_MECHANISM_KIND_FALLING] = N_ ("falling blocks"),
     [QN_MECHANISM_KIND_MIXED] = N_ ("rocking and sliding"),
-    [QN_MECHANISM_KIND_NONE] = N_ ("beams give way"), /* no block moves */
+    [QN_MECHANISM_KIND_NONE] = N_ ("beams fail"), /* no block moves */
   };
   return _ (texts[kind]);
 }

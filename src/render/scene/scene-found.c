@@ -46,7 +46,7 @@ qn_build_found (QnSceneBuilder *b)
   if (count == 0)
     return;
   QnLegendEntry *entry = qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, "%s",
-                                          _ ("contact found on the way"));
+                                          _ ("contact found during the motion"));
   entry->marker = QN_MARKER_DOT;
   entry->size = SIZE;
 }

@@ -337,7 +337,7 @@ qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
     g_set_error_literal (&error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                          stop == QN_STOP_TIME
                            ? _ ("the analysis took longer than max_seconds allows")
-                           : _ ("the analysis needed more factorizations than it may"));
+                           : _ ("the analysis reached its limit of factorizations"));
   if (error == NULL && keep != NULL)
     qn_result_file_write (keep, &current->project, &current->contacts, &current->result,
                           &error);

@@ -334,7 +334,7 @@ read_line (const QnJsonValue *place, QnParameter *parameter)
   }
   if (!(length > 0) || steps < 2)
     return qn_json_value_fail (
-      &list, _ ("expected two points at least that are apart, and at least 2 steps"));
+      &list, _ ("expected at least two different points, and at least 2 steps"));
   g_autofree double *values = g_new (double, steps);
   for (int32_t i = 0; i < steps; i++)
     values[i] = length * i / (steps - 1);

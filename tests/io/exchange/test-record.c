@@ -76,7 +76,7 @@ static void
 test_refused (void)
 {
   assert_refused ("0 0\n1 1\n", NULL, 0, "does not say the unit");
-  assert_refused ("0 0\n1 1\n", "furlong", 0, "none of m/s2");
+  assert_refused ("0 0\n1 1\n", "furlong", 0, "not one of m/s2");
   assert_refused ("time [s],a [m/s2]\n0,0\n1,1\n", "g", 0, "another unit");
   assert_refused ("0 0\n1 1\n", "g", 0.1, "not wanted");
   assert_refused ("", "g", 0, "empty");

@@ -111,7 +111,7 @@ test_errors (Fixture *fixture, gconstpointer data)
   g_assert_false (qn_member_count (root, "c", QN_REQUIRED, 2, &count));
   g_clear_error (&fixture->reader.error);
   g_assert_false (qn_member_choice (root, "s", QN_REQUIRED, names, 1, &choice));
-  expect_error (fixture, "f:1:37: s: \"two\" is none of one");
+  expect_error (fixture, "f:1:37: s: \"two\" is not one of one");
   g_assert_false (qn_member_vec2 (root, "w", QN_REQUIRED, &vector));
   expect_error (fixture, "f:2:21: w: expected two numbers");
   g_assert_false (qn_member_vec2 (root, "x", QN_REQUIRED, &vector));

@@ -32,7 +32,7 @@ test_contact (void)
     { "\"contact\": { \"law\": \"joint\", \"tolerance\": -1 }",
       "8:45: contact.tolerance: number must not be negative" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"middle\" } }",
-      "8:56: contact.pairs.placement: \"middle\" is none of ends, uniform, gauss, "
+      "8:56: contact.pairs.placement: \"middle\" is not one of ends, uniform, gauss, "
       "explicit" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"offset\": -0.1 } }",
       "8:53: contact.pairs.offset: number must not be negative" },
@@ -62,8 +62,9 @@ static void
 test_loads (void)
 {
   static const Case cases[] = {
-    { "{ \"kind\": \"wind\" }", "9:34: loads.dead[0].kind: \"wind\" is none of weight, "
-                                "force, settlement, line, edge, surcharge, backfill" },
+    { "{ \"kind\": \"wind\" }",
+      "9:34: loads.dead[0].kind: \"wind\" is not one of weight, "
+      "force, settlement, line, edge, surcharge, backfill" },
     { "{ \"kind\": \"weight\" }",
       "9:24: loads.dead[0].direction: required key is missing" },
     { "{ \"kind\": \"weight\", \"direction\": [0] }",
@@ -88,7 +89,7 @@ test_analysis (void)
   static const Case cases[] = {
     { "\"analysis\": 3,", "9:15: analysis: expected an object, found a number" },
     { "\"analysis\": { \"procedure\": \"fast\" },",
-      "9:30: analysis.procedure: \"fast\" is none of load, displacement, work, "
+      "9:30: analysis.procedure: \"fast\" is not one of load, displacement, work, "
       "arc-length, "
       "limit, dynamic" },
     { "\"analysis\": { \"increments\": 0 },",
@@ -98,12 +99,12 @@ test_analysis (void)
     { "\"analysis\": { \"max_multiplier\": -1 },",
       "9:35: analysis.max_multiplier: number must not be negative" },
     { "\"analysis\": { \"snap\": \"go\" },",
-      "9:25: analysis.snap: \"go\" is none of jump, stop" },
+      "9:25: analysis.snap: \"go\" is not one of jump, stop" },
     { "\"analysis\": { \"control\": { \"component\": \"ux\", \"target\": 1 } },",
       "9:28: analysis.control.block: required key is missing" },
     { "\"analysis\": { \"control\": { \"block\": \"top\", \"component\": \"uz\", "
       "\"target\": 1 } },",
-      "9:59: analysis.control.component: \"uz\" is none of ux, uy, rz" },
+      "9:59: analysis.control.component: \"uz\" is not one of ux, uy, rz" },
     { "\"analysis\": { \"control\": { \"block\": \"top\", \"component\": \"ux\", "
       "\"target\": 0 } },",
       "9:75: analysis.control.target: control target is zero" },

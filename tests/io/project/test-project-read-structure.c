@@ -28,7 +28,7 @@ test_laws (void)
     { "\"name\": \"joint\"", "\"name\": 7",
       "4:15: laws[0].name: expected a string, found a number" },
     { "\"coulomb\"", "\"plastic\"",
-      "4:32: laws[0].kind: \"plastic\" is none of elastic, no-tension, coulomb, "
+      "4:32: laws[0].kind: \"plastic\" is not one of elastic, no-tension, coulomb, "
       "mohr-coulomb, bilinear, elastic-plastic, concrete, steel, curve" },
     { "\"kind\": \"coulomb\", ", "", "4:5: laws[0].kind: required key is missing" },
     { "\"kn\": 1e7, ", "", "4:5: laws[0].kn: required key is missing" },
@@ -47,7 +47,7 @@ test_laws (void)
     { "0.65", "0.65, \"dilatancy\": 0.7",
       "4:96: laws[0].dilatancy: dilatancy exceeds friction" },
     { "0.65", "0.65, \"basis\": \"joint\"",
-      "4:92: laws[0].basis: \"joint\" is none of contact, surface, material" },
+      "4:92: laws[0].basis: \"joint\" is not one of contact, surface, material" },
     { "0.65 } ]",
       "0.65 }, { \"name\": \"joint\", \"kind\": \"elastic\", \"kn\": 1, \"ks\": 1 } ]",
       "4:95: laws[1].name: name is used twice" },

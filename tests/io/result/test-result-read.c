@@ -77,7 +77,7 @@ static const Case cases[] = {
   { "\"version\": 1", "\"version\": 2",
     "r.json:2:40: version: this program reads another version of the format" },
   { "\"outcome\": \"collapse\"", "\"outcome\": \"glory\"",
-    "r.json:6:14: outcome: this is no outcome of an analysis" },
+    "r.json:6:14: outcome: this is not an outcome of an analysis" },
   { "\"collapse_multiplier\": 0.2", "\"collapse_multiplier\": \"0.2\"",
     "r.json:7:26: collapse_multiplier: expected a number" },
   { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\"]",
@@ -100,7 +100,7 @@ static const Case cases[] = {
   { "\"event\": \"collapse\"", "\"event\": \"boom\"",
     "r.json:20:122: steps[1].event: expected null, \"snap\" or \"collapse\"" },
   { "\"found_by\": \"work\"", "\"found_by\": \"luck\"",
-    "r.json:11:50: solutions[0].found_by: this is no procedure of an analysis" },
+    "r.json:11:50: solutions[0].found_by: this is not a procedure of an analysis" },
   { "[0.2, 0.25]", "[0.2]",
     "r.json:12:28: collapse_interval: expected two numbers or null" },
   { "[0.2, 0.25]", "[0.19, 0.25]",
@@ -118,7 +118,7 @@ static const Case cases[] = {
   { "\"normal\": [0, 1]", "\"normal\": [0, 2]",
     "r.json:22:70: contacts[0].normal: normal is not of length 1" },
   { "\"state\": \"stick\"", "\"state\": \"glue\"",
-    "r.json:22:95: contacts[0].state: this is no state of a contact pair" },
+    "r.json:22:95: contacts[0].state: this is not a state of a contact pair" },
   { "\"mechanism\": [[0, 0, 0], ", "\"mechanism\": [",
     "r.json:24:16: mechanism: there are not as many velocities as blocks" },
   { "\"seconds\": 0.012", "\"seconds\": true",
@@ -222,8 +222,8 @@ static void
 test_further_errors (void)
 {
   static const Case wrong[] = {
-    { "\"non-associative\"", "\"plastic\"", "this is no flow rule of limit analysis" },
-    { "\"non-associative\"", "3", "this is no flow rule of limit analysis" },
+    { "\"non-associative\"", "\"plastic\"", "this is not a flow rule of limit analysis" },
+    { "\"non-associative\"", "3", "this is not a flow rule of limit analysis" },
     { "[0.3, 0.4]", "[0.3, true]", "fixed_points[1]: expected a number" },
     { "\"stage\": 1, \"blocks\"", "\"stage\": 1000, \"blocks\"",
       "stage: there is no such stage" },

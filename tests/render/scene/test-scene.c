@@ -330,14 +330,14 @@ test_found (void)
       qn_motion_place (&motion, 1, qn_found_corner (&f.model, &found.contact), 1);
     g_assert_cmpfloat_with_epsilon (qn_scene_points (scene, dot)->x, corner.x, 1e-12);
     g_assert_cmpfloat_with_epsilon (qn_scene_points (scene, dot)->y, corner.y, 1e-12);
-    g_assert_true (has_legend (scene, "contact found on the way"));
+    g_assert_true (has_legend (scene, "contact found during the motion"));
     const QnCommand *arrow = find_command (scene, QN_PICK_FOUND, QN_LAYER_FORCES);
     g_assert_cmpint (arrow != NULL, ==, views[i] == QN_VIEW_FORCES);
   }
 
   g_autoptr (QnScene) before = build_step (&f, QN_VIEW_DEFORMED, 0);
   g_assert_null (find_command (before, QN_PICK_FOUND, QN_LAYER_SYMBOLS));
-  g_assert_false (has_legend (before, "contact found on the way"));
+  g_assert_false (has_legend (before, "contact found during the motion"));
 
   g_autoptr (QnScene) open = build_step (&f, QN_VIEW_DEFORMED, last);
   g_assert_cmpuint (count_commands (open, QN_LAYER_GAPS, QN_PICK_FACE), ==, 1);
