@@ -263,7 +263,7 @@ test_dialogs (void)
 static void
 test_study (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *source = driver_example_path ("ferris-tin-loi/wall3.quoin");
   g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
   g_autofree char *text = NULL;
@@ -278,7 +278,6 @@ test_study (void)
   g_assert_nonnull (dialog);
   look_at (dialog, "study");
   driver_discard (window);
-  test_scratch_free (folder);
 }
 
 static gboolean

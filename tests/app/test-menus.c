@@ -454,7 +454,7 @@ static void
 test_study (void)
 {
   driver_pass_over_gtk ();
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *source = driver_example_path ("ferris-tin-loi/wall3.quoin");
   g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
   g_autofree char *text = NULL;
@@ -506,7 +506,6 @@ test_study (void)
   choose (row, "Leave It As It Is");
   driver_wait (has_no_parameters, dialog);
   driver_discard (window);
-  test_scratch_free (folder);
 }
 
 int

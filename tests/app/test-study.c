@@ -122,7 +122,7 @@ export_to (GtkWidget *dialog, const char *what, const char *path)
 static void
 test_vary (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
   driver_activate (window, "win.show-panel::analysis");
   driver_run (200);
@@ -197,7 +197,6 @@ test_vary (void)
   export_to (dialog, "table", again);
   g_assert_cmpuint (count_lines (again), ==, 201);
   driver_discard (window);
-  test_scratch_free (folder);
 }
 
 static void
@@ -430,7 +429,7 @@ study_says (GtkWidget *dialog, const char *words)
 static void
 test_edit (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
@@ -477,7 +476,6 @@ test_edit (void)
   export_to (dialog, "table", table);
   g_assert_cmpuint (count_lines (table), ==, 201);
   driver_discard (window);
-  test_scratch_free (folder);
 }
 
 /* The folder of results beside the project. */
@@ -496,7 +494,7 @@ find_results (const char *folder)
 static void
 test_surface (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
@@ -552,7 +550,6 @@ test_surface (void)
   g_assert_true (g_str_equal (shown, printed));
   g_assert_nonnull (strstr (shown, "\nSource: wall.quoin\n"));
   driver_discard (window);
-  test_scratch_free (folder);
 }
 
 /* A path drawn over an arch: the force goes along it. */
@@ -562,7 +559,7 @@ test_moving_load (void)
   static const double corners[][2] = {
     { 0, 0.6 }, { 2.2, 2.8 }, { 5.8, 2.8 }, { 8, 0.6 }
   };
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   QnWindow *window = open_copy (folder, "studies/arch-bridge.quoin");
   driver_activate (window, "win.tool::path");
   for (gsize i = 0; i < G_N_ELEMENTS (corners); i++)
@@ -581,7 +578,6 @@ test_moving_load (void)
   export_to (dialog, "table", table);
   g_assert_cmpuint (count_lines (table), ==, 42);
   driver_discard (window);
-  test_scratch_free (folder);
 }
 
 int

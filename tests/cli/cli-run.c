@@ -93,6 +93,14 @@ cli_expect_done (CliRun run)
   cli_run_clear (&run);
 }
 
+void
+cli_expect_said (CliRun run, const char *part)
+{
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, part));
+  cli_run_clear (&run);
+}
+
 char *
 cli_write (const char *folder, const char *name, const char *text)
 {

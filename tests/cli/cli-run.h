@@ -31,6 +31,14 @@ void cli_assert_done (const CliRun *run);
 #define cli_do(...) cli_expect_done (cli_run (__VA_ARGS__))
 void cli_expect_done (CliRun run);
 
+/* The same, and fails unless `part` is on standard output. */
+#define cli_says(part, ...) cli_expect_said (cli_run (__VA_ARGS__), part)
+void cli_expect_said (CliRun run, const char *part);
+
+/* Runs and fails unless that failed, as cli_assert_failed() says. */
+#define cli_fails(code, part, ...)                                                       \
+  cli_assert_failed ((CliRun[]){ cli_run (__VA_ARGS__) }, code, part)
+
 /* Writes a file into the folder; the path is returned. Free with g_free(). */
 char *cli_write (const char *folder, const char *name, const char *text);
 

@@ -81,7 +81,7 @@ static void
 test_bad_input (gconstpointer data)
 {
   const BadInput *bad = data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = cli_replace (cli_sliding_block, bad->from, bad->to);
   g_autofree char *model = cli_write (folder, "bad.quoin", text);
   g_autofree char *output = g_build_filename (folder, "bad.json", NULL);
@@ -95,20 +95,18 @@ test_bad_input (gconstpointer data)
     g_assert_false (g_file_test (output, G_FILE_TEST_EXISTS));
     g_assert_false (g_file_test (curve, G_FILE_TEST_EXISTS));
   }
-  test_scratch_free (folder);
 }
 
 /* Whole files that are wrong, not single keys. */
 static void
 file_fails (const char *text, const char *part)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "bad.quoin", text);
   CliRun run = cli_run ("check", model, NULL);
   g_assert_nonnull (strstr (run.err, "bad.quoin"));
   g_assert_cmpstr (run.out, ==, "");
   cli_assert_failed (&run, 3, part);
-  test_scratch_free (folder);
 }
 
 static void
@@ -182,31 +180,27 @@ test_too_many_blocks (void)
 static void
 test_folder_as_model (void)
 {
-  char *folder = test_scratch_new ();
-  CliRun run = cli_run ("solve", folder, NULL);
-  cli_assert_failed (&run, 5, folder);
-  test_scratch_free (folder);
+  test_autoscratch char *folder = test_scratch_new ();
+  cli_fails (5, folder, "solve", folder, NULL);
 }
 
 static void
 test_unreadable (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "secret.quoin", cli_sliding_block);
   g_assert_cmpint (g_chmod (model, 0), ==, 0);
   if (access (model, R_OK) == 0) {
     g_test_skip ("this user may read everything");
   } else {
-    CliRun run = cli_run ("solve", model, NULL);
-    cli_assert_failed (&run, 5, "secret.quoin");
+    cli_fails (5, "secret.quoin", "solve", model, NULL);
   }
-  test_scratch_free (folder);
 }
 
 static void
 test_unknown_key_is_a_warning (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text =
     cli_replace (cli_sliding_block, "\"title\"", "\"colour\": \"red\", \"title\"");
   g_autofree char *model = cli_write (folder, "wall.quoin", text);
@@ -214,7 +208,6 @@ test_unknown_key_is_a_warning (void)
   g_assert_cmpint (run.code, ==, 0);
   g_assert_nonnull (strstr (run.err, "colour"));
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 int

@@ -34,16 +34,13 @@ number_after (const char *text, const char *key)
 static void
 test_block (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", block);
   g_autofree char *json = g_build_filename (folder, "c.json", NULL);
   g_autofree char *csv = g_build_filename (folder, "c.csv", NULL);
   g_autofree char *svg = g_build_filename (folder, "c.svg", NULL);
-  CliRun run = cli_run ("capacity", model, "--spectrum", "type1", "--ag", "2.4525",
-                        "--soil", "C", "--json", json, "--csv", csv, "-o", svg, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "SLV"));
-  cli_run_clear (&run);
+  cli_says ("SLV", "capacity", model, "--spectrum", "type1", "--ag", "2.4525", "--soil",
+            "C", "--json", json, "--csv", csv, "-o", svg, NULL);
   g_autofree char *text = cli_read (json), *table = cli_read (csv),
                   *picture = cli_read (svg);
   const char *slv = strstr (text, "\"SLV\"");
@@ -61,19 +58,18 @@ test_block (void)
     cli_write (folder, "s.csv",
                "period [s],acceleration [m/s2]\n0.2,7.0509375\n0.6,7.0509375\n"
                "1.69577,2.494772\n2,2.11528\n4,0.52882\n");
-  run = cli_run ("capacity", model, "--spectrum", points, "--json", "-", NULL);
+  CliRun run = cli_run ("capacity", model, "--spectrum", points, "--json", "-", NULL);
   cli_assert_done (&run);
   slv = strstr (run.out, "\"SLV\"");
   g_assert_cmpfloat_with_epsilon (number_after (slv, "\"demand\": "), 0.18172, 1e-4);
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 /* What the project keeps is taken where no option says it. */
 static void
 test_kept (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *kept = cli_replace (
     block, "\"analysis\"",
     "\"capacity\": { \"control\": \"block\", \"spectrum\": \"type1\", \"ag\": 2.4525, "
@@ -98,7 +94,6 @@ test_kept (void)
   taken = cli_run ("capacity", bad, NULL);
   g_assert_nonnull (strstr (taken.err, "capacity.soil: "));
   cli_run_clear (&taken);
-  test_scratch_free (folder);
 }
 
 /* No number of it is infinite, and none is missing but the answers that there are none of. */
@@ -116,7 +111,7 @@ check_numbers (const cJSON *value)
 static void
 test_read_back (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *sound = cli_write (folder, "block.quoin", block);
   g_autofree char *short_text =
     cli_replace (block, "\"load\" }", "\"load\", \"max_factorizations\": 3 }");
@@ -154,36 +149,26 @@ test_read_back (void)
     }
     cJSON_Delete (root);
   }
-  test_scratch_free (folder);
 }
 
 static void
 test_refused (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", block);
   g_autofree char *zero = cli_write (folder, "z.csv", "T [s],S [g]\n0.1,1\n0.2,0\n");
-  CliRun run = cli_run ("capacity", model, "--spectrum", "type1", "--soil", "A", NULL);
-  cli_assert_failed (&run, 2, "--ag");
-  run = cli_run ("capacity", model, "--spectrum", "type1", "--ag", "0.2 g", "--soil", "A",
-                 NULL);
-  cli_assert_failed (&run, 2, "--ag");
-  run =
-    cli_run ("capacity", model, "--spectrum", "type1", "--ag", "1", "--soil", "F", NULL);
-  cli_assert_failed (&run, 2, "--soil");
-  run = cli_run ("capacity", model, "--ag", "1", NULL);
-  cli_assert_failed (&run, 2, "--spectrum is missing");
-  run = cli_run ("capacity", model, "--confidence", "0.9", NULL);
-  cli_assert_failed (&run, 2, "--confidence");
-  run = cli_run ("capacity", model, "--control", "nobody", NULL);
-  cli_assert_failed (&run, 3, "nobody");
-  run = cli_run ("capacity", model, "--spectrum", zero, NULL);
-  cli_assert_failed (&run, 3, "must be positive");
-  run = cli_run ("capacity", model, "--spectrum", "nowhere.csv", NULL);
-  cli_assert_failed (&run, 5, "nowhere.csv");
-  run = cli_run ("capacity", model, "--set", "loads.live[0].direction=[1,1]", NULL);
-  cli_assert_failed (&run, 3, "horizontal weights");
-  test_scratch_free (folder);
+  cli_fails (2, "--ag", "capacity", model, "--spectrum", "type1", "--soil", "A", NULL);
+  cli_fails (2, "--ag", "capacity", model, "--spectrum", "type1", "--ag", "0.2 g",
+             "--soil", "A", NULL);
+  cli_fails (2, "--soil", "capacity", model, "--spectrum", "type1", "--ag", "1", "--soil",
+             "F", NULL);
+  cli_fails (2, "--spectrum is missing", "capacity", model, "--ag", "1", NULL);
+  cli_fails (2, "--confidence", "capacity", model, "--confidence", "0.9", NULL);
+  cli_fails (3, "nobody", "capacity", model, "--control", "nobody", NULL);
+  cli_fails (3, "must be positive", "capacity", model, "--spectrum", zero, NULL);
+  cli_fails (5, "nowhere.csv", "capacity", model, "--spectrum", "nowhere.csv", NULL);
+  cli_fails (3, "horizontal weights", "capacity", model, "--set",
+             "loads.live[0].direction=[1,1]", NULL);
 }
 
 /* A curve that was not followed to its end is none, whichever of its analyses was cut short; a path that
@@ -191,7 +176,7 @@ test_refused (void)
 static void
 test_ends (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", block);
   const struct {
     const char *set, *reason;
@@ -200,17 +185,14 @@ test_ends (void)
     { "analysis.max_factorizations=12", "max_factorizations (12) is spent" },
     { "analysis.max_seconds=1e-6", "max_seconds (1e-06) is spent" },
   };
-  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
-    CliRun run = cli_run ("capacity", model, "--set", rows[i].set, NULL);
-    cli_assert_failed (&run, 4, rows[i].reason);
-  }
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++)
+    cli_fails (4, rows[i].reason, "capacity", model, "--set", rows[i].set, NULL);
   g_autofree char *sliding = cli_example ("01-sliding-block.quoin");
   CliRun run = cli_run ("capacity", sliding, NULL);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "before zero"));
   g_assert_nonnull (strstr (run.out, "has reached its target of 0.7 m"));
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 int

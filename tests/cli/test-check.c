@@ -62,7 +62,7 @@ test_json (void)
 static void
 test_unsound (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text =
     cli_replace (cli_sliding_block, "[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]",
                  "[[0, 1], [1, 1], [1, 1.5], [0, 1.5]]");
@@ -75,14 +75,13 @@ test_unsound (void)
   run = cli_run ("check", model, "--json", NULL);
   g_assert_nonnull (strstr (run.out, "\"sound\": false"));
   cli_assert_failed (&run, 3, "stone");
-  test_scratch_free (folder);
 }
 
 /* A gap a little wider than the tolerance is told with its place, and is no error. */
 static void
 test_gap (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = cli_replace (
     cli_sliding_block, "\"thickness\": 1, \"unit_weight\": 10000 }\n",
     "\"thickness\": 1, \"unit_weight\": 10000 },\n"
@@ -94,41 +93,32 @@ test_gap (void)
   g_assert_nonnull (strstr (run.out, "warnings: 1"));
   g_assert_nonnull (strstr (run.out, "next"));
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 static void
 test_result (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("06-arch.quoin");
   g_autofree char *result = g_build_filename (folder, "arch.json", NULL);
   cli_do ("solve", model, "-q", "-o", result, NULL);
 
-  CliRun run = cli_run ("check", model, "--result", result, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "passes"));
-  cli_run_clear (&run);
+  cli_says ("passes", "check", model, "--result", result, NULL);
 
   /* The same forces at another multiplier are no equilibrium. */
   g_autofree char *json = cli_read (result);
   g_autofree char *forged =
     cli_replace (json, "\"collapse_multiplier\": ", "\"collapse_multiplier\": 1");
   g_autofree char *wrong = cli_write (folder, "wrong.json", forged);
-  run = cli_run ("check", model, "--result", wrong, NULL);
+  CliRun run = cli_run ("check", model, "--result", wrong, NULL);
   g_assert_nonnull (strstr (run.out, "fails"));
   cli_assert_failed (&run, 3, "wrong.json");
 
-  run = cli_run ("check", model, "--json", "--result", result, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "\"passes\": true"));
-  cli_run_clear (&run);
+  cli_says ("\"passes\": true", "check", model, "--json", "--result", result, NULL);
 
   /* A result of another model. */
   g_autofree char *other = cli_example ("05-stack.quoin");
-  run = cli_run ("check", other, "--result", result, NULL);
-  cli_assert_failed (&run, 3, NULL);
-  test_scratch_free (folder);
+  cli_fails (3, NULL, "check", other, "--result", result, NULL);
 }
 
 int

@@ -41,8 +41,7 @@ static void
 fails (int code, const char *part, const char *first, const char *second,
        const char *third)
 {
-  CliRun run = cli_run (first, second, third, NULL);
-  cli_assert_failed (&run, code, part);
+  cli_fails (code, part, first, second, third, NULL);
 }
 
 static void
@@ -81,9 +80,8 @@ test_render_usage (void)
     { "--view", "model", "o.bmp", NULL },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (wrong); i++) {
-    CliRun run =
-      cli_run ("render", model, wrong[i][0], wrong[i][1], "-o", wrong[i][2], NULL);
-    cli_assert_failed (&run, 2, wrong[i][3]);
+    cli_fails (2, wrong[i][3], "render", model, wrong[i][0], wrong[i][1], "-o",
+               wrong[i][2], NULL);
     g_assert_false (g_file_test (wrong[i][2], G_FILE_TEST_EXISTS));
   }
 }
@@ -91,12 +89,10 @@ test_render_usage (void)
 static void
 test_missing_file (void)
 {
-  for (size_t i = 0; i < 2; i++) {
-    CliRun run = cli_run (subcommands[i], "/no/such/wall.quoin", NULL);
-    cli_assert_failed (&run, 5, "/no/such/wall.quoin");
-  }
-  CliRun run = cli_run ("compare", "/no/such/wall.quoin", "-o", "sheet.png", NULL);
-  cli_assert_failed (&run, 5, "/no/such/wall.quoin");
+  for (size_t i = 0; i < 2; i++)
+    cli_fails (5, "/no/such/wall.quoin", subcommands[i], "/no/such/wall.quoin", NULL);
+  cli_fails (5, "/no/such/wall.quoin", "compare", "/no/such/wall.quoin", "-o",
+             "sheet.png", NULL);
 }
 
 static void
@@ -118,7 +114,7 @@ test_full_standard_output (void)
 static void
 test_escapes (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = cli_replace (cli_sliding_block, "Sliding block",
                                        "A\\u001b]0;x\\u0007\\u009b31m\\u202e&");
   g_autofree char *model = cli_write (folder, "m.quoin", text);
@@ -127,8 +123,7 @@ test_escapes (void)
   cli_assert_done (&run);
   g_assert_true (g_str_has_prefix (run.out, "A\\u001b]0;x\\u0007\\u009b31m\\u202e&\n"));
   cli_run_clear (&run);
-  run = cli_run ("check", "a\033[31m\nb", NULL);
-  cli_assert_failed (&run, 5, "a\\u001b[31m b");
+  cli_fails (5, "a\\u001b[31m b", "check", "a\033[31m\nb", NULL);
 
   cli_do ("render", model, "-o", picture, NULL);
   g_autofree char *svg = cli_read (picture);
@@ -152,30 +147,27 @@ test_escapes (void)
     g_assert_null (strstr (run.out, "\342\200\256"));
     cli_run_clear (&run);
   }
-  test_scratch_free (folder);
 }
 
 /* No command writes over a file that it reads, or over its own other output. */
 static void
 test_same_file (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "m.quoin", cli_sliding_block);
   g_autofree char *other = g_build_filename (folder, ".", "m.quoin", NULL);
   static const char *const commands[] = { "solve", "limit", "modal", "import" };
   for (gsize i = 0; i < G_N_ELEMENTS (commands); i++) {
-    CliRun run = cli_run (commands[i], model, "-o", other, NULL);
-    cli_assert_failed (&run, 2, "the same file");
+    cli_fails (2, "the same file", commands[i], model, "-o", other, NULL);
     test_scratch_expect (model, cli_sliding_block);
   }
-  test_scratch_free (folder);
 }
 
 /* Without times two runs give the same file. */
 static void
 test_no_timings (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "m.quoin", cli_sliding_block);
   char *text[2];
   for (int i = 0; i < 2; i++) {
@@ -189,20 +181,18 @@ test_no_timings (void)
   g_assert_cmpstr (text[0], ==, text[1]);
   g_free (text[0]);
   g_free (text[1]);
-  test_scratch_free (folder);
 }
 
 /* Options that are no numbers. */
 static void
 test_numbers (void)
 {
-  CliRun run = cli_run ("curve", "m.quoin", "--until", "nan", "-o", "c.png", NULL);
-  cli_assert_failed (&run, 2, "--until must be a finite number");
-  run = cli_run ("law", "m.quoin", "--length", "inf", NULL);
-  cli_assert_failed (&run, 2, "--length must be a finite number");
-  run = cli_run ("render", "m.quoin", "--size", "9mmx9mm", "--dpi", "nan", "-o", "a.png",
-                 NULL);
-  cli_assert_failed (&run, 2, "--dpi must be positive");
+  cli_fails (2, "--until must be a finite number", "curve", "m.quoin", "--until", "nan",
+             "-o", "c.png", NULL);
+  cli_fails (2, "--length must be a finite number", "law", "m.quoin", "--length", "inf",
+             NULL);
+  cli_fails (2, "--dpi must be positive", "render", "m.quoin", "--size", "9mmx9mm",
+             "--dpi", "nan", "-o", "a.png", NULL);
 }
 
 int

@@ -14,19 +14,18 @@ test_generate (void)
 {
   static const char *const kinds[] = { "wall",     "arch",   "column",
                                        "buttress", "portal", "rubble" };
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *path = file_in (folder, kinds[i]);
     cli_do ("generate", kinds[i], "-o", path, NULL);
     cli_do ("limit", path, NULL);
   }
-  test_scratch_free (folder);
 }
 
 static void
 test_generate_keys (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = file_in (folder, "wall.quoin");
   cli_do ("generate", "wall", "--length", "3", "unit=0.5x0.25", "--bond=flemish", "-o",
           path, NULL);
@@ -35,42 +34,33 @@ test_generate_keys (void)
   g_assert_nonnull (strstr (text, "\"unit\": [0.5, 0.25]"));
   g_assert_nonnull (strstr (text, "\"flemish\""));
 
-  CliRun run = cli_run ("generate", "wall", "lenth=3", "-o", path, NULL);
-  cli_assert_failed (&run, 2, "lenth");
-  run = cli_run ("generate", "wall", "length=-3", "-o", path, NULL);
-  cli_assert_failed (&run, 3, "length");
-  run = cli_run ("generate", "tower", "-o", path, NULL);
-  cli_assert_failed (&run, 2, "wall");
-  run = cli_run ("generate", "wall", NULL);
-  cli_assert_failed (&run, 2, "-o");
-  test_scratch_free (folder);
+  cli_fails (2, "lenth", "generate", "wall", "lenth=3", "-o", path, NULL);
+  cli_fails (3, "length", "generate", "wall", "length=-3", "-o", path, NULL);
+  cli_fails (2, "wall", "generate", "tower", "-o", path, NULL);
+  cli_fails (2, "-o", "generate", "wall", NULL);
 }
 
 /* DXF to a project and back gives the same project again. */
 static void
 test_round_trip (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *drawing = cli_example ("dxf/wall-clean.dxf");
   g_autofree char *first = file_in (folder, "first.quoin");
   g_autofree char *back = file_in (folder, "back.dxf");
   g_autofree char *second = file_in (folder, "second.quoin");
-  CliRun run = cli_run ("import", drawing, "-o", first, "--report", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "blocks: 47"));
-  cli_run_clear (&run);
+  cli_says ("blocks: 47", "import", drawing, "-o", first, "--report", NULL);
   cli_do ("export", first, "--unit", "mm", "-o", back, NULL);
   cli_do ("import", back, "-o", second, NULL);
   g_autofree char *a = cli_read (first), *b = cli_read (second);
   g_assert_cmpstr (a, ==, b);
-  test_scratch_free (folder);
 }
 
 /* Joints of mortar are told of, closed or filled; what is left open is told again by the check. */
 static void
 test_mortar (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *drawing = cli_example ("dxf/wall-mortar.dxf");
   g_autofree char *path = file_in (folder, "wall.quoin");
   static const struct {
@@ -82,26 +72,21 @@ test_mortar (void)
     { { "--mortar-joints", "0.02" }, "each became a block", "contact faces: 316" },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    CliRun run = cli_run ("import", drawing, "-o", path, "--report", cases[i].options[0],
-                          cases[i].options[1], NULL);
-    cli_assert_done (&run);
-    g_assert_nonnull (strstr (run.out, cases[i].told));
-    cli_run_clear (&run);
-    run = cli_run ("check", path, NULL);
+    cli_says (cases[i].told, "import", drawing, "-o", path, "--report",
+              cases[i].options[0], cases[i].options[1], NULL);
+    CliRun run = cli_run ("check", path, NULL);
     g_assert_nonnull (strstr (run.out, cases[i].checked));
     g_assert_true ((strstr (run.out, "joints of mortar") != NULL) == (i == 0));
     cli_run_clear (&run);
   }
-  CliRun run = cli_run ("import", drawing, "-o", path, "--close-joints", "0.02",
-                        "--mortar-joints", "0.02", NULL);
-  cli_assert_failed (&run, 2, "exclude");
-  test_scratch_free (folder);
+  cli_fails (2, "exclude", "import", drawing, "-o", path, "--close-joints", "0.02",
+             "--mortar-joints", "0.02", NULL);
 }
 
 static void
 test_export_results (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", cli_sliding_block);
   g_autofree char *result = file_in (folder, "result.json");
   cli_do ("solve", model, "-q", "-o", result, NULL);
@@ -112,26 +97,19 @@ test_export_results (void)
     g_autofree char *text = cli_read (output);
     g_assert_cmpuint (strlen (text), >, 50);
   }
-  CliRun run = cli_run ("export", model, "-o", "out.csv", NULL);
-  cli_assert_failed (&run, 2, "--result");
-  run = cli_run ("export", model, "-o", "out.stl", NULL);
-  cli_assert_failed (&run, 2, ".dxf");
-  test_scratch_free (folder);
+  cli_fails (2, "--result", "export", model, "-o", "out.csv", NULL);
+  cli_fails (2, ".dxf", "export", model, "-o", "out.stl", NULL);
 }
 
 static void
 test_bad_import (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *bad = cli_write (folder, "bad.dxf", "0\nSECTION\n2\nENTITIES\nLINE\n");
   g_autofree char *output = file_in (folder, "out.quoin");
-  CliRun run = cli_run ("import", bad, "-o", output, NULL);
-  cli_assert_failed (&run, 3, "bad.dxf:5: ");
-  run = cli_run ("import", "missing.dxf", "-o", output, NULL);
-  cli_assert_failed (&run, 5, "missing.dxf");
-  run = cli_run ("import", bad, "--unit", "parsec", "-o", output, NULL);
-  cli_assert_failed (&run, 2, "--unit");
-  test_scratch_free (folder);
+  cli_fails (3, "bad.dxf:5: ", "import", bad, "-o", output, NULL);
+  cli_fails (5, "missing.dxf", "import", "missing.dxf", "-o", output, NULL);
+  cli_fails (2, "--unit", "import", bad, "--unit", "parsec", "-o", output, NULL);
 }
 
 int

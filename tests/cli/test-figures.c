@@ -25,7 +25,7 @@ assert_begins (const char *path, const char *start)
 static void
 test_figures (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text =
     with_figures ("[{\"name\": \"a\", \"view\": \"mechanism\", \"size\": \"300x200\"},"
                   "{\"name\": \"b\", \"view\": \"model\", \"file\": \"c.pdf\"}]");
@@ -44,24 +44,18 @@ test_figures (void)
   g_assert_true (g_file_get_contents (a, &second, &lengths[1], NULL));
   g_assert_cmpmem (first, lengths[0], second, lengths[1]);
 
-  CliRun run = cli_run ("figures", model, "--list", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "a\tmechanism\ta.png\tcurrent"));
-  cli_run_clear (&run);
+  cli_says ("a\tmechanism\ta.png\tcurrent", "figures", model, "--list", NULL);
 
-  run = cli_run ("figures", model, "--figure", "zebra", NULL);
-  cli_assert_failed (&run, 2, "zebra");
+  cli_fails (2, "zebra", "figures", model, "--figure", "zebra", NULL);
 
   /* Neither of two takes the place of the other. */
   g_autofree char *twice = with_figures ("[{\"name\": \"d\"}, {\"name\": \"e\", "
                                          "\"file\": \"./d.png\"}]");
   g_autofree char *same = cli_write (folder, "same.quoin", twice);
   g_autofree char *d = g_build_filename (folder, "d.png", NULL);
-  run = cli_run ("figures", same, NULL);
-  cli_assert_failed (&run, 3, "the same file");
+  cli_fails (3, "the same file", "figures", same, NULL);
   g_assert_false (g_file_test (d, G_FILE_TEST_EXISTS));
   cli_do ("figures", same, "--figure", "e", NULL);
-  test_scratch_free (folder);
 }
 
 /* What a project names outside its folder is neither read nor written, unless that is allowed. */
@@ -75,7 +69,7 @@ test_outside (void)
     { "\"view\": \"model\"",
       "\"underlay\": {\"image\": \"../victim.png\", \"width\": 1}," },
   };
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *victim = cli_write (folder, "victim.png", "precious");
   g_autofree char *inner = g_build_filename (folder, "project", NULL);
   g_autofree char *link = g_build_filename (inner, "out", NULL);
@@ -86,8 +80,7 @@ test_outside (void)
       "{%s\n\"figures\": [{\"name\": \"a\", %s}],", cases[i][1], cases[i][0]);
     g_autofree char *text = cli_replace (cli_sliding_block, "{", members);
     g_autofree char *model = cli_write (inner, "m.quoin", text);
-    CliRun run = cli_run ("figures", model, NULL);
-    cli_assert_failed (&run, 5, "outside the project's folder");
+    cli_fails (5, "outside the project's folder", "figures", model, NULL);
     g_autofree char *left = NULL;
     g_assert_true (g_file_get_contents (victim, &left, NULL, NULL));
     g_assert_cmpstr (left, ==, "precious");
@@ -97,13 +90,12 @@ test_outside (void)
   cli_do ("figures", model, "--allow-outside", NULL);
   g_autofree char *made = g_build_filename (folder, "b.png", NULL);
   assert_begins (made, "\x89PNG");
-  test_scratch_free (folder);
 }
 
 static void
 test_changed_model_is_said (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = with_figures (
     "[{\"name\": \"a\", \"size\": \"300x200\", \"model_digest\": \"0123\"}]");
   g_autofree char *model = cli_write (folder, "m.quoin", text);
@@ -111,24 +103,21 @@ test_changed_model_is_said (void)
   g_assert_cmpint (run.code, ==, 0);
   g_assert_nonnull (strstr (run.err, "the model changed"));
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 static void
 test_wrong_recipe (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = with_figures ("[{\"name\": \"a\", \"view\": \"round\"}]");
   g_autofree char *model = cli_write (folder, "m.quoin", text);
-  CliRun run = cli_run ("figures", model, NULL);
-  cli_assert_failed (&run, 3, "figures[0].view");
-  test_scratch_free (folder);
+  cli_fails (3, "figures[0].view", "figures", model, NULL);
 }
 
 static void
 test_animate (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "m.quoin", cli_sliding_block);
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   g_autofree char *gif = g_build_filename (folder, "a.gif", NULL);
@@ -146,31 +135,28 @@ test_animate (void)
   g_autofree char *third = g_build_filename (frames, "frame-0003.png", NULL);
   assert_begins (third, "\x89PNG");
 
-  CliRun run = cli_run ("animate", model, "-o", gif, NULL);
-  cli_assert_failed (&run, 2, "--result");
-  run = cli_run ("animate", model, "--result", result, "-o", "a.mp4", NULL);
-  cli_assert_failed (&run, 2, "a.mp4");
-  run = cli_run ("animate", model, "--result", result, "--size", "1000000x1000000", "-o",
-                 gif, NULL);
-  cli_assert_failed (&run, 2, "1000000");
+  cli_fails (2, "--result", "animate", model, "-o", gif, NULL);
+  cli_fails (2, "a.mp4", "animate", model, "--result", result, "-o", "a.mp4", NULL);
+  cli_fails (2, "1000000", "animate", model, "--result", result, "--size",
+             "1000000x1000000", "-o", gif, NULL);
   /* Too small for the encoder, or no encoder: said in either case, with nothing left behind. */
   g_autofree char *webm = g_build_filename (folder, "a.webm", NULL);
-  run = cli_run ("animate", model, "--result", result, "--size", "1x1", "-o", webm, NULL);
+  CliRun run =
+    cli_run ("animate", model, "--result", result, "--size", "1x1", "-o", webm, NULL);
   g_assert_cmpint (run.code, >, 0);
   g_assert_cmpint (run.code, <, 128);
   g_assert_nonnull (strstr (run.err, "WebM"));
   g_assert_false (g_file_test (webm, G_FILE_TEST_EXISTS));
   cli_run_clear (&run);
-  run = cli_run ("animate", model, "--result", result, "-o", "/nonexistent/a.gif", NULL);
-  cli_assert_failed (&run, 5, "/nonexistent/a.gif");
-  test_scratch_free (folder);
+  cli_fails (5, "/nonexistent/a.gif", "animate", model, "--result", result, "-o",
+             "/nonexistent/a.gif", NULL);
 }
 
 /* Three seconds at five pictures a second, in real time and four times slower. */
 static void
 test_speed (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("40-rocking-in-time.quoin");
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   cli_do ("solve", model, "-q", "-o", result, NULL);
@@ -188,21 +174,17 @@ test_speed (void)
     g_assert_true (g_file_test (last, G_FILE_TEST_EXISTS));
     g_assert_false (g_file_test (beyond, G_FILE_TEST_EXISTS));
   }
-  CliRun run = cli_run ("animate", model, "--result", result, "--speed", "1e-5", "-o",
-                        "a.gif", NULL);
-  cli_assert_failed (&run, 2, "pictures");
-  run =
-    cli_run ("animate", model, "--result", result, "--speed", "-1", "-o", "a.gif", NULL);
-  cli_assert_failed (&run, 2, "--speed");
-  run = cli_run ("animate", model, "--result", result, "--speed", "1", "--frames", "9",
-                 "-o", "a.gif", NULL);
-  cli_assert_failed (&run, 2, "--frames");
+  cli_fails (2, "pictures", "animate", model, "--result", result, "--speed", "1e-5", "-o",
+             "a.gif", NULL);
+  cli_fails (2, "--speed", "animate", model, "--result", result, "--speed", "-1", "-o",
+             "a.gif", NULL);
+  cli_fails (2, "--frames", "animate", model, "--result", result, "--speed", "1",
+             "--frames", "9", "-o", "a.gif", NULL);
   g_autofree char *still = cli_write (folder, "m.quoin", cli_sliding_block);
   g_autofree char *path = g_build_filename (folder, "still.json", NULL);
   cli_do ("solve", still, "-q", "-o", path, NULL);
-  run = cli_run ("animate", still, "--result", path, "--speed", "1", "-o", "a.gif", NULL);
-  cli_assert_failed (&run, 2, "--speed");
-  test_scratch_free (folder);
+  cli_fails (2, "--speed", "animate", still, "--result", path, "--speed", "1", "-o",
+             "a.gif", NULL);
 }
 
 int

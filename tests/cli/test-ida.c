@@ -28,18 +28,15 @@ static const char pulse[] = "time [s],acceleration [m/s2]\n0,0\n0.25,1\n0.5,0\n"
 static void
 test_curves (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", block);
   g_autofree char *record = cli_write (folder, "pulse.csv", pulse);
   g_autofree char *bare = cli_write (folder, "bare.txt", "0 0\n0.1 0.05\n0.2 0\n");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
   g_autofree char *csv = g_build_filename (folder, "curves.csv", NULL);
   g_autofree char *svg = g_build_filename (folder, "curves.svg", NULL);
-  CliRun run = cli_run ("ida", model, "--record", record, "--scale", "1:6:1", "-o",
-                        results, "--csv", csv, "--picture", svg, "--jobs", "2", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "pulse.csv: overturns first at"));
-  cli_run_clear (&run);
+  cli_says ("pulse.csv: overturns first at", "ida", model, "--record", record, "--scale",
+            "1:6:1", "-o", results, "--csv", csv, "--picture", svg, "--jobs", "2", NULL);
   g_autofree char *table = cli_read (csv), *picture = cli_read (svg);
   g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
   g_assert_cmpuint (g_strv_length (lines), ==, 1 + 6 + 1);
@@ -72,44 +69,35 @@ test_curves (void)
   g_autofree char *second = cli_read (csv);
   g_assert_cmpstr (first, ==, second);
   g_assert_true (g_file_test (database, G_FILE_TEST_EXISTS));
-  run =
-    cli_run ("ida", model, "--record", record, "--scale", "1:6:0.5", "-o", results, NULL);
-  cli_assert_failed (&run, 3, "another study");
+  cli_fails (3, "another study", "ida", model, "--record", record, "--scale", "1:6:0.5",
+             "-o", results, NULL);
 
   g_autofree char *other = g_build_filename (folder, "other", NULL);
-  run = cli_run ("ida", model, "--record", bare, "--scale", "1:2:1", "-o", other, NULL);
-  cli_assert_failed (&run, 3, "does not say the unit");
-  run = cli_run ("ida", model, "--record", bare, "--unit", "g", "--scale", "1:2:1", "-o",
-                 other, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "bare.txt: does not overturn"));
-  cli_run_clear (&run);
-  test_scratch_free (folder);
+  cli_fails (3, "does not say the unit", "ida", model, "--record", bare, "--scale",
+             "1:2:1", "-o", other, NULL);
+  cli_says ("bare.txt: does not overturn", "ida", model, "--record", bare, "--unit", "g",
+            "--scale", "1:2:1", "-o", other, NULL);
 }
 
 static void
 test_refused (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", block);
   g_autofree char *record = cli_write (folder, "pulse.csv", pulse);
   g_autofree char *results = g_build_filename (folder, "results", NULL);
   static const char *const scales[] = { "1:2",   "0:1:0.1", "1:2:-1",
                                         "2:1:1", "1:2:1:1", "a:b:c" };
-  CliRun run = cli_run ("ida", model, "--scale", "1:2:1", "-o", results, NULL);
-  cli_assert_failed (&run, 2, "--record is missing");
-  run = cli_run ("ida", model, "--record", record, "--scale", "1:2:1", NULL);
-  cli_assert_failed (&run, 2, "-o is missing");
-  for (gsize i = 0; i < G_N_ELEMENTS (scales); i++) {
-    run = cli_run ("ida", model, "--record", record, "--scale", scales[i], "-o", results,
-                   NULL);
-    cli_assert_failed (&run, 2, "--scale is");
-  }
-  run = cli_run ("ida", model, "--record", "nowhere.csv", "--scale", "1:2:1", "-o",
-                 results, NULL);
-  cli_assert_failed (&run, 5, "nowhere.csv");
+  cli_fails (2, "--record is missing", "ida", model, "--scale", "1:2:1", "-o", results,
+             NULL);
+  cli_fails (2, "-o is missing", "ida", model, "--record", record, "--scale", "1:2:1",
+             NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (scales); i++)
+    cli_fails (2, "--scale is", "ida", model, "--record", record, "--scale", scales[i],
+               "-o", results, NULL);
+  cli_fails (5, "nowhere.csv", "ida", model, "--record", "nowhere.csv", "--scale",
+             "1:2:1", "-o", results, NULL);
   g_assert_false (g_file_test (results, G_FILE_TEST_IS_REGULAR));
-  test_scratch_free (folder);
 }
 
 int

@@ -12,7 +12,7 @@ static const char *const kinds[] = { "elastic",  "no-tension",      "coulomb",
 static void
 test_kinds (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *csv = g_build_filename (folder, "law.csv", NULL);
     g_autofree char *png = g_build_filename (folder, "law.png", NULL);
@@ -27,7 +27,6 @@ test_kinds (void)
     g_assert_cmpuint (length, >, 1000);
     g_assert_true (memcmp (picture, "\x89PNG", 4) == 0);
   }
-  test_scratch_free (folder);
 }
 
 /* Column `column` of the last row of a table on standard output. */
@@ -61,8 +60,7 @@ test_of_project (void)
   cli_assert_done (&run);
   g_assert_cmpfloat_with_epsilon (last_value (run.out, 2), 20e6, 1e-3);
   cli_run_clear (&run);
-  run = cli_run ("law", "stone", "--model", example, NULL);
-  cli_assert_failed (&run, 3, "no law is called");
+  cli_fails (3, "no law is called", "law", "stone", "--model", example, NULL);
 }
 
 static void
@@ -86,10 +84,9 @@ test_refused (void)
     { "steel", "--csv", "/nowhere/law.csv", 5, NULL },
     { "steel", "--model", "/nowhere/wall.quoin", 5, NULL },
   };
-  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    CliRun run = cli_run ("law", cases[i].name, cases[i].option, cases[i].value, NULL);
-    cli_assert_failed (&run, cases[i].code, cases[i].message);
-  }
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++)
+    cli_fails (cases[i].code, cases[i].message, "law", cases[i].name, cases[i].option,
+               cases[i].value, NULL);
 }
 
 /* --detail pairs adds hinge and springs to every contact, and nothing else does. */
@@ -106,8 +103,7 @@ test_detail (void)
   cli_assert_done (&run);
   g_assert_null (strstr (run.out, "\"hinge\""));
   cli_run_clear (&run);
-  run = cli_run ("solve", example, "--detail", "all", NULL);
-  cli_assert_failed (&run, 2, "--detail");
+  cli_fails (2, "--detail", "solve", example, "--detail", "all", NULL);
 }
 
 /* Limit analysis has no rows for the strengths of fibres, and says so. */
@@ -115,8 +111,7 @@ static void
 test_no_limit (void)
 {
   g_autofree char *example = cli_example ("08-plastic-cantilever.quoin");
-  CliRun run = cli_run ("limit", example, NULL);
-  cli_assert_failed (&run, 3, "laws[0].kind: limit analysis");
+  cli_fails (3, "laws[0].kind: limit analysis", "limit", example, NULL);
 }
 
 int

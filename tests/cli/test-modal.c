@@ -6,15 +6,12 @@
 static void
 test_table (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *example = cli_example ("11-vibrating-beam.quoin");
   g_autofree char *result = g_build_filename (folder, "mode.json", NULL);
   g_autofree char *csv = g_build_filename (folder, "modes.csv", NULL);
-  CliRun run = cli_run ("modal", example, "-n", "3", "--csv", csv, "-o", result, "--mode",
-                        "2", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "omega"));
-  cli_run_clear (&run);
+  cli_says ("omega", "modal", example, "-n", "3", "--csv", csv, "-o", result, "--mode",
+            "2", NULL);
 
   g_autofree char *table = cli_read (csv);
   g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
@@ -23,20 +20,17 @@ test_table (void)
   g_assert_cmpuint (g_strv_length (lines), ==, 1 + 3 * 61 + 1);
   g_autofree char *written = cli_read (result);
   g_assert_nonnull (strstr (written, "\"mechanism\": [["));
-  test_scratch_free (folder);
 }
 
 static void
 test_refused (void)
 {
   g_autofree char *example = cli_example ("01-sliding-block.quoin");
-  CliRun run = cli_run ("modal", example, "--count", "0", NULL);
-  cli_assert_failed (&run, 2, "count");
-  run = cli_run ("modal", example, "-n", "2", "-o", "-", "--mode", "5", NULL);
-  cli_assert_failed (&run, 3, "there is no mode 5");
-  run = cli_run ("modal", example, "--set", "gravity=0", "--set",
-                 "blocks[1].unit_weight=0", NULL);
-  cli_assert_failed (&run, 3, "no mass");
+  cli_fails (2, "count", "modal", example, "--count", "0", NULL);
+  cli_fails (3, "there is no mode 5", "modal", example, "-n", "2", "-o", "-", "--mode",
+             "5", NULL);
+  cli_fails (3, "no mass", "modal", example, "--set", "gravity=0", "--set",
+             "blocks[1].unit_weight=0", NULL);
 }
 
 /* A wall whose pairs slip is sound: there is no answer, and no line of the file is the reason. */
@@ -44,14 +38,13 @@ static void
 test_slipping (void)
 {
   g_autofree char *example = cli_example ("ferris-tin-loi/wall3.quoin");
-  CliRun run = cli_run ("modal", example, NULL);
-  cli_assert_failed (&run, 4,
-                     "wall3.quoin: pairs slip without dilatancy under the dead load: no "
-                     "symmetric stiffness");
-  run = cli_run ("modal", example, "--loaded", NULL);
-  cli_assert_failed (&run, 4, "wall3.quoin: pairs slip");
-  run = cli_run ("stability", example, "--set", "analysis.geometry=nonlinear", NULL);
-  cli_assert_failed (&run, 4, "wall3.quoin: pairs slip");
+  cli_fails (4,
+             "wall3.quoin: pairs slip without dilatancy under the dead load: no "
+             "symmetric stiffness",
+             "modal", example, NULL);
+  cli_fails (4, "wall3.quoin: pairs slip", "modal", example, "--loaded", NULL);
+  cli_fails (4, "wall3.quoin: pairs slip", "stability", example, "--set",
+             "analysis.geometry=nonlinear", NULL);
 }
 
 /* A block on its corner falls: that is no rigid motion of frequency zero. */
@@ -59,8 +52,7 @@ static void
 test_unstable (void)
 {
   g_autofree char *example = cli_example ("24-rocking-block.quoin");
-  CliRun run = cli_run ("modal", example, "--loaded", NULL);
-  cli_assert_failed (&run, 4, "unstable");
+  cli_fails (4, "unstable", "modal", example, "--loaded", NULL);
 }
 
 /* What an analysis may spend holds for these as well. */
@@ -72,10 +64,10 @@ test_budget (void)
   const char *budgets[] = { "analysis.max_factorizations=1",
                             "analysis.max_seconds=1e-9" };
   for (int i = 0; i < 2; i++) {
-    CliRun run = cli_run ("stability", column, "-q", "--set", budgets[i], NULL);
-    cli_assert_failed (&run, 4, "20-column-free.quoin");
-    run = cli_run ("modal", beam, "-q", "--set", budgets[i], NULL);
-    cli_assert_failed (&run, 4, "11-vibrating-beam.quoin");
+    cli_fails (4, "20-column-free.quoin", "stability", column, "-q", "--set", budgets[i],
+               NULL);
+    cli_fails (4, "11-vibrating-beam.quoin", "modal", beam, "-q", "--set", budgets[i],
+               NULL);
   }
 }
 

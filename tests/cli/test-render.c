@@ -110,19 +110,16 @@ test_render_refuses (Solved *solved, gconstpointer data)
 {
   (void) data;
   g_autofree char *path = g_build_filename (solved->folder, "o.png", NULL);
-  CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
-                        "deformed", "--step", "100000", "-o", path, NULL);
-  cli_assert_failed (&run, 2, NULL);
+  cli_fails (2, NULL, "render", solved->model, "--result", solved->result, "--view",
+             "deformed", "--step", "100000", "-o", path, NULL);
   g_assert_false (g_file_test (path, G_FILE_TEST_EXISTS));
 
-  run = cli_run ("render", solved->model, "-o", "/no/such/folder/o.png", NULL);
-  cli_assert_failed (&run, 5, "/no/such/folder/o.png");
-  run = cli_run ("render", solved->model, "--result", "/no/such/r.json", "--view",
-                 "forces", "-o", path, NULL);
-  cli_assert_failed (&run, 5, "/no/such/r.json");
-  run = cli_run ("render", solved->model, "--result", solved->model, "--view", "forces",
-                 "-o", path, NULL);
-  cli_assert_failed (&run, 3, NULL);
+  cli_fails (5, "/no/such/folder/o.png", "render", solved->model, "-o",
+             "/no/such/folder/o.png", NULL);
+  cli_fails (5, "/no/such/r.json", "render", solved->model, "--result", "/no/such/r.json",
+             "--view", "forces", "-o", path, NULL);
+  cli_fails (3, NULL, "render", solved->model, "--result", solved->model, "--view",
+             "forces", "-o", path, NULL);
 }
 
 static void
@@ -155,10 +152,8 @@ test_compare_and_curve (Solved *solved, gconstpointer data)
     cli_do (subcommands[i], given, stack, "--size", "800x600", "-o", path, NULL);
     assert_picture (path);
 
-    CliRun run = cli_run (subcommands[i], given, "-o", "/no/such/folder/o.png", NULL);
-    cli_assert_failed (&run, 5, NULL);
-    run = cli_run (subcommands[i], given, "-o", "o.txt", NULL);
-    cli_assert_failed (&run, 2, NULL);
+    cli_fails (5, NULL, subcommands[i], given, "-o", "/no/such/folder/o.png", NULL);
+    cli_fails (2, NULL, subcommands[i], given, "-o", "o.txt", NULL);
   }
 }
 
@@ -177,8 +172,7 @@ test_compare_table (Solved *solved, gconstpointer data)
   g_assert_cmpstr (lines[0], ==, "project,title,outcome,multiplier [-],mechanism,steps");
   g_assert_nonnull (strstr (lines[1], ",collapse,"));
   g_assert_nonnull (strstr (lines[2], "05-stack.quoin"));
-  CliRun run = cli_run ("compare", stack, "-o", "/no/such/folder/c.csv", NULL);
-  cli_assert_failed (&run, 5, NULL);
+  cli_fails (5, NULL, "compare", stack, "-o", "/no/such/folder/c.csv", NULL);
 }
 
 static void
@@ -188,10 +182,9 @@ test_columns (Solved *solved, gconstpointer data)
   (void) data;
   g_autofree char *given = g_strdup_printf ("%s=%s", solved->model, solved->result);
   g_autofree char *path = g_build_filename (solved->folder, "columns.png", NULL);
-  for (size_t i = 0; i < G_N_ELEMENTS (wrong); i++) {
-    CliRun run = cli_run ("compare", given, "--columns", wrong[i], "-o", path, NULL);
-    cli_assert_failed (&run, 2, i < 2 ? "--columns must be positive" : wrong[i]);
-  }
+  for (size_t i = 0; i < G_N_ELEMENTS (wrong); i++)
+    cli_fails (2, i < 2 ? "--columns must be positive" : wrong[i], "compare", given,
+               "--columns", wrong[i], "-o", path, NULL);
   cli_do ("compare", given, given, "--columns", "1", "-o", path, NULL);
   assert_picture (path);
 }
@@ -218,10 +211,9 @@ test_curve_runs (Solved *solved, gconstpointer data)
   g_assert_nonnull (strstr (table, "(other.json)\",0,"));
   g_assert_nonnull (strstr (table, ",collapse\n"));
 
-  CliRun run = cli_run ("curve", first, "--reference", "much", "-o", svg, NULL);
-  cli_assert_failed (&run, 2, "a reference is a number");
-  run = cli_run ("curve", first, "-o", "/no/such/folder/c.csv", NULL);
-  cli_assert_failed (&run, 5, NULL);
+  cli_fails (2, "a reference is a number", "curve", first, "--reference", "much", "-o",
+             svg, NULL);
+  cli_fails (5, NULL, "curve", first, "-o", "/no/such/folder/c.csv", NULL);
 }
 
 int

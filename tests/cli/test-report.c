@@ -38,7 +38,7 @@ report (const char *folder, const char *name, const char *option, const char *va
 static void
 test_whole (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *one = report (folder, "one.pdf", NULL, NULL);
   g_autofree char *two = report (folder, "two.pdf", NULL, NULL);
   g_autofree char *a = NULL, *b = NULL;
@@ -54,26 +54,24 @@ test_whole (void)
                        "State", "Independent Check", "Analysis of the project: passed",
                        "Files and Versions", "voussoir 2"),
                 NULL);
-  test_scratch_free (folder);
 }
 
 /* Chosen sections and paper. */
 static void
 test_sections (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = report (folder, "part.pdf", "--sections", "title,materials");
   g_free (report (folder, "letter.pdf", "--paper", "Letter"));
   assert_words (path, WORDS ("Materials"),
                 WORDS ("Independent Check", "Forces of joints"));
-  test_scratch_free (folder);
 }
 
 /* Several results of one project are compared. */
 static void
 test_results (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("06-arch.quoin");
   g_autofree char *path = g_build_filename (folder, "path.json", NULL);
   g_autofree char *limit = g_build_filename (folder, "limit.json", NULL);
@@ -83,14 +81,13 @@ test_results (void)
   cli_do ("report", model, "-r", path, "-r", limit, "-o", pdf, NULL);
   assert_words (pdf, WORDS ("Comparison", "path.json: passed", "limit.json: passed"),
                 NULL);
-  test_scratch_free (folder);
 }
 
 /* Loads are told with their case and its factor. */
 static void
 test_cases (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("27-retaining-wall.quoin");
   g_autofree char *pdf = g_build_filename (folder, "loads.pdf", NULL);
   cli_do ("report", model, "--sections", "loads,materials", "-o", pdf, NULL);
@@ -99,23 +96,17 @@ test_cases (void)
                        "Live load, soil × 1: Backfill on the left",
                        "Live load, traffic × 1.5: Backfill on the left"),
                 NULL);
-  test_scratch_free (folder);
 }
 
 static void
 test_refused (void)
 {
   g_autofree char *model = cli_example ("06-arch.quoin");
-  CliRun run = cli_run ("report", model, NULL);
-  cli_assert_failed (&run, 2, "--output");
-  run = cli_run ("report", model, "-o", "x.pdf", "--paper", "a3", NULL);
-  cli_assert_failed (&run, 2, "a3");
-  run = cli_run ("report", model, "-o", "x.pdf", "--sections", "title,poem", NULL);
-  cli_assert_failed (&run, 2, "poem");
-  run = cli_run ("report", "nowhere.quoin", "-o", "x.pdf", NULL);
-  cli_assert_failed (&run, 5, "nowhere.quoin");
-  run = cli_run ("report", model, "-o", "/nowhere/x.pdf", NULL);
-  cli_assert_failed (&run, 5, NULL);
+  cli_fails (2, "--output", "report", model, NULL);
+  cli_fails (2, "a3", "report", model, "-o", "x.pdf", "--paper", "a3", NULL);
+  cli_fails (2, "poem", "report", model, "-o", "x.pdf", "--sections", "title,poem", NULL);
+  cli_fails (5, "nowhere.quoin", "report", "nowhere.quoin", "-o", "x.pdf", NULL);
+  cli_fails (5, NULL, "report", model, "-o", "/nowhere/x.pdf", NULL);
 }
 
 int

@@ -67,11 +67,9 @@ test_sensitivity (void)
   g_assert_nonnull (strstr (run.out, "dead load 1: 0.4\n"));
   g_assert_nonnull (strstr (run.out, "live load 1: -0.4\n"));
   cli_run_clear (&run);
-  run = cli_run ("limit", "--sensitivity", "--quiet", "--set",
-                 "analysis.flow=non-associative", model, NULL);
-  cli_assert_failed (&run, 2, "associative");
-  run = cli_run ("solve", "--sensitivity", model, NULL);
-  cli_assert_failed (&run, 2, "--sensitivity");
+  cli_fails (2, "associative", "limit", "--sensitivity", "--quiet", "--set",
+             "analysis.flow=non-associative", model, NULL);
+  cli_fails (2, "--sensitivity", "solve", "--sensitivity", model, NULL);
 }
 
 static void
@@ -86,36 +84,28 @@ static void
 test_set_is_repeatable (void)
 {
   g_autofree char *model = cli_example ("01-sliding-block.quoin");
-  CliRun run = cli_run ("solve", "--set", "laws[0].friction=0.3", model, "--set",
-                        "analysis.max_multiplier=0.25", "-o", "-", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "\"target-reached\""));
-  cli_run_clear (&run);
+  cli_says ("\"target-reached\"", "solve", "--set", "laws[0].friction=0.3", model,
+            "--set", "analysis.max_multiplier=0.25", "-o", "-", NULL);
 }
 
 static void
 test_bad_set (void)
 {
   g_autofree char *model = cli_example ("01-sliding-block.quoin");
-  CliRun run = cli_run ("solve", model, "--set", "nonsense", NULL);
-  cli_assert_failed (&run, 2, "nonsense");
-  run = cli_run ("solve", model, "--set", "laws[0].friction=-1", NULL);
-  cli_assert_failed (&run, 3, "laws[0].friction");
-  run = cli_run ("solve", model, "--set", "analysis.increments=many", NULL);
-  cli_assert_failed (&run, 3, "analysis.increments");
+  cli_fails (2, "nonsense", "solve", model, "--set", "nonsense", NULL);
+  cli_fails (3, "laws[0].friction", "solve", model, "--set", "laws[0].friction=-1", NULL);
+  cli_fails (3, "analysis.increments", "solve", model, "--set",
+             "analysis.increments=many", NULL);
 }
 
 static void
 test_outputs (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("05-stack.quoin");
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   g_autofree char *curve = g_build_filename (folder, "r.csv", NULL);
-  CliRun run = cli_run ("solve", model, "-o", result, "--csv", curve, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "0.4000"));
-  cli_run_clear (&run);
+  cli_says ("0.4000", "solve", model, "-o", result, "--csv", curve, NULL);
 
   g_autofree char *json = cli_read (result);
   g_autofree char *csv = cli_read (curve);
@@ -123,11 +113,10 @@ test_outputs (void)
   g_auto (GStrv) rows = g_strsplit (csv, "\n", -1);
   g_assert_cmpuint (g_strv_length (rows), >, 3);
 
-  run = cli_run ("solve", model, "-o", result, "--quiet", NULL);
+  CliRun run = cli_run ("solve", model, "-o", result, "--quiet", NULL);
   cli_assert_done (&run);
   g_assert_cmpstr (run.out, ==, "");
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 static void
@@ -156,27 +145,24 @@ static void
 test_unwritable (void)
 {
   g_autofree char *model = cli_example ("01-sliding-block.quoin");
-  CliRun run = cli_run ("solve", model, "-q", "-o", "/no/such/folder/r.json", NULL);
-  cli_assert_failed (&run, 5, "/no/such/folder/r.json");
-  run = cli_run ("solve", model, "-q", "--csv", "/no/such/folder/r.csv", NULL);
-  cli_assert_failed (&run, 5, "/no/such/folder/r.csv");
-  run = cli_run ("solve", model, "-q", "-o", "/dev/full", NULL);
-  cli_assert_failed (&run, 5, "/dev/full");
+  cli_fails (5, "/no/such/folder/r.json", "solve", model, "-q", "-o",
+             "/no/such/folder/r.json", NULL);
+  cli_fails (5, "/no/such/folder/r.csv", "solve", model, "-q", "--csv",
+             "/no/such/folder/r.csv", NULL);
+  cli_fails (5, "/dev/full", "solve", model, "-q", "-o", "/dev/full", NULL);
 }
 
 /* A result that was there stays whole when its successor cannot be computed. */
 static void
 test_old_result_stays (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model =
     cli_write (folder, "bad.quoin", "{ \"format\": \"quoin\", \"version\": 1 }");
   g_autofree char *result = cli_write (folder, "r.json", "old");
-  CliRun run = cli_run ("solve", model, "-o", result, NULL);
-  cli_assert_failed (&run, 3, NULL);
+  cli_fails (3, NULL, "solve", model, "-o", result, NULL);
   g_autofree char *text = cli_read (result);
   g_assert_cmpstr (text, ==, "old");
-  test_scratch_free (folder);
 }
 
 static void
@@ -206,14 +192,10 @@ test_budgets (void)
   };
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
     g_autofree char *model = cli_example (rows[i][0]);
-    CliRun run = cli_run ("solve", model, "-q", "--set", rows[i][1], NULL);
-    cli_assert_failed (&run, 4, rows[i][2]);
+    cli_fails (4, rows[i][2], "solve", model, "-q", "--set", rows[i][1], NULL);
   }
   g_autofree char *wall = cli_example ("19-settling-wall.quoin");
-  CliRun run = cli_run ("solve", wall, "--set", "walls[0].unit_weight=0", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "without collapse"));
-  cli_run_clear (&run);
+  cli_says ("without collapse", "solve", wall, "--set", "walls[0].unit_weight=0", NULL);
 }
 
 /* Stiffness that leaves nothing of a displacement in doubles ends in a true answer or in none. */
@@ -242,10 +224,9 @@ static void
 test_limit_of_beams (void)
 {
   g_autofree char *model = cli_example ("32-frame-beams.quoin");
-  CliRun run = cli_run ("limit", model, NULL);
-  cli_assert_failed (&run, 3, "use another procedure (set by quoin-cli limit)");
-  run = cli_run ("solve", model, "--set", "analysis.procedure=limit", NULL);
-  cli_assert_failed (&run, 3, "(set by \"analysis.procedure=limit\")");
+  cli_fails (3, "use another procedure (set by quoin-cli limit)", "limit", model, NULL);
+  cli_fails (3, "(set by \"analysis.procedure=limit\")", "solve", model, "--set",
+             "analysis.procedure=limit", NULL);
 }
 
 /* Waits until a process catches SIGINT, whatever that takes on a busy machine. */
@@ -318,7 +299,7 @@ test_rocking_sill (void)
 static void
 test_interrupt (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = g_build_filename (folder, "large.quoin", NULL);
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   const char *command[] = {
@@ -342,7 +323,6 @@ test_interrupt (void)
     g_assert_nonnull (strstr (json, "\"cancelled\""));
     g_assert_true (g_str_has_suffix (json, "}\n"));
   }
-  test_scratch_free (folder);
 }
 
 int

@@ -96,10 +96,8 @@ test_tables (void)
   g_assert_nonnull (strstr (run.out, ",event,stage\n"));
   g_assert_nonnull (strstr (run.out, ",release\n"));
   cli_run_clear (&run);
-  run = cli_run ("solve", settling, "-q", "--csv", "-", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "right abutment ux [m],right abutment Rx [N]\n"));
-  cli_run_clear (&run);
+  cli_says ("right abutment ux [m],right abutment Rx [N]\n", "solve", settling, "-q",
+            "--csv", "-", NULL);
 }
 
 static void
@@ -115,24 +113,17 @@ test_reasons (void)
   g_assert_nonnull (strstr (run.out, "\"stage\": 0"));
   g_assert_nonnull (strstr (run.out, "\"reactions\": [["));
   cli_run_clear (&run);
-  run = cli_run ("solve", settling, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "The supports have settled to their targets"));
-  cli_run_clear (&run);
+  cli_says ("The supports have settled to their targets", "solve", settling, NULL);
 
   /* Nothing drives a path without live loads: refused, unless the dead load alone is wanted. */
-  run = cli_run ("solve", block, "--set", "loads.live=[]", NULL);
-  cli_assert_failed (&run, 3, "analysis.max_multiplier=0");
-  run = cli_run ("solve", block, "--set", "loads.live=[]", "--set",
-                 "analysis.procedure=arc-length", NULL);
-  cli_assert_failed (&run, 3, "no live load acts on any free block");
-  run = cli_run ("solve", block, "--set", "loads.live=[]", "--set",
-                 "analysis.max_multiplier=0", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "No live load acts on any free block"));
-  cli_run_clear (&run);
-  run = cli_run ("solve", block, "-o", "a.json", "--csv", "./a.json", NULL);
-  cli_assert_failed (&run, 2, "the same file");
+  cli_fails (3, "analysis.max_multiplier=0", "solve", block, "--set", "loads.live=[]",
+             NULL);
+  cli_fails (3, "no live load acts on any free block", "solve", block, "--set",
+             "loads.live=[]", "--set", "analysis.procedure=arc-length", NULL);
+  cli_says ("No live load acts on any free block", "solve", block, "--set",
+            "loads.live=[]", "--set", "analysis.max_multiplier=0", NULL);
+  cli_fails (2, "the same file", "solve", block, "-o", "a.json", "--csv", "./a.json",
+             NULL);
   cli_run_clear (&run);
   run = cli_run ("solve", block, "--set", "analysis.max_multiplier=0.1", NULL);
   cli_assert_done (&run);
@@ -146,15 +137,11 @@ test_stability (void)
 {
   g_autofree char *column = example ("21-column-pinned.quoin");
   g_autofree char *staged = example ("16-load-stages.quoin");
-  CliRun run = cli_run ("stability", column, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "stability is lost at load multiplier 2470"));
-  cli_run_clear (&run);
-  run = cli_run ("stability", column, "--set", "analysis.max_multiplier=2000", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "stable all along"));
-  cli_run_clear (&run);
-  run = cli_run ("stability", staged, "--set", "analysis.geometry=nonlinear", NULL);
+  cli_says ("stability is lost at load multiplier 2470", "stability", column, NULL);
+  cli_says ("stable all along", "stability", column, "--set",
+            "analysis.max_multiplier=2000", NULL);
+  CliRun run =
+    cli_run ("stability", staged, "--set", "analysis.geometry=nonlinear", NULL);
   g_assert_cmpint (run.code, ==, 3);
   g_assert_nonnull (strstr (run.err, "not along stages"));
   cli_run_clear (&run);
@@ -165,19 +152,18 @@ static void
 test_stability_linear (void)
 {
   g_autofree char *example = cli_example ("20-column-free.quoin");
-  CliRun run = cli_run ("stability", example, "--set", "analysis.geometry=linear", NULL);
-  cli_assert_failed (&run, 3,
-                     "20-column-free.quoin: analysis.geometry: linear geometry has no "
-                     "buckling: set it to nonlinear (set by");
+  cli_fails (
+    3,
+    "20-column-free.quoin: analysis.geometry: linear geometry has no buckling: set it "
+    "to nonlinear (set by",
+    "stability", example, "--set", "analysis.geometry=linear", NULL);
 
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = cli_read (example);
   g_autofree char *linear = cli_replace (text, "\"nonlinear\"", "\"linear\"");
   g_autofree char *path = cli_write (folder, "linear.quoin", linear);
-  run = cli_run ("stability", path, NULL);
-  cli_assert_failed (
-    &run, 3, "linear.quoin:43:49: analysis.geometry: linear geometry has no buckling");
-  test_scratch_free (folder);
+  cli_fails (3, "linear.quoin:43:49: analysis.geometry: linear geometry has no buckling",
+             "stability", path, NULL);
 }
 
 /* The quick groups of the published cases. */
@@ -196,7 +182,7 @@ test_verify (void)
 static void
 test_verify_uncertain (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   CliRun run = cli_run ("verify", "-q", "walls", "--keep", folder, NULL);
   cli_assert_done (&run);
   gboolean any = FALSE;
@@ -210,7 +196,6 @@ test_verify_uncertain (void)
   }
   g_assert_cmpint (strstr (run.out, "\n‡ How the structure") != NULL, ==, any);
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 int

@@ -80,26 +80,21 @@ finish (GPid child)
 static void
 test_any_number_of_workers (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study =
     write_study (folder, "{ \"kind\": \"latin-hypercube\", \"count\": 60, \"seed\": 4 }");
   g_autofree char *one = g_build_filename (folder, "one", NULL);
   g_autofree char *three = g_build_filename (folder, "three", NULL);
   g_autofree char *sliced = g_build_filename (folder, "sliced", NULL);
-  CliRun run = cli_run ("study", "run", study, "-o", one, "-j", "1", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "60 of 60 cases"));
-  cli_run_clear (&run);
-  run = cli_run ("study", "run", study, "-o", three, "-j", "3", "--quiet", NULL);
+  cli_says ("60 of 60 cases", "study", "run", study, "-o", one, "-j", "1", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", three, "-j", "3", "--quiet", NULL);
   cli_assert_done (&run);
   g_assert_cmpstr (run.out, ==, "");
   cli_run_clear (&run);
   static const char *const slices[] = { "2/3", "1/3", "3/3" };
   for (gsize i = 0; i < G_N_ELEMENTS (slices); i++) {
-    run = cli_run ("study", "run", study, "-o", sliced, "--shard", slices[i], NULL);
-    cli_assert_done (&run);
-    g_assert_nonnull (strstr (run.out, "20 of 20 cases"));
-    cli_run_clear (&run);
+    cli_says ("20 of 20 cases", "study", "run", study, "-o", sliced, "--shard", slices[i],
+              NULL);
     /* Gathering is safe to repeat, and before all slices are there, or when one has just begun. */
     if (i == 0)
       g_free (cli_write (sliced, "shard-3-of-3.db", ""));
@@ -112,14 +107,13 @@ test_any_number_of_workers (void)
   g_assert_true (
     g_str_has_prefix (first, "case,friction,collapse_multiplier,mechanism_kind,mechanism_"
                              "shape,status,outcome,reason\n"));
-  test_scratch_free (folder);
 }
 
 /* Killed in the middle, the same command goes on; interrupted, it says so. */
 static void
 test_goes_on (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study =
     write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 3000 }");
   g_autofree char *whole = g_build_filename (folder, "whole", NULL);
@@ -140,13 +134,9 @@ test_goes_on (void)
   int code = finish (child);
   g_assert_true (code == 130 || code == 0 || code == 128 + SIGINT);
 
-  CliRun run = cli_run ("study", "run", study, "-o", parts, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "3000 of 3000 cases"));
-  cli_run_clear (&run);
+  cli_says ("3000 of 3000 cases", "study", "run", study, "-o", parts, NULL);
   g_autofree char *first = table_of (whole), *second = table_of (parts);
   g_assert_cmpstr (first, ==, second);
-  test_scratch_free (folder);
 }
 
 /* The first process that the given one has started; 0 where there is none. */
@@ -180,7 +170,7 @@ is_worker (GPid pid)
 static void
 test_outcomes (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_free (cli_write (folder, "block.quoin", cli_sliding_block));
   g_autofree char *study = cli_write (
     folder, "all.quoin-study",
@@ -220,14 +210,13 @@ test_outcomes (void)
   g_assert_null (strstr (run.out, "nan"));
   g_assert_null (strstr (run.out, "inf"));
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 /* A process that dies takes one case with it, whose row says how; --retry computes it again. */
 static void
 test_worker_dies (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study =
     write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 3000 }");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
@@ -249,7 +238,6 @@ test_worker_dies (void)
   cli_do ("study", "run", study, "-o", results, "--retry", NULL);
   g_autofree char *mended = table_of (results);
   g_assert_null (strstr (mended, ",failed,"));
-  test_scratch_free (folder);
 }
 
 /* How many processes that the given one has started are workers by now. */
@@ -273,7 +261,7 @@ count_workers (GPid parent)
 static void
 test_cases_at_once (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = g_strdup_printf (
     "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s/%s\",\n"
     "  \"run\": \"dynamic\", \"limits\": { \"factorizations\": 1000000000 },\n"
@@ -302,81 +290,63 @@ test_cases_at_once (void)
     g_assert_cmpint (kill (child, SIGINT), ==, 0);
     g_assert_cmpint (finish (child), ==, 130);
   }
-  test_scratch_free (folder);
 }
 
 static void
 test_two_at_once (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study =
     write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 20000 }");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
   GPid child = start (study, results, "1");
   wait_for_rows (results);
-  CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
-  cli_assert_failed (&run, 5, "study.db: another process");
+  cli_fails (5, "study.db: another process", "study", "run", study, "-o", results, NULL);
   kill (child, SIGKILL);
   finish (child);
-  test_scratch_free (folder);
 }
 
 static void
 test_another_study (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *results = g_build_filename (folder, "results", NULL);
   g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
-  CliRun run = cli_run ("study", "run", study, "-o", results, "--prepare", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "5 cases to compute"));
-  cli_run_clear (&run);
+  cli_says ("5 cases to compute", "study", "run", study, "-o", results, "--prepare",
+            NULL);
   g_free (write_study (folder, "{ \"kind\": \"one-at-a-time\" }"));
-  run = cli_run ("study", "run", study, "-o", results, NULL);
-  cli_assert_failed (&run, 3, "another study");
-  test_scratch_free (folder);
+  cli_fails (3, "another study", "study", "run", study, "-o", results, NULL);
 }
 
 static void
 test_bad_folder (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
-  CliRun run = cli_run ("study", "run", study, "-o", "/proc/nowhere", NULL);
-  cli_assert_failed (&run, 5, "/proc/nowhere");
-  run = cli_run ("study", "run", study, "-o", study, NULL);
-  cli_assert_failed (&run, 2, "the same file");
-  run = cli_run ("study", "table", folder, NULL);
-  cli_assert_failed (&run, 5, "study.quoin-study");
-  test_scratch_free (folder);
+  cli_fails (5, "/proc/nowhere", "study", "run", study, "-o", "/proc/nowhere", NULL);
+  cli_fails (2, "the same file", "study", "run", study, "-o", study, NULL);
+  cli_fails (5, "study.quoin-study", "study", "table", folder, NULL);
 }
 
 static void
 test_bad_usage (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
-  CliRun run = cli_run ("study", NULL);
-  cli_assert_failed (&run, 2, "action");
-  run = cli_run ("study", "walk", NULL);
-  cli_assert_failed (&run, 2, "walk");
-  run = cli_run ("study", "run", study, NULL);
-  cli_assert_failed (&run, 2, "-o");
-  run = cli_run ("study", "run", study, "-o", "x", "--shard", "4/3", NULL);
-  cli_assert_failed (&run, 2, "--shard");
-  run = cli_run ("study", "run", study, "-o", "x", "--jobs", "-1", NULL);
-  cli_assert_failed (&run, 2, "--jobs");
+  cli_fails (2, "action", "study", NULL);
+  cli_fails (2, "walk", "study", "walk", NULL);
+  cli_fails (2, "-o", "study", "run", study, NULL);
+  cli_fails (2, "--shard", "study", "run", study, "-o", "x", "--shard", "4/3", NULL);
+  cli_fails (2, "--jobs", "study", "run", study, "-o", "x", "--jobs", "-1", NULL);
   g_autofree char *bad = cli_write (folder, "bad.quoin-study", "{ \"format\": 3 }");
-  run = cli_run ("study", "run", bad, "-o", "x", NULL);
-  cli_assert_failed (&run, 3, "bad.quoin-study:1:13: format: ");
-  test_scratch_free (folder);
+  cli_fails (3, "bad.quoin-study:1:13: format: ", "study", "run", bad, "-o", "x", NULL);
 }
 
 /* A kept result is one that the other subcommands read. */
 static void
 test_keep (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
   cli_do ("study", "run", study, "-o", results, "--keep", NULL);
@@ -385,14 +355,13 @@ test_keep (void)
   g_autofree char *model = g_build_filename (results, "model.quoin", NULL);
   g_autofree char *picture = g_build_filename (folder, "p.png", NULL);
   cli_do ("render", model, "--result", kept, "--view", "mechanism", "-o", picture, NULL);
-  test_scratch_free (folder);
 }
 
 /* A full disk, here a limit on the size of files: one error, and what was committed stays. */
 static void
 test_full_disk (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *study =
     write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 3000 }");
   g_autofree char *results = g_build_filename (folder, "results", NULL);
@@ -406,18 +375,14 @@ test_full_disk (void)
                                &run.out, &run.err, &status, NULL));
   run.code = WEXITSTATUS (status);
   cli_assert_failed (&run, 5, "study.db: ");
-  run = cli_run ("study", "run", study, "-o", results, NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "3000 of 3000 cases"));
-  cli_run_clear (&run);
-  test_scratch_free (folder);
+  cli_says ("3000 of 3000 cases", "study", "run", study, "-o", results, NULL);
 }
 
 /* A case that takes longer than it may is a row that says so, and the others go on. */
 static void
 test_time_limit (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *text = g_strdup_printf (
     "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s/%s\",\n"
     "  \"run\": \"dynamic\", \"limits\": { \"seconds\": 2, \"factorizations\": "
@@ -431,23 +396,20 @@ test_time_limit (void)
     g_getenv ("QUOIN_EXAMPLES"), "42-arch-pulse.quoin");
   g_autofree char *study = cli_write (folder, "long.quoin-study", text);
   g_autofree char *results = g_build_filename (folder, "results", NULL);
-  CliRun run = cli_run ("study", "run", study, "-o", results, "-j", "1", NULL);
-  cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "3 of 3 cases, 1 of those computed now failed"));
-  cli_run_clear (&run);
+  cli_says ("3 of 3 cases, 1 of those computed now failed", "study", "run", study, "-o",
+            results, "-j", "1", NULL);
   g_autofree char *table = table_of (results);
   g_assert_nonnull (strstr (table, "\n1,0.01,0.004,0,done,"));
   g_assert_nonnull (strstr (
     table, "\n2,0.01,20000,,failed,,the case took longer than 2 s (limits.seconds)\n"));
   g_assert_nonnull (strstr (table, "\n3,0.01,0.006,0,done,"));
-  test_scratch_free (folder);
 }
 
 /* A record of ground motion goes with the folder, and belongs to the study. */
 static void
 test_record (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *source =
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "43-shaken-wall.quoin", NULL);
   g_autofree char *record_source =
@@ -467,23 +429,20 @@ test_record (void)
   cli_do ("study", "run", study, "-o", results, "--prepare", NULL);
   g_autofree char *other = g_strconcat (record, "11,0\n", NULL);
   g_assert_true (g_file_set_contents (record_path, other, -1, NULL));
-  CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
-  cli_assert_failed (&run, 3, "another study");
+  cli_fails (3, "another study", "study", "run", study, "-o", results, NULL);
   g_assert_cmpint (unlink (record_path), ==, 0);
-  run = cli_run ("study", "run", results, NULL);
+  CliRun run = cli_run ("study", "run", results, NULL);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "1 of 1 cases;"));
   cli_run_clear (&run);
-  run = cli_run ("study", "run", study, "-o", results, NULL);
-  cli_assert_failed (&run, 5, "43-synthetic-record.csv");
-  test_scratch_free (folder);
+  cli_fails (5, "43-synthetic-record.csv", "study", "run", study, "-o", results, NULL);
 }
 
 /* What does not depend on a parameter has one share, not the same line again and again. */
 static void
 test_one_value (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_free (cli_write (folder, "block.quoin", cli_sliding_block));
   g_autofree char *study = cli_write (
     folder, "s.quoin-study",
@@ -504,7 +463,6 @@ test_one_value (void)
       g_assert_false (g_str_has_prefix (lines[i - 1], "      ")
                       && strncmp (lines[i - 1], lines[i], 14) == 0);
   cli_run_clear (&run);
-  test_scratch_free (folder);
 }
 
 /* Most pieces of one line in the colour of the first series. */
@@ -531,7 +489,7 @@ longest_line (const char *svg)
 static void
 test_gap (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_free (cli_write (folder, "block.quoin", cli_sliding_block));
   char *paths[2] = { NULL, NULL };
   static const char *const middles[] = { "0", "0.5" };
@@ -555,7 +513,6 @@ test_gap (void)
   g_assert_cmpuint (longest_line (paths[1]), ==, 4);
   g_free (paths[0]);
   g_free (paths[1]);
-  test_scratch_free (folder);
 }
 
 /* Every figure of every plan that has it; again, the same bytes. */
@@ -568,16 +525,13 @@ test_figures (void)
                                        "{ \"kind\": \"one-at-a-time\" }",
                                        "{ \"kind\": \"latin-hypercube\", \"count\": 40 }",
                                        "{ \"kind\": \"sobol\", \"count\": 16 }" };
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   for (gsize p = 0; p < G_N_ELEMENTS (plans); p++) {
     g_autofree char *study = write_study (folder, plans[p]);
     g_autofree char *name = g_strdup_printf ("results-%zu", p);
     g_autofree char *results = g_build_filename (folder, name, NULL);
     cli_do ("study", "run", study, "-o", results, NULL);
-    CliRun run = cli_run ("study", "summary", results, NULL);
-    cli_assert_done (&run);
-    g_assert_nonnull (strstr (run.out, "collapse_multiplier"));
-    cli_run_clear (&run);
+    cli_says ("collapse_multiplier", "study", "summary", results, NULL);
     for (gsize k = 0; k < G_N_ELEMENTS (kinds) - 1; k++) {
       g_autofree char *first = NULL, *second = NULL;
       for (int again = 0; again < 2; again++) {
@@ -589,15 +543,11 @@ test_figures (void)
       g_assert_nonnull (strstr (first, "</svg>"));
     }
     /* One parameter has no surface; no output, no figure. */
-    run = cli_run ("study", "plot", results, "-k", "surface", "-o", "x.svg", NULL);
-    cli_assert_failed (&run, 2, "--by");
-    run = cli_run ("study", "plot", results, "-k", "pie", "-o", "x.svg", NULL);
-    cli_assert_failed (&run, 2, "--kind");
-    run = cli_run ("study", "plot", results, "-k", "histogram", "--of", "steps", "-o",
-                   "x.svg", NULL);
-    cli_assert_failed (&run, 2, "--of");
+    cli_fails (2, "--by", "study", "plot", results, "-k", "surface", "-o", "x.svg", NULL);
+    cli_fails (2, "--kind", "study", "plot", results, "-k", "pie", "-o", "x.svg", NULL);
+    cli_fails (2, "--of", "study", "plot", results, "-k", "histogram", "--of", "steps",
+               "-o", "x.svg", NULL);
   }
-  test_scratch_free (folder);
 }
 
 int

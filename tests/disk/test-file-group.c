@@ -36,7 +36,7 @@ static void
 test_commit (void)
 {
   QnFileGroup group;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   set (folder, "a", "old a");
   g_assert_cmpint (qn_file_group_open (&group, folder), ==, 0);
   put (&group, "a", "new a");
@@ -46,14 +46,13 @@ test_commit (void)
   expect (folder, "a", "new a");
   expect (folder, "b", "new b");
   g_assert_cmpuint (test_scratch_count (folder), ==, 2);
-  test_scratch_free (folder);
 }
 
 static void
 test_discard (void)
 {
   QnFileGroup group;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   set (folder, "a", "old a");
   g_assert_cmpint (qn_file_group_open (&group, folder), ==, 0);
   put (&group, "a", "new a");
@@ -61,7 +60,6 @@ test_discard (void)
   qn_file_group_discard (&group);
   expect (folder, "a", "old a");
   g_assert_cmpuint (test_scratch_count (folder), ==, 1);
-  test_scratch_free (folder);
 }
 
 /* The last file is missing: those before it, old and new, come back and go. */

@@ -61,7 +61,7 @@ test_kill_while_saving (void)
   QnProject versions[2];
   char *texts[2];
   gsize lengths[2];
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
   GRand *random = g_rand_new_with_seed (7);
   guint hidden = 0;
@@ -94,7 +94,6 @@ test_kill_while_saving (void)
     g_free (texts[i]);
     qn_project_clear (&versions[i]);
   }
-  test_scratch_free (folder);
 }
 
 /* Starts quoin-cli, sends it signals after so long, and gives its exit code. */
@@ -125,7 +124,7 @@ static void
 test_interrupt_solve (gconstpointer data)
 {
   const Interruption *how = data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("12-facade.quoin");
   g_autofree char *output = g_build_filename (folder, "result.json", NULL);
   char *command[] = {
@@ -154,7 +153,6 @@ test_interrupt_solve (gconstpointer data)
   g_test_message ("done: %d, cancelled: %d", seen[0], seen[130]);
   if (how->times == 1 && how->signal_number == SIGINT)
     g_assert_cmpint (seen[130], >, 0);
-  test_scratch_free (folder);
 }
 
 /* An animation asks after every frame, and leaves nothing. */
@@ -162,7 +160,7 @@ static void
 test_interrupt_animation (gconstpointer data)
 {
   const char *name = data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("ferris-tin-loi/wall3.quoin");
   g_autofree char *result = g_build_filename (folder, "result.json", NULL);
   g_autofree char *output = g_build_filename (folder, name, NULL);
@@ -190,7 +188,6 @@ test_interrupt_animation (gconstpointer data)
   }
   g_test_message ("cancelled %d times", cancelled);
   g_assert_cmpint (cancelled, >, 0);
-  test_scratch_free (folder);
 }
 
 int

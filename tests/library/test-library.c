@@ -241,7 +241,7 @@ test_results (void)
   }
 
   /* What is written reads back. */
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "r.json", NULL);
   g_assert_true (quoin_result_write (result, path, &error));
   QuoinResult *read = quoin_result_read (model, path, &error);
@@ -259,7 +259,6 @@ test_results (void)
   quoin_model_unref (other);
   quoin_result_free (result);
   quoin_model_unref (model);
-  test_scratch_free (folder);
 }
 
 static void
@@ -356,14 +355,13 @@ test_figure (void)
   g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_USAGE);
   quoin_error_free (error);
 
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "wall.png", NULL);
   g_autofree char *content = NULL;
   g_assert_true (quoin_figure_write (figure, path, NULL));
   g_assert_true (g_file_get_contents (path, &content, &length, NULL));
   g_assert_cmpmem (content, 4, "\x89PNG", 4);
   quoin_figure_free (figure);
-  test_scratch_free (folder);
 }
 
 static gpointer

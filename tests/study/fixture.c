@@ -30,8 +30,7 @@ fixture_study (QnStudy *study, const char *plan, const char *more)
 {
   g_autofree char *text = fixture_study_text (plan, more);
   g_autoptr (GError) error = NULL;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   fixture_read (folder, text, study, &error);
   g_assert_no_error (error);
-  test_scratch_free (folder);
 }

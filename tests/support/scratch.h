@@ -11,6 +11,14 @@ char *test_scratch_new (void);
 void test_scratch_empty (const char *folder);
 void test_scratch_free (char *folder);
 
+/* In front of a local variable: such a folder goes at the end of the block. */
+#define test_autoscratch __attribute__ ((cleanup (test_scratch_clear)))
+static inline void
+test_scratch_clear (char **folder)
+{
+  test_scratch_free (*folder);
+}
+
 /* Number of entries in a folder. */
 guint test_scratch_count (const char *folder);
 

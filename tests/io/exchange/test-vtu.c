@@ -72,7 +72,7 @@ static void
 test_steps (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "out.pvd", NULL);
   g_autoptr (GError) error = NULL;
   const QnModel *model = &fixture->project.model;
@@ -103,7 +103,6 @@ test_steps (ResultFixture *fixture, gconstpointer data)
   for (guint i = 4; i < 8; i++)
     mean += number_at (moved, 3 * i) / 4;
   g_assert_cmpfloat_with_epsilon (mean, u[QN_DOF_UX], 1e-15);
-  test_scratch_free (folder);
 }
 
 /* Forces on the second block of each face: the reaction of the base carries the block above. */
@@ -111,7 +110,7 @@ static void
 test_forces (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "out.pvd", NULL);
   g_assert_true (qn_vtu_export (&fixture->project.model, &fixture->contacts,
                                 &fixture->result, path, NULL));
@@ -124,14 +123,13 @@ test_forces (ResultFixture *fixture, gconstpointer data)
   for (guint pair = 0; pair < 2; pair++)
     g_assert_cmpfloat (number_at (points, 6 * pair + 4), >,
                        number_at (points, 6 * pair + 1));
-  test_scratch_free (folder);
 }
 
 static void
 test_without_result (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "a & b.pvd", NULL);
   g_assert_true (
     qn_vtu_export (&fixture->project.model, &fixture->contacts, NULL, path, NULL));
@@ -139,7 +137,6 @@ test_without_result (ResultFixture *fixture, gconstpointer data)
   g_autofree char *index = read_text (folder, "a & b.pvd");
   g_autoptr (GHashTable) sets = parse_xml (index);
   g_assert_cmpint (GPOINTER_TO_INT (g_hash_table_lookup (sets, "DataSet")), ==, 1);
-  test_scratch_free (folder);
 }
 
 /* VTK's own reader, where Python has it. */
@@ -155,7 +152,7 @@ test_vtk_reads (ResultFixture *fixture, gconstpointer data)
     " r = R(); r.SetFileName(f); r.Update(); g = r.GetOutput()\n"
     " assert r.GetErrorCode() == 0 and g.GetNumberOfCells() == int(cells), f\n"
     " assert g.GetCellData().GetNumberOfArrays() >= 3, f\n";
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "out.pvd", NULL);
   g_autofree char *step = g_build_filename (folder, "out_0000.vtu", NULL);
   g_autofree char *forces = g_build_filename (folder, "out_forces.vtu", NULL);
@@ -178,7 +175,6 @@ test_vtk_reads (ResultFixture *fixture, gconstpointer data)
     g_test_skip ("VTK is not installed");
   else
     g_assert_cmpint (status, ==, 0);
-  test_scratch_free (folder);
 }
 
 int

@@ -122,7 +122,7 @@ test_refused (void)
 static void
 test_records (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "p.quoin", NULL);
   g_autofree char *record = g_build_filename (folder, "a.csv", NULL);
   g_autofree char *text = text_with ("0.9", "0.9");
@@ -158,7 +158,6 @@ test_records (void)
   g_assert_nonnull (strstr (error->message, "outside"));
   g_clear_error (&error);
   qn_project_clear (&project);
-  test_scratch_free (folder);
 }
 
 /* What a result file says of the history reads back to the last bit. */
@@ -167,7 +166,7 @@ test_history (void)
 {
   g_autofree char *text =
     text_with ("\"record\": \"a.csv\", \"peak\": 3", "\"points\": [[0, 1], [0.3, 1]]");
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "r.json", NULL);
   QnProject project;
   QnContacts contacts;
@@ -207,7 +206,6 @@ test_history (void)
   g_clear_error (&error);
   qn_contacts_clear (&contacts);
   qn_project_clear (&project);
-  test_scratch_free (folder);
 }
 
 int

@@ -272,7 +272,7 @@ test_deep_nesting (void)
 static void
 test_files (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   char *path = g_build_filename (folder, "wall.quoin", NULL);
   QnProject project;
   GError *error = NULL;
@@ -297,7 +297,6 @@ test_files (void)
   g_assert_true (g_str_has_suffix (error->message, "wall.quoin:1:1: text is not UTF-8"));
   g_clear_error (&error);
   g_free (path);
-  test_scratch_free (folder);
 }
 
 static void

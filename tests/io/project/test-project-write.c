@@ -391,7 +391,7 @@ test_edge_loads (void)
 static void
 test_save (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   char *path = g_build_filename (folder, "copy.quoin", NULL);
   QnProject project, again;
   GError *error = NULL;
@@ -407,7 +407,6 @@ test_save (void)
   g_clear_error (&error);
   qn_project_clear (&project);
   g_free (path);
-  test_scratch_free (folder);
 }
 
 /* Unknown members inside laws, blocks, contact, loads and analysis come back, whatever they

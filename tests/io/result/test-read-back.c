@@ -279,7 +279,7 @@ static void
 test_row (gconstpointer data)
 {
   const Row *row = data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
   g_autofree char *name = g_strconcat (row->example, ".quoin", NULL);
   g_autofree char *example = g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
@@ -315,7 +315,6 @@ test_row (gconstpointer data)
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
   qn_project_clear (&project);
-  test_scratch_free (folder);
 }
 
 int

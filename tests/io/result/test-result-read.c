@@ -255,7 +255,7 @@ static void
 test_file (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   char *path = g_build_filename (folder, "r.json", NULL);
   QnResultFile file;
   GError *error = NULL;
@@ -268,7 +268,6 @@ test_file (ResultFixture *fixture, gconstpointer data)
   g_assert_no_error (error);
   qn_result_file_clear (&file);
   g_free (path);
-  test_scratch_free (folder);
 }
 
 int

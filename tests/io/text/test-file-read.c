@@ -10,7 +10,7 @@
 static void
 test_bytes (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   char *path = g_build_filename (folder, "file", NULL);
   GError *error = NULL;
   gsize length;
@@ -29,7 +29,6 @@ test_bytes (void)
   g_free (bytes);
 
   g_free (path);
-  test_scratch_free (folder);
 }
 
 /* A pipe has no size to rely on. */
@@ -70,7 +69,7 @@ expect_error (const char *path, const char *reason)
 static void
 test_refused (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   char *path = g_build_filename (folder, "file", NULL);
   expect_error (path, "No such file");
   expect_error (folder, "directory");
@@ -80,7 +79,6 @@ test_refused (void)
   if (geteuid () != 0) /* root reads everything */
     expect_error (path, "ermission");
   g_free (path);
-  test_scratch_free (folder);
 }
 
 int

@@ -107,7 +107,7 @@ test_geometry (gconstpointer data)
     "\"values\": [%g, %g] } ], "
     "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }",
     model, geometries[i].path, geometries[i].values[0], geometries[i].values[1]);
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   double multipliers[2];
   QnStudy study;
   QnCaseSolver solver;
@@ -120,7 +120,6 @@ test_geometry (gconstpointer data)
   g_assert_cmpfloat (multipliers[0], !=, multipliers[1]);
   qn_case_solver_clear (&solver);
   qn_study_clear (&study);
-  test_scratch_free (folder);
 }
 
 /* A case in time: what it gives is what the result says. */
@@ -136,7 +135,7 @@ test_dynamic (void)
     "\"time_of_collapse\", \"peak_displacement\", \"friction_energy\", "
     "\"energy_error\", \"largest_slip\", \"mechanism_shape\"] }",
     g_getenv ("QUOIN_EXAMPLES"), "42-arch-pulse.quoin");
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   QnStudy study;
   QnCaseSolver solver;
   fixture_read (folder, text, &study, &error);
@@ -168,7 +167,6 @@ test_dynamic (void)
   }
   qn_case_solver_clear (&solver);
   qn_study_clear (&study);
-  test_scratch_free (folder);
 }
 
 /* An analysis that may not take as much work as it needs has failed, and says so. */
@@ -182,7 +180,7 @@ test_work (void)
     "\"laws[0].friction\", \"values\": [0.6] } ], \"limits\": { \"factorizations\": 3 },"
     "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }",
     g_getenv ("QUOIN_EXAMPLES"), "06-arch.quoin");
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   QnStudy study;
   QnCaseSolver solver;
   QnCaseResult result;
@@ -196,7 +194,6 @@ test_work (void)
   qn_case_result_clear (&result);
   qn_case_solver_clear (&solver);
   qn_study_clear (&study);
-  test_scratch_free (folder);
 }
 
 int

@@ -49,7 +49,7 @@ test_places (void)
     "loads.live[0].block=\"b \\\"2\\\"\" loads.live[0].at=[1.25, 0.5] "
     "loads.live[1].block=\"b \\\"2\\\"\" loads.live[1].at=[1.25, 1]",
   };
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autoptr (GError) error = NULL;
   QnStudy study;
   read_study (folder, STUDY, &study, &error);
@@ -65,14 +65,13 @@ test_places (void)
     g_assert_cmpstr (text, ==, expected[i]);
   }
   qn_study_clear (&study);
-  test_scratch_free (folder);
 }
 
 /* A block that is pushed at 1 m turns about its corner: the multiplier is known. */
 static void
 test_case (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   QnStudy study;
   QnCaseSolver solver;
   QnCaseResult result;
@@ -87,13 +86,12 @@ test_case (void)
   qn_case_result_clear (&result);
   qn_case_solver_clear (&solver);
   qn_study_clear (&study);
-  test_scratch_free (folder);
 }
 
 static void
 expect_error (const char *from, const char *to, const char *place, const char *message)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autoptr (GError) error = NULL;
   QnStudy study;
   g_auto (GStrv) parts = g_strsplit (STUDY, from, 2);
@@ -103,7 +101,6 @@ expect_error (const char *from, const char *to, const char *place, const char *m
   g_assert_nonnull (error);
   g_assert_nonnull (strstr (error->message, place));
   g_assert_nonnull (strstr (error->message, message));
-  test_scratch_free (folder);
 }
 
 static void

@@ -31,7 +31,7 @@ test_script (void)
   QnStudy study;
   QnSubmission submission;
   g_autoptr (GError) error = NULL;
-  char *scratch = test_scratch_new ();
+  test_autoscratch char *scratch = test_scratch_new ();
   g_autofree char *folder = g_build_filename (scratch, "a 50 % 'slice'", NULL);
   QnSlurmSettings settings = {
     .program = "/usr/bin/quoin-cli", .array_size = 4, .partition = "long", .dry_run = TRUE
@@ -59,7 +59,6 @@ test_script (void)
   g_assert_cmpuint (submission.tasks, ==, 10);
   qn_submission_clear (&submission);
   qn_study_clear (&study);
-  test_scratch_free (scratch);
 }
 
 int

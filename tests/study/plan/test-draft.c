@@ -8,7 +8,7 @@
 static void
 test_new (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "s.quoin-study", NULL);
   g_autofree char *model =
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
@@ -45,14 +45,13 @@ test_new (void)
   g_assert_false (qn_draft_can_redo (draft));
   g_assert_cmpuint (qn_draft_count (draft), ==, 1);
   qn_draft_free (draft);
-  test_scratch_free (folder);
 }
 
 /* What a form does not know stays in the file. */
 static void
 test_load (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "s.quoin-study", NULL);
   g_autofree char *text =
     fixture_study_text ("{ \"kind\": \"latin-hypercube\", \"count\": 50 }",
@@ -82,14 +81,13 @@ test_load (void)
   g_assert_true (g_file_set_contents (path, "[1", -1, NULL));
   g_assert_null (qn_draft_load (path, &error));
   g_assert_nonnull (strstr (error->message, "s.quoin-study:1:"));
-  test_scratch_free (folder);
 }
 
 /* Counts go up and down by one at least, and stay counts. */
 static void
 test_whole (void)
 {
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "s.quoin-study", NULL);
   g_autofree char *model =
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
@@ -109,7 +107,6 @@ test_whole (void)
   g_assert_true (qn_study_parameter (&study, 0)->whole);
   qn_study_clear (&study);
   qn_draft_free (draft);
-  test_scratch_free (folder);
 }
 
 int

@@ -43,12 +43,11 @@ expect_error_in (const char *more, const char *from, const char *to, const char 
   g_autofree char *text = replace (sound, from, to);
   g_autoptr (GError) error = NULL;
   QnStudy study;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_assert_false (fixture_read (folder, text, &study, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   if (strstr (error->message, place) == NULL || strstr (error->message, message) == NULL)
     g_test_fail_printf ("'%s' lacks '%s' or '%s'", error->message, place, message);
-  test_scratch_free (folder);
 }
 
 static void
@@ -140,10 +139,9 @@ test_missing_model (void)
   g_autofree char *text = replace (sound, "01-sliding", "99-missing");
   g_autoptr (GError) error = NULL;
   QnStudy study;
-  char *folder = test_scratch_new ();
+  test_autoscratch char *folder = test_scratch_new ();
   g_assert_false (fixture_read (folder, text, &study, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
-  test_scratch_free (folder);
 }
 
 static void
