@@ -46,6 +46,24 @@ struct QnInteriorPointWork {
 /* A certificate holds where its equations hold to this, relative to what it proves. */
 #define CERTIFICATE_TOLERANCE 1e-8
 
+/* values += factor * step */
+static void
+add_multiple (double *values, double factor, const double *step, int32_t count)
+{
+  for (int32_t i = 0; i < count; i++)
+    values[i] += factor * step[i];
+}
+
+/* What is missing for equilibrium: out = -(B y + lambda f + tau d) */
+static void
+missing_balance (const QnIpProblem *p, const double *y, double lambda, double tau,
+                 double *out)
+{
+  qn_interior_point_balance (p, y, lambda, tau, out);
+  for (int32_t r = 0; r < p->row_count; r++)
+    out[r] = -out[r];
+}
+
 /* Residuals of the iterate. */
 static void
 residuals (QnInteriorPoint *ip)
@@ -54,32 +72,30 @@ residuals (QnInteriorPoint *ip)
   const QnIpProblem *p = work->problem;
   double load_power = 0.0, primal, dual;
 
-  work->curvature = qn_ip_quadratic_term (p, ip->y);
+  work->curvature = qn_ip_quadratic_term (p, ip->at.y);
   for (int32_t c = 0; c < p->cell_count; c++)
     for (int k = 0; k < 2; k++)
-      work->ry[2 * c + k] =
-        -p->cells[c].quadratic[k] * ip->y[2 * c + k] - p->cells[c].linear[k] * ip->tau;
-  qn_ip_add_rates (p, ip->v, -1.0, work->ry);
-  qn_ip_add_bounds_transposed (p, ip->z, -1.0, work->ry);
+      work->ry[2 * c + k] = -p->cells[c].quadratic[k] * ip->at.y[2 * c + k]
+                            - p->cells[c].linear[k] * ip->at.tau;
+  qn_ip_add_rates (p, ip->at.v, -1.0, work->ry);
+  qn_ip_add_bounds_transposed (p, ip->at.z, -1.0, work->ry);
   for (int32_t c = 0; c < p->cell_count; c++)
     if (p->cells[c].no_shear)
       work->ry[2 * c + 1] = 0.0;
 
-  qn_interior_point_balance (p, ip->y, ip->lambda, ip->tau, work->rv);
-  for (int32_t r = 0; r < p->row_count; r++)
-    work->rv[r] = -work->rv[r];
+  missing_balance (p, ip->at.y, ip->at.lambda, ip->at.tau, work->rv);
 
-  qn_ip_apply_bounds (p, ip->y, work->rz);
+  qn_ip_apply_bounds (p, ip->at.y, work->rz);
   for (int32_t i = 0; i < p->bound_count; i++)
-    work->rz[i] = p->bounds[i].limit * ip->tau - ip->s[i] - work->rz[i];
+    work->rz[i] = p->bounds[i].limit * ip->at.tau - ip->at.s[i] - work->rz[i];
 
   if (p->load)
-    load_power = qn_ip_dot (p->load, ip->v, p->row_count);
-  work->r_lambda = p->load ? p->load_gain * ip->tau - load_power : 0.0;
-  primal =
-    work->curvature / ip->tau + qn_ip_linear_term (p, ip->y) - p->load_gain * ip->lambda;
-  dual = qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
-  work->r_tau = dual - primal - ip->kappa;
+    load_power = qn_ip_dot (p->load, ip->at.v, p->row_count);
+  work->r_lambda = p->load ? p->load_gain * ip->at.tau - load_power : 0.0;
+  primal = work->curvature / ip->at.tau + qn_ip_linear_term (p, ip->at.y)
+           - p->load_gain * ip->at.lambda;
+  dual = qn_ip_dot (p->constant, ip->at.v, p->row_count) - qn_ip_limit_term (p, ip->at.z);
+  work->r_tau = dual - primal - ip->at.kappa;
 }
 
 /* Size of the largest strength multiplier or linear term: what the dual residual of a problem
@@ -93,7 +109,7 @@ dual_scale (const QnInteriorPoint *ip)
   for (int32_t c = 0; c < p->cell_count; c++)
     scale =
       fmax (scale, fmax (fabs (p->cells[c].linear[0]), fabs (p->cells[c].linear[1])));
-  return fmax (scale, qn_ip_largest (ip->v, p->row_count) / ip->tau);
+  return fmax (scale, qn_ip_largest (ip->at.v, p->row_count) / ip->at.tau);
 }
 
 /* ip->measures from the residuals. */
@@ -110,15 +126,16 @@ take_measures (QnInteriorPoint *ip)
   balance = qn_ip_largest (work->rv, p->row_count);
   slacks = qn_ip_largest (work->rz, p->bound_count);
   rates = qn_ip_largest (work->ry, 2 * p->cell_count);
-  primal = 0.5 * work->curvature / ip->tau + qn_ip_linear_term (p, ip->y)
-           - p->load_gain * ip->lambda;
-  dual = -0.5 * work->curvature / ip->tau + qn_ip_dot (p->constant, ip->v, p->row_count)
-         - qn_ip_limit_term (p, ip->z);
+  primal = 0.5 * work->curvature / ip->at.tau + qn_ip_linear_term (p, ip->at.y)
+           - p->load_gain * ip->at.lambda;
+  dual = -0.5 * work->curvature / ip->at.tau
+         + qn_ip_dot (p->constant, ip->at.v, p->row_count)
+         - qn_ip_limit_term (p, ip->at.z);
   ip->measures = (QnIpMeasures){
-    .primal_residual = fmax (balance, slacks) / (ip->tau * primal_scale),
+    .primal_residual = fmax (balance, slacks) / (ip->at.tau * primal_scale),
     .dual_residual =
-      fmax (rates, fabs (work->r_lambda)) / (ip->tau * (dual_scale (ip) + 1e-300)),
-    .gap = fabs (primal - dual) / (ip->tau + fmin (fabs (primal), fabs (dual))),
+      fmax (rates, fabs (work->r_lambda)) / (ip->at.tau * (dual_scale (ip) + 1e-300)),
+    .gap = fabs (primal - dual) / (ip->at.tau + fmin (fabs (primal), fabs (dual))),
   };
 }
 
@@ -130,17 +147,18 @@ proves_infeasible (const QnInteriorPoint *ip)
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
   double proof =
-    qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
+    qn_ip_dot (p->constant, ip->at.v, p->row_count) - qn_ip_limit_term (p, ip->at.z);
   double *rates = work->right.y;
 
   if (proof <= 0.0)
     return false;
   if (p->load
-      && fabs (qn_ip_dot (p->load, ip->v, p->row_count)) > CERTIFICATE_TOLERANCE * proof)
+      && fabs (qn_ip_dot (p->load, ip->at.v, p->row_count))
+           > CERTIFICATE_TOLERANCE * proof)
     return false;
   memset (rates, 0, 2 * (size_t) p->cell_count * sizeof (double));
-  qn_ip_add_rates (p, ip->v, 1.0, rates);
-  qn_ip_add_bounds_transposed (p, ip->z, 1.0, rates);
+  qn_ip_add_rates (p, ip->at.v, 1.0, rates);
+  qn_ip_add_bounds_transposed (p, ip->at.z, 1.0, rates);
   return qn_ip_largest (rates, 2 * p->cell_count) <= CERTIFICATE_TOLERANCE * proof;
 }
 
@@ -151,17 +169,17 @@ proves_unbounded (const QnInteriorPoint *ip)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
-  double proof = p->load_gain * ip->lambda - qn_ip_linear_term (p, ip->y);
+  double proof = p->load_gain * ip->at.lambda - qn_ip_linear_term (p, ip->at.y);
   double *balance = work->right.v, worst = 0.0;
 
   if (proof <= 0.0)
     return false;
-  qn_interior_point_balance (p, ip->y, ip->lambda, 0.0, balance);
+  qn_interior_point_balance (p, ip->at.y, ip->at.lambda, 0.0, balance);
   for (int32_t i = 0; i < p->bound_count; i++) /* Gy = -s + (h tau - rz), s >= 0 */
-    worst = fmax (worst, p->bounds[i].limit * ip->tau - work->rz[i]);
+    worst = fmax (worst, p->bounds[i].limit * ip->at.tau - work->rz[i]);
   for (int32_t c = 0; c < p->cell_count; c++)
     for (int k = 0; k < 2; k++)
-      worst = fmax (worst, fabs (p->cells[c].quadratic[k] * ip->y[2 * c + k]));
+      worst = fmax (worst, fabs (p->cells[c].quadratic[k] * ip->at.y[2 * c + k]));
   return fmax (worst, qn_ip_largest (balance, p->row_count))
          <= CERTIFICATE_TOLERANCE * proof;
 }
@@ -192,15 +210,16 @@ prepare (QnInteriorPoint *ip, bool *ok, QnDiag *diag)
   QnStatus status;
 
   for (int32_t i = 0; i < p->bound_count; i++)
-    work->w[i] = ip->z[i] / ip->s[i];
+    work->w[i] = ip->at.z[i] / ip->at.s[i];
   status = qn_ip_kkt_factorize (&work->kkt, work->w, ok, diag);
   if (status || !*ok)
     return status;
 
   for (int32_t c = 0; c < p->cell_count; c++)
     for (int k = 0; k < 2; k++) {
-      double q = p->cells[c].linear[k], qy = p->cells[c].quadratic[k] * ip->y[2 * c + k];
-      work->gy[2 * c + k] = 2.0 * qy / ip->tau + q;
+      double q = p->cells[c].linear[k],
+             qy = p->cells[c].quadratic[k] * ip->at.y[2 * c + k];
+      work->gy[2 * c + k] = 2.0 * qy / ip->at.tau + q;
       work->right.y[2 * c + k] = -q;
     }
   for (int32_t i = 0; i < p->bound_count; i++)
@@ -227,9 +246,9 @@ solve_tau (const QnInteriorPoint *ip, double share, const QnIpVector *base)
   const QnIpKktVector *column = &work->tau_column;
   int32_t cells = 2 * p->cell_count, rows = p->row_count;
   double pivot = qn_ip_dot (work->gy, column->y, cells) - p->load_gain * column->lambda
-                 - qn_ip_dot (p->constant, column->v, rows) - ip->kappa / ip->tau
-                 - work->curvature / (ip->tau * ip->tau);
-  double right = share * work->r_tau - work->product_tau / ip->tau
+                 - qn_ip_dot (p->constant, column->v, rows) - ip->at.kappa / ip->at.tau
+                 - work->curvature / (ip->at.tau * ip->at.tau);
+  double right = share * work->r_tau - work->product_tau / ip->at.tau
                  - qn_ip_dot (work->gy, base->y, cells) + p->load_gain * base->lambda
                  + qn_ip_dot (p->constant, base->v, rows);
 
@@ -257,7 +276,7 @@ solve_direction (QnInteriorPoint *ip, double share, QnIpVector *out, QnDiag *dia
   QnStatus status;
 
   for (int32_t i = 0; i < p->bound_count; i++)
-    out->z[i] = work->products[i] / ip->s[i] - work->w[i] * share * work->rz[i];
+    out->z[i] = work->products[i] / ip->at.s[i] - work->w[i] * share * work->rz[i];
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     work->right.y[i] = share * work->ry[i];
   qn_ip_add_bounds_transposed (p, out->z, -1.0, work->right.y);
@@ -271,16 +290,14 @@ solve_direction (QnInteriorPoint *ip, double share, QnIpVector *out, QnDiag *dia
   out->lambda = solution.lambda;
   out->tau = solve_tau (ip, share, out);
   out->lambda += out->tau * work->tau_column.lambda;
-  for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    out->y[i] += out->tau * work->tau_column.y[i];
-  for (int32_t r = 0; r < p->row_count; r++)
-    out->v[r] += out->tau * work->tau_column.v[r];
+  add_multiple (out->y, out->tau, work->tau_column.y, 2 * p->cell_count);
+  add_multiple (out->v, out->tau, work->tau_column.v, p->row_count);
   for (int32_t i = 0; i < p->bound_count; i++) {
     double change = out->s[i] + out->tau * work->tau_column.g[i]; /* G dy */
     out->s[i] = share * work->rz[i] - change + p->bounds[i].limit * out->tau;
-    out->z[i] = (work->products[i] - ip->z[i] * out->s[i]) / ip->s[i];
+    out->z[i] = (work->products[i] - ip->at.z[i] * out->s[i]) / ip->at.s[i];
   }
-  out->kappa = (work->product_tau - ip->kappa * out->tau) / ip->tau;
+  out->kappa = (work->product_tau - ip->at.kappa * out->tau) / ip->at.tau;
   return QN_OK;
 }
 
@@ -291,14 +308,14 @@ longest_step (const QnInteriorPoint *ip, const QnIpVector *step)
   double length = 1.0;
 
   if (step->tau < 0.0)
-    length = fmin (length, -ip->tau / step->tau);
+    length = fmin (length, -ip->at.tau / step->tau);
   if (step->kappa < 0.0)
-    length = fmin (length, -ip->kappa / step->kappa);
+    length = fmin (length, -ip->at.kappa / step->kappa);
   for (int32_t i = 0; i < ip->work->problem->bound_count; i++) {
     if (step->s[i] < 0.0)
-      length = fmin (length, -ip->s[i] / step->s[i]);
+      length = fmin (length, -ip->at.s[i] / step->s[i]);
     if (step->z[i] < 0.0)
-      length = fmin (length, -ip->z[i] / step->z[i]);
+      length = fmin (length, -ip->at.z[i] / step->z[i]);
   }
   return length;
 }
@@ -329,10 +346,10 @@ correct_centrality (QnInteriorPoint *ip, double target, double share, double *le
 
   /* work->products still holds the right-hand side of `step`. */
   for (int32_t i = 0; i < p->bound_count; i++)
-    work->products[i] +=
-      centre ((ip->s[i] + aim * step->s[i]) * (ip->z[i] + aim * step->z[i]), target);
+    work->products[i] += centre (
+      (ip->at.s[i] + aim * step->s[i]) * (ip->at.z[i] + aim * step->z[i]), target);
   work->product_tau +=
-    centre ((ip->tau + aim * step->tau) * (ip->kappa + aim * step->kappa), target);
+    centre ((ip->at.tau + aim * step->tau) * (ip->at.kappa + aim * step->kappa), target);
   status = solve_direction (ip, share, trial, diag);
   if (status)
     return status;
@@ -357,16 +374,17 @@ newton_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
   QnIpVector *step = &work->step;
-  double mean = (qn_ip_dot (ip->s, ip->z, p->bound_count) + ip->tau * ip->kappa)
-                / (p->bound_count + 1.0);
+  double mean =
+    (qn_ip_dot (ip->at.s, ip->at.z, p->bound_count) + ip->at.tau * ip->at.kappa)
+    / (p->bound_count + 1.0);
   double centring, target, share;
   QnStatus status = prepare (ip, ok, diag);
 
   if (status || !*ok)
     return status;
   for (int32_t i = 0; i < p->bound_count; i++)
-    work->products[i] = -ip->s[i] * ip->z[i];
-  work->product_tau = -ip->tau * ip->kappa;
+    work->products[i] = -ip->at.s[i] * ip->at.z[i];
+  work->product_tau = -ip->at.tau * ip->at.kappa;
   status = solve_direction (ip, 1.0, step, diag);
   if (status)
     return status;
@@ -376,8 +394,8 @@ newton_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
   target = centring * mean;
   share = 1.0 - centring;
   for (int32_t i = 0; i < p->bound_count; i++)
-    work->products[i] = target - ip->s[i] * ip->z[i] - step->s[i] * step->z[i];
-  work->product_tau = target - ip->tau * ip->kappa - step->tau * step->kappa;
+    work->products[i] = target - ip->at.s[i] * ip->at.z[i] - step->s[i] * step->z[i];
+  work->product_tau = target - ip->at.tau * ip->at.kappa - step->tau * step->kappa;
   status = solve_direction (ip, share, step, diag);
   if (status)
     return status;
@@ -448,10 +466,6 @@ qn_interior_point_init (QnInteriorPoint *ip, const QnIpProblem *problem,
   work = ip->work = qn_alloc (1, sizeof *work);
   if (!work)
     return qn_diag_no_memory (diag);
-  ip->y = qn_alloc (2 * cells, sizeof (double));
-  ip->v = qn_alloc (rows, sizeof (double));
-  ip->s = qn_alloc (bounds, sizeof (double));
-  ip->z = qn_alloc (bounds, sizeof (double));
   work->problem = problem;
   work->settings = *settings;
   work->w = qn_alloc (bounds, sizeof (double));
@@ -469,7 +483,7 @@ qn_interior_point_init (QnInteriorPoint *ip, const QnIpProblem *problem,
       || !work->tau_column.y || !work->tau_column.g || !work->right.y || !work->rv
       || !work->tau_column.v || !work->right.v || !vector_init (&work->step, problem)
       || !vector_init (&work->trial, problem) || !vector_init (&work->best, problem)
-      || !ip->y || !ip->v || !ip->s || !ip->z)
+      || !vector_init (&ip->at, problem))
     status = qn_diag_no_memory (diag);
   else
     status = qn_ip_kkt_init (&work->kkt, problem, diag);
@@ -503,32 +517,8 @@ qn_interior_point_clear (QnInteriorPoint *ip)
     qn_ip_kkt_clear (&work->kkt);
     free (work);
   }
-  free (ip->y);
-  free (ip->v);
-  free (ip->s);
-  free (ip->z);
+  qn_ip_vector_clear (&ip->at);
   *ip = (QnInteriorPoint){ 0 };
-}
-
-/* Copies the iterate to `best`, or back. */
-static void
-keep_iterate (const QnInteriorPoint *ip, QnIpVector *to)
-{
-  const QnIpProblem *p = ip->work->problem;
-
-  vector_copy (
-    to, &(QnIpVector){ ip->y, ip->v, ip->s, ip->z, ip->lambda, ip->tau, ip->kappa }, p);
-}
-
-static void
-restore_iterate (QnInteriorPoint *ip, const QnIpVector *from)
-{
-  QnIpVector to = { ip->y, ip->v, ip->s, ip->z, 0.0, 0.0, 0.0 };
-
-  vector_copy (&to, from, ip->work->problem);
-  ip->lambda = to.lambda;
-  ip->tau = to.tau;
-  ip->kappa = to.kappa;
 }
 
 QnStatus
@@ -536,7 +526,7 @@ qn_interior_point_keep (const QnInteriorPoint *ip, QnIpVector *copy, QnDiag *dia
 {
   if (copy->y == NULL && !vector_init (copy, ip->work->problem))
     return qn_diag_no_memory (diag);
-  keep_iterate (ip, copy);
+  vector_copy (copy, &ip->at, ip->work->problem);
   return QN_OK;
 }
 
@@ -555,33 +545,6 @@ shift_positive (double *values, int32_t count)
   sum = count > 0 && sum > 0.0 ? 0.5 * sum / count : 1.0;
   for (int32_t i = 0; i < count; i++)
     values[i] += sum;
-}
-
-/* Right-hand sides of the two least-squares problems of the starting point. */
-static void
-set_primal_start (QnInteriorPointWork *work)
-{
-  const QnIpProblem *p = work->problem;
-
-  memset (work->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
-  for (int32_t i = 0; i < p->bound_count; i++)
-    work->products[i] = p->bounds[i].limit;
-  qn_ip_add_bounds_transposed (p, work->products, 1.0, work->right.y);
-  for (int32_t r = 0; r < p->row_count; r++)
-    work->right.v[r] = -p->constant[r];
-  work->right.lambda = 0.0;
-}
-
-static void
-set_dual_start (QnInteriorPointWork *work)
-{
-  const QnIpProblem *p = work->problem;
-
-  for (int32_t c = 0; c < p->cell_count; c++)
-    for (int k = 0; k < 2; k++)
-      work->right.y[2 * c + k] = -p->cells[c].linear[k];
-  memset (work->right.v, 0, (size_t) p->row_count * sizeof (double));
-  work->right.lambda = p->load_gain;
 }
 
 static void
@@ -603,15 +566,15 @@ count_effort (QnInteriorPoint *ip)
   ip->factor_seconds = ip->work->kkt.schur.seconds;
 }
 
-/* The smallest slacks in equilibrium with the constant loads, and the smallest multipliers
- * compatible with the objective; both shifted to the interior. */
+/* Two least-squares problems: the smallest slacks in equilibrium with the constant loads, and the
+ * smallest multipliers compatible with the objective; both shifted to the interior. */
 QnStatus
 qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
-  QnIpKktVector primal = { ip->y, ip->s, ip->v, 0.0 };
-  QnIpKktVector dual = { work->step.y, ip->z, ip->v, 0.0 };
+  QnIpKktVector primal = { ip->at.y, ip->at.s, ip->at.v, 0.0 };
+  QnIpKktVector dual = { work->step.y, ip->at.z, ip->at.v, 0.0 };
   QnStatus status;
   bool ok;
 
@@ -622,23 +585,36 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   count_effort (ip);
   if (!status && !ok)
     ip->state = QN_IP_STALLED;
-  set_primal_start (work);
+
+  memset (work->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
+  for (int32_t i = 0; i < p->bound_count; i++)
+    work->products[i] = p->bounds[i].limit;
+  qn_ip_add_bounds_transposed (p, work->products, 1.0, work->right.y);
+  for (int32_t r = 0; r < p->row_count; r++)
+    work->right.v[r] = -p->constant[r];
+  work->right.lambda = 0.0;
   if (!status)
     status = qn_ip_kkt_solve (&work->kkt, &work->right, &primal, diag);
-  set_dual_start (work);
+
+  for (int32_t c = 0; c < p->cell_count; c++)
+    for (int k = 0; k < 2; k++)
+      work->right.y[2 * c + k] = -p->cells[c].linear[k];
+  memset (work->right.v, 0, (size_t) p->row_count * sizeof (double));
+  work->right.lambda = p->load_gain;
   if (!status)
     status = qn_ip_kkt_solve (&work->kkt, &work->right, &dual, diag);
   if (status)
     return status;
 
   for (int32_t i = 0; i < p->bound_count; i++)
-    ip->s[i] = p->bounds[i].limit - ip->s[i];
-  shift_positive (ip->s, p->bound_count);
-  shift_positive (ip->z, p->bound_count);
-  ip->lambda = primal.lambda;
-  ip->tau = 1.0;
-  ip->kappa =
-    p->bound_count > 0 ? qn_ip_dot (ip->s, ip->z, p->bound_count) / p->bound_count : 1.0;
+    ip->at.s[i] = p->bounds[i].limit - ip->at.s[i];
+  shift_positive (ip->at.s, p->bound_count);
+  shift_positive (ip->at.z, p->bound_count);
+  ip->at.lambda = primal.lambda;
+  ip->at.tau = 1.0;
+  ip->at.kappa = p->bound_count > 0
+                   ? qn_ip_dot (ip->at.s, ip->at.z, p->bound_count) / p->bound_count
+                   : 1.0;
   residuals (ip);
   return QN_OK;
 }
@@ -648,7 +624,7 @@ qn_interior_point_start_from (QnInteriorPoint *ip, const QnIpVector *iterate)
 {
   begin (ip);
   count_effort (ip);
-  restore_iterate (ip, iterate);
+  vector_copy (&ip->at, iterate, ip->work->problem);
   residuals (ip);
 }
 
@@ -665,7 +641,7 @@ judge (QnInteriorPoint *ip)
     ip->state = QN_IP_OPTIMAL;
     return;
   }
-  if (ip->tau < ip->kappa || merit > 1e3) {
+  if (ip->at.tau < ip->at.kappa || merit > 1e3) {
     if (proves_infeasible (ip))
       ip->state = QN_IP_INFEASIBLE;
     else if (proves_unbounded (ip))
@@ -676,7 +652,7 @@ judge (QnInteriorPoint *ip)
   if (merit < work->best_merit) {
     work->best_merit = merit;
     work->since_best = 0;
-    keep_iterate (ip, &work->best);
+    vector_copy (&work->best, &ip->at, work->problem);
   } else if (++work->since_best
              >= (work->best_merit < GOOD_MEASURE ? GOOD_ITERATIONS : STALL_ITERATIONS)) {
     ip->state = QN_IP_STALLED;
@@ -706,7 +682,7 @@ static void
 give_up (QnInteriorPoint *ip)
 {
   if (isfinite (ip->work->best_merit)) {
-    restore_iterate (ip, &ip->work->best);
+    vector_copy (&ip->at, &ip->work->best, ip->work->problem);
     residuals (ip);
     take_measures (ip);
   }
@@ -731,20 +707,15 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
     give_up (ip);
     return QN_OK;
   }
-  const QnIpProblem *p = ip->work->problem;
-  const QnIpVector *step = &ip->work->step;
-
-  for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    ip->y[i] += length * step->y[i];
-  for (int32_t r = 0; r < p->row_count; r++)
-    ip->v[r] += length * step->v[r];
-  for (int32_t i = 0; i < p->bound_count; i++) {
-    ip->s[i] += length * step->s[i];
-    ip->z[i] += length * step->z[i];
-  }
-  ip->lambda += length * step->lambda;
-  ip->tau += length * step->tau;
-  ip->kappa += length * step->kappa;
+  const QnIpProblem *p = work->problem;
+  const QnIpVector *step = &work->step;
+  add_multiple (ip->at.y, length, step->y, 2 * p->cell_count);
+  add_multiple (ip->at.v, length, step->v, p->row_count);
+  add_multiple (ip->at.s, length, step->s, p->bound_count);
+  add_multiple (ip->at.z, length, step->z, p->bound_count);
+  ip->at.lambda += length * step->lambda;
+  ip->at.tau += length * step->tau;
+  ip->at.kappa += length * step->kappa;
   ip->iterations++;
   residuals (ip);
   take_measures (ip);
@@ -757,27 +728,6 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
   return QN_OK;
 }
 
-/* Adds to y (and to *lambda where that is bordered) what is missing for equilibrium. */
-static QnStatus
-restore_balance (QnInteriorPoint *ip, double *lambda, double *y, QnDiag *diag)
-{
-  QnInteriorPointWork *work = ip->work;
-  const QnIpProblem *p = work->problem;
-  QnIpKktVector step = { work->trial.y, work->trial.s, work->trial.v, 0.0 };
-  QnStatus status;
-
-  qn_interior_point_balance (p, y, *lambda, 1.0, work->right.v);
-  for (int32_t r = 0; r < p->row_count; r++)
-    work->right.v[r] = -work->right.v[r];
-  memset (work->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
-  work->right.lambda = 0.0;
-  status = qn_ip_kkt_solve (&work->kkt, &work->right, &step, diag);
-  for (int32_t i = 0; i < 2 * p->cell_count && !status; i++)
-    y[i] += step.y[i];
-  *lambda += step.lambda;
-  return status;
-}
-
 QnStatus
 qn_interior_point_restore (QnInteriorPoint *ip, bool fixed, double *lambda, double *y,
                            double *residual, double *slack, QnDiag *diag)
@@ -787,8 +737,16 @@ qn_interior_point_restore (QnInteriorPoint *ip, bool fixed, double *lambda, doub
   QnStatus status = QN_OK;
 
   work->kkt.bordered = p->load && !fixed;
-  for (int round = 0; round < PROJECTION_ROUNDS && !status; round++)
-    status = restore_balance (ip, lambda, y, diag);
+  for (int round = 0; round < PROJECTION_ROUNDS && !status; round++) {
+    QnIpKktVector step = { work->trial.y, work->trial.s, work->trial.v, 0.0 };
+    missing_balance (p, y, *lambda, 1.0, work->right.v);
+    memset (work->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
+    work->right.lambda = 0.0;
+    status = qn_ip_kkt_solve (&work->kkt, &work->right, &step, diag);
+    if (!status)
+      add_multiple (y, 1.0, step.y, 2 * p->cell_count);
+    *lambda += step.lambda;
+  }
   work->kkt.bordered = p->load != NULL;
   if (status)
     return status;
@@ -806,6 +764,6 @@ qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda, doub
                            double *residual, double *slack, QnDiag *diag)
 {
   for (int32_t i = 0; i < 2 * ip->work->problem->cell_count; i++)
-    y[i] = ip->y[i] / ip->tau;
+    y[i] = ip->at.y[i] / ip->at.tau;
   return qn_interior_point_restore (ip, fixed, lambda, y, residual, slack, diag);
 }

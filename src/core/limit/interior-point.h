@@ -100,9 +100,12 @@ typedef struct QnIpMeasures {
   double gap;           /* of the objectives, relative to 1 + their size */
 } QnIpMeasures;
 
-/* A point or a direction of the homogeneous space; arrays as in QnInteriorPoint. */
+/* A point or a direction of the homogeneous space: divide by tau to read a solution. */
 typedef struct QnIpVector {
-  double *y, *v, *s, *z;
+  double *y; /* cell_count x 2: normal, shear */
+  double *v; /* row_count */
+  double *s; /* bound_count */
+  double *z; /* bound_count */
   double lambda, tau, kappa;
 } QnIpVector;
 
@@ -114,15 +117,7 @@ typedef struct QnInteriorPoint {
   int32_t factorizations;
   double factor_seconds; /* spent in factorising and solving, s */
   QnIpMeasures measures;
-
-  /* The iterate (or certificate): homogeneous, i.e. divide by tau to read a solution. */
-  double *y; /* cell_count x 2: normal, shear */
-  double lambda;
-  double *v; /* row_count */
-  double *s; /* bound_count */
-  double *z; /* bound_count */
-  double tau, kappa;
-
+  QnIpVector at;             /* the iterate (or certificate) */
   QnInteriorPointWork *work; /* owned */
 } QnInteriorPoint;
 

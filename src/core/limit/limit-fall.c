@@ -67,7 +67,7 @@ qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
              || (ip.state == QN_IP_STALLED && m->primal_residual < ACCEPTED_MEASURE
                  && m->dual_residual < ACCEPTED_MEASURE && m->gap < ACCEPTED_MEASURE);
     for (int32_t r = 0; r < limit->ip.row_count && *found; r++)
-      v[r] = ip.v[r] / ip.tau;
+      v[r] = ip.at.v[r] / ip.at.tau;
   }
   qn_interior_point_clear (&ip);
   free (groups);

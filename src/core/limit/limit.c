@@ -135,7 +135,7 @@ is_answer (const QnInteriorPoint *ip)
 static QnStatus
 take_certificate (Run *run, QnDiag *diag)
 {
-  double *v = run->ip->v;
+  double *v = run->ip->at.v;
   bool found;
   QnStatus status = qn_limit_fall (run->limit, go_on, run, v, &found, diag);
 
@@ -174,7 +174,7 @@ static QnStatus
 prove_lower (Run *run, double *lower, QnDiag *diag)
 {
   const double *anchor = run->anchored ? run->anchor : NULL;
-  double lambda = run->ip->lambda / run->ip->tau, slack;
+  double lambda = run->ip->at.lambda / run->ip->at.tau, slack;
   double wanted = lambda - WANTED_GAP * fabs (lambda) - LEAST_GAP;
   bool found = false;
   QnStatus status = qn_interior_point_project (run->ip, false, &lambda, run->y,
@@ -215,12 +215,12 @@ take_optimum (Run *run, QnDiag *diag)
 {
   QnLimitSolution *solution = run->solution;
   const QnLimitProblem *limit = run->limit;
-  double upper = qn_limit_upper_bound (limit, run->ip->v, run->ip->y, run->ip->tau,
-                                       run->rates, &solution->check);
+  double upper = qn_limit_upper_bound (limit, run->ip->at.v, run->ip->at.y,
+                                       run->ip->at.tau, run->rates, &solution->check);
   double lower;
   QnStatus status;
 
-  qn_limit_problem_velocities (limit, run->ip->v, solution->velocities);
+  qn_limit_problem_velocities (limit, run->ip->at.v, solution->velocities);
   status = prove_lower (run, &lower, diag);
   if (status)
     return status;
@@ -279,8 +279,9 @@ solve (Run *run, bool from_dead_load, QnDiag *diag)
   else if (ip->state == QN_IP_UNBOUNDED) {
     solution->outcome = QN_OUTCOME_UNBOUNDED;
     solution->lower_bound = solution->upper_bound = INFINITY;
-    qn_limit_problem_forces (
-      limit, ip->y, qn_limit_problem_multiplier (limit, ip->lambda), solution->forces);
+    qn_limit_problem_forces (limit, ip->at.y,
+                             qn_limit_problem_multiplier (limit, ip->at.lambda),
+                             solution->forces);
   } else if (is_answer (ip))
     status = take_optimum (run, diag);
   return status;

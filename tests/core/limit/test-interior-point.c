@@ -63,12 +63,12 @@ test_optimum (void)
   slider_init (&slider, 0.65, 0.1);
   solve (&ip, &slider.problem);
   g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.lambda / ip.tau, 0.75, 1e-8);
-  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -1, 1e-8);
-  g_assert_cmpfloat_with_epsilon (fabs (ip.y[1] / ip.tau), 0.75, 1e-8);
+  g_assert_cmpfloat_with_epsilon (ip.at.lambda / ip.at.tau, 0.75, 1e-8);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.tau, -1, 1e-8);
+  g_assert_cmpfloat_with_epsilon (fabs (ip.at.y[1] / ip.at.tau), 0.75, 1e-8);
   /* The mechanism slides and, flow being associative, lifts by the friction. */
-  g_assert_cmpfloat_with_epsilon (ip.v[0] / ip.tau, 1, 1e-7);
-  g_assert_cmpfloat_with_epsilon (ip.v[1] / ip.tau, 0.65, 1e-7);
+  g_assert_cmpfloat_with_epsilon (ip.at.v[0] / ip.at.tau, 1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (ip.at.v[1] / ip.at.tau, 0.65, 1e-7);
   g_assert_cmpfloat (ip.measures.primal_residual, <, 1e-9);
   g_assert_cmpfloat (ip.measures.dual_residual, <, 1e-9);
   g_assert_cmpfloat (ip.measures.gap, <, 1e-9);
@@ -87,10 +87,10 @@ test_infeasible (void)
   slider.constant[1] = 2;
   solve (&ip, &slider.problem);
   g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
-  double power = slider.constant[1] * ip.v[1];
+  double power = slider.constant[1] * ip.at.v[1];
   g_assert_cmpfloat (power, >, 0);
-  g_assert_cmpfloat_with_epsilon (ip.v[0] / ip.v[1], 0, 1e-6);
-  qn_interior_point_rates (&slider.problem, ip.v, rates);
+  g_assert_cmpfloat_with_epsilon (ip.at.v[0] / ip.at.v[1], 0, 1e-6);
+  qn_interior_point_rates (&slider.problem, ip.at.v, rates);
   g_assert_cmpfloat (rates[0], >, 0.65 * fabs (rates[1]));
   qn_interior_point_clear (&ip);
 }
@@ -106,8 +106,8 @@ test_unbounded (void)
   slider.load[1] = -1;
   solve (&ip, &slider.problem);
   g_assert_cmpint (ip.state, ==, QN_IP_UNBOUNDED);
-  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.lambda, -1, 1e-6);
-  g_assert_cmpfloat_with_epsilon (ip.y[1] / ip.lambda, -0.6, 1e-6);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.lambda, -1, 1e-6);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[1] / ip.at.lambda, -0.6, 1e-6);
   qn_interior_point_clear (&ip);
 }
 
@@ -126,8 +126,8 @@ test_no_bounds (void)
   slider.constant[0] = 3;
   solve (&ip, &slider.problem);
   g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -1, 1e-7);
-  g_assert_cmpfloat_with_epsilon (ip.y[1] / ip.tau, -3, 1e-7);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.tau, -1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[1] / ip.at.tau, -3, 1e-7);
   qn_interior_point_clear (&ip);
 }
 
@@ -163,13 +163,13 @@ test_quadratic (void)
 
   solve (&ip, &problem);
   g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -0.75, 1e-6);
-  g_assert_cmpfloat_with_epsilon (ip.y[2] / ip.tau, -0.25, 1e-6);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.tau, -0.75, 1e-6);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[2] / ip.at.tau, -0.25, 1e-6);
   /* A gap wide enough in the second spring leaves all of the weight to the first. */
   cells[1].linear[0] = -0.5;
   iterate_to_end (&ip);
   g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -1, 1e-6);
+  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.tau, -1, 1e-6);
   qn_interior_point_clear (&ip);
 }
 
@@ -188,11 +188,11 @@ test_empty_row (void)
   slider.problem.load = load;
   solve (&ip, &slider.problem);
   g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.lambda / ip.tau, 0.65, 1e-8);
+  g_assert_cmpfloat_with_epsilon (ip.at.lambda / ip.at.tau, 0.65, 1e-8);
   constant[2] = 0.1;
   iterate_to_end (&ip);
   g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
-  g_assert_cmpfloat (ip.v[2] * constant[2], >, 0);
+  g_assert_cmpfloat (ip.at.v[2] * constant[2], >, 0);
   qn_interior_point_clear (&ip);
 }
 
@@ -211,7 +211,7 @@ test_redundant_row (void)
   slider.problem.load = load;
   solve (&ip, &slider.problem);
   g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.lambda / ip.tau, 0.65, 1e-8);
+  g_assert_cmpfloat_with_epsilon (ip.at.lambda / ip.at.tau, 0.65, 1e-8);
   constant[2] = -2;
   iterate_to_end (&ip);
   g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
@@ -254,9 +254,9 @@ test_repeat (void)
   solve (&a, &slider.problem);
   solve (&b, &slider.problem);
   g_assert_cmpint (a.iterations, ==, b.iterations);
-  g_assert_true (a.lambda == b.lambda && a.v[0] == b.v[0]);
+  g_assert_true (a.at.lambda == b.at.lambda && a.at.v[0] == b.at.v[0]);
   iterate_to_end (&a);
-  g_assert_true (a.lambda == b.lambda && a.v[0] == b.v[0]);
+  g_assert_true (a.at.lambda == b.at.lambda && a.at.v[0] == b.at.v[0]);
   qn_interior_point_clear (&a);
   qn_interior_point_clear (&b);
 }
