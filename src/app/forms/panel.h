@@ -24,9 +24,6 @@ GtkWidget *qn_face_form_new (QnCanvas *canvas);
 GtkWidget *qn_place_form_new (QnCanvas *canvas);
 GtkWidget *qn_corner_table_new (QnCanvas *canvas);
 
-/* A button that makes free blocks of the selected wall or masonry; for the forms of both. */
-GtkWidget *qn_detach_button_new (void);
-
 /* The selected beams, the two ends of a single one (end: 0, 1), their section. */
 GtkWidget *qn_beam_form_new (QnCanvas *canvas);
 GtkWidget *qn_beam_end_form_new (QnCanvas *canvas, int end);

@@ -5,8 +5,9 @@
 
 #include <stdlib.h>
 
-QnVec2
-qn_block_side_direction (QnBlockSide side)
+/* Unit vector that points out of a block at one of its sides. */
+static QnVec2
+direction_of (QnBlockSide side)
 {
   static const QnVec2 directions[QN_BLOCK_SIDE_COUNT] = {
     [QN_BLOCK_SIDE_LEFT] = { -1, 0 },
@@ -22,7 +23,7 @@ QnId
 qn_block_facing_edge (const QnModel *model, QnId block, QnBlockSide side)
 {
   const QnVec2 *v = qn_model_block_vertices (model, block);
-  const QnVec2 direction = qn_block_side_direction (side);
+  const QnVec2 direction = direction_of (side);
   QnId count = model->blocks[block].vertex_count, best = 0;
   double best_facing = -INFINITY, best_length = 0;
 
@@ -167,8 +168,7 @@ qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *s
   *seen =
     (QnSeenEdges){ qn_alloc_unset (model->vertex_count, 2 * sizeof *seen->items), 0 };
   bool done = segments != NULL && room != NULL && seen->items != NULL;
-  size_t count =
-    done ? gather_segments (model, qn_block_side_direction (from), segments) : 0;
+  size_t count = done ? gather_segments (model, direction_of (from), segments) : 0;
   if (count > 0) {
     Envelope envelope = find_envelope (segments, count, room, room + 2 * count);
     for (size_t i = 0; i < envelope.count; i++) {

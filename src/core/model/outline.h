@@ -4,9 +4,6 @@
 
 #include "core/model/model.h"
 
-/* Unit vector that points out of a block at one of its sides. */
-QnVec2 qn_block_side_direction (QnBlockSide side);
-
 /* The edge that faces a side most; of several such the longest. Blocks are counter-clockwise. */
 QnId qn_block_facing_edge (const QnModel *model, QnId block, QnBlockSide side);
 

@@ -49,10 +49,15 @@ qn_law_quantity (const char *key, QnBasis basis)
   return QN_QUANTITY_NUMBER;
 }
 
-QnLawUses
-qn_law_count_uses (const QnModel *model, const QnContacts *contacts, QnId law)
+/* What has a law. A joint counts where one of its two sides has it. */
+typedef struct Uses {
+  gsize joints, blocks, bars;
+} Uses;
+
+static Uses
+count_uses (const QnModel *model, const QnContacts *contacts, QnId law)
 {
-  QnLawUses uses = { 0 };
+  Uses uses = { 0 };
   for (gsize i = 0; i < contacts->face_count; i++)
     uses.joints += contacts->faces[i].law_a == law || contacts->faces[i].law_b == law;
   for (gsize i = 0; i < model->block_count; i++) {
@@ -83,7 +88,7 @@ qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUn
   GString *text = g_string_new (law->name);
   g_string_append_printf (text, "\n%s, %s · ", _ (qn_law_kind_words[law->kind]),
                           _ (qn_basis_words[law->basis]));
-  QnLawUses uses = qn_law_count_uses (model, contacts, id);
+  Uses uses = count_uses (model, contacts, id);
   g_string_append_printf (text, ngettext ("%u joint", "%u joints", (gulong) uses.joints),
                           (guint) uses.joints);
   g_string_append (text, " · ");

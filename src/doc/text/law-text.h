@@ -12,13 +12,6 @@ extern const char *const qn_basis_words[QN_BASIS_COUNT];
 /* What the number of a key ("kn", "friction", …) is with a basis. */
 QnQuantity qn_law_quantity (const char *key, QnBasis basis);
 
-/* What has a law. A joint counts where one of its two sides has it. */
-typedef struct QnLawUses {
-  gsize joints, blocks, bars;
-} QnLawUses;
-
-QnLawUses qn_law_count_uses (const QnModel *model, const QnContacts *contacts, QnId law);
-
 /* Name; kind, basis and what has it; main numbers; the source: a line each. Free with g_free(). */
 char *qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId law,
                        QnUnits units);

@@ -6,8 +6,7 @@
 
 #include <glib.h>
 
-/* [x, y], as a value or as a member. */
-void qn_json_append_vec2 (GString *json, QnVec2 vector);
+/* [x, y] as a member. */
 void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
 
 /* [[x, y], …] as a member. */

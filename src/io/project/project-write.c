@@ -30,8 +30,8 @@ qn_json_put_numbers (GString *json, const char *key, const double *numbers, gsiz
   qn_json_append_numbers (json, numbers, count);
 }
 
-void
-qn_json_append_vec2 (GString *json, QnVec2 vector)
+static void
+append_vec2 (GString *json, QnVec2 vector)
 {
   qn_json_append_numbers (json, (const double[]){ vector.x, vector.y }, 2);
 }
@@ -40,7 +40,7 @@ void
 qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector)
 {
   qn_json_begin_member (json, key);
-  qn_json_append_vec2 (json, vector);
+  append_vec2 (json, vector);
 }
 
 void
@@ -65,7 +65,7 @@ qn_json_put_points (GString *json, const char *key, const QnVec2 *points, gsize 
   qn_json_begin_member (json, key);
   for (gsize i = 0; i < count; i++) {
     g_string_append (json, i > 0 ? ", " : "[");
-    qn_json_append_vec2 (json, points[i]);
+    append_vec2 (json, points[i]);
   }
   g_string_append (json, count > 0 ? "]" : "[]");
 }

@@ -34,7 +34,6 @@
   X (PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                          \
   X (PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                                        \
   X (PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                          \
-  X (PFNGLGETERRORPROC, GetError)                                                        \
   X (PFNGLGETINTEGERVPROC, GetIntegerv)                                                  \
   X (PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                \
   X (PFNGLGETSTRINGPROC, GetString)                                                      \
