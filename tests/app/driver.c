@@ -385,6 +385,28 @@ is_button_called (GtkWidget *widget, gconstpointer label)
 }
 
 void
+driver_click_on (GtkWidget *root, DriverMatch match, const char *label)
+{
+  GtkWidget *item = driver_find_widget (root, match, label);
+  if (item == NULL)
+    g_error ("nothing is called %s", label);
+  driver_point_at (item, 0.5 * gtk_widget_get_width (item),
+                   0.5 * gtk_widget_get_height (item));
+  driver_press_button ("1");
+  driver_run (300);
+}
+
+void
+driver_unfold (GtkWidget *widget)
+{
+  if (GTK_IS_EXPANDER (widget))
+    gtk_expander_set_expanded (GTK_EXPANDER (widget), TRUE);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    driver_unfold (child);
+}
+
+void
 driver_press (GtkWidget *root, const char *label)
 {
   GtkWidget *button = driver_find_widget (root, is_button_called, label);

@@ -87,6 +87,12 @@ GtkWidget *driver_find_message (void);
 typedef gboolean (*DriverMatch) (GtkWidget *widget, gconstpointer data);
 GtkWidget *driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer data);
 
+/* Clicks with the pointer on the first widget that matches; there must be one. */
+void driver_click_on (GtkWidget *root, DriverMatch match, const char *label);
+
+/* Unfolds all that is folded below a widget, which is no part of the tree before. */
+void driver_unfold (GtkWidget *widget);
+
 /* Presses the button of that label, which must be there and sensitive. */
 void driver_press (GtkWidget *root, const char *label);
 

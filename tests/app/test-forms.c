@@ -104,17 +104,6 @@ walk (GtkWidget *widget, const char *what)
     walk (child, what);
 }
 
-/* Panels do not scroll away what the picture is about. */
-static void
-expand_all (GtkWidget *widget)
-{
-  if (GTK_IS_EXPANDER (widget))
-    gtk_expander_set_expanded (GTK_EXPANDER (widget), TRUE);
-  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
-       child = gtk_widget_get_next_sibling (child))
-    expand_all (child);
-}
-
 static void
 look_at (GtkWidget *root, const char *what)
 {
@@ -193,7 +182,7 @@ test_state (gconstpointer data)
     qn_selection_set_face (selection, state->face);
   if (state->opening >= 0)
     qn_selection_set_opening (selection, 0, state->opening);
-  expand_all (GTK_WIDGET (window));
+  driver_unfold (GTK_WIDGET (window));
   look_at (GTK_WIDGET (window), state->name);
   driver_discard (window);
 }
@@ -251,7 +240,7 @@ test_dialogs (void)
     if (dialogs[i].title != NULL)
       g_assert_true (
         g_str_has_prefix (gtk_window_get_title (GTK_WINDOW (dialog)), dialogs[i].title));
-    expand_all (dialog);
+    driver_unfold (dialog);
     look_at (dialog, dialogs[i].what);
     gtk_window_destroy (GTK_WINDOW (dialog));
     driver_run (50);

@@ -103,19 +103,9 @@ walk_below (GtkWidget *window, const char *what)
 }
 
 static void
-unfold (GtkWidget *widget)
-{
-  if (GTK_IS_EXPANDER (widget))
-    gtk_expander_set_expanded (GTK_EXPANDER (widget), TRUE);
-  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
-       child = gtk_widget_get_next_sibling (child))
-    unfold (child);
-}
-
-static void
 expect_to_fit (GtkWidget *window, const char *what)
 {
-  unfold (window);
+  driver_unfold (window);
   driver_run (200);
   int width = 0, height = 0;
   gtk_widget_measure (window, GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL, NULL, NULL);

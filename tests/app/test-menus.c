@@ -43,17 +43,6 @@ find_id (GtkWidget *root, const char *id)
   return found;
 }
 
-/* What is folded is no part of the tree. */
-static void
-unfold (GtkWidget *widget)
-{
-  if (GTK_IS_EXPANDER (widget))
-    gtk_expander_set_expanded (GTK_EXPANDER (widget), TRUE);
-  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
-       child = gtk_widget_get_next_sibling (child))
-    unfold (child);
-}
-
 static GtkWidget *
 row_of (GtkWidget *list, int index)
 {
@@ -91,13 +80,7 @@ right_click (GtkWidget *widget)
 static void
 choose (GtkWidget *widget, const char *label)
 {
-  GtkWidget *item = driver_find_widget (widget, is_item, label);
-  if (item == NULL)
-    g_error ("no item %s", label);
-  driver_point_at (item, 0.5 * gtk_widget_get_width (item),
-                   0.5 * gtk_widget_get_height (item));
-  driver_press_button ("1");
-  driver_run (300);
+  driver_click_on (widget, is_item, label);
 }
 
 /* Both keys open it where the focus is, and Escape closes it. */
@@ -121,7 +104,7 @@ open_panel (const char *example, const char *panel)
   driver_pass_over_gtk ();
   QnWindow *window = driver_open_example (example);
   driver_activate_target (window, "win.show-panel", g_variant_new_string (panel));
-  unfold (GTK_WIDGET (window));
+  driver_unfold (GTK_WIDGET (window));
   driver_run (300);
   return window;
 }
@@ -209,7 +192,7 @@ test_tables (void)
   QnWindow *window = open_panel ("06-arch.quoin", "result");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  unfold (GTK_WIDGET (window));
+  driver_unfold (GTK_WIDGET (window));
   driver_run (500);
   GtkWidget *cell = driver_find_widget (GTK_WIDGET (window), is_cell, NULL);
   g_assert_nonnull (cell);

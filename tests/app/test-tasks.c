@@ -25,18 +25,6 @@ is_labelled (GtkWidget *widget, gconstpointer label)
 }
 
 static void
-click_on (GtkWidget *root, const char *label)
-{
-  GtkWidget *button = driver_find_widget (root, is_labelled, label);
-  if (button == NULL)
-    g_error ("no button %s", label);
-  driver_point_at (button, 0.5 * gtk_widget_get_width (button),
-                   0.5 * gtk_widget_get_height (button));
-  driver_press_button ("1");
-  driver_run (300);
-}
-
-static void
 expect_inputs (const char *task, guint most, gint64 begun)
 {
   guint count = driver_take_inputs ();
@@ -52,7 +40,7 @@ test_wall (void)
   QnWindow *window = driver_open_window (1280, 800);
   driver_take_inputs ();
   gint64 begun = g_get_monotonic_time ();
-  click_on (GTK_WIDGET (window), "New Drawing");
+  driver_click_on (GTK_WIDGET (window), is_labelled, "New Drawing");
   driver_key ("w");
   driver_drag (window, 0.0, 0.0, 4.8, 2.8);
   driver_key ("o");
@@ -86,7 +74,7 @@ test_mortar (void)
   driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Import");
   g_assert_nonnull (dialog);
-  click_on (dialog, "Import");
+  driver_click_on (dialog, is_labelled, "Import");
   driver_run (300);
   QnDocument *document = qn_window_get_document (window);
   g_assert_cmpuint (qn_document_get_model (document)->block_count, >, 1);
@@ -127,7 +115,7 @@ test_comparison (void)
   gint64 begun = g_get_monotonic_time ();
   driver_key ("F10");
   driver_run (300);
-  click_on (GTK_WIDGET (window), "Compare…");
+  driver_click_on (GTK_WIDGET (window), is_labelled, "Compare…");
   GtkWidget *dialog = driver_find_dialog ("Compare Runs");
   g_assert_nonnull (dialog);
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
