@@ -1,6 +1,7 @@
 /* Support: a click fixes a block, or a node of beams, another one frees it. */
 #include "app/canvas/canvas.h"
 #include "app/tools/tools.h"
+#include "core/model/support.h"
 
 #include <glib/gi18n.h>
 
@@ -28,7 +29,7 @@ edit_node (QnModel *model, gpointer data, GError **error)
 static gboolean
 toggle (Support *support, const bool held[QN_DOF_COUNT])
 {
-  bool all = held[QN_DOF_UX] && held[QN_DOF_UY] && held[QN_DOF_RZ];
+  bool all = qn_support_is_full (held);
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)
     support->fixed[dof] = !all;
   return all;

@@ -1,5 +1,6 @@
 #include "cli/project/check-report.h"
 
+#include "core/model/support.h"
 #include "doc/edit/edit-gaps.h"
 #include "doc/view/load-text.h"
 #include "io/text/fault-text.h"
@@ -12,13 +13,6 @@ gboolean
 qn_check_report_passes (const QnCheckReport *report)
 {
   return qn_result_passes (&report->input->project, report->check, report->faults);
-}
-
-static gboolean
-is_supported (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
-         || block->support[QN_DOF_RZ];
 }
 
 /* "name (ux, uy, rz)" */
@@ -44,15 +38,14 @@ print_supports (const QnModel *model)
   const char *separator = " ";
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
-    if (!is_supported (block))
+    if (!qn_support_is_any (block->support))
       continue;
     print_support (separator, block->name, block->support);
     separator = ", ";
   }
   for (size_t i = 0; i < model->node_count; i++) {
     const QnNode *node = &model->nodes[i];
-    if (!node->support[QN_DOF_UX] && !node->support[QN_DOF_UY]
-        && !node->support[QN_DOF_RZ])
+    if (!qn_support_is_any (node->support))
       continue;
     print_support (separator, node->name, node->support);
     separator = ", ";

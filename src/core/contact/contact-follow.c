@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/contact/contact-search.h"
+#include "core/model/support.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -280,13 +281,6 @@ compare_pairs (const void *a, const void *b)
 }
 
 static bool
-is_fixed (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
-         && block->support[QN_DOF_RZ];
-}
-
-static bool
 list_all (QnContactFollow *follow, const double *displacements, double margin)
 {
   const QnModel *model = follow->model;
@@ -314,7 +308,8 @@ list_all (QnContactFollow *follow, const double *displacements, double margin)
     qsort (pairs.items, pairs.count, sizeof *pairs.items, compare_pairs);
   for (size_t i = 0; ok && i < pairs.count; i++) {
     QnId a = pairs.items[i][0], b = pairs.items[i][1];
-    if (is_fixed (&model->blocks[a]) && is_fixed (&model->blocks[b]))
+    if (qn_support_is_full (model->blocks[a].support)
+        && qn_support_is_full (model->blocks[b].support))
       continue;
     ok = list_corners (follow, a, b, displacements, margin)
          && list_corners (follow, b, a, displacements, margin);

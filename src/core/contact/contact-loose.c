@@ -4,6 +4,7 @@
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/base/union-find.h"
+#include "core/model/support.h"
 
 #include <stdlib.h>
 
@@ -183,7 +184,7 @@ qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *di
     for (size_t i = 0; i < bodies; i++) {
       const bool *support =
         i < blocks ? model->blocks[i].support : model->nodes[i - blocks].support;
-      if (support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ])
+      if (qn_support_is_any (support))
         held[qn_sets_root (sets, (QnId) i)] = true;
     }
     for (size_t i = 0; i < bodies; i++) {

@@ -2,6 +2,7 @@
 #include "core/base/memory.h"
 #include "core/model/beam-model.h"
 #include "core/model/model-check.h"
+#include "core/model/support.h"
 
 #include <stdlib.h>
 
@@ -35,7 +36,7 @@ check_node (const QnModel *model, QnId index, QnDiag *diag)
   if (rides && (node->block < 0 || (size_t) node->block >= model->block_count))
     return qn_diag_set_field (diag, QN_PROBLEM_BLOCK_UNKNOWN, entity, index, "block",
                               node->block);
-  if (rides && (node->support[0] || node->support[1] || node->support[2]))
+  if (rides && qn_support_is_any (node->support))
     return qn_diag_set_field (diag, QN_PROBLEM_NODE_SUPPORTED_BY_BLOCK, entity, index,
                               "support", 0);
   if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT) {

@@ -1,6 +1,7 @@
 #include "core/result/result.h"
 
 #include "core/base/memory.h"
+#include "core/model/support.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -167,25 +168,18 @@ qn_result_clear_events (QnResult *result)
   result->has_first_limit_multiplier = false;
 }
 
-static bool
-is_supported (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
-         || block->support[QN_DOF_RZ];
-}
-
 bool
 qn_result_set_supports (QnResult *result, const QnModel *model)
 {
   size_t count = 0;
 
   for (size_t b = 0; b < model->block_count; b++)
-    count += is_supported (&model->blocks[b]);
+    count += qn_support_is_any (model->blocks[b].support);
   result->supports = qn_alloc (count, sizeof *result->supports);
   if (result->supports == NULL)
     return false;
   for (size_t b = 0; b < model->block_count; b++)
-    if (is_supported (&model->blocks[b]))
+    if (qn_support_is_any (model->blocks[b].support))
       result->supports[result->support_count++] = (QnId) b;
   return true;
 }

@@ -1,6 +1,7 @@
 #include "doc/edit/edit-stage.h"
 
 #include "core/base/box.h"
+#include "core/model/support.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -130,13 +131,6 @@ qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error)
 
 /* ---- loads ---- */
 
-static gboolean
-is_fixed (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
-         && block->support[QN_DOF_RZ];
-}
-
 /* Of the corners of some blocks, or of all that are not fixed. */
 static QnBox
 box_of (const QnModel *model, QnBlockSet set)
@@ -145,7 +139,8 @@ box_of (const QnModel *model, QnBlockSet set)
   QnBox box = QN_BOX_EMPTY;
   for (gsize b = 0; b < model->block_count; b++) {
     const QnVec2 *corners = qn_model_block_vertices (model, (QnId) b);
-    gboolean counts = set.count > 0 ? flags[b] : !is_fixed (&model->blocks[b]);
+    gboolean counts =
+      set.count > 0 ? flags[b] : !qn_support_is_full (model->blocks[b].support);
     for (QnId k = 0; counts && k < model->blocks[b].vertex_count; k++)
       qn_box_add_point (&box, corners[k]);
   }

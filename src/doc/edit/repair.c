@@ -1,6 +1,7 @@
 #include "doc/edit/repair.h"
 
 #include "core/base/polygon.h"
+#include "core/model/support.h"
 #include "doc/edit/edit-gaps.h"
 #include "doc/edit/edit-shape.h"
 #include "doc/text/explain.h"
@@ -27,7 +28,7 @@
 static int
 firmness (const QnBlock *block)
 {
-  int fixed = block->support[0] || block->support[1] || block->support[2];
+  int fixed = qn_support_is_any (block->support);
   return 2 * fixed + (block->wall != QN_NONE || block->masonry != QN_NONE);
 }
 

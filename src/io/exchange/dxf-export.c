@@ -1,4 +1,5 @@
 #include "io/exchange/dxf-export.h"
+#include "core/model/support.h"
 #include "io/text/file-writer.h"
 
 /* Handles of the fixed objects; entities count on from FIRST_ENTITY. */
@@ -310,13 +311,6 @@ put_beams (Export *export, const QnModel *model, const QnResult *result, double 
                  place_node (model, model->elements[i].nodes[1], u, scale));
 }
 
-static gboolean
-is_fixed (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
-         && block->support[QN_DOF_RZ];
-}
-
 static void
 put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
               const QnResult *result, double scale)
@@ -325,7 +319,8 @@ put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
   put (export, 2, "ENTITIES");
   for (size_t i = 0; i < model->block_count; i++)
     put_block (export, model, (QnId) i,
-               is_fixed (&model->blocks[i]) ? "SUPPORTS" : "BLOCKS", NULL, 0);
+               qn_support_is_full (model->blocks[i].support) ? "SUPPORTS" : "BLOCKS",
+               NULL, 0);
   for (size_t i = 0; contacts != NULL && i < contacts->face_count; i++)
     put_segment (export, "CONTACTS", contacts->faces[i].start, contacts->faces[i].end);
   if (result != NULL && result->step_count > 0) {

@@ -1,5 +1,6 @@
 #include "io/exchange/vtu.h"
 
+#include "core/model/support.h"
 #include "disk/file-group.h"
 #include "io/exchange/vtu-xml.h"
 #include "io/text/file-writer.h"
@@ -104,7 +105,7 @@ supported_value (const void *data, size_t index, int component)
 {
   const bool *support = ((const Blocks *) data)->model->blocks[index].support;
   (void) component;
-  return support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ];
+  return qn_support_is_any (support);
 }
 
 static double

@@ -1,3 +1,4 @@
+#include "core/model/support.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
 #include "io/project/project-names.h"
@@ -131,7 +132,7 @@ append_law (GString *json, const QnModel *model, size_t index)
 void
 qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
 {
-  if (!support[QN_DOF_UX] && !support[QN_DOF_UY] && !support[QN_DOF_RZ])
+  if (!qn_support_is_any (support))
     return;
   qn_json_begin_member (json, "support");
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)

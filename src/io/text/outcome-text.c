@@ -1,4 +1,5 @@
 #include "io/text/outcome-text.h"
+#include "core/model/support.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -51,12 +52,6 @@ qn_stage_dup_name (const QnModel *model, int32_t stage)
   return name != NULL ? g_strdup (name) : g_strdup_printf ("%d", stage);
 }
 
-static gboolean
-is_fixed (const bool *support)
-{
-  return support[QN_DOF_UX] && support[QN_DOF_UY] && support[QN_DOF_RZ];
-}
-
 /* Whether an acting load moves anything: settles a support, or is a force on a block or node that is
  * not fixed altogether, or along beams. */
 static gboolean
@@ -66,17 +61,17 @@ acts_on_something (const QnModel *model, const QnLoad *load)
   case QN_LOAD_SETTLEMENT:
     return load->value != 0;
   case QN_LOAD_FORCE:
-    return !is_fixed (model->blocks[load->block].support);
+    return !qn_support_is_full (model->blocks[load->block].support);
   case QN_LOAD_NODE: {
     QnId block = model->nodes[load->node].block;
-    return !is_fixed (block != QN_NONE ? model->blocks[block].support
-                                       : model->nodes[load->node].support);
+    return !qn_support_is_full (block != QN_NONE ? model->blocks[block].support
+                                                 : model->nodes[load->node].support);
   }
   case QN_LOAD_LINE:
     return TRUE;
   case QN_LOAD_WEIGHT:
     for (size_t b = 0; b < model->block_count; b++)
-      if (model->blocks[b].weight > 0 && !is_fixed (model->blocks[b].support))
+      if (model->blocks[b].weight > 0 && !qn_support_is_full (model->blocks[b].support))
         return TRUE;
     for (size_t i = 0; i < model->beam_count; i++)
       if (model->sections[model->beams[i].section].unit_weight > 0)

@@ -1,5 +1,6 @@
 /* Beams: their depth to scale, axis, nodes, hinges and supports, as they lie or as they bend. */
 #include "render/scene/scene-beams.h"
+#include "core/model/support.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -227,7 +228,7 @@ add_nodes (QnSceneBuilder *b)
 {
   for (size_t i = 0; i < b->model->node_count; i++) {
     const QnNode *node = &b->model->nodes[i];
-    if (node->support[0] || node->support[1] || node->support[2])
+    if (qn_support_is_any (node->support))
       add_node_support (b, (QnId) i);
     if (node->block != QN_NONE)
       add_link (b, (QnId) i);

@@ -1,4 +1,5 @@
 /* Blocks: fills, outlines, ghost, onion skin, names, and the photo behind them. */
+#include "core/model/support.h"
 #include "render/scene/scene-builder.h"
 #include "render/scene/text.h"
 
@@ -24,13 +25,6 @@ smaller_side (const QnVec2 *points, QnId count)
   for (QnId i = 0; i < count; i++)
     qn_box_add_point (&box, points[i]);
   return fmin (box.max.x - box.min.x, box.max.y - box.min.y);
-}
-
-static bool
-is_supported (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
-         || block->support[QN_DOF_RZ];
 }
 
 /* Blocks that move less than this share of the fastest are left out of the onion skin, where
@@ -86,7 +80,7 @@ qn_build_blocks (QnSceneBuilder *b, const QnColor *fills)
     QnColor fill = qn_builder_ink (b, QN_INK_SUPPORT);
     if (fills != NULL)
       fill = fills[i];
-    else if (!is_supported (block))
+    else if (!qn_support_is_any (block->support))
       fill = qn_material_color (material_of (materials, block), b->options->monochrome);
 
     if (b->options->underlay.image != NULL)

@@ -1,5 +1,6 @@
 /* Loads as arrows and overall dimensions. */
 #include "core/base/integer.h"
+#include "core/model/support.h"
 #include "render/scene/scene-beams.h"
 #include "render/scene/text.h"
 
@@ -26,13 +27,6 @@
 /* Most blocks that get an arrow of their own for a load on every block. */
 #define MAX_WEIGHT_ARROWS 20000
 
-static bool
-is_free (const QnBlock *block)
-{
-  return !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
-           && block->support[QN_DOF_RZ]);
-}
-
 /* A load proportional to weight: one arrow per block, as long as its share of the heaviest. */
 static void
 add_weight_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
@@ -41,13 +35,13 @@ add_weight_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId in
   const QnModel *model = b->model;
   double norm = qn_vec2_length (load->vector), heaviest = 0;
   for (size_t i = 0; i < model->block_count; i++)
-    if (is_free (&model->blocks[i]))
+    if (!qn_support_is_full (model->blocks[i].support))
       heaviest = fmax (heaviest, model->blocks[i].weight);
   if (!(norm > 0) || !(heaviest > 0) || model->block_count > MAX_WEIGHT_ARROWS)
     return;
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
-    if (!is_free (block) || !(block->weight > 0))
+    if (qn_support_is_full (block->support) || !(block->weight > 0))
       continue;
     /* Half blocks are marked by shorter arrows, not by arrows too short to read. */
     double share = sqrt (block->weight / heaviest);

@@ -2,6 +2,7 @@
 
 #include "core/base/integer.h"
 #include "core/base/union-find.h"
+#include "core/model/support.h"
 
 #include <glib.h>
 
@@ -173,13 +174,6 @@ is_loaded (const Search *s, QnId cut)
          >= QN_THRUST_LEAST_SHARE * s->thrust->largest;
 }
 
-static bool
-is_held (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
-         || block->support[QN_DOF_RZ];
-}
-
 /* The block of a face on one side of its cut. */
 static QnId
 block_on_side (const Search *s, QnId face, int side)
@@ -198,7 +192,7 @@ find_next (const Search *s, const QnId *faces, gsize count, int side, QnId *laye
   QnId cut = s->cut_of[faces[0]], found = QN_NONE;
   for (gsize i = 0; i < count; i++) {
     QnId block = block_on_side (s, faces[i], side);
-    if (is_held (&s->model->blocks[block]))
+    if (qn_support_is_any (s->model->blocks[block].support))
       return QN_NONE;
     layer[block] = mark;
   }

@@ -1,0 +1,21 @@
+/* Whether blocks and nodes are held. */
+#ifndef QN_CORE_SUPPORT_H
+#define QN_CORE_SUPPORT_H
+
+#include "core/model/model.h"
+
+/* In all degrees of freedom. */
+static inline bool
+qn_support_is_full (const bool support[QN_DOF_COUNT])
+{
+  return support[QN_DOF_UX] && support[QN_DOF_UY] && support[QN_DOF_RZ];
+}
+
+/* In one of them at least. */
+static inline bool
+qn_support_is_any (const bool support[QN_DOF_COUNT])
+{
+  return support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ];
+}
+
+#endif
