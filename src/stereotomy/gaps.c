@@ -1,6 +1,7 @@
 #include "stereotomy/gaps.h"
 #include "core/base/box-tree.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/base/polygon.h"
 
 #include <stdlib.h>
@@ -209,13 +210,6 @@ qn_gaps_fill (const QnGaps *gaps, QnRings *rings)
   return true;
 }
 
-static int
-compare_numbers (const void *left, const void *right)
-{
-  double a = *(const double *) left, b = *(const double *) right;
-  return (a > b) - (a < b);
-}
-
 double
 qn_gaps_usual_width (const QnRings *rings)
 {
@@ -226,7 +220,7 @@ qn_gaps_usual_width (const QnRings *rings)
       widths[count++] =
         qn_ring_area (&rings->items[i]) / qn_ring_perimeter (&rings->items[i]);
   if (count > 0) {
-    qsort (widths, count, sizeof *widths, compare_numbers);
+    qsort (widths, count, sizeof *widths, qn_compare_doubles);
     usual = fmin (widths[count / 2], USUAL_MOST);
   }
   free (widths);

@@ -346,11 +346,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     law->basis = (QnBasis) value->number;
     return TRUE;
   case POINTS:
-    if (!qn_law_points_parse (value->text, points, &count)) {
-      g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                           _ ("Expected pairs of numbers with semicolons between them"));
-      return FALSE;
-    }
+    if (!qn_law_points_parse (value->text, points, &count))
+      return qn_edit_refuse (
+        error, _ ("Expected pairs of numbers with semicolons between them"));
     memcpy (law->points, points, (gsize) count * sizeof points[0]);
     law->point_count = count;
     return TRUE;

@@ -399,11 +399,9 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
     load->block = set.ids[0];
   else if (beams > 0)
     load->node = model->beams[beam[0]].nodes[1];
-  else {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("Select the block or the beam that the force acts on"));
-    return FALSE;
-  }
+  else
+    return qn_edit_refuse_nothing (
+      error, _ ("Select the block or the beam that the force acts on"));
   return TRUE;
 }
 
@@ -414,11 +412,8 @@ make_line (const Form *form, QnLoad *load, GError **error)
   guint beams = 0;
   const QnId *beam =
     qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
-  if (beams == 0) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("Select the beam that the load lies on"));
-    return FALSE;
-  }
+  if (beams == 0)
+    return qn_edit_refuse_nothing (error, _ ("Select the beam that the load lies on"));
   load->kind = QN_LOAD_LINE;
   load->beam = beam[0];
   load->vector.y = -USUAL_LINE_LOAD;
@@ -434,11 +429,8 @@ make_settlement (const Form *form, const QnModel *model, QnLoad *load, GError **
   while (set.count > 0 && dof < QN_DOF_UY + QN_DOF_COUNT
          && !model->blocks[set.ids[0]].support[dof % QN_DOF_COUNT])
     dof++;
-  if (set.count == 0 || dof == QN_DOF_UY + QN_DOF_COUNT) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("Select the fixed block that settles"));
-    return FALSE;
-  }
+  if (set.count == 0 || dof == QN_DOF_UY + QN_DOF_COUNT)
+    return qn_edit_refuse_nothing (error, _ ("Select the fixed block that settles"));
   load->kind = QN_LOAD_SETTLEMENT;
   load->block = set.ids[0];
   load->dof = (QnDof) (dof % QN_DOF_COUNT);

@@ -178,12 +178,9 @@ take_control (const Form *form, const QnModel *model, QnStage *stage, GError **e
   QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
   guint beams = 0;
   const QnId *beam = qn_selection_get_beams (selection, &beams);
-  if (set.count == 0 && beams == 0) {
-    g_set_error_literal (
-      error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-      _ ("Select the block or the beam whose displacement ends the stage"));
-    return FALSE;
-  }
+  if (set.count == 0 && beams == 0)
+    return qn_edit_refuse_nothing (
+      error, _ ("Select the block or the beam whose displacement ends the stage"));
   stage->control_block = set.count > 0 ? set.ids[0] : QN_NONE;
   stage->control_node = set.count > 0 ? QN_NONE : model->beams[beam[0]].nodes[1];
   return TRUE;

@@ -41,12 +41,9 @@ add_opening (QnMasonry *masonry, gpointer data, GError **error)
 {
   Opening *o = data;
   QnOpening plan;
-  if (!qn_plan_opening (masonry, &o->style, o->from, o->to, o->snap, &plan)) {
-    g_set_error_literal (
-      error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-      _ ("The opening is smaller than half a block or outside the wall"));
-    return FALSE;
-  }
+  if (!qn_plan_opening (masonry, &o->style, o->from, o->to, o->snap, &plan))
+    return qn_edit_refuse_nothing (
+      error, _ ("The opening is smaller than half a block or outside the wall"));
   QnOpening *opening = qn_masonry_add_opening (masonry);
   if (opening == NULL)
     return qn_edit_no_memory (error);
@@ -69,11 +66,9 @@ edit_cut (QnProject *draft, gpointer data, GError **error)
   qn_masonries_clear (&list);
   if (o->object == QN_NONE) {
     QnId wall = qn_model_wall_at (&draft->model, middle);
-    if (wall == QN_NONE) {
-      g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                           _ ("Openings are cut into walls: drag on a wall"));
-      return FALSE;
-    }
+    if (wall == QN_NONE)
+      return qn_edit_refuse_nothing (error,
+                                     _ ("Openings are cut into walls: drag on a wall"));
     if (!qn_edit_convert_wall (draft, wall, error))
       return FALSE;
     o->object = (QnId) count;

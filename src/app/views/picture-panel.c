@@ -83,11 +83,9 @@ take_corner (QnUnderlay *underlay, guint corner, const char *text, GError **erro
   gboolean read = g_strv_length (parts) == 2;
   for (int i = 0; read && i < 2; i++)
     read = qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[i], &numbers[i], NULL);
-  if (!read) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("Expected two numbers with a semicolon between them"));
-    return FALSE;
-  }
+  if (!read)
+    return qn_edit_refuse (error,
+                           _ ("Expected two numbers with a semicolon between them"));
   underlay->points[corner] = qn_vec2 (numbers[0], numbers[1]);
   return TRUE;
 }

@@ -1,4 +1,4 @@
-/* Largest and smallest numbers. */
+/* Largest and smallest numbers, their order. */
 #ifndef QN_CORE_NUMBERS_H
 #define QN_CORE_NUMBERS_H
 
@@ -17,6 +17,15 @@ static inline double
 qn_max (double a, double b)
 {
   return a > b ? a : b;
+}
+
+/* For qsort() and g_array_sort() of numbers, ascending. */
+static inline int
+qn_compare_doubles (const void *a, const void *b)
+{
+  double x = *(const double *) a, y = *(const double *) b;
+
+  return (x > y) - (x < y);
 }
 
 /* Largest absolute value; those that are NaN do not count. */

@@ -2,6 +2,7 @@
 #include "core/contact/contact-overlaps.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/base/polygon.h"
 
 #include <stdlib.h>
@@ -10,13 +11,6 @@ static bool
 add_number (QnContactCuts *numbers, double value)
 {
   return QN_ARRAY_PUSH (numbers->items, numbers->count, numbers->capacity, value);
-}
-
-static int
-compare_numbers (const void *a, const void *b)
-{
-  double left = *(const double *) a, right = *(const double *) b;
-  return (left > right) - (left < right);
 }
 
 /* How far block b reaches behind the sides of the convex block a: the least over these sides of
@@ -117,7 +111,7 @@ try_side (const QnContactSearch *search, const QnSide *side, QnId block,
   if (!done)
     return false;
 
-  qsort (cuts->items, cuts->count, sizeof *cuts->items, compare_numbers);
+  qsort (cuts->items, cuts->count, sizeof *cuts->items, qn_compare_doubles);
   size_t number = (size_t) (side - search->sides.items);
   for (size_t i = 0; i + 1 < cuts->count; i++) {
     double middle = (cuts->items[i] + cuts->items[i + 1]) / 2;

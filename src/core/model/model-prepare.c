@@ -1,4 +1,5 @@
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/base/polygon.h"
 #include "core/model/beam-model.h"
 #include "core/model/edge-load.h"
@@ -39,13 +40,6 @@ derive_block (QnModel *model, QnId index, QnDiag *diag)
   return QN_OK;
 }
 
-static int
-compare_doubles (const void *a, const void *b)
-{
-  double left = *(const double *) a, right = *(const double *) b;
-  return (left > right) - (left < right);
-}
-
 static double
 beam_length (const QnModel *model, size_t index)
 {
@@ -70,7 +64,7 @@ derive_characteristic_length (QnModel *model, QnDiag *diag)
   for (size_t i = 0; i < count; i++)
     sizes[i] =
       model->block_count > 0 ? sqrt (model->blocks[i].area) : beam_length (model, i);
-  qsort (sizes, count, sizeof *sizes, compare_doubles);
+  qsort (sizes, count, sizeof *sizes, qn_compare_doubles);
   model->characteristic_length = sizes[count / 2];
   free (sizes);
   return QN_OK;

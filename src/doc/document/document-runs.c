@@ -136,11 +136,9 @@ qn_document_analyse (QnDocument *self, GError **error)
 gboolean
 qn_document_analyse_live (QnDocument *self, GError **error)
 {
-  if (self->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("An analysis in time does not follow every edit: run it"));
-    return FALSE;
-  }
+  if (self->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    return qn_edit_refuse (error,
+                           _ ("An analysis in time does not follow every edit: run it"));
   return start (self, make_job (self, &self->project.model, NULL, error));
 }
 

@@ -44,8 +44,7 @@ detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **e
       == QN_OK)
     return TRUE;
   g_autofree char *message = qn_explain_diag (model, &diag);
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  return FALSE;
+  return qn_edit_refuse (error, message);
 }
 
 /* Takes over `project` (cleared on failure) as the state, and `text`, what it is written as. */

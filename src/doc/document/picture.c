@@ -103,11 +103,9 @@ qn_document_place_picture (QnDocument *document, const char *name, const char *k
   g_autofree char *image = dup_image (document, NULL, &before, error);
   if (image == NULL)
     return FALSE;
-  if (underlay->rectified && !qn_rectify_is_convex (underlay->points)) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("These four points cannot be the corners of a rectangle"));
-    return FALSE;
-  }
+  if (underlay->rectified && !qn_rectify_is_convex (underlay->points))
+    return qn_edit_refuse (error,
+                           _ ("These four points cannot be the corners of a rectangle"));
   g_autofree char *json = qn_underlay_to_json (image, underlay);
   return qn_document_edit_extra (document, name, key, MEMBER, json, error);
 }

@@ -9,13 +9,6 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-static gboolean
-refuse (GError **error, const char *reason)
-{
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, reason);
-  return FALSE;
-}
-
 /* ---- writing ---- */
 
 /* What tells the run's settings from the project's, as `--set` would. NULL where nothing does. */
@@ -36,10 +29,12 @@ qn_document_write_result (QnDocument *self, const QnRun *run, const char *path,
                           GError **error)
 {
   if (run->kind != QN_RUN_ANALYSIS)
-    return refuse (error, _ ("Only load paths and limit analyses have result files"));
+    return qn_edit_refuse (error,
+                           _ ("Only load paths and limit analyses have result files"));
   if (qn_document_is_stale (self, run))
-    return refuse (error, _ ("The model has changed since this run: solve it again, or "
-                             "undo the changes, before its result is kept"));
+    return qn_edit_refuse (error,
+                           _ ("The model has changed since this run: solve it again, or "
+                              "undo the changes, before its result is kept"));
   QnProject project = *qn_document_get_project (self);
   g_auto (GStrv) overrides =
     dup_overrides (&run->model.analysis, &self->project.model.analysis);
@@ -86,7 +81,7 @@ fill_contacts (QnRun *run, GError **error)
   if (qn_contacts_detect (&run->model, &run->contacts, &diag) == QN_OK)
     return TRUE;
   g_autofree char *message = qn_explain_diag (&run->model, &diag);
-  return refuse (error, message);
+  return qn_edit_refuse (error, message);
 }
 
 /* Procedures that are asked for in passing are no change of the model. */
@@ -140,7 +135,8 @@ qn_document_open_result (QnDocument *self, const char *path, GError **error)
 {
   QnResultFile file;
   if (self->project.model.block_count == 0 && self->project.model.beam_count == 0)
-    return refuse (error, _ ("Open the project that the result belongs to first"));
+    return qn_edit_refuse (error,
+                           _ ("Open the project that the result belongs to first"));
   if (!qn_result_file_read (path, &file, error))
     return FALSE;
   g_autoptr (QnRun) run = make_run (self, &file, path, error);

@@ -94,11 +94,9 @@ gboolean
 qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
 {
   QnBox box = box_of (model, set);
-  if (set.count == 0) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("Select the blocks that the bar goes through"));
-    return FALSE;
-  }
+  if (set.count == 0)
+    return qn_edit_refuse_nothing (error,
+                                   _ ("Select the blocks that the bar goes through"));
   QnVec2 size = qn_vec2_sub (box.max, box.min);
   QnVec2 middle = qn_vec2_lerp (box.min, box.max, 0.5);
   double cover = COVER * fmin (size.x, size.y);

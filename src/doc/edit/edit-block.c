@@ -51,9 +51,7 @@ qn_transform_apply (QnTransform t, QnVec2 p)
 static gboolean
 refuse_nothing (GError **error)
 {
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("No block is selected"));
-  return FALSE;
+  return qn_edit_refuse_nothing (error, _ ("No block is selected"));
 }
 
 static gboolean
@@ -141,11 +139,9 @@ qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
     any = any || walls[i];
   for (guint i = 0; i < set.count; i++)
     any = any || model->blocks[set.ids[i]].masonry != QN_NONE;
-  if (!any) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("None of the selected blocks belongs to a wall"));
-    return FALSE;
-  }
+  if (!any)
+    return qn_edit_refuse_nothing (error,
+                                   _ ("None of the selected blocks belongs to a wall"));
   detach_masonry (model, set);
   detach_walls (model, walls);
   return qn_edit_rebuild (model, NULL, error);
@@ -327,12 +323,10 @@ qn_edit_rename_block (QnModel *model, QnId id, const char *name, GError **error)
 {
   QnBlock *block = &model->blocks[id];
   detach_masonry (model, (QnBlockSet){ &id, 1 });
-  if (block->wall != QN_NONE) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("Blocks of a wall are named by their course and position; "
-                            "detach the wall to rename them"));
-    return FALSE;
-  }
+  if (block->wall != QN_NONE)
+    return qn_edit_refuse (error,
+                           _ ("Blocks of a wall are named by their course and position; "
+                              "detach the wall to rename them"));
   char *copy = strdup (name);
   if (copy == NULL)
     return qn_edit_no_memory (error);

@@ -57,9 +57,7 @@ present_override (const QnModel *model, const QnContactFace *face)
 static gboolean
 refuse_nothing (GError **error)
 {
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("No contact face is selected"));
-  return FALSE;
+  return qn_edit_refuse_nothing (error, _ ("No contact face is selected"));
 }
 
 gboolean

@@ -11,9 +11,7 @@
 static gboolean
 refuse_nothing (GError **error)
 {
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("No beam is selected"));
-  return FALSE;
+  return qn_edit_refuse_nothing (error, _ ("No beam is selected"));
 }
 
 static double

@@ -109,9 +109,7 @@ qn_edit_has_load (const QnModel *model, gboolean live, QnId id, GError **error)
   qn_model_loads (model, live, &count);
   if (id >= 0 && (gsize) id < count)
     return TRUE;
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("There is no such load"));
-  return FALSE;
+  return qn_edit_refuse_nothing (error, _ ("There is no such load"));
 }
 
 static void
@@ -317,18 +315,13 @@ shift_law (QnId *law, gpointer data)
 gboolean
 qn_edit_delete_law (QnModel *model, QnId id, QnId by, GError **error)
 {
-  if (by == QN_NONE && model->contact.law == id) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("The law of all other contacts cannot be removed; choose "
-                            "another one for them first"));
-    return FALSE;
-  }
+  if (by == QN_NONE && model->contact.law == id)
+    return qn_edit_refuse (error,
+                           _ ("The law of all other contacts cannot be removed; choose "
+                              "another one for them first"));
   for (gsize i = 0; by == QN_NONE && i < model->bar_count; i++) {
-    if (model->bars[i].law == id) {
-      g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                           _ ("The law of a reinforcing bar cannot be removed"));
-      return FALSE;
-    }
+    if (model->bars[i].law == id)
+      return qn_edit_refuse (error, _ ("The law of a reinforcing bar cannot be removed"));
   }
   Uses uses = { .law = id, .by = by };
   each_law (model, shift_law, &uses);

@@ -60,9 +60,8 @@ close_list (QnProject *draft, QnMasonries *list, GError **error)
 static gboolean
 refuse_object (GError **error)
 {
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("This masonry object does not exist any more"));
-  return FALSE;
+  return qn_edit_refuse_nothing (error,
+                                 _ ("This masonry object does not exist any more"));
 }
 
 gboolean

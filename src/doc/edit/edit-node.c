@@ -105,11 +105,9 @@ gboolean
 qn_edit_set_node_seat (QnModel *model, QnId id, QnSeat seat, QnId block, QnBlockSide side,
                        GError **error)
 {
-  if (seat != QN_SEAT_FREE && block == QN_NONE) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("There is no block here: move the end of the beam onto one"));
-    return FALSE;
-  }
+  if (seat != QN_SEAT_FREE && block == QN_NONE)
+    return qn_edit_refuse (
+      error, _ ("There is no block here: move the end of the beam onto one"));
   seat_on (&model->nodes[id], seat, block);
   model->nodes[id].side = side;
   return TRUE;
@@ -120,11 +118,9 @@ qn_edit_set_node_support (QnModel *model, QnId id, const bool support[QN_DOF_COU
                           GError **error)
 {
   QnNode *node = &model->nodes[id];
-  if (node->block != QN_NONE) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("A node on a block is held by its block: fix the block"));
-    return FALSE;
-  }
+  if (node->block != QN_NONE)
+    return qn_edit_refuse (error,
+                           _ ("A node on a block is held by its block: fix the block"));
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)
     node->support[dof] = support[dof];
   return TRUE;
@@ -144,11 +140,8 @@ gboolean
 qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error)
 {
   QnId shared = model->beams[beam].nodes[end];
-  if (qn_model_node_beams (model, shared) < 2) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("No other beam ends here"));
-    return FALSE;
-  }
+  if (qn_model_node_beams (model, shared) < 2)
+    return qn_edit_refuse_nothing (error, _ ("No other beam ends here"));
   g_autofree char *name = dup_name_like (model, model->nodes[shared].name);
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)

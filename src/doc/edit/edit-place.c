@@ -8,13 +8,6 @@
 /* Sides as long as the longest one, but for rounding. */
 #define EQUAL_SIDES 1e-9
 
-static gboolean
-refuse (GError **error, const char *message)
-{
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  return FALSE;
-}
-
 /* ---- extents ---- */
 
 static void
@@ -108,13 +101,13 @@ qn_edit_set_extent (QnProject *draft, QnPartSet set, QnExtentField field, double
   QnExtent extent;
   QnTransform transform = qn_transform_translation (0.0, 0.0);
   if (!qn_extent_find (&draft->model, set, &extent))
-    return refuse (error, _ ("Nothing is selected"));
+    return qn_edit_refuse (error, _ ("Nothing is selected"));
   QnVec2 size = qn_vec2_sub (extent.box.max, extent.box.min);
   gboolean scales = field == QN_EXTENT_WIDTH || field == QN_EXTENT_HEIGHT;
   if (scales && !qn_extent_can_scale (&draft->model, set))
-    return refuse (error, _ ("Blocks of walls have their sizes from the wall"));
+    return qn_edit_refuse (error, _ ("Blocks of walls have their sizes from the wall"));
   if (scales && !(value > 0.0))
-    return refuse (error, _ ("Sizes must be positive"));
+    return qn_edit_refuse (error, _ ("Sizes must be positive"));
   switch (field) {
   case QN_EXTENT_X:
     transform = qn_transform_translation (value - extent.box.min.x, 0.0);
@@ -229,7 +222,7 @@ move_thing (QnProject *draft, const Thing *thing, QnVec2 by, GError **error)
   for (guint i = 0; i < thing->blocks->len; i++) {
     ids[i] = qn_model_find_block (&draft->model, thing->blocks->pdata[i]);
     if (ids[i] == QN_NONE)
-      return refuse (error, _ ("Nothing is selected"));
+      return qn_edit_refuse (error, _ ("Nothing is selected"));
   }
   QnPartSet set = { { ids, thing->blocks->len }, { NULL, 0 } };
   if (thing->beam != QN_NONE)
@@ -291,7 +284,8 @@ qn_edit_align (QnProject *draft, QnPartSet set, QnAlign align, GError **error)
   g_autoptr (GArray) things = find_things (&draft->model, set);
   QnBox all = QN_BOX_EMPTY;
   if (things->len < 2)
-    return refuse (error, _ ("Select at least two blocks or walls to align them"));
+    return qn_edit_refuse (error,
+                           _ ("Select at least two blocks or walls to align them"));
   for (guint i = 0; i < things->len; i++)
     qn_box_add_box (&all, g_array_index (things, Thing, i).box);
   for (guint i = 0; i < things->len; i++) {
@@ -345,7 +339,8 @@ qn_edit_spread (QnProject *draft, QnPartSet set, QnSpread spread, GError **error
   gboolean gaps = spread == QN_SPREAD_GAPS_X || spread == QN_SPREAD_GAPS_Y;
   guint count = things->len;
   if (count < 3)
-    return refuse (error, _ ("Select at least three blocks or walls to distribute them"));
+    return qn_edit_refuse (
+      error, _ ("Select at least three blocks or walls to distribute them"));
   g_array_sort_with_data (things, compare_middles, GINT_TO_POINTER (upward));
   const Thing *first = &g_array_index (things, Thing, 0);
   const Thing *last = &g_array_index (things, Thing, count - 1);

@@ -31,6 +31,20 @@ qn_edit_no_memory (GError **error)
   return FALSE;
 }
 
+gboolean
+qn_edit_refuse (GError **error, const char *message)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  return FALSE;
+}
+
+gboolean
+qn_edit_refuse_nothing (GError **error, const char *message)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING, message);
+  return FALSE;
+}
+
 gboolean *
 qn_block_set_to_flags (QnBlockSet set, const QnModel *model)
 {

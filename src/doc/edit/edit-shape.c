@@ -1,5 +1,6 @@
 #include "doc/edit/edit-shape.h"
 
+#include "core/base/numbers.h"
 #include "core/base/polygon.h"
 #include "doc/text/explain.h"
 #include "stereotomy/polygon-ops.h"
@@ -23,8 +24,7 @@ static gboolean
 refuse (const QnModel *model, const QnDiag *diag, GError **error)
 {
   g_autofree char *message = qn_explain_diag (model, diag);
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  return FALSE;
+  return qn_edit_refuse (error, message);
 }
 
 gboolean
@@ -161,13 +161,6 @@ meet (QnVec2 a, QnVec2 b, QnVec2 p, QnVec2 q)
   return s >= 0.0 && s <= 1.0 && t > 0.0 && t < 1.0 ? t : NAN;
 }
 
-static int
-compare_numbers (gconstpointer a, gconstpointer b)
-{
-  double left = *(const double *) a, right = *(const double *) b;
-  return (left > right) - (left < right);
-}
-
 gboolean
 qn_block_is_crossed (const QnModel *model, QnId block, QnVec2 a, QnVec2 b)
 {
@@ -182,7 +175,7 @@ qn_block_is_crossed (const QnModel *model, QnId block, QnVec2 a, QnVec2 b)
     if (!isnan (t))
       g_array_append_val (cuts, t);
   }
-  g_array_sort (cuts, compare_numbers);
+  g_array_sort (cuts, qn_compare_doubles);
   for (guint i = 1; i < cuts->len; i++) {
     double from = g_array_index (cuts, double, i - 1);
     double to = g_array_index (cuts, double, i);
@@ -243,10 +236,9 @@ qn_edit_cut_blocks (QnModel *model, QnBlockSet set, QnVec2 a, QnVec2 b, GError *
   }
   if (any)
     return TRUE;
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       set.count > 0 ? _ ("The line crosses none of the selected blocks")
-                                     : _ ("The line crosses no block"));
-  return FALSE;
+  return qn_edit_refuse_nothing (
+    error, set.count > 0 ? _ ("The line crosses none of the selected blocks")
+                         : _ ("The line crosses no block"));
 }
 
 /* ---- joining ---- */
@@ -254,11 +246,8 @@ qn_edit_cut_blocks (QnModel *model, QnBlockSet set, QnVec2 a, QnVec2 b, GError *
 gboolean
 qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
 {
-  if (set.count < 2) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("Select the blocks that are to become one"));
-    return FALSE;
-  }
+  if (set.count < 2)
+    return qn_edit_refuse_nothing (error, _ ("Select the blocks that are to become one"));
   g_autofree QnId *ids = g_memdup2 (set.ids, set.count * sizeof *set.ids);
   if (!qn_edit_take_apart (model, ids, set.count, error))
     return FALSE;
@@ -300,11 +289,8 @@ qn_edit_move_corner (QnModel *model, QnBlockSet set, QnVec2 from, QnVec2 to,
       g_array_append_val (touched, i);
   }
   QnId *ids = (QnId *) touched->data;
-  if (touched->len == 0) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is no corner of a block here"));
-    return FALSE;
-  }
+  if (touched->len == 0)
+    return qn_edit_refuse_nothing (error, _ ("There is no corner of a block here"));
   if (!qn_edit_take_apart (model, ids, touched->len, error))
     return FALSE;
   for (guint i = 0; i < touched->len; i++) {

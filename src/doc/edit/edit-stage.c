@@ -8,13 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static gboolean
-refuse (GError **error, const char *message)
-{
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  return FALSE;
-}
-
 /* ---- sets ---- */
 
 gboolean
@@ -25,7 +18,7 @@ qn_edit_add_load_set (QnModel *model, GError **error)
     if (qn_model_find_load_set (model, name) != QN_NONE)
       continue;
     if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
-      return refuse (error, _ ("The largest number of load sets is reached"));
+      return qn_edit_refuse (error, _ ("The largest number of load sets is reached"));
     return qn_model_add_load_set (model, name) != QN_NONE || qn_edit_no_memory (error);
   }
 }
@@ -35,7 +28,7 @@ qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name, GError *
 {
   if (*name == '\0' || qn_model_find_load_set (model, name) != QN_NONE
       || g_str_equal (name, "dead"))
-    return refuse (error, _ ("A set of loads needs a name of its own"));
+    return qn_edit_refuse (error, _ ("A set of loads needs a name of its own"));
   char *copy = strdup (name);
   if (copy == NULL)
     return qn_edit_no_memory (error);
@@ -87,7 +80,7 @@ gboolean
 qn_edit_add_load_case (QnModel *model, GError **error)
 {
   if (model->load_case_count >= QN_MAX_LOAD_CASES)
-    return refuse (error, _ ("The largest number of load cases is reached"));
+    return qn_edit_refuse (error, _ ("The largest number of load cases is reached"));
   for (gsize number = model->load_case_count + 1;; number++) {
     g_autofree char *name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, _ ("case"), number);
     if (qn_model_find_load_case (model, name) == QN_NONE)
@@ -100,7 +93,7 @@ qn_edit_rename_load_case (QnModel *model, int32_t number, const char *name,
                           GError **error)
 {
   if (*name == '\0' || qn_model_find_load_case (model, name) != QN_NONE)
-    return refuse (error, _ ("A load case needs a name of its own"));
+    return qn_edit_refuse (error, _ ("A load case needs a name of its own"));
   char *copy = strdup (name);
   if (copy == NULL)
     return qn_edit_no_memory (error);
@@ -163,10 +156,10 @@ qn_edit_make_edge_load (const QnModel *model, QnLoadKind kind, QnBlockSet set,
                     .has_side = true,
                     .side = QN_BLOCK_SIDE_TOP };
   if (kind == QN_LOAD_EDGE && set.count == 0)
-    return refuse (error, _ ("Select the block whose edge is loaded"));
+    return qn_edit_refuse (error, _ ("Select the block whose edge is loaded"));
   QnBox box = box_of (model, set);
   if (qn_box_is_empty (box))
-    return refuse (error, _ ("There is no block to be loaded"));
+    return qn_edit_refuse (error, _ ("There is no block to be loaded"));
   switch ((int) kind) {
   case QN_LOAD_EDGE:
     load->block = set.ids[0];
@@ -413,11 +406,8 @@ qn_edit_delete_stage (QnModel *model, gsize index, GError **error)
 gboolean
 qn_edit_move_stage (QnModel *model, gsize index, int by, GError **error)
 {
-  if ((by < 0 && index == 0) || (by > 0 && index + 1 >= model->stage_count)) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is no stage to swap with"));
-    return FALSE;
-  }
+  if ((by < 0 && index == 0) || (by > 0 && index + 1 >= model->stage_count))
+    return qn_edit_refuse_nothing (error, _ ("There is no stage to swap with"));
   gsize other = by < 0 ? index - 1 : index + 1;
   QnStage stage = model->stages[index];
   model->stages[index] = model->stages[other];

@@ -149,8 +149,11 @@ gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
 /* A block name that is not taken: prefix and a number. The caller frees it. */
 char *qn_edit_dup_free_name (const QnModel *model, const char *prefix);
 
-/* Sets the error of an edit that ran out of memory; returns FALSE. */
+/* Set the error of an edit that ran out of memory, that cannot be done here, for which there is
+ * nothing; return FALSE. */
 gboolean qn_edit_no_memory (GError **error);
+gboolean qn_edit_refuse (GError **error, const char *message);
+gboolean qn_edit_refuse_nothing (GError **error, const char *message);
 
 /* Which blocks are in the set: one flag per block. The caller frees it. */
 gboolean *qn_block_set_to_flags (QnBlockSet set, const QnModel *model);

@@ -426,7 +426,6 @@ qn_edit_repair_all (QnModel *model, guint *count, GError **error)
     (*count)++;
   if (*count > 0)
     return TRUE;
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("There is nothing here that can be repaired automatically"));
-  return FALSE;
+  return qn_edit_refuse_nothing (
+    error, _ ("There is nothing here that can be repaired automatically"));
 }

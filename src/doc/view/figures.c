@@ -161,11 +161,9 @@ qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const c
 {
 
   if ((path == NULL && qn_document_get_path (document) == NULL)
-      || (recipe->result != NULL && qn_document_get_folder (document) == NULL)) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("Save the project first: its figures are written beside it"));
-    return FALSE;
-  }
+      || (recipe->result != NULL && qn_document_get_folder (document) == NULL))
+    return qn_edit_refuse (
+      error, _ ("Save the project first: its figures are written beside it"));
   g_autofree char *place =
     path != NULL ? g_strdup (path) : qn_document_dup_file (document, recipe->file, error);
   gboolean done = FALSE;

@@ -5,13 +5,6 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-static gboolean
-refuse (GError **error, const char *message)
-{
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  return FALSE;
-}
-
 /* Numbers between semicolons or spaces; -1 where one cannot be read or there are too many. */
 static int
 parse_list (const char *text, double *values, GError **error)
@@ -22,7 +15,7 @@ parse_list (const char *text, double *values, GError **error)
     if (*words[i] == '\0')
       continue;
     if (count == QN_MAX_EXPLICIT_PAIRS) {
-      refuse (error, _ ("There are too many contact pairs at given positions"));
+      qn_edit_refuse (error, _ ("There are too many contact pairs at given positions"));
       return -1;
     }
     if (!qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, words[i], &values[count++],
@@ -38,7 +31,8 @@ check_positions (const double *positions, int count, GError **error)
   for (int i = 0; i < count; i++) {
     if (!(positions[i] >= 0.0 && positions[i] <= 1.0)
         || (i > 0 && !(positions[i] > positions[i - 1])))
-      return refuse (error, _ ("Positions of contact pairs must increase from 0 to 1"));
+      return qn_edit_refuse (error,
+                             _ ("Positions of contact pairs must increase from 0 to 1"));
   }
   return TRUE;
 }
@@ -61,13 +55,14 @@ qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights
   if (given < 0)
     return FALSE;
   if (given != 0 && given != draft.count)
-    return refuse (error, _ ("There must be a weight for each contact pair, or none"));
+    return qn_edit_refuse (error,
+                           _ ("There must be a weight for each contact pair, or none"));
   double sum = 0.0;
   for (int i = 0; i < draft.count; i++) {
     if (given == 0)
       draft.weights[i] = 1.0;
     if (!(draft.weights[i] > 0.0))
-      return refuse (error, _ ("Weights of contact pairs must be positive"));
+      return qn_edit_refuse (error, _ ("Weights of contact pairs must be positive"));
     sum += draft.weights[i];
   }
   for (int i = 0; i < draft.count; i++)

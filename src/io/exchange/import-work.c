@@ -1,4 +1,5 @@
 #include "io/exchange/import-work.h"
+#include "core/base/numbers.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -63,16 +64,9 @@ qn_import_keep_outlines (QnImportWork *work,
   return count - kept;
 }
 
-static int
-compare_doubles (gconstpointer left, gconstpointer right)
-{
-  double a = *(const double *) left, b = *(const double *) right;
-  return (a > b) - (a < b);
-}
-
 double
 qn_import_median (GArray *values)
 {
-  g_array_sort (values, compare_doubles);
+  g_array_sort (values, qn_compare_doubles);
   return values->len > 0 ? g_array_index (values, double, values->len / 2) : 0;
 }

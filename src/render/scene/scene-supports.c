@@ -1,4 +1,5 @@
 /* Supports: hatched blocks, as drawings of structures have them. */
+#include "core/base/numbers.h"
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
@@ -6,13 +7,6 @@
 
 /* Most hatch lines in one block; the spacing grows beyond. */
 #define MAX_HATCH_LINES 400
-
-static int
-compare_numbers (const void *a, const void *b)
-{
-  double x = *(const double *) a, y = *(const double *) b;
-  return (x > y) - (x < y);
-}
 
 /* Hatches a polygon, concave allowed, by lines along `direction` (unit), `spacing` apart:
  * each line is cut by the edges and every second piece lies inside. */
@@ -37,7 +31,7 @@ hatch_polygon (QnSceneBuilder *b, const QnVec2 *v, QnId count, QnVec2 direction,
       if ((dp < 0) != (dq < 0))
         cuts[n++] = qn_vec2_dot (qn_vec2_lerp (p, q, dp / (dp - dq)), direction);
     }
-    qsort (cuts, (size_t) n, sizeof *cuts, compare_numbers);
+    qsort (cuts, (size_t) n, sizeof *cuts, qn_compare_doubles);
     for (int k = 0; k + 1 < n; k += 2) {
       QnVec2 base = qn_vec2_scale (level, across);
       QnVec2 line[2] = { qn_vec2_add_scaled (base, cuts[k], direction),

@@ -1,6 +1,7 @@
 #include "study/report/figures.h"
 
 #include "core/base/integer.h"
+#include "core/base/numbers.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
 #include "render/figure/compare-sheet.h"
@@ -335,20 +336,13 @@ draw_tornado (const Page *page)
                     NULL, base);
 }
 
-static int
-compare_numbers (gconstpointer a, gconstpointer b)
-{
-  double x = *(const double *) a, y = *(const double *) b;
-  return (x > y) - (x < y);
-}
-
 /* The different values of a column, ascending; of double. */
 static GArray *
 dup_levels (const double *numbers, gsize count)
 {
   GArray *levels = g_array_new (FALSE, FALSE, sizeof (double));
   g_array_append_vals (levels, numbers, (guint) count);
-  g_array_sort (levels, compare_numbers);
+  g_array_sort (levels, qn_compare_doubles);
   guint kept = 0;
   for (guint i = 0; i < levels->len; i++) {
     double value = g_array_index (levels, double, i);
