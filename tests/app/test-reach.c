@@ -5,6 +5,7 @@
 #include "app/forms/form.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
+#include "io/project/usual-stone.h"
 
 #include <math.h>
 #include <string.h>
@@ -185,7 +186,7 @@ test_typed_moves (void)
 static gboolean
 is_entry_called (GtkWidget *widget, gconstpointer name)
 {
-  return QN_IS_QUANTITY_ENTRY (widget)
+  return QN_IS_QUANTITY_ENTRY (widget) && gtk_widget_get_mapped (widget)
          && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), name)
               == 0;
 }
@@ -195,7 +196,6 @@ enter (QnWindow *window, const char *id, const char *text)
 {
   GtkWidget *entry = driver_find_widget (GTK_WIDGET (window), is_entry_called, id);
   g_assert_nonnull (entry);
-  g_assert_true (gtk_widget_get_mapped (entry));
   gtk_editable_set_text (GTK_EDITABLE (entry), text);
   g_signal_emit_by_name (entry, "activate");
   driver_run (100);
@@ -220,6 +220,81 @@ test_numbers_panel (void)
   driver_activate (window, "win.align::top");
   check_corner (window, "other", 4.25, 1.0);
   driver_screenshot (GTK_WIDGET (window), "numbers-several");
+  driver_discard (window);
+}
+
+static gboolean
+is_widget_called (GtkWidget *widget, gconstpointer name)
+{
+  return GTK_IS_BUILDABLE (widget)
+         && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), name)
+              == 0;
+}
+
+static const char *
+shown_in (QnWindow *window, const char *id)
+{
+  GtkWidget *entry = driver_find_widget (GTK_WIDGET (window), is_entry_called, id);
+  return gtk_editable_get_text (GTK_EDITABLE (entry));
+}
+
+/* What is not the same for all selected blocks is no number of theirs; a number that is entered holds
+ * for all, in one step. A support that is changed in one direction stays in the others. */
+static void
+test_various_values (void)
+{
+  QnWindow *window = open_blocks ();
+  qn_selection_set_blocks (selection_of (window), (QnId[]){ 2 }, 1);
+  driver_run (100);
+  enter (window, "thickness", "0.5");
+  driver_activate (window, "win.support::pinned");
+  qn_selection_set_blocks (selection_of (window), (QnId[]){ 1, 2 }, 2);
+  driver_run (100);
+  driver_screenshot (GTK_WIDGET (window), "numbers-various");
+  g_assert_cmpstr (shown_in (window, "thickness"), ==, "");
+  g_assert_cmpstr (shown_in (window, "weight"), !=, "");
+  enter (window, "thickness", "1 m"); /* that of the first one */
+  const QnBlock *blocks = model_of (window)->blocks;
+  g_assert_cmpfloat (blocks[2].thickness, ==, 1.0);
+  g_assert_cmpstr (shown_in (window, "thickness"), !=, "");
+  driver_activate (window, "win.undo");
+  g_assert_cmpfloat (model_of (window)->blocks[2].thickness, ==, 0.5);
+
+  GtkWidget *turn =
+    driver_find_widget (GTK_WIDGET (window), is_widget_called, "support_turn");
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (turn), TRUE);
+  driver_run (100);
+  blocks = model_of (window)->blocks;
+  g_assert_true (blocks[1].support[QN_DOF_RZ] && blocks[2].support[QN_DOF_RZ]);
+  g_assert_false (blocks[1].support[QN_DOF_UX]);
+  g_assert_true (blocks[2].support[QN_DOF_UX]);
+  driver_discard (window);
+}
+
+/* A usual stone gives its unit weight and tells the source; the joints keep their laws. */
+static void
+test_usual_stone (void)
+{
+  QnWindow *window = open_blocks ();
+  qn_selection_set_blocks (selection_of (window), (QnId[]){ 1, 2 }, 2);
+  driver_run (100);
+  GtkWidget *stone = driver_find_widget (GTK_WIDGET (window), is_widget_called, "stone");
+  GtkWidget *source =
+    driver_find_widget (GTK_WIDGET (window), is_widget_called, "stone_source");
+  g_assert_false (gtk_widget_get_visible (source));
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (stone), 0);
+  driver_run (100);
+  driver_screenshot (GTK_WIDGET (window), "usual-stone");
+  const QnModel *model = model_of (window);
+  for (int i = 1; i <= 2; i++)
+    g_assert_cmpfloat (model->blocks[i].unit_weight, ==, qn_usual_stones[0].unit_weight);
+  g_assert_cmpfloat (model->blocks[0].unit_weight, ==, 1e4);
+  g_assert_cmpstr (gtk_label_get_text (GTK_LABEL (source)), ==,
+                   qn_usual_stones[0].source);
+  g_assert_true (gtk_widget_get_visible (source));
+  driver_activate (window, "win.undo");
+  g_assert_cmpfloat (model_of (window)->blocks[1].unit_weight, ==, 1e4);
+  g_assert_false (gtk_widget_get_visible (source));
   driver_discard (window);
 }
 
@@ -685,6 +760,8 @@ main (int argc, char **argv)
   g_test_add_func ("/app/reach/context-menus", test_context_menus);
   g_test_add_func ("/app/reach/typed-moves", test_typed_moves);
   g_test_add_func ("/app/reach/numbers-panel", test_numbers_panel);
+  g_test_add_func ("/app/reach/various-values", test_various_values);
+  g_test_add_func ("/app/reach/usual-stone", test_usual_stone);
   g_test_add_func ("/app/reach/renamed", test_renamed_stays_selected);
   g_test_add_func ("/app/reach/gaps", test_gaps);
   g_test_add_func ("/app/reach/paste", test_paste);

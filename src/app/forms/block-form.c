@@ -1,15 +1,30 @@
 /* The selected blocks: what they are made of, and how they are held. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include "io/project/usual-stone.h"
 #include <glib/gi18n.h>
 
-enum { TITLE, NAME, THICKNESS, WEIGHT, LAW, SUPPORTS, SUPPORT, JOIN = SUPPORT + 3 };
+enum {
+  TITLE,
+  NAME,
+  THICKNESS,
+  WEIGHT,
+  STONE,
+  STONE_SOURCE,
+  LAW,
+  SUPPORTS,
+  SUPPORT,
+  JOIN = SUPPORT + 3
+};
 
 static const QnFormField fields[] = {
   [TITLE] = { .id = "title" },
   [NAME] = { .id = "name", .step = N_ ("Rename Block") },
   [THICKNESS] = { .id = "thickness", .step = N_ ("Set Thickness") },
   [WEIGHT] = { .id = "weight", .step = N_ ("Set Unit Weight") },
+  [STONE] = { .id = "stone", .step = N_ ("Set Unit Weight") },
+  [STONE_SOURCE] = { .id = "stone_source" },
   [LAW] = { .id = "law", .step = N_ ("Set Law") },
   [SUPPORTS] = { .id = "supports" },
   [SUPPORT + QN_DOF_UX] = { .id = "support_x", .step = N_ ("Set Support") },
@@ -25,6 +40,49 @@ look (gpointer data)
   return qn_canvas_get_selected (form->canvas).count > 0;
 }
 
+/* Whether not all have what the first one has. */
+static gboolean
+is_mixed (const QnModel *model, QnBlockSet set, guint field)
+{
+  const QnBlock *first = &model->blocks[set.ids[0]];
+  gboolean mixed = FALSE;
+  for (guint i = 0; i < set.count; i++) {
+    const QnBlock *block = &model->blocks[set.ids[i]];
+    mixed |= field == THICKNESS ? block->thickness != first->thickness
+             : field == WEIGHT  ? block->unit_weight != first->unit_weight
+             : field == LAW
+               ? block->law != first->law
+               : block->support[field - SUPPORT] != first->support[field - SUPPORT];
+  }
+  return mixed;
+}
+
+static void
+add_row (QnValue *value, char *row)
+{
+  guint count = value->rows != NULL ? g_strv_length (value->rows) : 0;
+  value->rows = g_renew (char *, value->rows, count + 2);
+  value->rows[count] = row;
+  value->rows[count + 1] = NULL;
+}
+
+/* What has no row among usual or common things has one behind them, which changes nothing. */
+static void
+show_stones (QnValue *value, int stone)
+{
+  for (int i = 0; i < QN_STONE_COUNT; i++) {
+    g_autofree char *weight =
+      qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_UNIT_WEIGHT,
+                            qn_usual_stones[i].unit_weight, 4);
+    add_row (value, g_strdup_printf ("%s, %s", _ (qn_usual_stones[i].name), weight));
+  }
+  value->number = stone;
+  if (stone < 0) {
+    value->number = QN_STONE_COUNT;
+    add_row (value, g_strdup (_ ("Other")));
+  }
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -38,6 +96,8 @@ show (gpointer data, guint field, QnValue *value)
     masonry = masonry && model->blocks[set.ids[i]].masonry != QN_NONE;
   gboolean free_block =
     set.count == 1 && block->wall == QN_NONE && block->masonry == QN_NONE;
+  int stone =
+    is_mixed (model, set, WEIGHT) ? -1 : qn_usual_stone_find (block->unit_weight);
   switch (field) {
   case TITLE:
     value->text =
@@ -50,12 +110,24 @@ show (gpointer data, guint field, QnValue *value)
     return free_block;
   case THICKNESS:
     value->number = block->thickness;
+    value->mixed = is_mixed (model, set, field);
     return !masonry;
   case WEIGHT:
     value->number = block->unit_weight;
+    value->mixed = is_mixed (model, set, field);
     return !masonry;
+  case STONE:
+    show_stones (value, stone);
+    return !masonry;
+  case STONE_SOURCE:
+    value->text = stone < 0 ? NULL : g_strdup (_ (qn_usual_stones[stone].source));
+    return !masonry && stone >= 0;
   case LAW:
     qn_value_set_laws (value, model, _ ("As all contacts"), block->law);
+    if (is_mixed (model, set, field)) {
+      value->number = g_strv_length (value->rows);
+      add_row (value, g_strdup (_ ("various")));
+    }
     return !masonry;
   case SUPPORTS:
     return TRUE;
@@ -63,9 +135,7 @@ show (gpointer data, guint field, QnValue *value)
     return set.count > 1;
   default:
     value->number = block->support[field - SUPPORT];
-    for (guint i = 0; i < set.count; i++)
-      value->mixed |=
-        model->blocks[set.ids[i]].support[field - SUPPORT] != (value->number != 0.0);
+    value->mixed = is_mixed (model, set, field);
     return TRUE;
   }
 }
@@ -75,7 +145,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   QnModel *model = &draft->model;
   QnBlockSet set = qn_canvas_get_selected (((const QnBoundForm *) data)->canvas);
-  bool support[QN_DOF_COUNT];
   switch (field) {
   case NAME:
     return qn_edit_rename_block (model, set.ids[0], value->text, error);
@@ -83,12 +152,17 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return qn_edit_set_thickness (model, set, value->number, error);
   case WEIGHT:
     return qn_edit_set_unit_weight (model, set, value->number, error);
+  case STONE:
+    return value->number < QN_STONE_COUNT
+           && qn_edit_set_unit_weight (
+             model, set, qn_usual_stones[qn_value_int (value)].unit_weight, error);
   case LAW:
+    if (value->number > (double) model->law_count)
+      return FALSE;
     return qn_edit_set_law (model, set, qn_value_get_law (value), error);
   default:
-    for (guint dof = 0; dof < QN_DOF_COUNT; dof++)
-      support[dof] = qn_bound_form_get_number (data, SUPPORT + dof) != 0.0;
-    return qn_edit_set_support (model, set, support, error);
+    return qn_edit_set_support_in (model, set, (QnDof) (field - SUPPORT),
+                                   value->number != 0.0, error);
   }
 }
 

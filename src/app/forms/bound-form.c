@@ -155,7 +155,9 @@ static void
 show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
 {
   gboolean on = value->number != 0.0;
-  if (QN_IS_QUANTITY_ENTRY (widget))
+  if (QN_IS_QUANTITY_ENTRY (widget) && value->mixed)
+    qn_quantity_entry_set_mixed (QN_QUANTITY_ENTRY (widget));
+  else if (QN_IS_QUANTITY_ENTRY (widget))
     qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (widget), value->number);
   else if (GTK_IS_DROP_DOWN (widget))
     show_choice (form, GTK_DROP_DOWN (widget), value);

@@ -21,7 +21,7 @@ typedef struct QnValue {
   double number;  /* in SI; row of a choice or a list, -1 for none; 1 for on */
   char *text;     /* owned */
   char **rows;    /* of a choice or a list, anew; owned; NULL: as they are in the file */
-  gboolean mixed; /* a check that is on for some of what is selected */
+  gboolean mixed; /* a check or number that is not the same for all that is selected */
   gboolean disabled; /* shown, but not to be used now */
 } QnValue;
 

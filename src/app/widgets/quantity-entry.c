@@ -16,6 +16,7 @@ struct _QnQuantityEntry {
   QnQuantityPathFunc find_path; /* or NULL */
   gpointer find_path_data;
   gboolean troubled;
+  gboolean mixed;
   gulong settings_handler;
 };
 
@@ -96,12 +97,20 @@ on_secondary_press (GtkGestureClick *gesture, int count, double x, double y,
   offer_to_vary (self);
 }
 
+static char *
+dup_shown (QnQuantityEntry *self)
+{
+  return self->mixed ? g_strdup ("")
+                     : qn_units_format_full (qn_settings_get_units (), self->quantity,
+                                             self->value, SHOWN_DIGITS);
+}
+
 static void
 show_value (QnQuantityEntry *self)
 {
-  g_autofree char *text = qn_units_format_full (qn_settings_get_units (), self->quantity,
-                                                self->value, SHOWN_DIGITS);
+  g_autofree char *text = dup_shown (self);
   gtk_editable_set_text (GTK_EDITABLE (self), text);
+  gtk_entry_set_placeholder_text (GTK_ENTRY (self), self->mixed ? _ ("various") : NULL);
   set_trouble (self, NULL);
 }
 
@@ -110,8 +119,7 @@ commit (QnQuantityEntry *self)
 {
   QnUnits units = qn_settings_get_units ();
   const char *text = gtk_editable_get_text (GTK_EDITABLE (self));
-  g_autofree char *shown =
-    qn_units_format_full (units, self->quantity, self->value, SHOWN_DIGITS);
+  g_autofree char *shown = dup_shown (self);
   if (g_str_equal (text, shown)) {
     set_trouble (self, NULL);
     return;
@@ -133,6 +141,7 @@ commit (QnQuantityEntry *self)
   }
   self->previous = self->value;
   self->value = value;
+  self->mixed = FALSE;
   show_value (self);
   g_signal_emit (self, signals[SIGNAL_COMMITTED], 0);
 }
@@ -284,8 +293,18 @@ qn_quantity_entry_get_other (QnQuantityEntry *self, guint attempt, double *value
 void
 qn_quantity_entry_set_value (QnQuantityEntry *self, double value)
 {
-  if (self->value == value && !self->troubled)
+  if (self->value == value && !self->troubled && !self->mixed)
     return;
   self->value = value;
+  self->mixed = FALSE;
+  show_value (self);
+}
+
+void
+qn_quantity_entry_set_mixed (QnQuantityEntry *self)
+{
+  if (self->mixed && !self->troubled)
+    return;
+  self->mixed = TRUE;
   show_value (self);
 }

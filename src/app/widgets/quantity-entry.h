@@ -33,4 +33,7 @@ gboolean qn_quantity_entry_get_other (QnQuantityEntry *entry, guint attempt,
 double qn_quantity_entry_get_value (QnQuantityEntry *entry); /* SI */
 void qn_quantity_entry_set_value (QnQuantityEntry *entry, double value);
 
+/* There is no one value: the entry is empty and says so, and any value that is entered is new. */
+void qn_quantity_entry_set_mixed (QnQuantityEntry *entry);
+
 #endif

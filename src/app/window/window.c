@@ -23,6 +23,9 @@
 /* px of the window below which the title has no room between all buttons. */
 #define TITLED_WIDTH 800
 
+/* Of what is told of a running analysis, where there is room. */
+#define PROGRESS_CHARS 24
+
 /* A view whose name has no room is told by that many letters. */
 
 G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
@@ -450,6 +453,7 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
     self->is_small = small;
     gtk_widget_set_visible (self->open_button, !small);
     gtk_widget_set_visible (self->save_button, !small);
+    gtk_label_set_width_chars (self->progress_label, small ? 8 : PROGRESS_CHARS);
     update_title (self);
   }
   if (narrow == self->is_narrow)

@@ -254,9 +254,10 @@ qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int 
   return TRUE;
 }
 
-gboolean
-qn_edit_set_support (QnModel *model, QnBlockSet set, const bool support[QN_DOF_COUNT],
-                     GError **error)
+/* Sets the degrees of freedom from `first` to before `end`. */
+static gboolean
+edit_support (QnModel *model, QnBlockSet set, int first, int end, const bool *support,
+              GError **error)
 {
   if (set.count == 0)
     return refuse_nothing (error);
@@ -264,11 +265,25 @@ qn_edit_set_support (QnModel *model, QnBlockSet set, const bool support[QN_DOF_C
   detach_masonry (model, set);
   g_autofree gboolean *walls = walls_of (model, set);
   for (guint i = 0; i < set.count; i++) {
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-      model->blocks[set.ids[i]].support[dof] = support[dof];
+    for (int dof = first; dof < end; dof++)
+      model->blocks[set.ids[i]].support[dof] = support[dof - first];
   }
   detach_walls (model, walls);
   return qn_edit_rebuild (model, NULL, error);
+}
+
+gboolean
+qn_edit_set_support (QnModel *model, QnBlockSet set, const bool support[QN_DOF_COUNT],
+                     GError **error)
+{
+  return edit_support (model, set, 0, QN_DOF_COUNT, support, error);
+}
+
+gboolean
+qn_edit_set_support_in (QnModel *model, QnBlockSet set, QnDof dof, bool fixed,
+                        GError **error)
+{
+  return edit_support (model, set, (int) dof, (int) dof + 1, &fixed, error);
 }
 
 typedef enum { FIELD_THICKNESS, FIELD_UNIT_WEIGHT, FIELD_LAW } Field;

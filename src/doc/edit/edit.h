@@ -73,6 +73,10 @@ gboolean qn_edit_detach (QnModel *model, QnBlockSet set, GError **error);
 gboolean qn_edit_set_support (QnModel *model, QnBlockSet set,
                               const bool support[QN_DOF_COUNT], GError **error);
 
+/* The same for one of them; the others stay as each block has them. */
+gboolean qn_edit_set_support_in (QnModel *model, QnBlockSet set, QnDof dof, bool fixed,
+                                 GError **error);
+
 /* For wall blocks these hold for the whole wall. */
 gboolean qn_edit_set_thickness (QnModel *model, QnBlockSet set, double thickness,
                                 GError **error);
