@@ -384,6 +384,74 @@ is_button_called (GtkWidget *widget, gconstpointer label)
   return g_str_equal (plain, label);
 }
 
+gboolean
+driver_has_id (GtkWidget *widget, gconstpointer id)
+{
+  return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
+}
+
+gboolean
+driver_says (GtkWidget *widget, gconstpointer text)
+{
+  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
+         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
+}
+
+gboolean
+driver_is_button (GtkWidget *widget, gconstpointer label)
+{
+  return GTK_IS_BUTTON (widget)
+         && g_strcmp0 (gtk_button_get_label (GTK_BUTTON (widget)), label) == 0;
+}
+
+gboolean
+driver_is_expander (GtkWidget *widget, gconstpointer label)
+{
+  return GTK_IS_EXPANDER (widget)
+         && g_strcmp0 (gtk_expander_get_label (GTK_EXPANDER (widget)), label) == 0;
+}
+
+gboolean
+driver_is_menu (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_POPOVER_MENU (widget) && gtk_widget_get_mapped (widget);
+}
+
+gboolean
+driver_is_cell (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return g_object_get_data (G_OBJECT (widget), "qn-cell") != NULL;
+}
+
+GtkWidget *
+driver_find_id (GtkWidget *root, const char *id)
+{
+  GtkWidget *found = driver_find_widget (root, driver_has_id, id);
+  g_assert_nonnull (found);
+  return found;
+}
+
+GtkWidget *
+driver_find_other (void)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    if (!QN_IS_WINDOW (toplevel) && gtk_widget_get_mapped (toplevel))
+      return toplevel;
+  }
+  return NULL;
+}
+
+const char *
+driver_last_step (QnWindow *window)
+{
+  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
+  return qn_history_get_name (history, qn_history_get_position (history) - 1);
+}
+
 void
 driver_click_on (GtkWidget *root, DriverMatch match, const char *label)
 {

@@ -87,6 +87,24 @@ GtkWidget *driver_find_message (void);
 typedef gboolean (*DriverMatch) (GtkWidget *widget, gconstpointer data);
 GtkWidget *driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer data);
 
+/* Matches: by the id in a .ui file; labels in sight that hold some words; by label; menus that are
+ * open; a run in the window of comparisons. */
+gboolean driver_has_id (GtkWidget *widget, gconstpointer id);
+gboolean driver_says (GtkWidget *widget, gconstpointer text);
+gboolean driver_is_button (GtkWidget *widget, gconstpointer label);
+gboolean driver_is_expander (GtkWidget *widget, gconstpointer label);
+gboolean driver_is_menu (GtkWidget *widget, gconstpointer data);
+gboolean driver_is_cell (GtkWidget *widget, gconstpointer data);
+
+/* The widget of that id, which must be there. */
+GtkWidget *driver_find_id (GtkWidget *root, const char *id);
+
+/* The window on the screen that is no main one, or NULL. */
+GtkWidget *driver_find_other (void);
+
+/* Name of the last step of the history. */
+const char *driver_last_step (QnWindow *window);
+
 /* Clicks with the pointer on the first widget that matches; there must be one. */
 void driver_click_on (GtkWidget *root, DriverMatch match, const char *label);
 

@@ -173,13 +173,6 @@ test_procedures (void)
   driver_discard (window);
 }
 
-static gboolean
-has_label (GtkWidget *widget, gconstpointer text)
-{
-  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
-         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
-}
-
 /* An analysis in time is shown with its settings and its ground motion, which can be undone; its
  * result is told by time. */
 static void
@@ -193,7 +186,8 @@ test_in_time (void)
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, 6);
   driver_run (100);
   driver_screenshot (GTK_WIDGET (window), "ground-motion");
-  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, "step impulse"));
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), driver_says, "step impulse"));
   driver_press (GTK_WIDGET (window), "+ Pulse");
   g_assert_cmpuint (model_of (window)->ground_count, ==, 2);
   driver_press (GTK_WIDGET (window), "Remove Motion");
@@ -208,7 +202,7 @@ test_in_time (void)
   driver_run (100);
   const QnRun *run = qn_document_get_run (document);
   g_assert_cmpuint (run->result.history.row_count, >, 100);
-  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, " s of "));
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, " s of "));
   driver_screenshot (GTK_WIDGET (window), "history");
   driver_discard (window);
 }
@@ -254,13 +248,6 @@ is_table_row (GtkWidget *widget, gconstpointer data)
          && g_str_equal (gtk_label_get_text (GTK_LABEL (widget)), data);
 }
 
-static gboolean
-is_first_cell (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return g_object_get_data (G_OBJECT (widget), "qn-cell") != NULL;
-}
-
 static int
 row_of (GtkWidget *dialog, const char *text)
 {
@@ -299,7 +286,7 @@ test_compare_files (void)
   driver_wait (shows_three, dialog);
   driver_run (300);
   driver_screenshot (dialog, "compare-files");
-  GtkWidget *cell = driver_find_widget (dialog, is_first_cell, NULL);
+  GtkWidget *cell = driver_find_widget (dialog, driver_is_cell, NULL);
   g_assert_nonnull (cell);
   gtk_widget_grab_focus (cell);
   int row_before = row_of (dialog, "100.0 %"), wall3 = row_of (dialog, "0.3558");

@@ -13,13 +13,6 @@ selected_beams (QnWindow *window)
   return count;
 }
 
-static const char *
-last_step (QnWindow *window)
-{
-  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
-  return qn_history_get_name (history, qn_history_get_position (history) - 1);
-}
-
 /* Back to nothing and forth again: the same text. */
 static void
 check_history (QnWindow *window)
@@ -67,7 +60,7 @@ test_draw (void)
   driver_screenshot (GTK_WIDGET (window), "beam-selected");
   /* Its end by the handle, together with the column below. */
   driver_drag (window, 3.5, 2.5, 3.5, 3.0);
-  g_assert_cmpstr (last_step (window), ==, "Move Beam End");
+  g_assert_cmpstr (driver_last_step (window), ==, "Move Beam End");
   g_assert_cmpfloat_with_epsilon (model_of (window)->nodes[2].at.y, 3.0, 1e-9);
   g_assert_cmpuint (model_of (window)->node_count, ==, 4);
 
@@ -76,7 +69,7 @@ test_draw (void)
   g_assert_cmpuint (selected_beams (window), ==, 3);
   double before = model_of (window)->nodes[0].at.x;
   driver_key ("Right");
-  g_assert_cmpstr (last_step (window), ==, "Nudge");
+  g_assert_cmpstr (driver_last_step (window), ==, "Nudge");
   double step = model_of (window)->nodes[0].at.x - before;
   g_assert_cmpfloat (step, >, 0.0);
   g_assert_cmpfloat_with_epsilon (model_of (window)->nodes[2].at.x, 3.5 + step, 1e-9);
@@ -90,25 +83,11 @@ test_draw (void)
 }
 
 static gboolean
-has_label (GtkWidget *widget, gconstpointer text)
-{
-  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
-         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
-}
-
-static gboolean
 is_check (GtkWidget *widget, gconstpointer label)
 {
   return GTK_IS_CHECK_BUTTON (widget) && gtk_widget_get_mapped (widget)
          && g_strcmp0 (gtk_check_button_get_label (GTK_CHECK_BUTTON (widget)), label)
               == 0;
-}
-
-static gboolean
-is_button (GtkWidget *widget, gconstpointer label)
-{
-  return GTK_IS_BUTTON (widget)
-         && g_strcmp0 (gtk_button_get_label (GTK_BUTTON (widget)), label) == 0;
 }
 
 /* The form changes the beam and its section. */
@@ -121,17 +100,17 @@ test_form (void)
   qn_selection_set_beams (selection_of (window), &first, 1);
   driver_run (200);
   GtkWidget *root = GTK_WIDGET (window);
-  g_assert_nonnull (driver_find_widget (root, has_label, "First End"));
+  g_assert_nonnull (driver_find_widget (root, driver_says, "First End"));
   GtkWidget *hinge = driver_find_widget (root, is_check, "Hinge at the se_cond end");
   g_assert_nonnull (hinge);
   gtk_check_button_set_active (GTK_CHECK_BUTTON (hinge), TRUE);
   g_assert_true (model_of (window)->beams[0].hinge[1]);
-  g_assert_cmpstr (last_step (window), ==, "Set Hinge");
+  g_assert_cmpstr (driver_last_step (window), ==, "Set Hinge");
   driver_key ("ctrl+z");
   g_assert_false (model_of (window)->beams[0].hinge[1]);
   g_assert_cmpuint (selected_beams (window), ==, 1);
   driver_screenshot (root, "beam-form");
-  GtkWidget *own = driver_find_widget (root, is_button, "_Section of Their Own");
+  GtkWidget *own = driver_find_widget (root, driver_is_button, "_Section of Their Own");
   g_assert_nonnull (own);
   gtk_widget_grab_focus (own);
   driver_run (300);
@@ -171,12 +150,12 @@ test_diagrams (void)
   const QnId first = 0;
   qn_selection_set_beams (selection_of (window), &first, 1);
   driver_run (200);
-  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, "M: "));
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "M: "));
   driver_screenshot (GTK_WIDGET (window), "beam-forces");
   /* Outdated forces are not shown. */
   driver_key ("Right");
   driver_run (200);
-  g_assert_null (driver_find_widget (GTK_WIDGET (window), has_label, "M: "));
+  g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, "M: "));
   driver_discard (window);
 }
 

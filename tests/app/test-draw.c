@@ -18,13 +18,6 @@ steps_of (QnWindow *window)
     qn_document_get_history (qn_window_get_document (window)));
 }
 
-static const char *
-last_step (QnWindow *window)
-{
-  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
-  return qn_history_get_name (history, qn_history_get_position (history) - 1);
-}
-
 static QnMasonries
 masonry_of (QnWindow *window)
 {
@@ -104,14 +97,14 @@ test_opening (void)
   list = masonry_of (window);
   g_assert_cmpfloat_with_epsilon (list.items[0].wall.openings[0].at.x, opening.at.x + 0.4,
                                   1e-9);
-  g_assert_cmpstr (last_step (window), ==, "Move Opening");
+  g_assert_cmpstr (driver_last_step (window), ==, "Move Opening");
   qn_masonries_clear (&list);
 
   double right = middle.x + 0.4 + 0.5 * opening.width;
   driver_drag (window, right, middle.y, right + 0.2, middle.y);
   list = masonry_of (window);
   g_assert_cmpfloat_with_epsilon (list.items[0].wall.openings[0].width, 1.0, 1e-9);
-  g_assert_cmpstr (last_step (window), ==, "Resize Opening");
+  g_assert_cmpstr (driver_last_step (window), ==, "Resize Opening");
   qn_masonries_clear (&list);
 
   driver_key ("Left");
@@ -199,13 +192,6 @@ test_opening_tool_handles (void)
 }
 
 static gboolean
-is_button (GtkWidget *widget, gconstpointer label)
-{
-  return GTK_IS_BUTTON (widget)
-         && g_strcmp0 (gtk_button_get_label (GTK_BUTTON (widget)), label) == 0;
-}
-
-static gboolean
 change_kind (QnModel *model, gpointer data, GError **error)
 {
   (void) error;
@@ -231,7 +217,7 @@ test_laws (void)
     }
     qn_document_undo (qn_window_get_document (window));
     GtkWidget *button =
-      driver_find_widget (GTK_WIDGET (window), is_button, "_Duplicate Law");
+      driver_find_widget (GTK_WIDGET (window), driver_is_button, "_Duplicate Law");
     g_assert_nonnull (button);
     gtk_widget_grab_focus (button);
     driver_run (300);
@@ -362,7 +348,7 @@ test_kinds (void)
     if (cases[i].kind == QN_MASONRY_BUTTRESS)
       g_assert_false (list.items[i].buttress.leans_right);
     qn_masonries_clear (&list);
-    g_assert_cmpstr (last_step (window), ==, cases[i].step);
+    g_assert_cmpstr (driver_last_step (window), ==, cases[i].step);
   }
   driver_screenshot (GTK_WIDGET (window), "kinds");
   driver_discard (window);
@@ -417,7 +403,7 @@ test_turn_mirror_array (void)
   double above = 28.0 / qn_canvas_get_camera (qn_window_get_canvas (window))->scale;
   driver_screenshot (GTK_WIDGET (window), "turn-handle");
   driver_drag (window, c.x, 2.0 + above, c.x + 1.0, c.y);
-  g_assert_cmpstr (last_step (window), ==, "Rotate");
+  g_assert_cmpstr (driver_last_step (window), ==, "Rotate");
   c = model_of (window)->blocks[0].centroid;
   g_assert_cmpfloat_with_epsilon (c.x, 0.75, 0.02);
 
@@ -463,7 +449,7 @@ test_keyboard (void)
   driver_screenshot (GTK_WIDGET (window), "keyboard-cursor");
   driver_key ("Return");
   g_assert_cmpuint (steps_of (window), ==, 1);
-  g_assert_cmpstr (last_step (window), ==, "Add Wall");
+  g_assert_cmpstr (driver_last_step (window), ==, "Add Wall");
   g_assert_cmpuint (model_of (window)->block_count, >, 4);
 
   /* Every tool has a key that chooses it. */

@@ -19,23 +19,10 @@ has_name (GtkWidget *widget, gconstpointer name)
 }
 
 static gboolean
-has_label (GtkWidget *widget, gconstpointer text)
-{
-  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
-         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
-}
-
-static gboolean
 is_curve (GtkWidget *widget, gconstpointer data)
 {
   (void) data;
   return QN_IS_CURVE_VIEW (widget);
-}
-
-static gboolean
-is_called (GtkWidget *widget, gconstpointer id)
-{
-  return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
 }
 
 /* ---- while it runs ---- */
@@ -56,8 +43,8 @@ has_live_history (gpointer window)
   gsize count = 0;
   QnJob *job = qn_document_get_job (qn_window_get_document (window));
   return job != NULL && qn_job_get_curve (job, &count)[0].x >= 0.0 && count >= 3
-         && driver_find_widget (window, has_label, " of 5000 s") != NULL
-         && driver_find_widget (window, has_label, " left") != NULL;
+         && driver_find_widget (window, driver_says, " of 5000 s") != NULL
+         && driver_find_widget (window, driver_says, " left") != NULL;
 }
 
 /* The history grows over the whole time of the analysis; what has come so far is told with the time
@@ -125,16 +112,16 @@ test_energies (void)
                                 "damping", "numerical", "error" };
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *text = g_strdup_printf ("%s: ", kinds[i]);
-    g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, text));
+    g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, text));
   }
   driver_screenshot (GTK_WIDGET (window), "energies");
 
   /* Values under the pointer, elsewhere than at the step. */
   g_autofree char *before = g_strdup (gtk_label_get_text (
-    GTK_LABEL (driver_find_widget (GTK_WIDGET (window), has_label, "kinetic: "))));
+    GTK_LABEL (driver_find_widget (GTK_WIDGET (window), driver_says, "kinetic: "))));
   driver_point_at (plot, 0.3 * width, 60);
   driver_run (200);
-  g_assert_null (driver_find_widget (GTK_WIDGET (window), has_label, before));
+  g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, before));
   driver_discard (window);
 }
 
@@ -311,7 +298,7 @@ test_initial (void)
   driver_activate (window, "win.show-panel::analysis");
   driver_run (200);
   g_assert_nonnull (
-    driver_find_widget (GTK_WIDGET (window), has_label, "Start of Block"));
+    driver_find_widget (GTK_WIDGET (window), driver_says, "Start of Block"));
   driver_screenshot (GTK_WIDGET (window), "initial-fields");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
@@ -340,7 +327,7 @@ test_initial_fixed (void)
   driver_key ("Return");
   driver_run (200);
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
-  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, "is fixed"));
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "is fixed"));
   driver_discard (window);
 }
 
@@ -349,13 +336,13 @@ test_initial_fixed (void)
 static gboolean
 has_ratio (gpointer dialog)
 {
-  return driver_find_widget (dialog, has_label, "EN 1998-3") != NULL;
+  return driver_find_widget (dialog, driver_says, "EN 1998-3") != NULL;
 }
 
 static gboolean
 has_note (gpointer dialog)
 {
-  return driver_find_widget (dialog, has_label, "The model has changed since.") != NULL;
+  return driver_find_widget (dialog, driver_says, "The model has changed since.") != NULL;
 }
 
 /* The curve is found in the background and held against the spectrum entered; another spectrum is held
@@ -372,10 +359,10 @@ test_capacity (void)
   driver_wait (has_ratio, dialog);
   driver_run (300);
   driver_screenshot (dialog, "capacity");
-  g_assert_nonnull (driver_find_widget (dialog, has_label, "Block block"));
+  g_assert_nonnull (driver_find_widget (dialog, driver_says, "Block block"));
   const char *const states[] = { "SLV", "SLC", "SD", "NC" };
   for (gsize i = 0; i < G_N_ELEMENTS (states); i++)
-    g_assert_nonnull (driver_find_widget (dialog, has_label, states[i]));
+    g_assert_nonnull (driver_find_widget (dialog, driver_says, states[i]));
 
   /* A spectrum from a file has no soil; none has no table. */
   GtkWidget *kind = driver_find_widget (dialog, has_name, "GtkDropDown");
@@ -412,14 +399,14 @@ static double
 entered (GtkWidget *dialog, const char *id)
 {
   return qn_quantity_entry_get_value (
-    QN_QUANTITY_ENTRY (driver_find_widget (dialog, is_called, id)));
+    QN_QUANTITY_ENTRY (driver_find_widget (dialog, driver_has_id, id)));
 }
 
 static guint
 chosen (GtkWidget *dialog, const char *id)
 {
   return gtk_drop_down_get_selected (
-    GTK_DROP_DOWN (driver_find_widget (dialog, is_called, id)));
+    GTK_DROP_DOWN (driver_find_widget (dialog, driver_has_id, id)));
 }
 
 static char *
@@ -439,7 +426,7 @@ test_capacity_undo (void)
   GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
   g_assert_null (kept (window));
   double first = entered (dialog, "ag");
-  GtkWidget *ag = driver_find_widget (dialog, is_called, "ag");
+  GtkWidget *ag = driver_find_widget (dialog, driver_has_id, "ag");
   gtk_widget_grab_focus (ag);
   gtk_editable_set_text (GTK_EDITABLE (ag), "0.4");
   driver_key ("Return");
@@ -449,7 +436,7 @@ test_capacity_undo (void)
   g_assert_nonnull (after_ag);
   guint soil = chosen (dialog, "soil");
   gtk_drop_down_set_selected (
-    GTK_DROP_DOWN (driver_find_widget (dialog, is_called, "soil")), soil + 2);
+    GTK_DROP_DOWN (driver_find_widget (dialog, driver_has_id, "soil")), soil + 2);
   driver_run (200);
   g_autofree char *after_soil = kept (window);
   g_assert_cmpstr (after_soil, !=, after_ag);
@@ -488,7 +475,7 @@ close_while_searching (gboolean project)
   GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
   g_assert_nonnull (dialog);
   driver_press (dialog, "Compute Curve");
-  GtkWidget *cancel = driver_find_widget (dialog, is_called, "cancel");
+  GtkWidget *cancel = driver_find_widget (dialog, driver_has_id, "cancel");
   g_assert_true (gtk_widget_get_mapped (cancel));
   gpointer gone = dialog;
   g_object_add_weak_pointer (G_OBJECT (dialog), &gone);
@@ -514,7 +501,7 @@ static gboolean
 is_preview (GtkWidget *widget, gconstpointer data)
 {
   (void) data;
-  return is_called (widget, "preview") && gtk_widget_get_mapped (widget);
+  return driver_has_id (widget, "preview") && gtk_widget_get_mapped (widget);
 }
 
 static gboolean
@@ -537,12 +524,13 @@ test_record (void)
   driver_activate (window, "win.show-panel::analysis");
   driver_run (200);
   GtkWidget *root = GTK_WIDGET (window);
-  GtkWidget *plot = driver_find_widget (root, is_called, "plot");
-  GtkWidget *fault = driver_find_widget (root, is_called, "fault");
+  GtkWidget *plot = driver_find_widget (root, driver_has_id, "plot");
+  GtkWidget *fault = driver_find_widget (root, driver_has_id, "fault");
   GtkWidget *preview = driver_find_widget (root, is_preview, NULL);
   g_assert_true (gtk_widget_get_mapped (plot));
   g_assert_false (gtk_widget_get_mapped (fault));
-  gtk_widget_grab_focus (driver_find_widget (root, is_called, "remove")); /* in sight */
+  gtk_widget_grab_focus (
+    driver_find_widget (root, driver_has_id, "remove")); /* in sight */
   for (guint i = 0; i < 4; i++) {
     g_autofree char *name = g_strdup_printf ("record-%u", i);
     gtk_drop_down_set_selected (GTK_DROP_DOWN (preview), i);
@@ -600,7 +588,7 @@ test_buttons (void)
   driver_run (200);
   for (gsize i = 0; i < G_N_ELEMENTS (buttons); i++) {
     GtkWidget *check =
-      driver_find_widget (GTK_WIDGET (window), is_called, buttons[i].name);
+      driver_find_widget (GTK_WIDGET (window), driver_has_id, buttons[i].name);
     g_assert_true (gtk_widget_get_visible (check));
     g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
     gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);

@@ -203,19 +203,6 @@ static const struct {
   { "capacity", "win.capacity", NULL, "Capacity Curve" },
 };
 
-/* The window on the screen that is no main one. */
-static GtkWidget *
-find_other (void)
-{
-  GListModel *toplevels = gtk_window_get_toplevels ();
-  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
-    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
-    if (!QN_IS_WINDOW (toplevel) && gtk_widget_get_mapped (toplevel))
-      return toplevel;
-  }
-  return NULL;
-}
-
 static void
 test_dialogs (void)
 {
@@ -234,7 +221,7 @@ test_dialogs (void)
     else
       driver_activate (window, dialogs[i].action);
     driver_run (200);
-    GtkWidget *dialog = find_other ();
+    GtkWidget *dialog = driver_find_other ();
     if (dialog == NULL)
       g_error ("no window %s", dialogs[i].what);
     if (dialogs[i].title != NULL)

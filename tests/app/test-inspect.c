@@ -48,22 +48,15 @@ pressed_joint (QnWindow *window)
 }
 
 static gboolean
-has_text (GtkWidget *widget, gconstpointer data)
-{
-  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
-         && strstr (gtk_label_get_text (GTK_LABEL (widget)), data) != NULL;
-}
-
-static gboolean
 says (QnWindow *window, const char *text)
 {
-  return driver_find_widget (GTK_WIDGET (window), has_text, text) != NULL;
+  return driver_find_widget (GTK_WIDGET (window), driver_says, text) != NULL;
 }
 
 static gboolean
 is_last_name (GtkWidget *widget, gconstpointer data)
 {
-  return has_text (widget, data) && GTK_IS_GRID (gtk_widget_get_parent (widget));
+  return driver_says (widget, data) && GTK_IS_GRID (gtk_widget_get_parent (widget));
 }
 
 /* The diagram of a joint begins below the last of its values. */

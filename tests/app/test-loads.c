@@ -4,31 +4,10 @@
 
 #include "doc/edit/edit-stage.h"
 
-static gboolean
-has_id (GtkWidget *widget, gconstpointer id)
-{
-  return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
-}
-
-static GtkWidget *
-find_id (GtkWidget *root, const char *id)
-{
-  GtkWidget *found = driver_find_widget (root, has_id, id);
-  g_assert_nonnull (found);
-  return found;
-}
-
-static gboolean
-is_expander (GtkWidget *widget, gconstpointer label)
-{
-  return GTK_IS_EXPANDER (widget)
-         && g_strcmp0 (gtk_expander_get_label (GTK_EXPANDER (widget)), label) == 0;
-}
-
 static GtkExpander *
 find_expander (QnWindow *window, const char *label)
 {
-  GtkWidget *found = driver_find_widget (GTK_WIDGET (window), is_expander, label);
+  GtkWidget *found = driver_find_widget (GTK_WIDGET (window), driver_is_expander, label);
   g_assert_nonnull (found);
   return GTK_EXPANDER (found);
 }
@@ -48,16 +27,9 @@ open_panel (const char *example)
 static int
 selected_row (QnWindow *window, const char *box, const char *list)
 {
-  GtkWidget *rows = find_id (find_id (GTK_WIDGET (window), box), list);
+  GtkWidget *rows = driver_find_id (driver_find_id (GTK_WIDGET (window), box), list);
   GtkListBoxRow *row = gtk_list_box_get_selected_row (GTK_LIST_BOX (rows));
   return row != NULL ? gtk_list_box_row_get_index (row) : -1;
-}
-
-static const char *
-last_step (QnWindow *window)
-{
-  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
-  return qn_history_get_name (history, qn_history_get_position (history) - 1);
 }
 
 /* A load is chosen in the drawing and marked in the list, and the other way round; copied, moved,
@@ -79,7 +51,8 @@ test_both_ways (void)
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, first);
   driver_screenshot (root, "load-selected");
 
-  GtkListBox *rows = GTK_LIST_BOX (find_id (find_id (root, "loads_box"), "loads"));
+  GtkListBox *rows =
+    GTK_LIST_BOX (driver_find_id (driver_find_id (root, "loads_box"), "loads"));
   gtk_list_box_select_row (rows, gtk_list_box_get_row_at_index (rows, 1 - first));
   g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD), ==,
                    1 - first);
@@ -91,7 +64,7 @@ test_both_ways (void)
   driver_press (root, "Move Up");
   g_assert_cmpfloat (model_of (window)->live_loads[0].pressure, ==, surcharge);
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 0);
-  g_assert_cmpstr (last_step (window), ==, "Move Load");
+  g_assert_cmpstr (driver_last_step (window), ==, "Move Load");
   driver_press (root, "Move Down");
   g_assert_cmpfloat (model_of (window)->live_loads[1].pressure, ==, surcharge);
   driver_press (root, "Duplicate Load");
@@ -102,7 +75,7 @@ test_both_ways (void)
   /* The drawing's own commands mean the load that is selected. */
   driver_activate (window, "win.delete");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
-  g_assert_cmpstr (last_step (window), ==, "Remove Load");
+  g_assert_cmpstr (driver_last_step (window), ==, "Remove Load");
   g_assert_true (qn_selection_is_empty (selection_of (window)));
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, -1);
   qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
@@ -117,7 +90,8 @@ test_both_ways (void)
   /* An empty list says so. */
   driver_press (root, "Add Set");
   driver_run (200);
-  g_assert_true (gtk_widget_get_mapped (find_id (find_id (root, "loads_box"), "empty")));
+  g_assert_true (
+    gtk_widget_get_mapped (driver_find_id (driver_find_id (root, "loads_box"), "empty")));
   driver_screenshot (root, "loads-empty");
   driver_discard (window);
 }
@@ -154,7 +128,7 @@ test_draw_edge_load (void)
   g_assert_true (load->normal);
   g_assert_cmpfloat (load->intensity[0], ==, 1e4);
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, (int) live);
-  g_assert_cmpstr (last_step (window), ==, "Add Edge Load");
+  g_assert_cmpstr (driver_last_step (window), ==, "Add Edge Load");
   driver_run (300);
   driver_screenshot (root, "edge-load-drawn");
 
@@ -177,7 +151,7 @@ test_draw_edge_load (void)
   g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 4);
   g_assert_cmpint (model_of (window)->live_loads[live + 3].block, ==, 4);
   g_assert_cmpint (model_of (window)->live_loads[live + 3].edge, ==, 3);
-  g_assert_cmpstr (last_step (window), ==, "Choose Edges");
+  g_assert_cmpstr (driver_last_step (window), ==, "Choose Edges");
 
   /* Away from all edges nothing is added, and Escape leaves the tool. */
   driver_click (window, 1.2, 0.9);
@@ -230,7 +204,7 @@ test_draw_bar (void)
   g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
   driver_activate (window, "win.duplicate");
   g_assert_cmpuint (model_of (window)->bar_count, ==, 2);
-  g_assert_cmpstr (last_step (window), ==, "Duplicate Bar");
+  g_assert_cmpstr (driver_last_step (window), ==, "Duplicate Bar");
   g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 1);
   driver_discard (window);
 }

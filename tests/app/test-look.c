@@ -118,24 +118,11 @@ expect_to_fit (GtkWidget *window, const char *what)
   walk_below (window, what);
 }
 
-/* The window on the screen that is not one of the main ones. */
-static GtkWidget *
-find_other (void)
-{
-  GListModel *toplevels = gtk_window_get_toplevels ();
-  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
-    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
-    if (!QN_IS_WINDOW (toplevel) && gtk_widget_get_mapped (toplevel))
-      return toplevel;
-  }
-  return NULL;
-}
-
 static void
 expect_dialog_to_fit (const char *what)
 {
   driver_run (200);
-  GtkWidget *dialog = find_other ();
+  GtkWidget *dialog = driver_find_other ();
   g_assert_nonnull (dialog);
   expect_to_fit (dialog, what);
   gtk_window_destroy (GTK_WINDOW (dialog));
@@ -273,7 +260,7 @@ static void
 manual_dialog (const char *name)
 {
   driver_run (300);
-  GtkWidget *dialog = find_other ();
+  GtkWidget *dialog = driver_find_other ();
   g_assert_nonnull (dialog);
   manual_picture (dialog, name);
   gtk_window_destroy (GTK_WINDOW (dialog));

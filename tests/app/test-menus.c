@@ -8,19 +8,6 @@
 
 #include <string.h>
 
-static gboolean
-has_id (GtkWidget *widget, gconstpointer id)
-{
-  return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
-}
-
-static gboolean
-is_open_menu (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return GTK_IS_POPOVER_MENU (widget) && gtk_widget_get_mapped (widget);
-}
-
 /* An item of a menu, by its label without underlines. */
 static gboolean
 is_item (GtkWidget *widget, gconstpointer label)
@@ -33,14 +20,6 @@ is_item (GtkWidget *widget, gconstpointer label)
   g_auto (GStrv) parts = g_strsplit (text, "_", 2);
   g_autofree char *plain = g_strjoinv ("", parts);
   return g_str_equal (plain, label);
-}
-
-static GtkWidget *
-find_id (GtkWidget *root, const char *id)
-{
-  GtkWidget *found = driver_find_widget (root, has_id, id);
-  g_assert_nonnull (found);
-  return found;
 }
 
 static GtkWidget *
@@ -58,9 +37,10 @@ static void
 wait_for_menu (GtkWidget *inside)
 {
   GtkWidget *widget = GTK_WIDGET (gtk_widget_get_root (inside));
-  for (int i = 0; i < 50 && driver_find_widget (widget, is_open_menu, NULL) == NULL; i++)
+  for (int i = 0; i < 50 && driver_find_widget (widget, driver_is_menu, NULL) == NULL;
+       i++)
     driver_run (20);
-  if (driver_find_widget (widget, is_open_menu, NULL) == NULL) {
+  if (driver_find_widget (widget, driver_is_menu, NULL) == NULL) {
     driver_screenshot (widget, "menu-missing");
     g_error ("no menu of the %s", G_OBJECT_TYPE_NAME (inside));
   }
@@ -94,7 +74,7 @@ check_keys (GtkWidget *widget, const char *label)
     g_assert_nonnull (driver_find_widget (widget, is_item, label));
     driver_key ("Escape");
     driver_run (200);
-    g_assert_null (driver_find_widget (widget, is_open_menu, NULL));
+    g_assert_null (driver_find_widget (widget, driver_is_menu, NULL));
   }
 }
 
@@ -117,10 +97,10 @@ test_bars (void)
   QnWindow *window = open_panel ("09-reinforced-cantilever.quoin", "analysis");
   gsize count = model_of (window)->bar_count;
   g_assert_cmpuint (count, >, 0);
-  GtkWidget *row = row_of (find_id (GTK_WIDGET (window), "bars"), 0);
+  GtkWidget *row = row_of (driver_find_id (GTK_WIDGET (window), "bars"), 0);
   check_keys (row, "Remove Bar");
   right_click (row);
-  driver_screenshot (driver_find_widget (row, is_open_menu, NULL), "menu-bar");
+  driver_screenshot (driver_find_widget (row, driver_is_menu, NULL), "menu-bar");
   choose (row, "Remove Bar");
   g_assert_cmpuint (model_of (window)->bar_count, ==, count - 1);
   driver_activate (window, "win.undo");
@@ -134,8 +114,8 @@ test_stages (void)
   QnWindow *window = open_panel ("16-load-stages.quoin", "analysis");
   g_assert_cmpuint (model_of (window)->stage_count, ==, 2);
   g_autofree char *second = g_strdup (model_of (window)->stages[1].name);
-  GtkWidget *row =
-    row_of (find_id (find_id (GTK_WIDGET (window), "stages_box"), "stages"), 1);
+  GtkWidget *row = row_of (
+    driver_find_id (driver_find_id (GTK_WIDGET (window), "stages_box"), "stages"), 1);
   check_keys (row, "Remove Stage");
   right_click (row);
   choose (row, "Earlier");
@@ -147,13 +127,13 @@ static void
 test_loads (void)
 {
   QnWindow *window = open_panel ("16-load-stages.quoin", "analysis");
-  GtkWidget *form = find_id (GTK_WIDGET (window), "loads_box");
-  GtkDropDown *list = GTK_DROP_DOWN (find_id (form, "list"));
+  GtkWidget *form = driver_find_id (GTK_WIDGET (window), "loads_box");
+  GtkDropDown *list = GTK_DROP_DOWN (driver_find_id (form, "list"));
   gtk_drop_down_set_selected (list, 0);
   driver_run (200);
   gsize count = qn_model_count_loads (model_of (window), -1);
   g_assert_cmpuint (count, >, 0);
-  GtkWidget *row = row_of (find_id (form, "loads"), 0);
+  GtkWidget *row = row_of (driver_find_id (form, "loads"), 0);
   check_keys (row, "Copy Text");
   right_click (row);
   choose (row, "Remove Load");
@@ -166,7 +146,8 @@ test_laws (void)
 {
   QnWindow *window = open_panel ("ferris-tin-loi/wall3.quoin", "analysis");
   gsize count = model_of (window)->law_count;
-  GtkWidget *law = find_id (find_id (GTK_WIDGET (window), "laws_box"), "law");
+  GtkWidget *law =
+    driver_find_id (driver_find_id (GTK_WIDGET (window), "laws_box"), "law");
   gtk_widget_grab_focus (law);
   driver_run (200);
   check_keys (law, "Duplicate Law");
@@ -205,21 +186,15 @@ test_tables (void)
 
 /* ---- comparison ---- */
 
-static gboolean
-is_picture (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return g_object_get_data (G_OBJECT (widget), "qn-cell") != NULL;
-}
-
 static guint
 count_pictures (GtkWidget *dialog)
 {
-  GtkWidget *grid = gtk_widget_get_parent (driver_find_widget (dialog, is_picture, NULL));
+  GtkWidget *grid =
+    gtk_widget_get_parent (driver_find_widget (dialog, driver_is_cell, NULL));
   guint count = 0;
   for (GtkWidget *child = gtk_widget_get_first_child (grid); child != NULL;
        child = gtk_widget_get_next_sibling (child))
-    count += is_picture (child, NULL);
+    count += driver_is_cell (child, NULL);
   return count;
 }
 
@@ -246,20 +221,20 @@ test_comparison (void)
   driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Compare Runs");
   g_assert_cmpuint (count_pictures (dialog), ==, 2);
-  GtkWidget *first = driver_find_widget (dialog, is_picture, NULL);
+  GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
   g_autofree char *words = dup_words (first);
   gtk_widget_grab_focus (first);
   check_keys (first, "Later");
   right_click (first);
-  driver_screenshot (driver_find_widget (first, is_open_menu, NULL), "menu-comparison");
+  driver_screenshot (driver_find_widget (first, driver_is_menu, NULL), "menu-comparison");
   choose (first, "Later");
-  first = driver_find_widget (dialog, is_picture, NULL);
+  first = driver_find_widget (dialog, driver_is_cell, NULL);
   g_autofree char *after = dup_words (first);
   g_assert_cmpstr (words, !=, after);
   right_click (first);
   choose (first, "Remove from Comparison");
   g_assert_cmpuint (count_pictures (dialog), ==, 1);
-  first = driver_find_widget (dialog, is_picture, NULL);
+  first = driver_find_widget (dialog, driver_is_cell, NULL);
   g_autofree char *left = dup_words (first);
   g_assert_cmpstr (left, ==, words);
   driver_discard (window);
@@ -313,7 +288,7 @@ test_drag_caption (void)
   driver_activate (window, "win.compare");
   driver_run (500);
   GtkWidget *dialog = driver_find_dialog ("Compare Runs");
-  GtkWidget *first = driver_find_widget (dialog, is_picture, NULL);
+  GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
   GtkWidget *second = gtk_widget_get_next_sibling (first);
   g_autofree char *words = dup_words (second);
   double x0, y0, x1, y1;
@@ -328,7 +303,7 @@ test_drag_caption (void)
   move_along (x0, y0, x1, y1);
   press (FALSE);
   driver_run (500);
-  g_autofree char *after = dup_words (driver_find_widget (dialog, is_picture, NULL));
+  g_autofree char *after = dup_words (driver_find_widget (dialog, driver_is_cell, NULL));
   g_assert_cmpstr (after, ==, words);
   driver_discard (window);
 }
@@ -390,7 +365,7 @@ has_path (gpointer data)
 static gboolean
 has_two_pictures (gpointer dialog)
 {
-  return driver_find_widget (dialog, is_picture, NULL) != NULL
+  return driver_find_widget (dialog, driver_is_cell, NULL) != NULL
          && count_pictures (dialog) == 2;
 }
 
@@ -420,15 +395,15 @@ test_drop_files (void)
 static gboolean
 has_no_parameters (gpointer dialog)
 {
-  return !gtk_widget_get_visible (find_id (dialog, "parameters"));
+  return !gtk_widget_get_visible (driver_find_id (dialog, "parameters"));
 }
 
 static gboolean
 has_results (gpointer dialog)
 {
   gboolean enabled = FALSE;
-  GtkWidget *export = find_id (dialog, "export");
-  GtkWidget *progress = find_id (dialog, "progress");
+  GtkWidget *export = driver_find_id (dialog, "export");
+  GtkWidget *progress = driver_find_id (dialog, "progress");
   enabled = gtk_widget_get_sensitive (export);
   return enabled && !gtk_widget_get_visible (progress);
 }
@@ -452,14 +427,14 @@ test_study (void)
   GtkWidget *dialog = driver_find_dialog ("Study");
   g_assert_nonnull (dialog);
   gtk_window_present (GTK_WINDOW (dialog));
-  gtk_spin_button_set_value (GTK_SPIN_BUTTON (find_id (dialog, "count")), 8);
+  gtk_spin_button_set_value (GTK_SPIN_BUTTON (driver_find_id (dialog, "count")), 8);
   driver_run (200);
   gtk_widget_activate_action (dialog, "study.run", NULL);
   driver_run (300);
   driver_wait (has_results, dialog);
 
-  GtkWidget *plot = find_id (dialog, "plot");
-  gtk_drop_down_set_selected (GTK_DROP_DOWN (find_id (dialog, "figure")), 1);
+  GtkWidget *plot = driver_find_id (dialog, "plot");
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (driver_find_id (dialog, "figure")), 1);
   driver_run (200);
   gtk_widget_grab_focus (plot);
   driver_key ("Right");
@@ -482,10 +457,10 @@ test_study (void)
   g_assert_cmpuint (qn_document_get_runs (qn_window_get_document (window))->len, ==,
                     before + 1);
 
-  GtkWidget *parameters = find_id (dialog, "parameters");
+  GtkWidget *parameters = driver_find_id (dialog, "parameters");
   GtkWidget *row =
     GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (parameters), 0));
-  right_click (find_id (row, "place"));
+  right_click (driver_find_id (row, "place"));
   choose (row, "Leave It As It Is");
   driver_wait (has_no_parameters, dialog);
   driver_discard (window);

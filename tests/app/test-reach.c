@@ -81,18 +81,12 @@ check_corner (QnWindow *window, const char *name, double x, double y)
   g_assert_cmpfloat_with_epsilon (corner.y, y, 1e-9);
 }
 
-static gboolean
-is_menu (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return GTK_IS_POPOVER_MENU (widget) && gtk_widget_get_mapped (widget);
-}
-
 /* The context menu that is open, or NULL. */
 static GtkWidget *
 open_menu (QnWindow *window)
 {
-  return driver_find_widget (GTK_WIDGET (qn_window_get_canvas (window)), is_menu, NULL);
+  return driver_find_widget (GTK_WIDGET (qn_window_get_canvas (window)), driver_is_menu,
+                             NULL);
 }
 
 static gboolean
@@ -619,14 +613,14 @@ is_history_button (GtkWidget *widget, gconstpointer data)
 static void
 choose_in_menu (GtkWidget *root, const char *action)
 {
-  GtkWidget *menu = driver_find_widget (root, is_menu, NULL);
+  GtkWidget *menu = driver_find_widget (root, driver_is_menu, NULL);
   g_assert_nonnull (menu);
   g_assert_true (
     has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)), action));
   driver_key ("Home"); /* the first item, wherever the focus is */
   driver_key ("Return");
   driver_run (300);
-  g_assert_null (driver_find_widget (root, is_menu, NULL));
+  g_assert_null (driver_find_widget (root, driver_is_menu, NULL));
 }
 
 /* A step of the history by the right button, another by the keys. */
@@ -690,7 +684,7 @@ test_runs_menu (void)
   GtkWidget *runs = driver_find_widget (GTK_WIDGET (window), has_menu_of_runs, NULL);
   g_assert_nonnull (runs);
   driver_run (300);
-  GtkWidget *menu = driver_find_widget (runs, is_menu, NULL);
+  GtkWidget *menu = driver_find_widget (runs, driver_is_menu, NULL);
   g_assert_nonnull (menu);
   g_assert_true (has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)),
                              "win.export-result"));
@@ -699,7 +693,7 @@ test_runs_menu (void)
   driver_screenshot (menu, "menu-run");
   driver_key ("Escape");
   driver_run (300);
-  g_assert_null (driver_find_widget (runs, is_menu, NULL));
+  g_assert_null (driver_find_widget (runs, driver_is_menu, NULL));
   driver_activate (window, "win.remove-run");
   g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 0);
   driver_discard (window);

@@ -5,27 +5,13 @@
 
 #include <math.h>
 
-static gboolean
-is_expander (GtkWidget *widget, gconstpointer label)
-{
-  return GTK_IS_EXPANDER (widget)
-         && g_strcmp0 (gtk_expander_get_label (GTK_EXPANDER (widget)), label) == 0;
-}
-
 static void
 open_expander (GtkWidget *root, const char *label)
 {
-  GtkWidget *expander = driver_find_widget (root, is_expander, label);
+  GtkWidget *expander = driver_find_widget (root, driver_is_expander, label);
   g_assert_nonnull (expander);
   gtk_expander_set_expanded (GTK_EXPANDER (expander), TRUE);
   driver_run (300);
-}
-
-static gboolean
-is_button (GtkWidget *widget, gconstpointer label)
-{
-  return GTK_IS_BUTTON (widget)
-         && g_strcmp0 (gtk_button_get_label (GTK_BUTTON (widget)), label) == 0;
 }
 
 static gboolean
@@ -84,9 +70,9 @@ test_settle_and_push (void)
                            gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 0));
   gtk_list_box_select_row (GTK_LIST_BOX (list),
                            gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 1));
-  GtkWidget *loads = driver_find_widget (root, is_expander, "Loads One by _One");
+  GtkWidget *loads = driver_find_widget (root, driver_is_expander, "Loads One by _One");
   gtk_expander_set_expanded (GTK_EXPANDER (loads), FALSE);
-  gtk_widget_grab_focus (driver_find_widget (root, is_button, "_Earlier"));
+  gtk_widget_grab_focus (driver_find_widget (root, driver_is_button, "_Earlier"));
   driver_run (300);
   driver_screenshot (root, "stage-form");
   /* A stage that drives nothing is refused, and the check is back. */

@@ -85,19 +85,12 @@ test_mortar (void)
 }
 
 static gboolean
-is_picture (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return g_object_get_data (G_OBJECT (widget), "qn-cell") != NULL;
-}
-
-static gboolean
 has_five_pictures (gpointer dialog)
 {
   guint count = 0;
-  GtkWidget *cell = driver_find_widget (dialog, is_picture, NULL);
+  GtkWidget *cell = driver_find_widget (dialog, driver_is_cell, NULL);
   for (; cell != NULL; cell = gtk_widget_get_next_sibling (cell))
-    count += is_picture (cell, NULL);
+    count += driver_is_cell (cell, NULL);
   return count == 5;
 }
 
