@@ -374,7 +374,11 @@ test_capacity (void)
   driver_run (200);
   g_assert_true (has_ratio (dialog));
 
-  /* What is edited meanwhile is told. */
+  /* What is edited meanwhile is told; what is no part of the model is not. */
+  g_assert_true (qn_document_edit_extra (qn_window_get_document (window), "Report", NULL,
+                                         "report", "{ \"paper\": \"letter\" }", NULL));
+  driver_run (200);
+  g_assert_false (has_note (dialog));
   QnId top = 0;
   for (gsize i = 0; i < model_of (window)->block_count; i++)
     if (!model_of (window)->blocks[i].support[0])

@@ -341,6 +341,48 @@ report_size (QnWindow *window, const char *path)
   return length;
 }
 
+static GtkWidget *
+find_titled (GtkWidget *root, const char *label)
+{
+  if (GTK_IS_CHECK_BUTTON (root)
+      && g_strcmp0 (gtk_check_button_get_label (GTK_CHECK_BUTTON (root)), label) == 0)
+    return root;
+  GtkWidget *found = NULL;
+  for (GtkWidget *child = gtk_widget_get_first_child (root);
+       child != NULL && found == NULL; child = gtk_widget_get_next_sibling (child))
+    found = find_titled (child, label);
+  return found;
+}
+
+/* What a report holds is asked, kept as a step, and followed; runs stay what they are. */
+static void
+test_report_template (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *path =
+    g_build_filename (g_get_tmp_dir (), "quoin-test-report.pdf", NULL);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  gsize whole = report_size (window, path);
+  driver_activate (window, "win.export-result::report");
+  driver_run (200);
+  GtkWidget *dialog = driver_find_dialog ("Export Report");
+  g_assert_nonnull (dialog);
+  driver_screenshot (dialog, "export-report");
+  GtkWidget *results = find_titled (dialog, "_Results");
+  g_assert_true (gtk_check_button_get_active (GTK_CHECK_BUTTON (results)));
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (results), FALSE);
+  driver_press (dialog, "Export…");
+  driver_run (200);
+  g_assert_false (qn_document_is_stale (document, qn_document_get_run (document)));
+  gsize part = report_size (window, path);
+  g_assert_cmpuint (part, <, whole);
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (report_size (window, path), >, part);
+  driver_discard (window);
+}
+
 /* The report has every run of the model as it is now: more with two than with one, and none that an
  * edit has left behind. A folder that is not there is told. */
 static void
@@ -375,5 +417,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/export/animation", test_animation);
   g_test_add_func ("/app/export/files", test_files);
   g_test_add_func ("/app/export/report", test_report);
+  g_test_add_func ("/app/export/report-template", test_report_template);
   return g_test_run ();
 }

@@ -200,6 +200,7 @@ static const struct {
   { "about", "app.about", NULL, NULL },
   { "compare", "win.compare", NULL, "Compare" },
   { "animation", "win.export-result", "animation", "Export Animation" },
+  { "report", "win.export-result", "report", "Export Report" },
   { "capacity", "win.capacity", NULL, "Capacity Curve" },
 };
 

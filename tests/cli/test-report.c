@@ -98,6 +98,33 @@ test_cases (void)
                 NULL);
 }
 
+/* The project's template: sections, author and introduction; options overrule it. */
+static void
+test_template (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *example = cli_example ("06-arch.quoin");
+  g_autofree char *text = cli_read (example);
+  g_autofree char *model = g_build_filename (folder, "model.quoin", NULL);
+  g_autofree char *pdf = g_build_filename (folder, "report.pdf", NULL);
+  g_autoptr (GString) project = g_string_new (text);
+  g_string_replace (project, "{",
+                    "{ \"report\": { \"sections\": [\"title\", \"loads\"], \"paper\": "
+                    "\"letter\", \"author\": \"A. Mason\", \"text\": \"Of an arch.\" },",
+                    1);
+  g_assert_true (g_file_set_contents (model, project->str, -1, NULL));
+  cli_do ("report", model, "-o", pdf, NULL);
+  assert_words (pdf, WORDS ("A. Mason", "Of an arch.", "Loads and Analysis"),
+                WORDS ("Materials", "Independent Check"));
+  cli_do ("report", model, "-o", pdf, "--sections", "materials", NULL);
+  assert_words (pdf, WORDS ("Materials"), WORDS ("A. Mason", "Loads and Analysis"));
+  g_string_replace (project, "\"loads\"], \"paper\"", "\"poem\"], \"paper\"", 1);
+  g_assert_true (g_file_set_contents (model, project->str, -1, NULL));
+  CliRun run = cli_run ("report", model, "-o", pdf, NULL);
+  cli_assert_failed (&run, 3, "report.sections[1]");
+  test_scratch_free (folder);
+}
+
 static void
 test_refused (void)
 {
@@ -117,6 +144,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/report/sections", test_sections);
   g_test_add_func ("/cli/report/results", test_results);
   g_test_add_func ("/cli/report/cases", test_cases);
+  g_test_add_func ("/cli/report/template", test_template);
   g_test_add_func ("/cli/report/refused", test_refused);
   return g_test_run ();
 }

@@ -8,6 +8,7 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
+#include "doc/document/digest.h"
 #include "doc/view/capacity-answer.h"
 #include "doc/view/capacity-settings.h"
 #include "doc/view/figure-export.h"
@@ -46,7 +47,8 @@ typedef struct Form {
   QnCapacityAnswer answer;   /* of the model as it was when the curve was found */
   char *block, *title;       /* names of then */
   char *reason;              /* why its path ended before multiplier 0, or NULL */
-  gboolean found, outdated;  /* whether there is a curve; the model has changed since */
+  gboolean found;            /* whether there is a curve */
+  char *digest;              /* of the model and its settings then */
   char *message;             /* NULL: what there is to say of the curve */
   GCancellable *cancellable; /* while it is searched */
   GObject *chooser;
@@ -212,7 +214,8 @@ find (Form *form)
     return;
   }
   clear_curve (form);
-  form->outdated = FALSE;
+  g_free (form->digest);
+  form->digest = qn_model_digest (qn_document_get_project (form->document));
   form->title = g_strdup (model->title);
   form->cancellable = g_cancellable_new ();
   GWeakRef *root = g_new0 (GWeakRef, 1);
@@ -332,7 +335,8 @@ dup_facts (const Form *form)
   g_autofree char *at =
     qn_units_format_full (shown, QN_QUANTITY_LENGTH, peak->control, 4);
   GString *text = g_string_new (NULL);
-  if (form->outdated)
+  g_autofree char *digest = qn_model_digest (qn_document_get_project (form->document));
+  if (g_strcmp0 (form->digest, digest) != 0)
     g_string_append_printf (text, "%s\n\n", _ ("The model has changed since."));
   g_string_append_printf (
     text, _ ("Block %s\nPeak: multiplier %.4f at %s\nM* %.4g kg, e* %.3f\n"), form->block,
@@ -598,8 +602,6 @@ on_model_changed (Form *form)
     qn_project_dup_extra (qn_document_get_project (form->document), QN_CAPACITY_MEMBER);
   if (g_strcmp0 (kept, form->stored) != 0)
     load (form); /* undone or done again */
-  else
-    form->outdated = TRUE;
   qn_bound_form_show (form);
 }
 
@@ -617,6 +619,7 @@ clear (gpointer data)
   g_free (form->control);
   g_free (form->file);
   g_free (form->stored);
+  g_free (form->digest);
   g_free (form->message);
   g_object_unref (form->document);
 }

@@ -20,6 +20,10 @@ typedef void (*QnFigureFunc) (GtkWindow *window, const char *path, QnRecipe *rec
 void qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write,
                             QnTellFunc tell);
 
+/* What the report of the project holds, kept in it; then has the window ask for the file. */
+typedef void (*QnReportFunc) (GtkWindow *window);
+void qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFunc choose);
+
 /* An animation of the current run. With a path it is written there at once, as the dialog would by
  * itself, and the dialog shows how far it is. */
 void qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,

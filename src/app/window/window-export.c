@@ -65,8 +65,7 @@ write_result (QnWindow *self, const char *path, GError **error)
 static gboolean
 write_report (QnWindow *self, const char *path, GError **error)
 {
-  return qn_report_write (self->document, qn_settings_get_units (), self->report_paper,
-                          self->report_every_joint, path, error);
+  return qn_report_write (self->document, qn_settings_get_units (), path, error);
 }
 
 /* In metres, as it is drawn. */
@@ -116,33 +115,10 @@ export_to (QnWindow *self, gsize i, const char *path)
   qn_window_show_message (self, message);
 }
 
-/* What the chooser of a report asks besides the file. */
-static void
-add_report_choices (GtkFileChooser *chooser)
-{
-  const char *papers[] = { "a4", "letter", NULL };
-  const char *names[] = { _ ("A4"), _ ("Letter"), NULL };
-  gtk_file_chooser_add_choice (chooser, "paper", _ ("Paper"), papers, names);
-  gtk_file_chooser_set_choice (chooser, "paper", "a4");
-  gtk_file_chooser_add_choice (chooser, "joints", _ ("Forces of all joints"), NULL, NULL);
-}
-
-static void
-take_report_choices (QnWindow *self, GtkFileChooser *chooser)
-{
-  const char *paper = gtk_file_chooser_get_choice (chooser, "paper");
-  if (paper != NULL)
-    qn_paper_parse (paper, &self->report_paper);
-  self->report_every_joint =
-    g_strcmp0 (gtk_file_chooser_get_choice (chooser, "joints"), "true") == 0;
-}
-
 static void
 on_response (GtkNativeDialog *dialog, int response, QnWindow *self)
 {
   gsize i = GPOINTER_TO_SIZE (g_object_get_data (G_OBJECT (dialog), "qn-export"));
-  if (response == GTK_RESPONSE_ACCEPT && exports[i].write == write_report)
-    take_report_choices (self, GTK_FILE_CHOOSER (dialog));
   if (response == GTK_RESPONSE_ACCEPT) {
     g_autoptr (GError) error = NULL;
     const char *const endings[] = { exports[i].ending, NULL };
@@ -162,8 +138,6 @@ choose_file (QnWindow *self, gsize i)
     qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
                       _ (exports[i].title), _ ("_Export"));
   gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ (exports[i].file));
-  if (exports[i].write == write_report)
-    add_report_choices (GTK_FILE_CHOOSER (chooser));
   g_object_set_data (G_OBJECT (chooser), "qn-export", GSIZE_TO_POINTER (i));
   g_signal_connect (chooser, "response", G_CALLBACK (on_response), self);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
@@ -250,11 +224,23 @@ compare (QnWindow *self, GVariant *parameter)
 }
 
 static void
+choose_report (GtkWindow *window)
+{
+  for (gsize i = 0; i < DRAWING; i++)
+    if (exports[i].write == write_report)
+      choose_file (QN_WINDOW (window), i);
+}
+
+static void
 export_result (QnWindow *self, GVariant *parameter)
 {
   const char *name = g_variant_get_string (parameter, NULL);
   if (g_str_equal (name, "animation")) {
     qn_animation_dialog_show (GTK_WINDOW (self), self->state, tell, NULL);
+    return;
+  }
+  if (g_str_equal (name, "report")) {
+    qn_report_dialog_show (GTK_WINDOW (self), self->document, choose_report);
     return;
   }
   for (gsize i = 0; i < DRAWING; i++)

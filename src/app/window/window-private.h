@@ -27,8 +27,6 @@ struct _QnWindow {
   gboolean closing;                 /* unsaved changes have been dealt with */
   char *last_export;                /* path of the last exported figure */
   QnRecipe *last_recipe;            /* what it looked like */
-  QnPaper report_paper;             /* of the last report */
-  gboolean report_every_joint;      /* the same */
   GtkPrintSettings *print_settings; /* of the last page, or NULL */
   GObject *chooser;                 /* file chooser on the screen */
   gboolean has_info_place;

@@ -33,13 +33,13 @@ refuse (const QnSubcommand *self, const char *text, const char *reason)
   return qn_cli_usage_error (self->name, message);
 }
 
-/* All sections, or those that are named. */
+/* The sections that are named. */
 static QnExit
 choose_sections (const QnSubcommand *self, const char *list, bool *sections)
 {
   for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
-    sections[i] = list == NULL;
-  g_auto (GStrv) names = g_strsplit (list != NULL ? list : "", ",", -1);
+    sections[i] = false;
+  g_auto (GStrv) names = g_strsplit (list, ",", -1);
   for (char **name = names; *name != NULL; name++) {
     int i = 0;
     while (i < QN_REPORT_SECTION_COUNT && strcmp (qn_report_section_names[i], *name) != 0)
@@ -123,9 +123,27 @@ write_report (const Options *options, const QnInput *input, const Item *items,
   return qn_cli_end (error);
 }
 
+/* What the project keeps, and what options say instead. */
 static QnExit
-make (const Options *options, const char *model, QnReport *report)
+plan_report (const QnSubcommand *self, const Options *options, const QnProject *project,
+             QnReportTemplate *plan)
 {
+  g_autoptr (GError) error = NULL;
+  if (!qn_report_template_read (plan, project, &error))
+    return qn_cli_fail (g_steal_pointer (&error));
+  if (options->paper != NULL && !qn_paper_parse (options->paper, &plan->paper))
+    return refuse (self, options->paper, _ ("a paper is a4 or letter"));
+  if (options->sections == NULL)
+    return QN_EXIT_DONE;
+  QnExit code = choose_sections (self, options->sections, plan->sections);
+  plan->every_joint = plan->sections[QN_REPORT_JOINTS];
+  return code;
+}
+
+static QnExit
+make (const QnSubcommand *self, const Options *options, const char *model)
+{
+  QnReport report = { 0 };
   guint given = options->results != NULL ? g_strv_length (options->results) : 0;
   g_autofree Item *items = g_new0 (Item, given + 1);
   gsize count = 0;
@@ -133,18 +151,20 @@ make (const Options *options, const char *model, QnReport *report)
   QnExit code = qn_input_load (&input, model, NULL, FALSE);
   if (code != QN_EXIT_DONE)
     return code;
+  code = plan_report (self, options, &input.project, &report.plan);
   for (guint i = 0; i < given && code == QN_EXIT_DONE; i++) {
     code = load_item (&items[i], model, options->results[i]);
     count += code == QN_EXIT_DONE;
   }
-  if (given == 0) {
+  if (given == 0 && code == QN_EXIT_DONE) {
     code = solve (&items[0], model);
     count += code == QN_EXIT_DONE;
   }
   if (code == QN_EXIT_DONE)
-    code = write_report (options, &input, items, count, report);
+    code = write_report (options, &input, items, count, &report);
   for (gsize i = 0; i < count; i++)
     item_clear (&items[i]);
+  qn_report_template_clear (&report.plan);
   qn_input_clear (&input);
   return code;
 }
@@ -153,7 +173,6 @@ static QnExit
 run (const QnSubcommand *self, int argc, char **argv)
 {
   Options options = { 0 };
-  QnReport report = { .paper = QN_PAPER_A4 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Write the report here"), N_ ("OUT.pdf") },
@@ -171,14 +190,9 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
     if (options.output == NULL)
       qn_cli_usage_error (self->name, _ ("--output is missing"));
-    else if (options.paper != NULL && !qn_paper_parse (options.paper, &report.paper))
-      refuse (self, options.paper, _ ("a paper is a4 or letter"));
     else
-      code = choose_sections (self, options.sections, report.sections);
-    report.every_joint = options.sections != NULL && report.sections[QN_REPORT_JOINTS];
+      code = make (self, &options, argv[1]);
   }
-  if (code == QN_EXIT_DONE)
-    code = make (&options, argv[1], &report);
   qn_subcommand_free_values (entries);
   return code;
 }
@@ -187,10 +201,11 @@ const QnSubcommand qn_cmd_report = {
   .name = "report",
   .arguments = "MODEL",
   .summary = N_ ("Write a report on a project and its results as PDF"),
-  .help =
-    N_ ("Model with dimensions, materials, loads, findings, contacts, every result "
-        "with its mechanism and curve, the forces of joints, the independent check of "
-        "each, a comparison, files and versions. A project without a result is "
-        "solved first. Tables of joints are whole where their section is named."),
+  .help = N_ (
+    "Model with dimensions, materials, loads, findings, contacts, every result "
+    "with its mechanism and curve, the forces of joints, the independent check of "
+    "each, a comparison, files and versions. A project without a result is "
+    "solved first. Tables of joints are whole where their section is named. The project "
+    "may keep sections, paper, author and an introduction in \"report\"."),
   .run = run,
 };

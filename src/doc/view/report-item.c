@@ -65,9 +65,13 @@ load_item (QnReportItem *item, QnDocument *document, const QnRun *run,
 }
 
 gboolean
-qn_report_write (QnDocument *document, QnUnits units, QnPaper paper, gboolean every_joint,
-                 const char *path, GError **error)
+qn_report_write (QnDocument *document, QnUnits units, const char *path, GError **error)
 {
+  QnReportTemplate plan;
+  if (!qn_report_template_read (&plan, qn_document_get_project (document), error)) {
+    qn_report_template_clear (&plan);
+    return FALSE;
+  }
   const GPtrArray *all = qn_document_get_runs (document);
   g_autofree QnReportItem *items = g_new0 (QnReportItem, all->len + 1);
   g_autofree QnProject *projects = g_new0 (QnProject, all->len + 1);
@@ -90,17 +94,15 @@ qn_report_write (QnDocument *document, QnUnits units, QnPaper paper, gboolean ev
                       .contacts = qn_document_get_contacts (document),
                       .runs = runs,
                       .run_count = count,
-                      .paper = paper,
-                      .every_joint = every_joint,
+                      .plan = plan,
                       .units = units,
                       .generator = "quoin " QN_VERSION };
-  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
-    report.sections[i] = true;
   g_autoptr (GBytes) bytes = done ? qn_report_encode (&report, error) : NULL;
   gsize length = 0;
   const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
   done = data != NULL && qn_file_replace (path, data, length, error);
   for (guint i = 0; i < count; i++)
     qn_report_item_clear (&items[i]);
+  qn_report_template_clear (&plan);
   return done;
 }

@@ -25,8 +25,9 @@ QnReportRun qn_report_item_get_run (const QnReportItem *item, const QnProject *p
 
 void qn_report_item_clear (QnReportItem *item);
 
-/* Writes the report on the document with all of its runs that belong to the model as it is now. */
-gboolean qn_report_write (QnDocument *document, QnUnits units, QnPaper paper,
-                          gboolean every_joint, const char *path, GError **error);
+/* Writes the report on the document as its template says, with all of its runs that belong to the
+ * model as it is now. */
+gboolean qn_report_write (QnDocument *document, QnUnits units, const char *path,
+                          GError **error);
 
 #endif

@@ -17,11 +17,6 @@
 /* Rows of a table of joints where it is not asked for all; the others are counted. */
 #define MOST_ROWS 120
 
-const char *const qn_report_section_names[] = {
-  "title",   "model",  "materials",   "loads",      "findings", "contacts",
-  "results", "joints", "certificate", "comparison", "files",    NULL,
-};
-
 /* A table that grows by cells. */
 static void
 add_cell (GPtrArray *cells, char *text)
@@ -79,7 +74,11 @@ write_title (QnPages *pages, const QnReport *report)
   qn_pages_title (pages, title_of (report->project));
   g_autofree char *name = g_path_get_basename (report->project->name);
   g_autofree char *by = g_strdup_printf (_ ("%s, made by %s"), name, report->generator);
+  if (report->plan.author != NULL)
+    qn_pages_paragraph (pages, report->plan.author);
   qn_pages_paragraph (pages, by);
+  if (report->plan.text != NULL)
+    qn_pages_paragraph (pages, report->plan.text);
   for (size_t i = 0; i < report->run_count; i++) {
     const QnReportRun *run = &report->runs[i];
     g_autofree char *text = qn_explain_outcome (&run->project->model, &run->file->result);
@@ -301,7 +300,7 @@ set_column (char **cells, size_t rows, size_t columns, size_t column,
 static size_t
 count_rows (const QnReport *report, size_t joints)
 {
-  return report->every_joint ? joints : MIN (joints, MOST_ROWS);
+  return report->plan.every_joint ? joints : MIN (joints, MOST_ROWS);
 }
 
 static void
@@ -595,7 +594,7 @@ write_files (QnPages *pages, const QnReport *report)
 static bool
 write_all (QnPages *pages, const QnReport *report, GError **error)
 {
-  const bool *wanted = report->sections;
+  const bool *wanted = report->plan.sections;
   if (wanted[QN_REPORT_TITLE])
     write_title (pages, report);
   if (wanted[QN_REPORT_MODEL] && !write_model (pages, report, error))
@@ -635,7 +634,7 @@ qn_report_encode (const QnReport *report, GError **error)
   metadata.model_sha256 = report->project->sha256;
   g_autofree char *footer =
     g_strdup_printf ("%s · %s", title_of (report->project), report->generator);
-  QnPages *pages = qn_pages_new (report->paper, footer, &metadata);
+  QnPages *pages = qn_pages_new (report->plan.paper, footer, &metadata);
   bool done = write_all (pages, report, error);
   g_autoptr (GBytes) bytes = qn_pages_finish (pages, done ? error : NULL);
   return done ? g_steal_pointer (&bytes) : NULL;

@@ -5,27 +5,10 @@
 #define QN_DOC_REPORT_H
 
 #include "doc/text/units.h"
+#include "doc/view/report-template.h"
 #include "io/project/project.h"
 #include "io/result/result-check.h"
 #include "render/figure/pages.h"
-
-typedef enum {
-  QN_REPORT_TITLE,
-  QN_REPORT_MODEL,
-  QN_REPORT_MATERIALS,
-  QN_REPORT_LOADS,
-  QN_REPORT_FINDINGS,
-  QN_REPORT_CONTACTS,
-  QN_REPORT_RESULTS,
-  QN_REPORT_JOINTS,
-  QN_REPORT_CERTIFICATE,
-  QN_REPORT_COMPARISON,
-  QN_REPORT_FILES,
-  QN_REPORT_SECTION_COUNT
-} QnReportSection;
-
-/* "title", "model", "materials", …; NULL-terminated, in the order above. */
-extern const char *const qn_report_section_names[];
 
 /* One result with the project as it was computed, overrides included; all borrowed. */
 typedef struct QnReportRun {
@@ -43,9 +26,7 @@ typedef struct QnReport {
   const QnContacts *contacts;
   const QnReportRun *runs;
   size_t run_count;
-  bool sections[QN_REPORT_SECTION_COUNT];
-  bool every_joint; /* tables of joints are whole, however long */
-  QnPaper paper;
+  QnReportTemplate plan; /* borrowed */
   QnUnits units;
   const char *generator; /* "quoin 0.1.0" */
 } QnReport;

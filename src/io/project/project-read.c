@@ -20,9 +20,9 @@ static const char *const model_keys[] = { "format", "version", "title",    "grav
                                           "nodes",  "beams" };
 
 /* Members that the model does not hold: kept and written back as they are. */
-static const char *const upper_keys[] = { "view",           "figures", "guides",
-                                          "underlay",       "history", "capacity",
-                                          QN_MASONRY_MEMBER };
+static const char *const upper_keys[] = { "view",     "figures",        "guides",
+                                          "underlay", "history",        "capacity",
+                                          "report",   QN_MASONRY_MEMBER };
 
 static gboolean
 is_among (const char *key, const char *const *keys, gsize count)

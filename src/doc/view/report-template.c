@@ -1,0 +1,100 @@
+#include "doc/view/report-template.h"
+
+#include "io/project/project-extras.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n.h>
+
+const char *const qn_report_section_names[] = {
+  "title",   "model",  "materials",   "loads",      "findings", "contacts",
+  "results", "joints", "certificate", "comparison", "files",    NULL,
+};
+
+static gboolean
+read_sections (const QnJsonValue *object, QnReportTemplate *plan)
+{
+  QnJsonValue list, element = { 0 };
+  if (!qn_member_array (object, "sections", QN_OPTIONAL, &list))
+    return FALSE;
+  if (list.json == NULL)
+    return TRUE;
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    plan->sections[i] = false;
+  while (qn_json_value_next (&list, &element)) {
+    const char *name = cJSON_IsString (element.json) ? element.json->valuestring : "";
+    int i = 0;
+    while (i < QN_REPORT_SECTION_COUNT && !g_str_equal (qn_report_section_names[i], name))
+      i++;
+    if (i == QN_REPORT_SECTION_COUNT) {
+      g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
+      return qn_json_value_failf (&element, _ ("is none of %s"), known);
+    }
+    plan->sections[i] = true;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_members (const QnJsonValue *place, QnReportTemplate *plan)
+{
+  static const char *const keys[] = { "sections", "paper", "every_joint", "author",
+                                      "text" };
+  static const char *const papers[QN_PAPER_COUNT] = { "a4", "letter" };
+  const char *author = NULL, *text = NULL;
+  if (!qn_json_value_object (place) || !read_sections (place, plan)
+      || !qn_member_choice (place, "paper", QN_OPTIONAL, papers, QN_PAPER_COUNT,
+                            &plan->paper)
+      || !qn_member_bool (place, "every_joint", QN_OPTIONAL, &plan->every_joint)
+      || !qn_member_string (place, "author", QN_OPTIONAL, &author)
+      || !qn_member_string (place, "text", QN_OPTIONAL, &text))
+    return FALSE;
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  plan->author = g_strdup (author);
+  plan->text = g_strdup (text);
+  return TRUE;
+}
+
+gboolean
+qn_report_template_read (QnReportTemplate *plan, const QnProject *project, GError **error)
+{
+  QnReader reader = qn_project_reader (project);
+  *plan = (QnReportTemplate){ .paper = QN_PAPER_A4 };
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    plan->sections[i] = true;
+  QnJsonValue root = qn_json_value_root (&reader, project->extras);
+  QnJsonValue place = qn_json_value_member (&root, QN_REPORT_MEMBER);
+  if (place.json == NULL || read_members (&place, plan))
+    return TRUE;
+  g_propagate_error (error, reader.error);
+  return FALSE;
+}
+
+char *
+qn_report_template_to_json (const QnReportTemplate *plan)
+{
+  GString *json = g_string_new ("{ \"sections\": [");
+  for (int i = 0, count = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    if (plan->sections[i]) {
+      g_string_append (json, count++ > 0 ? ", " : "");
+      qn_json_append_string (json, qn_report_section_names[i]);
+    }
+  g_string_append_c (json, ']');
+  if (plan->paper == QN_PAPER_LETTER)
+    qn_json_put_string (json, "paper", "letter");
+  if (plan->every_joint)
+    g_string_append (json, ", \"every_joint\": true");
+  if (plan->author != NULL)
+    qn_json_put_string (json, "author", plan->author);
+  if (plan->text != NULL)
+    qn_json_put_string (json, "text", plan->text);
+  g_string_append (json, " }");
+  return g_string_free (json, FALSE);
+}
+
+void
+qn_report_template_clear (QnReportTemplate *plan)
+{
+  g_free (plan->author);
+  g_free (plan->text);
+  *plan = (QnReportTemplate){ 0 };
+}
