@@ -148,7 +148,11 @@ check_collapse (QnCheck *check)
   bool is_last = r->outcome == QN_OUTCOME_COLLAPSE && sense * last > 0
                  && check->model->analysis.geometry == QN_GEOMETRY_LINEAR;
   double told = is_last ? last : peak;
-  if (!same_multiplier (r->collapse_multiplier, told)
+  /* A path that gains less than equilibrium may lack does not climb. */
+  double gain = sense * (peak - r->collapse_multiplier);
+  bool is_peak =
+    gain >= 0 && gain <= check->model->analysis.residual_tolerance * fabs (peak);
+  if (!same_multiplier (r->collapse_multiplier, told) && !(is_peak && !is_last)
       && !(r->mechanism_uncertain && same_multiplier (r->collapse_multiplier, peak)))
     qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, told);
 }

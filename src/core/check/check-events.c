@@ -105,13 +105,20 @@ find_start (const QnCheck *check, const Stretch *stretch, const QnPathEvent *eve
   return -1;
 }
 
+/* An equilibrium is known no better than what it may lack: a multiplier that is higher by less is the same
+ * one, as where whole courses slide. */
+static double
+least_climb (const QnCheck *check, const Stretch *stretch, double from)
+{
+  return check->model->analysis.residual_tolerance * fabs (from - stretch->origin);
+}
+
 /* The first step above the one that an event begins at, or the last one. */
 static size_t
 find_end (const QnCheck *check, const Stretch *stretch, size_t start)
 {
   double from = multiplier_at (check, stretch, start);
-  double least =
-    check->model->analysis.residual_tolerance * fabs (from - stretch->origin);
+  double least = least_climb (check, stretch, from);
 
   for (size_t i = start + 1; i < stretch->last; i++)
     if (stretch->sense * (check->result->steps[i].multiplier - from) > least)
@@ -123,10 +130,11 @@ static bool
 climbs_after (const QnCheck *check, const Stretch *stretch, size_t start)
 {
   double highest = multiplier_at (check, stretch, start);
+  double least = least_climb (check, stretch, highest);
 
   for (size_t i = start + 1; i <= stretch->last; i++) {
     double at = check->result->steps[i].multiplier;
-    if (stretch->sense * at > stretch->sense * highest && !same (at, highest))
+    if (stretch->sense * (at - highest) > least && !same (at, highest))
       return true;
   }
   return false;

@@ -326,6 +326,32 @@ test_stop_at_limit_point (void)
 
 /* --- Plateaus, peaks -------------------------------------------------------------------- */
 
+/* Low blocks on each other slide when the live load is their friction, whichever measure is prescribed:
+ * the multiplier that stays is the same, however little it still changes. */
+static void
+test_sliding_courses (void)
+{
+  const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK,
+                                     QN_PROCEDURE_ARC_LENGTH };
+  for (int i = 0; i < 4 * (int) G_N_ELEMENTS (procedures); i++) {
+    QnModel model;
+    QnResult result;
+    double friction = i / 2 % 2 == 0 ? 0.3 : 0.65;
+    test_model_init_stack (&model, 2, 1, 0.25);
+    model.laws[0].friction = friction;
+    model.laws[0].kn = model.laws[0].ks = 1e9;
+    test_model_add_weight_loads (&model, 1);
+    model.analysis.procedure = procedures[i / 4];
+    model.analysis.geometry = i % 2 == 0 ? QN_GEOMETRY_LINEAR : QN_GEOMETRY_NONLINEAR;
+    run (&model, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, friction,
+                                    1e-4 * friction);
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+}
+
 /* Work and arc-length control end on the plateau of a sliding block. */
 static void
 test_plateau (void)
@@ -683,6 +709,7 @@ main (int argc, char **argv)
   g_test_add_func ("/path-control/plateau", test_plateau);
   g_test_add_func ("/path-control/largest-multiplier", test_largest_multiplier);
   g_test_add_func ("/path-control/elastic-member", test_elastic_member_never_collapses);
+  g_test_add_func ("/path-control/sliding-courses", test_sliding_courses);
   g_test_add_func ("/path-control/peak-of-a-wall", test_peak_of_a_wall);
   g_test_add_func ("/path-control/walls-to-collapse", test_walls_to_collapse);
   g_test_add_func ("/path-control/beyond-buckling", test_beyond_buckling);
