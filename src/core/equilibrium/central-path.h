@@ -32,8 +32,6 @@
 
 #include "core/equilibrium/equilibrium.h"
 
-typedef struct QnCentralPath QnCentralPath;
-
 /* Whether the method applies: linear geometry and at least one Coulomb joint. Pairs of other
  * laws take part as Newton's method would have it. */
 bool qn_central_path_applies (const QnAssembly *assembly);
@@ -58,7 +56,15 @@ void qn_central_path_free (QnCentralPath *path);
 QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target,
                                      int budget);
 
-/* The same where one central path leads nowhere, for it turns back: what has slid until there
+/* One viscous step, of qn_equilibrium_relax(), from the current state, which is the anchor: to
+ *
+ *   R(u, lambda) - viscosity C (u - anchor.u) = 0
+ *
+ * and the target. eq->motion is the velocity so far. */
+QnSolveStatus qn_central_path_move (QnCentralPath *path, const QnTarget *target,
+                                    double viscosity, int budget);
+
+/* The same as qn_central_path_solve() where one central path leads nowhere, for it turns back: what has slid until there
  * is committed, and a new one begins. Each is a step of relaxation like those of
  * qn_equilibrium_relax(), and as long as they get no further they grow; a few dozen at
  * most, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has

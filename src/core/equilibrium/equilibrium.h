@@ -55,6 +55,8 @@ qn_target_multiplier (double multiplier)
   return (QnTarget){ .multiplier = multiplier };
 }
 
+typedef struct QnCentralPath QnCentralPath;
+
 typedef struct QnEquilibrium {
   QnAssembly assembly;
   QnLinsys *linsys;
@@ -154,11 +156,12 @@ QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
 /* Lets the structure move from the current state while the target holds, with viscosity that
  * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
- * with eq->motion). Where only rests near by count, `far` is finite: in large displacements what has
+ * with eq->motion). A step that Newton's method does not solve is taken along the central path, unless
+ * that is NULL. Where only rests near by count, `far` is finite: in large displacements what has
  * moved by more, m or characteristic lengths of rotation, moves on; what seems to fall before may still
  * come to rest. FAILED when neither is certain after `budget` viscous steps. */
-QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, double far,
-                                    int budget);
+QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central,
+                                    const QnTarget *target, double far, int budget);
 
 /* Notes how far joints stand open now; and whether one that stands open will close within `horizon`
  * if it goes on as it did since then, in `time_step`. */

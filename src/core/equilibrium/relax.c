@@ -8,7 +8,7 @@
  * Time is counted in units of C / k, with k the mean stiffness of the pairs, so that a
  * viscosity of 1 (a step of 1) is as stiff as the joints themselves.
  */
-#include "core/equilibrium/equilibrium.h"
+#include "core/equilibrium/central-path.h"
 
 #include <string.h>
 
@@ -24,6 +24,14 @@
 #define SLOW    12
 #define LONGER  4
 #define SHORTER 8
+
+/* Factorisations of a step along the central path, after which the next may be so many times as long. */
+#define CENTRAL_BUDGET 60
+#define CENTRAL_LONGER 2
+
+/* Beside central paths: part of itself by which a growing velocity may change in a step. In longer ones
+ * the iteration finds the equilibrium that the structure is leaving. */
+#define FASTER 0.5
 
 /* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
  * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
@@ -221,22 +229,22 @@ target_in_time (const Relaxation *relaxation, const QnTarget *target)
   return now;
 }
 
-/* Chooses the next step by how many iterations the last one took. */
-static void
-adapt_step (Relaxation *relaxation, int iterations)
+/* How many times as long the next step may be, by how many iterations the last one took. */
+static double
+growth (Relaxation *relaxation, int iterations)
 {
   bool may_fail = !relaxation->held && relaxation->waits > 0
                   && relaxation->viscosity / LONGER <= relaxation->failed;
 
   relaxation->waits -= relaxation->waits > 0;
   if (iterations >= SLOW)
-    relaxation->viscosity *= 2;
-  else if (iterations <= QUICK && !may_fail)
-    relaxation->viscosity /= LONGER;
+    return 0.5;
+  return iterations <= QUICK && !may_fail ? LONGER : 1;
 }
 
 QnSolveStatus
-qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, double far, int budget)
+qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget *target,
+                      double far, int budget)
 {
   Relaxation relaxation = { .held = target->direction != NULL,
                             .duration = find_duration (eq, target),
@@ -247,11 +255,17 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, double far, int
   memset (eq->motion, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->motion);
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
+    double speed = relaxation.speed;
     QnTarget now = target_in_time (&relaxation, target);
     begin_step (eq);
     QnSolveStatus status =
       qn_equilibrium_newton (eq, &now, relaxation.viscosity, NEWTON_BUDGET);
+    bool by_central = status == QN_SOLVE_FAILED && central != NULL;
 
+    if (by_central) {
+      qn_equilibrium_set_state (eq, &eq->anchor);
+      status = qn_central_path_move (central, &now, relaxation.viscosity, CENTRAL_BUDGET);
+    }
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;
     if (status == QN_SOLVE_FAILED) {
@@ -274,7 +288,11 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, double far, int
     bool settles = far < INFINITY && qn_equilibrium_motion (eq) < FALL_NEAR * far;
     if (is_mechanism (eq, &relaxation) && !settles)
       return QN_SOLVE_MECHANISM;
-    adapt_step (&relaxation, eq->statistics.iterations - before);
+    double longer = by_central ? CENTRAL_LONGER
+                               : growth (&relaxation, eq->statistics.iterations - before);
+    bool accelerates = central != NULL && speed > 0 && relaxation.speed > speed;
+    relaxation.viscosity /=
+      accelerates ? fmin (longer, FASTER / relaxation.change) : longer;
   }
   return QN_SOLVE_FAILED;
 }

@@ -49,6 +49,7 @@ const QnPathTuning qn_path_tuning = {
   .nearly_settled = 5e-3,
   .settled = 0.1,
   .collapsed_motion = 0.1,
+  .most_above = 4,
   .most_steps = 100000,
 };
 
@@ -517,14 +518,16 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
   double highest = trace->events.highest;
-  double more = path->settings->multiplier_tolerance * fmax (highest, trace->unit);
+  double more =
+    trace->above * path->settings->multiplier_tolerance * fmax (highest, trace->unit);
   double far = tuning->collapsed_motion * eq->assembly.length;
   const QnTarget target = qn_target_multiplier (fmin (highest + more, trace->end));
 
   qn_equilibrium_save (eq, &trace->lower);
   qn_equilibrium_set_state (eq, &trace->highest);
   qn_equilibrium_commit (eq);
-  QnSolveStatus status = qn_equilibrium_relax (eq, &target, far, QN_RELAX_BUDGET);
+  QnSolveStatus status =
+    qn_equilibrium_relax (eq, trace->central, &target, far, QN_RELAX_BUDGET);
 
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_stay (path, far);
@@ -552,6 +555,7 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
   trace->stop = QN_STOP_UNKNOWN;
   trace->means = QN_FOUND_BY_RELAXATION;
   trace->jumped = true;
+  trace->above = fmin (2 * trace->above, tuning->most_above);
   if (!accept (trace))
     return qn_diag_no_memory (diag);
   qn_path_measure_keep_last (&trace->measure);
@@ -610,6 +614,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
                         .long_growth = tuning->long_growth,
+                        .above = 1,
                         .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };

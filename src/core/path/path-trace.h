@@ -84,6 +84,10 @@ typedef struct QnPathTuning {
    * of the characteristic length since its highest multiplier. */
   double collapsed_motion;
 
+  /* Load control in nonlinear geometry holds the load a tolerance above the highest multiplier, after each
+   * rest twice as far, at most so many tolerances. */
+  double most_above;
+
   int most_steps; /* of a path that nothing else ends */
 } QnPathTuning;
 
@@ -116,8 +120,10 @@ typedef struct QnPathTrace {
   double *buckling; /* scratch: the motion in which an unstable equilibrium is left */
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
-  bool straight;          /* the last step went on as the one before */
-  double long_growth;     /* of the work in the next long step */
+  bool straight;      /* the last step went on as the one before */
+  double long_growth; /* of the work in the next long step */
+  double
+    above; /* tolerances by which the load is held above the highest multiplier next */
   int32_t patience;       /* factorisations from which on steps are long */
   double last_multiplier; /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */

@@ -222,7 +222,7 @@ relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
   QnSolveStatus solve;
 
   for (int steps = FIRST_TURN; steps <= LAST_TURN; steps *= 2) {
-    solve = qn_equilibrium_relax (eq, &target, INFINITY, steps);
+    solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, steps);
     if (solve != QN_SOLVE_FAILED)
       return solve;
     qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
@@ -254,7 +254,7 @@ find_rest (QnEquilibrium *eq)
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
     solve = applies ? relax_in_turns (eq, central)
-                    : qn_equilibrium_relax (eq, &target, INFINITY, QN_RELAX_BUDGET);
+                    : qn_equilibrium_relax (eq, NULL, &target, INFINITY, QN_RELAX_BUDGET);
   }
   qn_central_path_free (central);
   return solve;
@@ -274,7 +274,7 @@ qn_path_stay (QnPath *path, double far)
   for (int32_t i = 0; i < as->unknown_count; i++)
     eq->u[i] += LEAN * far * eq->motion[i];
   solve = qn_assembly_evaluate (&eq->assembly, eq->u)
-            ? qn_equilibrium_relax (eq, &target, far, QN_RELAX_BUDGET)
+            ? qn_equilibrium_relax (eq, NULL, &target, far, QN_RELAX_BUDGET)
             : QN_SOLVE_FAILED;
   if (solve == QN_SOLVE_CONVERGED)
     solve = qn_path_judge_stability (path, NULL);
