@@ -25,13 +25,11 @@
 #define LONGER  4
 #define SHORTER 8
 
-/* Factorisations of a step along the central path, after which the next may be so many times as long. */
+/* Factorisations of a step along the central path, after which the next may be so many times as long. Small
+ * structures rest or fall within the first steps, which are cheaper by Newton's method alone. */
 #define CENTRAL_BUDGET 60
 #define CENTRAL_LONGER 2
-
-/* Beside central paths: part of itself by which a growing velocity may change in a step. In longer ones
- * the iteration finds the equilibrium that the structure is leaving. */
-#define FASTER 0.5
+#define CENTRAL_FROM   40
 
 /* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
  * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
@@ -255,12 +253,12 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
   memset (eq->motion, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->motion);
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
-    double speed = relaxation.speed;
     QnTarget now = target_in_time (&relaxation, target);
     begin_step (eq);
     QnSolveStatus status =
       qn_equilibrium_newton (eq, &now, relaxation.viscosity, NEWTON_BUDGET);
-    bool by_central = status == QN_SOLVE_FAILED && central != NULL;
+    bool by_central =
+      status == QN_SOLVE_FAILED && central != NULL && step >= CENTRAL_FROM;
 
     if (by_central) {
       qn_equilibrium_set_state (eq, &eq->anchor);
@@ -288,11 +286,9 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     bool settles = far < INFINITY && qn_equilibrium_motion (eq) < FALL_NEAR * far;
     if (is_mechanism (eq, &relaxation) && !settles)
       return QN_SOLVE_MECHANISM;
-    double longer = by_central ? CENTRAL_LONGER
-                               : growth (&relaxation, eq->statistics.iterations - before);
-    bool accelerates = central != NULL && speed > 0 && relaxation.speed > speed;
-    relaxation.viscosity /=
-      accelerates ? fmin (longer, FASTER / relaxation.change) : longer;
+    relaxation.viscosity /= by_central
+                              ? CENTRAL_LONGER
+                              : growth (&relaxation, eq->statistics.iterations - before);
   }
   return QN_SOLVE_FAILED;
 }

@@ -276,13 +276,14 @@ qn_path_stay (QnPath *path, double far)
   solve = qn_assembly_evaluate (&eq->assembly, eq->u)
             ? qn_equilibrium_relax (eq, NULL, &target, far, QN_RELAX_BUDGET)
             : QN_SOLVE_FAILED;
+  bool falls = solve == QN_SOLVE_MECHANISM; /* in this motion */
   if (solve == QN_SOLVE_CONVERGED)
     solve = qn_path_judge_stability (path, NULL);
   if (solve == QN_SOLVE_CONVERGED || solve == QN_SOLVE_CANCELLED
       || solve == QN_SOLVE_NO_MEMORY)
     return solve;
   qn_equilibrium_restore (eq);
-  return qn_path_judge_stability (path, NULL);
+  return falls ? solve : qn_path_judge_stability (path, NULL);
 }
 
 QnStatus

@@ -107,7 +107,7 @@ static void
 test_bad_input (void)
 {
   expect_error ("[1.25, 1.5], [1.25, 0.5]", "[0.25, 1.5]",
-                "parameters[0].along: ", "two points");
+                "parameters[0].along: ", "two different points");
   expect_error ("[0.25, 1.5]", "[0.25]", "parameters[0].along[0]: ", "");
   expect_error ("\"steps\": 5", "\"steps\": 1", "parameters[0].along: ", "2 steps");
   expect_error (", \"steps\": 5", "", "steps", "required");
