@@ -3,8 +3,10 @@
 #include "driver.h"
 
 #include "app/dialogs/dialogs.h"
+#include "support/scratch.h"
 
 #include <glib/gstdio.h>
+#include <string.h>
 
 /* A button or an item of a menu that is on the screen, by its label. */
 static gboolean
@@ -121,6 +123,74 @@ test_comparison (void)
   driver_discard (window);
 }
 
+/* Drops files on a widget, as its drop target hears of it. */
+static void
+drop_files (GtkWidget *widget, const char *const *paths)
+{
+  g_autoptr (GListModel) controllers = gtk_widget_observe_controllers (widget);
+  g_auto (GValue) value = G_VALUE_INIT;
+  GSList *files = NULL;
+  for (; *paths != NULL; paths++)
+    files = g_slist_append (files, g_file_new_for_path (*paths));
+  g_value_init (&value, GDK_TYPE_FILE_LIST);
+  g_value_take_boxed (&value, gdk_file_list_new_from_list (files));
+  g_slist_free_full (files, g_object_unref);
+  gboolean taken = FALSE;
+  for (guint i = 0; i < g_list_model_get_n_items (controllers); i++) {
+    g_autoptr (GObject) controller = g_list_model_get_item (controllers, i);
+    if (GTK_IS_DROP_TARGET (controller))
+      g_signal_emit_by_name (controller, "drop", &value, 10.0, 10.0, &taken);
+  }
+  g_assert_true (taken);
+}
+
+static gboolean
+is_trouble (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_LABEL (widget)
+         && g_str_has_prefix (gtk_label_get_text (GTK_LABEL (widget)), "⚠");
+}
+
+static gboolean
+has_two_pictures (gpointer dialog)
+{
+  GtkWidget *cell = driver_find_widget (dialog, driver_is_cell, NULL);
+  GtkWidget *next = cell != NULL ? gtk_widget_get_next_sibling (cell) : NULL;
+  return next != NULL && driver_is_cell (next, NULL)
+         && driver_find_widget (dialog, is_trouble, NULL) != NULL;
+}
+
+/* A folder and a file are dropped; of the folder what is no project is passed over, and a broken
+ * project is told of, once. */
+static void
+test_dropped_files (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *broken = g_build_filename (folder, "broken.quoin", NULL);
+  g_autofree char *other = g_build_filename (folder, "readme.txt", NULL);
+  g_autofree char *good = g_build_filename (folder, "good.quoin", NULL);
+  g_autofree char *example = driver_example_path ("05-stack.quoin");
+  g_autofree char *single = driver_example_path ("01-sliding-block.quoin");
+  g_autofree char *text = NULL;
+  g_assert_true (g_file_get_contents (example, &text, NULL, NULL));
+  g_assert_true (g_file_set_contents (good, text, -1, NULL));
+  g_assert_true (g_file_set_contents (broken, "{ \"format\": \"quoin\",", -1, NULL));
+  g_assert_true (g_file_set_contents (other, "nothing", -1, NULL));
+
+  QnWindow *window = driver_open_window (1280, 800);
+  driver_activate (window, "win.compare");
+  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  g_assert_nonnull (dialog);
+  drop_files (dialog, (const char *const[]){ folder, single, NULL });
+  driver_wait (has_two_pictures, dialog);
+  const char *told =
+    gtk_label_get_text (GTK_LABEL (driver_find_widget (dialog, is_trouble, NULL)));
+  g_assert_nonnull (strstr (told, "broken.quoin"));
+  g_assert_null (strchr (told, '\n'));
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -129,5 +199,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/tasks/wall", test_wall);
   g_test_add_func ("/app/tasks/mortar", test_mortar);
   g_test_add_func ("/app/tasks/comparison", test_comparison);
+  g_test_add_func ("/app/tasks/dropped-files", test_dropped_files);
   return g_test_run ();
 }

@@ -453,7 +453,7 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
     self->is_small = small;
     gtk_widget_set_visible (self->open_button, !small);
     gtk_widget_set_visible (self->save_button, !small);
-    gtk_label_set_width_chars (self->progress_label, small ? 8 : PROGRESS_CHARS);
+    gtk_label_set_width_chars (self->progress_label, small ? 3 : PROGRESS_CHARS);
     update_title (self);
   }
   if (narrow == self->is_narrow)
