@@ -8,6 +8,11 @@
  * structure begins to move. */
 #define RATE 0.02
 
+/* A load higher by this part pushes a structure on along its mechanism, when it has gone by these parts of
+ * the characteristic length. */
+#define MORE 1e-3
+static const double ways[] = { 1e-4, 1e-3 };
+
 /* Rates at which a pair may part and slide when it has this force. */
 typedef struct {
   bool opens, closes,
@@ -79,6 +84,21 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                    opens ? rate[0] : rate[1], 0);
 }
 
+/* The load sets that the last stage drives, and all factors when it began. */
+static uint32_t
+find_driven (const QnCheck *check, double before[QN_MAX_LOAD_SETS])
+{
+  const QnResult *result = check->result;
+  size_t first = result->step_count - 1;
+  int32_t stage = result->steps[first].stage;
+
+  while (first > 0 && result->steps[first - 1].stage == stage)
+    first--;
+  if (first > 0 && stage > 0)
+    qn_result_load_factors (check->model, result, first - 1, before);
+  return stage > 0 ? check->model->stages[stage - 1].sets : 1;
+}
+
 /* Power of the loads that the last stage drives, in the sense in which they grow. A path that was followed
  * until its load had fallen ends in a motion that other loads may drive. */
 static void
@@ -88,18 +108,13 @@ check_work (QnCheck *check)
   const QnResult *result = check->result;
   double factors[QN_MAX_LOAD_SETS] = { 0 }, none[QN_MAX_LOAD_SETS] = { 0 };
   double before[QN_MAX_LOAD_SETS] = { 0 }, power = 0, largest = 0;
-  size_t first = result->step_count - 1;
-  int32_t stage = result->steps[first].stage;
-  uint32_t sets = stage > 0 ? check->model->stages[stage - 1].sets : 1;
+  uint32_t sets = find_driven (check, before);
 
   if (!qn_model_sets_have_force (check->model, sets)
-      || fabs (result->steps[first].multiplier - result->collapse_multiplier)
+      || fabs (result->steps[result->step_count - 1].multiplier
+               - result->collapse_multiplier)
            > 0.5 * fabs (result->collapse_multiplier))
     return;
-  while (first > 0 && result->steps[first - 1].stage == stage)
-    first--;
-  if (first > 0 && stage > 0)
-    qn_result_load_factors (check->model, result, first - 1, before);
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
     if ((sets >> set & 1) != 0)
       factors[set] = result->collapse_multiplier >= before[set] ? 1 : -1;
@@ -133,6 +148,39 @@ qn_check_bodies (QnCheck *check)
                           check->rows[i]);
 }
 
+/* In large displacements elastic joints give as the structure moves on, by more than RATE. What proves the
+ * motion then is its second-order work: displaced along it, with the laws' answer to that from the last
+ * step on, the structure is pushed further by the loads. (Hill 1958, A general theory of uniqueness and
+ * stability in elastic-plastic solids, J. Mech. Phys. Solids 6.) */
+static void
+check_second_order_work (QnCheck *check)
+{
+  QnAssembly *as = &check->assembly;
+  double *moved = check->residual, none[QN_MAX_LOAD_SETS] = { 0 };
+  double factors[QN_MAX_LOAD_SETS] = { 0 }, before[QN_MAX_LOAD_SETS] = { 0 };
+  double speed = qn_assembly_largest (as, check->velocity, NULL);
+  uint32_t sets = find_driven (check, before);
+  QnId last = (QnId) check->result->step_count - 1;
+
+  qn_result_load_factors (check->model, check->result, (size_t) last, factors);
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    if ((sets >> set & 1) != 0)
+      factors[set] += MORE * (factors[set] - before[set]);
+  qn_assembly_set_loads (as, factors, none);
+  for (size_t k = 0; k < sizeof ways / sizeof *ways; k++) {
+    double power = 0;
+    for (int32_t i = 0; i < as->unknown_count; i++)
+      moved[i] = check->u[i] + ways[k] * as->length / speed * check->velocity[i];
+    if (!qn_assembly_evaluate (as, moved))
+      power = NAN;
+    qn_assembly_residual (as, 0, check->residual);
+    for (int32_t i = 0; i < as->unknown_count; i++)
+      power += check->residual[i] * check->velocity[i];
+    if (!(power > 0))
+      qn_check_tell_model (check, QN_CLAIM_WORK, last, power, 0);
+  }
+}
+
 void
 qn_check_mechanism (QnCheck *check)
 {
@@ -148,6 +196,10 @@ qn_check_mechanism (QnCheck *check)
   check_work (check);
   if (result->mechanism_uncertain)
     return;
+  if (result->mechanism_by_work && as->nonlinear) {
+    check_second_order_work (check);
+    return;
+  }
   double *rates = check->forces;
   double none = RATE * qn_largest (check->velocity, (size_t) as->unknown_count);
   qn_assembly_elongation_rates (as, check->velocity, rates);

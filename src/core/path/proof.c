@@ -35,6 +35,25 @@ keep_what_is_true (const QnModel *model, const QnContacts *contacts, QnResult *r
   return QN_OK;
 }
 
+/* A mechanism in large displacements in which joints do not flow as rigid blocks would have it: proved by
+ * its second-order work, or uncertain. */
+static QnStatus
+prove_by_work (const QnModel *model, const QnContacts *contacts, QnResult *result,
+               QnDiag *diag)
+{
+  QnResultFaults faults;
+
+  result->mechanism_uncertain = false;
+  result->mechanism_by_work = true;
+  QnStatus status =
+    qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
+  for (int i = 0; status == QN_OK && i < faults.count; i++)
+    if (faults.items[i].claim != QN_CLAIM_FIRST_LIMIT)
+      result->mechanism_uncertain = true;
+  result->mechanism_by_work = !result->mechanism_uncertain;
+  return status;
+}
+
 QnStatus
 qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *result,
                  QnDiag *diag)
@@ -58,6 +77,10 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
     else
       stands = false;
   }
+  if (status == QN_OK && stands && result->mechanism_uncertain
+      && result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0
+      && model->analysis.geometry == QN_GEOMETRY_NONLINEAR)
+    return prove_by_work (model, contacts, result, diag);
   if (status != QN_OK || stands)
     return status;
   /* A result of which nothing is concluded. */

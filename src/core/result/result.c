@@ -151,7 +151,7 @@ void
 qn_result_clear_collapse (QnResult *result)
 {
   result->has_collapse_multiplier = result->has_first_limit_multiplier = false;
-  result->mechanism_uncertain = false;
+  result->mechanism_uncertain = result->mechanism_by_work = false;
   result->solution_count = 0;
   free (result->mechanism);
   result->mechanism = NULL;

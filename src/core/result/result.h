@@ -299,6 +299,10 @@ typedef struct QnResult {
   bool mechanism_uncertain; /* how the structure moves on was not settled: the mechanism
                                is its motion as far as it was followed */
 
+  bool
+    mechanism_by_work; /* in large displacements: joints give a little in the mechanism; its
+                               second-order work proves it, not their flow */
+
   QnId *unstable_blocks; /* DEAD_LOAD_UNSTABLE: blocks that move, most moved first */
   size_t unstable_count;
 

@@ -501,6 +501,7 @@ read_document (QnJsonStream *stream, gpointer target)
     { "stability", read_stability, RESULT (stability), QN_JSON_OPTIONAL },
     { "mechanism", read_mechanism, 0, QN_JSON_OPTIONAL },
     { "mechanism_uncertain", read_true, RESULT (mechanism_uncertain), QN_JSON_OPTIONAL },
+    { "mechanism_by_work", read_true, RESULT (mechanism_by_work), QN_JSON_OPTIONAL },
     { "node_mechanism", read_row, OF (node_mechanism), QN_JSON_EACH },
     { "history", qn_result_history_read, OF (history), QN_JSON_OPTIONAL },
     { "timings", read_statistics, RESULT (statistics), QN_JSON_OPTIONAL },

@@ -382,6 +382,8 @@ write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *c
   qn_file_writer_puts (writer, ",\n");
   if (result->mechanism_uncertain)
     qn_file_writer_puts (writer, "  \"mechanism_uncertain\": true,\n");
+  if (result->mechanism_by_work)
+    qn_file_writer_puts (writer, "  \"mechanism_by_work\": true,\n");
   if (result->node_count > 0) {
     qn_file_writer_puts (writer, "  \"node_mechanism\": ");
     write_rows (writer, result->mechanism + result->block_count * QN_DOF_COUNT,

@@ -11,7 +11,7 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
   fixture->project.overrides = g_strsplit ("analysis.snap=stop", "|", -1);
-  fixture->result.mechanism_uncertain = true;
+  fixture->result.mechanism_uncertain = fixture->result.mechanism_by_work = true;
   char *text = result_fixture_dup_text (fixture);
   QnResultFile file;
   GError *error = NULL;
@@ -52,6 +52,7 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
   g_assert_cmpmem (read->mechanism, 6 * sizeof (double), written->mechanism,
                    6 * sizeof (double));
   g_assert_true (read->mechanism_uncertain);
+  g_assert_true (read->mechanism_by_work);
   g_assert_cmpuint (read->pair_count, ==, 2);
   for (size_t i = 0; i < 2; i++) {
     g_assert_cmpint (read->pairs[i].state, ==, written->pairs[i].state);
@@ -213,6 +214,7 @@ test_further (void)
   g_assert_cmpint (result->steps[0].stage, ==, 2);
   g_assert_true (result->steps[0].relaxed);
   g_assert_false (result->mechanism_uncertain);
+  g_assert_false (result->mechanism_by_work);
   g_assert_cmpfloat (result->mechanism[2 * 3 + 1], ==, 1);
   g_assert_cmpint (result->events[0].kind, ==, QN_EVENT_KIND_LOCAL);
   qn_result_file_clear (&file);

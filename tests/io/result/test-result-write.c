@@ -100,9 +100,11 @@ test_uncertain_mechanism (ResultFixture *fixture, gconstpointer data)
   (void) data;
   char *certain = result_fixture_dup_text (fixture);
   g_assert_null (strstr (certain, "uncertain"));
-  fixture->result.mechanism_uncertain = true;
+  g_assert_null (strstr (certain, "by_work"));
+  fixture->result.mechanism_uncertain = fixture->result.mechanism_by_work = true;
   char *text = result_fixture_dup_text (fixture);
   g_assert_nonnull (strstr (text, "\"mechanism_uncertain\": true,"));
+  g_assert_nonnull (strstr (text, "\"mechanism_by_work\": true,"));
   g_assert_nonnull (strstr (text, "How the structure moves further was not determined"));
   g_free (certain);
   g_free (text);
