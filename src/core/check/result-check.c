@@ -329,7 +329,7 @@ find_scale (QnCheck *check, size_t step)
   return scale;
 }
 
-/* The inclined branch of steel has no end of its own: beyond its strength there is none. */
+/* What steel is beyond its strength. */
 static double
 steel_excess (const QnSpring *spring, double normal)
 {

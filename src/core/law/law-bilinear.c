@@ -1,7 +1,7 @@
 /* Elastic, then linear kinematic hardening, the same in tension and compression.
  *
  *   force       n = kn (q - p)                  p: plastic elongation
- *   back force  x = kn r / (1 - r) p            r: hardening, 0 <= r < 1
+ *   back force  x = kn r / (1 - r) p            r: hardening, 0 <= r < 1; of steel |x| <= nu - ny
  *   yield       |n - x| <= ny
  *   flow        dp in the direction of n - x
  *
@@ -10,7 +10,8 @@
  * that yield in the other direction begins 2 ny below. Because the back force is proportional
  * to p, the plastic elongation is all there is to remember. Return mapping in closed form:
  *
- *   y = |kn (q - p) - x| - ny > 0:   |dp| = y (1 - r) / kn,   dn/dq = r kn
+ *   |kn (q - p) - x| > ny:   p = (1 - r) (q -+ ny / kn),   n = x +- ny,   dn/dq = r kn
+ *   |x| = nu - ny:           p = q - n / kn,               n = x +- ny,   dn/dq = 0
  *
  * Source: Simo & Hughes, Computational Inelasticity (1998), section 1.4. Shear is elastic.
  */
@@ -18,28 +19,44 @@
 
 #include <math.h>
 
+/* As if it had no end. */
+static double
+back_force (const QnSpring *s, double plastic)
+{
+  return s->kn * s->hardening / (1 - s->hardening) * plastic;
+}
+
 void
 qn_law_bilinear_evaluate (const QnSpring *s, const QnSpringMemory *committed,
                           const double q[2], QnSpringResponse *r)
 {
-  double back = s->kn * s->hardening / (1 - s->hardening);
+  double most = s->strength - s->yield;
+  double back = fmax (-most, fmin (most, back_force (s, committed->opening)));
   double trial = s->kn * (q[0] - committed->opening);
-  double relative = trial - back * committed->opening;
-  double excess = fabs (relative) - s->yield;
+  double relative = trial - back;
 
   *r = (QnSpringResponse){ .force = { trial, s->ks * q[1] },
                            .tangent = { { s->kn, 0 }, { 0, s->ks } },
                            .memory = *committed,
                            .phase = QN_PHASE_STICK };
-  if (excess <= 0)
+  if (fabs (relative) <= s->yield)
     return;
 
   double sign = relative < 0 ? -1 : 1;
-  r->memory.opening += sign * excess * (1 - s->hardening) / s->kn;
+  double plastic = (1 - s->hardening) * (q[0] - sign * s->yield / s->kn);
   /* On the yield line itself, so that rounding does not add up over many steps. */
-  r->force[0] = sign * s->yield + back * r->memory.opening;
-  r->tangent[0][0] = s->hardening * s->kn;
-  r->phase = sign > 0 ? QN_PHASE_YIELD_POSITIVE : QN_PHASE_YIELD_NEGATIVE;
+  back = back_force (s, plastic);
+  if (fabs (back) <= most) {
+    r->force[0] = sign * s->yield + back;
+    r->memory.opening = plastic;
+    r->tangent[0][0] = s->hardening * s->kn;
+    r->phase = sign > 0 ? QN_PHASE_YIELD_POSITIVE : QN_PHASE_YIELD_NEGATIVE;
+  } else {
+    r->force[0] = sign * s->yield + copysign (most, back);
+    r->memory.opening = q[0] - r->force[0] / s->kn;
+    r->tangent[0][0] = 0;
+    r->phase = QN_PHASE_YIELD_FULLY;
+  }
 }
 
 static QnStatus
@@ -56,6 +73,7 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   spring->yield = law->yield * scale.force;
   spring->hardening = law->hardening;
+  spring->strength = INFINITY;
 }
 
 static const QnLawParameter parameters[] = {

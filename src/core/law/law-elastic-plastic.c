@@ -8,6 +8,7 @@ static void
 resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   spring->yield = law->yield * scale.force;
+  spring->strength = INFINITY;
 }
 
 static const QnLawParameter parameters[] = {

@@ -1,14 +1,16 @@
 /* Steel: bilinear from yield to strength, with kinematic hardening; a bar may break.
  *
- *   monotonic   kn q up to ny, then straight to the strength nu at the ultimate elongation qu
- *   cyclic      as law-bilinear.c: elastic range 2 ny wide, moving with the plastic elongation
+ *   monotonic   kn q up to ny, then straight to the strength nu at the ultimate elongation qu, and
+ *               nu from there on
+ *   cyclic      as law-bilinear.c: elastic range 2 ny wide, about a back force that grows with the
+ *               plastic elongation up to nu - ny
  *   breaking    beyond qu, where a fracture energy G is given: straight down to nothing at
  *               qr = qu - nu / kn + 2 G / nu, so that the plastic work after qu is G
  *
- * The damage of a breaking bar is told by the largest elongation e that it has seen: the
- * bilinear force is multiplied by
+ * The damage of a breaking bar is told by the largest elongation e that it has seen: the force is
+ * multiplied by
  *
- *   phi(e) = nu (qr - e) / (qr - qu) / b(e),   b(e) = ny + r kn (e - ny / kn),   qu <= e <= qr
+ *   phi(e) = (qr - e) / (qr - qu),   qu <= e <= qr
  *
  * which gives the straight descent in monotonic loading, and nothing for e >= qr. Bars do not
  * break in compression. The diagram is that of EN 1992-1-1, 3.2.7, figure 3.8; the breaking
@@ -40,11 +42,8 @@ damage_factor (const QnSpring *s, double e, double *slope)
     return 1;
   if (e >= end)
     return 0;
-  double descent = s->strength / (end - s->ultimate), tangent = s->hardening * s->kn;
-  double target = descent * (end - e),
-         virgin = s->yield + tangent * (e - s->yield / s->kn);
-  *slope = -descent / virgin - target * tangent / (virgin * virgin);
-  return target / virgin;
+  *slope = -1 / (end - s->ultimate);
+  return *slope * (e - end);
 }
 
 static void

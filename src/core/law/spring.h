@@ -57,6 +57,7 @@ typedef enum {
   QN_PHASE_OPEN_SLIP_NEGATIVE,
   QN_PHASE_YIELD_POSITIVE, /* plastic in tension */
   QN_PHASE_YIELD_NEGATIVE, /* plastic in compression */
+  QN_PHASE_YIELD_FULLY,    /* plastic without hardening any more, either way */
   QN_PHASE_CURVED,         /* on a branch that is no straight line */
   QN_PHASE_SOFTEN,         /* a crack opens, a bar breaks */
   QN_PHASE_CRACKED,        /* a crack closes or reopens, still carrying tension */
