@@ -69,7 +69,7 @@ test_draw (void)
   g_assert_cmpuint (selected_beams (window), ==, 3);
   double before = model_of (window)->nodes[0].at.x;
   driver_key ("Right");
-  g_assert_cmpstr (driver_last_step (window), ==, "Nudge");
+  g_assert_cmpstr (driver_last_step (window), ==, "Move");
   double step = model_of (window)->nodes[0].at.x - before;
   g_assert_cmpfloat (step, >, 0.0);
   g_assert_cmpfloat_with_epsilon (model_of (window)->nodes[2].at.x, 3.5 + step, 1e-9);

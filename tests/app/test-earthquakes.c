@@ -389,7 +389,7 @@ test_capacity (void)
   driver_wait (has_note, dialog);
 
   /* The selected block is controlled; one that is not there is refused. */
-  driver_press (dialog, "Take Selected Block");
+  driver_press (dialog, "Use Selected Block");
   driver_run (100);
   driver_press (dialog, "Compute Curve");
   driver_wait (has_ratio, dialog);

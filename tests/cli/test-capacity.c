@@ -181,9 +181,9 @@ test_ends (void)
   const struct {
     const char *set, *reason;
   } rows[] = {
-    { "analysis.max_factorizations=3", "max_factorizations (3) is spent" },
-    { "analysis.max_factorizations=12", "max_factorizations (12) is spent" },
-    { "analysis.max_seconds=1e-6", "max_seconds (1e-06) is spent" },
+    { "analysis.max_factorizations=3", "max_factorizations (3) was reached" },
+    { "analysis.max_factorizations=12", "max_factorizations (12) was reached" },
+    { "analysis.max_seconds=1e-6", "max_seconds (1e-06) was reached" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++)
     cli_fails (4, rows[i].reason, "capacity", model, "--set", rows[i].set, NULL);

@@ -49,7 +49,7 @@ test_whole (void)
   assert_words (one,
                 WORDS ("Semicircular arch", "Materials", "Loads and Analysis", "Findings",
                        "Contacts", "Collapse at a load multiplier of 0.2864",
-                       "Hinging like an arch", "Mechanism",
+                       "Hinges as in an arch", "Mechanism",
                        "Forces of joints: Analysis of the project", "M (kN·m)", "e (mm)",
                        "State", "Independent Check", "Analysis of the project: passed",
                        "Files and Versions", "voussoir 2"),

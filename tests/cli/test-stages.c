@@ -19,7 +19,7 @@ test_refused (void)
     { "16-load-stages.quoin", "analysis.stages=[{\"loads\":\"wind\",\"target\":1}]",
       "no load set has this name" },
     { "16-load-stages.quoin", "analysis.stages=[{\"loads\":[],\"target\":1}]",
-      "stage drives no load set" },
+      "stage applies no load set" },
     { "16-load-stages.quoin",
       "analysis.stages=[{\"loads\":[\"top\",\"top\"],\"target\":1}]",
       "load set is named twice" },
@@ -31,7 +31,7 @@ test_refused (void)
     { "16-load-stages.quoin",
       "analysis.stages=[{\"loads\":\"top\",\"target\":1},{\"loads\":[\"top\",\"push\"],"
       "\"target\":2}]",
-      "load sets of the stage stand at different multipliers" },
+      "load sets of the stage have different multipliers" },
     { "16-load-stages.quoin",
       "analysis.stages=[{\"loads\":\"push\",\"procedure\":\"displacement\"}]",
       "procedure needs a control block and target" },
@@ -138,7 +138,7 @@ test_stability (void)
   g_autofree char *column = example ("21-column-pinned.quoin");
   g_autofree char *staged = example ("16-load-stages.quoin");
   cli_says ("stability is lost at load multiplier 2470", "stability", column, NULL);
-  cli_says ("stable all along", "stability", column, "--set",
+  cli_says ("stable along the whole path", "stability", column, "--set",
             "analysis.max_multiplier=2000", NULL);
   CliRun run =
     cli_run ("stability", staged, "--set", "analysis.geometry=nonlinear", NULL);

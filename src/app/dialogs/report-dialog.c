@@ -41,8 +41,8 @@ keep (Dialog *dialog, GError **error)
   g_autofree char *wanted = qn_report_template_to_json (&plan);
   gboolean done =
     (was_sound && g_str_equal (kept, wanted))
-    || qn_document_edit_extra (dialog->document, _ ("Change What the Report Holds"), NULL,
-                               QN_REPORT_MEMBER, wanted, error);
+    || qn_document_edit_extra (dialog->document, _ ("Change Contents of the Report"),
+                               NULL, QN_REPORT_MEMBER, wanted, error);
   qn_report_template_clear (&before);
   qn_report_template_clear (&plan);
   return done;

@@ -18,7 +18,7 @@ show_progress (QnStudyWindow *self, const QnStudyProgress *progress)
                    progress->wanted, progress->failed);
   if (self->job != NULL && !isnan (progress->to_go) && progress->present > 0) {
     guint seconds = (guint) qn_to_integer (progress->to_go, 0, G_MAXINT32);
-    g_string_append_printf (text, _ (", %u:%02u:%02u to go"), seconds / 3600,
+    g_string_append_printf (text, _ (", %u:%02u:%02u left"), seconds / 3600,
                             seconds / 60 % 60, seconds % 60);
   }
   qn_study_window_tell (self, text->str);

@@ -283,7 +283,7 @@ import_file (GFile *file, gpointer data)
   Form *form = data;
   g_autofree char *path = g_file_get_path (file);
   if (path == NULL)
-    qn_canvas_tell (form->base.canvas, _ ("Only files of this computer can be read"));
+    qn_canvas_tell (form->base.canvas, _ ("Only local files can be read"));
   else if (qn_canvas_edit (form->base.canvas, _ ("Import Ground Motion"), NULL,
                            add_record, path)) {
     form->selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;

@@ -62,7 +62,7 @@ static const QnFormField fields[] = {
   [LAW] = { .id = "law" },
   [NAME] = { .id = "name", .step = N_ ("Rename Law") },
   [SOURCE] = { .id = "source", .step = N_ ("Change Source") },
-  [JOINT] = { .id = "joint", .step = N_ ("Take Joint") },
+  [JOINT] = { .id = "joint", .step = N_ ("Use Typical Joint") },
   [KIND] = { .id = "kind", .step = N_ ("Change Law") },
   [BASIS] = { .id = "basis", .step = N_ ("Change Law") },
   [POINTS] = { .id = "points", .step = N_ ("Change Law") },

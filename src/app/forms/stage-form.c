@@ -122,9 +122,9 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
   case CONTROL:
     if (controlled)
       value->text = stage->control_block != QN_NONE
-                      ? g_strdup_printf (_ ("Followed: block %s"),
+                      ? g_strdup_printf (_ ("Control block: %s"),
                                          model->blocks[stage->control_block].name)
-                      : g_strdup_printf (_ ("Followed: node %s"),
+                      : g_strdup_printf (_ ("Control node: %s"),
                                          model->nodes[stage->control_node].name);
     return controlled;
   case INCREMENTS:

@@ -40,8 +40,8 @@ draw (QnCanvas *canvas, cairo_t *cr)
 const QnTool qn_tool_path = {
   .name = "path",
   .icon = "quoin-force-symbolic",
-  .label = N_ ("Way of a Moving Load"),
-  .hint = N_ ("Click along the way of the load; double click or press Enter at its end"),
+  .label = N_ ("Path of a Moving Load"),
+  .hint = N_ ("Click along the path of the load; double click or press Enter at its end"),
   .accel = "",
   .magnetic = TRUE,
   .numbers_label = N_ ("right; up"),

@@ -298,7 +298,7 @@ build (Bar *bar)
   g_signal_connect (bar->scale, "committed", G_CALLBACK (on_scale), bar);
   gtk_widget_set_tooltip_text (
     GTK_WIDGET (bar->scale),
-    _ ("Displacements are drawn so many times larger; 0: as much as fits all steps"));
+    _ ("Factor on the displacements drawn; 0: one that fits all steps"));
   GtkWidget *label = gtk_label_new (_ ("Displacements ×"));
   gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_START);
   gtk_label_set_width_chars (GTK_LABEL (label), 2);

@@ -410,7 +410,7 @@ qn_step_table_new (QnViewState *state)
     .columns = { [STEP] = { N_ ("Step"), QN_QUANTITY_NUMBER },
                  [STAGE] = { N_ ("Stage"), QN_QUANTITY_NUMBER },
                  [MULTIPLIER] = { N_ ("Multiplier or time"), QN_QUANTITY_NUMBER },
-                 [DISPLACEMENT] = { N_ ("Largest motion"), QN_QUANTITY_LENGTH },
+                 [DISPLACEMENT] = { N_ ("Largest displacement"), QN_QUANTITY_LENGTH },
                  [ITERATIONS] = { N_ ("Iterations"), QN_QUANTITY_NUMBER },
                  [EVENT] = { N_ ("Event"), QN_QUANTITY_NUMBER } },
     .column_count = STEP_COLUMNS,

@@ -134,7 +134,7 @@ const QnActionRow qn_action_rows[] = {
   { .name = "win.nudge((1.0,0.0))", .keys = "Right", .reach = QN_REACH_DRAWING },
   { .name = "win.nudge((0.0,1.0))", .keys = "Up", .reach = QN_REACH_DRAWING },
   { .name = "win.nudge((0.0,-1.0))", .keys = "Down", .reach = QN_REACH_DRAWING },
-  { .keys = "Left Right Up Down", .group = QN_GROUP_EDITING, .label = N_ ("Nudge") },
+  { .keys = "Left Right Up Down", .group = QN_GROUP_EDITING, .label = N_ ("Move what is selected") },
   { .keys = "Left Right Up Down",
     .group = QN_GROUP_EDITING,
     .label = N_ ("Move the pointer, with a drawing tool") },

@@ -320,7 +320,7 @@ nudge (QnWindow *self, GVariant *parameter)
   }
   double step =
     qn_magnet_round_distance (NUDGE_PX / qn_canvas_get_camera (self->canvas)->scale);
-  edit_selection (self, _ ("Nudge"), "nudge", edit_transform,
+  edit_selection (self, _ ("Move"), "nudge", edit_transform,
                   (Edit){ .transform = qn_transform_translation (dx * step, dy * step) });
 }
 

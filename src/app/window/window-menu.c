@@ -21,7 +21,7 @@ get (GtkBuilder *builder, const char *id)
 static void
 insert_arrange (GtkBuilder *builder, GMenu *shape, int position)
 {
-  g_menu_insert_submenu (shape, position, _ ("Mirror and T_urn"),
+  g_menu_insert_submenu (shape, position, _ ("Mirror and Ro_tate"),
                          G_MENU_MODEL (get (builder, "turns")));
   g_menu_insert_submenu (shape, position + 1, _ ("Ali_gn and Distribute"),
                          G_MENU_MODEL (get (builder, "arrange")));

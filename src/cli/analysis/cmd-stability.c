@@ -26,7 +26,7 @@ print_summary (const QnProject *project, const QnResult *result)
   }
   g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
   if (result->outcome == QN_OUTCOME_TARGET_REACHED)
-    printf (_ ("%s: stable all along\n"), title);
+    printf (_ ("%s: stable along the whole path\n"), title);
   printf ("%s\n", reason);
 }
 
@@ -121,7 +121,7 @@ const QnSubcommand qn_cmd_stability = {
   .arguments = "MODEL",
   .summary = N_ ("Find the load under which a structure buckles"),
   .help = N_ (
-    "Follows the live load to the multiplier at which the tangent stiffness turns "
+    "Follows the live load to the multiplier at which the tangent stiffness becomes "
     "singular, which the path of a perfect structure does not show: the Euler load of "
     "a straight column. Set \"geometry\" to \"nonlinear\": without the effect of "
     "displacements on equilibrium nothing buckles."),

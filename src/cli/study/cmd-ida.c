@@ -375,7 +375,7 @@ compute (const Ida *ida, gsize index, Curve *curve)
     code = qn_cli_fail (error);
   qn_study_display_done (&display);
   if (code == QN_EXIT_DONE && cancelled) {
-    qn_cli_error (_ ("%s: cancelled; the same command goes on"), ida->options->folder);
+    qn_cli_error (_ ("%s: cancelled; the same command continues"), ida->options->folder);
     code = QN_EXIT_CANCELLED;
   }
   if (code == QN_EXIT_DONE && !take_curve (curve, &study, folder, &error))

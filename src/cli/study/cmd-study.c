@@ -47,7 +47,7 @@ qn_study_display_update (const QnStudyProgress *progress, gpointer data)
              progress->wanted, progress->failed);
     if (!isnan (progress->to_go)) {
       guint seconds = (guint) qn_to_integer (progress->to_go, 0, G_MAXINT32);
-      fprintf (stderr, _ (", %u:%02u:%02u to go"), seconds / 3600, seconds / 60 % 60,
+      fprintf (stderr, _ (", %u:%02u:%02u left"), seconds / 3600, seconds / 60 % 60,
                seconds % 60);
     }
     fflush (stderr);
@@ -94,7 +94,7 @@ compute (const QnStudy *study, const RunOptions *options,
   }
   if (!cancelled)
     return QN_EXIT_DONE;
-  qn_cli_error (_ ("%s: cancelled; the same command goes on"), options->folder);
+  qn_cli_error (_ ("%s: cancelled; the same command continues"), options->folder);
   return QN_EXIT_CANCELLED;
 }
 
@@ -273,7 +273,7 @@ static const QnSubcommand run_action = {
   .arguments = "STUDY|FOLDER",
   .summary = N_ ("Compute the cases of a study that have no result yet"),
   .help = N_ ("Every case is a row of FOLDER/study.db, written as it is computed: after "
-              "Ctrl+C or a crash the same command goes on where it stopped. A case that "
+              "Ctrl+C or a crash the same command continues. A case that "
               "fails is a row that says why."),
   .run = run_run,
 };
@@ -302,7 +302,7 @@ static const QnSubcommand gather_action = {
   .name = "study gather",
   .arguments = "FOLDER",
   .summary = N_ ("Join the results of slices that were computed apart"),
-  .help = N_ ("Safe to repeat, and while slices are being computed."),
+  .help = N_ ("May be repeated, and run while slices are computed."),
   .run = run_gather,
 };
 

@@ -53,7 +53,7 @@
   X (STATE_SLIPS, "pairs slip without dilatancy in this state: no symmetric stiffness") \
   X (LIMIT_WITHOUT_STATE, "limit analysis ends without displacements: vibrations need another procedure") \
   X (TIME_WITHOUT_STATE, "an analysis in time leaves no equilibrium to start from") \
-  X (STABILITY_STAGES, "stability is looked for along the live loads, not along stages") \
+  X (STABILITY_STAGES, "stability is computed along the live loads, not along stages") \
   X (STATE_SINGULAR, "stiffness of this state is singular") \
   X (STATE_UNSTABLE, "this state is unstable: there are no vibrations about it") \
   X (CAPACITY_LOADS, "a capacity curve needs horizontal weights as live loads") \
@@ -102,9 +102,9 @@
   X (EARTH_SIDE, "soil lies to the left or to the right") \
   X (TOO_MANY_EDGE_FORCES, "loads act on more edges than the program handles") \
   X (LOAD_MEETS_NOTHING, "load meets no edge of a block") \
-  X (LOAD_SET_UNUSED, "no stage drives this load set") \
-  X (STAGE_IDLE, "stage drives no load set") \
-  X (STAGE_SETS_APART, "load sets of the stage stand at different multipliers") \
+  X (LOAD_SET_UNUSED, "no stage applies this load set") \
+  X (STAGE_IDLE, "stage applies no load set") \
+  X (STAGE_SETS_APART, "load sets of the stage have different multipliers") \
   X (STAGE_ENDLESS, "target is missing: only the last stage may go on to collapse") \
   X (STAGE_NO_CHANGE, "stage ends where it begins") \
   X (STAGE_TWO_ENDS, "stage ends at a multiplier or at a displacement, not at both") \

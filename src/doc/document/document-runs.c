@@ -98,7 +98,7 @@ make_job (QnDocument *self, const QnModel *model, const char *method, GError **e
     return NULL;
   }
   g_autofree char *name =
-    method == NULL ? g_strdup (_ ("Live"))
+    method == NULL ? g_strdup (_ ("After an edit"))
                    : g_strdup_printf (_ ("Run %u, %s"), self->run_number + 1, method);
   QnJob *job = qn_job_new (model, name, qn_document_get_fingerprint (self), error);
   if (job != NULL && method != NULL)

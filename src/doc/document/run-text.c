@@ -53,7 +53,7 @@ qn_run_dup_explanation (const QnRun *run)
         result->first_limit_multiplier);
     g_autofree char *reason = qn_explain_outcome (&run->model, result);
     return result->outcome == QN_OUTCOME_TARGET_REACHED
-             ? g_strdup_printf (_ ("Stable all along. %s"), reason)
+             ? g_strdup_printf (_ ("Stable along the whole path. %s"), reason)
              : g_steal_pointer (&reason);
   }
   return qn_explain_outcome (&run->model, &run->result);

@@ -49,7 +49,7 @@ typedef struct Field {
 static const Field fields[QN_MASONRY_FIELD_COUNT] = {
   [QN_MASONRY_ORIGIN_X] = PLACE (N_ ("Left edge"), "origin[0]", origin.x),
   [QN_MASONRY_ORIGIN_Y] = PLACE (N_ ("Lower edge"), "origin[1]", origin.y),
-  [QN_MASONRY_ROTATION] = { { N_ ("Turned by"), QN_QUANTITY_ANGLE, -10.0, 10.0, FALSE, "rotation" }, ALL, TYPE_NUMBER,
+  [QN_MASONRY_ROTATION] = { { N_ ("Rotated by"), QN_QUANTITY_ANGLE, -10.0, 10.0, FALSE, "rotation" }, ALL, TYPE_NUMBER,
                           FALSE, G_STRUCT_OFFSET (QnMasonry, rotation) },
   [QN_MASONRY_LENGTH] = LEAF (N_ ("Length"), "length", QN_QUANTITY_LENGTH, SMALL, LARGEST, length),
   [QN_MASONRY_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_WALL, wall.height),

@@ -44,12 +44,11 @@ dup_fault (const QnModel *model, const QnResult *result)
 {
   if (result->stop == QN_STOP_FACTORIZATIONS)
     return g_strdup_printf (
-      _ ("the curve was not followed to its end: max_factorizations "
-         "(%d) is spent"),
+      _ ("the curve was not followed to its end: max_factorizations (%d) was reached"),
       model->analysis.max_factorizations);
   if (result->stop == QN_STOP_TIME)
     return g_strdup_printf (
-      _ ("the curve was not followed to its end: max_seconds (%.4g) is spent"),
+      _ ("the curve was not followed to its end: max_seconds (%.4g) was reached"),
       model->analysis.max_seconds);
   return result->stop == QN_STOP_CHECK || result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE
            ? qn_outcome_dup_cause (model, result)

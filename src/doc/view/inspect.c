@@ -237,7 +237,7 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
               reading.displacement[QN_DOF_UX], reading.displacement[QN_DOF_UY]);
     add_value (text, units, _ ("Rotation"), QN_QUANTITY_ANGLE,
                reading.displacement[QN_DOF_RZ]);
-    add_value (text, mm, _ ("Largest motion"), QN_QUANTITY_LENGTH, reading.largest);
+    add_value (text, mm, _ ("Largest displacement"), QN_QUANTITY_LENGTH, reading.largest);
   }
   if (reading.has_forces) {
     add_pair (text, units, _ ("Principal stresses"), QN_QUANTITY_STRESS,

@@ -350,7 +350,7 @@ scan_pairs (Scanner *scanner)
       return fail (scanner, scanner->line, message);
     }
     if (!next_line (scanner, &pair.value, &pair.length))
-      return fail (scanner, scanner->line, _ ("the file ends behind a group code"));
+      return fail (scanner, scanner->line, _ ("the file ends after a group code"));
     ended = pair.code == 0 && is (&pair, "EOF");
     any = TRUE;
     if (!take_pair (scanner, &pair))

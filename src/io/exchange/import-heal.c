@@ -52,7 +52,7 @@ qn_import_heal (QnImportWork *work, QnDiag *diag)
     status = qn_snap_neighbours (&rings, work->tolerance, &snapped, diag);
   exchange_rings (work, &rings, FALSE);
   qn_rings_clear (&rings);
-  qn_import_tell_healing (work, _ ("vertices welded"), &welded);
+  qn_import_tell_healing (work, _ ("vertices merged"), &welded);
   qn_import_tell_healing (work, _ ("gaps and overlaps between neighbours closed"),
                           &snapped);
   gsize slivers = qn_import_keep_outlines (work, is_polygon, NULL);

@@ -42,7 +42,7 @@ static const char *const titles[QN_MECHANISM_KIND_COUNT][NO_DIRECTION + 1] = {
                                   [TO_THE_LEFT] =
                                     N_ ("Stepped crack, opening to the left"),
                                   [NO_DIRECTION] = N_ ("Stepped crack") },
-  [QN_MECHANISM_KIND_ARCH] = { [NO_DIRECTION] = N_ ("Hinging like an arch") },
+  [QN_MECHANISM_KIND_ARCH] = { [NO_DIRECTION] = N_ ("Hinges as in an arch") },
   [QN_MECHANISM_KIND_FALLING] = { [UPWARDS] = N_ ("Lifting off"),
                                   [NO_DIRECTION] = N_ ("Falling") },
   [QN_MECHANISM_KIND_MIXED] = { [TO_THE_RIGHT] = N_ ("Rocking and sliding to the right"),

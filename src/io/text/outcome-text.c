@@ -432,13 +432,12 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
     if (task->procedure != QN_PROCEDURE_LIMIT)
       return g_strdup_printf (
         _ ("No collapse up to a load multiplier of %.4g: the structure carries any "
-           "multiple of the live load. Check its direction, or bound the strength of the "
+           "multiple of the live load. Check its direction, or limit the strength of the "
            "joints."),
         reached);
-    return g_strdup (
-      _ ("The joints can carry any multiple of the live load: rigid blocks "
-         "have no limit here. Check its direction, or bound the strength of "
-         "the joints."));
+    return g_strdup (_ (
+      "The joints can carry any multiple of the live load: rigid blocks "
+      "have no limit here. Check its direction, or limit the strength of the joints."));
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     return explain_unstable (model, result);
   case QN_OUTCOME_CANCELLED:

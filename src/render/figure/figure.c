@@ -89,7 +89,7 @@ append_multiplier (GString *text, const QnFigure *figure, bool brief)
   if (result->steps[step].event == QN_EVENT_COLLAPSE)
     append_part (text, _ ("last equilibrium before collapse"));
   else if (result->steps[step].event == QN_EVENT_SNAP)
-    append_part (text, _ ("after a snap"));
+    append_part (text, _ ("after a jump"));
 }
 
 static void

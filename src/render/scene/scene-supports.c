@@ -86,6 +86,6 @@ qn_build_supports (QnSceneBuilder *b)
     qn_scene_legend (b->scene, QN_COMMAND_FILL, ground, "%s", _ ("fixed"))->hatched =
       true;
   if (partial)
-    qn_scene_legend (b->scene, QN_COMMAND_FILL, ground, "%s", _ ("partly held"))
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, ground, "%s", _ ("partly fixed"))
       ->hatched = true;
 }

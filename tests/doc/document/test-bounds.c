@@ -117,7 +117,7 @@ test_events (void)
   g_assert_cmpuint (events->len, ==, 1);
   g_assert_nonnull (strstr (events->pdata[0], "Multiplier 0.2864: collapse"));
   g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
-  g_assert_cmpstr (sentence, ==, "Hinging like an arch: 4 joints hinge.");
+  g_assert_cmpstr (sentence, ==, "Hinges as in an arch: 4 joints hinge.");
   /* A jump is told by how far it goes. */
   QnPathEvent *event = &((QnResult *) &run->result)->events[0];
   event->displacement_before = 0.003;

@@ -104,7 +104,7 @@ test_report (void)
     { "clutter", "cross themselves: 1, first at line", "drawn twice: 6" },
     { "clutter", "HATCH entities left out: 1, first at line",
       "3DFACE entities left out: 1" },
-    { "gaps", "vertices welded: ", NULL },
+    { "gaps", "vertices merged: ", NULL },
     { "no-unit", "not declared; read as mm", "1.6 x 2.1 m" },
     { "wrong-unit", "declares 0.0254 m", "read as mm instead" }
   };

@@ -147,7 +147,7 @@ test_bad_files (void)
     { HEAD "0\nLINE\n8\n0\n10\n1e400\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
     { HEAD "0\nLINE\n8\n0\n10\nnan\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
     { HEAD "0\nLINE\nlayer\n0\n" TAIL, "bad.dxf:7: ", "group code" },
-    { HEAD "0\nLINE\n8", "bad.dxf:7: ", "ends behind a group code" },
+    { HEAD "0\nLINE\n8", "bad.dxf:7: ", "ends after a group code" },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnDrawing drawing;
