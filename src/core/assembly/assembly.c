@@ -22,7 +22,7 @@ allocate (QnAssembly *as)
   as->springs = qn_alloc (pairs, sizeof *as->springs);
   as->committed = qn_alloc (pairs, sizeof *as->committed);
   as->responses = qn_alloc (pairs, sizeof *as->responses);
-  as->asleep = qn_alloc (pairs, sizeof *as->asleep);
+  as->inactive = qn_alloc (pairs, sizeof *as->inactive);
   as->dead = qn_alloc (n, sizeof (double));
   as->live = qn_alloc (n, sizeof (double));
   as->dead_at_rest = qn_alloc (n, sizeof (double));
@@ -40,7 +40,7 @@ allocate (QnAssembly *as)
   as->face_unknowns =
     qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
   return as->kinematics && as->gradients && as->elongations && as->springs
-         && as->committed && as->responses && as->asleep && as->dead && as->live
+         && as->committed && as->responses && as->inactive && as->dead && as->live
          && as->dead_at_rest && as->live_at_rest && as->damping && as->diagonal
          && as->scatter && as->first_pairs && as->whole && as->forces && as->settles
          && as->face_unknowns && as->phases && as->stale;
@@ -344,7 +344,7 @@ qn_assembly_clear (QnAssembly *as)
   free (as->springs);
   free (as->committed);
   free (as->responses);
-  free (as->asleep);
+  free (as->inactive);
   free (as->dead);
   free (as->live);
   free (as->damping);
@@ -385,7 +385,7 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
 
   qn_assembly_update_kinematics (as, u);
   for (size_t p = 0; p < as->pair_count; p++)
-    if (as->asleep[p])
+    if (as->inactive[p])
       as->responses[p] =
         (QnPairResponse){ .memory = as->committed[p], .phase = QN_PHASE_OPEN };
     else

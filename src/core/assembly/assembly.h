@@ -74,7 +74,7 @@ typedef struct QnAssembly {
   QnPairSprings *springs;
   QnPairMemory *committed;   /* from which every evaluation starts */
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
-  bool *asleep;              /* pairs that carry nothing, wherever they are */
+  bool *inactive;            /* pairs that carry nothing, wherever they are */
 
   QnBeamAssembly beams;
   int64_t commits; /* how often a state has been accepted */

@@ -15,7 +15,7 @@
 
 /* Tells the system that large pages suit a block, where it has them and leaves the choice to
  * programs: a page for every 4 kB is met by a fault each, which may take longer than what is done
- * with its contents. A wish, which nothing depends on. */
+ * with its contents. Nothing depends on it. */
 static void *
 with_large_pages (void *block, size_t count, size_t size)
 {

@@ -102,7 +102,7 @@ qn_check_found_take (QnCheck *check, size_t step)
     return;
   for (size_t i = 0; i < r->found_count; i++) {
     check->found[i] = (QnFoundForce){ .state = QN_PAIR_OPEN };
-    as->asleep[drawn + i] = true;
+    as->inactive[drawn + i] = true;
   }
   check->first_force = check->next_force;
   for (; check->next_force < r->found_force_count
@@ -114,7 +114,7 @@ qn_check_found_take (QnCheck *check, size_t step)
           <= r->steps[step].time)) /* carries before it is found */
       qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step,
                            r->found[force->found].time, r->steps[step].time);
-    as->asleep[drawn + (size_t) force->found] = false;
+    as->inactive[drawn + (size_t) force->found] = false;
   }
   for (size_t i = 0; i < r->left_count; i++) {
     const QnContactFace *face = &check->contacts->faces[r->left[i].face];
@@ -122,7 +122,7 @@ qn_check_found_take (QnCheck *check, size_t step)
       continue;
     check->follow.left[r->left[i].face] = true;
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
-      as->asleep[p] = true;
+      as->inactive[p] = true;
   }
 }
 
@@ -162,13 +162,13 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
   if (stated == NULL)
     return qn_diag_no_memory (diag);
   find_stated (check, stated);
-  memcpy (follow->awake, stated, follow->count * sizeof *stated);
-  qn_contact_follow_wake (follow, rows);
+  memcpy (follow->active, stated, follow->count * sizeof *stated);
+  qn_contact_follow_activate (follow, rows);
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
     QnCornerPlace at = qn_contact_follow_place (follow, c, rows);
     double over = qn_contact_follow_band (follow, c->block, c->other);
-    if (follow->awake[i] && !stated[i] && at.apart < -NO_DEPTH * smallest
+    if (follow->active[i] && !stated[i] && at.apart < -NO_DEPTH * smallest
         && at.along > over && at.along < at.length - over)
       qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_BLOCK, c->other, 0,
                      at.apart);

@@ -81,7 +81,7 @@ bool qn_check_agrees (double stated, double found, double tolerance);
 bool qn_check_found_init (QnCheck *check, QnDiag *diag);
 void qn_check_found_clear (QnCheck *check);
 
-/* Takes up what they carry at a step, and puts the others to sleep. To be called for every step, in
+/* Takes up what they carry at a step, and makes the others inactive. To be called for every step, in
  * order, before pairs are evaluated. */
 void qn_check_found_take (QnCheck *check, size_t step);
 

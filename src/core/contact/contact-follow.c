@@ -44,7 +44,7 @@ qn_contact_follow_clear (QnContactFollow *follow)
   free (follow->reach);
   free (follow->left);
   free (follow->found);
-  free (follow->awake);
+  free (follow->active);
   free (follow->at_search);
   *follow = (QnContactFollow){ 0 };
 }
@@ -378,7 +378,7 @@ qn_contact_follow_find (const QnContactFollow *follow, const QnFoundContact *con
 
 /* What the contacts of the list before remember. Whether the list is the same. */
 static bool
-take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *awake,
+take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *active,
            size_t count, QnId *places)
 {
   bool same = count == follow->count;
@@ -388,7 +388,7 @@ take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *aw
     bool listed = at < follow->count;
     if (listed) {
       follow->found[at] = before[i];
-      follow->awake[at] = awake[i];
+      follow->active[at] = active[i];
     }
     if (places != NULL)
       places[i] = listed ? (QnId) at : QN_NONE;
@@ -402,25 +402,25 @@ qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
                           double margin, QnId *places, bool *changed, QnDiag *diag)
 {
   QnFoundContact *before = follow->found;
-  bool *awake = follow->awake;
+  bool *active = follow->active;
   size_t count = follow->count;
 
   follow->found = NULL;
   follow->count = follow->capacity = 0;
   bool ok = list_all (follow, displacements, margin);
-  follow->awake = qn_alloc (follow->count, sizeof *follow->awake);
-  ok = ok && follow->awake != NULL;
+  follow->active = qn_alloc (follow->count, sizeof *follow->active);
+  ok = ok && follow->active != NULL;
   if (ok)
-    *changed = !take_over (follow, before, awake, count, places);
+    *changed = !take_over (follow, before, active, count, places);
   follow->margin = margin;
   memcpy (follow->at_search, displacements,
           follow->model->block_count * QN_DOF_COUNT * sizeof *displacements);
   free (before);
-  free (awake);
+  free (active);
   return ok ? QN_OK : qn_diag_no_memory (diag);
 }
 
-/* --- Waking and sleeping ----------------------------------------------------------------- */
+/* --- Activation --------------------------------------------------------------------------- */
 
 /* Whether no other side of the block is nearer to a corner that lies within it. */
 static bool
@@ -459,7 +459,7 @@ is_met (const QnContactFollow *follow, size_t index, QnCornerPlace at)
   for (size_t k = first; k < follow->count && is_between (&follow->found[k], low, high);
        k++) {
     const QnFoundContact *c = &follow->found[k];
-    if (!follow->awake[k] || c->block != contact->other)
+    if (!follow->active[k] || c->block != contact->other)
       continue;
     QnVec2 corner = qn_model_block_vertices (follow->model, c->other)[c->corner];
     if (corner.x == end.x && corner.y == end.y)
@@ -469,7 +469,7 @@ is_met (const QnContactFollow *follow, size_t index, QnCornerPlace at)
 }
 
 bool
-qn_contact_follow_wake (QnContactFollow *follow, const double *displacements)
+qn_contact_follow_activate (QnContactFollow *follow, const double *displacements)
 {
   bool any = false;
 
@@ -477,25 +477,25 @@ qn_contact_follow_wake (QnContactFollow *follow, const double *displacements)
     QnFoundContact *c = &follow->found[i];
     QnCornerPlace at = qn_contact_follow_place (follow, c, displacements);
     double over = qn_contact_follow_band (follow, c->block, c->other);
-    if (!follow->awake[i])
+    if (!follow->active[i])
       continue;
     bool slid_off = at.along < -over || at.along > at.length + over;
     bool came_out = c->inset > 0 && at.apart >= 0;
     if (slid_off || came_out)
       c->inset = 0;
-    follow->awake[i] = !slid_off;
+    follow->active[i] = !slid_off;
     any = any || slid_off || came_out;
   }
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
-    if (follow->awake[i])
+    if (follow->active[i])
       continue;
     QnCornerPlace at = qn_contact_follow_place (follow, c, displacements);
     if (at.along < 0 || at.along > at.length || at.apart < -follow->margin
         || (at.apart < 0 && !is_least_deep (follow, c, at, displacements))
         || is_met (follow, i, at))
       continue;
-    follow->awake[i] = any = true;
+    follow->active[i] = any = true;
   }
   return any;
 }

@@ -9,19 +9,21 @@
  * share, of whichever block.
  *
  * Corners near sides are listed by a search through the box tree of the blocks as they lie, which has
- * to be repeated once something has moved by half the margin it was made with. A pair that is listed
- * is asleep, or awake:
+ * to be repeated once something has moved by a quarter of the margin it was made with. A pair that is listed
+ * is inactive, or active:
  *
- *   it wakes    where its corner comes from outside, between the ends of the side; or lies within, less
- *               deep than behind any other side of the block, as where a joint was left or another
- *               corner has slid off
- *   it sleeps   again where its corner is beyond an end of the side by qn_contact_follow_band()
+ *   it becomes active    where its corner comes from outside, between the ends of the side; or lies
+ *                        within, less deep than behind any other side of the block, as where a joint
+ *                        was left or another corner has slid off
+ *   it becomes inactive  again where its corner is beyond an end of the side by
+ *                        qn_contact_follow_band()
  *
  * Where two corners meet, one pair is enough: the second one waits until the first has slid off.
  *
- * A corner that wakes within a block, without another contact there having been given up, carries
- * nothing as long as it goes no deeper: its elongation is measured from the depth where it woke, its
- * inset, until it has come out. So no contact has energy that nothing has put into it.
+ * A corner that becomes active within a block, without another contact there having been released,
+ * carries nothing as long as it goes no deeper: its elongation is measured from the depth at which it
+ * became active, its inset, until it has come out. So no contact has energy that nothing has put into
+ * it.
  */
 #ifndef QN_CORE_CONTACT_FOLLOW_H
 #define QN_CORE_CONTACT_FOLLOW_H
@@ -59,7 +61,7 @@ typedef struct QnContactFollow {
   double overlap; /* of joints under the dead load, m */
   QnFoundContact
     *found; /* listed by the last search, the two directions of two blocks together */
-  bool *awake;
+  bool *active;
   size_t count, capacity;
   double margin;     /* of the last search, m; 0: none yet */
   double *at_search; /* block_count x 3: displacements then */
@@ -87,16 +89,17 @@ bool qn_contact_follow_leave (QnContactFollow *follow, const double *displacemen
 bool qn_contact_follow_is_due (const QnContactFollow *follow, const double *displacements,
                                double margin);
 
-/* Lists the contacts within the margin anew. Those that stay keep their foot and whether they are awake.
+/* Lists the contacts within the margin anew. Those that stay keep their foot and whether they are
+ * active.
  * places[i] (count of them before, nullable) becomes the new place of contact i, or QN_NONE;
  * *changed: whether the list is another one. */
 QnStatus qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
                                    double margin, QnId *places, bool *changed,
                                    QnDiag *diag);
 
-/* Puts pairs to sleep, and wakes them with no inset; takes the inset of those whose corner has come out.
+/* Makes pairs inactive, or active with no inset; takes the inset of those whose corner has come out.
  * Returns whether any changed. */
-bool qn_contact_follow_wake (QnContactFollow *follow, const double *displacements);
+bool qn_contact_follow_activate (QnContactFollow *follow, const double *displacements);
 
 /* The place of this contact in the list, whatever its foot and inset; `count` where it is not listed. */
 size_t qn_contact_follow_find (const QnContactFollow *follow,

@@ -451,7 +451,7 @@ qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc re
         .moved) { /* the assembly as drawn ends where that of the step has come to */
     const QnAssembly *last = run.step.assembly;
     memcpy (as->responses, last->responses, as->pair_count * sizeof *as->responses);
-    memcpy (as->asleep, last->asleep, as->pair_count * sizeof *as->asleep);
+    memcpy (as->inactive, last->inactive, as->pair_count * sizeof *as->inactive);
     qn_beam_state_set (&run.step.start.beams, &as->beams);
     qn_assembly_update_kinematics (as, u0);
   }

@@ -15,7 +15,7 @@ elastic (const QnTimeStep *step, const QnInstant *instant)
 
   for (size_t p = 0; p < step->assembly->pair_count; p++) {
     QnPairInstant at = pair_at (instant, p);
-    if (step->assembly->asleep[p])
+    if (step->assembly->inactive[p])
       continue;
     sum += qn_pair_elastic_energy (&step->elasticity[p], &at);
   }
@@ -56,7 +56,7 @@ add_losses (const QnTimeStep *step, QnEnergy *energy)
 
   for (size_t p = 0; p < as->pair_count; p++) {
     QnPairInstant before = pair_at (start, p), after = pair_at (end, p);
-    if (as->asleep[p])
+    if (as->inactive[p])
       continue;
     friction +=
       qn_pair_friction (&step->elasticity[p], &step->forces[p], &before, &after);

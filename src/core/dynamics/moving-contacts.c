@@ -45,15 +45,15 @@ qn_moving_contacts_clear (QnMovingContacts *moving)
 /* What the pairs between two blocks did before contacts change. */
 typedef struct {
   double normal, shear; /* N */
-  double released;      /* J: stored by those that fall asleep */
+  double released;      /* J: stored by those that become inactive */
 } Exchange;
 
 static void
-add_exchange (const QnTimeStep *step, size_t pair, bool falls_asleep, Exchange *sum)
+add_exchange (const QnTimeStep *step, size_t pair, bool becomes_inactive, Exchange *sum)
 {
   const QnInstant *last = &step->start;
 
-  if (step->assembly->asleep[pair])
+  if (step->assembly->inactive[pair])
     return;
   QnPairInstant at = {
     .q = { last->elongations[2 * pair], last->elongations[2 * pair + 1] },
@@ -62,7 +62,7 @@ add_exchange (const QnTimeStep *step, size_t pair, bool falls_asleep, Exchange *
   sum->normal += at.response->force[0];
   sum->shear += at.response->force[1];
   sum->released +=
-    falls_asleep ? qn_pair_elastic_energy (&step->elasticity[pair], &at) : 0;
+    becomes_inactive ? qn_pair_elastic_energy (&step->elasticity[pair], &at) : 0;
 }
 
 /* Between the blocks of the listed contacts from `first` to `end`; origins: places of the listed
@@ -85,7 +85,7 @@ exchange (const QnContactFollow *follow, const QnTimeStep *step, const QnId *ori
   for (size_t i = first; i < end; i++) {
     QnId origin = origins != NULL ? origins[i] : (QnId) i;
     if (origin != QN_NONE)
-      add_exchange (step, drawn->pair_count + (size_t) origin, !follow->awake[i], &sum);
+      add_exchange (step, drawn->pair_count + (size_t) origin, !follow->active[i], &sum);
   }
   return sum;
 }
@@ -100,12 +100,12 @@ undiminished (const QnPairElasticity *elastic, double apart, double ratio,
   force[1] = ratio * force[0];
 }
 
-/* --- Going over -------------------------------------------------------------------------- */
+/* --- Transfer ---------------------------------------------------------------------------- */
 
-/* Memory and sleep of all pairs of `as`. */
+/* Memory of all pairs, and which are inactive, of `as`. */
 static void
-hand_over (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
-           const QnId *origins)
+transfer (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
+          const QnId *origins)
 {
   const QnAssembly *old = step->assembly;
   const QnContactFollow *follow = &moving->follow;
@@ -113,25 +113,25 @@ hand_over (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
 
   memcpy (as->committed, old->committed, drawn * sizeof *as->committed);
   for (size_t p = 0; p < drawn; p++)
-    as->asleep[p] = follow->left[follow->drawn->pairs[p].face];
+    as->inactive[p] = follow->left[follow->drawn->pairs[p].face];
   for (size_t i = 0; i < follow->count; i++) {
-    as->asleep[drawn + i] = origins[i] == QN_NONE;
+    as->inactive[drawn + i] = origins[i] == QN_NONE;
     if (origins[i] == QN_NONE)
       continue;
     as->committed[drawn + i] = old->committed[drawn + (size_t) origins[i]];
-    as->asleep[drawn + i] = old->asleep[drawn + (size_t) origins[i]];
+    as->inactive[drawn + i] = old->inactive[drawn + (size_t) origins[i]];
   }
 }
 
 static bool
-wakes (const QnMovingContacts *moving, const QnAssembly *as, size_t i)
+becomes_active (const QnMovingContacts *moving, const QnAssembly *as, size_t i)
 {
-  return moving->follow.awake[i] && as->asleep[moving->follow.drawn->pair_count + i];
+  return moving->follow.active[i] && as->inactive[moving->follow.drawn->pair_count + i];
 }
 
-/* Wakes a pair: `share` of how deep its corner lies counts, with the shear force that goes with it. */
+/* Activates a pair: `share` of how deep its corner lies counts, with the shear force that goes with it. */
 static void
-wake (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, double share)
+activate (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, double share)
 {
   QnContactFollow *follow = &moving->follow;
   QnFoundContact *c = &follow->found[i];
@@ -147,10 +147,10 @@ wake (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, double s
   as->committed[pair].qa[1] = slip;
 }
 
-/* Pairs between the same two blocks that fall asleep or wake, from `first` to `end`. */
+/* Pairs between the same two blocks that become inactive or active, from `first` to `end`. */
 static void
-set_asleep (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
-            const QnId *origins, size_t first, size_t end)
+set_inactive (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
+              const QnId *origins, size_t first, size_t end)
 {
   QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
@@ -158,7 +158,7 @@ set_asleep (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
   double ratio = before.normal < 0 ? before.shear / before.normal : 0, stored = 0;
 
   for (size_t i = first; i < end; i++)
-    if (wakes (moving, as, i)) {
+    if (becomes_active (moving, as, i)) {
       QnPairElasticity elastic = qn_pair_elasticity (&as->springs[drawn + i]);
       QnCornerPlace at =
         qn_contact_follow_place (follow, &follow->found[i], moving->displacements);
@@ -169,13 +169,13 @@ set_asleep (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
     }
   double share = stored > before.released ? sqrt (before.released / stored) : 1;
   for (size_t i = first; i < end; i++) {
-    if (wakes (moving, as, i))
-      wake (moving, as, i, ratio, share);
-    as->asleep[drawn + i] = !follow->awake[i];
+    if (becomes_active (moving, as, i))
+      activate (moving, as, i, ratio, share);
+    as->inactive[drawn + i] = !follow->active[i];
   }
 }
 
-/* Takes up which pairs are asleep now, and where their contact begins. */
+/* Takes up which pairs are inactive now, and where their contact begins. */
 static void
 take_changes (QnMovingContacts *moving, const QnTimeStep *step, QnContacts *contacts,
               QnAssembly *as, const QnId *origins)
@@ -185,7 +185,7 @@ take_changes (QnMovingContacts *moving, const QnTimeStep *step, QnContacts *cont
 
   for (size_t first = 0, end; first < follow->count; first = end) {
     end = qn_contact_follow_end (follow, first);
-    set_asleep (moving, step, as, origins, first, end);
+    set_inactive (moving, step, as, origins, first, end);
   }
   for (size_t i = 0; i < follow->count; i++)
     if (qn_contacts_set_inset (contacts, drawn + i, follow->found[i].inset))
@@ -223,7 +223,7 @@ rebuild (QnMovingContacts *moving, QnTimeStep *step, const QnId *origins, QnDiag
   if (linsys == NULL)
     status = qn_diag_no_memory (diag);
   if (status == QN_OK) {
-    hand_over (moving, step, &as, origins);
+    transfer (moving, step, &as, origins);
     take_changes (moving, step, &moving->contacts, &as, origins);
     moving->assembly = as;
     status = qn_time_step_move (step, &moving->assembly, linsys, diag);
@@ -294,7 +294,7 @@ leave_joints (QnMovingContacts *moving, const QnTimeStep *step, double time,
   if (!*any)
     return true;
   for (size_t f = 0; f < drawn->face_count; f++) {
-    bool before = step->assembly->asleep[drawn->faces[f].first_pair];
+    bool before = step->assembly->inactive[drawn->faces[f].first_pair];
     if (follow->left[f] && !before
         && !qn_result_add_left (result, (QnLeftFace){ (QnId) f, time }))
       return false;
@@ -353,15 +353,16 @@ qn_moving_contacts_update (QnMovingContacts *moving, QnTimeStep *step, double lo
     return qn_diag_no_memory (diag);
   if (left || qn_contact_follow_is_due (follow, moving->displacements, margin))
     status = search (moving, 2 * margin, &listed, &origins, diag);
-  bool woken = status == QN_OK && qn_contact_follow_wake (follow, moving->displacements);
+  bool activated =
+    status == QN_OK && qn_contact_follow_activate (follow, moving->displacements);
   if (status == QN_OK && (listed || left)) {
     status = rebuild (moving, step, origins, diag);
-  } else if (status == QN_OK && woken) {
+  } else if (status == QN_OK && activated) {
     take_changes (moving, step, &moving->contacts, step->assembly, NULL);
     qn_time_step_renew (step);
   }
   free (origins);
-  if (status == QN_OK && (listed || left || woken))
+  if (status == QN_OK && (listed || left || activated))
     qn_energy_renew (step, energy);
   return status;
 }
@@ -385,7 +386,7 @@ qn_moving_contacts_record (QnMovingContacts *moving, const QnTimeStep *step, dou
     QnId *noted = &moving->noted[p - drawn];
     QnFound found = { moving->follow.found[p - drawn], time };
     bool acts = force[0] != 0 || force[1] != 0 || found.contact.inset > 0;
-    if (as->asleep[p] || !acts)
+    if (as->inactive[p] || !acts)
       continue;
     if (*noted == QN_NONE || result->found[*noted].contact.inset != found.contact.inset) {
       if (!qn_result_add_found (result, found))

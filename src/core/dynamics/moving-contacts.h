@@ -1,8 +1,8 @@
 /* Contacts that follow the blocks through time (core/contact/contact-follow.h): between two steps joints
  * are left, corners near sides listed anew, and the step goes over to an assembly with these pairs.
  *
- * Energy. Going over stores nothing: corners that wake within a block store together at most what the
- * pairs between the same two blocks stored that fall asleep at that moment,
+ * Energy. The change stores nothing: corners that become active within a block store together at most
+ * what the pairs between the same two blocks stored that become inactive at that moment,
  *
  *   q_n = s apart,   s^2 = min (1, released / sum (k_n apart^2 + t^2 / k_t) / 2),   t = (T/N) k_n apart
  *

@@ -363,7 +363,7 @@ evaluate_pairs (QnTimeStep *step, double h)
     QnPairInstant start = pair_at (&step->start, step->start.responses, p);
     QnPairInstant end = pair_at (&step->end, as->responses, p);
     QnPairForces *forces = &step->forces[p];
-    if (as->asleep[p]) {
+    if (as->inactive[p]) {
       *forces = (QnPairForces){ 0 };
       memset (step->sums + 2 * p, 0, 2 * sizeof *step->sums);
       memset (step->tangents + 4 * p, 0, sizeof forces->tangent);

@@ -112,7 +112,7 @@ void qn_time_step_clear (QnTimeStep *step);
 QnStatus qn_time_step_move (QnTimeStep *step, QnAssembly *assembly, QnLinsys *linsys,
                             QnDiag *diag);
 
-/* Evaluates the state at the start anew, where pairs were put to sleep or woken. */
+/* Evaluates the state at the start anew, where pairs became inactive or active. */
 void qn_time_step_renew (QnTimeStep *step);
 
 /* Accelerations at the start, from equilibrium under the ground's acceleration. */

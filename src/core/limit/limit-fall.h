@@ -7,7 +7,7 @@
 /* Accelerations from rest under the dead load: of all forces within the strength, the joints
  * exert those that leave the least imbalance in the metric of the inverse masses (Gauss's
  * principle of least constraint, flow being associative), and what is left accelerates. Blocks
- * that can stand stay at rest exactly, which tells apart who falls from who watches.
+ * that can stand stay at rest exactly, which shows which blocks fall.
  *
  * At the optimum this is a certificate too: the dead load does positive power along it, and
  * no joint resists with more than that.

@@ -238,7 +238,7 @@ typedef enum {
   QN_SHORTCUT_PARTIAL_ELIMINATION = 2,
   /* Of a tangent, only what blocks have whose joints changed state is assembled anew. */
   QN_SHORTCUT_UNCHANGED_JOINTS = 4,
-  /* An increment along the central path that gets nowhere is given up before its budget is spent. */
+  /* An increment along the central path that does not converge is ended before its budget is spent. */
   QN_SHORTCUT_EARLY_FAILURE = 8,
 } QnShortcut;
 

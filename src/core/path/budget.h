@@ -1,7 +1,7 @@
 /* What an analysis may spend: factorisations and seconds, as its settings say.
  *
- * A budget stands between an analysis and the progress function of its caller, and cancels when it is
- * spent. That is no wish of the user's: the outcome is NOT_CONVERGED then, with what was reached.
+ * A budget calls the progress function of the analysis's caller, and cancels when it is spent. The
+ * outcome is then NOT_CONVERGED, not CANCELLED, with what was reached.
  */
 #ifndef QN_CORE_BUDGET_H
 #define QN_CORE_BUDGET_H

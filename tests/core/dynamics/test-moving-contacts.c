@@ -225,7 +225,7 @@ test_dominoes (void)
 }
 
 /* An arch that a pulse shakes down: joints are left where their blocks have turned, and corners that
- * were held by them, or by another corner, wake millimetres deep within stiff blocks. */
+ * were held by them, or by another corner, become active millimetres deep within stiff blocks. */
 static void
 test_arch (void)
 {
