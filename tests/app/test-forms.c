@@ -3,7 +3,7 @@
 #include "driver.h"
 
 #include "app/widgets/quantity-entry.h"
-#include "io/project/usual-joint.h"
+#include "io/project/typical-joint.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -264,7 +264,7 @@ is_called (GtkWidget *widget, gconstpointer id)
          && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
 }
 
-/* A usual joint is one step, for the law that is shown, and with its source. */
+/* A typical joint is one step, for the law that is shown, and with its source. */
 static void
 test_joint (void)
 {
@@ -278,7 +278,7 @@ test_joint (void)
   const QnLaw *law = &qn_document_get_model (document)->laws[0];
   g_assert_cmpfloat (law->cohesion, ==, 1e5);
   g_assert_cmpint (law->basis, ==, QN_BASIS_SURFACE);
-  g_assert_cmpstr (law->source, ==, qn_usual_joints[QN_JOINT_LIME_MORTAR].source);
+  g_assert_cmpstr (law->source, ==, qn_typical_joints[QN_JOINT_LIME_MORTAR].source);
   g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
   driver_activate (window, "win.undo");
   g_assert_cmpstr (qn_document_get_text (document), ==, before);

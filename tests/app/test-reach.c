@@ -5,7 +5,7 @@
 #include "app/forms/form.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
-#include "io/project/usual-stone.h"
+#include "io/project/typical-stone.h"
 
 #include <math.h>
 #include <string.h>
@@ -265,9 +265,9 @@ test_various_values (void)
   driver_discard (window);
 }
 
-/* A usual stone gives its unit weight and tells the source; the joints keep their laws. */
+/* A typical stone gives its unit weight and tells the source; the joints keep their laws. */
 static void
-test_usual_stone (void)
+test_typical_stone (void)
 {
   QnWindow *window = open_blocks ();
   qn_selection_set_blocks (selection_of (window), (QnId[]){ 1, 2 }, 2);
@@ -278,13 +278,14 @@ test_usual_stone (void)
   g_assert_false (gtk_widget_get_visible (source));
   gtk_drop_down_set_selected (GTK_DROP_DOWN (stone), 0);
   driver_run (100);
-  driver_screenshot (GTK_WIDGET (window), "usual-stone");
+  driver_screenshot (GTK_WIDGET (window), "typical-stone");
   const QnModel *model = model_of (window);
   for (int i = 1; i <= 2; i++)
-    g_assert_cmpfloat (model->blocks[i].unit_weight, ==, qn_usual_stones[0].unit_weight);
+    g_assert_cmpfloat (model->blocks[i].unit_weight, ==,
+                       qn_typical_stones[0].unit_weight);
   g_assert_cmpfloat (model->blocks[0].unit_weight, ==, 1e4);
   g_assert_cmpstr (gtk_label_get_text (GTK_LABEL (source)), ==,
-                   qn_usual_stones[0].source);
+                   qn_typical_stones[0].source);
   g_assert_true (gtk_widget_get_visible (source));
   driver_activate (window, "win.undo");
   g_assert_cmpfloat (model_of (window)->blocks[1].unit_weight, ==, 1e4);
@@ -755,7 +756,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/reach/typed-moves", test_typed_moves);
   g_test_add_func ("/app/reach/numbers-panel", test_numbers_panel);
   g_test_add_func ("/app/reach/various-values", test_various_values);
-  g_test_add_func ("/app/reach/usual-stone", test_usual_stone);
+  g_test_add_func ("/app/reach/typical-stone", test_typical_stone);
   g_test_add_func ("/app/reach/renamed", test_renamed_stays_selected);
   g_test_add_func ("/app/reach/gaps", test_gaps);
   g_test_add_func ("/app/reach/paste", test_paste);

@@ -2,7 +2,7 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
-#include "io/project/usual-stone.h"
+#include "io/project/typical-stone.h"
 #include <glib/gi18n.h>
 
 enum {
@@ -73,8 +73,8 @@ show_stones (QnValue *value, int stone)
   for (int i = 0; i < QN_STONE_COUNT; i++) {
     g_autofree char *weight =
       qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_UNIT_WEIGHT,
-                            qn_usual_stones[i].unit_weight, 4);
-    add_row (value, g_strdup_printf ("%s, %s", _ (qn_usual_stones[i].name), weight));
+                            qn_typical_stones[i].unit_weight, 4);
+    add_row (value, g_strdup_printf ("%s, %s", _ (qn_typical_stones[i].name), weight));
   }
   value->number = stone;
   if (stone < 0) {
@@ -97,7 +97,7 @@ show (gpointer data, guint field, QnValue *value)
   gboolean free_block =
     set.count == 1 && block->wall == QN_NONE && block->masonry == QN_NONE;
   int stone =
-    is_mixed (model, set, WEIGHT) ? -1 : qn_usual_stone_find (block->unit_weight);
+    is_mixed (model, set, WEIGHT) ? -1 : qn_typical_stone_find (block->unit_weight);
   switch (field) {
   case TITLE:
     value->text =
@@ -120,7 +120,7 @@ show (gpointer data, guint field, QnValue *value)
     show_stones (value, stone);
     return !masonry;
   case STONE_SOURCE:
-    value->text = stone < 0 ? NULL : g_strdup (_ (qn_usual_stones[stone].source));
+    value->text = stone < 0 ? NULL : g_strdup (_ (qn_typical_stones[stone].source));
     return !masonry && stone >= 0;
   case LAW:
     qn_value_set_laws (value, model, _ ("As all contacts"), block->law);
@@ -155,7 +155,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case STONE:
     return value->number < QN_STONE_COUNT
            && qn_edit_set_unit_weight (
-             model, set, qn_usual_stones[qn_value_int (value)].unit_weight, error);
+             model, set, qn_typical_stones[qn_value_int (value)].unit_weight, error);
   case LAW:
     if (value->number > (double) model->law_count)
       return FALSE;

@@ -7,7 +7,7 @@
 #include "doc/text/law-points.h"
 #include "doc/text/law-preset.h"
 #include "doc/text/law-text.h"
-#include "io/project/usual-joint.h"
+#include "io/project/typical-joint.h"
 #include <glib/gi18n.h>
 #include <stdlib.h>
 #include <string.h>
@@ -131,14 +131,14 @@ dup_laws (const Form *form, const QnModel *model)
   return g_strv_builder_end (lines);
 }
 
-/* The usual joints, after a row that asks for a choice. */
+/* The typical joints, after a row that asks for a choice. */
 static char **
 dup_joints (const char *first)
 {
   g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
   g_strv_builder_add (names, first);
   for (int i = 0; i < QN_JOINT_COUNT; i++)
-    g_strv_builder_add (names, _ (qn_usual_joints[i].name));
+    g_strv_builder_add (names, _ (qn_typical_joints[i].name));
   return g_strv_builder_end (names);
 }
 
@@ -255,19 +255,19 @@ dup_free_name (const QnModel *model, const char *like)
   return name;
 }
 
-/* A law like the one that is shown, or a usual joint's. */
+/* A law like the one that is shown, or a typical joint's. */
 static gboolean
 add (Form *form, QnModel *model, const QnValue *joint, GError **error)
 {
   int kind = joint != NULL ? (int) joint->number - 1 : -1;
   g_autofree char *name =
-    dup_free_name (model, joint != NULL ? _ (qn_usual_joints[kind].name)
+    dup_free_name (model, joint != NULL ? _ (qn_typical_joints[kind].name)
                                         : model->laws[form->shown].name);
   if (!qn_edit_add_law (model, form->shown, name, error))
     return FALSE;
   form->shown = (QnId) model->law_count - 1;
   return joint == NULL
-         || qn_law_make_joint (&model->laws[form->shown], (QnUsualJointKind) kind)
+         || qn_law_make_joint (&model->laws[form->shown], (QnTypicalJointKind) kind)
          || qn_edit_no_memory (error);
 }
 
@@ -337,7 +337,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return take_source (law, value->text, error);
   case JOINT:
     return value->number >= 1.0
-           && (qn_law_make_joint (law, (QnUsualJointKind) value->number - 1)
+           && (qn_law_make_joint (law, (QnTypicalJointKind) value->number - 1)
                || qn_edit_no_memory (error));
   case KIND:
     qn_law_change_kind (law, (QnLawKind) value->number);

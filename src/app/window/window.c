@@ -10,7 +10,7 @@
 #include "doc/document/run-file.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
-#include "io/project/usual-joint.h"
+#include "io/project/typical-joint.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -512,7 +512,7 @@ qn_window_init (QnWindow *self)
   self->state = qn_view_state_new (self->document);
   self->tool_settings = first_settings;
   self->tool_settings.masonry.unit_weight =
-    qn_usual_joints[QN_JOINT_DRY_STONE].unit_weight;
+    qn_typical_joints[QN_JOINT_DRY_STONE].unit_weight;
   qn_canvas_set_state (self->canvas, self->state, &self->tool_settings, &qn_tool_select);
   qn_window_add_actions (self);
   qn_window_add_edit_actions (self);

@@ -92,12 +92,12 @@ run (const QnSubcommand *self, int argc, char **argv)
       /* xgettext:no-c-format */
       N_ ("Gaps up to this are closed, m (0.2 % of a block)"), N_ ("LENGTH") },
     { "close-joints", 0, 0, G_OPTION_ARG_DOUBLE, &options.closed,
-      N_ ("Close joints of mortar up to this width, m (0: usual ones): blocks grow to "
+      N_ ("Close joints of mortar up to this width, m (0: automatic): blocks grow to "
           "their "
           "middle"),
       N_ ("WIDTH") },
     { "mortar-joints", 0, 0, G_OPTION_ARG_DOUBLE, &options.mortar,
-      N_ ("Fill joints of mortar up to this width, m (0: usual ones) with blocks of "
+      N_ ("Fill joints of mortar up to this width, m (0: automatic) with blocks of "
           "mortar"),
       N_ ("WIDTH") },
     { "thickness", 0, 0, G_OPTION_ARG_DOUBLE, &settings->thickness,

@@ -1,6 +1,6 @@
 #include "doc/text/law-text.h"
 
-#include "io/project/usual-joint.h"
+#include "io/project/typical-joint.h"
 
 #include <glib/gi18n.h>
 #include <string.h>

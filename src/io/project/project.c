@@ -4,7 +4,7 @@
 #include "io/json/json-path.h"
 #include "io/project/project-extras.h"
 #include "io/project/project-masonry.h"
-#include "io/project/usual-joint.h"
+#include "io/project/typical-joint.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 

@@ -1,4 +1,4 @@
-#include "io/project/usual-joint.h"
+#include "io/project/typical-joint.h"
 
 #include "core/base/memory.h"
 
@@ -7,7 +7,7 @@
 
 /* Blocks are rigid: joints of mortar are as flexible as the masonry that they hold together,
  * kn = E / h and ks = G / h over courses of the height h, 0.2 m of stone and 0.07 m of brick. */
-const QnUsualJoint qn_usual_joints[QN_JOINT_COUNT] = {
+const QnTypicalJoint qn_typical_joints[QN_JOINT_COUNT] = {
   [QN_JOINT_DRY_STONE] = { N_ ("Dry-jointed stone"), 0.65, 0.0, 1e10, 1e10, 24e3,
                            N_ ("Friction: Ferris & Tin-Loi 2001. Stiffness: arch of "
                                "Lemos, 1e10 Pa/m.") },
@@ -22,9 +22,9 @@ const QnUsualJoint qn_usual_joints[QN_JOINT_COUNT] = {
 };
 
 gboolean
-qn_law_make_joint (QnLaw *law, QnUsualJointKind kind)
+qn_law_make_joint (QnLaw *law, QnTypicalJointKind kind)
 {
-  const QnUsualJoint *joint = &qn_usual_joints[kind];
+  const QnTypicalJoint *joint = &qn_typical_joints[kind];
   char *source = qn_strdup (joint->source);
   if (source == NULL)
     return FALSE;
@@ -48,13 +48,13 @@ qn_law_get_source (const QnLaw *law, gboolean *holds)
   if (law->source == NULL || *law->source == '\0')
     return NULL;
   for (int i = 0; i < QN_JOINT_COUNT; i++)
-    if (g_str_equal (law->source, qn_usual_joints[i].source)) {
-      const QnUsualJoint *joint = &qn_usual_joints[i];
+    if (g_str_equal (law->source, qn_typical_joints[i].source)) {
+      const QnTypicalJoint *joint = &qn_typical_joints[i];
       *holds = law->kind == QN_LAW_COULOMB && law->basis == QN_BASIS_SURFACE
                && law->kn == 2.0 * joint->kn && law->ks == 2.0 * joint->ks
                && law->friction == joint->friction && law->cohesion == joint->cohesion
                && law->tension == 0.0 && law->dilatancy == 0.0;
-      return _ (qn_usual_joints[i].source);
+      return _ (qn_typical_joints[i].source);
     }
   return law->source;
 }

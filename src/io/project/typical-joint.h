@@ -1,6 +1,6 @@
 /* Joints of usual masonry, with the literature that their numbers come from: docs/method/laws.md. */
-#ifndef QN_IO_USUAL_JOINT_H
-#define QN_IO_USUAL_JOINT_H
+#ifndef QN_IO_TYPICAL_JOINT_H
+#define QN_IO_TYPICAL_JOINT_H
 
 #include "core/law/law.h"
 
@@ -11,25 +11,25 @@ typedef enum {
   QN_JOINT_LIME_MORTAR, /* of squared stone */
   QN_JOINT_BRICK,       /* and cement-lime mortar */
   QN_JOINT_COUNT
-} QnUsualJointKind;
+} QnTypicalJointKind;
 
-typedef struct QnUsualJoint {
+typedef struct QnTypicalJoint {
   const char *name;   /* to be translated */
   double friction;    /* tangent */
   double cohesion;    /* Pa */
   double kn, ks;      /* Pa/m, of the joint: each of its two springs has twice as much */
   double unit_weight; /* N/m3, of the masonry */
   const char *source; /* to be translated where it is shown; files have it as it is */
-} QnUsualJoint;
+} QnTypicalJoint;
 
-extern const QnUsualJoint qn_usual_joints[QN_JOINT_COUNT];
+extern const QnTypicalJoint qn_typical_joints[QN_JOINT_COUNT];
 
 /* Makes a law the Coulomb law of such a joint by area, without tensile strength and dilatancy, and
  * tells the source. FALSE when memory runs out. */
-gboolean qn_law_make_joint (QnLaw *law, QnUsualJointKind kind);
+gboolean qn_law_make_joint (QnLaw *law, QnTypicalJointKind kind);
 
-/* The source of a law, translated if it is a usual joint's; NULL where it has none. `holds`: whether
- * the law still has the numbers of the joint; TRUE where the source is no usual joint's. */
+/* The source of a law, translated if it is a typical joint's; NULL where it has none. `holds`: whether
+ * the law still has the numbers of the joint; TRUE where the source is no typical joint's. */
 const char *qn_law_get_source (const QnLaw *law, gboolean *holds);
 
 #endif

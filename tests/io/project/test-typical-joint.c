@@ -1,6 +1,6 @@
-/* Usual joints are sound laws with a source, and new projects begin with one. */
+/* Typical joints are sound laws with a source, and new projects begin with one. */
 #include "io/project/project.h"
-#include "io/project/usual-joint.h"
+#include "io/project/typical-joint.h"
 
 #include <glib.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ static void
 test_laws (void)
 {
   for (int kind = 0; kind < QN_JOINT_COUNT; kind++) {
-    const QnUsualJoint *joint = &qn_usual_joints[kind];
+    const QnTypicalJoint *joint = &qn_typical_joints[kind];
     gboolean holds = FALSE;
     QnLaw law = { .name = strdup ("joint"),
                   .kind = QN_LAW_STEEL,
@@ -20,7 +20,7 @@ test_laws (void)
                   .tension = 1e5,
                   .note = 7 };
     g_assert_null (qn_law_get_source (&law, &holds));
-    g_assert_true (qn_law_make_joint (&law, (QnUsualJointKind) kind));
+    g_assert_true (qn_law_make_joint (&law, (QnTypicalJointKind) kind));
     g_assert_cmpint (qn_law_check (&law, 0, NULL), ==, QN_OK);
     g_assert_cmpstr (law.name, ==, "joint");
     g_assert_cmpint (law.note, ==, 7);
@@ -39,7 +39,7 @@ test_laws (void)
   }
 }
 
-/* Of no usual joint: as it is. */
+/* Of no typical joint: as it is. */
 static void
 test_own_source (void)
 {
@@ -61,7 +61,7 @@ test_begin (void)
   g_assert_cmpuint (project.model.law_count, ==, 1);
   const QnLaw *law = &project.model.laws[0];
   g_assert_cmpint (law->basis, ==, QN_BASIS_SURFACE);
-  g_assert_cmpstr (law->source, ==, qn_usual_joints[QN_JOINT_DRY_STONE].source);
+  g_assert_cmpstr (law->source, ==, qn_typical_joints[QN_JOINT_DRY_STONE].source);
   gsize length;
   g_autofree char *text = qn_project_to_text (&project, &length);
   g_assert_true (qn_project_parse (text, length, "new", NULL, &again, &error));
@@ -80,8 +80,8 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/io/usual-joint/laws", test_laws);
-  g_test_add_func ("/io/usual-joint/own-source", test_own_source);
-  g_test_add_func ("/io/usual-joint/begin", test_begin);
+  g_test_add_func ("/io/typical-joint/laws", test_laws);
+  g_test_add_func ("/io/typical-joint/own-source", test_own_source);
+  g_test_add_func ("/io/typical-joint/begin", test_begin);
   return g_test_run ();
 }

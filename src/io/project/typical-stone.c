@@ -1,9 +1,9 @@
-#include "io/project/usual-stone.h"
+#include "io/project/typical-stone.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-const QnUsualStone qn_usual_stones[QN_STONE_COUNT] = {
+const QnTypicalStone qn_typical_stones[QN_STONE_COUNT] = {
   { N_ ("Granite"), 28.5e3, N_ ("EN 1991-1-1, table A.2: 27 to 30 kN/m³") },
   { N_ ("Basalt"), 29e3, N_ ("EN 1991-1-1, table A.2: 27 to 31 kN/m³") },
   { N_ ("Sandstone"), 24e3, N_ ("EN 1991-1-1, table A.2: 21 to 27 kN/m³") },
@@ -15,10 +15,10 @@ const QnUsualStone qn_usual_stones[QN_STONE_COUNT] = {
 };
 
 int
-qn_usual_stone_find (double unit_weight)
+qn_typical_stone_find (double unit_weight)
 {
   for (int i = 0; i < QN_STONE_COUNT; i++)
-    if (fabs (qn_usual_stones[i].unit_weight - unit_weight) <= 1e-9 * unit_weight)
+    if (fabs (qn_typical_stones[i].unit_weight - unit_weight) <= 1e-9 * unit_weight)
       return i;
   return -1;
 }
