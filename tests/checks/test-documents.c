@@ -34,6 +34,8 @@ static const char *const idioms[][3] = {
   { "dear", "er ", "more expensive" },
   { "dear", "est", "most expensive" },
   { "knows ", "nothing of", "does not depend on" },
+  { "a", "sleep", "inactive" },
+  { "a", "wake", "active" },
 };
 
 static char *
