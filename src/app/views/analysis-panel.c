@@ -14,6 +14,7 @@ enum {
   EXPLANATION,
   STAGES,
   GEOMETRY,
+  FOLLOW,
   SNAP,
   INCREMENTS,
   MAX_MULTIPLIER,
@@ -42,6 +43,7 @@ static const QnFormField fields[] = {
   [EXPLANATION] = { .id = "explanation" },
   [STAGES] = { .id = "stages" },
   [GEOMETRY] = { .id = "geometry", .step = N_ ("Change Analysis") },
+  [FOLLOW] = { .id = "follow", .step = N_ ("Change Analysis") },
   [SNAP] = { .id = "snap", .step = N_ ("Change Analysis") },
   [INCREMENTS] = { .id = "increments", .step = N_ ("Change Analysis") },
   [MAX_MULTIPLIER] = { .id = "max_multiplier", .step = N_ ("Change Analysis") },
@@ -237,6 +239,9 @@ show (gpointer data, guint field, QnValue *value)
   case GEOMETRY:
     value->number = a.geometry == QN_GEOMETRY_NONLINEAR;
     return path || timed;
+  case FOLLOW:
+    value->number = a.follow;
+    return path && a.geometry == QN_GEOMETRY_NONLINEAR;
   case SNAP:
     value->number = a.snap == QN_SNAP_THROUGH_STOP;
     return path;
@@ -376,6 +381,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     break;
   case GEOMETRY:
     a->geometry = row == 1 ? QN_GEOMETRY_NONLINEAR : QN_GEOMETRY_LINEAR;
+    break;
+  case FOLLOW:
+    a->follow = value->number != 0;
     break;
   case SNAP:
     a->snap = row == 1 ? QN_SNAP_THROUGH_STOP : QN_SNAP_THROUGH_JUMP;

@@ -107,6 +107,17 @@ static const QnVerifyCase rocking[] = {
   ROCKING (N_ ("Diagonal upright"), 0, 4),
 };
 
+/* The resultant passes the edge where the centroid is mu h/2 before it; from then on the multiplier is
+ * -x/y of the centroid from the edge, at x = -0.01 m. */
+#define EDGE(label, value, stage)                                                        \
+  MEASURE (label, "29-block-over-an-edge.quoin", value, 0.002, QN_VERIFY_MULTIPLIER,     \
+           .number = stage, .scale = 0.3)
+
+static const QnVerifyCase edge[] = {
+  EDGE (N_ ("Slides"), 0.3, 1),
+  EDGE (N_ ("Tips over the edge"), 0.0962250448, 2),
+};
+
 #define FREQUENCY(label, model, value, tolerance, mode)                                  \
   MEASURE (label, model, value, tolerance, QN_VERIFY_FREQUENCY, .number = mode)
 #define HERTZ (2 * G_PI)
@@ -181,6 +192,13 @@ static const QnVerifyGroup groups[] = {
     { NULL },
     rocking,
     G_N_ELEMENTS (rocking),
+    FALSE },
+  { "edge",
+    N_ ("Block over the edge of a table, contacts that follow"),
+    N_ ("statics of a rigid block"),
+    { NULL },
+    edge,
+    G_N_ELEMENTS (edge),
     FALSE },
   { "vibrations",
     N_ ("Frequencies"),

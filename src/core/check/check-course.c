@@ -98,6 +98,30 @@ check_nothing (QnCheck *check)
     qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
 }
 
+double
+qn_check_sense (const QnCheck *check, size_t step, double from)
+{
+  const QnResult *r = check->result;
+
+  if (r->steps[step].stage < 1)
+    return r->steps[step].multiplier < from ? -1 : 1;
+  const QnStage *stage = &check->model->stages[r->steps[step].stage - 1];
+  double factors[QN_MAX_LOAD_SETS] = { 0 }, work = 0;
+
+  if (stage->has_target)
+    return stage->target < from ? -1 : 1;
+  if (stage->procedure == QN_PROCEDURE_LOAD || step == 0)
+    return 1;
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    factors[set] = stage->sets >> set & 1;
+  qn_model_set_forces (check->model, factors, check->rows);
+  const double *u = qn_result_step_displacements (r, step),
+               *u0 = qn_result_step_displacements (r, step - 1);
+  for (size_t i = 0; i < qn_model_body_count (check->model) * QN_DOF_COUNT; i++)
+    work += check->rows[i] * (u[i] - u0[i]);
+  return work < 0 ? -1 : 1;
+}
+
 /* Of the steps of the last stage: the highest multiplier, counted in the sense in which it grows. */
 static double
 find_peak (const QnCheck *check, double *sense)
@@ -120,8 +144,8 @@ find_peak (const QnCheck *check, double *sense)
       while (set < QN_MAX_LOAD_SETS - 1 && (sets >> set & 1) == 0)
         set++;
       first = before[set];
-      *sense = at < first ? -1 : 1;
-      peak = at;
+      *sense = qn_check_sense (check, i, first);
+      peak = stage > 0 && *sense * first > *sense * at ? first : at;
     }
     if (*sense * at > *sense * peak)
       peak = at;

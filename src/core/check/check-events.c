@@ -58,9 +58,8 @@ find_stretch (const QnCheck *check)
     procedure = stage->procedure;
   }
   stretch.by_load = procedure == QN_PROCEDURE_LOAD;
-  if (stretch.last > stretch.base
-      && r->steps[stretch.base + 1].multiplier < stretch.origin)
-    stretch.sense = -1;
+  if (stretch.last > stretch.base)
+    stretch.sense = qn_check_sense (check, stretch.base + 1, stretch.origin);
   return stretch;
 }
 

@@ -68,8 +68,10 @@ qn_check_found_init (QnCheck *check, QnDiag *diag)
       != QN_OK)
     return false;
   check->found = qn_alloc (r->found_count, sizeof *check->found);
+  check->begins = qn_alloc (r->found_count, sizeof *check->begins);
   QnFoundContact *contacts = qn_alloc (r->found_count, sizeof *contacts);
-  bool known = refers (check), ok = check->found != NULL && contacts != NULL;
+  bool known = refers (check),
+       ok = check->found != NULL && check->begins != NULL && contacts != NULL;
   if (!known)
     qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, NAN,
                    NAN);
@@ -89,6 +91,7 @@ qn_check_found_clear (QnCheck *check)
   qn_contact_follow_clear (&check->follow);
   qn_contacts_clear (&check->all);
   free (check->found);
+  free (check->begins);
 }
 
 void
@@ -102,6 +105,7 @@ qn_check_found_take (QnCheck *check, size_t step)
     return;
   for (size_t i = 0; i < r->found_count; i++) {
     check->found[i] = (QnFoundForce){ .state = QN_PAIR_OPEN };
+    check->begins[i] = as->inactive[drawn + i];
     as->inactive[drawn + i] = true;
   }
   check->first_force = check->next_force;
@@ -141,11 +145,27 @@ find_stated (const QnCheck *check, bool *stated)
   }
 }
 
+/* Whether a corner lies within the block and between the ends of the side. */
+static bool
+is_within (const QnContactFollow *follow, const QnFoundContact *contact,
+           const double *rows, double depth)
+{
+  QnCornerPlace at = qn_contact_follow_place (follow, contact, rows);
+  double over = qn_contact_follow_band (follow, contact->block, contact->other);
+
+  return at.apart < -depth && at.along > over && at.along < at.length - over;
+}
+
+/* Along a path contacts change once a step is accepted: those of a step are what its blocks came upon
+ * until the step before. */
 QnStatus
 qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
 {
   QnContactFollow *follow = &check->follow;
+  bool in_time = check->result->history.width > 0;
   const double *rows = qn_result_step_displacements (check->result, step);
+  const double *until =
+    in_time || step == 0 ? rows : qn_result_step_displacements (check->result, step - 1);
   double smallest = INFINITY;
   bool changed;
 
@@ -154,7 +174,7 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
   follow->count = 0; /* every step by itself */
   if (step == 0)
     qn_contact_follow_set_overlap (follow, check->assembly.elongations);
-  QnStatus status = qn_contact_follow_search (follow, rows, QN_FOLLOW_MARGIN * smallest,
+  QnStatus status = qn_contact_follow_search (follow, until, QN_FOLLOW_MARGIN * smallest,
                                               NULL, &changed, diag);
   if (status != QN_OK)
     return status;
@@ -163,15 +183,14 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
     return qn_diag_no_memory (diag);
   find_stated (check, stated);
   memcpy (follow->active, stated, follow->count * sizeof *stated);
-  qn_contact_follow_activate (follow, rows);
+  qn_contact_follow_activate (follow, until);
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
-    QnCornerPlace at = qn_contact_follow_place (follow, c, rows);
-    double over = qn_contact_follow_band (follow, c->block, c->other);
-    if (follow->active[i] && !stated[i] && at.apart < -NO_DEPTH * smallest
-        && at.along > over && at.along < at.length - over)
+    if (follow->active[i] && !stated[i]
+        && is_within (follow, c, until, NO_DEPTH * smallest)
+        && is_within (follow, c, rows, NO_DEPTH * smallest))
       qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_BLOCK, c->other, 0,
-                     at.apart);
+                     qn_contact_follow_place (follow, c, rows).apart);
   }
   free (stated);
   return QN_OK;

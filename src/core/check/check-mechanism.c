@@ -51,8 +51,11 @@ static void
 check_joint (QnCheck *check, size_t p, const double rate[2], double none)
 {
   const QnAssembly *as = &check->assembly;
-  const QnPairResult *pair = &check->result->pairs[p];
-  const double force[2] = { pair->normal_force, pair->shear_force };
+  size_t drawn = check->contacts->pair_count;
+  const QnPairResult *pair = p < drawn ? &check->result->pairs[p] : NULL;
+  const QnFoundForce *found = p < drawn ? NULL : &check->found[p - drawn];
+  const double force[2] = { pair != NULL ? pair->normal_force : found->normal,
+                            pair != NULL ? pair->shear_force : found->shear };
   const QnPairSprings *springs = &as->springs[p];
   QnStrengthRow rows[QN_STRENGTH_ROWS];
   double little = 1e-2 * check->scale;
@@ -66,7 +69,7 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                                     && check->result->limit.flow == QN_FLOW_ASSOCIATIVE,
                                   little);
   bool loose = hypot (force[0], force[1]) <= little;
-  QnId step = (QnId) check->result->step_count - 1;
+  size_t step = check->result->step_count - 1;
   double least = 0;
 
   if (freedom.slides && !freedom.opens)
@@ -74,14 +77,12 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
   if (!(rate[0] >= least - none) && !freedom.closes) {
     bool parts = qn_assembly_gap (as, p) > 0; /* it may close again */
     if (!parts)
-      qn_check_tell (check, QN_CLAIM_OVERLAP, step, QN_ENTITY_CONTACT, (QnId) p, rate[0],
-                     least);
+      qn_check_tell_pair (check, QN_CLAIM_OVERLAP, step, p, rate[0], least);
   }
   bool opens = rate[0] > least + none, slides = fabs (rate[1]) > none;
   if ((opens && !freedom.opens && !loose) || (slides && !freedom.slides && !loose)
       || (slides && freedom.slides && !loose && rate[1] * force[1] < 0))
-    qn_check_tell (check, QN_CLAIM_FLOW, step, QN_ENTITY_CONTACT, (QnId) p,
-                   opens ? rate[0] : rate[1], 0);
+    qn_check_tell_pair (check, QN_CLAIM_FLOW, step, p, opens ? rate[0] : rate[1], 0);
 }
 
 /* The load sets that the last stage drives, and all factors when it began. */
@@ -204,5 +205,6 @@ qn_check_mechanism (QnCheck *check)
   double none = RATE * qn_largest (check->velocity, (size_t) as->unknown_count);
   qn_assembly_elongation_rates (as, check->velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)
-    check_joint (check, p, rates + 2 * p, none);
+    if (!as->inactive[p])
+      check_joint (check, p, rates + 2 * p, none);
 }

@@ -44,11 +44,13 @@ typedef struct QnCheck {
   size_t first_force,
     next_force;        /* of the result's forces of found contacts: those of the step */
   QnFoundForce *found; /* scratch, by found contact: forces of the step */
-  double tolerance;    /* of forces, relative to `scale` */
-  double scale;        /* N: largest force of the step */
-  double largest;      /* m: largest displacement of the step */
-  double change;       /* m: largest change of an elongation in a step so far */
-  bool relaxed;        /* some step so far is not the laws' answer to the one before */
+  bool *
+    begins; /* likewise: it carried nothing at the step before, and may have slid till then */
+  double tolerance; /* of forces, relative to `scale` */
+  double scale;     /* N: largest force of the step */
+  double largest;   /* m: largest displacement of the step */
+  double change;    /* m: largest change of an elongation in a step so far */
+  bool relaxed;     /* some step so far is not the laws' answer to the one before */
   bool lost;    /* and its forces were not kept: none are known until some are stated */
   double slack; /* m: what elongations may be off by, of all steps so far */
   double stiffness_at_rest;  /* N/m: against the mechanism, at the first step */
@@ -72,6 +74,15 @@ void qn_check_tell_model (QnCheck *check, QnClaim claim, QnId step, double state
                           double found);
 void qn_check_tell_body (QnCheck *check, QnClaim claim, QnId step, size_t body,
                          double stated, double found);
+
+/* The same at a pair; one that was found on the way is named by its block. */
+void qn_check_tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair,
+                         double stated, double found);
+
+/* In which sense (1, -1) the multiplier of the stage that begins with this step grows: towards its target, or,
+ * where a motion is prescribed, that in which the driven loads do work on the way there (path-stages.c).
+ * `from`: the multiplier before. */
+double qn_check_sense (const QnCheck *check, size_t step, double from);
 
 /* False for what is no number, too. */
 bool qn_check_agrees (double stated, double found, double tolerance);

@@ -41,10 +41,9 @@ qn_check_tell_body (QnCheck *check, QnClaim claim, QnId step, size_t body, doubl
                    found);
 }
 
-/* A fault at a pair; one that was found on the way is named by its block. */
-static void
-tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair, double stated,
-           double found)
+void
+qn_check_tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair,
+                    double stated, double found)
 {
   size_t drawn = check->contacts->pair_count;
   bool is_drawn = pair < drawn;
@@ -256,6 +255,16 @@ force_tolerance (const QnCheck *check, const QnPairSprings *springs, const doubl
   return QN_CHECK_FORCES * check->scale + rounding;
 }
 
+/* Whether a pair was found on the way and carried nothing at the step before: where it has slid since is
+ * not known. */
+static bool
+begins (const QnCheck *check, size_t pair)
+{
+  size_t drawn = check->contacts->pair_count;
+
+  return pair >= drawn && check->begins[pair - drawn];
+}
+
 /* Compares the forces of a step with what the laws answer, and leaves the answers evaluated. */
 static void
 check_forces (QnCheck *check, size_t step)
@@ -291,14 +300,15 @@ check_forces (QnCheck *check, size_t step)
       }
       bool explained =
         taken
-        && (free_to_slide
+        && (free_to_slide || begins (check, p)
             || (check->relaxed
                 && obeys_flow (check, springs, &as->committed[p], &memory, force)))
         && qn_pair_evaluate (springs, &memory, q, response)
         && same_force (response->force, force, tolerance);
       int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;
       if (!explained)
-        tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse], replayed.force[worse]);
+        qn_check_tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse],
+                            replayed.force[worse]);
       jumped = jumped || explained;
     }
     /* What follows is checked with the forces as they are stated. */
@@ -356,7 +366,7 @@ check_strength (QnCheck *check, size_t step)
       excess = fmax (excess, rows[i].normal * force[0] + rows[i].shear * fabs (force[1])
                                - rows[i].limit);
     if (!(excess <= check->tolerance * check->scale))
-      tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
+      qn_check_tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
   }
 }
 
@@ -427,10 +437,11 @@ check_states (QnCheck *check, size_t step)
     double size = hypot (force[0], force[1]);
     bool by_little = size <= QN_CHECK_FORCES * check->scale;
     if (!comes_to_state (check, p, state)
-        && !((by_force || by_little || state != QN_PAIR_STICK || stays (check, p))
+        && !((by_force || begins (check, p) || by_little || state != QN_PAIR_STICK
+              || stays (check, p))
              && state_suits_force (check, springs, force, state)))
-      tell_pair (check, QN_CLAIM_STATES, step, p, state,
-                 qn_pair_state (springs, as->responses[p].phase));
+      qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, state,
+                          qn_pair_state (springs, as->responses[p].phase));
   }
 }
 

@@ -55,6 +55,14 @@ time_of (const Run *run, int64_t tick)
   return run->tick * (double) tick;
 }
 
+static QnContactState
+contact_state (const Run *run)
+{
+  const QnInstant *now = &run->step.start;
+
+  return (QnContactState){ run->step.assembly, now->u, now->elongations, now->responses };
+}
+
 /* --- Recording --------------------------------------------------------------------------- */
 
 /* The accepted state as a step of the result. */
@@ -87,9 +95,12 @@ keep_step (Run *run, QnEvent event)
     return false;
   if (!run->follows)
     qn_assembly_pair_results (as, run->step.start.u, result->pairs);
-  else if (!qn_moving_contacts_record (&run->moving, &run->step, step.time,
-                                       (int32_t) result->step_count - 1, result))
-    return false;
+  else {
+    QnContactState state = contact_state (run);
+    if (!qn_moving_contacts_record (&run->moving, &state, step.time,
+                                    (int32_t) result->step_count - 1, result))
+      return false;
+  }
   return qn_result_add_forces (result, run->model->analysis.all_forces);
 }
 
@@ -285,21 +296,52 @@ end_with (Run *run, QnOutcome outcome, QnDiag *diag)
   return run->overturned ? QN_OK : keep_mechanism (run, diag);
 }
 
+/* How fast a corner moves at most, m/s. */
+static double
+fastest (const Run *run)
+{
+  const QnAssembly *as = run->step.assembly;
+  double speed = 0;
+
+  for (size_t b = 0; b < as->model->block_count; b++) {
+    double v[QN_DOF_COUNT] = { 0 };
+    for (size_t i = 0; i < QN_DOF_COUNT; i++)
+      if (as->unknown[QN_DOF_COUNT * b + i] != QN_NONE)
+        v[i] = run->step.start.v[as->unknown[QN_DOF_COUNT * b + i]];
+    speed =
+      fmax (speed, hypot (v[0], v[1])
+                     + run->moving.follow.reach[b] * fabs (v[QN_DOF_RZ]) / as->length);
+  }
+  return speed;
+}
+
 /* Contacts follow the blocks after a step that was accepted. */
 static QnStatus
 renew_contacts (Run *run, QnDiag *diag)
 {
+  QnMovingContacts *moving = &run->moving;
   double time = time_of (run, run->now);
+  QnContactState state = contact_state (run);
+  QnPairsChange change;
 
   if (!run->follows)
     return QN_OK;
   QnStatus status =
-    qn_moving_contacts_update (&run->moving, &run->step, time_of (run, longest), time,
-                               &run->energy, run->result, diag);
-  if (status == QN_OK
-      && !qn_moving_contacts_record (&run->moving, &run->step, time, -1, run->result))
-    return qn_diag_no_memory (diag);
-  return status;
+    qn_moving_contacts_update (moving, &state, 2 * time_of (run, longest) * fastest (run),
+                               time, run->result, &change, diag);
+  if (status == QN_OK && change == QN_PAIRS_LISTED)
+    status = qn_time_step_move (&run->step, &moving->pairs->assembly,
+                                moving->pairs->linsys, diag);
+  else if (status == QN_OK && change == QN_PAIRS_CHANGED)
+    qn_time_step_renew (&run->step);
+  if (status != QN_OK)
+    return status;
+  if (change != QN_PAIRS_SAME)
+    qn_energy_renew (&run->step, &run->energy);
+  state = contact_state (run);
+  return qn_moving_contacts_record (moving, &state, time, -1, run->result)
+           ? QN_OK
+           : qn_diag_no_memory (diag);
 }
 
 static QnStatus
@@ -447,8 +489,8 @@ qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc re
     run.largest_input > 0 ? run.largest_error / run.largest_input : 0;
   memcpy (u0, run.step.start.u, (size_t) as->unknown_count * sizeof *u0);
   qn_statistics_add (&result->statistics, &run.step.statistics);
-  if (run.moving
-        .moved) { /* the assembly as drawn ends where that of the step has come to */
+  if (run.moving.pairs
+      != NULL) { /* the assembly as drawn ends where that of the step has come to */
     const QnAssembly *last = run.step.assembly;
     memcpy (as->responses, last->responses, as->pair_count * sizeof *as->responses);
     memcpy (as->inactive, last->inactive, as->pair_count * sizeof *as->inactive);

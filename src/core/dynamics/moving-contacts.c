@@ -1,6 +1,7 @@
 #include "core/dynamics/moving-contacts.h"
 
 #include "core/base/memory.h"
+#include "core/dynamics/pair-motion.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,15 +25,23 @@ qn_moving_contacts_init (QnMovingContacts *moving, const QnAssembly *as, QnDiag 
   return status;
 }
 
+static void
+moved_pairs_free (QnMovedPairs *pairs)
+{
+  if (pairs == NULL)
+    return;
+  qn_linsys_free (pairs->linsys);
+  qn_assembly_clear (&pairs->assembly);
+  qn_contacts_clear (&pairs->contacts);
+  free (pairs);
+}
+
 void
 qn_moving_contacts_clear (QnMovingContacts *moving)
 {
   qn_contact_follow_clear (&moving->follow);
-  if (moving->moved) {
-    qn_linsys_free (moving->linsys);
-    qn_assembly_clear (&moving->assembly);
-    qn_contacts_clear (&moving->contacts);
-  }
+  moved_pairs_free (moving->pairs);
+  moved_pairs_free (moving->before);
   free (moving->displacements);
   free (moving->noted);
   free (moving->slips);
@@ -49,26 +58,25 @@ typedef struct {
 } Exchange;
 
 static void
-add_exchange (const QnTimeStep *step, size_t pair, bool becomes_inactive, Exchange *sum)
+add_exchange (const QnContactState *state, size_t pair, bool becomes_inactive,
+              Exchange *sum)
 {
-  const QnInstant *last = &step->start;
-
-  if (step->assembly->inactive[pair])
+  if (state->assembly->inactive[pair])
     return;
+  QnPairElasticity elastic = qn_pair_elasticity (&state->assembly->springs[pair]);
   QnPairInstant at = {
-    .q = { last->elongations[2 * pair], last->elongations[2 * pair + 1] },
-    .response = &last->responses[pair],
+    .q = { state->elongations[2 * pair], state->elongations[2 * pair + 1] },
+    .response = &state->responses[pair],
   };
   sum->normal += at.response->force[0];
   sum->shear += at.response->force[1];
-  sum->released +=
-    becomes_inactive ? qn_pair_elastic_energy (&step->elasticity[pair], &at) : 0;
+  sum->released += becomes_inactive ? qn_pair_elastic_energy (&elastic, &at) : 0;
 }
 
 /* Between the blocks of the listed contacts from `first` to `end`; origins: places of the listed
- * contacts in the list of `step`, or QN_NONE (NULL: the same). */
+ * contacts in the list of `state`, or QN_NONE (NULL: the same). */
 static Exchange
-exchange (const QnContactFollow *follow, const QnTimeStep *step, const QnId *origins,
+exchange (const QnContactFollow *follow, const QnContactState *state, const QnId *origins,
           size_t first, size_t end)
 {
   const QnContacts *drawn = follow->drawn;
@@ -80,12 +88,12 @@ exchange (const QnContactFollow *follow, const QnTimeStep *step, const QnId *ori
   for (; f < last; f++) {
     const QnContactFace *face = &drawn->faces[f];
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
-      add_exchange (step, (size_t) p, follow->left[f], &sum);
+      add_exchange (state, (size_t) p, follow->left[f], &sum);
   }
   for (size_t i = first; i < end; i++) {
     QnId origin = origins != NULL ? origins[i] : (QnId) i;
     if (origin != QN_NONE)
-      add_exchange (step, drawn->pair_count + (size_t) origin, !follow->active[i], &sum);
+      add_exchange (state, drawn->pair_count + (size_t) origin, !follow->active[i], &sum);
   }
   return sum;
 }
@@ -102,23 +110,39 @@ undiminished (const QnPairElasticity *elastic, double apart, double ratio,
 
 /* --- Transfer ---------------------------------------------------------------------------- */
 
-/* Memory of all pairs, and which are inactive, of `as`. */
+/* A pair that carries nothing, or not yet. */
 static void
-transfer (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
+carry_nothing (QnAssembly *as, size_t pair)
+{
+  as->responses[pair] =
+    (QnPairResponse){ .memory = as->committed[pair], .phase = QN_PHASE_OPEN };
+}
+
+/* Loads, memory and forces of all pairs, and which are inactive, of `as`. */
+static void
+transfer (QnMovingContacts *moving, const QnContactState *state, QnAssembly *as,
           const QnId *origins)
 {
-  const QnAssembly *old = step->assembly;
+  const QnAssembly *old = state->assembly;
   const QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
 
+  qn_assembly_set_loads (as, old->held, old->driven);
+  as->commits = old->commits;
   memcpy (as->committed, old->committed, drawn * sizeof *as->committed);
-  for (size_t p = 0; p < drawn; p++)
+  memcpy (as->responses, state->responses, drawn * sizeof *as->responses);
+  for (size_t p = 0; p < drawn; p++) {
     as->inactive[p] = follow->left[follow->drawn->pairs[p].face];
+    if (as->inactive[p])
+      carry_nothing (as, p);
+  }
   for (size_t i = 0; i < follow->count; i++) {
     as->inactive[drawn + i] = origins[i] == QN_NONE;
+    carry_nothing (as, drawn + i);
     if (origins[i] == QN_NONE)
       continue;
     as->committed[drawn + i] = old->committed[drawn + (size_t) origins[i]];
+    as->responses[drawn + i] = state->responses[drawn + (size_t) origins[i]];
     as->inactive[drawn + i] = old->inactive[drawn + (size_t) origins[i]];
   }
 }
@@ -149,12 +173,12 @@ activate (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, doub
 
 /* Pairs between the same two blocks that become inactive or active, from `first` to `end`. */
 static void
-set_inactive (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
+set_inactive (QnMovingContacts *moving, const QnContactState *state, QnAssembly *as,
               const QnId *origins, size_t first, size_t end)
 {
   QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
-  Exchange before = exchange (follow, step, origins, first, end);
+  Exchange before = exchange (follow, state, origins, first, end);
   double ratio = before.normal < 0 ? before.shear / before.normal : 0, stored = 0;
 
   for (size_t i = first; i < end; i++)
@@ -169,15 +193,18 @@ set_inactive (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
     }
   double share = stored > before.released ? sqrt (before.released / stored) : 1;
   for (size_t i = first; i < end; i++) {
+    bool changes = as->inactive[drawn + i] == follow->active[i];
     if (becomes_active (moving, as, i))
       activate (moving, as, i, ratio, share);
     as->inactive[drawn + i] = !follow->active[i];
+    if (changes)
+      carry_nothing (as, drawn + i);
   }
 }
 
 /* Takes up which pairs are inactive now, and where their contact begins. */
 static void
-take_changes (QnMovingContacts *moving, const QnTimeStep *step, QnContacts *contacts,
+take_changes (QnMovingContacts *moving, const QnContactState *state, QnContacts *contacts,
               QnAssembly *as, const QnId *origins)
 {
   QnContactFollow *follow = &moving->follow;
@@ -185,7 +212,7 @@ take_changes (QnMovingContacts *moving, const QnTimeStep *step, QnContacts *cont
 
   for (size_t first = 0, end; first < follow->count; first = end) {
     end = qn_contact_follow_end (follow, first);
-    set_inactive (moving, step, as, origins, first, end);
+    set_inactive (moving, state, as, origins, first, end);
   }
   for (size_t i = 0; i < follow->count; i++)
     if (qn_contacts_set_inset (contacts, drawn + i, follow->found[i].inset))
@@ -194,107 +221,60 @@ take_changes (QnMovingContacts *moving, const QnTimeStep *step, QnContacts *cont
 
 /* A new assembly for a new list. */
 static QnStatus
-rebuild (QnMovingContacts *moving, QnTimeStep *step, const QnId *origins, QnDiag *diag)
+rebuild (QnMovingContacts *moving, const QnContactState *state, const QnId *origins,
+         QnDiag *diag)
 {
   const QnContactFollow *follow = &moving->follow;
   const QnModel *model = follow->model;
-  QnMovingContacts old = *moving;
-  QnLinsys *linsys = NULL;
-  QnContacts contacts;
-  QnAssembly as;
-  QnStatus status = qn_contacts_with_found (
-    model, follow->drawn, &follow->sides, follow->found, follow->count, &contacts, diag);
-  if (status != QN_OK)
-    return status;
-
-  /* The assembly keeps where its contacts are. */
-  moving->contacts = contacts;
-  status = qn_assembly_setup (&as, model, &moving->contacts, diag);
-  if (status != QN_OK) {
-    moving->contacts = old.contacts;
-    qn_contacts_clear (&contacts);
-    return status;
-  }
-  QnVec2 *points = qn_assembly_points (&as);
-  if (points != NULL)
-    linsys =
-      qn_linsys_new (as.unknown_count, as.ap, as.ai, points, model->analysis.workers);
-  free (points);
-  if (linsys == NULL)
-    status = qn_diag_no_memory (diag);
+  QnMovedPairs *next = qn_alloc (1, sizeof *next);
+  QnStatus status =
+    next == NULL
+      ? qn_diag_no_memory (diag)
+      : qn_contacts_with_found (model, follow->drawn, &follow->sides, follow->found,
+                                follow->count, &next->contacts, diag);
+  if (status == QN_OK)
+    status = qn_assembly_setup (&next->assembly, model, &next->contacts, diag);
   if (status == QN_OK) {
-    transfer (moving, step, &as, origins);
-    take_changes (moving, step, &moving->contacts, &as, origins);
-    moving->assembly = as;
-    status = qn_time_step_move (step, &moving->assembly, linsys, diag);
+    QnAssembly *as = &next->assembly;
+    QnVec2 *points = qn_assembly_points (as);
+    if (points != NULL)
+      next->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai, points,
+                                    model->analysis.workers);
+    free (points);
+    if (next->linsys == NULL)
+      status = qn_diag_no_memory (diag);
   }
   if (status != QN_OK) {
-    moving->contacts = old.contacts;
-    moving->assembly = old.assembly;
-    qn_linsys_free (linsys);
-    qn_assembly_clear (&as);
-    qn_contacts_clear (&contacts);
+    moved_pairs_free (next);
     return status;
   }
-  if (old.moved) {
-    qn_linsys_free (old.linsys);
-    qn_assembly_clear (&old.assembly);
-    qn_contacts_clear (&old.contacts);
-  }
-  moving->linsys = linsys;
-  moving->moved = true;
+  transfer (moving, state, &next->assembly, origins);
+  take_changes (moving, state, &next->contacts, &next->assembly, origins);
+  moved_pairs_free (moving->before);
+  moving->before = moving->pairs;
+  moving->pairs = next;
   moving->rebuilds++;
   return QN_OK;
 }
 
 /* --- After a step ------------------------------------------------------------------------ */
 
-/* How fast a corner moves at most, m/s. */
-static double
-fastest (const QnMovingContacts *moving, const QnTimeStep *step)
-{
-  const QnAssembly *as = step->assembly;
-  double speed = 0;
-
-  for (size_t b = 0; b < as->model->block_count; b++) {
-    double v[QN_DOF_COUNT] = { 0 };
-    for (size_t i = 0; i < QN_DOF_COUNT; i++)
-      if (as->unknown[QN_DOF_COUNT * b + i] != QN_NONE)
-        v[i] = step->start.v[as->unknown[QN_DOF_COUNT * b + i]];
-    speed = fmax (speed, hypot (v[0], v[1])
-                           + moving->follow.reach[b] * fabs (v[QN_DOF_RZ]) / as->length);
-  }
-  return speed;
-}
-
-static double
-margin_for (const QnMovingContacts *moving, const QnTimeStep *step, double longest)
-{
-  double smallest = INFINITY;
-
-  for (size_t b = 0; b < moving->follow.model->block_count; b++)
-    smallest = fmin (smallest, moving->follow.sizes[b]);
-  smallest *= QN_FOLLOW_MARGIN;
-  return fmax (fmax (smallest, 2 * QN_FOLLOW_OVERLAP * moving->follow.overlap),
-               2 * longest * fastest (moving, step));
-}
-
 static bool
-leave_joints (QnMovingContacts *moving, const QnTimeStep *step, double time,
+leave_joints (QnMovingContacts *moving, const QnContactState *state, double time,
               QnResult *result, bool *any)
 {
   QnContactFollow *follow = &moving->follow;
   const QnContacts *drawn = follow->drawn;
 
   for (size_t p = 0; p < drawn->pair_count; p++) {
-    const QnPairMemory *memory = &step->start.responses[p].memory;
+    const QnPairMemory *memory = &state->responses[p].memory;
     moving->slips[p] = memory->a.slip + memory->b.slip;
   }
   *any = qn_contact_follow_leave (follow, moving->displacements, moving->slips);
   if (!*any)
     return true;
   for (size_t f = 0; f < drawn->face_count; f++) {
-    bool before = step->assembly->inactive[drawn->faces[f].first_pair];
+    bool before = state->assembly->inactive[drawn->faces[f].first_pair];
     if (follow->left[f] && !before
         && !qn_result_add_left (result, (QnLeftFace){ (QnId) f, time }))
       return false;
@@ -339,50 +319,55 @@ search (QnMovingContacts *moving, double margin, bool *changed, QnId **origins,
 }
 
 QnStatus
-qn_moving_contacts_update (QnMovingContacts *moving, QnTimeStep *step, double longest,
-                           double time, QnEnergy *energy, QnResult *result, QnDiag *diag)
+qn_moving_contacts_update (QnMovingContacts *moving, const QnContactState *state,
+                           double margin, double time, QnResult *result,
+                           QnPairsChange *change, QnDiag *diag)
 {
   QnContactFollow *follow = &moving->follow;
-  double margin = margin_for (moving, step, longest);
   QnId *origins = NULL;
+  double smallest = INFINITY;
   bool left, listed = false;
   QnStatus status = QN_OK;
 
-  qn_assembly_expand (step->assembly, step->start.u, moving->displacements);
-  if (!leave_joints (moving, step, time, result, &left))
+  *change = QN_PAIRS_SAME;
+  for (size_t b = 0; b < follow->model->block_count; b++)
+    smallest = fmin (smallest, follow->sizes[b]);
+  margin = fmax (
+    margin, fmax (QN_FOLLOW_MARGIN * smallest, 2 * QN_FOLLOW_OVERLAP * follow->overlap));
+  qn_assembly_expand (state->assembly, state->u, moving->displacements);
+  if (!leave_joints (moving, state, time, result, &left))
     return qn_diag_no_memory (diag);
   if (left || qn_contact_follow_is_due (follow, moving->displacements, margin))
     status = search (moving, 2 * margin, &listed, &origins, diag);
   bool activated =
     status == QN_OK && qn_contact_follow_activate (follow, moving->displacements);
   if (status == QN_OK && (listed || left)) {
-    status = rebuild (moving, step, origins, diag);
+    status = rebuild (moving, state, origins, diag);
+    *change = QN_PAIRS_LISTED;
   } else if (status == QN_OK && activated) {
-    take_changes (moving, step, &moving->contacts, step->assembly, NULL);
-    qn_time_step_renew (step);
+    take_changes (moving, state, &moving->pairs->contacts, state->assembly, NULL);
+    *change = QN_PAIRS_CHANGED;
   }
   free (origins);
-  if (status == QN_OK && (listed || left || activated))
-    qn_energy_renew (step, energy);
   return status;
 }
 
 bool
-qn_moving_contacts_record (QnMovingContacts *moving, const QnTimeStep *step, double time,
-                           int32_t step_index, QnResult *result)
+qn_moving_contacts_record (QnMovingContacts *moving, const QnContactState *state,
+                           double time, int32_t step_index, QnResult *result)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = state->assembly;
   size_t drawn = moving->follow.drawn->pair_count;
 
   if (step_index >= 0) {
     if (!qn_array_reserve (&moving->results, &moving->result_capacity, as->pair_count,
                            sizeof *moving->results))
       return false;
-    qn_assembly_pair_results (as, step->start.u, moving->results);
+    qn_assembly_pair_results (as, state->u, moving->results);
     memcpy (result->pairs, moving->results, drawn * sizeof *moving->results);
   }
   for (size_t p = drawn; p < as->pair_count; p++) {
-    const double *force = step->start.responses[p].force;
+    const double *force = state->responses[p].force;
     QnId *noted = &moving->noted[p - drawn];
     QnFound found = { moving->follow.found[p - drawn], time };
     bool acts = force[0] != 0 || force[1] != 0 || found.contact.inset > 0;

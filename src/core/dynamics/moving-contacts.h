@@ -1,5 +1,6 @@
-/* Contacts that follow the blocks through time (core/contact/contact-follow.h): between two steps joints
- * are left, corners near sides listed anew, and the step goes over to an assembly with these pairs.
+/* Contacts that follow the blocks (core/contact/contact-follow.h), along a path of equilibria or through
+ * time: between two steps joints are left, corners near sides listed anew, and the analysis goes over to
+ * an assembly with these pairs.
  *
  * Energy. The change stores nothing: corners that become active within a block store together at most
  * what the pairs between the same two blocks stored that become inactive at that moment,
@@ -11,17 +12,40 @@
 #ifndef QN_CORE_MOVING_CONTACTS_H
 #define QN_CORE_MOVING_CONTACTS_H
 
+#include "core/assembly/assembly.h"
 #include "core/contact/contact-follow.h"
-#include "core/dynamics/energy.h"
+#include "core/linalg/linsys.h"
+#include "core/result/result.h"
+
+/* An accepted state, in which contacts change. */
+typedef struct QnContactState {
+  QnAssembly *assembly;            /* with the memory of its pairs committed */
+  const double *u;                 /* unknown_count */
+  const double *elongations;       /* pair_count x 2, m */
+  const QnPairResponse *responses; /* pair_count */
+} QnContactState;
+
+/* What has become of the pairs. */
+typedef enum {
+  QN_PAIRS_SAME,
+  QN_PAIRS_CHANGED, /* in the same assembly other ones carry: it is to be evaluated anew */
+  QN_PAIRS_LISTED   /* moving->pairs are to take the place of the assembly */
+} QnPairsChange;
+
+/* Contacts as drawn and those found, with an assembly of them and its linear system. */
+typedef struct QnMovedPairs {
+  QnContacts contacts;
+  QnAssembly assembly;
+  QnLinsys *linsys;
+} QnMovedPairs;
 
 typedef struct QnMovingContacts {
   QnContactFollow follow;
-  QnContacts contacts; /* as drawn, and those found; with the assembly of the step */
-  QnAssembly assembly;
-  QnLinsys *linsys;
+  QnMovedPairs
+    *pairs,  /* of the last list; NULL as long as there are those as drawn alone */
+    *before; /* and of the one before, until the next list */
   QnId *
     noted; /* of listed contacts: place among the result's where they were last, or QN_NONE */
-  bool moved;            /* whether the step has gone over to these */
   double *displacements; /* scratch, a row for every body */
   double *slips;         /* scratch, of the pairs as drawn */
   QnPairResult *results; /* scratch, of all pairs */
@@ -35,16 +59,16 @@ QnStatus qn_moving_contacts_init (QnMovingContacts *moving, const QnAssembly *as
 
 void qn_moving_contacts_clear (QnMovingContacts *moving);
 
-/* After a step of at most `longest` seconds was accepted: looks whether contacts change, changes them
- * with the state at the start of `step`, and keeps the energy's account. Joints that are left are noted
- * in `result` at this time. */
-QnStatus qn_moving_contacts_update (QnMovingContacts *moving, QnTimeStep *step,
-                                    double longest, double time, QnEnergy *energy,
-                                    QnResult *result, QnDiag *diag);
+/* Looks whether contacts change in this state, and changes them. Corners are listed within twice the
+ * margin (m) at least, which is more than anything moves until the next call. Joints that are left are
+ * noted in `result` with this time: seconds, or the number of the step where there is no time. */
+QnStatus qn_moving_contacts_update (QnMovingContacts *moving, const QnContactState *state,
+                                    double margin, double time, QnResult *result,
+                                    QnPairsChange *change, QnDiag *diag);
 
-/* The state at the start of `step`: pairs as drawn into result->pairs, and, where `step_index` is not
- * negative, forces of found contacts for that step. Found contacts that carry something are noted. */
-bool qn_moving_contacts_record (QnMovingContacts *moving, const QnTimeStep *step,
+/* The state: pairs as drawn into result->pairs, and, where `step_index` is not negative, forces of found
+ * contacts for that step. Found contacts that carry something are noted. */
+bool qn_moving_contacts_record (QnMovingContacts *moving, const QnContactState *state,
                                 double time, int32_t step_index, QnResult *result);
 
 #endif

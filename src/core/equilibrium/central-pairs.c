@@ -37,6 +37,14 @@ sort_strengths (const QnSpring *spring)
   return found;
 }
 
+/* Whether a pair is one of strengths and flows: the others are as Newton's method would have them, or
+ * carry nothing. */
+static bool
+takes_part (const QnAssembly *as, size_t p)
+{
+  return qn_pair_springs_are_plastic (&as->springs[p]) && !as->inactive[p];
+}
+
 bool
 qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
 {
@@ -50,7 +58,7 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
   pairs->length = pairs->force / as->stiffness;
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
-    if (qn_pair_springs_are_plastic (springs)) {
+    if (takes_part (as, p)) {
       Strengths strengths = sort_strengths (&springs->a);
       pairs->products += 1 + 2 * strengths.shears + strengths.crushes;
     } else {
@@ -147,7 +155,7 @@ qn_central_pairs_start (QnCentralPairs *pairs, double size)
       for (int i = 0; i < QN_CENTRAL_WIDTH; i++)
         pairs->packs[k].now.s[row][i] = 1;
   for (size_t p = 0; p < pairs->assembly->pair_count; p++)
-    if (qn_pair_springs_are_plastic (&pairs->assembly->springs[p]))
+    if (takes_part (pairs->assembly, p))
       start_pair (pairs, p, size);
 }
 
@@ -161,7 +169,7 @@ evaluate_others (QnCentralPairs *pairs)
     QnCentralPack *e = &pairs->packs[p / QN_CENTRAL_WIDTH];
     QnPairResponse *response = &as->responses[p];
     size_t lane = p % QN_CENTRAL_WIDTH;
-    if (qn_pair_springs_are_plastic (&as->springs[p]))
+    if (takes_part (as, p) || as->inactive[p])
       continue;
     if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                            response))
@@ -275,9 +283,9 @@ qn_central_pairs_take_flow (QnCentralPairs *pairs)
   QnAssembly *as = pairs->assembly;
 
   for (size_t p = 0; p < as->pair_count; p++)
-    if (qn_pair_springs_are_plastic (&as->springs[p]))
+    if (takes_part (as, p))
       take_flow_of_pair (pairs, p);
-    else
+    else if (!as->inactive[p])
       qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                         &as->responses[p]);
 }

@@ -83,7 +83,7 @@ bool
 qn_central_path_has_joints (const QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
-    if (qn_pair_springs_are_plastic (&as->springs[p]))
+    if (qn_pair_springs_are_plastic (&as->springs[p]) && !as->inactive[p])
       return true;
   return false;
 }

@@ -105,6 +105,54 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
 }
 
 void
+qn_equilibrium_renew (QnEquilibrium *eq)
+{
+  QnAssembly *as = &eq->assembly;
+
+  qn_assembly_update_kinematics (as, eq->u);
+  qn_beam_assembly_evaluate (&as->beams);
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (!as->inactive[p] && as->responses[p].phase == QN_PHASE_OPEN)
+      qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                        &as->responses[p]);
+  qn_equilibrium_commit (eq);
+  eq->factored = false;
+}
+
+QnStatus
+qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnLinsys **linsys,
+                         QnDiag *diag)
+{
+  QnEquilibrium next = { .gaps = qn_alloc (assembly->pair_count, sizeof *next.gaps),
+                         .factored_phases = qn_alloc (assembly->pair_count,
+                                                      sizeof *next.factored_phases) };
+  QnAssembly as = eq->assembly;
+  QnLinsys *system = eq->linsys;
+
+  if (next.gaps == NULL || next.factored_phases == NULL
+      || !qn_equilibrium_state_init (&next.committed, assembly)
+      || !qn_equilibrium_state_init (&next.anchor, assembly)) {
+    qn_equilibrium_clear (&next);
+    return qn_diag_no_memory (diag);
+  }
+  qn_beam_state_set (&eq->committed.beams, &assembly->beams);
+  free (eq->gaps);
+  free (eq->factored_phases);
+  qn_equilibrium_state_clear (&eq->committed);
+  qn_equilibrium_state_clear (&eq->anchor);
+  eq->gaps = next.gaps;
+  eq->factored_phases = next.factored_phases;
+  eq->committed = next.committed;
+  eq->anchor = next.anchor;
+  eq->assembly = *assembly;
+  eq->linsys = *linsys;
+  *assembly = as;
+  *linsys = system;
+  qn_equilibrium_renew (eq);
+  return QN_OK;
+}
+
+void
 qn_equilibrium_clear (QnEquilibrium *eq)
 {
   qn_linsys_free (eq->linsys);

@@ -107,6 +107,15 @@ QnStatus qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model,
 
 void qn_equilibrium_clear (QnEquilibrium *eq);
 
+/* In the committed state: exchanges the assembly, and its linear system, for another one of the same model
+ * that has other pairs, with their responses. Those that have begun to carry are evaluated. It is the
+ * committed state from now on, in equilibrium once a next one is found. On failure nothing is exchanged. */
+QnStatus qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly,
+                                  QnLinsys **linsys, QnDiag *diag);
+
+/* The same where pairs of the assembly itself have begun or ceased to carry. */
+void qn_equilibrium_renew (QnEquilibrium *eq);
+
 /* Newton iterations from the current displacements towards
  *
  *   R(u, lambda) - viscosity C (u - anchor.u) = 0

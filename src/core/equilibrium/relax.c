@@ -127,7 +127,7 @@ qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double hor
 
   for (size_t p = 0; p < as->pair_count; p++) {
     double gap = qn_assembly_gap (as, p);
-    if (gap > 0 && gap * time_step < (eq->gaps[p] - gap) * horizon)
+    if (!as->inactive[p] && gap > 0 && gap * time_step < (eq->gaps[p] - gap) * horizon)
       return true;
   }
   return false;
@@ -140,7 +140,7 @@ qn_equilibrium_is_closing (const QnEquilibrium *eq, double least)
 
   for (size_t p = 0; p < as->pair_count; p++) {
     double gap = qn_assembly_gap (as, p);
-    if (gap <= 0 && eq->gaps[p] - gap > least)
+    if (!as->inactive[p] && gap <= 0 && eq->gaps[p] - gap > least)
       return true;
   }
   return false;

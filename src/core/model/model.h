@@ -272,7 +272,10 @@ typedef struct QnAnalysisSettings {
   QnId control_block;          /* or QN_NONE */
   QnId control_node; /* the same for a node that stands free; at most one of both */
   QnDof control_dof;
-  double control_target;     /* m or rad */
+  double control_target; /* m or rad */
+  bool
+    follow; /* contacts follow the blocks along a path (core/path/path-follow.c); nonlinear
+                  geometry */
   QnDynamicSettings dynamic; /* for QN_PROCEDURE_DYNAMIC */
   /* Of the run, not of the project: */
   unsigned no_shortcuts;    /* of QnShortcut, those turned off */

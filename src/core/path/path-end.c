@@ -104,7 +104,8 @@ is_plateau (QnPathTrace *trace)
          && may_move_on (trace, motion);
 }
 
-/* Whether a structure in nonlinear geometry that is below its highest multiplier has collapsed. */
+/* Whether a structure in nonlinear geometry has moved far since its highest multiplier: below it, or, where
+ * blocks slide, on a plateau. */
 static bool
 has_collapsed (const QnPathTrace *trace)
 {
@@ -112,7 +113,7 @@ has_collapsed (const QnPathTrace *trace)
   const QnPathEvents *events = &trace->events;
   double moved = events->displacement - events->highest_displacement;
 
-  return trace->load_control && !qn_path_trace_is_linear (trace) && events->below
+  return trace->load_control && !qn_path_trace_is_linear (trace)
          && moved > tuning->collapsed_motion * eq->assembly.length;
 }
 

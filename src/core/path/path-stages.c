@@ -229,6 +229,9 @@ qn_path_run (QnPath *path, bool *stands, QnDiag *diag)
     return status;
   path->own_settings = path->model->analysis;
   path->settings = &path->own_settings;
+  status = qn_path_begin_to_follow (path, diag);
+  if (status != QN_OK)
+    return status;
   return path->model->stage_count > 0 ? run_stages (path, diag)
                                       : run_live_loads (path, diag);
 }

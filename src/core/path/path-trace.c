@@ -579,18 +579,68 @@ go_on (QnPathTrace *trace, QnDiag *diag)
                     : goes_far (trace) ? advance_far (trace, diag)
                                        : advance (trace, diag);
   bool goes_on = trace->stop == QN_STOP_UNKNOWN;
-  bool turns = (goes_on || trace->stop == QN_STOP_ZERO || trace->stop == QN_STOP_FALL)
-               && trace->events.below;
+  bool turns = (goes_on && trace->events.below) || trace->stop == QN_STOP_ZERO
+               || trace->stop == QN_STOP_FALL;
 
   return status == QN_OK && holds && (turns || trace->stop == QN_STOP_STEP_TOO_SMALL)
            ? hold_load (trace, diag)
            : status;
 }
 
+/* A workspace for central paths of the pairs that carry now. False when memory runs out. */
+static bool
+renew_central_path (QnPathTrace *trace)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  bool has_joints = qn_central_path_has_joints (&eq->assembly);
+
+  qn_central_path_free (trace->central);
+  trace->central = has_joints ? qn_central_path_new (eq) : NULL;
+  if (trace->central != NULL && trace->load_control)
+    qn_central_path_keep_together (trace->central);
+  trace->may_jump = qn_assembly_may_jump (&eq->assembly);
+  return trace->central != NULL || !has_joints;
+}
+
+/* The committed state is the highest one of load control. */
+static bool
+renew_highest (QnPathTrace *trace)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+
+  qn_equilibrium_state_clear (&trace->highest);
+  qn_equilibrium_state_clear (&trace->lower);
+  if (!qn_equilibrium_state_init (&trace->highest, &eq->assembly)
+      || !qn_equilibrium_state_init (&trace->lower, &eq->assembly))
+    return false;
+  qn_equilibrium_save (eq, &trace->highest);
+  trace->lower.multiplier = INFINITY;
+  return true;
+}
+
+/* Contacts follow the blocks before the first step and after each. Load control, which comes back to its highest multiplier, stays
+ * with the contacts that it had there while it looks whether the path climbs again. */
+static QnStatus
+follow_contacts (QnPathTrace *trace, QnDiag *diag)
+{
+  bool changed;
+
+  if (!trace->path->follows || (trace->load_control && trace->events.below))
+    return QN_OK;
+  QnStatus status = qn_path_follow_contacts (trace->path, &changed, diag);
+  if (status != QN_OK || !changed)
+    return status;
+  trace->predictor.count = 0;
+  return renew_central_path (trace) && (!trace->load_control || renew_highest (trace))
+           ? QN_OK
+           : qn_diag_no_memory (diag);
+}
+
 static QnStatus
 run (QnPathTrace *trace, QnDiag *diag)
 {
   QnStatus status = QN_OK;
+  size_t known = 0;
 
   trace->step = trace->measure.first;
   trace->largest = fabs (trace->step);
@@ -598,8 +648,13 @@ run (QnPathTrace *trace, QnDiag *diag)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
   for (int step = 0;
        status == QN_OK && trace->stop == QN_STOP_UNKNOWN && step < tuning->most_steps;
-       step++)
-    status = go_on (trace, diag);
+       step++) {
+    if (trace->path->result->step_count > known)
+      status = follow_contacts (trace, diag);
+    known = trace->path->result->step_count;
+    if (status == QN_OK)
+      status = go_on (trace, diag);
+  }
   if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
     qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEPS);
   return status == QN_OK ? conclude (trace, diag) : status;
@@ -618,7 +673,6 @@ qn_path_trace (QnPath *path, QnDiag *diag)
                         .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };
-  bool has_joints = qn_central_path_has_joints (as);
 
   if (trace.load_control && live == 0) { /* the single equilibrium that it begins with */
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
@@ -627,24 +681,15 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   QnStatus status = qn_path_measure_setup (&trace.measure, path, diag);
   if (status != QN_OK)
     return status;
-  if (has_joints)
-    trace.central = qn_central_path_new (eq);
-  if (trace.central != NULL && trace.load_control)
-    qn_central_path_keep_together (trace.central);
+  bool ready = renew_central_path (&trace);
   trace.buckling = qn_alloc ((size_t) as->unknown_count, sizeof *trace.buckling);
-  bool ready = qn_path_predictor_init (&trace.predictor, as) && trace.buckling != NULL
-               && (trace.central != NULL || !has_joints)
-               && qn_path_events_init (&trace.events, path, trace.unit)
-               && (!trace.load_control
-                   || (qn_equilibrium_state_init (&trace.highest, as)
-                       && qn_equilibrium_state_init (&trace.lower, as)));
-  trace.may_jump = qn_assembly_may_jump (as);
+  ready = qn_path_predictor_init (&trace.predictor, as) && trace.buckling != NULL && ready
+          && qn_path_events_init (&trace.events, path, trace.unit)
+          && (!trace.load_control || renew_highest (&trace));
   trace.patience =
     (int32_t) qn_to_integer (tuning->most_effort / (double) path->model->block_count,
                              tuning->patience, tuning->most_patience);
-  if (ready && trace.load_control)
-    qn_equilibrium_save (eq, &trace.highest);
-  if (ready && trace.load_control && has_joints && dead > 0)
+  if (ready && trace.load_control && trace.central != NULL && dead > 0)
     trace.measure.first = tuning->start * trace.unit;
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
   qn_path_events_clear (&trace.events);

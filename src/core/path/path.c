@@ -48,7 +48,10 @@ qn_path_finish (QnPath *path, QnStatus status, double start)
   QnResult *result = path->result;
 
   if (status == QN_OK) {
-    qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
+    if (path->follows) /* the pairs are those of the last step */
+      qn_result_keep_steps (result, result->step_count);
+    else
+      qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
     result->statistics = eq->statistics;
     result->statistics.seconds = qn_clock_seconds () - start;
   } else {
@@ -62,6 +65,8 @@ void
 qn_path_clear (QnPath *path)
 {
   qn_equilibrium_clear (&path->equilibrium);
+  if (path->follows)
+    qn_moving_contacts_clear (&path->moving);
   qn_inertia_free (path->inertia);
   free (path->displacements);
   free (path->beam_forces);
@@ -77,6 +82,7 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
                   .residual = eq->out_of_balance,
                   .event = event,
                   .stage = path->stage,
+                  .time = path->follows ? (double) path->result->step_count : 0,
                   .relaxed =
                     eq->keeps_forces || eq->assembly.commits != path->commits_at_step };
 
@@ -97,8 +103,8 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
   qn_assembly_reactions (&eq->assembly, multiplier, path->displacements);
   if (!qn_result_add_reactions (path->result, path->displacements))
     return false;
-  qn_assembly_pair_results (&eq->assembly, eq->u, path->result->pairs);
-  return qn_result_add_forces (path->result, path->settings->all_forces);
+  return qn_path_record_pairs (path)
+         && qn_result_add_forces (path->result, path->settings->all_forces);
 }
 
 void

@@ -6,6 +6,7 @@
 #ifndef QN_CORE_PATH_H
 #define QN_CORE_PATH_H
 
+#include "core/dynamics/moving-contacts.h"
 #include "core/equilibrium/central-path.h"
 #include "core/linalg/inertia.h"
 #include "core/result/result.h"
@@ -39,6 +40,8 @@ typedef struct QnPath {
   double origin, scale; /* the sets that are driven stand at origin + scale x the solver's
                            multiplier, which every stage starts from 0; 0 and 1 by default */
   QnEquilibrium equilibrium;
+  QnMovingContacts moving;    /* where contacts follow the blocks, */
+  bool follows;               /* from the dead load on */
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
   QnInertia *inertia;         /* of the tangent; NULL until it is asked for */
   double *displacements;      /* scratch, a row for every body; reactions too */
@@ -76,6 +79,18 @@ QnSolveStatus qn_path_stay (QnPath *path, double far);
 /* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
  * (path-stages.c). *stands is false where there is no equilibrium under dead load. */
 QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
+
+/* From the state under the dead load on contacts follow the blocks, where the settings ask for it
+ * (path-follow.c). */
+QnStatus qn_path_begin_to_follow (QnPath *path, QnDiag *diag);
+
+/* Changes the contacts at the committed state. *changed: what belonged to the pairs of the assembly is to
+ * be made anew. */
+QnStatus qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag);
+
+/* The pairs at the committed state become those of the result; found ones of its last step. False when
+ * memory runs out. */
+bool qn_path_record_pairs (QnPath *path);
 
 /* Whether friction is at its limit somewhere. */
 bool qn_path_slips (const QnAssembly *assembly);

@@ -26,7 +26,7 @@ keep_what_is_true (const QnModel *model, const QnContacts *contacts, QnResult *r
     for (size_t p = 0; p < result->pair_count; p++)
       result->pairs[p] =
         first > 0 ? qn_result_pair_at (result, first - 1, p) : (QnPairResult){ 0 };
-    result->step_count = first;
+    qn_result_keep_steps (result, first);
     if (first > 0)
       result->stage = result->steps[first - 1].stage;
     qn_result_clear_events (result);

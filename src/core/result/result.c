@@ -305,6 +305,21 @@ qn_result_pair_at (const QnResult *result, size_t step, size_t pair)
 }
 
 void
+qn_result_keep_steps (QnResult *result, size_t count)
+{
+  result->step_count = count;
+  while (result->found_force_count > 0
+         && (size_t) result->found_forces[result->found_force_count - 1].step >= count)
+    result->found_force_count--;
+  while (result->found_count > 0
+         && result->found[result->found_count - 1].time >= (double) count)
+    result->found_count--;
+  while (result->left_count > 0
+         && result->left[result->left_count - 1].time >= (double) count)
+    result->left_count--;
+}
+
+void
 qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
                         double *factors)
 {

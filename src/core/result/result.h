@@ -332,6 +332,10 @@ void qn_result_clear (QnResult *result);
 /* Appends a step; displacements: a row for every block and node. False when memory runs out. */
 bool qn_result_add_step (QnResult *result, QnStep step, const double *displacements);
 
+/* Keeps the first `count` steps of a result without time, and of contacts that follow the blocks what was
+ * found or left by then. */
+void qn_result_keep_steps (QnResult *result, size_t count);
+
 /* Appends an event, whose blocks become the result's, even where memory runs out (false). The first
  * snap sets first_limit_multiplier. */
 bool qn_result_add_event (QnResult *result, QnPathEvent event);

@@ -219,7 +219,13 @@ tell_found (GString *text, const QnStepView *view, QnId id, QnUnits units)
     add_value (text, units, "T", QN_QUANTITY_FORCE, forces[i].shear);
     add_text (text, _ ("State"), qn_explain_pair_state (forces[i].state));
   }
-  add_value (text, units, _ ("Found at"), QN_QUANTITY_TIME, view->result->found[id].time);
+  double at = view->result->found[id].time;
+  if (view->result->history.width > 0) {
+    add_value (text, units, _ ("Found at"), QN_QUANTITY_TIME, at);
+  } else {
+    g_autofree char *step = g_strdup_printf ("%.0f", at);
+    add_text (text, _ ("Found at step"), step);
+  }
 }
 
 /* ---- blocks ---- */

@@ -42,8 +42,9 @@ read_control (const QnJsonValue *owner, const QnModel *model, Control *read)
 static gboolean
 read_choices (const QnJsonValue *place, QnAnalysisSettings *settings)
 {
-  return qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
-                           QN_PROCEDURE_COUNT, &settings->procedure)
+  return qn_member_follows (place, &settings->follow)
+         && qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
+                              QN_PROCEDURE_COUNT, &settings->procedure)
          && qn_member_choice (place, "geometry", QN_OPTIONAL, qn_geometry_names,
                               QN_GEOMETRY_COUNT, &settings->geometry)
          && qn_member_choice (place, "snap", QN_OPTIONAL, qn_snap_names,
@@ -147,6 +148,7 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
                                       "max_factorizations",
                                       "max_seconds",
                                       "bound",
+                                      "contacts",
                                       "control",
                                       "stages",
                                       "dynamic" };

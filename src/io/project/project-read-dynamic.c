@@ -168,14 +168,24 @@ read_damping (const QnJsonValue *owner, QnDynamicSettings *settings)
 }
 
 gboolean
+qn_member_follows (const QnJsonValue *object, bool *follows)
+{
+  static const char *const names[] = { "fixed", "follow" };
+  int choice = *follows ? 1 : 0;
+  if (!qn_member_choice (object, "contacts", QN_OPTIONAL, names, G_N_ELEMENTS (names),
+                         &choice))
+    return FALSE;
+  *follows = choice == 1;
+  return TRUE;
+}
+
+gboolean
 qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
 {
   static const char *const keys[] = { "duration", "time_step",       "rho",
                                       "damping",  "ground",          "initial",
                                       "track",    "output_interval", "tolerance",
                                       "adaptive", "contacts",        "fall" };
-  static const char *const contacts[] = { "fixed", "follow" };
-  int follows = 0;
   QnDynamicSettings *settings = &model->analysis.dynamic;
   QnJsonValue place = qn_json_value_member (analysis, "dynamic");
   if (place.json == NULL) {
@@ -187,13 +197,9 @@ qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
   if (!qn_json_value_object (&place))
     return FALSE;
   qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
-  follows = settings->follow ? 1 : 0;
-  if (!qn_member_choice (&place, "contacts", QN_OPTIONAL, contacts,
-                         G_N_ELEMENTS (contacts), &follows))
-    return FALSE;
-  settings->follow = follows == 1;
-  return qn_member_number (&place, "duration", QN_REQUIRED, QN_RANGE_POSITIVE,
-                           &settings->duration)
+  return qn_member_follows (&place, &settings->follow)
+         && qn_member_number (&place, "duration", QN_REQUIRED, QN_RANGE_POSITIVE,
+                              &settings->duration)
          && qn_member_number (&place, "time_step", QN_REQUIRED, QN_RANGE_POSITIVE,
                               &settings->time_step)
          && qn_member_number (&place, "rho", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,

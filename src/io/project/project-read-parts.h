@@ -28,6 +28,9 @@ gboolean qn_read_loads (const QnJsonValue *root, QnModel *model);
 gboolean qn_read_analysis (const QnJsonValue *root, QnModel *model);
 
 /* In project-read-dynamic.c: the member of `analysis`. */
+/* The member `contacts`: fixed or follow. */
+gboolean qn_member_follows (const QnJsonValue *object, bool *follows);
+
 gboolean qn_read_dynamic (const QnJsonValue *analysis, QnModel *model);
 
 /* Parts that walls and parametric masonry have in common. Weight of the material as N/m3 or, times

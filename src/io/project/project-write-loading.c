@@ -224,6 +224,8 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
     qn_json_put_string (json, "snap", qn_snap_names[analysis->snap]);
   if (analysis->flow != usual->flow)
     qn_json_put_string (json, "flow", qn_flow_names[analysis->flow]);
+  if (analysis->follow != usual->follow)
+    qn_json_put_string (json, "contacts", analysis->follow ? "follow" : "fixed");
   put_control (json, model, analysis->control_block, analysis->control_node,
                analysis->control_dof, analysis->control_target);
   if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE)

@@ -1,6 +1,7 @@
 #include "io/result/result-check.h"
 
 #include "core/base/memory.h"
+#include "core/result/found-contacts.h"
 #include "io/result/result-check-beams.h"
 #include "io/result/result-contact.h"
 #include "io/text/io-error.h"
@@ -159,6 +160,36 @@ check_pairs (const QnResultFile *file, const QnModel *model, const double *defor
   }
   check->yield_violation = check->contact_scale > 0 ? worst / check->contact_scale : 0;
   g_hash_table_unref (overrides);
+}
+
+/* Where a point of a block lies after displacements. */
+static QnVec2
+place_on_block (const QnModel *model, QnId block, const double *deformation, QnVec2 point)
+{
+  const double *u = deformation + (size_t) block * QN_DOF_COUNT;
+  QnVec2 centroid = model->blocks[block].centroid;
+  QnVec2 arm = qn_vec2_rotate (qn_vec2_sub (point, centroid), cos (u[QN_DOF_RZ]),
+                               sin (u[QN_DOF_RZ]));
+  return qn_vec2_add (qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY])), arm);
+}
+
+/* Contacts that blocks found on their way, of which the result has been compared with the model. */
+static void
+check_found (const QnResult *result, const QnModel *model, const double *deformation,
+             double *balance, QnResultCheck *check)
+{
+  size_t count;
+  const QnFoundForce *forces = qn_step_found (result, result->step_count - 1, &count);
+  for (size_t i = 0; i < count; i++) {
+    const QnFoundContact *contact = &result->found[forces[i].found].contact;
+    QnVec2 force = qn_found_force (model, contact, &forces[i], deformation);
+    QnVec2 corner = place_on_block (model, contact->other, deformation,
+                                    qn_found_corner (model, contact));
+    add_force (model, contact->block, deformation, force, corner, balance);
+    add_force (model, contact->other, deformation, qn_vec2_scale (-1, force), corner,
+               balance);
+    check->contact_scale = MAX (check->contact_scale, qn_vec2_length (force));
+  }
 }
 
 /* Sets the balance to the loads at the multiplier, and the force that counts as 1. */
@@ -360,6 +391,8 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
   }
   add_loads (model, dead, live, balance, check);
   check_pairs (file, model, deformation, balance, check);
+  if (deformation != NULL)
+    check_found (result, model, deformation, balance, check);
   qn_result_check_add_beams (file, model, deformation, factors, balance, check);
   find_worst_block (model, balance, check);
   free (vectors);

@@ -83,9 +83,12 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "history.time_of_collapse", in_time && result->outcome == QN_OUTCOME_COLLAPSE },
     { "history.peak", in_time },
     { "history.tracks[].values", in_time && model->track_count > 0 },
-    { "history.found[].foot", result->found_count > 0 },
-    { "history.found[].time", result->found_count > 0 },
-    { "history.left[].time", result->left_count > 0 },
+    { "history.found[].foot", in_time && result->found_count > 0 },
+    { "history.found[].time", in_time && result->found_count > 0 },
+    { "history.left[].time", in_time && result->left_count > 0 },
+    { "found[].foot", !in_time && result->found_count > 0 },
+    { "found[].step", !in_time && result->found_count > 0 },
+    { "left[].step", !in_time && result->left_count > 0 },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (members); i++)
     if (members[i].stated)

@@ -67,13 +67,13 @@ sort_by_contact (const QnResult *result, gsize *first)
   return places;
 }
 
-/* Contacts that were found on the way, each with its forces by step, and the joints that were left. */
-static void
-write_found (QnFileWriter *writer, const QnResult *result)
+void
+qn_result_found_write (QnFileWriter *writer, const QnResult *result)
 {
+  gboolean in_time = result->history.width > 0;
   g_autofree gsize *first = g_new0 (gsize, result->found_count + 2);
   g_autofree gsize *places = sort_by_contact (result, first);
-  qn_file_writer_puts (writer, ",\n    \"found\": [");
+  qn_file_writer_puts (writer, "\"found\": [");
   for (size_t i = 0; i < result->found_count; i++) {
     const QnFoundContact *c = &result->found[i].contact;
     const char *separator = "";
@@ -82,7 +82,8 @@ write_found (QnFileWriter *writer, const QnResult *result)
       i > 0 ? "," : "", c->block, c->side, c->other, c->corner);
     qn_file_writer_number (writer, c->foot);
     qn_file_writer_puts_number (writer, ", \"inset\": ", c->inset);
-    qn_file_writer_puts_number (writer, ", \"time\": ", result->found[i].time);
+    qn_file_writer_puts_number (
+      writer, in_time ? ", \"time\": " : ", \"step\": ", result->found[i].time);
     qn_file_writer_puts (writer, ", \"forces\": [");
     for (gsize k = first[i]; k < first[i + 1]; k++) {
       const QnFoundForce *force = &result->found_forces[places[k]];
@@ -135,8 +136,10 @@ qn_result_history_write (QnFileWriter *writer, const QnModel *model,
   }
   qn_file_writer_puts (writer, "],\n    \"peak\": ");
   write_list (writer, h->peaks, 1, result->block_count);
-  if (result->found_count > 0 || result->left_count > 0)
-    write_found (writer, result);
+  if (result->found_count > 0 || result->left_count > 0) {
+    qn_file_writer_puts (writer, ",\n    ");
+    qn_result_found_write (writer, result);
+  }
   qn_file_writer_puts (writer, " },\n");
 }
 
@@ -259,18 +262,18 @@ read_found_force (QnJsonStream *stream, gpointer target)
   return TRUE;
 }
 
+/* `when`: the key of when it was found. */
 static gboolean
-read_found (QnJsonStream *stream, gpointer target)
+read_found_by (QnJsonStream *stream, const char *when, QnHistoryDraft *draft)
 {
-  static const QnJsonMember members[] = {
+  const QnJsonMember members[] = {
     { "side", read_place, offsetof (ReadingFound, side), QN_JSON_REQUIRED },
     { "corner", read_place, offsetof (ReadingFound, corner), QN_JSON_REQUIRED },
     { "foot", qn_json_stream_number, offsetof (ReadingFound, foot), QN_JSON_REQUIRED },
     { "inset", qn_json_stream_number, offsetof (ReadingFound, inset), 0 },
-    { "time", qn_json_stream_number, offsetof (ReadingFound, time), QN_JSON_REQUIRED },
+    { when, qn_json_stream_number, offsetof (ReadingFound, time), QN_JSON_REQUIRED },
     { "forces", read_found_force, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
   };
-  QnHistoryDraft *draft = target;
   if (draft->found == NULL) {
     draft->found = g_array_new (FALSE, FALSE, sizeof (QnFound));
     draft->found_forces = g_array_new (FALSE, FALSE, sizeof (QnFoundForce));
@@ -291,6 +294,20 @@ read_found (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
+read_found (QnJsonStream *stream, gpointer target)
+{
+  return read_found_by (stream, "time", target);
+}
+
+gboolean
+qn_result_found_read (QnJsonStream *stream, gpointer target)
+{
+  QnHistoryDraft *draft = target;
+  draft->by_step = TRUE;
+  return read_found_by (stream, "step", draft);
+}
+
+static gboolean
 read_left (QnJsonStream *stream, gpointer target)
 {
   QnHistoryDraft *draft = target;
@@ -304,6 +321,13 @@ read_left (QnJsonStream *stream, gpointer target)
     draft->left = g_array_new (FALSE, FALSE, sizeof (QnLeftFace));
   g_array_append_val (draft->left, left);
   return TRUE;
+}
+
+gboolean
+qn_result_left_read (QnJsonStream *stream, gpointer target)
+{
+  ((QnHistoryDraft *) target)->by_step = TRUE;
+  return read_left (stream, target);
 }
 
 /* The whole member. */
@@ -343,6 +367,8 @@ qn_result_history_read (QnJsonStream *stream, gpointer target)
   Reading read = { .tracks = g_ptr_array_new_with_free_func (free_list) };
   gboolean done = qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read);
   QnHistoryDraft *draft = target;
+  read.draft.by_step = draft->by_step;
+  qn_history_draft_clear (draft);
   *draft = read.draft;
   draft->history = read.history;
   draft->peaks = read.peaks;
@@ -394,8 +420,15 @@ take_found (const QnHistoryDraft *draft, QnResult *result)
 gboolean
 qn_result_history_take (QnHistoryDraft *draft, QnJsonStream *stream, QnResult *result)
 {
+  if (draft->by_step && draft->columns != NULL)
+    return qn_json_stream_fail_at (
+      stream, "found",
+      _ ("contacts that an analysis in time found belong to its history"));
+  if (draft->by_step) /* the number of a step stands for its time */
+    for (gsize i = 0; i < result->step_count; i++)
+      result->steps[i].time = (double) i;
   if (draft->columns == NULL)
-    return TRUE;
+    return take_found (draft, result) || qn_json_stream_no_memory (stream);
   const GArray *time = g_ptr_array_index (draft->columns, 0);
   gsize rows = time->len, width = draft->columns->len;
   gboolean fits = draft->peaks->len == result->block_count;

@@ -504,6 +504,8 @@ read_document (QnJsonStream *stream, gpointer target)
     { "mechanism_by_work", read_true, RESULT (mechanism_by_work), QN_JSON_OPTIONAL },
     { "node_mechanism", read_row, OF (node_mechanism), QN_JSON_EACH },
     { "history", qn_result_history_read, OF (history), QN_JSON_OPTIONAL },
+    { "found", qn_result_found_read, OF (history), QN_JSON_EACH },
+    { "left", qn_result_left_read, OF (history), QN_JSON_EACH },
     { "timings", read_statistics, RESULT (statistics), QN_JSON_OPTIONAL },
     { "statistics", read_statistics, RESULT (statistics), QN_JSON_OPTIONAL },
   };

@@ -443,6 +443,11 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
   write_mechanism (writer, &project->model, contacts, result);
   if (result->history.width > 0)
     qn_result_history_write (writer, &project->model, result);
+  else if (result->found_count > 0 || result->left_count > 0) {
+    qn_file_writer_puts (writer, "  ");
+    qn_result_found_write (writer, result);
+    qn_file_writer_puts (writer, ",\n");
+  }
   write_statistics (writer, &result->statistics);
 }
 

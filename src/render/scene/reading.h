@@ -8,6 +8,7 @@
 #ifndef QN_RENDER_READING_H
 #define QN_RENDER_READING_H
 
+#include "core/result/found-contacts.h"
 #include "render/scene/motion.h"
 
 /* Where the normal force acts, by its distance from the middle of a joint of length L. */
@@ -88,17 +89,6 @@ QnBlockReading *qn_block_readings (const QnModel *model, const QnContacts *conta
  * them or is of other contacts. */
 QnPairResult *qn_step_pairs (const QnContacts *contacts, const QnResult *result,
                              size_t step);
-
-/* What contacts that blocks found on their way carry at a step: *count of them, one after the other. */
-const QnFoundForce *qn_step_found (const QnResult *result, size_t step, size_t *count);
-
-/* Where the corner of such a contact is on its block, m, undeformed. */
-QnVec2 qn_found_corner (const QnModel *model, const QnFoundContact *contact);
-
-/* Its force on the block of the side, N, as that block lies after displacements (a row for every block,
- * or NULL). */
-QnVec2 qn_found_force (const QnModel *model, const QnFoundContact *contact,
-                       const QnFoundForce *force, const double *displacements);
 
 /* Which joints have been left by the time of a step: face_count of them, newly allocated (g_free); NULL
  * where none has. */

@@ -57,6 +57,11 @@ test_mismatch (ResultFixture *fixture, gconstpointer data)
   read_back (fixture, &file);
   file.contacts[1].face = 1;
   expect_mismatch (&file, &fixture->project, &fixture->contacts, "other contacts");
+  /* A corner that no block has. */
+  g_assert_true (qn_result_add_found (
+    &file.result, (QnFound){ .contact = { .block = 0, .other = 1, .corner = 17 } }));
+  expect_mismatch (&file, &fixture->project, NULL, "found other contacts");
+  file.result.found_count = 0;
   file.block_names[1][0] = 'x';
   expect_mismatch (&file, &fixture->project, NULL, "other names");
   file.result.block_count = 1;

@@ -1,0 +1,71 @@
+/* Contacts that follow the blocks along a path of equilibria, in large displacements.
+ *
+ * Once an equilibrium is accepted, joints that have slid or turned too far are left and corners near sides
+ * are listed anew (core/dynamics/moving-contacts.h); the next step starts from there. Going over changes
+ * forces by what the pairs that cease to carry held and those that begin to carry do not: the next
+ * equilibrium takes that up, and counts as one that relaxation found. Without time a step is known by its
+ * number, which stands for the time in the result's lists of contacts.
+ */
+#include "core/path/path.h"
+
+/* Corners are listed within this part of the characteristic length at least: twice as far as blocks move
+ * in a step (QnPathTuning.largest_motion). */
+#define MARGIN 0.1
+
+static QnContactState
+committed_state (QnPath *path)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnAssembly *as = &eq->assembly;
+
+  return (QnContactState){ as, eq->committed.u, as->elongations, as->responses };
+}
+
+QnStatus
+qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnMovingContacts *moving = &path->moving;
+  QnContactState state = committed_state (path);
+  QnPairsChange change;
+
+  qn_equilibrium_restore (eq);
+  QnStatus status = qn_moving_contacts_update (
+    moving, &state, MARGIN * eq->assembly.length, (double) path->result->step_count,
+    path->result, &change, diag);
+  if (status == QN_OK && change == QN_PAIRS_LISTED) {
+    qn_inertia_free (path->inertia);
+    path->inertia = NULL;
+    status = qn_equilibrium_exchange (eq, &moving->pairs->assembly,
+                                      &moving->pairs->linsys, diag);
+  } else if (status == QN_OK && change == QN_PAIRS_CHANGED)
+    qn_equilibrium_renew (eq);
+  *changed = change != QN_PAIRS_SAME;
+  return status;
+}
+
+QnStatus
+qn_path_begin_to_follow (QnPath *path, QnDiag *diag)
+{
+  const QnAssembly *as = &path->equilibrium.assembly;
+
+  if (!path->model->analysis.follow || !as->nonlinear)
+    return QN_OK;
+  path->follows = true;
+  return qn_moving_contacts_init (&path->moving, as, diag);
+}
+
+bool
+qn_path_record_pairs (QnPath *path)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnResult *result = path->result;
+  size_t step = result->step_count - 1;
+  QnContactState state = committed_state (path);
+
+  if (path->follows)
+    return qn_moving_contacts_record (&path->moving, &state, (double) step,
+                                      (int32_t) step, result);
+  qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
+  return true;
+}

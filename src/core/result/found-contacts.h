@@ -1,0 +1,21 @@
+/* What a result says of contacts that blocks found on their way. */
+#ifndef QN_CORE_FOUND_CONTACTS_H
+#define QN_CORE_FOUND_CONTACTS_H
+
+#include "core/result/result.h"
+
+/* What they carry at a step: *count of them, one after the other. */
+const QnFoundForce *qn_step_found (const QnResult *result, size_t step, size_t *count);
+
+/* Where the corner of such a contact is on its block, m, undeformed. */
+QnVec2 qn_found_corner (const QnModel *model, const QnFoundContact *contact);
+
+/* The normal of the side, out of its block, undeformed. */
+QnVec2 qn_found_normal (const QnModel *model, const QnFoundContact *contact);
+
+/* The force on the block of the side, N, as that block lies after displacements (a row for every block,
+ * or NULL). */
+QnVec2 qn_found_force (const QnModel *model, const QnFoundContact *contact,
+                       const QnFoundForce *force, const double *displacements);
+
+#endif
