@@ -399,6 +399,25 @@ test_without_steps (void)
                        "\"outcome\": \"dead-load-unstable\", \"unstable_blocks\": [1]");
 }
 
+/* A block on elastic joints that is drawn away by 300 m: forces in eight digits have long arms. */
+static void
+test_drawn_far (void)
+{
+  const char *elastic = "laws=[{\"name\":\"dry joint\",\"kind\":\"elastic\","
+                        "\"basis\":\"contact\",\"kn\":1e6,\"ks\":1e6}]";
+  g_autofree char *model = cli_example (sources[SLIDING].example);
+  g_autofree char *path = g_build_filename (folder, "far.json", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", path, "--set", elastic, "--set",
+                        "blocks[1].vertices=[[0,0],[0.3,0],[0.3,3],[0,3]]", "--set",
+                        "analysis.geometry=nonlinear", "--set",
+                        "analysis.max_factorizations=14000", NULL);
+  g_assert_cmpint (run.code, ==, 4);
+  cli_run_clear (&run);
+  run = cli_run ("check", model, "--result", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+}
+
 /* What nothing proves is told. */
 static void
 test_unproved (void)
@@ -463,6 +482,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/check-result/other project", test_other_project);
   g_test_add_func ("/cli/check-result/json", test_json);
   g_test_add_func ("/cli/check-result/without steps", test_without_steps);
+  g_test_add_func ("/cli/check-result/drawn far", test_drawn_far);
   g_test_add_func ("/cli/check-result/unproved", test_unproved);
   g_test_add_func ("/cli/check-result/beams without forces", test_beams_without_forces);
   int code = g_test_run ();

@@ -1,17 +1,18 @@
 /* The mechanism at the last step: do joints move as their strengths and their flow let them? */
 #include "core/base/numbers.h"
 #include "core/check/check-parts.h"
+#include "core/check/second-order-work.h"
+#include "core/equilibrium/central-path.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A rate is none within this part of the largest velocity: elastic joints give a little while a
  * structure begins to move. */
 #define RATE 0.02
 
-/* A load higher by this part pushes a structure on along its mechanism, when it has gone by these parts of
- * the characteristic length. */
-#define MORE 1e-3
-static const double ways[] = { 1e-4, 1e-3 };
+/* A structure falls where it moves by this part of the characteristic length and does not come to rest. */
+#define FALL 0.1
 
 /* Rates at which a pair may part and slide when it has this force. */
 typedef struct {
@@ -149,62 +150,102 @@ qn_check_bodies (QnCheck *check)
                           check->rows[i]);
 }
 
-/* In large displacements elastic joints give as the structure moves on, by more than RATE. What proves the
- * motion then is its second-order work: displaced along it, with the laws' answer to that from the last
- * step on, the structure is pushed further by the loads. (Hill 1958, A general theory of uniqueness and
- * stability in elastic-plastic solids, J. Mech. Phys. Solids 6.) */
-static void
-check_second_order_work (QnCheck *check)
+/* The last state in a workspace of the solver, with loads that are held and those that may be driven. */
+static bool
+take_last_state (const QnCheck *check, const double *held, const double *driven,
+                 QnEquilibrium *eq)
 {
-  QnAssembly *as = &check->assembly;
-  double *moved = check->residual, none[QN_MAX_LOAD_SETS] = { 0 };
-  double factors[QN_MAX_LOAD_SETS] = { 0 }, before[QN_MAX_LOAD_SETS] = { 0 };
-  double speed = qn_assembly_largest (as, check->velocity, NULL);
-  uint32_t sets = find_driven (check, before);
-  QnId last = (QnId) check->result->step_count - 1;
+  QnAssembly *as = &eq->assembly;
+  QnBeamState beams;
+  bool ready = qn_beam_state_init (&beams, &as->beams);
 
-  qn_result_load_factors (check->model, check->result, (size_t) last, factors);
-  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
-    if ((sets >> set & 1) != 0)
-      factors[set] += MORE * (factors[set] - before[set]);
-  qn_assembly_set_loads (as, factors, none);
-  for (size_t k = 0; k < sizeof ways / sizeof *ways; k++) {
-    double power = 0;
-    for (int32_t i = 0; i < as->unknown_count; i++)
-      moved[i] = check->u[i] + ways[k] * as->length / speed * check->velocity[i];
-    if (!qn_assembly_evaluate (as, moved))
-      power = NAN;
-    qn_assembly_residual (as, 0, check->residual);
-    for (int32_t i = 0; i < as->unknown_count; i++)
-      power += check->residual[i] * check->velocity[i];
-    if (!(power > 0))
-      qn_check_tell_model (check, QN_CLAIM_WORK, last, power, 0);
+  if (ready) {
+    qn_beam_state_save (&beams, &check->assembly.beams);
+    qn_beam_state_set (&beams, &as->beams);
+    memcpy (as->committed, check->assembly.committed,
+            as->pair_count * sizeof *as->committed);
+    memcpy (as->inactive, check->assembly.inactive,
+            as->pair_count * sizeof *as->inactive);
+    memcpy (eq->u, check->u, (size_t) as->unknown_count * sizeof *eq->u);
+    qn_assembly_set_loads (as, held, driven);
+    qn_assembly_evaluate (as, eq->u);
+    qn_equilibrium_save (eq, &eq->committed);
   }
+  qn_beam_state_clear (&beams);
+  return ready;
 }
 
-void
-qn_check_mechanism (QnCheck *check)
+/* Whether the structure moves on under a load higher by QN_PUSH, with damping, and does not rest near by. */
+static QnStatus
+check_fall (QnCheck *check, const double *held, const double *driven, QnDiag *diag)
+{
+  const QnTarget target = qn_target_multiplier (QN_PUSH);
+  QnSolveStatus solve = QN_SOLVE_NO_MEMORY;
+  QnEquilibrium eq;
+  QnStatus status =
+    qn_equilibrium_setup (&eq, check->model, check->assembly.contacts, NULL, NULL, diag);
+
+  if (status != QN_OK)
+    return status;
+  double far = FALL * eq.assembly.length;
+  bool joints = qn_central_path_has_joints (&eq.assembly);
+  QnCentralPath *central = joints ? qn_central_path_new (&eq) : NULL;
+  if ((central != NULL || !joints) && take_last_state (check, held, driven, &eq))
+    solve = qn_equilibrium_relax (&eq, central, &target, far, QN_RELAX_BUDGET);
+  if (solve != QN_SOLVE_MECHANISM)
+    qn_check_tell_model (check, QN_CLAIM_FALL, (QnId) check->result->step_count - 1, NAN,
+                         NAN);
+  qn_central_path_free (central);
+  qn_equilibrium_clear (&eq);
+  return solve == QN_SOLVE_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
+}
+
+/* In large displacements elastic joints give as the structure moves on, by more than RATE. What proves the
+ * motion then is its second-order work, and that the structure falls: without associative friction it may
+ * stand although some motion has negative second-order work. */
+static QnStatus
+check_second_order_work (QnCheck *check, QnDiag *diag)
+{
+  const QnResult *result = check->result;
+  double factors[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 0 };
+  double before[QN_MAX_LOAD_SETS] = { 0 };
+  uint32_t sets = find_driven (check, before);
+  size_t last = result->step_count - 1;
+
+  qn_result_load_factors (check->model, result, last, factors);
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    if ((sets >> set & 1) != 0)
+      driven[set] = result->collapse_multiplier - before[set];
+  qn_assembly_set_loads (&check->assembly, factors, driven);
+  if (qn_moves_on (&check->assembly, check->u, 0, 1, check->velocity, check->rows,
+                   check->residual))
+    return check_fall (check, factors, driven, diag);
+  qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) last, NAN, NAN);
+  return QN_OK;
+}
+
+QnStatus
+qn_check_mechanism (QnCheck *check, QnDiag *diag)
 {
   const QnResult *result = check->result;
   const QnAssembly *as = &check->assembly;
 
   if (result->mechanism == NULL || result->step_count == 0)
-    return;
+    return QN_OK;
   qn_check_gather (as, result->mechanism, check->velocity);
   qn_check_bodies (check);
   if (result->outcome != QN_OUTCOME_COLLAPSE || result->history.width > 0)
-    return;
+    return QN_OK;
   check_work (check);
   if (result->mechanism_uncertain)
-    return;
-  if (result->mechanism_by_work && as->nonlinear) {
-    check_second_order_work (check);
-    return;
-  }
+    return QN_OK;
+  if (result->mechanism_by_work && as->nonlinear)
+    return check_second_order_work (check, diag);
   double *rates = check->forces;
   double none = RATE * qn_largest (check->velocity, (size_t) as->unknown_count);
   qn_assembly_elongation_rates (as, check->velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p])
       check_joint (check, p, rates + 2 * p, none);
+  return QN_OK;
 }

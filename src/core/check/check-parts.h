@@ -18,8 +18,8 @@
 /* Rounding of displacements, relative to the largest. */
 #define QN_CHECK_EXACT 1e-11
 
-/* Rounding of the forces that a file states of steps before the last, in eight digits. */
-#define QN_CHECK_DIGITS 5e-9
+/* Rounding of the forces that a file states of steps before the last: half a unit of the eighth digit. */
+#define QN_CHECK_DIGITS 5e-8
 
 /* Elongations of a step are those of its forces and flow to this part of the largest change of one
  * since the step before: what an increment along the central path may leave of them. */
@@ -109,7 +109,7 @@ void qn_check_course (QnCheck *check);
 void qn_check_events (QnCheck *check);
 
 /* The mechanism at the last step (check-mechanism.c). */
-void qn_check_mechanism (QnCheck *check);
+QnStatus qn_check_mechanism (QnCheck *check, QnDiag *diag);
 
 /* Supports stand in the mechanism, and nodes move with the blocks that they ride on. */
 void qn_check_bodies (QnCheck *check);

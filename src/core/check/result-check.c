@@ -650,9 +650,10 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
     }
     qn_check_course (&check);
     qn_check_events (&check);
-    qn_check_mechanism (&check);
+    status = qn_check_mechanism (&check, diag);
     qn_check_history (&check);
-    status = qn_check_bounds (&check, diag);
+    if (status == QN_OK)
+      status = qn_check_bounds (&check, diag);
     if (status == QN_OK)
       status = qn_check_fall (&check, diag);
   }

@@ -163,6 +163,9 @@ bool qn_equilibrium_go_on (QnEquilibrium *eq);
  * NO_MEMORY. */
 QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
+/* Viscous steps until relaxation gives up when its answer decides. */
+#define QN_RELAX_BUDGET 300
+
 /* Lets the structure move from the current state while the target holds, with viscosity that
  * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
  * with eq->motion). A step that Newton's method does not solve is taken along the central path, unless

@@ -13,6 +13,7 @@
 #include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
+#include "core/check/second-order-work.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -49,6 +50,7 @@ const QnPathTuning qn_path_tuning = {
   .nearly_settled = 5e-3,
   .settled = 0.1,
   .collapsed_motion = 0.1,
+  .falls = 6,
   .most_above = 4,
   .most_steps = 100000,
 };
@@ -438,6 +440,61 @@ find_velocity (const QnPathTrace *trace, double *velocity)
     velocity[i] = to[i] - from[i];
 }
 
+/* How far above the highest multiplier the load is held, to see whether a structure in large displacements
+ * rests there or falls. */
+static double
+held_above (const QnPathTrace *trace)
+{
+  return trace->above * trace->path->settings->multiplier_tolerance
+         * fmax (trace->events.highest, trace->unit);
+}
+
+/* Whether the structure moves on from its highest multiplier along this motion. */
+static bool
+is_proved (QnPathTrace *trace, const double *velocity)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  double highest = trace->highest.multiplier;
+
+  qn_equilibrium_set_state (eq, &trace->highest);
+  bool moves = qn_moves_on (&eq->assembly, trace->highest.u, highest, highest, velocity,
+                            eq->trial, eq->residual);
+  qn_equilibrium_set_state (eq, &trace->highest);
+  return moves;
+}
+
+/* In large displacements other joints slide and open as a structure falls: where the motion known is not
+ * proved to begin at the highest multiplier, that to where it has fallen less and less far. `velocity` is
+ * eq->motion. */
+static QnStatus
+settle_velocity (QnPathTrace *trace, QnDiag *diag)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  double *velocity = eq->motion, *known = trace->buckling;
+  double far = tuning->collapsed_motion * eq->assembly.length;
+  const QnTarget target =
+    qn_target_multiplier (fmin (trace->events.highest + held_above (trace), trace->end));
+  size_t size = (size_t) eq->assembly.unknown_count * sizeof *velocity;
+  bool proved = is_proved (trace, velocity);
+
+  memcpy (known, velocity, size);
+  for (int i = 0; !proved && i < tuning->falls; i++, far *= tuning->cut) {
+    QnSolveStatus status =
+      qn_equilibrium_relax (eq, trace->central, &target, far, QN_RELAX_BUDGET);
+    if (status == QN_SOLVE_NO_MEMORY)
+      return qn_diag_no_memory (diag);
+    if (status != QN_SOLVE_MECHANISM)
+      break;
+    for (int32_t k = 0; k < eq->assembly.unknown_count; k++)
+      velocity[k] = eq->u[k] - trace->highest.u[k];
+    proved = is_proved (trace, velocity);
+  }
+  if (!proved)
+    memcpy (velocity, known, size);
+  qn_equilibrium_restore (eq);
+  return QN_OK;
+}
+
 /* Whether the structure moves on for good at the last multiplier, in linear geometry: its forces and its
  * motion are a collapse that is proved, although joints without dilatancy may have carried more before. */
 static bool
@@ -505,6 +562,8 @@ conclude (QnPathTrace *trace, QnDiag *diag)
                         path->origin + path->scale * multiplier);
   if (trace->load_control && qn_path_trace_is_linear (trace))
     status = judge_mechanism (trace, velocity, diag);
+  else if (trace->load_control && trace->stop == QN_STOP_FALL)
+    status = settle_velocity (trace, diag);
   return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
 }
 
@@ -517,11 +576,9 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
 {
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
-  double highest = trace->events.highest;
-  double more =
-    trace->above * path->settings->multiplier_tolerance * fmax (highest, trace->unit);
-  double far = tuning->collapsed_motion * eq->assembly.length;
-  const QnTarget target = qn_target_multiplier (fmin (highest + more, trace->end));
+  double more = held_above (trace), far = tuning->collapsed_motion * eq->assembly.length;
+  const QnTarget target =
+    qn_target_multiplier (fmin (trace->events.highest + more, trace->end));
 
   qn_equilibrium_save (eq, &trace->lower);
   qn_equilibrium_set_state (eq, &trace->highest);

@@ -81,8 +81,10 @@ typedef struct QnPathTuning {
   double nearly_settled, settled;
 
   /* In nonlinear geometry a structure under load control has collapsed where it has moved by this part
-   * of the characteristic length since its highest multiplier. */
+   * of the characteristic length since its highest multiplier. Its mechanism is looked for on so many
+   * ways, each `cut` as far as the one before. */
   double collapsed_motion;
+  int falls;
 
   /* Load control in nonlinear geometry holds the load a tolerance above the highest multiplier, after each
    * rest twice as far, at most so many tolerances. */

@@ -20,10 +20,8 @@
 /* The same from where earlier equilibria predict it. */
 #define QN_PREDICTED_BUDGET 6
 
-/* Viscous steps until relaxation gives up: when only a hint is wanted, and when the answer
- * decides. */
+/* Viscous steps until relaxation gives up when only a hint is wanted. */
 #define QN_RELAX_BUDGET_HINT 40
-#define QN_RELAX_BUDGET      300
 
 /* With a measure held every relaxation ends, at rest or with blocks that have left their
  * contacts; stiff joints make the way there long. */
