@@ -1,5 +1,6 @@
 /* The course of an analysis: steps in order, events, and an outcome that is that of the last step. */
 #include "core/check/check-parts.h"
+#include "core/check/unlimited.h"
 
 #include <math.h>
 
@@ -238,11 +239,31 @@ reached_target (const QnCheck *check)
   return last->multiplier >= end * (1 - SAME) || last->multiplier >= 1e9 * (1 - SAME);
 }
 
-static void
-check_outcome (QnCheck *check)
+/* Limit analysis tells no step (check-fall.c). A path goes on to the largest multiplier there is, unless no
+ * load brings the structure down. */
+static QnStatus
+is_unbounded (const QnCheck *check, bool *is_true, QnDiag *diag)
+{
+  const QnResult *r = check->result;
+  const QnStep *last = r->step_count > 0 ? &r->steps[r->step_count - 1] : NULL;
+
+  *is_true =
+    r->mechanism == NULL && !r->has_collapse_multiplier
+    && (last == NULL) == (check->model->analysis.procedure == QN_PROCEDURE_LIMIT);
+  if (!*is_true || last == NULL || last->multiplier >= 1e9 * (1 - SAME))
+    return QN_OK;
+  *is_true = false;
+  if (check->model->analysis.geometry == QN_GEOMETRY_LINEAR)
+    return QN_OK;
+  return qn_check_unlimited (check->model, check->contacts, is_true, diag);
+}
+
+static QnStatus
+check_outcome (QnCheck *check, QnDiag *diag)
 {
   const QnResult *r = check->result;
   bool in_time = r->history.width > 0, is_true = true;
+  QnStatus status = QN_OK;
   const QnStep *last = r->step_count > 0 ? &r->steps[r->step_count - 1] : NULL;
 
   switch (r->outcome) {
@@ -268,8 +289,8 @@ check_outcome (QnCheck *check)
   case QN_OUTCOME_REST:
     is_true = in_time && last != NULL;
     break;
-  case QN_OUTCOME_UNBOUNDED: /* limit analysis tells no step; see check-fall.c */
-    is_true = r->mechanism == NULL && !r->has_collapse_multiplier;
+  case QN_OUTCOME_UNBOUNDED:
+    status = is_unbounded (check, &is_true, diag);
     break;
   case QN_OUTCOME_CANCELLED:
   case QN_OUTCOME_NOT_CONVERGED:
@@ -280,6 +301,7 @@ check_outcome (QnCheck *check)
   }
   if (!is_true)
     qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
+  return status;
 }
 
 /* Results of earlier versions do not tell it. */
@@ -298,15 +320,16 @@ check_linearity (QnCheck *check)
                          found.beyond_linear_multiplier);
 }
 
-void
-qn_check_course (QnCheck *check)
+QnStatus
+qn_check_course (QnCheck *check, QnDiag *diag)
 {
   check_numbers (check);
   check_order (check);
   check_events (check);
-  check_outcome (check);
+  QnStatus status = check_outcome (check, diag);
   check_nothing (check);
   check_collapse (check);
   check_first_limit (check);
   check_linearity (check);
+  return status;
 }

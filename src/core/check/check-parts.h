@@ -103,7 +103,7 @@ QnStatus qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag);
 void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);
 
 /* Order of the steps, events, the outcome and its multipliers (check-course.c). */
-void qn_check_course (QnCheck *check);
+QnStatus qn_check_course (QnCheck *check, QnDiag *diag);
 
 /* What happens between the steps of a path (check-events.c). */
 void qn_check_events (QnCheck *check);

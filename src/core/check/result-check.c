@@ -648,7 +648,7 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
         qn_check_tell (&check, QN_CLAIM_FORCES, (QnId) r->step_count - 1,
                        QN_ENTITY_CONTACT, (QnId) p, r->step_forces[2 * at], force[0]);
     }
-    qn_check_course (&check);
+    status = qn_check_course (&check, diag);
     qn_check_events (&check);
     status = qn_check_mechanism (&check, diag);
     qn_check_history (&check);

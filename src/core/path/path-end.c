@@ -117,6 +117,14 @@ has_collapsed (const QnPathTrace *trace)
          && moved > tuning->collapsed_motion * eq->assembly.length;
 }
 
+/* Whether a structure that carries every load has been drawn out of all proportion. */
+static bool
+is_drawn_out (const QnPathTrace *trace)
+{
+  return trace->unlimited && !trace->events.below
+         && trace->events.displacement > trace->extent;
+}
+
 void
 qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop)
 {
@@ -142,6 +150,8 @@ qn_path_end_check (QnPathTrace *trace)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
   else if (falls && eq->multiplier <= 0)
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_ZERO);
+  else if (is_drawn_out (trace))
+    qn_path_end_finish (trace, QN_OUTCOME_UNBOUNDED, QN_STOP_MULTIPLIER);
   else if (has_collapsed (trace))
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_FALL);
   else if (is_plateau (trace))

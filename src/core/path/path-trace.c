@@ -10,10 +10,12 @@
  * wherever an iteration happens to find an equilibrium, and sizes of steps hardly matter.
  */
 #include "core/path/path-trace.h"
+#include "core/base/box.h"
 #include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/check/second-order-work.h"
+#include "core/check/unlimited.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -717,6 +719,30 @@ run (QnPathTrace *trace, QnDiag *diag)
   return status == QN_OK ? conclude (trace, diag) : status;
 }
 
+static double
+extent_of (const QnModel *model)
+{
+  QnBox box = QN_BOX_EMPTY;
+
+  for (size_t b = 0; b < model->block_count; b++)
+    qn_box_add_point (&box, model->blocks[b].centroid);
+  return qn_box_diagonal (box);
+}
+
+/* In linear geometry the multiplier of such a structure grows until it counts as unbounded. */
+static QnStatus
+see_limits (QnPathTrace *trace, QnDiag *diag)
+{
+  const QnModel *model = trace->path->model;
+
+  if (qn_path_trace_is_linear (trace) || !trace->load_control
+      || trace->end < QN_UNBOUNDED)
+    return QN_OK;
+  trace->extent = extent_of (model);
+  return qn_check_unlimited (model, trace->path->equilibrium.assembly.contacts,
+                             &trace->unlimited, diag);
+}
+
 QnStatus
 qn_path_trace (QnPath *path, QnDiag *diag)
 {
@@ -735,7 +761,9 @@ qn_path_trace (QnPath *path, QnDiag *diag)
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
     return QN_OK;
   }
-  QnStatus status = qn_path_measure_setup (&trace.measure, path, diag);
+  QnStatus status = see_limits (&trace, diag);
+  if (status == QN_OK)
+    status = qn_path_measure_setup (&trace.measure, path, diag);
   if (status != QN_OK)
     return status;
   bool ready = renew_central_path (&trace);

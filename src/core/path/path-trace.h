@@ -112,8 +112,12 @@ typedef struct QnPathTrace {
   bool may_jump; /* some joint is not associative, or not known to be */
   bool jumped;   /* the last step moved on by a jump */
   double end;    /* largest multiplier */
-  double unit;   /* that at which the largest live load on a block equals the dead load */
-  double step;   /* to try next */
+  /* Whether no load brings it down (core/check/unlimited.h) and it is followed to no end of its own: then
+   * until it has moved as far as it is large, m. */
+  bool unlimited;
+  double extent;
+  double unit; /* that at which the largest live load on a block equals the dead load */
+  double step; /* to try next */
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */

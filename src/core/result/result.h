@@ -9,7 +9,7 @@ typedef enum {
   QN_OUTCOME_COLLAPSE,           /* no equilibrium beyond collapse_multiplier */
   QN_OUTCOME_TARGET_REACHED,     /* max_multiplier or the control target was reached */
   QN_OUTCOME_SNAP,               /* stopped at a limit point, as asked */
-  QN_OUTCOME_UNBOUNDED,          /* limit analysis: no multiplier is too large */
+  QN_OUTCOME_UNBOUNDED,          /* no multiplier is too large */
   QN_OUTCOME_DEAD_LOAD_UNSTABLE, /* no equilibrium under the dead load */
   QN_OUTCOME_CANCELLED,
   QN_OUTCOME_NOT_CONVERGED,

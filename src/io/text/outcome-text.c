@@ -1,5 +1,6 @@
 #include "io/text/outcome-text.h"
 #include "core/model/support.h"
+#include "core/path/path.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -130,9 +131,10 @@ collapse_sentence (const QnResult *result)
 {
   if (!result->has_collapse_multiplier)
     return g_strdup (_ ("The structure collapses."));
-  if (result->has_first_limit_multiplier
-      && fabs (result->first_limit_multiplier - result->collapse_multiplier)
-           > 1e-3 * fabs (result->collapse_multiplier))
+  double collapse = result->collapse_multiplier;
+  double before = copysign (1, collapse) * result->first_limit_multiplier;
+  /* A plateau may lie below an earlier jump: beyond that no equilibrium is known. */
+  if (result->has_first_limit_multiplier && before < (1 - 1e-3) * fabs (collapse))
     return g_strdup_printf (
       _ ("Collapse at a load multiplier of %.4g. The path first loses stability at %.4g, "
          "where a real wall would jump; equilibria exist beyond."),
@@ -429,6 +431,15 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
       _ ("Stopped at the first limit point, load multiplier %.4g."),
       result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
   case QN_OUTCOME_UNBOUNDED:
+    if (model->analysis.geometry == QN_GEOMETRY_NONLINEAR
+        && reached < (1 - AT_TARGET) * QN_UNBOUNDED)
+      return g_strdup_printf (
+        _ (
+          "No multiple of the live load brings this structure down: its joints hold at "
+          "any "
+          "force and hang on fixed blocks. It was followed to a load multiplier of %.4g, "
+          "where it has moved as far as it is large. Limit the strength of the joints."),
+        reached);
     if (task->procedure != QN_PROCEDURE_LIMIT)
       return g_strdup_printf (
         _ ("No collapse up to a load multiplier of %.4g: the structure carries any "

@@ -1,4 +1,5 @@
 #include "core/check/result-check.h"
+#include "core/check/unlimited.h"
 #include "core/path/analysis.h"
 
 #include "support/models.h"
@@ -291,6 +292,94 @@ test_settled (void)
   qn_result_clear (&result);
 }
 
+/* A tower of blocks that stick together. */
+static void
+init_glued (QnModel *model, QnLawKind kind, double moment)
+{
+  test_model_init_stack (model, 4, 1, 1);
+  test_model_add_weight_loads (model, 1);
+  model->laws[0].kind = kind;
+  model->laws[0].yield = kind == QN_LAW_BILINEAR ? 1e3 : 0;
+  model->laws[0].hardening = kind == QN_LAW_BILINEAR ? 0.05 : 0;
+  model->laws[0].friction = kind == QN_LAW_COULOMB ? 0.5 : 0;
+  model->live_loads[0].moment = moment;
+  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
+}
+
+/* No force brings it down, and it is not followed far to be told so; a statement that no load does of one
+ * whose joints open is not true. */
+static void
+test_unlimited (void)
+{
+  static const QnLawKind kinds[] = { QN_LAW_ELASTIC, QN_LAW_BILINEAR, QN_LAW_COULOMB };
+  for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    bool is_glued = kinds[i] != QN_LAW_COULOMB;
+    QnModel model;
+    QnContacts contacts;
+    QnResult result;
+    QnResultFaults faults;
+    init_glued (&model, kinds[i], 0);
+    g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+    g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                     QN_OK);
+    g_assert_cmpint (result.outcome, ==,
+                     is_glued ? QN_OUTCOME_UNBOUNDED : QN_OUTCOME_COLLAPSE);
+    if (is_glued) {
+      double moved = qn_result_motion (&result, 0, result.step_count - 1);
+      g_assert_cmpfloat (moved, >, 3); /* from the lowest centroid to the highest */
+      g_assert_cmpfloat (moved, <, 5);
+      g_assert_cmpint (result.statistics.factorizations, <, 2000);
+    }
+    qn_result_clear_collapse (&result);
+    qn_result_clear_events (&result);
+    result.steps[result.step_count - 1].event = QN_EVENT_NONE;
+    result.outcome = QN_OUTCOME_UNBOUNDED;
+    g_assert_cmpint (
+      qn_result_find_faults (&model, &contacts, &result, QN_CHECK_STATED, &faults, NULL),
+      ==, QN_OK);
+    g_assert_cmpint (faults.count, ==, is_glued ? 0 : 1);
+    if (!is_glued)
+      g_assert_cmpint (faults.items[0].claim, ==, QN_CLAIM_OUTCOME);
+    qn_result_clear (&result);
+    qn_contacts_clear (&contacts);
+    qn_model_clear (&model);
+  }
+}
+
+static bool
+is_unlimited (QnModel *model)
+{
+  QnContacts contacts;
+  bool unlimited;
+
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_check_unlimited (model, &contacts, &unlimited, NULL), ==, QN_OK);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (model);
+  return unlimited;
+}
+
+/* A moment turns a block on and on; a tower on rollers slides away; contacts that follow leave joints. */
+static void
+test_limited (void)
+{
+  QnModel model;
+  init_glued (&model, QN_LAW_ELASTIC, 0);
+  g_assert_true (is_unlimited (&model));
+  init_glued (&model, QN_LAW_ELASTIC, 1);
+  g_assert_false (is_unlimited (&model));
+  init_glued (&model, QN_LAW_ELASTIC, 0);
+  model.blocks[0].support[QN_DOF_UX] = false;
+  g_assert_false (is_unlimited (&model));
+  init_glued (&model, QN_LAW_ELASTIC, 0);
+  model.analysis.follow = true;
+  g_assert_false (is_unlimited (&model));
+  init_glued (&model, QN_LAW_BILINEAR, 0);
+  model.laws[0].hardening = 0;
+  g_assert_false (is_unlimited (&model));
+}
+
 int
 main (int argc, char **argv)
 {
@@ -298,6 +387,8 @@ main (int argc, char **argv)
   g_test_add_func ("/analysis/factorizations", test_factorizations);
   g_test_add_func ("/analysis/seconds", test_seconds);
   g_test_add_func ("/analysis/unbounded", test_unbounded);
+  g_test_add_func ("/analysis/unlimited", test_unlimited);
+  g_test_add_func ("/analysis/limited", test_limited);
   g_test_add_func ("/analysis/dead-load-alone", test_dead_load_alone);
   g_test_add_func ("/analysis/proved", test_proved);
   g_test_add_func ("/analysis/forces-not-kept", test_forces_not_kept);
