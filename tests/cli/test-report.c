@@ -91,10 +91,44 @@ test_cases (void)
   g_autofree char *model = cli_example ("27-retaining-wall.quoin");
   g_autofree char *pdf = g_build_filename (folder, "loads.pdf", NULL);
   cli_do ("report", model, "--sections", "loads,materials", "-o", pdf, NULL);
+  assert_words (
+    pdf,
+    WORDS ("Dead load: Own weight", "Live load, soil × 1: Backfill on the left",
+           "Live load, traffic × 1.5: Backfill on the left", "kn = ", " kN/m, "),
+    WORDS ("SI units"));
+}
+
+/* Supports move by millimetres, as blocks do. */
+static void
+test_settlement (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("19-settling-wall.quoin");
+  g_autofree char *pdf = g_build_filename (folder, "loads.pdf", NULL);
+  cli_do ("report", model, "--sections", "loads", "-o", pdf, NULL);
+  assert_words (pdf, WORDS ("uy: -15"), WORDS ("-0.015"));
+}
+
+/* A project that is shaken is solved with its record, and tells what has moved. */
+static void
+test_record (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *example = cli_example ("43-shaken-wall.quoin");
+  g_autofree char *record = cli_example ("43-synthetic-record.csv");
+  g_autofree char *text = cli_read (example);
+  g_autofree char *points = cli_read (record);
+  g_autofree char *model = g_build_filename (folder, "model.quoin", NULL);
+  g_autofree char *copy = g_build_filename (folder, "43-synthetic-record.csv", NULL);
+  g_autofree char *pdf = g_build_filename (folder, "report.pdf", NULL);
+  g_autoptr (GString) project = g_string_new (text);
+  g_string_replace (project, "\"duration\": 10", "\"duration\": 0.1", 1);
+  g_assert_true (g_file_set_contents (model, project->str, -1, NULL));
+  g_assert_true (g_file_set_contents (copy, points, -1, NULL));
+  cli_do ("report", model, "-o", pdf, NULL);
   assert_words (pdf,
-                WORDS ("Dead load: Own weight",
-                       "Live load, soil × 1: Backfill on the left",
-                       "Live load, traffic × 1.5: Backfill on the left"),
+                WORDS ("Ground motion: 43-synthetic-record.csv", "Displacement in time",
+                       "Displacement ux"),
                 NULL);
 }
 
@@ -144,6 +178,8 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/report/sections", test_sections);
   g_test_add_func ("/cli/report/results", test_results);
   g_test_add_func ("/cli/report/cases", test_cases);
+  g_test_add_func ("/cli/report/settlement", test_settlement);
+  g_test_add_func ("/cli/report/record", test_record);
   g_test_add_func ("/cli/report/template", test_template);
   g_test_add_func ("/cli/report/refused", test_refused);
   return g_test_run ();

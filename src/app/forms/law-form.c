@@ -29,8 +29,8 @@ static const struct {
   { "hardening", { N_ ("Hardening, part of stiffness"), .most = 1e18 } },
   { "strength", { N_ ("Strength"), .most = 1e18 } },
   { "ultimate_strain", { N_ ("Ultimate strain"), .most = 1e18 } },
-  { "fracture_energy", { N_ ("Fracture energy, J/m² (pair: J)"), .most = 1e18 } },
-  { "crushing_energy", { N_ ("Crushing energy, J/m² (pair: J)"), .most = 1e18 } },
+  { "fracture_energy", { N_ ("Fracture energy"), .most = 1e18 } },
+  { "crushing_energy", { N_ ("Crushing energy"), .most = 1e18 } },
 };
 
 typedef struct Form {

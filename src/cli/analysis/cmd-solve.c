@@ -5,7 +5,6 @@
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "core/path/analysis.h"
-#include "io/exchange/record.h"
 #include "io/exchange/table-csv.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
@@ -248,22 +247,6 @@ parse_detail (const QnSubcommand *self, Options *options)
   return FALSE;
 }
 
-/* Reads the ground motions that the project names, and says what is to be known of them. */
-static QnExit
-read_records (const Options *options, QnInput *input)
-{
-  QnProject *project = &input->project;
-  guint known = project->warnings->len;
-  GError *error = NULL;
-  if (project->model.analysis.procedure != QN_PROCEDURE_DYNAMIC)
-    return QN_EXIT_DONE;
-  if (!qn_project_read_records (project, NULL, options->allow_outside, &error))
-    return qn_cli_fail (error);
-  for (guint i = known; !options->quiet && i < project->warnings->len; i++)
-    qn_cli_warning ("%s", (const char *) g_ptr_array_index (project->warnings, i));
-  return QN_EXIT_DONE;
-}
-
 /* Puts an override before those of the user. */
 static void
 add_override (char ***overrides, const char *override)
@@ -315,7 +298,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   } else
     memset (&input, 0, sizeof input);
   if (code == QN_EXIT_DONE)
-    code = read_records (&options, &input);
+    code = qn_input_read_records (&input, options.allow_outside, options.quiet);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)

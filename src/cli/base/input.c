@@ -2,6 +2,7 @@
 
 #include "cli/base/message.h"
 #include "doc/document/threads.h"
+#include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -43,6 +44,21 @@ qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quie
   if (code != QN_EXIT_DONE)
     qn_input_clear (input);
   return code;
+}
+
+QnExit
+qn_input_read_records (QnInput *input, gboolean allow_outside, gboolean quiet)
+{
+  QnProject *project = &input->project;
+  guint known = project->warnings->len;
+  GError *error = NULL;
+  if (project->model.analysis.procedure != QN_PROCEDURE_DYNAMIC)
+    return QN_EXIT_DONE;
+  if (!qn_project_read_records (project, NULL, allow_outside, &error))
+    return qn_cli_fail (error);
+  for (guint i = known; !quiet && i < project->warnings->len; i++)
+    qn_cli_warning ("%s", (const char *) g_ptr_array_index (project->warnings, i));
+  return QN_EXIT_DONE;
 }
 
 QnExit

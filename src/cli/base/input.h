@@ -42,6 +42,10 @@ typedef struct QnInput {
  * returned; QN_EXIT_DONE otherwise. */
 QnExit qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quiet);
 
+/* Reads the ground motions that a project for analysis in time names, and says what is to be known of
+ * them unless `quiet`. On failure the user has been told. */
+QnExit qn_input_read_records (QnInput *input, gboolean allow_outside, gboolean quiet);
+
 /* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user. */
 QnExit qn_input_require_sound (const QnInput *input);
 

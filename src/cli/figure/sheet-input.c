@@ -12,7 +12,9 @@ qn_sheet_item_solve (QnSheetItem *item)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  QnExit code = qn_input_require_sound (&item->input);
+  QnExit code = qn_input_read_records (&item->input, FALSE, FALSE);
+  if (code == QN_EXIT_DONE)
+    code = qn_input_require_sound (&item->input);
   if (code != QN_EXIT_DONE)
     return code;
 

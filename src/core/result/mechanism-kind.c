@@ -29,6 +29,9 @@ const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT] = {
   [QN_MECHANISM_KIND_MIXED] = "mixed",
 };
 
+/* A joint that opens by more than this share of its slip, and not as friction dilates it, parts. */
+#define PARTING 0.05
+
 static bool
 is_hinge (const QnJointMotion *joint)
 {
@@ -180,6 +183,36 @@ classify_turning (const QnMechanism *m, const QnModel *model, const QnContacts *
   return slides_foremost (m) ? QN_MECHANISM_KIND_MIXED : QN_MECHANISM_KIND_ROCKING;
 }
 
+static double
+largest_dilatancy (const QnModel *model, const QnContactFace *face)
+{
+  return fmax (model->laws[face->law_a].dilatancy, model->laws[face->law_b].dilatancy);
+}
+
+/* Whether blocks are lifted or fall: they go up or down, and every joint parts that does not stay
+ * closed. The sides of a joint that opens, but not as its law or associative friction dilates it,
+ * press each other no more, however far they slip. */
+static bool
+loses_contact (const QnMechanism *m, const QnModel *model, const QnContacts *contacts)
+{
+  for (size_t i = 0; i < m->body_count; i++)
+    if (fabs (m->bodies[i].velocity.y) < 2.0 * fabs (m->bodies[i].velocity.x))
+      return false;
+  for (size_t f = 0; f < m->joint_count; f++) {
+    const QnJointMotion *joint = &m->joints[f];
+    const QnContactFace *face = &contacts->faces[f];
+    double slip = fabs (joint->slip);
+    double opening = fmin (joint->opening_start, joint->opening_end);
+    double friction =
+      fmax (model->laws[face->law_a].friction, model->laws[face->law_b].friction);
+    if (joint->kind == QN_JOINT_SLIDING
+        && (opening < (largest_dilatancy (model, face) + PARTING) * slip
+            || fabs (opening - friction * slip) < PARTING * slip))
+      return false;
+  }
+  return true;
+}
+
 QnMechanismKind
 qn_mechanism_classify (const QnMechanism *m, const QnModel *model,
                        const QnContacts *contacts)
@@ -197,6 +230,8 @@ qn_mechanism_classify (const QnMechanism *m, const QnModel *model,
       turning_blocks += m->bodies[i].block_count;
   }
   double turning = (double) turning_blocks / moving;
+  if (hinges == 0 && turning_blocks == 0 && loses_contact (m, model, contacts))
+    return QN_MECHANISM_KIND_FALLING;
   if (hinges > 0 && (turning >= PREVAILING || !slides_foremost (m)))
     return classify_turning (m, model, contacts, moving);
   if (turning <= 1.0 - PREVAILING && m->sliding_count > 0)

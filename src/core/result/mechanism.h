@@ -49,7 +49,7 @@ typedef enum {
   QN_MECHANISM_KIND_SLIDING, /* a body slides along one course of joints */
   QN_MECHANISM_KIND_STEPPED, /* a body separates along a staircase of joints */
   QN_MECHANISM_KIND_ARCH,    /* a chain of bodies folds at alternating hinges */
-  QN_MECHANISM_KIND_FALLING, /* bodies lose contact and fall */
+  QN_MECHANISM_KIND_FALLING, /* bodies lose contact: they fall, or are lifted */
   QN_MECHANISM_KIND_MIXED,   /* hinges and sliding joints together, none prevailing */
   QN_MECHANISM_KIND_COUNT
 } QnMechanismKind;

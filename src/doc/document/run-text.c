@@ -89,10 +89,11 @@ describe_event (const QnPathEvent *event, QnUnits units)
   if (event->kind == QN_EVENT_KIND_COLLAPSE)
     return g_strdup_printf (_ ("Multiplier %.4f: collapse, %s"), event->multiplier,
                             blocks);
+  QnUnits mm = qn_units_of_motion (units);
   g_autofree char *before =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, event->displacement_before, 3);
+    qn_units_format_full (mm, QN_QUANTITY_LENGTH, event->displacement_before, 3);
   g_autofree char *after =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, event->displacement_after, 3);
+    qn_units_format_full (mm, QN_QUANTITY_LENGTH, event->displacement_after, 3);
   return g_strdup_printf (
     event->kind == QN_EVENT_KIND_SNAP
       ? _ ("Multiplier %.4f: a jump, the largest displacement grows from %s to %s, %s")

@@ -2,6 +2,7 @@
 
 #include "doc/edit/edit-shape.h"
 #include "doc/text/explain.h"
+#include "io/text/width-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 #include <string.h>
@@ -63,10 +64,11 @@ qn_gaps_dup_text (const QnGaps *gaps)
   }
   if (gaps->count == 0)
     return NULL;
-  return g_strdup_printf (ngettext ("%zu joint of mortar, %.3g to %.3g mm wide",
-                                    "%zu joints of mortar, %.3g to %.3g mm wide",
+  g_autofree char *widths = qn_widths_dup_text (narrowest, widest);
+  return g_strdup_printf (ngettext ("%zu joint of mortar, %s wide",
+                                    "%zu joints of mortar, %s wide",
                                     (gulong) gaps->count),
-                          gaps->count, 1e3 * narrowest, 1e3 * widest);
+                          gaps->count, widths);
 }
 
 static gboolean

@@ -57,6 +57,9 @@ static const UnitRow unit_rows[] = {
   { QN_QUANTITY_DENSITY, "kg/m3", 1.0 },
   { QN_QUANTITY_TIME, "s", 1.0 },
   { QN_QUANTITY_TIME, "ms", 1e-3 },
+  { QN_QUANTITY_ENERGY, "J", 1.0 },
+  { QN_QUANTITY_SURFACE_ENERGY, "J/m²", 1.0 },
+  { QN_QUANTITY_SURFACE_ENERGY, "J/m2", 1.0 },
 };
 
 static const char *const length_symbols[] = { "m", "cm", "mm" };
@@ -100,6 +103,8 @@ qn_units_symbol (QnUnits units, QnQuantity quantity)
     [QN_QUANTITY_UNIT_WEIGHT] = unit_weight_symbols[units.force],
     [QN_QUANTITY_DENSITY] = "kg/m³",
     [QN_QUANTITY_TIME] = "s",
+    [QN_QUANTITY_ENERGY] = "J",
+    [QN_QUANTITY_SURFACE_ENERGY] = "J/m²",
     [QN_QUANTITY_NUMBER] = "",
   };
   return symbols[quantity];

@@ -22,6 +22,8 @@ typedef enum {
   QN_QUANTITY_UNIT_WEIGHT,       /* N/m3 */
   QN_QUANTITY_DENSITY,           /* kg/m3 */
   QN_QUANTITY_TIME,              /* s */
+  QN_QUANTITY_ENERGY,            /* J */
+  QN_QUANTITY_SURFACE_ENERGY,    /* J/m2 */
   QN_QUANTITY_COUNT
 } QnQuantity;
 

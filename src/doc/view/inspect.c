@@ -4,8 +4,29 @@
 #include "render/scene/thrust.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
 
 #define DIGITS 4
+
+/* What is smaller than this share of its field's largest value is rounding. */
+#define NOISE 1e-9
+
+static void
+measure (QnStepView *view)
+{
+  for (gsize i = 0; view->pairs != NULL && i < view->contacts->pair_count; i++)
+    view->force =
+      fmax (view->force, hypot (view->pairs[i].normal_force, view->pairs[i].shear_force));
+  for (gsize i = 0; i < view->touch_count; i++)
+    view->force = fmax (view->force, qn_vec2_length (view->touches[i].on[0]));
+  for (gsize b = 0; b < view->model->block_count; b++) {
+    view->force = fmax (view->force, view->model->blocks[b].weight);
+    for (int dof = QN_DOF_UX; view->motion.displacements != NULL && dof < QN_DOF_RZ;
+         dof++)
+      view->length = fmax (
+        view->length, fabs (view->motion.displacements[b * QN_DOF_COUNT + (gsize) dof]));
+  }
+}
 
 gboolean
 qn_step_view_init (QnStepView *view, QnViewState *state)
@@ -28,6 +49,7 @@ qn_step_view_init (QnStepView *view, QnViewState *state)
   /* Limit analysis knows forces and velocities alone. */
   if (!view->result->limit.given)
     view->motion = qn_step_motion (view->model, view->result, view->step);
+  measure (view);
   return TRUE;
 }
 
@@ -170,12 +192,50 @@ tell_row (GString *text, const QnStepView *view, QnId id, QnUnits units)
 }
 
 static void
+quiet (double *value, double largest)
+{
+  if (fabs (*value) < NOISE * largest)
+    *value = 0;
+}
+
+/* Rounding is told as 0. */
+static void
+quiet_joint (const QnStepView *view, const QnContactFace *face, QnJointReading *reading)
+{
+  double thickness =
+    fmin (view->model->blocks[face->a].thickness, view->model->blocks[face->b].thickness);
+  quiet (&reading->normal, view->force);
+  quiet (&reading->shear, view->force);
+  quiet (&reading->moment, view->force * face->length);
+  quiet (&reading->pressure, view->force / (face->length * thickness));
+  quiet (&reading->eccentricity, face->length);
+  quiet (&reading->opening_start, view->length);
+  quiet (&reading->opening_end, view->length);
+  quiet (&reading->slip, view->length);
+}
+
+static void
+quiet_block (const QnStepView *view, const QnBlock *block, QnBlockReading *reading)
+{
+  double size = sqrt (block->area);
+  quiet (&reading->force.x, view->force);
+  quiet (&reading->force.y, view->force);
+  for (int i = 0; i < 2; i++) {
+    quiet (&reading->principal[i], view->force / (size * block->thickness));
+    quiet (&reading->displacement[i], view->length);
+  }
+  quiet (&reading->displacement[QN_DOF_RZ], view->length / size);
+  quiet (&reading->largest, view->length);
+}
+
+static void
 tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
   const QnContactFace *face = &view->contacts->faces[id];
   QnJointReading reading =
     qn_joint_reading (view->contacts, id, view->pairs,
                       view->motion.displacements != NULL ? &view->motion : NULL);
+  quiet_joint (view, face, &reading);
   if (reading.has_forces) {
     add_value (text, units, "N", QN_QUANTITY_FORCE, reading.normal);
     add_value (text, units, "T", QN_QUANTITY_FORCE, reading.shear);
@@ -237,6 +297,7 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
   QnBlockReading reading = qn_block_reading (
     view->model, view->contacts, id, view->pairs, view->touches, view->touch_count,
     view->motion.displacements != NULL ? &view->motion : NULL);
+  quiet_block (view, block, &reading);
   if (reading.has_motion) {
     QnUnits mm = qn_units_of_motion (units);
     add_pair (text, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,

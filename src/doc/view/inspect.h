@@ -32,6 +32,8 @@ typedef struct QnStepView {
   QnTouch *touches;       /* contacts found on the way, at that step, owned */
   gsize touch_count;
   QnMotion motion; /* its displacements NULL: not known */
+  double force,
+    length; /* the largest at that step, of the field that values are read from, N and m */
 } QnStepView;
 
 /* FALSE where the view has nothing to show; nothing to clear then. */

@@ -131,8 +131,8 @@ qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
     return g_strdup_printf (_ ("Along %s: %s"), model->beams[load->beam].name, line);
   }
   case QN_LOAD_SETTLEMENT: {
-    g_autofree char *value =
-      qn_units_format_full (units, quantity_of (load->dof), load->value, 4);
+    g_autofree char *value = qn_units_format_full (
+      qn_units_of_motion (units), quantity_of (load->dof), load->value, 4);
     return g_strdup_printf (_ ("Settlement of %s, %s: %s"),
                             model->blocks[load->block].name, components[load->dof],
                             value);
@@ -176,8 +176,9 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
     target = qn_units_format (units, QN_QUANTITY_NUMBER, stage->target, 5);
     return g_strdup_printf (_ ("%s: %s to %s"), name, sets, target);
   case QN_STAGE_END_DISPLACEMENT:
-    target = qn_units_format_full (units, quantity_of (stage->control_dof),
-                                   stage->control_target, 4);
+    target =
+      qn_units_format_full (qn_units_of_motion (units), quantity_of (stage->control_dof),
+                            stage->control_target, 4);
     return g_strdup_printf (_ ("%s: %s until %s is %s"), name, sets,
                             components[stage->control_dof], target);
   case QN_STAGE_END_COLLAPSE:

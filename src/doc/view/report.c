@@ -3,6 +3,7 @@
 #include "core/base/integer.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
+#include "doc/text/law-text.h"
 #include "doc/view/inspect.h"
 #include "doc/view/load-text.h"
 #include "io/exchange/table-csv.h"
@@ -116,19 +117,22 @@ write_model (QnPages *pages, const QnReport *report, GError **error)
 }
 
 static char *
-dup_law_numbers (const QnLaw *law)
+dup_law_numbers (const QnLaw *law, QnUnits units)
 {
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   g_autoptr (GString) text = g_string_new (NULL);
-  g_autofree char *kn = qn_label_number ("%.6g", law->kn);
-  g_autofree char *ks = qn_label_number ("%.6g", law->ks);
+  g_autofree char *kn =
+    qn_units_format_full (units, qn_law_quantity ("kn", law->basis), law->kn, 6);
+  g_autofree char *ks =
+    qn_units_format_full (units, qn_law_quantity ("ks", law->basis), law->ks, 6);
   g_string_append_printf (text, "kn = %s, ks = %s", kn, ks);
   for (size_t i = 0; i < count; i++) {
     double value = qn_law_get (law, &parameters[i]);
     if (!isfinite (value))
       continue;
-    g_autofree char *number = qn_label_number ("%.6g", value);
+    g_autofree char *number = qn_units_format_full (
+      units, qn_law_quantity (parameters[i].key, law->basis), value, 6);
     g_string_append_printf (text, ", %s = %s", parameters[i].key, number);
   }
   return g_strdup (text->str);
@@ -148,16 +152,15 @@ write_materials (QnPages *pages, const QnReport *report)
   g_autoptr (GPtrArray) laws = g_ptr_array_new_with_free_func (g_free);
   g_autoptr (GPtrArray) blocks = g_ptr_array_new_with_free_func (g_free);
   qn_pages_heading (pages, _ ("Materials"));
-  const char *const head[] = { _ ("Law"), _ ("Kind"), _ ("Given per"),
-                               _ ("Numbers, in SI units") };
+  const char *const head[] = { _ ("Law"), _ ("Kind"), _ ("Given per"), _ ("Numbers") };
   for (gsize i = 0; i < G_N_ELEMENTS (head); i++)
     add_cell (laws, g_strdup (head[i]));
   for (size_t i = 0; i < model->law_count; i++) {
     const QnLaw *law = &model->laws[i];
     add_cell (laws, g_strdup (law->name));
-    add_cell (laws, g_strdup (qn_law_kind_names[law->kind]));
-    add_cell (laws, g_strdup (qn_basis_names[law->basis]));
-    add_cell (laws, dup_law_numbers (law));
+    add_cell (laws, g_strdup (_ (qn_law_kind_words[law->kind])));
+    add_cell (laws, g_strdup (_ (qn_basis_words[law->basis])));
+    add_cell (laws, dup_law_numbers (law, report->units));
   }
   write_table (pages, laws, G_N_ELEMENTS (head));
 

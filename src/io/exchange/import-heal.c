@@ -1,4 +1,5 @@
 #include "io/exchange/import-work.h"
+#include "io/text/width-text.h"
 #include "stereotomy/gaps.h"
 #include "stereotomy/polygon-ops.h"
 
@@ -72,29 +73,28 @@ tell_gaps (QnImportWork *work, const QnGapClosing *closing)
     narrowest = fmin (narrowest, report->gaps.items[i].width);
     report->widest_gap = fmax (report->widest_gap, report->gaps.items[i].width);
   }
-  double from = 1e3 * narrowest, to = 1e3 * report->widest_gap;
+  g_autofree char *widths = qn_widths_dup_text (narrowest, report->widest_gap);
   switch (work->settings->gaps) {
   case QN_GAPS_CLOSED:
-    qn_import_tell (
-      work, FALSE,
-      _ ("joints of mortar: %zu, %.3g to %.3g mm wide; closed: blocks grew to "
-         "their middle, by %.3g m² in all"),
-      count, from, to, closing->grown);
+    qn_import_tell (work, FALSE,
+                    _ ("joints of mortar: %zu, %s wide; closed: blocks grew to "
+                       "their middle, by %.3g m² in all"),
+                    count, widths, closing->grown);
     if (closing->left > 0)
       qn_import_tell (work, TRUE, _ ("joints of mortar that could not be closed: %zu"),
                       closing->left);
     break;
   case QN_GAPS_FILLED:
-    qn_import_tell (
-      work, FALSE, _ ("joints of mortar: %zu, %.3g to %.3g mm wide; each became a block"),
-      count, from, to);
+    qn_import_tell (work, FALSE,
+                    _ ("joints of mortar: %zu, %s wide; each became a block"), count,
+                    widths);
     break;
   case QN_GAPS_OPEN:
   case QN_GAPS_TREATMENT_COUNT:
     qn_import_tell (work, TRUE,
-                    _ ("joints of mortar: %zu, %.3g to %.3g mm wide; left open, so that "
+                    _ ("joints of mortar: %zu, %s wide; left open, so that "
                        "blocks do not touch there"),
-                    count, from, to);
+                    count, widths);
     break;
   }
 }

@@ -32,6 +32,7 @@ find_collapse (const QnResult *result)
 bool
 qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion motion)
 {
+  static const char *const components[QN_DOF_COUNT] = { "ux", "uy", "rz" };
   bool shown =
     motion.body != QN_NONE && (size_t) motion.body < qn_result_body_count (result);
   size_t count = shown ? result->step_count : 0;
@@ -39,6 +40,7 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion moti
   *curve = (QnCurve){ .limit_point = -1,
                       .collapse_point = -1,
                       .dot = -1,
+                      .component = components[motion.dof],
                       .in_time = result->history.width > 0 };
   curve->x = g_try_new0 (double, MAX (count, 1));
   curve->y = g_try_new0 (double, MAX (count, 1));

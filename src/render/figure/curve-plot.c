@@ -212,31 +212,43 @@ y_unit (const QnCurvePlot *data, double largest, double *factor)
                                                     : NULL;
 }
 
-static const char *
-motion_name (const QnCurvePlot *data)
+/* "Displacement ux since the dead load"; without the component where curves show several. */
+static char *
+dup_motion_name (const QnCurvePlot *data)
 {
-  for (size_t i = 0; i < data->curve_count; i++)
-    if (data->curves[i].since_dead)
-      return _ ("Displacement since the dead load");
-  return _ ("Displacement");
+  const char *component = data->curve_count > 0 ? data->curves[0].component : NULL;
+  bool since_dead = false;
+  for (size_t i = 0; i < data->curve_count; i++) {
+    since_dead |= data->curves[i].since_dead;
+    if (g_strcmp0 (data->curves[i].component, component) != 0)
+      component = NULL;
+  }
+  if (component == NULL)
+    return g_strdup (data->rotation ? _ ("Rotation")
+                     : since_dead   ? _ ("Displacement since the dead load")
+                                    : _ ("Displacement"));
+  return g_strdup_printf (data->rotation ? since_dead
+                                             ? _ ("Rotation %s since the dead load")
+                                             : _ ("Rotation %s")
+                          : since_dead ? _ ("Displacement %s since the dead load")
+                                         : _ ("Displacement %s"),
+                          component);
 }
 
 static void
 draw_names (const Plot *plot, const char *unit, const char *unit_y, double x,
             double bottom)
 {
+  g_autofree char *motion = dup_motion_name (plot->data);
   const char *name = plot->data->x_label != NULL ? plot->data->x_label
                      : is_in_time (plot->data)   ? _ ("Time")
-                                                 : motion_name (plot->data);
+                                                 : motion;
   g_autofree char *label =
     *unit != '\0' ? g_strdup_printf ("%s (%s)", name, unit) : g_strdup (name);
   g_autofree char *label_y =
-    unit_y == NULL
-      ? g_strdup (plot->data->y_label != NULL ? plot->data->y_label
-                                              : _ ("Load multiplier λ"))
-      : g_strdup_printf ("%s (%s)",
-                         plot->data->rotation ? _ ("Rotation") : motion_name (plot->data),
-                         unit_y);
+    unit_y == NULL ? g_strdup (plot->data->y_label != NULL ? plot->data->y_label
+                                                           : _ ("Load multiplier λ"))
+                   : g_strdup_printf ("%s (%s)", motion, unit_y);
   qn_axes_draw_names (&plot->x, &plot->y, plot->cr, plot->unit, label, label_y, x, bottom,
                       plot->data->monochrome);
 }

@@ -15,6 +15,8 @@ typedef struct QnCurve {
   bool in_time;      /* of an analysis in time: x is the time, s, y the displacement */
   bool
     since_dead; /* displacements leave out what the dead load has moved, which is not 0 */
+  const char
+    *component; /* "ux", "uy" or "rz": what moves; NULL: the plot's label says it */
   size_t count;
   ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
   ptrdiff_t collapse_point; /* index of the point marked as collapse, or -1 */
@@ -30,7 +32,7 @@ typedef struct QnReferenceLine {
 
 typedef struct QnCurvePlot {
   const char *title;   /* or NULL */
-  const char *x_label; /* without unit, or NULL: "Displacement", and since when */
+  const char *x_label; /* without unit, or NULL: "Displacement ux", and since when */
   const char
     *x_unit; /* unit of x as it is, "" for none; NULL: x is in m or rad, or s where
                           the first curve is in time */

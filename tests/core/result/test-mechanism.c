@@ -225,7 +225,7 @@ typedef struct Motion {
   double vx, vy, turn, x, y;
 } Motion;
 
-/* Rows from the top; | stands between blocks, a letter fills a column of a block, '.' is a block at
+/* Rows from the top; |, \ and / stand between blocks, the last two for joints that lean, a letter fills a column of a block, '.' is a block at
  * rest, a blank no block. The ground lies beneath the lowest row. */
 typedef struct Drawing {
   const char *rows[7];
@@ -342,8 +342,13 @@ static const Drawing drawings[] = {
   { { "|..|AA|AA|", "|..|AA|AA|", "|....|AA|", "|....|AA|" },
     { CLOCKWISE ('A', 6, 0) },
     QN_MECHANISM_KIND_STEPPED },
-  /* A stone that is lifted out of a wall slides along its neighbours. */
+  /* A stone that is lifted out of a wall slides along its neighbours. A wedge leaves its sides, however
+   * far they slip past it; pushed along one of them it slides. */
   { { "|.|AA|.|", "|..|..|" }, { TO ('A', 0, 1) }, QN_MECHANISM_KIND_SLIDING },
+  { { "|..\\AAAA/..|" }, { TO ('A', 0, 1) }, QN_MECHANISM_KIND_FALLING },
+  { { "|..\\AAAA/..|", "|.|    |.|" }, { TO ('A', 0, 1) }, QN_MECHANISM_KIND_FALLING },
+  { { "|../AAAA\\..|", "|.|    |.|" }, { TO ('A', 0, -1) }, QN_MECHANISM_KIND_FALLING },
+  { { "|..\\AAAA|" }, { TO ('A', -0.5, 1) }, QN_MECHANISM_KIND_SLIDING },
   /* A stone that drops out of a wall, and nothing at all. */
   { { "|..|..|", "|..|AA|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
   { { "|..|..|", "|.|..|.|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_NONE },
@@ -351,26 +356,45 @@ static const Drawing drawings[] = {
 
 G_STATIC_ASSERT (G_N_ELEMENTS (drawings) >= 30);
 
+/* How far a joint leans at its foot, to the right, and as far to the left at its head. */
+static double
+leaning (char joint)
+{
+  return joint == '\\' ? 0.25 : joint == '/' ? -0.25 : 0;
+}
+
+static gboolean
+is_joint (char c)
+{
+  return c == '|' || c == '\\' || c == '/';
+}
+
 /* Adds the blocks of a row, and notes their letters. A blank is as wide as a block's column. */
 static void
 draw_row (QnModel *model, const char *row, double y, GString *letters)
 {
-  double x = 0;
+  double x = 0, left = 0;
   const char *c = row;
   while (*c != '\0') {
     const char *first = c;
-    while (*c == *first && *c != '|')
+    if (is_joint (*c)) {
+      left = leaning (*c++);
+      continue;
+    }
+    while (*c == *first)
       c++;
-    if (c > first) {
-      if (*first != ' ') {
-        char *name = g_strdup_printf ("b%u", (guint) letters->len);
-        test_model_add_rectangle (model, name, x, y, (double) (c - first), 1);
-        g_string_append_c (letters, *first);
-        g_free (name);
-      }
-      x += (double) (c - first);
-    } else
-      c++;
+    double right = leaning (*c), end = x + (double) (c - first);
+    if (*first != ' ') {
+      const QnVec2 corners[] = {
+        { x + left, y }, { end + right, y }, { end - right, y + 1 }, { x - left, y + 1 }
+      };
+      g_autofree char *name = g_strdup_printf ("b%u", (guint) letters->len);
+      QnBlock *block = qn_model_add_block (model, name, corners, 4);
+      block->thickness = 1;
+      block->unit_weight = 10000;
+      g_string_append_c (letters, *first);
+    }
+    x = end;
   }
 }
 

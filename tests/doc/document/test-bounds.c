@@ -123,8 +123,10 @@ test_events (void)
   event->displacement_before = 0.003;
   event->displacement_after = 0.005;
   static const QnEventKind kinds[] = { QN_EVENT_KIND_SNAP, QN_EVENT_KIND_LOCAL };
-  static const char *const said[] = { "a jump, the largest displacement grows from 0.003",
-                                      "joints settle, the largest displacement grows" };
+  static const char *const said[] = {
+    "a jump, the largest displacement grows from 3\302\240mm to 5\302\240mm",
+    "joints settle, the largest displacement grows"
+  };
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
     event->kind = kinds[i];
     g_autoptr (GPtrArray) jumps = qn_run_dup_events (run, QN_UNITS_SI);

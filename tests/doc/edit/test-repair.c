@@ -2,6 +2,7 @@
 
 #include "doc/edit/edit-gaps.h"
 #include "doc/fixture.h"
+#include "io/text/width-text.h"
 
 #include <string.h>
 
@@ -157,6 +158,18 @@ close_gaps (QnModel *model, gpointer data, GError **error)
   return qn_edit_close_gaps (model, *(const double *) data, NULL, error);
 }
 
+/* Joints that are equally wide when they are written have one width. */
+static void
+test_widths (void)
+{
+  g_autofree char *alike = qn_widths_dup_text (0.012, 0.0120001);
+  g_autofree char *apart = qn_widths_dup_text (0.012, 0.0121);
+  g_autofree char *begins = qn_widths_dup_text (0.001, 0.012);
+  g_assert_cmpstr (alike, ==, "12 mm");
+  g_assert_cmpstr (apart, ==, "12 to 12.1 mm");
+  g_assert_cmpstr (begins, ==, "1 to 12 mm");
+}
+
 /* Blocks that mortar parts from the ground are not fixed to it: the gaps are closed, all in one step,
  * and the bed stays level. */
 static void
@@ -214,5 +227,6 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/repair/who-moves", test_who_moves);
   g_test_add_func ("/doc/repair/all", test_all);
   g_test_add_func ("/doc/repair/mortar", test_mortar);
+  g_test_add_func ("/doc/repair/widths", test_widths);
   return g_test_run ();
 }

@@ -1,0 +1,14 @@
+#include "io/text/width-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+char *
+qn_widths_dup_text (double narrowest, double widest)
+{
+  g_autofree char *from = g_strdup_printf ("%.3g", 1e3 * narrowest);
+  g_autofree char *to = g_strdup_printf ("%.3g mm", 1e3 * widest);
+  return g_str_has_prefix (to, from) && to[strlen (from)] == ' '
+           ? g_steal_pointer (&to)
+           : g_strdup_printf (_ ("%s to %s"), from, to);
+}
