@@ -275,6 +275,7 @@ test_manual_results (void)
   qn_selection_set_face (qn_document_get_selection (qn_window_get_document (window)), 40);
   driver_activate (window, "win.show-panel::properties");
   manual_picture (GTK_WIDGET (window), "contacts");
+  qn_selection_clear (qn_document_get_selection (qn_window_get_document (window)));
   driver_activate (window, "win.show-panel::analysis");
   driver_activate (window, "win.view::model");
   manual_picture (GTK_WIDGET (window), "analysis");

@@ -56,6 +56,44 @@ test_whole (void)
                 NULL);
 }
 
+/* The pages of a PDF as text; NULL where pdftotext is not installed. */
+static char **
+read_pages (const char *path)
+{
+  g_autofree char *program = g_find_program_in_path ("pdftotext"), *text = NULL;
+  const char *argv[] = { program, "-layout", path, "-", NULL };
+  if (program == NULL)
+    return NULL;
+  g_assert_true (
+    g_spawn_sync (NULL, (char **) argv, NULL, 0, NULL, NULL, &text, NULL, NULL, NULL));
+  return g_strsplit (text, "\f", -1);
+}
+
+/* The first page has the title, the picture, the answer, the hash and the version, and nothing else. What
+ * follows a wide figure stands beneath it. */
+static void
+test_pages (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *path = report (folder, "report.pdf", NULL, NULL);
+  g_auto (GStrv) pages = read_pages (path);
+  gboolean beneath = FALSE;
+  if (pages == NULL) {
+    g_test_skip ("pdftotext is not installed");
+    return;
+  }
+  static const char *const first[] = { "Semicircular arch", "Collapse at", "undeformed",
+                                       "SHA-256", "quoin " };
+  for (gsize i = 0; i < G_N_ELEMENTS (first); i++)
+    g_assert_nonnull (strstr (pages[0], first[i]));
+  g_assert_null (strstr (pages[0], "Model"));
+  g_assert_true (g_str_has_prefix (pages[1], "Model"));
+  for (char **page = pages; *page != NULL; page++)
+    beneath |= strstr (*page, "Contacts\n") != NULL && strstr (*page, "Result:") != NULL
+               && strstr (*page, "Mechanism") != NULL;
+  g_assert_true (beneath);
+}
+
 /* Chosen sections and paper. */
 static void
 test_sections (void)
@@ -81,6 +119,16 @@ test_results (void)
   cli_do ("report", model, "-r", path, "-r", limit, "-o", pdf, NULL);
   assert_words (pdf, WORDS ("Comparison", "path.json: passed", "limit.json: passed"),
                 NULL);
+  /* Their pictures stand beside each other, titles in one line. */
+  g_auto (GStrv) pages = read_pages (pdf);
+  gboolean beside = pages == NULL;
+  for (char **page = pages; page != NULL && *page != NULL; page++) {
+    g_auto (GStrv) lines = g_strsplit (*page, "\n", -1);
+    for (char **line = lines; *line != NULL; line++)
+      beside |=
+        strstr (*line, "path.json  ") != NULL && strstr (*line, "limit.json") != NULL;
+  }
+  g_assert_true (beside);
 }
 
 /* Loads are told with their case and its factor. */
@@ -175,6 +223,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/report/whole", test_whole);
+  g_test_add_func ("/cli/report/pages", test_pages);
   g_test_add_func ("/cli/report/sections", test_sections);
   g_test_add_func ("/cli/report/results", test_results);
   g_test_add_func ("/cli/report/cases", test_cases);

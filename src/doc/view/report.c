@@ -69,23 +69,50 @@ measure (const QnModel *model, QnVec2 *size, double *weight)
 
 /* ---- sections of the project ---- */
 
-static void
-write_title (QnPages *pages, const QnReport *report)
+/* The picture of a result: how it fails, or else how it has moved. */
+static bool
+choose_picture (QnFigure *figure, const QnReportRun *run)
 {
+  const QnResult *result = &run->file->result;
+  if (result->mechanism == NULL && result->step_count == 0)
+    return false;
+  qn_figure_init (figure, &run->project->model, run->contacts, result,
+                  result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+  figure->title = run->name;
+  return true;
+}
+
+/* A page of its own: title, author, picture, what was found, and of what and by what it was made. */
+static bool
+write_title (QnPages *pages, const QnReport *report, GError **error)
+{
+  QnFigure figure;
   qn_pages_title (pages, title_of (report->project));
-  g_autofree char *name = g_path_get_basename (report->project->name);
-  g_autofree char *by = g_strdup_printf (_ ("%s, made by %s"), name, report->generator);
   if (report->plan.author != NULL)
     qn_pages_paragraph (pages, report->plan.author);
-  qn_pages_paragraph (pages, by);
   if (report->plan.text != NULL)
     qn_pages_paragraph (pages, report->plan.text);
+  if (report->run_count == 0 || !choose_picture (&figure, &report->runs[0])) {
+    qn_figure_init (&figure, &report->project->model, report->contacts, NULL,
+                    QN_VIEW_MODEL);
+    figure.title = "";
+  }
+  if (!qn_pages_figure (pages, &figure, 0.5, error))
+    return false;
   for (size_t i = 0; i < report->run_count; i++) {
     const QnReportRun *run = &report->runs[i];
     g_autofree char *text = qn_explain_outcome (&run->project->model, &run->file->result);
     g_autofree char *line = g_strdup_printf ("%s: %s", run->name, text);
     qn_pages_paragraph (pages, line);
   }
+  g_autofree char *name = g_path_get_basename (report->project->name);
+  g_autofree char *by = g_strdup_printf (_ ("%s, made by %s"), name, report->generator);
+  g_autofree char *foot =
+    report->project->sha256 != NULL
+      ? g_strdup_printf ("%s\nSHA-256 %s", by, report->project->sha256)
+      : g_strdup (by);
+  qn_pages_foot (pages, foot);
+  return true;
 }
 
 static bool
@@ -162,7 +189,8 @@ write_materials (QnPages *pages, const QnReport *report)
     add_cell (laws, g_strdup (_ (qn_basis_words[law->basis])));
     add_cell (laws, dup_law_numbers (law, report->units));
   }
-  write_table (pages, laws, G_N_ELEMENTS (head));
+  if (model->law_count > 0)
+    write_table (pages, laws, G_N_ELEMENTS (head));
 
   g_autofree char *thickness = g_strdup_printf (
     _ ("Thickness (%s)"), qn_units_symbol (report->units, QN_QUANTITY_LENGTH));
@@ -474,7 +502,6 @@ write_result (QnPages *pages, const QnReportRun *run, GError **error)
   const QnModel *model = &run->project->model;
   const QnResult *result = &run->file->result;
   QnCurve curve;
-  qn_pages_break (pages);
   g_autofree char *title = g_strdup_printf (_ ("Result: %s"), run->name);
   qn_pages_heading (pages, title);
   g_autofree char *overrides =
@@ -536,8 +563,8 @@ write_certificate (QnPages *pages, const QnReport *report)
   }
 }
 
-static void
-write_comparison (QnPages *pages, const QnReport *report)
+static bool
+write_comparison (QnPages *pages, const QnReport *report, GError **error)
 {
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   g_autofree QnCurve *curves = g_new0 (QnCurve, report->run_count);
@@ -567,6 +594,12 @@ write_comparison (QnPages *pages, const QnReport *report)
     qn_pages_curve (pages, &plot, 0.45);
   for (size_t i = 0; i < count; i++)
     qn_curve_clear (&curves[i]);
+
+  g_autofree QnFigure *figures = g_new0 (QnFigure, report->run_count);
+  size_t drawn = 0;
+  for (size_t i = 0; i < report->run_count; i++)
+    drawn += choose_picture (&figures[drawn], &report->runs[i]);
+  return qn_pages_figures (pages, figures, drawn, 2, 0.35, error);
 }
 
 static void
@@ -598,8 +631,8 @@ static bool
 write_all (QnPages *pages, const QnReport *report, GError **error)
 {
   const bool *wanted = report->plan.sections;
-  if (wanted[QN_REPORT_TITLE])
-    write_title (pages, report);
+  if (wanted[QN_REPORT_TITLE] && !write_title (pages, report, error))
+    return false;
   if (wanted[QN_REPORT_MODEL] && !write_model (pages, report, error))
     return false;
   if (wanted[QN_REPORT_MATERIALS])
@@ -608,7 +641,8 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
     write_loads (pages, report);
   if (wanted[QN_REPORT_FINDINGS])
     write_findings (pages, report);
-  if (wanted[QN_REPORT_CONTACTS] && !write_contacts (pages, report, error))
+  if (wanted[QN_REPORT_CONTACTS] && report->contacts->face_count > 0
+      && !write_contacts (pages, report, error))
     return false;
   for (size_t i = 0; wanted[QN_REPORT_RESULTS] && i < report->run_count; i++)
     if (!write_result (pages, &report->runs[i], error))
@@ -618,8 +652,9 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
       write_joints (pages, report, &report->runs[i]);
   if (wanted[QN_REPORT_CERTIFICATE] && report->run_count > 0)
     write_certificate (pages, report);
-  if (wanted[QN_REPORT_COMPARISON] && report->run_count > 1)
-    write_comparison (pages, report);
+  if (wanted[QN_REPORT_COMPARISON] && report->run_count > 1
+      && !write_comparison (pages, report, error))
+    return false;
   if (wanted[QN_REPORT_FILES])
     write_files (pages, report);
   return true;

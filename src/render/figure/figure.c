@@ -162,6 +162,44 @@ qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
   return done;
 }
 
+/* Scale at which the structure is drawn in a frame of this height. */
+static double
+scale_in (const QnFigure *figure, const QnScene *scene, cairo_t *cr, const QnPage *page,
+          QnFrame frame, double height)
+{
+  QnFigureLayout layout;
+  frame.height = height;
+  qn_figure_layout_init (&layout, figure, scene, cr, page, &frame);
+  double scale = layout.camera.scale;
+  qn_figure_layout_clear (&layout);
+  return scale;
+}
+
+/* Nearly as large, and the steps of the search for it. */
+#define NEARLY        0.97
+#define FITTING_STEPS 7
+
+bool
+qn_figure_fit_height (const QnFigure *figure, cairo_t *cr, const QnPage *page,
+                      const QnFrame *frame, double *height, GError **error)
+{
+  g_autoptr (QnScene) scene = qn_scene_build (figure->model, figure->contacts,
+                                              figure->result, &figure->options, error);
+  if (scene == NULL)
+    return false;
+  double least = NEARLY * scale_in (figure, scene, cr, page, *frame, frame->height);
+  double low = 0.2 * frame->height, high = frame->height;
+  for (int i = 0; i < FITTING_STEPS; i++) {
+    double middle = 0.5 * (low + high);
+    if (scale_in (figure, scene, cr, page, *frame, middle) >= least)
+      high = middle;
+    else
+      low = middle;
+  }
+  *height = high;
+  return true;
+}
+
 /* ---- export ---------------------------------------------------------------------------- */
 
 static bool

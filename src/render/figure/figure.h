@@ -44,4 +44,10 @@ typedef struct QnFrame {
 bool qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
                      const QnFrame *frame, QnCamera *camera, GError **error);
 
+/* The least height of the frame, at most its own, in which the structure is drawn nearly as large as in
+ * the whole frame: a wide wall needs less than a tower. False with an error where the figure cannot
+ * be drawn. */
+bool qn_figure_fit_height (const QnFigure *figure, cairo_t *cr, const QnPage *page,
+                           const QnFrame *frame, double *height, GError **error);
+
 #endif

@@ -38,6 +38,7 @@ struct QnPages {
   cairo_t *cr;
   double y; /* where the next line begins, pt */
   int number;
+  bool breaks; /* what comes next begins a page */
 };
 
 bool
@@ -192,6 +193,9 @@ static void
 begin (QnPages *pages, double height)
 {
   g_autofree char *heading = g_steal_pointer (&pages->heading);
+  if (pages->breaks && pages->y > MARGIN)
+    next_page (pages);
+  pages->breaks = false;
   need (pages, height + (heading != NULL ? HEADING_ROOM : 0));
   if (heading == NULL)
     return;
@@ -205,8 +209,21 @@ qn_pages_break (QnPages *pages)
 {
   if (pages->heading != NULL)
     begin (pages, 0);
-  if (pages->y > MARGIN)
-    next_page (pages);
+  pages->breaks = true;
+}
+
+void
+qn_pages_foot (QnPages *pages, const char *text)
+{
+  int height;
+  begin (pages, LEAST_TEXT);
+  g_autoptr (PangoLayout) layout =
+    new_layout (pages, text, SIZE_TABLE, false, text_width (pages));
+  pango_layout_get_pixel_size (layout, NULL, &height);
+  need (pages, height);
+  pages->y = MAX (pages->y, bottom (pages) - height);
+  flow (pages, layout);
+  qn_pages_break (pages);
 }
 
 void
@@ -231,25 +248,48 @@ qn_pages_paragraph (QnPages *pages, const char *text)
   write_text (pages, text, SIZE_TEXT, false, 6);
 }
 
-/* Columns as wide as their widest cell, narrowed alike where all are too wide for the page. */
+/* Width of a cell, pt: of its text in one line, or of its longest word. */
+static double
+measure_cell (const QnPages *pages, const char *cell, bool bold, bool by_word)
+{
+  int width;
+  g_autoptr (PangoLayout) layout =
+    new_layout (pages, cell, SIZE_TABLE, bold, by_word ? 1 : 0);
+  if (by_word)
+    pango_layout_set_wrap (layout, PANGO_WRAP_WORD);
+  pango_layout_get_pixel_size (layout, &width, NULL);
+  return width + 1.0;
+}
+
+/* Columns as wide as their widest cell. Where all are too wide for the page, each keeps the room of its
+ * longest word, and what they have beyond is narrowed alike; where words are too wide, words are. */
 static void
 measure_columns (const QnPages *pages, const char *const *cells, size_t rows,
                  size_t columns, double *widths)
 {
-  double sum = 0, room = text_width (pages) - CELL_GAP * (double) (columns - 1);
+  double sum = 0, least_sum = 0;
+  double room = text_width (pages) - CELL_GAP * (double) (columns - 1);
+  g_autofree double *least = g_new0 (double, columns);
   for (size_t c = 0; c < columns; c++) {
     widths[c] = 0;
-    for (size_t r = 0; r < rows; r++) {
-      int width;
-      g_autoptr (PangoLayout) layout =
-        new_layout (pages, cells[r * columns + c], SIZE_TABLE, r == 0, 0);
-      pango_layout_get_pixel_size (layout, &width, NULL);
-      widths[c] = MAX (widths[c], width + 1.0);
-    }
+    for (size_t r = 0; r < rows; r++)
+      widths[c] =
+        MAX (widths[c], measure_cell (pages, cells[r * columns + c], r == 0, false));
     sum += widths[c];
   }
-  for (size_t c = 0; c < columns && sum > room; c++)
-    widths[c] *= room / sum;
+  if (sum <= room)
+    return;
+  for (size_t c = 0; c < columns; c++) {
+    for (size_t r = 0; r < rows; r++)
+      least[c] =
+        MAX (least[c], measure_cell (pages, cells[r * columns + c], r == 0, true));
+    least_sum += least[c];
+  }
+  for (size_t c = 0; c < columns; c++)
+    widths[c] =
+      least_sum >= room
+        ? least[c] * room / least_sum
+        : least[c] + (widths[c] - least[c]) * (room - least_sum) / (sum - least_sum);
 }
 
 /* Columns of numbers, which are set to the right. */
@@ -333,20 +373,57 @@ page_of (const QnPages *pages)
                    .antialias = true };
 }
 
+/* A figure is made lower by so much rather than begun on the next page. */
+#define LOWER 0.7
+
+static bool
+fit_figures (QnPages *pages, const QnFigure *figures, size_t count, QnFrame *frame,
+             const QnPage *page, GError **error)
+{
+  double tallest = 0;
+  for (size_t i = 0; i < count; i++) {
+    double height;
+    if (!qn_figure_fit_height (&figures[i], pages->cr, page, frame, &height, error))
+      return false;
+    tallest = MAX (tallest, height);
+  }
+  double room = bottom (pages) - pages->y - (pages->heading != NULL ? HEADING_ROOM : 0);
+  frame->height =
+    !pages->breaks && room < tallest && room > LOWER * tallest ? room : tallest;
+  return true;
+}
+
+bool
+qn_pages_figures (QnPages *pages, const QnFigure *figures, size_t count, size_t columns,
+                  double share, GError **error)
+{
+  QnPage page = page_of (pages);
+  double step = (text_width (pages) + CELL_GAP) / (double) columns;
+  for (size_t first = 0; first < count; first += columns) {
+    size_t row = MIN (columns, count - first);
+    QnFrame frame = { .x = MARGIN,
+                      .width = step - CELL_GAP,
+                      .height = share * (bottom (pages) - MARGIN) };
+    if (!fit_figures (pages, figures + first, row, &frame, &page, error))
+      return false;
+    begin (pages, frame.height);
+    frame.y = pages->y;
+    cairo_save (pages->cr);
+    bool done = true;
+    for (size_t i = 0; i < row && done; i++, frame.x += step)
+      done = qn_figure_draw (&figures[first + i], pages->cr, &page, &frame, NULL, error);
+    cairo_restore (pages->cr);
+    if (!done)
+      return false;
+    pages->y += frame.height + 8;
+  }
+  return true;
+}
+
 bool
 qn_pages_figure (QnPages *pages, const QnFigure *figure, double share, GError **error)
 {
-  double height = share * (bottom (pages) - MARGIN);
-  QnPage page = page_of (pages);
-  begin (pages, height);
-  QnFrame frame = {
-    .x = MARGIN, .y = pages->y, .width = text_width (pages), .height = height
-  };
-  cairo_save (pages->cr);
-  bool done = qn_figure_draw (figure, pages->cr, &page, &frame, NULL, error);
-  cairo_restore (pages->cr);
-  pages->y += height + 8;
-  return done;
+  return qn_pages_figures (pages, figure, 1, 1, share, error);
 }
 
 void

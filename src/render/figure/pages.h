@@ -17,7 +17,7 @@ typedef struct QnPages QnPages;
 /* An empty document; `footer` (copied) stands beneath every page with its number. */
 QnPages *qn_pages_new (QnPaper paper, const char *footer, const QnMetadata *metadata);
 
-/* Begins a new page, unless nothing stands on this one. */
+/* What comes next begins a new page, unless nothing stands on this one. */
 void qn_pages_break (QnPages *pages);
 
 /* A title is larger than a heading; a heading stays with what follows it. */
@@ -32,10 +32,18 @@ void qn_pages_paragraph (QnPages *pages, const char *text);
 void qn_pages_table (QnPages *pages, const char *const *cells, size_t rows,
                      size_t columns);
 
-/* A figure and a plot over the width of the page, with this share of the page's height. False with
- * an error where the figure cannot be drawn. */
+/* Words at the foot of the page; what comes next begins another. */
+void qn_pages_foot (QnPages *pages, const char *text);
+
+/* A figure and a plot over the width of the page, with at most this share of the page's height; a figure
+ * takes no more than its structure fills, and somewhat less where it then stays on the page. False
+ * with an error where the figure cannot be drawn. */
 bool qn_pages_figure (QnPages *pages, const QnFigure *figure, double share,
                       GError **error);
+
+/* Figures beside each other, `columns` in a row, of one height. */
+bool qn_pages_figures (QnPages *pages, const QnFigure *figures, size_t count,
+                       size_t columns, double share, GError **error);
 void qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share);
 
 /* Frees the document; its PDF, or NULL with an error. */

@@ -217,7 +217,7 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
   const QnModel *model = b->model;
   const bool pressure = qn_model_load (model, source)->kind != QN_LOAD_EDGE;
   double scale = EDGE_ARROW * b->block_size / largest, most = 0, shown = 0;
-  double crowd = INFINITY;
+  double crowd = INFINITY, rise = 0;
   QnVec2 at = { 0, 0 }, direction = { 0, 0 };
   size_t count;
   const QnEdgeForce *forces = qn_model_edge_forces_of (model, source, &count);
@@ -234,6 +234,7 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
       shown = pressure ? size / loaded_width (model, force) : size;
       direction = force->intensity[end];
       at = qn_builder_place (b, force->block, force->ends[end]);
+      rise = qn_builder_place (b, force->block, force->ends[1 - end]).y - at.y;
     }
   }
   if (!(most > 0))
@@ -246,8 +247,11 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
   label->align_x = direction.x > 0.3 * most    ? 1.1f
                    : direction.x < -0.3 * most ? -0.1f
                                                : 0.5f;
+  /* Beside the edge, not beyond its end, where other things stand. */
   label->align_y = direction.y < -0.3 * most  ? -0.2f
                    : direction.y > 0.3 * most ? 1.2f
+                   : rise > 0                 ? -0.2f
+                   : rise < 0                 ? 1.2f
                                               : 0.5f;
 }
 

@@ -349,6 +349,67 @@ test_found (void)
   fixture_clear (&f);
 }
 
+/* A rectangle as a block of unit thickness. */
+static QnBlock *
+add_rectangle (QnModel *model, const char *name, double left, double bottom, double right,
+               double top)
+{
+  const QnVec2 corners[] = {
+    { left, bottom }, { right, bottom }, { right, top }, { left, top }
+  };
+  QnBlock *block = qn_model_add_block (model, name, corners, 4);
+  block->thickness = 1;
+  block->unit_weight = 20000;
+  return block;
+}
+
+/* The pressure of a backfill is told within the height that it presses, at its foot and at its head:
+ * beyond stands the ground, or nothing. */
+static void
+test_pressure_label (void)
+{
+  for (int surcharge = 0; surcharge < 2; surcharge++) {
+    QnModel model;
+    qn_model_init (&model);
+    QnLaw *law = qn_model_add_law (&model, "joint");
+    law->kind = QN_LAW_COULOMB;
+    law->kn = law->ks = 1e7;
+    law->basis = QN_BASIS_CONTACT;
+    law->friction = 0.65;
+    model.contact.law = 0;
+    QnBlock *ground = add_rectangle (&model, "ground", -1, -1, 2, 0);
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      ground->support[dof] = true;
+    add_rectangle (&model, "wall", 0, 0, 1, 3);
+    QnLoad *load = qn_model_add_live_load (&model);
+    load->kind = QN_LOAD_BACKFILL;
+    load->side = QN_BLOCK_SIDE_LEFT;
+    load->unit_weight = surcharge ? 0 : 18000;
+    load->pressure = surcharge ? 9000 : 0;
+    load->span[0] = 0;
+    load->span[1] = 3;
+    load->friction_angle = G_PI / 6;
+    load->earth = QN_EARTH_ACTIVE;
+    g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+    QnViewOptions options;
+    qn_view_options_init (&options, QN_VIEW_MODEL);
+    options.loads = true;
+    g_autoptr (QnScene) scene = qn_scene_build (&model, NULL, NULL, &options, NULL);
+    guint labels = 0;
+    for (guint i = 0; i < scene->commands->len; i++) {
+      const QnCommand *command = qn_scene_command (scene, i);
+      if (command->text == NULL || !g_str_has_suffix (command->text, " kPa"))
+        continue;
+      gboolean low = qn_scene_points (scene, command)->y < 1.5;
+      g_assert_true (low ? command->align_y < 0 : command->align_y > 1);
+      g_assert_true (low || surcharge);
+      labels++;
+    }
+    g_assert_cmpuint (labels, ==, 1);
+    qn_model_clear (&model);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -361,5 +422,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/scene/picking", test_picking);
   g_test_add_func ("/render/scene/nonlinear-forces", test_forces_of_nonlinear_geometry);
   g_test_add_func ("/render/scene/found", test_found);
+  g_test_add_func ("/scene/pressure-label", test_pressure_label);
   return g_test_run ();
 }
