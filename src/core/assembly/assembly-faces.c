@@ -22,10 +22,12 @@ qn_assembly_move_faces (QnAssembly *as, const double *u)
     for (size_t f = 0; f < as->contacts->face_count; f++) {
       double v[QN_FACE_UNKNOWNS];
 
+      int32_t first = as->first_pairs[f], end = as->first_pairs[f + 1];
+
       qn_assembly_gather (as, f, u, v);
-      for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++) {
-        QnPairKinematics *pair = &as->kinematics[p];
-        qn_pair_kinematics_update (pair, v);
+      qn_pair_kinematics_update (as->kinematics + first, end - first, v);
+      for (int32_t p = first; p < end; p++) {
+        const QnPairKinematics *pair = &as->kinematics[p];
         as->gradients[p] = qn_pair_kinematics_gradient (pair);
         memcpy (as->elongations + 2 * p, pair->elongation, sizeof pair->elongation);
       }
@@ -174,27 +176,40 @@ add_whole_face (const Column sum[QN_PAIR_FACTORS], const int32_t *scatter, doubl
   }
 }
 
+/* sum += what the forces of a face add as its pairs turn */
+static void
+add_geometric_stiffness (const QnAssembly *as, size_t f, Column sum[QN_PAIR_FACTORS])
+{
+  double k[QN_PAIR_FACTORS][QN_PAIR_FACTORS] = { { 0 } };
+
+  for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++)
+    qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force, k);
+  for (int j = 0; j < QN_PAIR_FACTORS; j++) {
+    sum[j].low += (Two){ k[0][j], k[1][j] };
+    sum[j].high += (Two){ k[2][j], k[3][j] };
+  }
+}
+
 void
 qn_assembly_add_face_tangents (QnAssembly *as, const double *tangents, size_t stride)
 {
   for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const int32_t *scatter = as->scatter + 36 * f;
     Column sum[QN_PAIR_FACTORS];
-    face_tangent (as, f, tangents, stride, sum);
-    if (as->whole[f] && !as->nonlinear)
-      add_whole_face (sum, as->scatter + 36 * f, as->ax);
-    else {
-      const int32_t *scatter = as->scatter + 36 * f;
-      double kf[QN_FACE_UNKNOWNS][QN_FACE_UNKNOWNS];
 
-      spread (sum, kf);
-      for (int32_t p = as->first_pairs[f]; as->nonlinear && p < as->first_pairs[f + 1];
-           p++)
-        qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force, kf);
-      for (int i = 0; i < QN_FACE_UNKNOWNS; i++, scatter += QN_FACE_UNKNOWNS)
-        for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
-          if (scatter[j] != QN_NONE)
-            as->ax[scatter[j]] += kf[i][j];
+    face_tangent (as, f, tangents, stride, sum);
+    if (as->nonlinear)
+      add_geometric_stiffness (as, f, sum);
+    if (as->whole[f]) {
+      add_whole_face (sum, scatter, as->ax);
+      continue;
     }
+    double kf[QN_FACE_UNKNOWNS][QN_FACE_UNKNOWNS];
+    spread (sum, kf);
+    for (int i = 0; i < QN_FACE_UNKNOWNS; i++, scatter += QN_FACE_UNKNOWNS)
+      for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
+        if (scatter[j] != QN_NONE)
+          as->ax[scatter[j]] += kf[i][j];
   }
 }
 

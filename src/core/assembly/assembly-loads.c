@@ -183,14 +183,18 @@ add_pair_forces (const QnAssembly *as, double *forces)
 {
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
-    double (*g)[6] = as->kinematics[p].gradient;
     const double *force = as->responses[p].force;
-    for (int i = 0; i < 6; i++) {
-      QnId block = i < QN_DOF_COUNT ? face->a : face->b;
-      int dof = i % QN_DOF_COUNT;
-      double part = g[0][i] * force[0] + g[1][i] * force[1]; /* P = G' f */
-      forces[QN_DOF_COUNT * block + dof] += dof == QN_DOF_RZ ? part * as->length : part;
+    double *a = forces + QN_DOF_COUNT * face->a, *b = forces + QN_DOF_COUNT * face->b;
+    double part[QN_PAIR_FACTORS];
+    for (int i = 0; i < QN_PAIR_FACTORS; i++) /* P = G' f */
+      part[i] = as->gradients[p].factors[0][i] * force[0]
+                + as->gradients[p].factors[1][i] * force[1];
+    for (int i = 0; i < 2; i++) {
+      a[i] -= part[1 + i];
+      b[i] += part[1 + i];
     }
+    a[QN_DOF_RZ] += part[0] * as->length;
+    b[QN_DOF_RZ] += part[3] * as->length;
   }
 }
 

@@ -21,6 +21,8 @@
 
 #include "core/base/vec2.h"
 
+#include <stdint.h>
+
 typedef struct QnPairKinematics {
   QnVec2 normal;       /* undeformed, unit, from a to b */
   QnVec2 arm_a, arm_b; /* from the centroids to the pair, undeformed, m */
@@ -30,7 +32,6 @@ typedef struct QnPairKinematics {
 
   /* Of the last update, in nonlinear geometry; at rest after qn_pair_kinematics_init(). */
   double elongation[2];      /* q, m */
-  double gradient[2][6];     /* dq / d unknowns */
   QnVec2 frame;              /* normal as turned */
   QnVec2 turned_a, turned_b; /* arms as turned */
 } QnPairKinematics;
@@ -53,11 +54,14 @@ typedef struct QnPairGradient {
 /* The gradient of the last update. */
 QnPairGradient qn_pair_kinematics_gradient (const QnPairKinematics *pair);
 
-/* Elongation and gradient at displacements v of any size. */
-void qn_pair_kinematics_update (QnPairKinematics *pair, const double v[6]);
+/* Pairs of the same two blocks at displacements v of any size. */
+void qn_pair_kinematics_update (QnPairKinematics *pairs, int32_t count,
+                                const double v[6]);
 
-/* Adds the geometric stiffness of the last update, force[0] d2 q_n + force[1] d2 q_t. */
+/* Adds the geometric stiffness of the last update, force[0] d2 q_n + force[1] d2 q_t, by the factors of the
+ * gradient. */
 void qn_pair_kinematics_add_stiffness (const QnPairKinematics *pair,
-                                       const double force[2], double k[6][6]);
+                                       const double force[2],
+                                       double k[QN_PAIR_FACTORS][QN_PAIR_FACTORS]);
 
 #endif
