@@ -227,6 +227,7 @@ complete_direction (Increment *increment, double part)
     double along_live;
     increment->multiplier_step = qn_equilibrium_complete_step (
       eq, target, part * increment->target_gap, &along_live);
+    eq->slope = along_live != 0 ? 1 / along_live : 0;
   }
   increment->reach = qn_central_pairs_complete (&path->pairs, eq->step);
 }

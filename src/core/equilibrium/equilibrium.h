@@ -82,6 +82,8 @@ typedef struct QnEquilibrium {
                       towards a measure: it keeps as long as the equilibrium is one where
                       a structure would stay with the measure held, and turns with the path */
 
+  double slope; /* of the multiplier over the measure there; 0: not known */
+
   int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
   double factored_viscosity;
   bool factored;

@@ -215,6 +215,7 @@ solve_direction (Newton *newton)
     qn_linsys_solve (eq->linsys, eq->live_step);
     double gap = target_gap (newton, eq->u, eq->multiplier);
     newton->multiplier_step = qn_equilibrium_complete_step (eq, target, gap, &along_live);
+    eq->slope = along_live != 0 ? 1 / along_live : 0;
     newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
     eq->orientation =
       along_live < 0 ? -qn_linsys_sign (eq->linsys) : qn_linsys_sign (eq->linsys);

@@ -29,7 +29,7 @@
  * structures rest or fall within the first steps, which are cheaper by Newton's method alone. */
 #define CENTRAL_BUDGET 60
 #define CENTRAL_LONGER 2
-#define CENTRAL_FROM   40
+#define CENTRAL_FROM   10
 
 /* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
  * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
@@ -56,10 +56,6 @@
 #define FALL_BEGINS    10
 #define FALL_DOUBLINGS 4
 #define FALL_LENGTHS   1e3
-
-/* Where only rests near by count, a structure falls no sooner than at this part of the way there: large
- * walls that seemed to fall at a fiftieth of it came to rest at a twelfth. */
-#define FALL_NEAR 0.2
 
 typedef struct {
   bool held;                            /* a measure, while the multiplier is free */
@@ -283,8 +279,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
       return QN_SOLVE_MECHANISM;
     if (eq->out_of_balance <= eq->tolerance && relaxation.elapsed >= relaxation.duration)
       return QN_SOLVE_CONVERGED;
-    bool settles = far < INFINITY && qn_equilibrium_motion (eq) < FALL_NEAR * far;
-    if (is_mechanism (eq, &relaxation) && !settles)
+    if (far == INFINITY && is_mechanism (eq, &relaxation))
       return QN_SOLVE_MECHANISM;
     relaxation.viscosity /= by_central
                               ? CENTRAL_LONGER

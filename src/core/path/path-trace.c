@@ -111,23 +111,26 @@ largest_next_step (const QnPathTrace *trace)
   return fmin (most, fmax (far / trace->pace, is_displacement ? first : 0));
 }
 
-/* Load control in nonlinear geometry: a step that passes the highest multiplier misses it by bend / 8 x
- * step^2, with `bend` the curvature of the multiplier over the work, from the slopes of the last two
- * steps. Up to half the way to where the slope ends by that curvature nothing is missed. */
-static double
-largest_step_to_peak (QnPathTrace *trace, double step)
+/* Load control in nonlinear geometry: whether a step passes the highest multiplier and may miss more of it than
+ * the tolerance. A path that only bends down lies below its tangents at both ends of the step. Where they
+ * meet it may turn: so far the next try goes. */
+static bool
+passes_peak (QnPathTrace *trace, double step)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
-  double missed = trace->path->settings->multiplier_tolerance * fabs (eq->multiplier);
-  double slope = (eq->multiplier - eq->committed.multiplier) / step;
-  double bend = 2 * (trace->slope - slope) / (step + trace->last_step);
-  bool known = trace->last_step > 0 && bend > 0;
+  double before = eq->committed.multiplier, after = eq->multiplier;
+  double tolerance = trace->path->settings->multiplier_tolerance * fabs (after);
+  double first = trace->slope, last = eq->slope;
 
-  trace->slope = slope;
-  trace->last_step = step;
-  if (!known)
-    return INFINITY;
-  return fmax (sqrt (8 * missed / bend), 0.5 * (slope / bend - step / 2));
+  if (!trace->load_control || qn_path_trace_is_linear (trace) || trace->events.below
+      || trace->jumped || trace->measure.procedure != QN_PROCEDURE_WORK
+      || step <= tuning->smallest_step * trace->largest || first <= 0 || !(last < 0))
+    return false;
+  double turn = (after - before - last * step) / (first - last);
+  if (first * turn - fmax (0, after - before) <= tolerance)
+    return false;
+  trace->step = fmin (fmax (turn, tuning->cut * step), step / 2);
+  return true;
 }
 
 static void
@@ -141,10 +144,7 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
                       tuning->restart_step * trace->largest);
   trace->step =
     copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
-  if (trace->load_control && !qn_path_trace_is_linear (trace) && !trace->events.below
-      && trace->measure.procedure == QN_PROCEDURE_WORK)
-    trace->step =
-      fmin (trace->step, fmax (tuning->cut * step, largest_step_to_peak (trace, step)));
+  trace->slope = trace->path->equilibrium.slope;
 }
 
 /* A first increment that fails is cut. False where it is short enough. */
@@ -177,7 +177,7 @@ take_work (QnPathTrace *trace, QnDiag *diag)
   }
   trace->largest = trace->step;
   trace->pace = 0;
-  trace->last_step = 0;
+  trace->slope = 0;
   return status;
 }
 
@@ -382,6 +382,10 @@ advance (QnPathTrace *trace, QnDiag *diag)
     return QN_OK;
   }
 
+  if (passes_peak (trace, step)) {
+    qn_equilibrium_restore (eq);
+    return QN_OK;
+  }
   bool smooth = trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped
                 && (trace->means == QN_FOUND_BY_NEWTON || linear);
   if (trace->orientation == 0)

@@ -121,8 +121,7 @@ typedef struct QnPathTrace {
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
-  /* The last step of work (0: unknown), and the slope of the multiplier in it. */
-  double last_step, slope;
+  double slope; /* of the multiplier over the measure after the last step; 0: unknown */
   double *buckling; /* scratch: the motion in which an unstable equilibrium is left */
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
