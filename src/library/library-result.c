@@ -1,4 +1,3 @@
-#include "core/limit/limit.h"
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "io/project/project-names.h"

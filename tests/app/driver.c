@@ -3,7 +3,6 @@
 #include "doc/edit/edit-masonry.h"
 
 #include <execinfo.h>
-#include <glib/gstdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

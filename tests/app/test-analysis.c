@@ -2,12 +2,10 @@
  * panel, HybriDFEM against limit analysis, results marked as outdated. */
 #include "driver.h"
 
-#include "app/canvas/canvas-private.h"
 #include "app/widgets/settings.h"
 #include "doc/document/bounds.h"
 #include "doc/edit/edit.h"
 
-#include <math.h>
 #include <string.h>
 
 static gboolean

@@ -2,9 +2,6 @@
  * their section forces in the drawing, in the panel and in a table. */
 #include "driver.h"
 
-#include <math.h>
-#include <string.h>
-
 static guint
 selected_beams (QnWindow *window)
 {

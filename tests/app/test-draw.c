@@ -4,11 +4,9 @@
 #include "app/tools/tools.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-masonry.h"
-#include "doc/masonry/masonry-shape.h"
 #include "doc/text/law-preset.h"
 #include "io/project/project-masonry.h"
 
-#include <math.h>
 #include <string.h>
 
 static guint

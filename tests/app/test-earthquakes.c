@@ -2,7 +2,6 @@
  * capacity against a spectrum. */
 #include "driver.h"
 
-#include "app/canvas/canvas-private.h"
 #include "app/views/curve-view.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"

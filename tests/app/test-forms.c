@@ -2,7 +2,6 @@
  * screen readers, and an icon says besides what it does. Pictures of all are kept for the eye. */
 #include "driver.h"
 
-#include "app/widgets/quantity-entry.h"
 #include "io/project/typical-joint.h"
 #include "support/scratch.h"
 

@@ -2,8 +2,6 @@
  * keys, changed, undone. */
 #include "driver.h"
 
-#include "doc/edit/edit-stage.h"
-
 static GtkExpander *
 find_expander (QnWindow *window, const char *label)
 {

@@ -2,11 +2,8 @@
  * Shift+F10, and what their items do. What is dragged and dropped with the pointer. */
 #include "driver.h"
 
-#include "app/forms/form.h"
 #include "doc/edit/edit-stage.h"
 #include "support/scratch.h"
-
-#include <string.h>
 
 /* An item of a menu, by its label without underlines. */
 static gboolean

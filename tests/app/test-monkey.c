@@ -4,9 +4,6 @@
  * test-app-monkey --seed R02S… */
 #include "driver.h"
 
-#include "app/widgets/quantity-entry.h"
-#include "app/window/action-table.h"
-
 #include <glib/gstdio.h>
 #include <string.h>
 #include <unistd.h>

@@ -2,13 +2,9 @@
  * windows, pasting. */
 #include "driver.h"
 
-#include "app/forms/form.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "io/project/typical-stone.h"
-
-#include <math.h>
-#include <string.h>
 
 static const char two_blocks[] =
   "{ \"format\": \"quoin\", \"version\": 1,"

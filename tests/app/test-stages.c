@@ -3,8 +3,6 @@
 
 #include "app/widgets/quantity-entry.h"
 
-#include <math.h>
-
 static void
 open_expander (GtkWidget *root, const char *label)
 {

@@ -3,12 +3,10 @@
  * that is drawn. */
 #include "driver.h"
 
-#include "app/dialogs/study-window.h"
 #include "app/widgets/quantity-entry.h"
 #include "study/plan/study.h"
 #include "support/scratch.h"
 
-#include <glib/gstdio.h>
 #include <string.h>
 
 /* A copy of an example that may be written to, in a window. */

@@ -2,10 +2,8 @@
  * which are GTK's or the desktop's, are not counted. */
 #include "driver.h"
 
-#include "app/dialogs/dialogs.h"
 #include "support/scratch.h"
 
-#include <glib/gstdio.h>
 #include <string.h>
 
 /* A button or an item of a menu that is on the screen, by its label. */

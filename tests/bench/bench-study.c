@@ -12,9 +12,7 @@
 #include "bench/bench.h"
 #include "support/instructions.h"
 
-#include <glib/gstdio.h>
 #include <locale.h>
-#include <math.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/resource.h>

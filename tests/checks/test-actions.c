@@ -1,8 +1,6 @@
 /* Every action that menus, buttons, sources and tests name stands in the table of actions. */
 #include "source-tree.h"
 
-#include <string.h>
-
 /* Names of actions in a text, without their parameters, each after a character that no name has. */
 static void
 collect_names (const char *text, GHashTable *names)

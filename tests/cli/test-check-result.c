@@ -2,7 +2,6 @@
 #include "cli-run.h"
 
 #include <cJSON.h>
-#include <math.h>
 #include <string.h>
 
 /* A result: what it is of, and how it is computed. */

@@ -1,8 +1,6 @@
 /* quoin-cli solve: outputs, overrides, repeatability, what stays when it fails. */
 #include "cli-run.h"
 
-#include <glib/gstdio.h>
-#include <math.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/wait.h>

@@ -2,7 +2,6 @@
 #include "support/scratch.h"
 
 #include <glib.h>
-#include <glib/gstdio.h>
 #include <math.h>
 #include <quoin.h>
 #include <string.h>

@@ -7,7 +7,6 @@
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "io/project/project.h"
-#include "support/models.h"
 
 #include <math.h>
 #include <time.h>

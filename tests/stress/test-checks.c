@@ -4,7 +4,6 @@
 #include "stress/process.h"
 #include "stress/random-wall.h"
 #include "stress/report.h"
-#include "stress/run.h"
 
 #include "core/path/analysis.h"
 #include "support/contacts.h"

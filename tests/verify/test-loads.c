@@ -1,5 +1,4 @@
 /* Retaining walls under earth pressure, against closed forms. */
-#include "core/limit/limit.h"
 #include "support/earthquakes.h"
 #include "support/models.h"
 #include "support/run.h"

@@ -4,7 +4,6 @@
 #include "app/widgets/settings.h"
 #include "core/base/integer.h"
 #include "doc/edit/edit-dynamic.h"
-#include "doc/text/explain.h"
 #include "render/backend/draw-cairo.h"
 #include "render/figure/figure-furniture.h"
 #include "render/scene/paint.h"

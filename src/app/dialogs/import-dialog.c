@@ -6,7 +6,6 @@
 #include "app/forms/bound-form.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
-#include "doc/document/import.h"
 #include "io/exchange/drawing-import.h"
 #include "render/backend/draw-cairo.h"
 #include <glib/gi18n.h>

@@ -2,7 +2,6 @@
 #include "app/dialogs/dialogs.h"
 
 #include "app/forms/bound-form.h"
-#include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include <glib/gi18n.h>

@@ -7,7 +7,6 @@
 #include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 
 /* px of a point of the plot's text. */
 #define UNIT 1.1

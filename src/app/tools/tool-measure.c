@@ -3,7 +3,6 @@
 #include "app/tools/tools.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)

@@ -1,7 +1,6 @@
 #include "app/window/window-private.h"
 
 #include "app/widgets/dialog.h"
-#include "doc/document/picture.h"
 #include "doc/view/carry-files.h"
 #include <glib/gi18n.h>
 

@@ -1,5 +1,4 @@
 /* Which page of the manual is about what has the focus. */
-#include "app/tools/tools.h"
 #include "app/widgets/help.h"
 #include "app/window/window-private.h"
 

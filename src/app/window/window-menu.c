@@ -5,8 +5,6 @@
 #include "app/widgets/context-menu.h"
 #include "app/window/window-private.h"
 
-#include "app/canvas/gesture.h"
-#include "doc/masonry/masonry-shape.h"
 #include <glib/gi18n.h>
 
 /* ---- menus, of ui/context-menus.ui ---- */

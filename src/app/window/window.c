@@ -9,7 +9,6 @@
 #include "doc/document/import.h"
 #include "doc/document/run-file.h"
 #include "doc/text/count-text.h"
-#include "doc/text/explain.h"
 #include "io/project/typical-joint.h"
 #include <glib/gi18n.h>
 #include <string.h>

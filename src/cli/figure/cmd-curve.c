@@ -4,7 +4,6 @@
 #include "cli/figure/curve-table.h"
 #include "cli/figure/sheet-input.h"
 #include "doc/view/energy-plot.h"
-#include "io/exchange/table-csv.h"
 #include "render/figure/curve-plot.h"
 
 #include <glib/gi18n.h>

@@ -4,7 +4,6 @@
 #include "cli/base/progress.h"
 #include "core/path/analysis.h"
 
-#include <glib/gi18n.h>
 #include <string.h>
 
 QnExit

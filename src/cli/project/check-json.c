@@ -5,7 +5,6 @@
 #include "io/text/file-writer.h"
 
 #include <math.h>
-#include <string.h>
 
 static void
 write_point (QnFileWriter *out, const char *key, QnVec2 point)

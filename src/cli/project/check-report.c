@@ -6,7 +6,6 @@
 #include "io/text/fault-text.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 #include <stdio.h>
 
 gboolean

@@ -1,7 +1,6 @@
 #include "core/contact/contact-search.h"
 
 #include "core/base/memory.h"
-#include "core/base/polygon.h"
 #include "core/base/tolerance.h"
 
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 #include "doc/document/run-file.h"
 
-#include "doc/document/digest.h"
 #include "doc/document/document-private.h"
 #include "doc/edit/edit.h"
 #include "doc/text/explain.h"

@@ -1,7 +1,6 @@
 #include "doc/edit/edit-gaps.h"
 
 #include "doc/edit/edit-shape.h"
-#include "doc/text/explain.h"
 #include "io/text/width-text.h"
 #include <glib/gi18n.h>
 #include <math.h>

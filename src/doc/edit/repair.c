@@ -9,7 +9,6 @@
 #include "stereotomy/weld.h"
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 /* Repairs in one go at most; each can bring another finding to light. */
 #define MOST_REPAIRS 500

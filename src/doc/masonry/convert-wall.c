@@ -1,7 +1,6 @@
 /* A wall that is listed course by course, read as a bonded wall with openings in it. */
 #include "doc/edit/edit-masonry.h"
 
-#include "io/project/project-masonry.h"
 #include <math.h>
 #include <stdlib.h>
 

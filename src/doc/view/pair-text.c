@@ -3,7 +3,6 @@
 #include "doc/edit/edit.h"
 #include "doc/text/units.h"
 #include <glib/gi18n.h>
-#include <string.h>
 
 /* Numbers between semicolons or spaces; -1 where one cannot be read or there are too many. */
 static int

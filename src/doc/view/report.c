@@ -6,7 +6,6 @@
 #include "doc/text/law-text.h"
 #include "doc/view/inspect.h"
 #include "doc/view/load-text.h"
-#include "io/exchange/table-csv.h"
 #include "io/project/project-names.h"
 #include "render/figure/curve-plot.h"
 #include "render/scene/camera.h"

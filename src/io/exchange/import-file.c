@@ -6,8 +6,6 @@
 #include "io/exchange/svg-import.h"
 #include "io/text/file-read.h"
 
-#include <string.h>
-
 typedef gboolean (*ReadFunc) (const char *text, gsize length, const char *name,
                               QnDrawing *drawing, GError **error);
 

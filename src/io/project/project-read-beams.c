@@ -1,5 +1,4 @@
 /* Sections, nodes and beams of a project file. */
-#include "io/project/project-names.h"
 #include "io/project/project-read-parts.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,6 +1,5 @@
 /* The laws of a project file. Which numbers a kind has is the law's own knowledge. */
 #include "core/base/memory.h"
-#include "io/project/project-names.h"
 #include "io/project/project-read-parts.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,4 +1,3 @@
-#include "io/project/project-names.h"
 #include "io/project/project-read-parts.h"
 #include "io/text/json-text.h"
 

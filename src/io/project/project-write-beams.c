@@ -1,6 +1,5 @@
 /* Sections, nodes and beams in the canonical layout. */
 #include "io/project/project-inner.h"
-#include "io/project/project-names.h"
 #include "io/project/project-write-parts.h"
 #include "io/text/json-text.h"
 

@@ -8,7 +8,6 @@
 #include "io/text/json-text.h"
 
 #include <cjson/cJSON.h>
-#include <math.h>
 #include <string.h>
 
 /* ---- values ---- */

@@ -5,7 +5,6 @@
 #include "render/figure/plot-axes.h"
 #include "render/scene/paint.h"
 #include "render/scene/scene.h"
-#include "render/scene/text.h"
 
 #include <math.h>
 

@@ -5,7 +5,6 @@
 #include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
-#include <string.h>
 
 /* Space around everything, pt. */
 #define PAGE_MARGIN 8.0

@@ -5,7 +5,6 @@
 #include "render/figure/curve-plot.h"
 #include "render/figure/figure-layout.h"
 #include "render/movie/movie.h"
-#include "render/scene/motion.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

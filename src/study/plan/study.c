@@ -1,7 +1,5 @@
 #include "study/plan/study.h"
 
-#include <math.h>
-
 const char *const qn_study_run_names[QN_STUDY_RUN_COUNT] = {
   [QN_STUDY_SOLVE] = "solve",
   [QN_STUDY_LIMIT] = "limit",

@@ -1,5 +1,4 @@
 /* Closed forms of single bodies in time. */
-#include "core/dynamics/dynamics.h"
 #include "core/path/analysis.h"
 #include "support/models.h"
 

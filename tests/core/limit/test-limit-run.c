@@ -1,4 +1,3 @@
-#include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "support/models.h"
 

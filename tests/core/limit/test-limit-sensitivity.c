@@ -6,7 +6,6 @@
 #include "support/models.h"
 
 #include <glib.h>
-#include <math.h>
 
 /* What is varied, and by how much of itself at each step. */
 typedef enum {

@@ -2,7 +2,6 @@
 #include "support/models.h"
 
 #include <glib.h>
-#include <math.h>
 
 /* A block on a plane with a beam from its top to a support beside it. */
 static void

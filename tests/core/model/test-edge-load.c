@@ -1,5 +1,4 @@
 /* Loads on the edges of blocks, against sums by hand. */
-#include "core/model/edge-load.h"
 #include "core/model/outline.h"
 #include "support/models.h"
 

@@ -4,7 +4,6 @@
 #include <float.h>
 #include <glib.h>
 #include <math.h>
-#include <string.h>
 
 static void
 run (QnModel *model, QnProgressFunc progress, void *data, QnResult *result)

@@ -2,7 +2,6 @@
 #include "doc/document/batch.h"
 
 #include "doc/document/run-file.h"
-#include "doc/fixture.h"
 
 #include <glib/gstdio.h>
 #include <string.h>

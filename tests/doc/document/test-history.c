@@ -1,7 +1,5 @@
 #include "doc/document/history.h"
 
-#include <string.h>
-
 /* Takes a step and moves on to the new text. */
 static void
 record (QnHistory *history, const char *name, const char *key, char **text,

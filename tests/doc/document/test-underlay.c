@@ -1,5 +1,4 @@
 #include "doc/document/underlay.h"
-#include "render/backend/output.h"
 #include "render/scene/rectify.h"
 
 #include <glib/gstdio.h>

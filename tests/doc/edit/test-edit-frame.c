@@ -4,8 +4,6 @@
 
 #include "doc/fixture.h"
 
-#include <math.h>
-
 /* Two stones side by side on the ground, and room around them. */
 static const char text[] =
   "{ \"format\": \"quoin\", \"version\": 1,"

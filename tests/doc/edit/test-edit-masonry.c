@@ -1,10 +1,8 @@
 #include "doc/document/document.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/masonry/masonry-shape.h"
-#include "io/project/project-masonry.h"
 
 #include <malloc.h>
-#include <math.h>
 #include <string.h>
 
 typedef struct Change {

@@ -1,7 +1,5 @@
 #include "doc/masonry/masonry-field.h"
 
-#include <string.h>
-
 /* Every field of every kind of object comes back as it was set and touches no other, but for those
  * that must follow. */
 static void

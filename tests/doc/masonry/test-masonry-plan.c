@@ -2,8 +2,6 @@
 #include "doc/masonry/masonry-plan.h"
 #include "doc/masonry/masonry-shape.h"
 
-#include <math.h>
-
 static const QnMasonryStyle style = { .unit = { 0.4, 0.2 },
                                       .bond = QN_BOND_RUNNING,
                                       .lap = 0.5,

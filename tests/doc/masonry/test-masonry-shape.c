@@ -1,7 +1,5 @@
 #include "doc/masonry/masonry-shape.h"
 
-#include <math.h>
-
 static QnMasonry
 make_wall (void)
 {

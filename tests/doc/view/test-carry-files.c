@@ -5,7 +5,6 @@
 #include "fixture.h"
 #include "support/scratch.h"
 
-#include <glib/gstdio.h>
 #include <string.h>
 
 static const char record[] = "time [s],acceleration [m/s2]\n0,0\n0.01,1\n0.02,0\n";

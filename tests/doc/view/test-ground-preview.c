@@ -1,7 +1,5 @@
 #include "doc/view/ground-preview.h"
 
-#include <math.h>
-
 static void
 init_pulse (QnModel *model)
 {

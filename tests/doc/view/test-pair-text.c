@@ -1,7 +1,6 @@
 #include "doc/view/pair-text.h"
 
 #include "doc/edit/edit.h"
-#include "doc/text/units.h"
 #include "support/locale.h"
 
 static void

@@ -4,8 +4,6 @@
 #include "support/models.h"
 #include "support/scratch.h"
 
-#include <string.h>
-
 /* Out and in again: the same coordinates, bit for bit, in metres; to the digits of the file in
  * millimetres. */
 static void

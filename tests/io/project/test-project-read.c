@@ -5,7 +5,6 @@
 #include "support/scratch.h"
 
 #include <cjson/cJSON.h>
-#include <glib/gstdio.h>
 #include <string.h>
 
 /* A project with every key of the format. */

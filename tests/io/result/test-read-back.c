@@ -1,7 +1,6 @@
 /* What is written of every kind of analysis, for every outcome, is read again and passes the check of
  * `quoin-cli check --result`; nothing in it is infinite or no number. So are its tables. Those of
  * capacity, of scaled records and of studies are read again by tests/cli. */
-#include "core/limit/limit.h"
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
@@ -13,7 +12,6 @@
 #include "support/scratch.h"
 #include "support/table.h"
 
-#include <math.h>
 #include <string.h>
 
 typedef enum { ANALYSIS, CANCELLED, MODAL, LOADED, STABILITY } Kind;

@@ -1,4 +1,3 @@
-#include "io/result/result-forces.h"
 
 #include "io/result-fixture.h"
 #include "io/result/result-file.h"

@@ -8,7 +8,6 @@
 #include "io/result/result-check.h"
 #include "io/result/result-claims.h"
 #include "io/result/result-derived.h"
-#include "support/scratch.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>

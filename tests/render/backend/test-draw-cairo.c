@@ -1,7 +1,6 @@
 #include "render/backend/draw-cairo.h"
 
 #include <glib.h>
-#include <math.h>
 
 static const QnColor black = { 0, 0, 0, 255 };
 

@@ -3,7 +3,6 @@
 #include <glib.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A block on another one, pairs at the ends; forces as an analysis would leave them. */
 static void

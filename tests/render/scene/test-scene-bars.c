@@ -3,7 +3,6 @@
 #include "render/scene/scene.h"
 
 #include <glib.h>
-#include <math.h>
 #include <string.h>
 
 /* Three blocks of 1 m in a row, the first held, with a bar of 1e-4 m2 through their middles. */

@@ -4,8 +4,6 @@
 #include "study/cases/case.h"
 #include "study/fixture.h"
 
-#include <math.h>
-
 #define MODEL                                                                            \
   "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"j\", \"kind\": "   \
   "\"coulomb\", \"kn\": 1e8, \"ks\": 1e8, \"friction\": 0.6 } ], \"blocks\": ["          \

@@ -6,7 +6,6 @@
 #include "study/fixture.h"
 #include "study/report/summary.h"
 
-#include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
 
