@@ -6,6 +6,7 @@
 #include "doc/edit/edit-masonry.h"
 #include "doc/text/law-preset.h"
 #include "io/project/project-masonry.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <string.h>
 
@@ -132,9 +133,8 @@ place_of_stone (QnWindow *window)
 static gsize
 count_objects (QnWindow *window)
 {
-  QnMasonries list = masonry_of (window);
+  g_auto (QnMasonries) list = masonry_of (window);
   gsize count = list.count;
-  qn_masonries_clear (&list);
   return count;
 }
 

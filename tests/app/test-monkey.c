@@ -54,13 +54,12 @@ static QnWindow *
 any_window (void)
 {
   GList *windows = gtk_application_get_windows (driver_application ());
-  GPtrArray *ours = g_ptr_array_new ();
+  g_autoptr (GPtrArray) ours = g_ptr_array_new ();
   for (GList *l = windows; l != NULL; l = l->next)
     if (QN_IS_WINDOW (l->data))
       g_ptr_array_add (ours, l->data);
   QnWindow *window =
     ours->len > 0 ? ours->pdata[g_test_rand_int_range (0, (int) ours->len)] : NULL;
-  g_ptr_array_unref (ours);
   return window;
 }
 

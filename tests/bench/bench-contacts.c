@@ -45,8 +45,8 @@ typedef struct Size {
 static double
 time_update (const QnModel *model, const QnContacts *contacts)
 {
-  QnModel moved;
-  QnContacts updated;
+  g_auto (QnModel) moved;
+  g_auto (QnContacts) updated;
   g_assert_cmpint (qn_model_copy (model, &moved, NULL), ==, QN_OK);
   const QnBlock *block = &moved.blocks[moved.block_count / 2];
   for (QnId i = 0; i < block->vertex_count; i++)
@@ -55,8 +55,6 @@ time_update (const QnModel *model, const QnContacts *contacts)
   g_assert_cmpint (qn_contacts_update (model, contacts, &moved, &updated, NULL), ==,
                    QN_OK);
   double seconds = bench_cpu_seconds () - start;
-  qn_contacts_clear (&updated);
-  qn_model_clear (&moved);
   return seconds;
 }
 

@@ -100,9 +100,9 @@ static double
 run (FILE *csv, const Structure *structure, const char *name, double step,
      gboolean adaptive, gboolean follow)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnDiag diag = { 0 };
   structure->init (&model);
   model.analysis.dynamic.time_step = step;
@@ -125,9 +125,6 @@ run (FILE *csv, const Structure *structure, const char *name, double step,
     adaptive ? "adaptive" : "constant", 1e3 * step, h->steps, h->rejected,
     spent->iterations, spent->factorizations, seconds, 1e3 * seconds / h->steps,
     1e3 * spent->factor_seconds / MAX (spent->factorizations, 1), h->energy_error, peak);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
   return seconds;
 }
 

@@ -95,8 +95,8 @@ measure_arch (FILE *csv, const char *contacts, gboolean follow)
                  { "arch second peak (mm)", 1e3 * TEST_ARCH_SECOND },
                  { "arch second peak (s)", TEST_ARCH_SECOND_TIME } };
   gboolean met = TRUE;
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   double peaks[2], times[2];
   test_earthquake_init_arch (&model);
   test_earthquake_solve (&model, follow, &result);
@@ -109,8 +109,6 @@ measure_arch (FILE *csv, const char *contacts, gboolean follow)
     bench_csv_row (csv, "%s,%s,%g,%.4g,%.1e,%s", values[i].name, contacts,
                    values[i].known, found, error, fits ? "yes" : "no");
   }
-  qn_result_clear (&result);
-  qn_model_clear (&model);
   return met;
 }
 
@@ -137,8 +135,8 @@ init_wall (QnModel *model, int number)
 static double
 static_collapse (int number, QnId *block, double *moved)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   init_wall (&model, number);
   test_earthquake_solve (&model, FALSE, &result);
   const double *first = qn_result_step_displacements (&result, 0),
@@ -152,8 +150,6 @@ static_collapse (int number, QnId *block, double *moved)
     }
   }
   double multiplier = result.collapse_multiplier;
-  qn_result_clear (&result);
-  qn_model_clear (&model);
   return multiplier;
 }
 
@@ -162,8 +158,8 @@ static double
 ramp_acceleration (int number, double multiplier, QnId block, double moved,
                    gboolean follow, double *energy_error)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   double found = NAN;
   init_wall (&model, number);
   QnDynamicSettings *dynamic = &model.analysis.dynamic;
@@ -193,8 +189,6 @@ ramp_acceleration (int number, double multiplier, QnId block, double moved,
       found = -h->rows[i * h->width + QN_HISTORY_GROUND_X] / model.gravity;
   }
   *energy_error = h->energy_error;
-  qn_result_clear (&result);
-  qn_model_clear (&model);
   return found;
 }
 

@@ -40,9 +40,9 @@ static const double rounded[TEST_WALL_COUNT] = {
 static void
 run (FILE *csv, int number, double kn, double ratio, double offset, double reference)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
 
   test_model_init_wall (&model, number, 0);
   model.laws[0].kn = kn;
@@ -67,9 +67,6 @@ run (FILE *csv, int number, double kn, double ratio, double offset, double refer
     chart_add (&by_ratio, label, ratio, seconds);
   if (kn == OWN_STIFFNESS && ratio == 1)
     chart_add (&by_offset, label, 1e3 * offset, result.collapse_multiplier);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

@@ -85,8 +85,8 @@ init_member (QnModel *model, const Member *member, int blocks, QnPairRule pairs,
 static double
 solve_tip (QnModel *model, double *seconds, int *factorizations)
 {
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   double start = bench_cpu_seconds ();
@@ -99,8 +99,6 @@ solve_tip (QnModel *model, double *seconds, int *factorizations)
     tip = -qn_result_step_displacements (
       &result,
       result.step_count - 1)[QN_DOF_COUNT * (model->block_count - 1) + QN_DOF_UY];
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
   return tip;
 }

@@ -53,7 +53,7 @@ typedef struct Options {
 static double
 mean_weight (const QnModel *model)
 {
-  QnModel copy;
+  g_auto (QnModel) copy;
   double sum = 0;
 
   g_assert_cmpint (qn_model_copy (model, &copy, NULL), ==, QN_OK);
@@ -61,7 +61,6 @@ mean_weight (const QnModel *model)
   for (size_t i = 0; i < copy.block_count; i++)
     sum += copy.blocks[i].weight;
   sum /= (double) copy.block_count;
-  qn_model_clear (&copy);
   return sum;
 }
 
@@ -327,7 +326,7 @@ find_outside (const QnProject *project, const QnContacts *contacts,
               const QnLimitFigures *limit)
 {
   QnModel model = project->model; /* whose arrays stay the project's */
-  QnResult path;
+  g_auto (QnResult) path;
   double outside = NAN;
 
   model.analysis.procedure = QN_PROCEDURE_WORK;
@@ -337,7 +336,6 @@ find_outside (const QnProject *project, const QnContacts *contacts,
       && (path.collapse_multiplier < (1 - OUTSIDE) * limit->lower_bound
           || path.collapse_multiplier > (1 + OUTSIDE) * limit->upper_bound))
     outside = path.collapse_multiplier;
-  qn_result_clear (&path);
   return outside;
 }
 

@@ -15,6 +15,7 @@
 #include "bench/seeded-walls.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
+#include "support/auto-clear.h"
 
 #include <locale.h>
 #include <math.h>
@@ -55,7 +56,7 @@ typedef struct Bound {
 static Bound
 run_limit (const QnProject *project, const QnContacts *contacts, double time_limit)
 {
-  QnLimitSolution solution;
+  g_auto (QnLimitSolution) solution;
   double start = bench_cpu_seconds (), end = start + time_limit;
   g_assert_cmpint (qn_limit_associative (&project->model, contacts, bench_within_time,
                                          &end, &solution, NULL),
@@ -64,7 +65,6 @@ run_limit (const QnProject *project, const QnContacts *contacts, double time_lim
                   .seconds = bench_cpu_seconds () - start,
                   .factorizations = solution.effort.factorizations };
   bound.multiplier = solution.outcome == QN_OUTCOME_COLLAPSE ? solution.upper_bound : NAN;
-  qn_limit_solution_clear (&solution);
   return bound;
 }
 
@@ -113,8 +113,8 @@ run_path (FILE *csv, guint32 seed, QnProject *project, const Options *options,
           Totals *totals)
 {
   QnModel *model = &project->model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
 
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_require_sound (model, &contacts, NULL), ==, QN_OK);
@@ -125,8 +125,6 @@ run_path (FILE *csv, guint32 seed, QnProject *project, const Options *options,
     QN_OK);
   double seconds = bench_cpu_seconds () - start;
   report (csv, seed, model, contacts.face_count, &bound, &result, seconds, totals);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
 }
 
 static void
@@ -143,7 +141,7 @@ save (const QnProject *project, guint32 seed, const char *folder)
 static void
 run (FILE *csv, guint32 seed, const Options *options, Totals *totals)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   seeded_wall_init (&project, seed, options->least, options->most);
   QnModel *model = &project.model;
   model->analysis.increments = options->increments;
@@ -154,7 +152,6 @@ run (FILE *csv, guint32 seed, const Options *options, Totals *totals)
     save (&project, seed, options->save);
   if (!options->only_save)
     run_path (csv, seed, &project, options, totals);
-  qn_project_clear (&project);
 }
 
 static gboolean

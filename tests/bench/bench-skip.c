@@ -119,13 +119,11 @@ static void
 compare_on_six_walls (FILE *csv)
 {
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     g_autofree char *name = g_strdup_printf ("wall %d", number);
     prepare_wall (&model, &contacts, number);
     compare_shortcuts (csv, name, &model, &contacts);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -229,8 +227,8 @@ compare_pairs (void)
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
     double reference = NAN;
     for (int i = -1; i < (int) G_N_ELEMENTS (counts); i++) {
-      QnModel model;
-      QnContacts contacts;
+      g_auto (QnModel) model;
+      g_auto (QnContacts) contacts;
       Run found;
       test_model_init_wall (&model, number, 0.65);
       if (i >= 0)
@@ -247,8 +245,6 @@ compare_pairs (void)
                      100 * (multiplier (&found.result) / reference - 1),
                      found.result.statistics.factorizations, found.seconds);
       qn_result_clear (&found.result);
-      qn_contacts_clear (&contacts);
-      qn_model_clear (&model);
     }
   }
   fclose (csv);

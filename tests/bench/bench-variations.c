@@ -127,8 +127,8 @@ static void
 solve (guint32 seed, gsize which, const Options *options, QnResult *result,
        size_t *blocks)
 {
-  QnProject project;
-  QnContacts contacts;
+  g_auto (QnProject) project;
+  g_auto (QnContacts) contacts;
 
   seeded_wall_init (&project, seed, options->least, options->most);
   QnModel *model = &project.model;
@@ -137,8 +137,6 @@ solve (guint32 seed, gsize which, const Options *options, QnResult *result,
   g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
                    QN_OK);
   *blocks = model->block_count;
-  qn_contacts_clear (&contacts);
-  qn_project_clear (&project);
 }
 
 static char *

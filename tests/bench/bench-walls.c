@@ -91,9 +91,9 @@ run (FILE *csv, int number, double dilatancy, const Setting *setting)
 {
   const TestWall *wall = &test_walls[number - 1];
   double reference = dilatancy > 0 ? wall->associative : wall->non_associative;
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
 
   test_model_init_wall (&model, number, dilatancy);
   model.analysis.procedure = setting->procedure;
@@ -122,9 +122,6 @@ run (FILE *csv, int number, double dilatancy, const Setting *setting)
                  seconds / bench_kernel_seconds (), result.statistics.iterations,
                  result.statistics.factorizations);
   draw (number, dilatancy, setting, seconds, fabs (error));
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Every increment, tolerance and procedure, with relaxation and without. */

@@ -91,7 +91,7 @@ clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double seconds,
 {
   const QnIpProblem *ip = &limit->ip;
   Columns columns = build (ip);
-  double *right = g_new (double, ip->row_count);
+  g_autofree double *right = g_new (double, ip->row_count);
   Clp_Simplex *model = Clp_newModel ();
   double multiplier = NAN;
 
@@ -118,7 +118,6 @@ clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double seconds,
   if (Clp_status (model) == 0)
     multiplier = qn_limit_problem_multiplier (limit, Clp_objectiveValue (model));
   Clp_deleteModel (model);
-  g_free (right);
   columns_free (&columns);
   return multiplier;
 }

@@ -4,6 +4,7 @@
 #include "core/equilibrium/equilibrium.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
+#include "support/auto-clear.h"
 #include "support/generate.h"
 
 #include <math.h>
@@ -104,7 +105,7 @@ scaling_case_elastic (ScalingCase *c)
 void
 scaling_case_limit (ScalingCase *c, const ScalingLimits *limits)
 {
-  QnLimitSolution solution;
+  g_auto (QnLimitSolution) solution;
   bench_reset_peak ();
   double start = bench_cpu_seconds (), end = start + limits->limit;
   g_assert_cmpint (qn_limit_associative (&c->model, &c->contacts, bench_within_time, &end,
@@ -115,13 +116,12 @@ scaling_case_limit (ScalingCase *c, const ScalingLimits *limits)
   c->limit.factorizations = solution.effort.factorizations;
   c->limit.done = solution.outcome == QN_OUTCOME_COLLAPSE;
   c->limit.multiplier = c->limit.done ? solution.lower_bound : NAN;
-  qn_limit_solution_clear (&solution);
 }
 
 void
 scaling_case_path (ScalingCase *c, const ScalingLimits *limits)
 {
-  QnResult result;
+  g_auto (QnResult) result;
   c->model.analysis.procedure = limits->procedure;
   c->model.analysis.increments = 10;
   c->model.analysis.multiplier_tolerance = 1e-3;
@@ -140,7 +140,6 @@ scaling_case_path (ScalingCase *c, const ScalingLimits *limits)
                          : 0;
   if (result.has_first_limit_multiplier)
     c->first_limit = result.first_limit_multiplier;
-  qn_result_clear (&result);
 }
 
 #ifdef HAVE_CLP

@@ -1,6 +1,7 @@
 #include "bench/seeded-walls.h"
 
 #include "io/project/project-masonry.h"
+#include "support/auto-clear.h"
 
 #include <math.h>
 
@@ -56,7 +57,7 @@ draw_recipe (guint32 seed, int least, int most)
   static const double laps[] = { 1. / 2, 1. / 3, 1. / 4 };
   static const QnBond bonds[] = { QN_BOND_ENGLISH, QN_BOND_FLEMISH, QN_BOND_HEADER,
                                   QN_BOND_STACK };
-  GRand *rand = g_rand_new_with_seed (seed);
+  g_autoptr (GRand) rand = g_rand_new_with_seed (seed);
   Recipe r = { .seed = seed, .family = family_of (seed) };
   r.blocks = spread (seed, least, most);
   r.unit.x = 0.05 * g_rand_int_range (rand, 6, 11);
@@ -76,7 +77,6 @@ draw_recipe (guint32 seed, int least, int most)
   }
   if (r.family == BONDED)
     r.bond = bonds[seed / FAMILY_COUNT % G_N_ELEMENTS (bonds)];
-  g_rand_free (rand);
   return r;
 }
 
@@ -196,7 +196,7 @@ lay (const Recipe *r, double height, QnMasonry *masonry)
 {
   /* From the start for each size, so that only the size differs. */
   const guint32 numbers[] = { r->seed, 1 };
-  GRand *rand = g_rand_new_with_seed_array (numbers, G_N_ELEMENTS (numbers));
+  g_autoptr (GRand) rand = g_rand_new_with_seed_array (numbers, G_N_ELEMENTS (numbers));
   QnMasonryKind kind = r->family == RUBBLE ? QN_MASONRY_RUBBLE : QN_MASONRY_WALL;
 
   g_assert_cmpint (qn_masonry_init (masonry, kind, "w", NULL), ==, QN_OK);
@@ -218,17 +218,15 @@ lay (const Recipe *r, double height, QnMasonry *masonry)
     if (r->family != SOLID)
       cut_openings (r, rand, leaf->length, masonry->wall.height, masonry);
   }
-  g_rand_free (rand);
 }
 
 static size_t
 count_blocks (const QnMasonry *masonry)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   qn_model_init (&model);
   g_assert_cmpint (qn_masonry_expand (masonry, 0, &model, NULL), ==, QN_OK);
   size_t count = model.block_count;
-  qn_model_clear (&model);
   return count;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
+#include "support/auto-clear.h"
 
 #include <math.h>
 
@@ -31,14 +32,13 @@ test_sizes (void)
 {
   double lowest = INFINITY, highest = 0;
   for (guint32 seed = 1; seed <= 12; seed++) {
-    QnProject project;
+    g_auto (QnProject) project;
     seeded_wall_init (&project, seed, 200, 1000);
     double blocks = (double) project.model.block_count;
     g_assert_cmpfloat (blocks, >, 0.9 * 200);
     g_assert_cmpfloat (blocks, <, 1.1 * 1000);
     lowest = fmin (lowest, blocks);
     highest = fmax (highest, blocks);
-    qn_project_clear (&project);
   }
   g_assert_cmpfloat (lowest, <, 300);
   g_assert_cmpfloat (highest, >, 700);
@@ -49,7 +49,7 @@ static void
 test_saved (void)
 {
   for (guint32 seed = 1; seed <= 6; seed++) {
-    QnProject project, again;
+    g_auto (QnProject) project, again;
     g_autoptr (GError) error = NULL;
     gsize length;
     seeded_wall_init (&project, seed, 60, 120);
@@ -59,8 +59,6 @@ test_saved (void)
     g_assert_cmpuint (again.warnings->len, ==, 0);
     g_assert_cmpuint (again.model.block_count, ==, project.model.block_count);
     g_assert_cmpfloat (again.model.laws[0].friction, ==, project.model.laws[0].friction);
-    qn_project_clear (&again);
-    qn_project_clear (&project);
   }
 }
 
@@ -69,9 +67,9 @@ static void
 test_stands (void)
 {
   for (guint32 seed = 1; seed <= 36; seed++) {
-    QnProject project;
-    QnContacts contacts;
-    QnLimitSolution solution;
+    g_auto (QnProject) project;
+    g_auto (QnContacts) contacts;
+    g_auto (QnLimitSolution) solution;
     seeded_wall_init (&project, seed, 60, 400);
     g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
     g_assert_cmpint (qn_contacts_require_sound (&project.model, &contacts, NULL), ==,
@@ -82,9 +80,6 @@ test_stands (void)
     if (solution.outcome != QN_OUTCOME_COLLAPSE || !(solution.lower_bound > 0.005))
       g_error ("seed %u: %s at %g", seed, qn_outcome_names[solution.outcome],
                solution.lower_bound);
-    qn_limit_solution_clear (&solution);
-    qn_contacts_clear (&contacts);
-    qn_project_clear (&project);
   }
 }
 
@@ -115,14 +110,13 @@ test_creeps (void)
 static void
 solve (QnProject *project, QnProcedure procedure, int increments, QnResult *result)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   project->model.analysis.procedure = procedure;
   project->model.analysis.increments = increments;
   g_assert_cmpint (qn_contacts_detect (&project->model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (&project->model, &contacts, NULL, NULL, result, NULL),
                    ==, QN_OK);
   g_assert_cmpint (result->outcome, ==, QN_OUTCOME_COLLAPSE);
-  qn_contacts_clear (&contacts);
 }
 
 /* Walls on which increments of the load alone jump to equilibria that the structure does not reach
@@ -135,12 +129,12 @@ test_least_collapse (void)
   static const int increments[] = { 10, 14, 100 };
 
   for (gsize i = 0; i < G_N_ELEMENTS (seeds); i++) {
-    QnProject project;
-    QnResult by_work;
+    g_auto (QnProject) project;
+    g_auto (QnResult) by_work;
     seeded_wall_init (&project, seeds[i], 20, 80);
     solve (&project, QN_PROCEDURE_WORK, 10, &by_work);
     for (gsize k = 0; k < G_N_ELEMENTS (increments); k++) {
-      QnResult result;
+      g_auto (QnResult) result;
       solve (&project, QN_PROCEDURE_LOAD, increments[k], &result);
       const QnStep *last = &result.steps[result.step_count - 1];
       g_assert_cmpfloat_with_epsilon (result.collapse_multiplier,
@@ -150,10 +144,7 @@ test_least_collapse (void)
       g_assert_cmpfloat (last->multiplier, ==, result.collapse_multiplier);
       g_assert_cmpfloat (result.first_limit_multiplier, <=, result.collapse_multiplier);
       g_assert_nonnull (result.mechanism);
-      qn_result_clear (&result);
     }
-    qn_result_clear (&by_work);
-    qn_project_clear (&project);
   }
 }
 

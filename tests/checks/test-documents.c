@@ -50,7 +50,7 @@ check_words (const char *path, const char *text, GString *complaints)
   g_autofree char *lower = g_ascii_strdown (text, -1);
   /* A phrase may be broken by the end of a line. */
   g_auto (GStrv) words = g_strsplit_set (lower, " \n\t*", -1);
-  GString *plain = g_string_new (" ");
+  g_autoptr (GString) plain = g_string_new (" ");
   for (int i = 0; words[i] != NULL; i++)
     if (words[i][0] != '\0')
       g_string_append_printf (plain, "%s ", words[i]);
@@ -61,7 +61,6 @@ check_words (const char *path, const char *text, GString *complaints)
     if (strstr (plain->str, whole) != NULL)
       complain (complaints, "%s: '%s': say '%s'", path, idiom, idioms[i][2]);
   }
-  g_string_free (plain, TRUE);
 }
 
 /* Tables and the marks of generated ones cannot be broken. */

@@ -69,12 +69,11 @@ test_sizes (void)
 static char **
 make_lines (const char *before, guint count, const char *after)
 {
-  GString *text = g_string_new (before);
+  g_autoptr (GString) text = g_string_new (before);
   for (guint i = 0; i < count; i++)
     g_string_append (text, "x\n");
   g_string_append (text, after);
   char **lines = g_strsplit (text->str, "\n", -1);
-  g_string_free (text, TRUE);
   return lines;
 }
 

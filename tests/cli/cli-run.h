@@ -19,6 +19,7 @@ CliRun cli_run_with (const char *const *arguments, const char *variable,
                      const char *value);
 
 void cli_run_clear (CliRun *run);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (CliRun, cli_run_clear)
 
 /* Fails unless the run ended with this code; a failed run must have said one line that begins
  * with "quoin-cli: " and contains `part` (nullable). Clears the run. */

@@ -164,8 +164,8 @@ test_absurd_courses (void)
 static void
 test_too_many_blocks (void)
 {
-  GString *courses = g_string_new ("[");
-  GString *course = g_string_new ("[");
+  g_autoptr (GString) courses = g_string_new ("[");
+  g_autoptr (GString) course = g_string_new ("[");
   for (int i = 0; i < 1000; i++)
     g_string_append (course, i > 0 ? ",1" : "1");
   g_string_append_c (course, ']');
@@ -173,8 +173,6 @@ test_too_many_blocks (void)
     g_string_append_printf (courses, "%s%s", i > 0 ? "," : "", course->str);
   g_string_append_c (courses, ']');
   course_fails (courses->str, "walls[0]");
-  g_string_free (courses, TRUE);
-  g_string_free (course, TRUE);
 }
 
 static void

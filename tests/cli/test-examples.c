@@ -7,7 +7,7 @@
 static void
 collect (const char *folder, GPtrArray *paths)
 {
-  GDir *dir = g_dir_open (folder, 0, NULL);
+  g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
   const char *name;
   g_assert_nonnull (dir);
   while ((name = g_dir_read_name (dir)) != NULL) {
@@ -17,7 +17,6 @@ collect (const char *folder, GPtrArray *paths)
     else if (g_str_has_suffix (name, ".quoin"))
       g_ptr_array_add (paths, g_steal_pointer (&path));
   }
-  g_dir_close (dir);
 }
 
 static void

@@ -42,13 +42,13 @@ last_value (const char *table, int column)
 static void
 test_numbers (void)
 {
-  CliRun run = cli_run ("law", "bilinear", "--set", "kn=100", "--set", "yield=10",
-                        "--set", "hardening=0.1", "--path", "0.3,0.25", NULL);
+  g_auto (CliRun) run =
+    cli_run ("law", "bilinear", "--set", "kn=100", "--set", "yield=10", "--set",
+             "hardening=0.1", "--path", "0.3,0.25", NULL);
   cli_assert_done (&run);
   g_assert_cmpfloat_with_epsilon (last_value (run.out, 0), 0.25, 1e-12);
   g_assert_cmpfloat_with_epsilon (last_value (run.out, 2), 12 - 5, 1e-9);
   g_assert_cmpfloat_with_epsilon (last_value (run.out, 4), 100, 1e-9);
-  cli_run_clear (&run);
 }
 
 /* A law of a project. */

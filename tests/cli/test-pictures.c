@@ -164,12 +164,11 @@ solve (const Kind *kind, const char *model, const char *folder)
   if (kind->subcommand == NULL)
     return NULL;
   char *path = g_build_filename (folder, "result.json", NULL);
-  CliRun run =
+  g_auto (CliRun) run =
     kind->setting != NULL
       ? cli_run (kind->subcommand, model, "-q", "--set", kind->setting, "-o", path, NULL)
       : cli_run (kind->subcommand, model, "-q", "-o", path, NULL);
   cli_assert_done (&run);
-  cli_run_clear (&run);
   return path;
 }
 

@@ -258,11 +258,10 @@ collapse_of_wall (const char *length, const char *height, const char *first,
   g_autofree char *ks = g_strconcat ("laws[0].ks=", stiffness, NULL);
   cli_do ("generate", "wall", length, height, "unit=0.4x0.2", openings, "-o", model,
           NULL);
-  CliRun run = cli_run ("solve", model, "--set", "analysis.geometry=nonlinear", "--set",
-                        kn, "--set", ks, "-o", "-", NULL);
+  g_auto (CliRun) run = cli_run ("solve", model, "--set", "analysis.geometry=nonlinear",
+                                 "--set", kn, "--set", ks, "-o", "-", NULL);
   cli_assert_done (&run);
   double multiplier = number_of (run.out, "collapse_multiplier");
-  cli_run_clear (&run);
   test_scratch_free (folder);
   return multiplier;
 }

@@ -77,13 +77,12 @@ static void
 test_wrong_sign (void)
 {
   g_autofree char *path = example ("02-overturning-block.quoin");
-  CliRun run = cli_run (
+  g_auto (CliRun) run = cli_run (
     "solve", path, "--set", "analysis.procedure=displacement", "--set",
     "analysis.control={\"block\":\"block\",\"component\":\"ux\",\"target\":-0.05}", NULL);
   g_assert_cmpint (run.code, ==, 3);
   g_assert_nonnull (strstr (run.err, "target is opposite to the motion"));
   g_assert_nonnull (strstr (run.err, "analysis.control"));
-  cli_run_clear (&run);
 }
 
 static void
@@ -140,11 +139,10 @@ test_stability (void)
   cli_says ("stability is lost at load multiplier 2470", "stability", column, NULL);
   cli_says ("stable along the whole path", "stability", column, "--set",
             "analysis.max_multiplier=2000", NULL);
-  CliRun run =
+  g_auto (CliRun) run =
     cli_run ("stability", staged, "--set", "analysis.geometry=nonlinear", NULL);
   g_assert_cmpint (run.code, ==, 3);
   g_assert_nonnull (strstr (run.err, "not along stages"));
-  cli_run_clear (&run);
 }
 
 /* In linear geometry every column would be stable. */
@@ -170,12 +168,11 @@ test_stability_linear (void)
 static void
 test_verify (void)
 {
-  CliRun run = cli_run ("verify", "-q", "members", "stages", "columns", "elastica",
-                        "rocking", "vibrations", NULL);
+  g_auto (CliRun) run = cli_run ("verify", "-q", "members", "stages", "columns",
+                                 "elastica", "rocking", "vibrations", NULL);
   cli_assert_done (&run);
   g_assert_null (strstr (run.out, "MISSED"));
   g_assert_nonnull (strstr (run.out, "30 met, 0 missed, 3 reported only."));
-  cli_run_clear (&run);
 }
 
 /* A wall whose mechanism was not settled bears a sign, and its footnote is there. */

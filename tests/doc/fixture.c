@@ -124,7 +124,7 @@ check_state (QnDocument *document)
   const char *text = qn_document_get_text (document);
   const QnProject *state = qn_document_get_project (document);
   g_autoptr (GError) error = NULL;
-  QnProject read;
+  g_auto (QnProject) read;
   qn_project_parse (text, strlen (text), "text", NULL, &read, &error);
   g_assert_no_error (error);
   g_autofree char *again = qn_project_to_text (&read, NULL);
@@ -134,7 +134,6 @@ check_state (QnDocument *document)
   compare_blocks (&state->model, &read.model);
   compare_beams (&state->model, &read.model);
   compare_rest (&state->model, &read.model);
-  qn_project_clear (&read);
 }
 
 const QnModel *

@@ -3,6 +3,7 @@
  * back, and leaves model and contacts fit for another run. */
 #include "faults/fault-case.h"
 #include "io/result/result-file.h"
+#include "support/auto-clear.h"
 
 #include <glib/gstdio.h>
 #include <time.h>
@@ -110,8 +111,8 @@ static void
 test_case (gconstpointer data)
 {
   const FaultCase *self = data;
-  QnProject project;
-  QnContacts contacts;
+  g_auto (QnProject) project;
+  g_auto (QnContacts) contacts;
   FaultAnswer whole, again;
   Asking asking = { 0 };
   fault_case_load (self, &project, &contacts);
@@ -134,8 +135,6 @@ test_case (gconstpointer data)
   g_assert_cmpstr (before, ==, after);
   fault_answer_clear (&whole);
   fault_answer_clear (&again);
-  qn_contacts_clear (&contacts);
-  qn_project_clear (&project);
 }
 
 int

@@ -208,18 +208,19 @@ place_clear (Place *place)
   g_free (place->old);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Place, place_clear)
+
 static guint
 count_entries (const char *folder)
 {
   guint count = 0;
   const char *name;
-  GDir *dir = g_dir_open (folder, 0, NULL);
+  g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
   g_assert_nonnull (dir);
   while ((name = g_dir_read_name (dir)) != NULL) {
     g_test_message ("%s/%s", folder, name);
     count++;
   }
-  g_dir_close (dir);
   return count;
 }
 
@@ -317,7 +318,7 @@ fail_call (Place *place, int number, int code, gboolean named, int *harmless)
 static void
 fail_every_call (const Writing *writing, int code, gboolean named)
 {
-  Place place;
+  g_auto (Place) place;
   int number = 1, harmless = 0;
   place_init (&place, writing);
   while (!g_test_failed () && fail_call (&place, number, code, named, &harmless))
@@ -335,7 +336,6 @@ fail_every_call (const Writing *writing, int code, gboolean named)
            || g_str_has_suffix (writing->output, "/"))
     most = 12;
   g_assert_cmpint (harmless, <=, most);
-  place_clear (&place);
 }
 
 static void
@@ -357,7 +357,7 @@ static void
 collect (const char *folder, GHashTable *files)
 {
   const char *name;
-  GDir *dir = g_dir_open (folder, 0, NULL);
+  g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
   g_assert_nonnull (dir);
   while ((name = g_dir_read_name (dir)) != NULL) {
     char *path = g_build_filename (folder, name, NULL), *content;
@@ -372,7 +372,6 @@ collect (const char *folder, GHashTable *files)
       g_hash_table_insert (files, path, g_bytes_new_take (content, length));
     }
   }
-  g_dir_close (dir);
 }
 
 static GHashTable *
@@ -410,7 +409,7 @@ check_whole (const Place *place, GHashTable *expected)
 static void
 kill_every_call (const Writing *writing, gboolean named)
 {
-  Place place;
+  g_auto (Place) place;
   int number = 1, code;
   place_init (&place, writing);
   CliRun run = run_in (&place, NULL, 0);
@@ -434,7 +433,6 @@ kill_every_call (const Writing *writing, gboolean named)
 
   g_autoptr (GHashTable) files = files_of (&place);
   g_assert_cmpuint (g_hash_table_size (files), ==, g_hash_table_size (expected));
-  place_clear (&place);
 }
 
 static void
@@ -511,7 +509,7 @@ check_curves (const Place *place, const char *expected)
 static void
 strike (const LongRun *job, int code)
 {
-  Place place = { .writing = &job->writing };
+  g_auto (Place) place = { .writing = &job->writing };
   int number = 0, struck = 0, stride = g_test_thorough () ? 1 : job->stride;
   place.inputs = test_scratch_new ();
   place.input = job->write_input (place.inputs);
@@ -544,7 +542,6 @@ strike (const LongRun *job, int code)
   } while (struck && !g_test_failed ());
   g_test_message ("struck at %d calls", number / stride - 1);
   g_assert_cmpint (number, >, 20);
-  place_clear (&place);
 }
 
 static void
@@ -563,12 +560,11 @@ test_long_run_full (gconstpointer data)
 static void
 test_no_room (gconstpointer data)
 {
-  Place place;
+  g_auto (Place) place;
   place_init (&place, data);
   CliRun run = run_in (&place, NULL, 64);
   cli_assert_failed (&run, 5, NULL);
   check_untouched (&place);
-  place_clear (&place);
 }
 
 /* Text that a script reads. */

@@ -16,10 +16,9 @@ static guint
 count_entries (const char *folder)
 {
   guint count = 0;
-  GDir *dir = g_dir_open (folder, 0, NULL);
+  g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
   while (g_dir_read_name (dir) != NULL)
     count++;
-  g_dir_close (dir);
   return count;
 }
 

@@ -103,7 +103,7 @@ refusal (GError *error)
 static char *
 digest_of_project (QnProject *project)
 {
-  GString *text = g_string_new (NULL);
+  g_autoptr (GString) text = g_string_new (NULL);
   const QnModel *model = &project->model;
   for (size_t i = 0; i < model->vertex_count; i++)
     g_string_append_printf (text, "%a %a\n", model->vertices[i].x, model->vertices[i].y);
@@ -111,7 +111,6 @@ digest_of_project (QnProject *project)
     g_string_append_printf (text, "%s %a\n", model->blocks[i].name,
                             model->blocks[i].weight);
   char *digest = g_compute_checksum_for_string (G_CHECKSUM_SHA256, text->str, -1);
-  g_string_free (text, TRUE);
   qn_project_clear (project);
   return digest;
 }

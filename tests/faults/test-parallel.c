@@ -29,7 +29,7 @@ typedef struct Worker {
 static char *
 dup_contacts_digest (const QnContacts *contacts)
 {
-  GString *text = g_string_new (NULL);
+  g_autoptr (GString) text = g_string_new (NULL);
   for (size_t i = 0; i < contacts->face_count; i++) {
     const QnContactFace *face = &contacts->faces[i];
     g_string_append_printf (text, "%d %d %a %a %a %a\n", face->a, face->b, face->start.x,
@@ -39,7 +39,6 @@ dup_contacts_digest (const QnContacts *contacts)
     g_string_append_printf (text, "%a %a\n", contacts->pairs[i].abscissa,
                             contacts->pairs[i].tributary);
   char *digest = g_compute_checksum_for_string (G_CHECKSUM_SHA256, text->str, -1);
-  g_string_free (text, TRUE);
   return digest;
 }
 

@@ -43,7 +43,7 @@ char *
 test_parse_error (const char *text, const char *const *overrides)
 {
   QnProject project;
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_false (
     qn_project_parse (text, strlen (text), "wall.quoin", overrides, &project, &error));
   g_assert_nonnull (error);
@@ -52,6 +52,5 @@ test_parse_error (const char *text, const char *const *overrides)
   g_assert_null (strchr (error->message, '\n'));
   g_assert_true (g_str_has_prefix (error->message, "wall.quoin:"));
   char *message = g_strdup (error->message + strlen ("wall.quoin:"));
-  g_error_free (error);
   return message;
 }

@@ -74,14 +74,13 @@ char *
 result_fixture_dup_text (const ResultFixture *fixture)
 {
   char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "result.json", NULL);
+  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
   GError *error = NULL;
   g_assert_true (qn_result_file_write (path, &fixture->project, &fixture->contacts,
                                        &fixture->result, &error));
   g_assert_no_error (error);
   char *text = NULL;
   g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
-  g_free (path);
   test_scratch_free (folder);
   return text;
 }

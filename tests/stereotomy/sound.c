@@ -2,6 +2,8 @@
 #include "core/contact/contacts.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
+#include "support/auto-clear-stereotomy.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 
@@ -37,7 +39,7 @@ test_sound_perimeters (const QnModel *model)
 static double
 face_length (const QnModel *model)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   QnDiag diag = { 0 };
   g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
   double length = 0;
@@ -48,7 +50,6 @@ face_length (const QnModel *model)
     g_assert_cmpint (contacts.findings.items[i].problem, !=,
                      QN_PROBLEM_NEAR_MISS_OVERLAP);
   }
-  qn_contacts_clear (&contacts);
   return length;
 }
 
@@ -64,11 +65,10 @@ compare_pair (const QnRing *a, const QnRing *b, double tolerance, double *overla
   *joint += qn_joint_length (a, b, tolerance);
   if (!qn_box_meets_within (qn_ring_bounds (a), qn_ring_bounds (b), -1e-8))
     return;
-  QnRings common = { 0 };
+  g_auto (QnRings) common = { 0 };
   g_assert_cmpint (qn_polygon_intersection (a, b, &common, NULL), ==, QN_OK);
   for (size_t i = 0; i < common.count; i++)
     *overlap += qn_ring_area (&common.items[i]);
-  qn_rings_clear (&common);
 }
 
 double

@@ -1,4 +1,5 @@
 #include "stereotomy/arch-ring.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <glib.h>
 
@@ -9,11 +10,10 @@ ring_area (const QnArch *arch)
   qn_arch_ring_init (&ring, arch);
   double area = 0;
   for (int i = 0; i < arch->voussoirs; i++) {
-    QnRing voussoir;
+    g_auto (QnRing) voussoir;
     g_assert_true (qn_arch_ring_voussoir (&ring, i, &voussoir));
     g_assert_cmpfloat (qn_ring_area (&voussoir), >, 0);
     area += qn_ring_area (&voussoir);
-    qn_ring_clear (&voussoir);
   }
   return area;
 }
@@ -64,7 +64,7 @@ test_shared_joints (void)
       g_assert_cmpfloat_with_epsilon (crown, arches[k].rise, 1e-12);
     /* Neighbours share both ends of their joint exactly. */
     for (int i = 0; i + 1 < arches[k].voussoirs; i++) {
-      QnRing a, b;
+      g_auto (QnRing) a, b;
       g_assert_true (qn_arch_ring_voussoir (&ring, i, &a));
       g_assert_true (qn_arch_ring_voussoir (&ring, i + 1, &b));
       int shared = 0;
@@ -72,8 +72,6 @@ test_shared_joints (void)
         for (size_t n = 0; n < b.count; n++)
           shared += a.points[m].x == b.points[n].x && a.points[m].y == b.points[n].y;
       g_assert_cmpint (shared, ==, 2);
-      qn_ring_clear (&a);
-      qn_ring_clear (&b);
     }
   }
 }

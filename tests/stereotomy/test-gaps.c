@@ -3,6 +3,7 @@
 #include "stereotomy/gaps.h"
 #include "stereotomy/masonry.h"
 #include "stereotomy/sound.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <glib.h>
 #include <string.h>
@@ -36,6 +37,8 @@ wall_clear (Wall *wall)
   qn_model_clear (&wall->model);
   qn_rings_clear (&wall->rings);
 }
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Wall, wall_clear)
 
 /* Blocks that touch, and the same as rings. */
 static void
@@ -184,8 +187,8 @@ static void
 close_and_compare (const char *name, const QnMasonry *masonry, const Joints *joints,
                    GRand *rand, size_t most_missing, double most_turn)
 {
-  Wall built, closed;
-  QnRings drawn;
+  g_auto (Wall) built, closed;
+  g_auto (QnRings) drawn;
   QnGaps gaps;
   QnGapClosing closing;
   lay (masonry, &built);
@@ -217,9 +220,6 @@ close_and_compare (const char *name, const QnMasonry *masonry, const Joints *joi
   double exact = joints->most > joints->least ? 1e-3 : 1e-9;
   g_assert_cmpfloat_with_epsilon (area_of (&drawn), built.area, exact * built.area);
   qn_gaps_clear (&gaps);
-  wall_clear (&built);
-  wall_clear (&closed);
-  qn_rings_clear (&drawn);
 }
 
 static void
@@ -252,11 +252,10 @@ test_walls (void)
   for (int bond = 0; bond < QN_BOND_CUSTOM; bond++)
     for (size_t k = 0; k < G_N_ELEMENTS (joints_of_mortar); k++)
       for (int turn = 0; turn < 3; turn++) {
-        QnMasonry masonry;
+        g_auto (QnMasonry) masonry;
         make_wall (&masonry, (QnBond) bond, 0.35 * turn);
         close_and_compare (qn_bond_names[bond], &masonry, &joints_of_mortar[k], rand, 0,
                            most_turns[k]);
-        qn_masonry_clear (&masonry);
       }
 }
 
@@ -296,12 +295,11 @@ test_others (void)
   g_autoptr (GRand) rand = g_rand_new_with_seed (1);
   for (int kind = QN_MASONRY_ARCH; kind < QN_MASONRY_KIND_COUNT; kind++)
     for (size_t k = 0; k < G_N_ELEMENTS (joints_of_mortar); k++) {
-      QnMasonry masonry;
+      g_auto (QnMasonry) masonry;
       make_other (&masonry, (QnMasonryKind) kind);
       close_and_compare (qn_masonry_kind_names[kind], &masonry, &joints_of_mortar[k],
                          rand, kind == QN_MASONRY_RUBBLE && k > 0 ? 2 : 0,
                          k > 0 ? 0.1 : 1e-9);
-      qn_masonry_clear (&masonry);
     }
 }
 
@@ -338,7 +336,7 @@ test_clean_stays (void)
 static void
 test_slate (void)
 {
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   QnGaps gaps;
   add_box (&rings, 0, 0, 0.5, 0.2);
   add_box (&rings, 0, 0.202, 0.5, 0.214);
@@ -348,16 +346,15 @@ test_slate (void)
   for (size_t i = 0; i < gaps.count; i++)
     g_assert_cmpfloat_with_epsilon (gaps.items[i].width, 0.002, 1e-9);
   qn_gaps_clear (&gaps);
-  qn_rings_clear (&rings);
 }
 
 /* Bodies of mortar lie between the blocks and touch both. */
 static void
 test_fill (void)
 {
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   QnGaps gaps;
-  Wall wall;
+  g_auto (Wall) wall;
   add_box (&rings, 0, 0, 0.5, 0.2);
   add_box (&rings, 0.51, 0, 1, 0.2);
   add_box (&rings, 0.2, 0.212, 0.7, 0.4);
@@ -369,9 +366,7 @@ test_fill (void)
     area_of (&rings), 0.1 + 0.098 + 0.094 + 0.002 + 0.3 * 0.012 + 0.19 * 0.012, 1e-9);
   touch (&rings, &wall);
   g_assert_cmpuint (wall.contacts.face_count, ==, 6);
-  wall_clear (&wall);
   qn_gaps_clear (&gaps);
-  qn_rings_clear (&rings);
 }
 
 int

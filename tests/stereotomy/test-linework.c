@@ -1,4 +1,5 @@
 #include "stereotomy/linework.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <glib.h>
 
@@ -11,7 +12,7 @@ add (QnSegments *segments, double x0, double y0, double x1, double y1)
 static double
 polygonize (QnSegments *segments, double tolerance, size_t expected)
 {
-  QnRings faces = { 0 };
+  g_auto (QnRings) faces = { 0 };
   size_t holes = 0;
   QnHealing healing = { 0 };
   g_assert_cmpint (
@@ -23,7 +24,6 @@ polygonize (QnSegments *segments, double tolerance, size_t expected)
     g_assert_cmpuint (faces.items[i].count, ==, 4);
     area += qn_ring_area (&faces.items[i]);
   }
-  qn_rings_clear (&faces);
   qn_segments_clear (segments);
   return area;
 }
@@ -72,7 +72,7 @@ static void
 test_hole (void)
 {
   QnSegments segments = { 0 };
-  QnRings faces = { 0 };
+  g_auto (QnRings) faces = { 0 };
   const double sizes[] = { 3, 1 };
   for (int i = 0; i < 2; i++) {
     double s = sizes[i];
@@ -86,7 +86,6 @@ test_hole (void)
                    ==, QN_OK);
   g_assert_cmpuint (faces.count, ==, 1);
   g_assert_cmpuint (holes, ==, 1);
-  qn_rings_clear (&faces);
   qn_segments_clear (&segments);
 }
 

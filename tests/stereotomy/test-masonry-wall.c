@@ -1,5 +1,6 @@
 #include "stereotomy/masonry.h"
 #include "stereotomy/polygon-ops.h"
+#include "support/auto-clear-stereotomy.h"
 #include "support/models.h"
 
 #include <glib.h>
@@ -45,13 +46,13 @@ static void
 test_six_walls (void)
 {
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
-    QnModel expected, model;
+    g_auto (QnModel) expected, model;
     test_model_init_wall (&expected, number, 0);
     size_t first = expected.block_count;
     g_assert_cmpint (qn_model_expand_walls (&expected, NULL), ==, QN_OK);
 
     const QnWall *wall = &expected.walls[0];
-    QnMasonry masonry;
+    g_auto (QnMasonry) masonry;
     init_wall (&masonry, QN_BOND_CUSTOM, QN_CLOSER_NONE, 0, 0);
     masonry.origin = wall->origin;
     masonry.wall.leaves[0].unit = wall->unit;
@@ -70,9 +71,6 @@ test_six_walls (void)
         model.vertices + a->first_vertex, (size_t) a->vertex_count * sizeof (QnVec2),
         expected.vertices + b->first_vertex, (size_t) b->vertex_count * sizeof (QnVec2));
     }
-    qn_model_clear (&model);
-    qn_model_clear (&expected);
-    qn_masonry_clear (&masonry);
   }
 }
 
@@ -80,12 +78,12 @@ test_six_walls (void)
 static void
 test_running_is_wall_1 (void)
 {
-  QnModel expected, model;
+  g_auto (QnModel) expected, model;
   test_model_init_wall (&expected, 1, 0);
   size_t first = expected.block_count;
   g_assert_cmpint (qn_model_expand_walls (&expected, NULL), ==, QN_OK);
   const QnWall *wall = &expected.walls[0];
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   init_wall (&masonry, QN_BOND_RUNNING, QN_CLOSER_NONE, 5 * wall->unit.x,
              6 * wall->unit.y);
   masonry.wall.leaves[0].unit = wall->unit;
@@ -105,9 +103,6 @@ test_running_is_wall_1 (void)
       g_assert_cmpfloat_with_epsilon (a[k].y, b[k].y, 1e-14);
     }
   }
-  qn_model_clear (&model);
-  qn_model_clear (&expected);
-  qn_masonry_clear (&masonry);
 }
 
 /* Lengths of the units of one course, from left to right. */
@@ -116,18 +111,16 @@ assert_course (const QnModel *model, int course, const double *lengths, size_t c
 {
   double x = 0;
   for (size_t i = 0; i < count; i++) {
-    char *name = g_strdup_printf ("w.%d.%zu", course, i + 1);
+    g_autofree char *name = g_strdup_printf ("w.%d.%zu", course, i + 1);
     QnId id = qn_model_find_block (model, name);
     g_assert_cmpint (id, !=, QN_NONE);
     const QnVec2 *corners = qn_model_block_vertices (model, id);
     g_assert_cmpfloat_with_epsilon (corners[0].x, x, 1e-12);
     g_assert_cmpfloat_with_epsilon (corners[1].x - corners[0].x, lengths[i], 1e-12);
     x = corners[1].x;
-    g_free (name);
   }
-  char *beyond = g_strdup_printf ("w.%d.%zu", course, count + 1);
+  g_autofree char *beyond = g_strdup_printf ("w.%d.%zu", course, count + 1);
   g_assert_cmpint (qn_model_find_block (model, beyond), ==, QN_NONE);
-  g_free (beyond);
 }
 
 static void
@@ -162,8 +155,8 @@ test_bonds (void)
       { .3, .4, .2, .4, .3 } },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    QnMasonry masonry;
-    QnModel model;
+    g_auto (QnMasonry) masonry;
+    g_auto (QnModel) model;
     init_wall (&masonry, cases[i].bond, cases[i].closer, 1.6, 0.8);
     expand (&masonry, &model);
     g_assert_cmpfloat_with_epsilon (total_area (&model), 1.6 * 0.8, 1e-12);
@@ -175,16 +168,14 @@ test_bonds (void)
     assert_course (&model, 1, cases[i].first, first);
     assert_course (&model, 2, cases[i].second, second);
     assert_course (&model, 3, cases[i].first, first);
-    qn_model_clear (&model);
-    qn_masonry_clear (&masonry);
   }
 }
 
 static void
 test_course_heights (void)
 {
-  QnMasonry masonry;
-  QnModel model;
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model;
   init_wall (&masonry, QN_BOND_RUNNING, QN_CLOSER_NONE, 1.2, 1.0);
   masonry.wall.course_heights = g_new (double, 2);
   masonry.wall.course_heights[0] = 0.3;
@@ -201,8 +192,6 @@ test_course_heights (void)
   g_assert_cmpfloat_with_epsilon (fifth[2].y, 1.0, 1e-15);
   g_assert_cmpint (qn_model_find_block (&model, "w.6.1"), ==, QN_NONE);
   g_assert_cmpfloat_with_epsilon (total_area (&model), 1.2, 1e-12);
-  qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 /* 0.05 m are left of the last unit of a course: less than a fifth, so the one before it takes
@@ -210,7 +199,7 @@ test_course_heights (void)
 static void
 test_minimum_piece (void)
 {
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   QnModel model;
   init_wall (&masonry, QN_BOND_STACK, QN_CLOSER_NONE, 1.25, 0.2);
   expand (&masonry, &model);
@@ -221,38 +210,34 @@ test_minimum_piece (void)
   expand (&masonry, &model);
   assert_course (&model, 1, (const double[]){ 0.4, 0.4, 0.4, 0.05 }, 4);
   qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 static void
 test_toothed (void)
 {
-  QnMasonry masonry;
-  QnModel model;
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model;
   init_wall (&masonry, QN_BOND_RUNNING, QN_CLOSER_NONE, 1.2, 0.4);
   masonry.wall.left = QN_EDGE_TOOTHED;
   masonry.wall.right = QN_EDGE_TOOTHED;
   masonry.foundation = 0.1;
   expand (&masonry, &model);
   for (int i = 1; i <= 4; i++) {
-    char *name = g_strdup_printf ("w.2.%d", i);
+    g_autofree char *name = g_strdup_printf ("w.2.%d", i);
     const QnVec2 *unit =
       qn_model_block_vertices (&model, qn_model_find_block (&model, name));
     g_assert_cmpfloat_with_epsilon (unit[0].x, -0.2 + 0.4 * (i - 1), 1e-12);
     g_assert_cmpfloat_with_epsilon (unit[1].x, 0.2 + 0.4 * (i - 1), 1e-12);
-    g_free (name);
   }
   QnId base = qn_model_find_block (&model, "w.base");
   g_assert_true (model.blocks[base].support[QN_DOF_RZ]);
-  qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 static void
 test_leaves (void)
 {
-  QnMasonry masonry;
-  QnModel model;
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model;
   init_wall (&masonry, QN_BOND_STACK, QN_CLOSER_NONE, 0.4, 0.6);
   QnLeaf *core = qn_masonry_add_leaf (&masonry);
   core->length = 0.3;
@@ -265,15 +250,13 @@ test_leaves (void)
   g_assert_cmpfloat_with_epsilon (unit[0].x, 0.4, 1e-12);
   g_assert_cmpfloat_with_epsilon (unit[1].x, 0.45, 1e-12);
   g_assert_cmpint (qn_model_find_block (&model, "w.a.3.1"), !=, QN_NONE);
-  qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 static void
 test_rotation (void)
 {
-  QnMasonry masonry;
-  QnModel model;
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model;
   init_wall (&masonry, QN_BOND_RUNNING, QN_CLOSER_NONE, 1.6, 0.4);
   masonry.rotation = M_PI_2;
   masonry.origin = qn_vec2 (10, 5);
@@ -283,8 +266,6 @@ test_rotation (void)
   g_assert_cmpfloat_with_epsilon (unit[1].x, 10, 1e-14);
   g_assert_cmpfloat_with_epsilon (unit[1].y, 5.4, 1e-14);
   g_assert_cmpfloat_with_epsilon (unit[2].x, 9.8, 1e-14);
-  qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 /* Names survive: what a longer, higher wall with one more opening shares with the old one. */

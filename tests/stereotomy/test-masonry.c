@@ -2,6 +2,8 @@
 #include "stereotomy/masonry.h"
 #include "stereotomy/ring.h"
 #include "stereotomy/sound.h"
+#include "support/auto-clear-stereotomy.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 #include <string.h>
@@ -50,10 +52,9 @@ expand_sound (const QnMasonry *masonry, QnModel *model, double *area)
     *area += qn_ring_area (&ring);
   }
   double joints = test_assert_sound (model, *area);
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_require_sound (model, &contacts, &diag), ==, QN_OK);
-  qn_contacts_clear (&contacts);
   return joints;
 }
 
@@ -72,8 +73,8 @@ test_arch (void)
     { .span = 4, .rise = 1, .ring = 0.4, .voussoirs = 14, .shape = QN_ARCH_ELLIPTIC }
   };
   for (size_t i = 0; i < G_N_ELEMENTS (arches); i++) {
-    QnMasonry masonry;
-    QnModel model;
+    g_auto (QnMasonry) masonry;
+    g_auto (QnModel) model;
     init (&masonry, QN_MASONRY_ARCH);
     masonry.arch = arches[i];
     masonry.rotation = 0.1 * (double) i;
@@ -85,16 +86,14 @@ test_arch (void)
     g_assert_cmpint (qn_model_find_block (&model, "m.v1"), !=, QN_NONE);
     QnId base = qn_model_find_block (&model, "m.base.right");
     g_assert_true (model.blocks[base].support[QN_DOF_UX]);
-    qn_model_clear (&model);
-    qn_masonry_clear (&masonry);
   }
 }
 
 static void
 test_column (void)
 {
-  QnMasonry masonry;
-  QnModel model;
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model;
   double area;
   init (&masonry, QN_MASONRY_COLUMN);
   masonry.column = a_column;
@@ -105,16 +104,14 @@ test_column (void)
   g_assert_cmpfloat_with_epsilon (joints, 1.1 + 0.8 + (0.76 + 0.72 + 0.68 + 0.64) + 0.6,
                                   1e-9);
   g_assert_cmpint (qn_model_find_block (&model, "m.capital"), !=, QN_NONE);
-  qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 static void
 test_buttress (void)
 {
   for (int side = 0; side < 2; side++) {
-    QnMasonry masonry;
-    QnModel model;
+    g_auto (QnMasonry) masonry;
+    g_auto (QnModel) model;
     double area;
     init (&masonry, QN_MASONRY_BUTTRESS);
     masonry.buttress = (QnButtress){
@@ -130,15 +127,13 @@ test_buttress (void)
       most = fmax (most, top[i].x);
     }
     g_assert_cmpfloat (side == 1 ? least : most, ==, 0);
-    qn_model_clear (&model);
-    qn_masonry_clear (&masonry);
   }
 }
 
 static void
 test_portal (void)
 {
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   QnModel model;
   double area;
   init (&masonry, QN_MASONRY_PORTAL);
@@ -152,13 +147,12 @@ test_portal (void)
   expand_sound (&masonry, &model, &area);
   g_assert_cmpfloat_with_epsilon (area, 4 * 2.7 + 10 * 0.5, 1e-12);
   qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 static void
 test_rubble (void)
 {
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   QnModel model, again;
   double area;
   init (&masonry, QN_MASONRY_RUBBLE);
@@ -195,7 +189,6 @@ test_rubble (void)
   g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, &diag), ==, QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_TOO_MANY_BLOCKS);
   qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 /* Every number of every kind set to nonsense: a named error or blocks, never a crash. */
@@ -204,7 +197,7 @@ test_nonsense (void)
 {
   const double values[] = { NAN, INFINITY, -INFINITY, -1, 0, 1e-300, 1e300, 1e13, 1e9 };
   for (int kind = 0; kind < QN_MASONRY_KIND_COUNT; kind++) {
-    QnMasonry masonry;
+    g_auto (QnMasonry) masonry;
     init (&masonry, (QnMasonryKind) kind);
     masonry.wall.height = 1;
     masonry.wall.leaves[0].length = 2;
@@ -261,7 +254,6 @@ test_nonsense (void)
         qn_model_clear (&model);
         *numbers[i] = kept;
       }
-    qn_masonry_clear (&masonry);
   }
 }
 
@@ -269,7 +261,7 @@ static void
 test_refuses (void)
 {
   QnMasonry masonry;
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag = { 0 };
   qn_model_init (&model);
   init (&masonry, QN_MASONRY_ARCH);
@@ -289,7 +281,6 @@ test_refuses (void)
   g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, &diag), ==, QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_PIER_TOO_NARROW);
   qn_masonry_clear (&masonry);
-  qn_model_clear (&model);
 }
 
 int

@@ -1,5 +1,7 @@
 #include "stereotomy/masonry.h"
 #include "stereotomy/sound.h"
+#include "support/auto-clear-stereotomy.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 
@@ -91,8 +93,8 @@ test_kinds (void)
     { .width = 0.8, .height = 0.4, .head = QN_HEAD_SEMICIRCULAR },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
-    QnMasonry masonry;
-    QnModel model;
+    g_auto (QnMasonry) masonry;
+    g_auto (QnModel) model;
     init_wall (&masonry, QN_BOND_RUNNING);
     QnOpening *opening = qn_masonry_add_opening (&masonry);
     *opening = kinds[i];
@@ -106,8 +108,6 @@ test_kinds (void)
     if (opening->sill_height > 0)
       g_assert_cmpint (qn_model_find_block (&model, "w.o1.sill"), !=, QN_NONE);
     assert_wall_sound (&model, opening);
-    qn_model_clear (&model);
-    qn_masonry_clear (&masonry);
   }
 }
 
@@ -115,8 +115,8 @@ static void
 assert_refused (const QnOpening *openings, size_t count, QnProblem problem,
                 const char *field, QnId sub)
 {
-  QnMasonry masonry;
-  QnModel model;
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model;
   QnDiag diag = { 0 };
   init_wall (&masonry, QN_BOND_RUNNING);
   for (size_t i = 0; i < count; i++)
@@ -128,8 +128,6 @@ assert_refused (const QnOpening *openings, size_t count, QnProblem problem,
   g_assert_cmpint (diag.index, ==, 3);
   g_assert_cmpint (diag.sub, ==, sub);
   g_assert_cmpstr (diag.field, ==, field);
-  qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 static void
@@ -171,8 +169,8 @@ test_refuses (void)
 static void
 test_neighbours (void)
 {
-  QnMasonry masonry;
-  QnModel model;
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model;
   init_wall (&masonry, QN_BOND_FLEMISH);
   *qn_masonry_add_opening (&masonry) =
     (QnOpening){ .at = { 1, 1 }, .width = 0.5, .height = 1 };
@@ -183,8 +181,6 @@ test_neighbours (void)
   test_sound_init (&model);
   g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, NULL), ==, QN_OK);
   test_assert_sound (&model, LENGTH * HEIGHT - 1 - 0.7);
-  qn_model_clear (&model);
-  qn_masonry_clear (&masonry);
 }
 
 static QnOpening
@@ -233,10 +229,10 @@ static void
 test_random (void)
 {
   int count = g_test_slow () ? 10000 : 250;
-  GRand *rand = g_rand_new_with_seed (20011115);
+  g_autoptr (GRand) rand = g_rand_new_with_seed (20011115);
   for (int i = 0; i < count; i++) {
-    QnMasonry masonry;
-    QnModel model;
+    g_auto (QnMasonry) masonry;
+    g_auto (QnModel) model;
     init_wall (&masonry, (QnBond) g_rand_int_range (rand, 0, QN_BOND_CUSTOM));
     QnLeaf *leaf = &masonry.wall.leaves[0];
     leaf->unit = qn_vec2 (g_rand_double_range (rand, 0.2, 0.7),
@@ -258,10 +254,7 @@ test_random (void)
       g_error ("place %d: %s (%s)", i, qn_problem_text (diag.problem),
                diag.field != NULL ? diag.field : "");
     assert_wall_sound (&model, opening);
-    qn_model_clear (&model);
-    qn_masonry_clear (&masonry);
   }
-  g_rand_free (rand);
 }
 
 int

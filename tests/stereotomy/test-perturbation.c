@@ -5,6 +5,8 @@
 #include "core/contact/contacts.h"
 #include "stereotomy/masonry.h"
 #include "stereotomy/sound.h"
+#include "support/auto-clear-stereotomy.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 #include <string.h>
@@ -112,7 +114,7 @@ static void
 test_topology (gconstpointer data)
 {
   QnMasonryKind kind = (QnMasonryKind) GPOINTER_TO_INT (data);
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   QnModel plain, model;
   QnContacts plain_contacts, contacts;
   init_object (&masonry, kind);
@@ -135,14 +137,13 @@ test_topology (gconstpointer data)
     clear (&model, &contacts);
   }
   clear (&plain, &plain_contacts);
-  qn_masonry_clear (&masonry);
 }
 
 /* The same seed gives the same coordinates, another one others, and no size none. */
 static void
 test_seed (void)
 {
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   QnModel models[4];
   QnContacts contacts[4];
   init_object (&masonry, QN_MASONRY_WALL);
@@ -158,26 +159,23 @@ test_seed (void)
   g_assert_cmpint (memcmp (models[0].vertices, models[3].vertices, size), !=, 0);
   for (int i = 0; i < 4; i++)
     clear (&models[i], &contacts[i]);
-  qn_masonry_clear (&masonry);
 }
 
 static void
 test_refused (void)
 {
   const double sizes[] = { -0.1, 0.41, NAN, INFINITY };
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   QnDiag diag;
   init_object (&masonry, QN_MASONRY_WALL);
   for (gsize i = 0; i < G_N_ELEMENTS (sizes); i++) {
-    QnModel model;
+    g_auto (QnModel) model;
     qn_model_init (&model);
     masonry.perturbation = sizes[i];
     g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, &diag), ==,
                      QN_ERROR_INVALID);
     g_assert_cmpstr (diag.field, ==, "perturbation");
-    qn_model_clear (&model);
   }
-  qn_masonry_clear (&masonry);
 }
 
 int

@@ -1,4 +1,5 @@
 #include "stereotomy/polygon-ops.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <glib.h>
 #include <stdlib.h>
@@ -128,7 +129,7 @@ test_refuses (void)
                 { bow, 2, QN_PROBLEM_TOO_FEW_VERTICES } };
   QnRing unit = box (0, 0, 1, 1);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    QnRing bad;
+    g_auto (QnRing) bad;
     g_assert_true (qn_ring_init (&bad, cases[i].points, cases[i].count));
     QnRings out = { 0 };
     QnDiag diag = { 0 };
@@ -138,7 +139,6 @@ test_refuses (void)
     g_assert_cmpint (qn_polygon_cut (&bad, qn_vec2 (0, 0), qn_vec2 (1, 0), &out, &diag),
                      ==, QN_ERROR_INVALID);
     g_assert_cmpuint (out.count, ==, 0);
-    qn_ring_clear (&bad);
   }
   qn_ring_clear (&unit);
 }

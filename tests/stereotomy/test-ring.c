@@ -1,4 +1,5 @@
 #include "stereotomy/ring.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <glib.h>
 
@@ -9,21 +10,20 @@ test_measures (void)
   const QnVec2 corners[] = { { 1e6, 1e6 },         { 1e6 + 2, 1e6 },
                              { 1e6 + 2, 1e6 + 1 }, { 1e6 + 1, 1e6 + 1 },
                              { 1e6 + 1, 1e6 + 2 }, { 1e6, 1e6 + 2 } };
-  QnRing ring;
+  g_auto (QnRing) ring;
   g_assert_true (qn_ring_init (&ring, corners, 6));
   g_assert_cmpfloat (qn_ring_area (&ring), ==, 3);
   g_assert_cmpfloat (qn_ring_perimeter (&ring), ==, 8);
   g_assert_cmpfloat_with_epsilon (qn_ring_centroid (&ring).x, 1e6 + 5. / 6, 1e-9);
   qn_ring_orient (&ring);
   g_assert_cmpfloat (ring.points[1].x, ==, 1e6 + 2);
-  qn_ring_clear (&ring);
 }
 
 static void
 test_orient_and_normalize (void)
 {
   const QnVec2 clockwise[] = { { 1, 1 }, { 1, 0 }, { 0, 0 }, { 0, 1 } };
-  QnRing ring;
+  g_auto (QnRing) ring;
   g_assert_true (qn_ring_init (&ring, clockwise, 4));
   qn_ring_orient (&ring);
   g_assert_cmpfloat (qn_ring_area (&ring), ==, 1);
@@ -33,7 +33,6 @@ test_orient_and_normalize (void)
     g_assert_cmpfloat (ring.points[i].x, ==, expected[i].x);
     g_assert_cmpfloat (ring.points[i].y, ==, expected[i].y);
   }
-  qn_ring_clear (&ring);
 }
 
 static void

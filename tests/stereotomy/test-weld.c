@@ -1,4 +1,5 @@
 #include "stereotomy/weld.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <glib.h>
 
@@ -12,7 +13,7 @@ add_box (QnRings *rings, double x0, double y0, double x1, double y1)
 static void
 test_majority_wins (void)
 {
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   add_box (&rings, 0, 0, 1.0003, 1); /* the stray one comes first */
   add_box (&rings, 1, 0, 2, 1);
   add_box (&rings, 1, 1, 2, 2);
@@ -23,20 +24,19 @@ test_majority_wins (void)
   g_assert_cmpfloat (rings.items[0].points[2].y, ==, 1);
   g_assert_cmpuint (healing.count, >=, 1);
   g_assert_cmpfloat_with_epsilon (healing.farthest, 0.0003, 1e-9);
-  qn_rings_clear (&rings);
 }
 
 static void
 test_clean_stays (void)
 {
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   for (int row = 0; row < 4; row++)
     for (int i = 0; i < 5; i++) {
       double shift = row % 2 * 0.05;
       add_box (&rings, 0.1 * i + shift, 0.07 * row, 0.1 * (i + 1) + shift,
                0.07 * (row + 1));
     }
-  QnRings before = { 0 };
+  g_auto (QnRings) before = { 0 };
   for (size_t i = 0; i < rings.count; i++)
     g_assert_true (qn_rings_add (&before, rings.items[i].points, rings.items[i].count));
   QnHealing healing = { 0 };
@@ -45,15 +45,13 @@ test_clean_stays (void)
   for (size_t i = 0; i < rings.count; i++)
     g_assert_cmpmem (rings.items[i].points, rings.items[i].count * sizeof (QnVec2),
                      before.items[i].points, before.items[i].count * sizeof (QnVec2));
-  qn_rings_clear (&rings);
-  qn_rings_clear (&before);
 }
 
 static void
 test_gap_closes (void)
 {
   /* A running bond whose second course floats half a millimetre too high. */
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   add_box (&rings, 0, 0, 1, 1);
   add_box (&rings, 1, 0, 2, 1);
   add_box (&rings, 0.5, 1.0005, 1.5, 2);
@@ -64,14 +62,13 @@ test_gap_closes (void)
   g_assert_cmpfloat (rings.items[2].points[1].y, ==, 1);
   g_assert_cmpfloat_with_epsilon (
     qn_joint_length (&rings.items[0], &rings.items[2], 1e-9), 0.5, 1e-12);
-  qn_rings_clear (&rings);
 }
 
 static void
 test_edge_meets_vertex (void)
 {
   /* A long lintel on two piers of slightly different height. */
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   add_box (&rings, 1, 0, 2, 1);
   add_box (&rings, 3, 0, 4, 1.0004);
   add_box (&rings, 0, 1, 5, 2);
@@ -79,19 +76,17 @@ test_edge_meets_vertex (void)
   g_assert_cmpint (qn_snap_neighbours (&rings, 0.001, &healing, NULL), ==, QN_OK);
   g_assert_cmpfloat_with_epsilon (
     qn_joint_length (&rings.items[1], &rings.items[2], 1e-9), 1, 1e-6);
-  qn_rings_clear (&rings);
 }
 
 static void
 test_collapse (void)
 {
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   add_box (&rings, 0, 0, 1, 1);
   add_box (&rings, 1, 0, 1.0001, 1);
   g_assert_cmpint (qn_weld_vertices (&rings, 0, 0.001, NULL, NULL, NULL), ==, QN_OK);
   g_assert_cmpuint (qn_drop_collapsed (&rings), ==, 1);
   g_assert_cmpuint (rings.count, ==, 1);
-  qn_rings_clear (&rings);
 }
 
 int

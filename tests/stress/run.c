@@ -7,6 +7,7 @@
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "io/project/project.h"
+#include "support/auto-clear.h"
 
 #include <math.h>
 #include <time.h>
@@ -56,6 +57,8 @@ structure_clear (Structure *s)
   qn_contacts_clear (&s->contacts);
   qn_model_clear (&s->model);
 }
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Structure, structure_clear)
 
 static bool
 within_budget (const QnProgress *progress, void *user_data)
@@ -207,7 +210,7 @@ run_mirrored (const StressCase *c, StressRow *row)
 {
   const StressSolve *path = &row->paths[STRESS_SLIDING];
   StressSolve mirrored;
-  Structure s;
+  g_auto (Structure) s;
 
   g_assert_cmpint (structure_init (&s, c, STRESS_SLIDING, true), ==, QN_PROBLEM_NONE);
   run_path (&s, &mirrored);
@@ -216,7 +219,6 @@ run_mirrored (const StressCase *c, StressRow *row)
       || !(fabs (path->multiplier - mirrored.multiplier)
            <= STRESS_MIRROR_AGREEMENT * path->multiplier))
     row->faults |= STRESS_MIRROR;
-  structure_clear (&s);
 }
 
 /* Friction without dilatancy has no unique answer: how far two ways up are apart is for the
@@ -225,7 +227,7 @@ static void
 run_repeated (const StressCase *c, StressRow *row)
 {
   StressSolve repeated;
-  Structure s;
+  g_auto (Structure) s;
 
   g_assert_cmpint (structure_init (&s, c, STRESS_SLIDING, false), ==, QN_PROBLEM_NONE);
   s.model.analysis.increments = c->repeat;
@@ -233,7 +235,6 @@ run_repeated (const StressCase *c, StressRow *row)
   if (repeated.outcome == QN_OUTCOME_COLLAPSE)
     row->repeated = repeated.multiplier;
   row->faults |= repeated.faults;
-  structure_clear (&s);
 }
 
 /* What a project file says must be the model that it was written from, whatever its numbers. */
@@ -269,10 +270,9 @@ describe (const StressCase *c, StressRow *row)
 {
   if (c->build != stress_case_build_random)
     return;
-  QnModel model;
+  g_auto (QnModel) model;
   stress_random_wall ((guint32) c->number, &model, row->description,
                       sizeof row->description);
-  qn_model_clear (&model);
 }
 
 void

@@ -103,7 +103,7 @@ static void
 test_limit (Fixture *f, gconstpointer data)
 {
   (void) data;
-  QnLimitSolution solution;
+  g_auto (QnLimitSolution) solution;
   f->model.laws[0].dilatancy = f->model.laws[0].friction;
   g_assert_cmpint (
     qn_limit_associative (&f->model, &f->contacts, NULL, NULL, &solution, NULL), ==,
@@ -117,7 +117,6 @@ test_limit (Fixture *f, gconstpointer data)
   g_assert_false (stress_limit_is_proved (&f->model, &f->contacts, &solution));
   solution.outcome = QN_OUTCOME_UNBOUNDED;
   g_assert_false (stress_limit_is_proved (&f->model, &f->contacts, &solution));
-  qn_limit_solution_clear (&solution);
 }
 
 static void

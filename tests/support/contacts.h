@@ -2,7 +2,7 @@
 #ifndef TESTS_SUPPORT_CONTACTS_H
 #define TESTS_SUPPORT_CONTACTS_H
 
-#include "core/contact/contacts.h"
+#include "support/auto-clear.h"
 
 /* Prepares the model, detects, and checks what holds for every result: order, unit vectors, ends
  * along the tangent, pairs on their faces with tributary lengths that add up. */

@@ -10,25 +10,23 @@
 void
 test_earthquake_solve (QnModel *model, gboolean follow, QnResult *result)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   model->analysis.dynamic.follow = follow;
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
 }
 
 gboolean
 test_earthquake_overturns (QnModel *model, gboolean follow, double *energy_error)
 {
-  QnResult result;
+  g_auto (QnResult) result;
   test_earthquake_solve (model, follow, &result);
   QnOutcome outcome = result.outcome;
   g_assert_true (outcome == QN_OUTCOME_COLLAPSE || outcome == QN_OUTCOME_TARGET_REACHED
                  || outcome == QN_OUTCOME_REST);
   *energy_error = MAX (*energy_error, result.history.energy_error);
-  qn_result_clear (&result);
   qn_model_clear (model);
   return outcome == QN_OUTCOME_COLLAPSE;
 }

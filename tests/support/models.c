@@ -80,9 +80,8 @@ test_model_init_stack (QnModel *model, int count, double width, double height)
   test_model_init (model);
   test_model_add_base (model, -width, -height, 3 * width, height);
   for (int i = 0; i < count; i++) {
-    char *name = g_strdup_printf ("b%d", i + 1);
+    g_autofree char *name = g_strdup_printf ("b%d", i + 1);
     test_model_add_rectangle (model, name, 0, i * height, width, height);
-    g_free (name);
   }
 }
 
@@ -232,7 +231,7 @@ void
 test_model_renumber (QnModel *model, unsigned seed)
 {
   forget_walls (model);
-  GRand *random = g_rand_new_with_seed (seed);
+  g_autoptr (GRand) random = g_rand_new_with_seed (seed);
   size_t count = model->block_count;
   QnId *new_of_old = g_new (QnId, count), *old_of_new = g_new (QnId, count);
   for (size_t i = 0; i < count; i++)
@@ -244,7 +243,7 @@ test_model_renumber (QnModel *model, unsigned seed)
     old_of_new[j] = swap;
   }
 
-  QnModel source;
+  g_auto (QnModel) source;
   g_assert_cmpint (qn_model_copy (model, &source, NULL), ==, QN_OK);
   for (size_t i = 0; i < count; i++)
     free (model->blocks[i].name);
@@ -253,7 +252,7 @@ test_model_renumber (QnModel *model, unsigned seed)
   for (size_t i = 0; i < count; i++) {
     const QnBlock *from = &source.blocks[old_of_new[i]];
     const QnVec2 *vertices = qn_model_block_vertices (&source, old_of_new[i]);
-    QnVec2 *turned = g_new (QnVec2, from->vertex_count);
+    g_autofree QnVec2 *turned = g_new (QnVec2, from->vertex_count);
     QnId first = g_rand_int_range (random, 0, from->vertex_count);
     for (QnId v = 0; v < from->vertex_count; v++)
       turned[v] = vertices[(v + first) % from->vertex_count];
@@ -266,7 +265,6 @@ test_model_renumber (QnModel *model, unsigned seed)
     to->law = from->law;
     memcpy (to->support, from->support, sizeof to->support);
     new_of_old[old_of_new[i]] = (QnId) i;
-    g_free (turned);
   }
 
   for (size_t i = 0; i < model->override_count; i++) {
@@ -284,8 +282,6 @@ test_model_renumber (QnModel *model, unsigned seed)
   if (model->analysis.control_block != QN_NONE)
     model->analysis.control_block = new_of_old[model->analysis.control_block];
 
-  qn_model_clear (&source);
-  g_rand_free (random);
   g_free (new_of_old);
   g_free (old_of_new);
 }

@@ -5,7 +5,7 @@
 #ifndef TESTS_SUPPORT_MODELS_H
 #define TESTS_SUPPORT_MODELS_H
 
-#include "core/model/model.h"
+#include "support/auto-clear.h"
 
 #define TEST_WALL_COUNT 6
 

@@ -26,8 +26,8 @@ test_run_solve (TestRun *run)
 void
 test_find_modes (QnModel *model, size_t wanted, QnModes *modes)
 {
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnDiag diag = { 0 };
   g_assert_cmpint (qn_model_prepare (model, &diag), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
@@ -35,8 +35,6 @@ test_find_modes (QnModel *model, size_t wanted, QnModes *modes)
                                   NULL, modes, &result, &diag);
   g_assert_cmpstr (qn_problem_text (diag.problem), ==, "no problem");
   g_assert_cmpint (status, ==, QN_OK);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
 }
 
 void

@@ -4,6 +4,7 @@
 
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
+#include "support/auto-clear.h"
 
 typedef struct TestRun {
   QnModel model; /* filled by the test */
@@ -21,5 +22,6 @@ void test_find_modes (QnModel *model, size_t wanted, QnModes *modes);
 
 /* Clears the model too. */
 void test_run_clear (TestRun *run);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (TestRun, test_run_clear)
 
 #endif

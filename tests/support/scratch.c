@@ -41,11 +41,10 @@ test_scratch_free (char *folder)
 guint
 test_scratch_count (const char *folder)
 {
-  GDir *entries = g_dir_open (folder, 0, NULL);
+  g_autoptr (GDir) entries = g_dir_open (folder, 0, NULL);
   guint count = 0;
   while (g_dir_read_name (entries) != NULL)
     count++;
-  g_dir_close (entries);
   return count;
 }
 

@@ -9,8 +9,8 @@ test_arch (void)
   const double embraces[] = { G_PI, G_PI / 2, 1 };
   for (int segments = 1; segments <= 4; segments += 3) {
     for (size_t e = 0; e < G_N_ELEMENTS (embraces); e++) {
-      QnModel model;
-      QnContacts contacts;
+      g_auto (QnModel) model;
+      g_auto (QnContacts) contacts;
       QnArchRecipe recipe = qn_arch_recipe_default ();
       recipe.segments = segments;
       recipe.embrace = embraces[e];
@@ -31,8 +31,6 @@ test_arch (void)
       g_assert_cmpfloat_with_epsilon (shift, 0, 1e-14);
       for (size_t i = 0; i < contacts.face_count; i++)
         g_assert_cmpfloat_with_epsilon (contacts.faces[i].length, 0.15, 1e-12);
-      qn_contacts_clear (&contacts);
-      qn_model_clear (&model);
     }
   }
 }

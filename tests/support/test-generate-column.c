@@ -6,8 +6,8 @@
 static void
 test_column (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnColumnRecipe recipe = qn_column_recipe_default ();
   qn_model_init (&model);
   g_assert_cmpint (qn_generate_column (&model, &recipe, NULL), ==, QN_OK);
@@ -16,8 +16,6 @@ test_column (void)
   g_assert_cmpuint (contacts.face_count, ==, 6);
   g_assert_cmpfloat_with_epsilon (contacts.faces[0].length, 1.0, 1e-14);
   g_assert_cmpfloat_with_epsilon (contacts.faces[3].length, 0.9, 1e-14);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

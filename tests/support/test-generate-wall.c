@@ -7,8 +7,8 @@
 static void
 test_plain_wall (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnWallRecipe recipe = qn_wall_recipe_default ();
   recipe.length = 4;
   recipe.courses = 3;
@@ -17,8 +17,6 @@ test_plain_wall (void)
   test_detect_sound (&model, &contacts);
   g_assert_cmpuint (model.block_count, ==, 1 + 4 + 5 + 4);
   g_assert_cmpuint (contacts.face_count, ==, (3 + 4 + 3) + 4 + 8 + 8);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Whatever the seed: sound, without findings, the openings really there. */
@@ -26,8 +24,8 @@ static void
 test_openings (void)
 {
   for (uint64_t seed = 1; seed <= 40; seed++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     QnWallRecipe recipe = qn_wall_recipe_default ();
     recipe.length = 20;
     recipe.courses = 25;
@@ -44,8 +42,6 @@ test_openings (void)
       g_assert_cmpfloat_with_epsilon (area, gross, 1e-9);
     else
       g_assert_cmpfloat (area, <, gross - 0.4 * 0.35 + 1e-9);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 

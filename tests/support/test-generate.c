@@ -1,3 +1,4 @@
+#include "support/auto-clear.h"
 #include "support/generate.h"
 
 #include <glib.h>
@@ -50,7 +51,7 @@ check_refused (QnStatus status, const QnDiag *diag, QnProblem problem, const cha
 static void
 test_refuses (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   qn_model_init (&model);
 
@@ -91,7 +92,6 @@ test_refuses (void)
   column.top_width = 0;
   check_refused (qn_generate_column (&model, &column, &diag), &diag,
                  QN_PROBLEM_NOT_POSITIVE, "top_width", &model);
-  qn_model_clear (&model);
 }
 
 int

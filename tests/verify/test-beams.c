@@ -46,7 +46,7 @@ add_live_load (QnModel *model, QnLoadKind kind, QnId on, double x, double y)
 static void
 run (QnModel *model, QnResult *result)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   QnDiag diag = { 0 };
   QnStatus status = qn_model_prepare (model, &diag);
   if (status == QN_OK)
@@ -56,7 +56,6 @@ run (QnModel *model, QnResult *result)
   g_assert_cmpint (qn_contacts_require_sound (model, &contacts, &diag), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, &diag), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
 }
 
 /* A frame L x h, pinned or clamped, pushed at its left corner. Sway: H h = 2 Mp of the weaker of
@@ -78,8 +77,8 @@ test_frame_collapse (void)
   };
   for (gsize i = 0; i < G_N_ELEMENTS (frames); i++)
     for (int32_t elements = 1; elements <= 4; elements += 3) {
-      QnModel model;
-      QnResult result;
+      g_auto (QnModel) model;
+      g_auto (QnResult) result;
       qn_model_init (&model);
       QnId column = add_section (&model, "column", frames[i].column, true);
       QnId beam = add_section (&model, "beam", 0.2, true);
@@ -98,8 +97,6 @@ test_frame_collapse (void)
       g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
       g_assert_cmpfloat_with_epsilon (result.collapse_multiplier / frames[i].expected,
                                       1e-3, 2e-7);
-      qn_result_clear (&result);
-      qn_model_clear (&model);
     }
 }
 
@@ -109,8 +106,8 @@ static void
 test_propped_cantilever (void)
 {
   const double Mp = yield * 0.2 * 0.04 / 4, L = 4;
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   qn_model_init (&model);
   QnId section = add_section (&model, "s", 0.2, true);
   test_model_add_node (&model, "a", 0, 0, "xyr");
@@ -122,8 +119,6 @@ test_propped_cantilever (void)
   double expected = (6 + 4 * G_SQRT2) * Mp / (L * L) / 1000;
   g_test_message ("propped: %.5f, exact %.5f", result.collapse_multiplier, expected);
   g_assert_cmpfloat_with_epsilon (result.collapse_multiplier / expected, 1, 1e-3);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* Tip of the elastica at P L^2/EI = 10; what halving the elements changes falls by four. */
@@ -132,8 +127,8 @@ test_elastica (void)
 {
   double before = 0, change = 0;
   for (int32_t elements = 10; elements <= 40; elements *= 2) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     qn_model_init (&model);
     QnSection *section = qn_model_add_section (&model, "s");
     section->young = 1e9;
@@ -160,8 +155,6 @@ test_elastica (void)
       g_assert_cmpfloat_with_epsilon (-u[0] / 0.55500, 1, 0.005);
       g_assert_cmpfloat_with_epsilon (-u[2] / 1.43029, 1, 0.005);
     }
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -170,8 +163,8 @@ test_elastica (void)
 static void
 test_roll_up (void)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   qn_model_init (&model);
   QnSection *section = qn_model_add_section (&model, "s");
   section->young = 1e9;
@@ -191,8 +184,6 @@ test_roll_up (void)
   g_assert_cmpfloat_with_epsilon (u[2], 4 * G_PI, 1e-6);
   g_assert_cmpfloat_with_epsilon (1 + u[0], 0, 1e-3);
   g_assert_cmpfloat_with_epsilon (u[1], 0, 1e-3);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* Frequencies of a Timoshenko beam, simply supported: closed form; the consistent mass converges
@@ -203,8 +194,8 @@ test_vibration (void)
   static const double expected[] = { 315.819, 1151.685, 2304.893, 3627.124 };
   static const size_t number[] = { 0, 1, 3, 4 }; /* motions along the axis between */
   for (int free = 0; free < 2; free++) {
-    QnModel model;
-    QnModes modes;
+    g_auto (QnModel) model;
+    g_auto (QnModes) modes;
     qn_model_init (&model);
     QnId section = add_section (&model, "s", 0.5, false);
     model.sections[section].density = 7000;
@@ -220,8 +211,6 @@ test_vibration (void)
       g_test_message ("omega %.3f, exact %.3f", modes.omega[number[i]], expected[i]);
       g_assert_cmpfloat_with_epsilon (modes.omega[number[i]] / expected[i], 1, 1e-3);
     }
-    qn_modes_clear (&modes);
-    qn_model_clear (&model);
   }
 }
 
@@ -231,8 +220,8 @@ static void
 test_block_on_beam (void)
 {
   const double EI = young * 0.2 * 0.008 / 12, arm = 0.5, L = 3 + arm;
-  QnModel model;
-  QnModes modes;
+  g_auto (QnModel) model;
+  g_auto (QnModes) modes;
   test_model_init (&model);
   QnBlock *block = test_model_add_rectangle (&model, "mass", 3, -0.05, 2 * arm, 0.1);
   block->unit_weight = 1e6;
@@ -253,8 +242,6 @@ test_block_on_beam (void)
   double omega = sqrt ((sum - sqrt (sum * sum - 4 * a)) / (2 * a));
   g_test_message ("omega %.6f, exact %.6f (L %.1f)", modes.omega[0], omega, L);
   g_assert_cmpfloat_with_epsilon (modes.omega[0] / omega, 1, 1e-6);
-  qn_modes_clear (&modes);
-  qn_model_clear (&model);
 }
 
 /* A mast on a block, driven by its head's displacement past the peak: the block overturns at
@@ -263,8 +250,8 @@ static void
 test_mast (void)
 {
   for (int nonlinear = 0; nonlinear < 2; nonlinear++) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_model_init (&model);
     test_model_add_base (&model, -1, -1, 3, 1);
     test_model_add_rectangle (&model, "footing", 0, 0, 1, 1)->unit_weight = 20e3;
@@ -302,8 +289,6 @@ test_mast (void)
     if (!nonlinear)
       g_assert_cmpfloat_with_epsilon (peak, 10. / 3, 1e-6);
     g_assert_cmpfloat_with_epsilon (last / expected, 1, nonlinear ? 1e-3 : 1e-6);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 

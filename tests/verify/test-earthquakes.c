@@ -1,5 +1,6 @@
 /* Analyses in time beside published values and independent integration, with contacts that stay where
  * they are drawn and with contacts that follow the blocks. */
+#include "support/auto-clear.h"
 #include "support/earthquakes.h"
 
 #include <math.h>
@@ -53,8 +54,8 @@ test_column (gconstpointer follow)
 static void
 test_arch (gconstpointer follow)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   double peaks[2], times[2];
   test_earthquake_init_arch (&model);
   test_earthquake_solve (&model, follow != NULL, &result);
@@ -66,8 +67,6 @@ test_arch (gconstpointer follow)
   g_assert_cmpfloat (fabs (peaks[1] / TEST_ARCH_SECOND - 1), <, 0.1);
   g_assert_cmpfloat (fabs (times[1] / TEST_ARCH_SECOND_TIME - 1), <, 0.1);
   g_assert_cmpfloat (result.history.energy_error, <, 1e-3);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 int

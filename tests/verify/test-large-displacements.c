@@ -54,7 +54,7 @@ static double
 buckling_load (Ends ends, int faces)
 {
   const Member m = { 4, 0.2, 0.2, 30e9, 1e13 };
-  TestRun run;
+  g_auto (TestRun) run;
   QnDiag diag = { 0 };
   init_member (&run.model, m, faces);
   add_end_force (&run.model, -1000, 0);
@@ -72,7 +72,6 @@ buckling_load (Ends ends, int faces)
     QN_OK);
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_SNAP);
   double load = run.result.first_limit_multiplier;
-  test_run_clear (&run);
   return load;
 }
 
@@ -151,7 +150,7 @@ test_slender_member_swings (void)
 {
   const Member m = { 1, 0.005, 0.1, 200e9, 100e9 };
   const double EI = 0.75 * 200e9 * 0.1 * 0.005 * 0.005 * 0.005 / 12;
-  TestRun run;
+  g_auto (TestRun) run;
   init_member (&run.model, m, 127);
   add_end_force (&run.model, 0, -8. / 3 * EI);
   run.model.contact.pairs.count = 2;
@@ -165,7 +164,6 @@ test_slender_member_swings (void)
   g_assert_cmpfloat_with_epsilon (-u[3 * 127 + 1], 0.49346, 1e-4);
   g_assert_cmpfloat_with_epsilon (-u[3 * 127], 0.16064, 1e-4);
   g_assert_cmpfloat_with_epsilon (-u[3 * 127 + 2], 0.78175, 1e-4);
-  test_run_clear (&run);
 }
 
 /* --- Energy ----------------------------------------------------------------------------- */
@@ -210,7 +208,7 @@ test_energy_balance (void)
   const double EI = 12e9 * 0.1 * 0.02 * 0.02 * 0.02 / 12;
   double before = 0;
   for (int steps = 50; steps <= 400; steps *= 2) {
-    TestRun run;
+    g_auto (TestRun) run;
     init_member (&run.model, m, 20);
     add_end_force (&run.model, 0, -10 * EI);
     for (int i = 1; i <= steps; i++) {
@@ -231,7 +229,6 @@ test_energy_balance (void)
     if (before != 0)
       g_assert_cmpfloat_with_epsilon (before / error, 4, 0.1);
     before = error;
-    test_run_clear (&run);
   }
 }
 

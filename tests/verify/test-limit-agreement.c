@@ -4,6 +4,7 @@
 #include "solve.h"
 
 #include "core/limit/limit.h"
+#include "support/auto-clear.h"
 #include "support/generate.h"
 
 #include <glib.h>
@@ -88,9 +89,9 @@ make (QnModel *model, int number, double dilatancy, double compression)
 static double
 optimum (int number, double compression)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnLimitSolution solution;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnLimitSolution) solution;
 
   make (&model, number, 0, compression);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
@@ -100,9 +101,6 @@ optimum (int number, double compression)
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat (fabs (solution.upper_bound - solution.lower_bound), <, 1e-6);
   double found = solution.upper_bound;
-  qn_limit_solution_clear (&solution);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
   return found;
 }
 

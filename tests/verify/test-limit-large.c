@@ -1,6 +1,7 @@
 /* Limit analysis of a wall of ten thousand blocks, with both certificates summed up outside the
  * solver: the optimum is proved, whatever the way to it. */
 #include "core/limit/limit.h"
+#include "support/auto-clear.h"
 #include "support/certificate.h"
 #include "support/generate.h"
 
@@ -9,9 +10,9 @@
 static void
 test_ten_thousand (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnLimitSolution solution;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnLimitSolution) solution;
   QnWallRecipe recipe = qn_wall_recipe_default ();
 
   recipe.length = 66;
@@ -27,9 +28,6 @@ test_ten_thousand (void)
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpint (solution.effort.factorizations, <, 80);
   test_assert_certified (&model, &contacts, &solution);
-  qn_limit_solution_clear (&solution);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

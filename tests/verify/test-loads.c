@@ -63,14 +63,13 @@ test_limit (void)
     double expected =
       closed_form (walls[i].width, walls[i].height, walls[i].courses, walls[i].surcharge);
     for (int right = 0; right < 2; right++) {
-      TestRun run;
+      g_auto (TestRun) run;
       init_wall (&run.model, walls[i].width, walls[i].height, walls[i].courses,
                  right ? QN_BLOCK_SIDE_RIGHT : QN_BLOCK_SIDE_LEFT, walls[i].surcharge);
       run.model.analysis.procedure = QN_PROCEDURE_LIMIT;
       test_run_solve (&run);
       g_assert_cmpfloat_with_epsilon (run.result.collapse_multiplier, expected,
                                       1e-6 * expected);
-      test_run_clear (&run);
     }
   }
 }
@@ -80,7 +79,7 @@ static void
 test_path (void)
 {
   for (int doubled = 0; doubled < 2; doubled++) {
-    TestRun run;
+    g_auto (TestRun) run;
     init_wall (&run.model, 1, 3, 3, QN_BLOCK_SIDE_LEFT, 0);
     run.model.laws[0].kn = run.model.laws[0].ks = 1e9;
     if (doubled) {
@@ -92,7 +91,6 @@ test_path (void)
     g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_COLLAPSE);
     g_assert_cmpfloat_with_epsilon (run.result.collapse_multiplier, expected,
                                     1e-3 * expected);
-    test_run_clear (&run);
   }
 }
 
@@ -104,7 +102,7 @@ test_many_forces (void)
   enum { PIECES = 200 };
   double found[2];
   for (int pieces = 0; pieces < 2; pieces++) {
-    TestRun run;
+    g_auto (TestRun) run;
     test_model_init_block_on_plane (&run.model, 1, 3);
     QnLoad *weight = qn_model_add_dead_load (&run.model);
     weight->kind = QN_LOAD_WEIGHT;
@@ -142,7 +140,6 @@ test_many_forces (void)
     test_run_solve (&run);
     g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
     found[pieces] = run.result.steps[run.result.step_count - 1].multiplier;
-    test_run_clear (&run);
   }
   g_assert_cmpfloat (found[0], >, 0.1);
   /* Midpoints give the moment to 1 / (2 n^2). */
@@ -155,7 +152,7 @@ test_turned (void)
 {
   double found[2];
   for (int turned = 0; turned < 2; turned++) {
-    TestRun run;
+    g_auto (TestRun) run;
     test_model_init_stack (&run.model, 3, 1, 1);
     test_model_add_weight_loads (&run.model, 0);
     run.model.live_load_count = 0;
@@ -173,7 +170,6 @@ test_turned (void)
       test_model_rotate (&run.model, 0.7);
     test_run_solve (&run);
     found[turned] = run.result.collapse_multiplier;
-    test_run_clear (&run);
   }
   g_assert_cmpfloat_with_epsilon (found[0], found[1], 1e-6 * found[0]);
 }
@@ -184,8 +180,8 @@ test_in_time (void)
 {
   double found[2][QN_DOF_COUNT];
   for (int single = 0; single < 2; single++) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_earthquake_init_block (&model, 3, 0.3);
     model.analysis.dynamic.duration = 0.6;
     QnLoad *load = qn_model_add_dead_load (&model);
@@ -208,8 +204,6 @@ test_in_time (void)
       found[single][dof] =
         result
           .displacements[(last * model.block_count + 1) * QN_DOF_COUNT + (size_t) dof];
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
   g_assert_cmpfloat (fabs (found[0][QN_DOF_RZ]), >, 1e-3); /* it rocks */
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)

@@ -68,9 +68,9 @@ static double
 tip_displacement (int blocks, QnPairRule pairs)
 {
   const double h = L / (blocks - 1);
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   init_cantilever (&model, 0, QN_LAW_ELASTIC, pairs);
   model.blocks[0].law = QN_NONE;
   model.vertices[0].x = model.vertices[3].x = -h / 2;
@@ -87,9 +87,6 @@ tip_displacement (int blocks, QnPairRule pairs)
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   const double *u = qn_result_step_displacements (&result, result.step_count - 1);
   double tip = -u[3 * (blocks - 1) + 1];
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
   return tip;
 }
 
@@ -150,9 +147,9 @@ test_moment_curvature (void)
 {
   const double first = yield * width * depth * depth / 6; /* M0 */
   const double curvature = 2 * yield / (young * depth);
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   init_cantilever (&model, 1, QN_LAW_ELASTIC_PLASTIC, uniform (100));
   QnLoad *load = qn_model_add_live_load (&model);
   load->kind = QN_LOAD_FORCE;
@@ -171,21 +168,16 @@ test_moment_curvature (void)
     furthest = fmax (furthest, k);
   }
   g_assert_cmpfloat (furthest, >, 4.5);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static double
 collapse_load (QnModel *model)
 {
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   solve (model, &contacts, &result);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
   double load = result.collapse_multiplier;
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
   return load;
 }
@@ -271,9 +263,9 @@ test_reinforced (void)
 static void
 test_soft_on_stiff (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   init_cantilever (&model, 1, QN_LAW_ELASTIC, gauss (2));
   model.laws[0].kn = 20e9;
   model.laws[1].kn = 1e9;
@@ -300,9 +292,6 @@ test_soft_on_stiff (void)
     g_assert_cmpfloat_with_epsilon (pair->hinge.x, -force / area * soft, 1e-15);
     g_assert_cmpfloat_with_epsilon (pair->hinge.y, contacts.pairs[i].point.y, 1e-15);
   }
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

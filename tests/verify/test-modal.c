@@ -48,7 +48,7 @@ test_simply_supported (void)
 {
   static const double exact[] = { 315.819, 1151.685, 2304.893, 3627.124, 5036.041 };
   QnModel model;
-  QnModes modes;
+  g_auto (QnModes) modes;
   init_beam (&model, 60);
   model.blocks[0].support[QN_DOF_UY] = model.blocks[60].support[QN_DOF_UY] = true;
   run (&model, G_N_ELEMENTS (exact), &modes);
@@ -57,7 +57,6 @@ test_simply_supported (void)
                     exact[i], 100 * (modes.omega[i] / exact[i] - 1));
     g_assert_cmpfloat_with_epsilon (modes.omega[i] / exact[i], 1, 0.01);
   }
-  qn_modes_clear (&modes);
 }
 
 /* One block on two springs: rocking, sliding and bouncing, in closed form. */
@@ -66,7 +65,7 @@ test_one_block (void)
 {
   const double b = 1, h = 0.4, k = 1e7;
   QnModel model;
-  QnModes modes;
+  g_auto (QnModes) modes;
   test_model_init_block_on_plane (&model, b, h);
   model.laws[0].kind = QN_LAW_ELASTIC;
   model.gravity = 10;
@@ -80,7 +79,6 @@ test_one_block (void)
   double low = 0.5 * (a11 + a22) - sqrt (0.25 * (a11 - a22) * (a11 - a22) + a12 * a12);
   g_assert_cmpfloat_with_epsilon (modes.omega[0] / sqrt (low), 1, 1e-9);
   g_assert_cmpfloat_with_epsilon (modes.omega[1] / sqrt (k / mass), 1, 1e-9);
-  qn_modes_clear (&modes);
 }
 
 /* Four bricks, free: three rigid motions first, then frequencies that a scaling of the joints
@@ -113,7 +111,7 @@ static void
 test_wallet (void)
 {
   QnModel model;
-  QnModes modes, stiffer;
+  g_auto (QnModes) modes, stiffer;
   init_wallet (&model, 1);
   run (&model, 20, &modes);
   init_wallet (&model, 4);
@@ -127,8 +125,6 @@ test_wallet (void)
       g_assert_cmpfloat_with_epsilon (stiffer.omega[i] / modes.omega[i], 2, 1e-6);
   }
   g_assert_cmpfloat (modes.omega[3], >, 0);
-  qn_modes_clear (&stiffer);
-  qn_modes_clear (&modes);
 }
 
 int

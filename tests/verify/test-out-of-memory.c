@@ -171,13 +171,12 @@ main (int argc, char **argv)
   g_test_add_data_func ("/verify/out-of-memory/fixed-points/onwards", fixed_points,
                         test_all_fail_from_one_on);
   GError *error = NULL;
-  char *folder = g_dir_make_tmp ("quoin-XXXXXX", &error);
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", &error);
   g_assert_no_error (error);
   result_path = g_build_filename (folder, "result.json", NULL);
   int failed = g_test_run ();
   g_remove (result_path);
   g_rmdir (folder);
   g_free (result_path);
-  g_free (folder);
   return failed;
 }

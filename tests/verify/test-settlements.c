@@ -51,7 +51,7 @@ test_clamped_beam (void)
   enum { FACES = 40 };
   const double L = 4, EI = 30e9 * 0.2 * 0.2 * 0.2 * 0.2 / 12, s = 0.01, phi = 0.002;
   for (int turned = 0; turned < 2; turned++) {
-    TestRun run;
+    g_auto (TestRun) run;
     init_beam (&run, FACES);
     if (turned)
       add_settlement (&run.model, FACES, QN_DOF_RZ, phi);
@@ -72,7 +72,6 @@ test_clamped_beam (void)
     g_assert_cmpfloat_with_epsilon (near[1] / (-sign * force), 1, 2e-3);
     g_assert_cmpfloat_with_epsilon (fabs (far[2] / moment_far), 1, 2e-3);
     g_assert_cmpfloat_with_epsilon (fabs (near[2] / moment_near), 1, 2e-3);
-    test_run_clear (&run);
   }
 }
 
@@ -81,7 +80,7 @@ test_clamped_beam (void)
 static void
 test_middle_support (void)
 {
-  TestRun run;
+  g_auto (TestRun) run;
   test_model_init (&run.model);
   for (int i = 0; i < 3; i++) {
     g_autofree char *name = g_strdup_printf ("pier%d", i);
@@ -102,7 +101,6 @@ test_middle_support (void)
   g_assert_cmpfloat_with_epsilon (r[4], pier, 1e-6 * weight);
   g_assert_cmpfloat_with_epsilon (r[1], weight / 2 + pier, 1e-6 * weight);
   g_assert_cmpfloat_with_epsilon (r[7], weight / 2 + pier, 1e-6 * weight);
-  test_run_clear (&run);
 }
 
 /* A semicircular arch of radius 5 m and thickness 1 m between two abutments. */
@@ -153,7 +151,7 @@ test_least_thrust (void)
   double before = -qn_result_step_reactions (&run.result, 0)[3];
   test_run_clear (&run);
 
-  QnLimitSolution solution;
+  g_auto (QnLimitSolution) solution;
   init_arch (&run);
   run.model.laws[0].dilatancy = run.model.laws[0].friction;
   run.model.blocks[1].support[QN_DOF_UX] = false;
@@ -175,7 +173,6 @@ test_least_thrust (void)
                   least);
   g_assert_cmpfloat (before, >, 1.1 * least);
   g_assert_cmpfloat_with_epsilon (thrust / least, 1, 1e-6);
-  qn_limit_solution_clear (&solution);
   qn_contacts_clear (&run.contacts);
   qn_model_clear (&run.model);
 }

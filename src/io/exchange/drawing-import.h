@@ -74,6 +74,7 @@ gboolean qn_drawing_to_project (QnDrawing *drawing, const char *name,
 
 /* Only needed where the import succeeded: a failed one leaves an empty report. */
 void qn_import_report_clear (QnImportReport *report);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnImportReport, qn_import_report_clear)
 
 /* Reads a file by its ending (.svg, .json: COMPAS, .dxf; any other: text of HybriDFEM where it says
  * "Box", else DXF) and makes a project of it; as qn_drawing_to_project() otherwise. */

@@ -44,6 +44,7 @@ typedef struct QnDrawing {
 
 void qn_drawing_init (QnDrawing *drawing);
 void qn_drawing_clear (QnDrawing *drawing);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnDrawing, qn_drawing_clear)
 
 /* A copy that lives as long as the drawing; equal strings have one. */
 const char *qn_drawing_keep_string (QnDrawing *drawing, const char *string);

@@ -51,6 +51,7 @@ void qn_project_init (QnProject *project);
 gboolean qn_project_begin (QnProject *project, const char *law, GError **error);
 
 void qn_project_clear (QnProject *project);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnProject, qn_project_clear)
 
 /* Writes the project in the canonical layout: what reads back is the same model. Overrides are
  * part of the model by then and so of the written file. */

@@ -61,6 +61,7 @@ gboolean qn_result_file_parse (const char *text, gsize length, const char *name,
                                QnResultFile *file, GError **error);
 
 void qn_result_file_clear (QnResultFile *file);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnResultFile, qn_result_file_clear)
 
 /* Refuses a result whose blocks are not those of the project, or whose contact pairs are not
  * those of `contacts` (nullable). Sets *same_bytes (nullable) to whether the project file is

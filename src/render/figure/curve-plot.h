@@ -63,6 +63,7 @@ void qn_curve_cut (QnCurve *curve, double until);
 void qn_curve_cut_runaway (QnCurve *curve);
 
 void qn_curve_clear (QnCurve *curve);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnCurve, qn_curve_clear)
 
 /* Writes the plot as qn_page_export() does. */
 bool qn_curve_export (const QnCurvePlot *plot, const char *path, const QnOutput *output,

@@ -49,5 +49,6 @@ void qn_case_model_clear (QnCaseModel *model);
 void qn_case_result_fail (QnCaseResult *result, const char *reason);
 
 void qn_case_result_clear (QnCaseResult *result);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnCaseResult, qn_case_result_clear)
 
 #endif

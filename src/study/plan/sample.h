@@ -23,6 +23,7 @@ void qn_sample_init (QnSample *sample, const QnStudy *study);
 void qn_sample_middle (const QnStudy *study, double *values);
 
 void qn_sample_clear (QnSample *sample);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnSample, qn_sample_clear)
 
 static inline const double *
 qn_sample_case (const QnSample *sample, gsize index)

@@ -125,6 +125,7 @@ gboolean qn_study_read (const char *path, const char *model_path, QnStudy *study
 void qn_study_init (QnStudy *study);
 
 void qn_study_clear (QnStudy *study);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnStudy, qn_study_clear)
 
 /* Ground motions of the project that its cases may read records for: those of a run in time. */
 gsize qn_study_record_count (const QnStudy *study);

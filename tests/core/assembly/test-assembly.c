@@ -177,7 +177,7 @@ test_evaluation_has_no_memory (void)
   g_autofree double *first = g_new0 (double, as->unknown_count);
   g_autofree double *again = g_new0 (double, as->unknown_count);
   g_autofree double *elsewhere = g_new0 (double, as->unknown_count);
-  GRand *random = g_rand_new_with_seed (13);
+  g_autoptr (GRand) random = g_rand_new_with_seed (13);
 
   random_displacements (as, random, u);
   qn_assembly_evaluate (as, u);
@@ -190,7 +190,6 @@ test_evaluation_has_no_memory (void)
   qn_assembly_residual (as, 0.1, again);
   g_assert_cmpmem (first, (size_t) as->unknown_count * sizeof *first, again,
                    (size_t) as->unknown_count * sizeof *again);
-  g_rand_free (random);
   solver_clear (&solver);
 }
 

@@ -1,6 +1,7 @@
 #include "core/solver.h"
 
 #include "core/path/analysis.h"
+#include "support/auto-clear.h"
 
 #include <math.h>
 #include <string.h>
@@ -108,7 +109,7 @@ check_tangent (QnGeometry geometry)
   g_autofree double *u = g_new0 (double, n), *plus = g_new0 (double, n),
                     *minus = g_new0 (double, n);
   g_autofree int16_t *phases = g_new0 (int16_t, as->pair_count);
-  GRand *random = g_rand_new_with_seed (5);
+  g_autoptr (GRand) random = g_rand_new_with_seed (5);
   double largest = 0;
 
   for (int32_t i = 0; i < n; i++)
@@ -149,7 +150,6 @@ check_tangent (QnGeometry geometry)
                          1e-6 * largest);
   }
   g_assert_cmpint (checked, >, n * 9 / 10);
-  g_rand_free (random);
   solver_clear (&solver);
 }
 
@@ -222,8 +222,8 @@ test_line_load (void)
 static void
 test_energy (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   qn_model_init (&model);
   QnSection *section = add_section (&model);
   section->young = 1e7;
@@ -265,8 +265,6 @@ test_energy (void)
   g_assert_cmpfloat (fabs (eq.u[top]), >, 0.3);
   g_assert_cmpfloat_with_epsilon (work / energy, 1, 2e-6);
   qn_equilibrium_clear (&eq);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Bars on hinges only: nodes without a rotation of their own; forces by statics. */
@@ -338,8 +336,8 @@ test_rigid_link (void)
 static void
 test_floating (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnDiag diag = { 0 };
   test_model_init_block_on_plane (&model, 1, 1);
   add_section (&model);
@@ -353,8 +351,6 @@ test_floating (void)
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_BEAM_FLOATING);
   g_assert_cmpint (diag.entity, ==, QN_ENTITY_BEAM);
   g_assert_cmpint (diag.index, ==, 0);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

@@ -136,7 +136,7 @@ test_rigid_motion (void)
 static void
 test_yielding (void)
 {
-  GRand *random = g_rand_new_with_seed (3);
+  g_autoptr (GRand) random = g_rand_new_with_seed (3);
   int seen[9] = { 0 };
 
   for (int trial = 0; trial < 20000; trial++) {
@@ -164,7 +164,6 @@ test_yielding (void)
   }
   for (int i = 0; i < 9; i++)
     g_assert_cmpint (seen[i], >, 50);
-  g_rand_free (random);
 }
 
 static void

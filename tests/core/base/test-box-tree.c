@@ -13,7 +13,7 @@ static void
 check_against_all_pairs (const QnBox *boxes, size_t count)
 {
   QnBoxTree tree;
-  QnId *found = g_new (QnId, count + 1);
+  g_autofree QnId *found = g_new (QnId, count + 1);
   g_assert_true (qn_box_tree_init (&tree, boxes, count));
   for (size_t q = 0; q < count; q++) {
     size_t found_count = 0;
@@ -33,7 +33,6 @@ check_against_all_pairs (const QnBox *boxes, size_t count)
     g_assert_cmpuint (found_count, ==, expected);
   }
   qn_box_tree_clear (&tree);
-  g_free (found);
 }
 
 /* The pairs of a walk of the tree against itself, with the same predicate. */
@@ -64,10 +63,10 @@ check_pairs (const QnBox *boxes, size_t count, double margin)
 static void
 test_all_sizes (void)
 {
-  GRand *random = g_rand_new_with_seed (7);
+  g_autoptr (GRand) random = g_rand_new_with_seed (7);
   const size_t counts[] = { 1, 7, 8, 9, 64, 65, 1500 };
   for (size_t c = 0; c < G_N_ELEMENTS (counts); c++) {
-    QnBox *boxes = g_new (QnBox, counts[c]);
+    g_autofree QnBox *boxes = g_new (QnBox, counts[c]);
     for (size_t i = 0; i < counts[c]; i++) {
       double size = pow (10, g_rand_double_range (random, -4, 1));
       double spread = i % 3 == 0 ? 0.01 : 10;
@@ -77,9 +76,7 @@ test_all_sizes (void)
     check_against_all_pairs (boxes, counts[c]);
     check_pairs (boxes, counts[c], 0);
     check_pairs (boxes, counts[c], 0.125);
-    g_free (boxes);
   }
-  g_rand_free (random);
 }
 
 static void

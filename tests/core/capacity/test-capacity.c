@@ -35,8 +35,8 @@ static void
 test_rigid_block (void)
 {
   enum { COUNT = 401 };
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   QnCapacity capacity;
   double multipliers[COUNT + 1] = { 0 }, ux[2 * (COUNT + 1)] = { 0 };
   const double alpha = atan (0.2), radius = 0.5 * hypot (0.6, 3);
@@ -70,8 +70,6 @@ test_rigid_block (void)
   check_close (slc.acceleration, 0.772045 / 1.2, 2e-4);
   check_close (slc.period, 1.56 * G_PI * sqrt (0.18 * 1.2 / 0.772045), 2e-4);
   qn_capacity_clear (&capacity);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* Two equal blocks, the upper one moving twice as far as the lower: e* = 9/10, d* = 5/3 of the lower
@@ -81,8 +79,8 @@ test_two_blocks (void)
 {
   const double multipliers[] = { 0, 0.3, 0 };
   const double ux[] = { 0, 0, 0, 0, 0.01, 0.02, 0, 0.16, 0.32 };
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   QnCapacity capacity;
   test_model_init_stack (&model, 2, 0.5, 1);
   test_model_add_weight_loads (&model, 1);
@@ -113,14 +111,12 @@ test_two_blocks (void)
   check_close (nc.ratio, 0.80026, 1e-4);
   check_close (sd.capacity, 0.05, 1e-9);
   qn_capacity_clear (&capacity);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 static QnProblem
 refusal (QnModel *model, const double *multipliers, const double *ux, QnId control)
 {
-  QnResult result;
+  g_auto (QnResult) result;
   QnCapacity capacity;
   QnDiag diag = { 0 };
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
@@ -128,7 +124,6 @@ refusal (QnModel *model, const double *multipliers, const double *ux, QnId contr
   g_assert_cmpint (qn_capacity_init (&capacity, model, &result, control, &diag), ==,
                    QN_ERROR_INVALID);
   g_assert_null (capacity.points);
-  qn_result_clear (&result);
   qn_model_clear (model);
   return diag.problem;
 }

@@ -34,8 +34,8 @@ test_overlap_at_every_angle (void)
   const double shifts[] = { 0, 0.3, -0.3, 0.999, 1, -1, 1.5 };
   for (int turn = 0; turn < 24; turn++) {
     for (size_t s = 0; s < G_N_ELEMENTS (shifts); s++) {
-      QnModel model;
-      QnContacts contacts;
+      g_auto (QnModel) model;
+      g_auto (QnContacts) contacts;
       double angle = turn * G_PI / 12;
       detect_shifted (&model, &contacts, shifts[s], 0, angle);
       double length = fmax (0, 1 - fabs (shifts[s]));
@@ -48,8 +48,6 @@ test_overlap_at_every_angle (void)
         g_assert_cmpint (face->edge_a, ==, 2);
         g_assert_cmpint (face->edge_b, ==, 0);
       }
-      qn_contacts_clear (&contacts);
-      qn_model_clear (&model);
     }
   }
 }
@@ -58,8 +56,8 @@ test_overlap_at_every_angle (void)
 static void
 test_ends_are_vertices (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init (&model);
   test_model_add_base (&model, 0.1, -0.175, 0.7, 0.175);
   test_model_add_rectangle (&model, "b", 0.3, 0, 0.4, 0.175);
@@ -70,16 +68,14 @@ test_ends_are_vertices (void)
   g_assert_cmpfloat (face->end.x, ==, 0.3);
   g_assert_cmpfloat (face->start.y, ==, 0);
   g_assert_cmpfloat (face->normal.y, ==, 1);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A T-joint: two blocks side by side on a long one, one more across both of them. */
 static void
 test_t_joints (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init (&model);
   test_model_add_base (&model, 0, -1, 4, 1);
   test_model_add_rectangle (&model, "left", 0.5, 0, 1.5, 1);
@@ -96,8 +92,6 @@ test_t_joints (void)
     CLOSE (contacts.faces[i].length, lengths[i], 1e-15);
   }
   g_assert_cmpuint (contacts.findings.count, ==, 0);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* The paper's Figure 5: seven blocks, twelve faces. */
@@ -106,8 +100,8 @@ test_seven_blocks_twelve_faces (void)
 {
   const double outer[] = { 1, 1 }, inner[] = { 0.5, 1, 0.5 };
   for (int turn = 0; turn < 8; turn++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     test_model_init (&model);
     QnWall *wall = qn_model_add_wall (&model, "w");
     wall->unit = qn_vec2 (0.4, 0.175);
@@ -119,8 +113,6 @@ test_seven_blocks_twelve_faces (void)
     test_detect (&model, &contacts);
     g_assert_cmpuint (model.block_count, ==, 7);
     g_assert_cmpuint (contacts.face_count, ==, 12);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -128,8 +120,8 @@ test_seven_blocks_twelve_faces (void)
 static void
 test_concave_two_faces (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   const QnVec2 u[] = { { 0, 0 }, { 5, 0 }, { 5, 3 }, { 4, 3 },
                        { 4, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
   test_model_init (&model);
@@ -144,8 +136,6 @@ test_concave_two_faces (void)
   g_assert_cmpfloat (contacts.faces[0].start.x, ==, 5);
   g_assert_cmpfloat (contacts.faces[1].end.x, ==, 0);
   g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCKS_OVERLAP), ==, 0);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A beam whose lower side is interrupted by a notch, on one long side: the long side's two faces
@@ -153,8 +143,8 @@ test_concave_two_faces (void)
 static void
 test_two_faces_on_one_side (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   const QnVec2 notched[] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 3, 1 },
                              { 3, 0 }, { 6, 0 }, { 6, 2 }, { 0, 2 } };
   test_model_init (&model);
@@ -164,16 +154,14 @@ test_two_faces_on_one_side (void)
   g_assert_cmpuint (contacts.face_count, ==, 2);
   CLOSE (contacts.faces[0].length, 3, 1e-15); /* the base's upper side runs leftwards */
   CLOSE (contacts.faces[1].length, 2, 1e-15);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A block in a corner: two faces at a right angle. */
 static void
 test_block_in_corner (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   const QnVec2 l[] = { { 0, 0 }, { 3, 0 }, { 3, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
   test_model_init (&model);
   add_polygon (&model, "l", l, 6);
@@ -183,16 +171,14 @@ test_block_in_corner (void)
   CLOSE (contacts.faces[0].normal.y, 1, 1e-15);
   CLOSE (contacts.faces[1].normal.x, 1, 1e-15);
   g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_POINT_CONTACT), ==, 0);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Vertices in the middle of a joint, on either block, do not split it. */
 static void
 test_collinear_vertices_make_one_face (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   const QnVec2 lower[] = { { 0, 0 }, { 3, 0 }, { 3, 1 }, { 2, 1 }, { 1.5, 1 }, { 0, 1 } };
   const QnVec2 upper[] = { { 1, 1 }, { 3, 1 }, { 3, 2 }, { 0, 2 }, { 0, 1 } };
   test_model_init (&model);
@@ -203,8 +189,6 @@ test_collinear_vertices_make_one_face (void)
   g_assert_cmpint (contacts.faces[0].edge_a, ==, 2);
   g_assert_cmpint (contacts.faces[0].edge_b, ==, 4);
   CLOSE (contacts.faces[0].length, 3, 1e-15);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Gaps up to the tolerance close, wider ones are named with place and width, wide ones are the
@@ -247,8 +231,8 @@ test_gaps (void)
 static void
 test_wedge_gap (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   const QnVec2 tilted[] = { { 0, 1 }, { 1, 1.0005 }, { 1, 2 }, { 0, 2 } };
   test_model_init (&model);
   test_model_add_base (&model, 0, 0, 1, 1);
@@ -256,16 +240,14 @@ test_wedge_gap (void)
   test_detect (&model, &contacts);
   g_assert_cmpuint (contacts.face_count, ==, 0);
   CLOSE (test_the_finding (&contacts, QN_PROBLEM_NEAR_MISS_GAP)->value, 5e-4, 1e-9);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A sheet of lead between two blocks is a block, not a gap. */
 static void
 test_filled_gap (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init (&model);
   test_model_add_base (&model, 0, 0, 1, 1);
   test_model_add_rectangle (&model, "sheet", 0, 1, 1, 0.004);
@@ -273,16 +255,14 @@ test_filled_gap (void)
   test_detect (&model, &contacts);
   g_assert_cmpuint (contacts.face_count, ==, 2);
   g_assert_cmpuint (contacts.findings.count, ==, 0);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A pebble on a slab of a kilometre, a splinter on the pebble. */
 static void
 test_sizes_far_apart (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init (&model);
   test_model_add_base (&model, -500, -10, 1000, 10);
   test_model_add_rectangle (&model, "pebble", 3, 0, 0.1, 0.1);
@@ -291,22 +271,18 @@ test_sizes_far_apart (void)
   g_assert_cmpuint (contacts.face_count, ==, 2);
   CLOSE (contacts.faces[0].length, 0.1, 1e-12);
   CLOSE (contacts.faces[1].length, 0.001, 1e-12);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void
 test_thickness_is_the_smaller (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_block_on_plane (&model, 1, 1);
   model.blocks[0].thickness = 3;
   model.blocks[1].thickness = 0.25;
   test_detect (&model, &contacts);
   g_assert_cmpfloat (contacts.faces[0].thickness, ==, 0.25);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

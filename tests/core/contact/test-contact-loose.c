@@ -19,8 +19,8 @@ test_ordinary_corners (void)
   const double running[][3] = { { 1, 1, 1 }, { 0.5, 1, 1.5 } };
   const double stack[] = { 1, 1, 1 }, step[] = { 1, 1 };
   for (int kind = 0; kind < 3; kind++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     test_model_init (&model);
     QnWall *wall = qn_model_add_wall (&model, "w");
     wall->unit = qn_vec2 (0.4, 0.2);
@@ -33,8 +33,6 @@ test_ordinary_corners (void)
     test_model_rotate (&model, 0.4);
     test_detect (&model, &contacts);
     g_assert_cmpuint (contacts.findings.count, ==, 0);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -43,8 +41,8 @@ test_ordinary_corners (void)
 static void
 test_corner_on_corner (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init (&model);
   test_model_add_base (&model, 0, -1, 3, 1);
   test_model_add_rectangle (&model, "low", 0, 0, 1, 1);
@@ -57,8 +55,6 @@ test_corner_on_corner (void)
   g_assert_cmpfloat (point->at.y, ==, 1);
   g_assert_cmpint (test_the_finding (&contacts, QN_PROBLEM_BLOCK_FLOATING)->block_a, ==,
                    2);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A corner on the middle of an edge: a leaning block, at any angle of the whole. */
@@ -67,8 +63,8 @@ test_corner_on_edge (void)
 {
   const QnVec2 diamond[] = { { 0, 0 }, { 1, 1 }, { 0, 2 }, { -1, 1 } };
   for (int turn = 0; turn < 9; turn++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     test_model_init (&model);
     test_model_add_base (&model, -2, -1, 4, 1);
     add_polygon (&model, "diamond", diamond, 4);
@@ -77,8 +73,6 @@ test_corner_on_edge (void)
     g_assert_cmpuint (contacts.face_count, ==, 0);
     const QnFinding *point = test_the_finding (&contacts, QN_PROBLEM_POINT_CONTACT);
     g_assert_cmpfloat (qn_vec2_length (point->at), <, 1e-12);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -87,8 +81,8 @@ test_corner_on_edge (void)
 static void
 test_overlap_says_it_all (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init (&model);
   test_model_add_base (&model, 0, -1, 9, 1);
   test_model_add_rectangle (&model, "a", 0, 0, 1, 1);
@@ -101,8 +95,6 @@ test_overlap_says_it_all (void)
   g_assert_cmpint (
     test_the_finding (&contacts, QN_PROBLEM_BLOCK_WITHOUT_CONTACT)->block_a, ==, 3);
   g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCK_FLOATING), ==, 2);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A wedge that lies on a slope by a face and touches the floor with its tip, which has a face at
@@ -110,8 +102,8 @@ test_overlap_says_it_all (void)
 static void
 test_one_face_is_not_enough (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   const QnVec2 slope[] = { { 0, 0.5 }, { 2, 2.5 }, { 0, 2.5 } };
   const QnVec2 block[] = { { 0, 0.5 }, { 0.5, 0 }, { 2.5, 2 }, { 2, 2.5 } };
   test_model_init (&model);
@@ -124,16 +116,14 @@ test_one_face_is_not_enough (void)
   g_assert_cmpint (point->block_a, ==, 0);
   g_assert_cmpint (point->block_b, ==, 2);
   g_assert_cmpfloat (point->at.x, ==, 0.5);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Every block of a part that hangs on nothing is named, and the analysis refused with the first. */
 static void
 test_floating_part (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnDiag diag;
   test_model_init_stack (&model, 3, 1, 0.5);
   test_model_add_rectangle (&model, "loose 1", 10, 0, 1, 1);
@@ -148,29 +138,25 @@ test_floating_part (void)
   g_assert_cmpint (diag.entity, ==, QN_ENTITY_BLOCK);
   g_assert_cmpstr (model.blocks[diag.index].name, ==, "loose 1");
   g_assert_cmpfloat (diag.at.x, ==, 10.5);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A support in one direction is a support. */
 static void
 test_any_support_holds (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_stack (&model, 2, 1, 0.5);
   model.blocks[0].support[QN_DOF_UX] = model.blocks[0].support[QN_DOF_RZ] = false;
   test_detect (&model, &contacts);
   g_assert_cmpuint (contacts.findings.count, ==, 0);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void
 test_no_support (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnDiag diag;
   test_model_init_wall (&model, 5, 0);
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)
@@ -182,16 +168,14 @@ test_no_support (void)
                    QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_SUPPORT);
   g_assert_cmpint (diag.entity, ==, QN_ENTITY_MODEL);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* A fixed block on its own is reported, and does not prevent an analysis. */
 static void
 test_lonely_support (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_stack (&model, 1, 1, 1);
   test_model_add_rectangle (&model, "post", 10, 0, 1, 1)->support[QN_DOF_UY] = true;
   test_detect (&model, &contacts);
@@ -199,8 +183,6 @@ test_lonely_support (void)
   g_assert_cmpint (
     test_the_finding (&contacts, QN_PROBLEM_BLOCK_WITHOUT_CONTACT)->block_a, ==, 2);
   g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, NULL), ==, QN_OK);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

@@ -89,8 +89,8 @@ detect (const Case *c, QnModel *model, QnContacts *contacts, bool swapped, doubl
 static void
 check_case (const Case *c, bool swapped, double angle, double scale)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnDiag diag;
   detect (c, &model, &contacts, swapped, angle, scale);
   if (c->depth == 0) {
@@ -126,8 +126,6 @@ check_case (const Case *c, bool swapped, double angle, double scale)
     g_assert_cmpint (diag.index, ==, 0);
     g_assert_cmpint (diag.other, ==, 1);
   }
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void
@@ -148,8 +146,8 @@ test_thresholds (void)
 {
   const double depths[] = { 0.9e-6, 5e-6, 20e-6 };
   for (int i = 0; i < 3; i++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     test_model_init (&model);
     test_model_add_base (&model, 0, 0, 1, 1);
     test_model_add_rectangle (&model, "b", 1 - depths[i], 0, 1, 1);
@@ -159,8 +157,6 @@ test_thresholds (void)
     g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCKS_OVERLAP), ==,
                       i == 2);
     g_assert_cmpuint (contacts.face_count, ==, i == 0);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -194,8 +190,8 @@ test_against_sampling (void)
       }
     }
 
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     detect (&c, &model, &contacts, false, 0, 1);
     size_t found = test_count_findings (&contacts, QN_PROBLEM_BLOCKS_OVERLAP);
     if (sampled)
@@ -203,8 +199,6 @@ test_against_sampling (void)
     else if (found > 0) /* too small for the sample's raster of 0.02 */
       g_assert_cmpfloat (test_the_finding (&contacts, QN_PROBLEM_BLOCKS_OVERLAP)->value,
                          <, 0.03);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
   g_rand_free (random);
 }
@@ -215,9 +209,9 @@ static void
 test_rough_ground (void)
 {
   enum { TEETH = 2500, STONES = 2500 };
-  QnModel model;
-  QnContacts contacts;
-  QnVec2 *ground = g_new (QnVec2, 4 * TEETH + 2);
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_autofree QnVec2 *ground = g_new (QnVec2, 4 * TEETH + 2);
   /* Teeth 1 wide and 0.5 high, 1 apart, from right to left. */
   for (int i = 0; i < TEETH; i++) {
     double x = 2.0 * (TEETH - 1 - i);
@@ -248,9 +242,6 @@ test_rough_ground (void)
     if (contacts.findings.items[i].problem == QN_PROBLEM_BLOCKS_OVERLAP)
       g_assert_cmpfloat_with_epsilon (contacts.findings.items[i].value, 0.1, 1e-12);
   }
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
-  g_free (ground);
 }
 
 /* Of places that are equally deep it is always the same one that is reported: a block far away,
@@ -261,8 +252,8 @@ test_place_of_ties (void)
   enum { MANY = 80 };
   QnVec2 places[2];
   for (int far = 0; far < 2; far++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     test_model_init (&model);
     for (int disc = 0; disc < 2; disc++) {
       QnVec2 v[MANY];
@@ -278,8 +269,6 @@ test_place_of_ties (void)
       }
     test_detect (&model, &contacts);
     places[far] = test_the_finding (&contacts, QN_PROBLEM_BLOCKS_OVERLAP)->at;
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
   g_assert_cmpfloat (places[0].x, ==, places[1].x);
   g_assert_cmpfloat (places[0].y, ==, places[1].y);
@@ -290,9 +279,8 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    char *path = g_strconcat ("/contact-overlaps/", cases[i].name, NULL);
+    g_autofree char *path = g_strconcat ("/contact-overlaps/", cases[i].name, NULL);
     g_test_add_data_func (path, &cases[i], test_case);
-    g_free (path);
   }
   g_test_add_func ("/contact-overlaps/thresholds", test_thresholds);
   g_test_add_func ("/contact-overlaps/rough-ground", test_rough_ground);

@@ -17,7 +17,7 @@ test_tolerance_is_relative (void)
 {
   const double scales[] = { 1e-3, 1, 1e3 };
   for (size_t i = 0; i < G_N_ELEMENTS (scales); i++) {
-    QnModel model;
+    g_auto (QnModel) model;
     QnContactSearch search;
     test_model_init_stack (&model, 4, 1, 0.25);
     test_model_add_rectangle (&model, "cliff", 5, -100, 100, 100);
@@ -29,7 +29,6 @@ test_tolerance_is_relative (void)
     g_assert_cmpfloat_with_epsilon (search.lengths.gap_limit, 0.01 * 0.5 * scales[i],
                                     1e-12 * scales[i]);
     qn_contact_search_clear (&search);
-    qn_model_clear (&model);
   }
 }
 
@@ -37,7 +36,7 @@ test_tolerance_is_relative (void)
 static void
 test_tolerance_has_a_floor (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnContactSearch search;
   test_model_init_stack (&model, 4, 1, 0.25);
   test_model_translate (&model, 1e6, 0);
@@ -46,13 +45,12 @@ test_tolerance_has_a_floor (void)
   g_assert_cmpfloat (search.lengths.tolerance, >, 1e-10);
   g_assert_cmpfloat (search.lengths.tolerance, <, 1e-8);
   qn_contact_search_clear (&search);
-  qn_model_clear (&model);
 }
 
 static void
 test_convexity (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnContactSearch search;
   const QnVec2 l[] = { { 0, 0 }, { 3, 0 }, { 3, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
   const QnVec2 straight[] = { { 10, 0 }, { 11, 1e-8 }, { 12, 0 }, { 12, 1 }, { 10, 1 } };
@@ -64,7 +62,6 @@ test_convexity (void)
   g_assert_true (search.convex[1]); /* the dent is within the tolerance */
   g_assert_cmpuint (search.sides.count, ==, 10);
   qn_contact_search_clear (&search);
-  qn_model_clear (&model);
 }
 
 int

@@ -63,7 +63,7 @@ static void
 test_arc_stays_round (void)
 {
   enum { COUNT = 720 };
-  QnVec2 *v = g_new (QnVec2, COUNT);
+  g_autofree QnVec2 *v = g_new (QnVec2, COUNT);
   for (int i = 0; i < COUNT; i++)
     v[i] = qn_vec2 (cos (2 * G_PI * i / COUNT), sin (2 * G_PI * i / COUNT));
 
@@ -86,7 +86,6 @@ test_arc_stays_round (void)
     }
   }
   clear (&model, &sides);
-  g_free (v);
 }
 
 /* A hundred thousand vertices on one line are merged in linear time. */
@@ -94,7 +93,7 @@ static void
 test_long_run (void)
 {
   enum { COUNT = 100000 };
-  QnVec2 *v = g_new (QnVec2, COUNT + 2);
+  g_autofree QnVec2 *v = g_new (QnVec2, COUNT + 2);
   for (int i = 0; i < COUNT; i++)
     v[i] = qn_vec2 (i * 1e-3, 0);
   v[COUNT] = qn_vec2 (100, 50);
@@ -104,7 +103,6 @@ test_long_run (void)
   init_sides (&model, &sides, v, COUNT + 2, 1e-6);
   g_assert_cmpuint (sides.count, ==, 4);
   clear (&model, &sides);
-  g_free (v);
 }
 
 /* Steps shallower than the tolerance do not bend a side; deeper ones do. */

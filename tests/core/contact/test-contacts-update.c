@@ -156,8 +156,8 @@ static void
 test_large_changes (void)
 {
   for (int kind = 0; kind < 4; kind++) {
-    QnModel model, next;
-    QnContacts contacts, found, expected;
+    g_auto (QnModel) model, next;
+    g_auto (QnContacts) contacts, found, expected;
     test_model_init_wall (&model, 4, 0);
     g_assert_cmpint (qn_model_expand_walls (&model, NULL), ==, QN_OK);
     g_assert_cmpint (qn_model_copy (&model, &next, NULL), ==, QN_OK);
@@ -177,11 +177,6 @@ test_large_changes (void)
                      ==, QN_OK);
     g_assert_cmpint (qn_contacts_detect (&next, &expected, NULL), ==, QN_OK);
     assert_same (&found, &expected);
-    qn_contacts_clear (&contacts);
-    qn_contacts_clear (&found);
-    qn_contacts_clear (&expected);
-    qn_model_clear (&model);
-    qn_model_clear (&next);
   }
 }
 
@@ -189,8 +184,8 @@ test_large_changes (void)
 static void
 test_settings_count (void)
 {
-  QnModel model, next;
-  QnContacts contacts, found, expected;
+  g_auto (QnModel) model, next;
+  g_auto (QnContacts) contacts, found, expected;
   test_model_init_wall (&model, 2, 0);
   g_assert_cmpint (qn_model_expand_walls (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_model_copy (&model, &next, NULL), ==, QN_OK);
@@ -208,11 +203,6 @@ test_settings_count (void)
   assert_same (&found, &expected);
   g_assert_cmpuint (found.pair_count, ==, 3 * found.face_count);
   g_assert_cmpuint (test_count_findings (&found, QN_PROBLEM_NO_SUPPORT), ==, 1);
-  qn_contacts_clear (&contacts);
-  qn_contacts_clear (&found);
-  qn_contacts_clear (&expected);
-  qn_model_clear (&model);
-  qn_model_clear (&next);
 }
 
 int

@@ -10,8 +10,8 @@ static void
 test_published_walls (void)
 {
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     test_model_init_wall (&model, number, 0);
     test_detect (&model, &contacts);
     g_assert_cmpuint (model.block_count, ==, test_walls[number - 1].blocks + 1);
@@ -19,8 +19,6 @@ test_published_walls (void)
     g_assert_cmpuint (contacts.pair_count, ==, 2 * contacts.face_count);
     g_assert_cmpuint (contacts.findings.count, ==, 0);
     g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, NULL), ==, QN_OK);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -75,8 +73,8 @@ static void
 check_same_faces (const QnModel *original, const QnContacts *expected, const Line *lines,
                   const Motion *motion, unsigned seed)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   g_assert_cmpint (qn_model_copy (original, &model, NULL), ==, QN_OK);
   if (motion->renumber)
     test_model_renumber (&model, seed);
@@ -87,7 +85,8 @@ check_same_faces (const QnModel *original, const QnContacts *expected, const Lin
 
   g_assert_cmpuint (contacts.face_count, ==, expected->face_count);
   g_assert_cmpuint (contacts.findings.count, ==, expected->findings.count);
-  Line *moved = describe (&model, &contacts, motion->scale, motion->angle, motion->shift);
+  g_autofree Line *moved =
+    describe (&model, &contacts, motion->scale, motion->angle, motion->shift);
   for (size_t i = 0; i < contacts.face_count; i++) {
     g_assert_cmpstr (moved[i].first, ==, lines[i].first);
     g_assert_cmpstr (moved[i].second, ==, lines[i].second);
@@ -97,9 +96,6 @@ check_same_faces (const QnModel *original, const QnContacts *expected, const Lin
                        10 * motion->tolerance);
     g_assert_cmpfloat_with_epsilon (moved[i].length, lines[i].length, motion->tolerance);
   }
-  g_free (moved);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Walls with openings, turned by any angle, moved by a million metres, scaled, renumbered: the
@@ -107,10 +103,10 @@ check_same_faces (const QnModel *original, const QnContacts *expected, const Lin
 static void
 test_invariance (void)
 {
-  GRand *random = g_rand_new_with_seed (3);
+  g_autoptr (GRand) random = g_rand_new_with_seed (3);
   for (unsigned seed = 1; seed <= 12; seed++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     QnWallRecipe recipe = qn_wall_recipe_default ();
     recipe.length = 6 + (int32_t) seed;
     recipe.courses = 15;
@@ -119,7 +115,7 @@ test_invariance (void)
     qn_model_init (&model);
     g_assert_cmpint (qn_generate_wall (&model, &recipe, NULL), ==, QN_OK);
     test_detect (&model, &contacts);
-    Line *lines = describe (&model, &contacts, 1, 0, qn_vec2 (0, 0));
+    g_autofree Line *lines = describe (&model, &contacts, 1, 0, qn_vec2 (0, 0));
 
     double any = g_rand_double_range (random, 0, 2 * G_PI);
     const Motion motions[] = {
@@ -137,11 +133,7 @@ test_invariance (void)
     };
     for (size_t i = 0; i < G_N_ELEMENTS (motions); i++)
       check_same_faces (&model, &contacts, lines, &motions[i], seed);
-    g_free (lines);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
-  g_rand_free (random);
 }
 
 /* A rectangle cut by random straight lines, cell after cell, into convex pieces that fill it:
@@ -171,7 +163,7 @@ part_left_of (const Piece *piece, QnVec2 p, QnVec2 u)
 static void
 fill_with_pieces (QnModel *model, size_t wanted, GRand *random)
 {
-  Piece *pieces = g_new0 (Piece, wanted);
+  g_autofree Piece *pieces = g_new0 (Piece, wanted);
   pieces[0] = (Piece){ { { 0, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } }, 4 };
   for (size_t count = 1; count < wanted; count++) {
     size_t i = (size_t) g_rand_int_range (random, 0, (gint32) count);
@@ -186,13 +178,11 @@ fill_with_pieces (QnModel *model, size_t wanted, GRand *random)
     pieces[count] = part_left_of (&whole, middle, qn_vec2_scale (-1, u));
   }
   for (size_t i = 0; i < wanted; i++) {
-    char *name = g_strdup_printf ("p%zu", i);
+    g_autofree char *name = g_strdup_printf ("p%zu", i);
     QnBlock *block = qn_model_add_block (model, name, pieces[i].v, pieces[i].count);
     block->thickness = 1;
     block->support[QN_DOF_UY] = i == 0;
-    g_free (name);
   }
-  g_free (pieces);
 }
 
 /* Pieces that fill a rectangle: every piece of boundary is a joint of two blocks or outside, so
@@ -200,10 +190,10 @@ fill_with_pieces (QnModel *model, size_t wanted, GRand *random)
 static void
 test_faces_account_for_all_boundaries (void)
 {
-  GRand *random = g_rand_new_with_seed (17);
+  g_autoptr (GRand) random = g_rand_new_with_seed (17);
   for (int round = 0; round < 40; round++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     test_model_init (&model);
     model.contact.tolerance = 1e-9; /* pieces may be small against the median */
     fill_with_pieces (&model, 150, random);
@@ -225,10 +215,7 @@ test_faces_account_for_all_boundaries (void)
                       0);
     g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_POINT_CONTACT), ==, 0);
     g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCK_FLOATING), ==, 0);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
-  g_rand_free (random);
 }
 
 /* Blocks thrown together: sizes over nine decades, polygons of any kind, heaps of them at one
@@ -236,9 +223,9 @@ test_faces_account_for_all_boundaries (void)
 static void
 test_survives_anything (void)
 {
-  GRand *random = g_rand_new_with_seed (41);
+  g_autoptr (GRand) random = g_rand_new_with_seed (41);
   for (int trial = 0; trial < 300; trial++) {
-    QnModel model;
+    g_auto (QnModel) model;
     QnContacts contacts;
     test_model_init (&model);
     double far = trial % 5 == 0 ? 1e9 : 0;
@@ -255,25 +242,22 @@ test_survives_anything (void)
         if (snapped)
           v[k] = qn_vec2 (round (v[k].x * 8) / 8, round (v[k].y * 8) / 8);
       }
-      char *name = g_strdup_printf ("b%d", i);
+      g_autofree char *name = g_strdup_printf ("b%d", i);
       if (qn_polygon_check (v, (size_t) corners).problem == QN_PROBLEM_NONE)
         qn_model_add_block (&model, name, v, (size_t) corners)->thickness = 1;
-      g_free (name);
     }
     if (model.block_count > 0) {
       test_detect (&model, &contacts);
       qn_contacts_clear (&contacts);
     }
-    qn_model_clear (&model);
   }
-  g_rand_free (random);
 }
 
 static void
 test_repeatable (void)
 {
-  QnModel model;
-  QnContacts first, second;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) first, second;
   test_model_init_wall (&model, 6, 0);
   test_model_rotate (&model, 0.3);
   test_detect (&model, &first);
@@ -282,17 +266,14 @@ test_repeatable (void)
                    second.face_count * sizeof *second.faces);
   g_assert_cmpmem (first.pairs, first.pair_count * sizeof *first.pairs, second.pairs,
                    second.pair_count * sizeof *second.pairs);
-  qn_contacts_clear (&first);
-  qn_contacts_clear (&second);
-  qn_model_clear (&model);
 }
 
 /* A drawing that has just been begun has no contacts, and no answer either. */
 static void
 test_empty_model (void)
 {
-  QnModel model;
-  QnContacts contacts, updated;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts, updated;
   QnDiag diag;
   test_model_init (&model);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
@@ -302,17 +283,14 @@ test_empty_model (void)
   g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, &diag), ==,
                    QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_BLOCKS);
-  qn_contacts_clear (&updated);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Several problems at once: overlaps are told first, then missing supports, then loose blocks. */
 static void
 test_require_sound_order (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnDiag diag;
   test_model_init_stack (&model, 2, 1, 0.5);
   test_model_add_rectangle (&model, "loose", 10, 0, 1, 1);
@@ -324,15 +302,13 @@ test_require_sound_order (void)
   g_assert_cmpstr (model.blocks[diag.index].name, ==, "b1");
   g_assert_cmpstr (model.blocks[diag.other].name, ==, "intruder");
   g_assert_cmpfloat_with_epsilon (diag.value, 0.25, 1e-12);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void
 test_hundred_thousand_blocks (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnWallRecipe recipe = qn_wall_recipe_default ();
   recipe.length = 250;
   recipe.courses = 400;
@@ -344,8 +320,6 @@ test_hundred_thousand_blocks (void)
   /* perpends; beds of each block on two others; the lowest course on the base */
   size_t perpends = 200 * 249 + 200 * 250, beds = 399 * 500 + 250;
   g_assert_cmpuint (contacts.face_count, ==, perpends + beds);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

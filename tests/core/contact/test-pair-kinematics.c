@@ -30,7 +30,7 @@ static void
 test_derivatives (void)
 {
   const double force[2] = { -3.0, 1.7 }, h = 1e-6;
-  GRand *random = g_rand_new_with_seed (17);
+  g_autoptr (GRand) random = g_rand_new_with_seed (17);
 
   for (int k = 0; k < 200; k++) {
     QnPairKinematics pair, plus, minus;
@@ -65,14 +65,13 @@ test_derivatives (void)
       }
     }
   }
-  g_rand_free (random);
 }
 
 /* A rigid motion of both blocks, however large, strains nothing and turns the frame. */
 static void
 test_objectivity (void)
 {
-  GRand *random = g_rand_new_with_seed (19);
+  g_autoptr (GRand) random = g_rand_new_with_seed (19);
 
   for (int k = 0; k < 100; k++) {
     QnPairKinematics pair;
@@ -93,14 +92,13 @@ test_objectivity (void)
       qn_vec2_dot (pair.frame, qn_vec2_rotate (pair.normal, cos (rz), sin (rz))), 1,
       1e-14);
   }
-  g_rand_free (random);
 }
 
 /* For small displacements both geometries agree, to second order. */
 static void
 test_small_displacements (void)
 {
-  GRand *random = g_rand_new_with_seed (23);
+  g_autoptr (GRand) random = g_rand_new_with_seed (23);
 
   for (int k = 0; k < 100; k++) {
     QnPairKinematics pair;
@@ -116,7 +114,6 @@ test_small_displacements (void)
       g_assert_cmpfloat_with_epsilon (linear, pair.elongation[i], 3e-11);
     }
   }
-  g_rand_free (random);
 }
 
 int

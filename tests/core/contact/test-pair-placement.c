@@ -8,8 +8,8 @@
 static void
 test_ends (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_block_on_plane (&model, 2, 1);
   model.contact.pairs.offset = 0.25;
   test_detect (&model, &contacts);
@@ -20,16 +20,14 @@ test_ends (void)
   CLOSE (contacts.pairs[1].tributary, 1);
   CLOSE (contacts.pairs[0].point.x, 0.75); /* the base's upper side runs leftwards */
   CLOSE (contacts.pairs[1].point.x, -0.75);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Without offset the pairs sit on the corners exactly. */
 static void
 test_ends_at_corners (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_wall (&model, 4, 0);
   test_model_rotate (&model, 1);
   test_detect (&model, &contacts);
@@ -41,15 +39,13 @@ test_ends_at_corners (void)
     CLOSE (pairs[1].point.x, face->end.x);
     CLOSE (pairs[1].point.y, face->end.y);
   }
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void
 test_uniform (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_block_on_plane (&model, 2, 1);
   model.contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 5 };
   test_detect (&model, &contacts);
@@ -63,16 +59,14 @@ test_uniform (void)
     CLOSE (contacts.pairs[i].point.x, 0.8 - 0.4 * i);
     CLOSE (contacts.pairs[i].point.y, 0);
   }
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* The law of a spring is that of its block, else the contact law; an exception beats both. */
 static void
 test_laws (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_stack (&model, 3, 1, 0.5);
   for (int i = 1; i < 3; i++) {
     QnLaw *law = qn_model_add_law (&model, i == 1 ? "stone" : "lead");
@@ -91,16 +85,14 @@ test_laws (void)
     g_assert_cmpint (contacts.faces[i].law_a, ==, laws[i][0]);
     g_assert_cmpint (contacts.faces[i].law_b, ==, laws[i][1]);
   }
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Exceptions name blocks in any order, the later one counts, and one without a face is told. */
 static void
 test_exceptions (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_stack (&model, 4, 1, 0.5);
   const QnId blocks[][2] = { { 4, 3 }, { 2, 1 }, { 1, 4 }, { 1, 2 }, { 0, 1 } };
   const int counts[] = { 3, 4, 5, 6, 0 };
@@ -121,8 +113,6 @@ test_exceptions (void)
   const QnFinding *unused = test_the_finding (&contacts, QN_PROBLEM_OVERRIDE_UNUSED);
   g_assert_cmpint (unused->block_a, ==, 1);
   g_assert_cmpint (unused->block_b, ==, 4);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* An offset that leaves no room between the pairs is refused, with the blocks of the face. */
@@ -131,8 +121,8 @@ test_offset_too_large (void)
 {
   const double offsets[] = { 0.49, 0.5, 2 };
   for (int i = 0; i < 3; i++) {
-    QnModel model;
-    QnContacts contacts;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
     QnDiag diag;
     test_model_init_stack (&model, 2, 1, 0.5);
     model.contact.pairs.offset = offsets[i];
@@ -149,8 +139,6 @@ test_offset_too_large (void)
       g_assert_cmpfloat (diag.value, ==, 1);
       g_assert_null (contacts.faces);
     }
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 

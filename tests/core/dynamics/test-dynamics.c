@@ -33,6 +33,8 @@ case_clear (Case *c)
   qn_model_clear (&c->model);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Case, case_clear)
+
 static void
 init_case (Case *c, double width, double height)
 {
@@ -70,7 +72,7 @@ tracked (const Case *c, size_t row, int which)
 static double
 spring_error (double rho, double ratio, QnDampingStiffness of, int steps, double *energy)
 {
-  Case c;
+  g_auto (Case) c;
   init_case (&c, 1, 1);
   QnLaw *law = &c.model.laws[0];
   law->kind = QN_LAW_ELASTIC;
@@ -97,7 +99,6 @@ spring_error (double rho, double ratio, QnDampingStiffness of, int steps, double
     worst = MAX (worst, fabs (tracked (&c, i, 0) - exact) / 0.001);
   }
   *energy = h->energy_error;
-  case_clear (&c);
   return worst;
 }
 
@@ -149,11 +150,10 @@ slide (Case *c, QnPulse pulse, double rho, double step, gboolean adaptive)
 static double
 slide_error (QnPulse pulse, double rho, double step, gboolean adaptive, double exact)
 {
-  Case c;
+  g_auto (Case) c;
   slide (&c, pulse, rho, step, adaptive);
   double slip = tracked (&c, c.result.history.row_count - 1, 0);
   g_test_message ("rho %g, step %g: %.7f m of %.7f m", rho, step, slip, exact);
-  case_clear (&c);
   return fabs (slip / exact - 1);
 }
 
@@ -175,7 +175,7 @@ test_slide_rectangle (void)
 static int
 count_factorizations (double amplitude, QnGeometry geometry, double damping)
 {
-  Case c;
+  g_auto (Case) c;
   init_case (&c, 2, 0.2);
   c.model.laws[0].friction = 0.3;
   c.model.laws[0].kn = c.model.laws[0].ks = 1e9;
@@ -198,7 +198,6 @@ count_factorizations (double amplitude, QnGeometry geometry, double damping)
   g_test_message ("amplitude %g, geometry %d, damping %g: %d factorisations, slip %.2g",
                   amplitude, geometry, damping, count, slipped);
   g_assert_true ((slipped > 0) == (amplitude > 0.3 * G));
-  case_clear (&c);
   return count;
 }
 
@@ -296,7 +295,7 @@ static void
 test_rock (void)
 {
   double theta = 0.5 * atan (WIDTH / HEIGHT), exact = quarter_period (theta), found = 0;
-  Case c;
+  g_auto (Case) c;
   init_rocking (&c, theta);
   c.model.analysis.dynamic.duration = 3;
   c.model.analysis.dynamic.time_step = 0.002;
@@ -314,14 +313,13 @@ test_rock (void)
   g_assert_cmpfloat (fabs (found / exact - 1), <, 0.01);
   g_assert_cmpfloat (h->energy_error, <, 1e-3);
   g_assert_cmpfloat (h->largest_slip, <, 0.05);
-  case_clear (&c);
 }
 
 /* Let go just beyond its balance it falls; and at once where it hangs over by far. */
 static void
 test_overturn (void)
 {
-  Case c;
+  g_auto (Case) c;
   init_rocking (&c, 1.02 * atan (WIDTH / HEIGHT));
   c.model.analysis.dynamic.duration = 10;
   c.model.analysis.dynamic.time_step = 0.01;
@@ -334,7 +332,6 @@ test_overturn (void)
   g_assert_cmpfloat (h->energy_error, <, 1e-3);
   g_assert_nonnull (c.result.mechanism);
   g_assert_cmpint (c.result.steps[c.result.step_count - 1].event, ==, QN_EVENT_COLLAPSE);
-  case_clear (&c);
 }
 
 /* --- Beams --------------------------------------------------------------------------------- */
@@ -343,7 +340,7 @@ test_overturn (void)
 static void
 test_beam (void)
 {
-  Case c = { 0 };
+  g_auto (Case) c = { 0 };
   test_model_init (&c.model);
   QnSection *section = qn_model_add_section (&c.model, "s");
   section->young = 1e10;
@@ -385,7 +382,6 @@ test_beam (void)
   g_assert_cmpfloat (fabs (lowest / (2 * still) - 1), <, 0.05);
   g_assert_cmpfloat (fabs (when / (G_PI / omega) - 1), <, 0.05);
   g_assert_cmpfloat (c.result.history.energy_error, <, 1e-9);
-  case_clear (&c);
 }
 
 /* --- What ends it, and what is refused ------------------------------------------------------ */
@@ -400,7 +396,7 @@ stop_after (const QnProgress *progress, void *user_data)
 static void
 test_cancel (void)
 {
-  Case whole, part;
+  g_auto (Case) whole, part;
   QnDiag diag;
   int budget = 300;
   init_rocking (&whole, 0.05);
@@ -419,8 +415,6 @@ test_cancel (void)
   g_assert_cmpuint (b->row_count, <, a->row_count);
   g_assert_cmpmem (a->rows, b->row_count * b->width * sizeof (double), b->rows,
                    b->row_count * b->width * sizeof (double));
-  case_clear (&whole);
-  case_clear (&part);
 }
 
 static QnProblem

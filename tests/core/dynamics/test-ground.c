@@ -1,4 +1,5 @@
 #include "core/dynamics/ground.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 
@@ -38,17 +39,16 @@ test_pulses (void)
 {
   static const double ends[QN_PULSE_KIND_COUNT] = { 0.5, 0.5, 0.5, 0.9, 1.3 };
   for (int kind = 0; kind < QN_PULSE_KIND_COUNT; kind++) {
-    QnModel model;
+    g_auto (QnModel) model;
     init_pulse (&model, kind);
     check_means (&model, ends[kind]);
-    qn_model_clear (&model);
   }
 }
 
 static void
 test_points (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   qn_model_init (&model);
   QnGroundMotion *motion = qn_model_add_ground_motion (&model, NULL);
   motion->direction = qn_vec2 (2, 1);
@@ -62,7 +62,6 @@ test_points (void)
   g_assert_cmpfloat (fabs (qn_ground_acceleration (&ground, 0.15).y - 1), <, 1e-12);
   g_assert_cmpfloat (qn_ground_acceleration (&ground, 1.3).y, ==, 0);
   qn_ground_clear (&ground);
-  qn_model_clear (&model);
 }
 
 /* The velocity of the ground does not depend on the steps: a jump inside of one counts in full, and
@@ -70,7 +69,7 @@ test_points (void)
 static void
 test_jump (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnGround ground;
   init_pulse (&model, QN_PULSE_STEP_IMPULSE);
   g_assert_true (qn_ground_init (&ground, &model));
@@ -79,7 +78,6 @@ test_jump (void)
   g_assert_cmpfloat (qn_ground_change (&ground, 0, 0.1).x, ==, 0);
   g_assert_cmpfloat (qn_ground_change (&ground, 0.1, 0.2).x, ==, 3);
   qn_ground_clear (&ground);
-  qn_model_clear (&model);
 }
 
 int

@@ -87,6 +87,8 @@ case_clear (Case *c)
   qn_model_clear (&c->model);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Case, case_clear)
+
 static double
 last (const Case *c, QnId block, QnDof dof)
 {
@@ -126,7 +128,7 @@ test_lie (void)
   const double width = 0.2, height = 1, weight = 10e3 * width * height;
   double damped = 0;
   for (int i = 0; i < 3; i++) {
-    Case c;
+    g_auto (Case) c;
     init_case (&c, 0.65, 4, i == 0 ? 5e-3 : i == 1 ? 2e-3 : 1e-3);
     test_model_add_base (&c.model, -3, -0.2, 6, 0.2);
     test_model_add_rectangle (&c.model, "block", -0.5 * width, 0, width, height);
@@ -153,7 +155,6 @@ test_lie (void)
     /* What the impacts take does not depend on the steps. */
     damped = i == 0 ? energy (&c, QN_ENERGY_DAMPING) : damped;
     g_assert_cmpfloat (fabs (energy (&c, QN_ENERGY_DAMPING) / damped - 1), <, 0.01);
-    case_clear (&c);
   }
 }
 
@@ -166,7 +167,7 @@ test_edge (void)
                weight = 10e3 * length * height;
   static const double centroids[] = { -0.05, -0.02, 0.02 }; /* from the edge */
   for (gsize i = 0; i < G_N_ELEMENTS (centroids); i++) {
-    Case c;
+    g_auto (Case) c;
     double way = centroids[i] + 0.8, rear = centroids[i] - 0.5 * length;
     init_case (&c, friction, 2, 2e-3);
     test_model_add_base (&c.model, -2, -1, 2, 1);
@@ -191,7 +192,6 @@ test_edge (void)
                                       1e-3 * weight);
       g_assert_cmpfloat (fabs (rear - at), <, 0.01);
     }
-    case_clear (&c);
   }
 }
 
@@ -200,7 +200,7 @@ static void
 test_dominoes (void)
 {
   const int count = 6;
-  Case c;
+  g_auto (Case) c;
   init_case (&c, 0.4, 6, 2e-3);
   test_model_add_base (&c.model, -2, -0.2, 8, 0.2);
   for (int i = 0; i < count; i++) {
@@ -221,7 +221,6 @@ test_dominoes (void)
   }
   g_assert_cmpfloat_with_epsilon (last (&c, count, QN_DOF_RZ), -0.5 * G_PI, 1e-3);
   g_assert_cmpfloat (energy (&c, QN_ENERGY_KINETIC), <, 1e-3);
-  case_clear (&c);
 }
 
 /* An arch that a pulse shakes down: joints are left where their blocks have turned, and corners that
@@ -232,7 +231,7 @@ test_arch (void)
   const int count = 17;
   const double inner = 3.75, outer = 4.25;
   gboolean any_inset = FALSE;
-  Case c;
+  g_auto (Case) c;
   init_case (&c, 0.7, 2.5, 2e-3);
   test_model_add_base (&c.model, -6, -0.5, 12, 0.5);
   for (int i = 0; i < count; i++) {
@@ -261,14 +260,13 @@ test_arch (void)
   for (size_t i = 0; i < c.result.found_count; i++)
     any_inset = any_inset || c.result.found[i].contact.inset > 1e-3;
   g_assert_true (any_inset);
-  case_clear (&c);
 }
 
 /* A result whose found contacts are changed does not pass; nor one without them. */
 static void
 test_tampered (void)
 {
-  Case c;
+  g_auto (Case) c;
   QnResultFaults faults;
   init_case (&c, 0.65, 2, 2e-3);
   test_model_add_base (&c.model, -3, -0.2, 6, 0.2);
@@ -301,7 +299,6 @@ test_tampered (void)
     r->found[kept.found] = other;
     r->found_force_count = count;
   }
-  case_clear (&c);
 }
 
 int

@@ -58,7 +58,7 @@ fill_pair (QnCentralPack *e, int i, GRand *random)
 static void
 case_init (Case *c)
 {
-  GRand *random = g_rand_new_with_seed (31);
+  g_autoptr (GRand) random = g_rand_new_with_seed (31);
 
   memset (c, 0, sizeof *c);
   for (int p = 0; p < PAIRS; p++)
@@ -67,7 +67,6 @@ case_init (Case *c)
     c->elongations[k] = g_rand_double_range (random, -1, 1);
     c->rates[k] = g_rand_double_range (random, -1, 1);
   }
-  g_rand_free (random);
 }
 
 /* A predictor, a corrector and a centrality corrector, half of which is gone. */

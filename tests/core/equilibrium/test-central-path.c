@@ -55,7 +55,7 @@ push_in_large_displacements (double way, int steps)
   solver_init (&solver, &model);
   QnEquilibrium *eq = &solver.equilibrium;
   QnCentralPath *path = qn_central_path_new (eq);
-  double *direction = g_new0 (double, (size_t) eq->assembly.unknown_count);
+  g_autofree double *direction = g_new0 (double, (size_t) eq->assembly.unknown_count);
   direction[eq->assembly.unknown_count - QN_DOF_COUNT + QN_DOF_UX] = 1;
 
   g_assert_false (qn_central_path_applies (&eq->assembly));
@@ -71,7 +71,6 @@ push_in_large_displacements (double way, int steps)
   double multiplier = eq->multiplier;
   g_test_message ("%d steps: %.6f, %d factorisations", steps, multiplier,
                   eq->statistics.factorizations);
-  g_free (direction);
   qn_central_path_free (path);
   solver_clear (&solver);
   return multiplier;

@@ -7,14 +7,13 @@
 static QnLimitInterval
 solve (QnModel *model)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   QnLimitInterval interval;
 
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (
     qn_limit_non_associative (model, &contacts, NULL, NULL, &interval, NULL), ==, QN_OK);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
   return interval;
 }

@@ -7,7 +7,7 @@
 static QnResult
 run (QnModel *model)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   QnResult result;
 
   model->analysis.procedure = QN_PROCEDURE_LIMIT;
@@ -15,7 +15,6 @@ run (QnModel *model)
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, &result, NULL), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
   return result;
 }
@@ -26,7 +25,7 @@ test_collapse (void)
   QnModel model;
 
   test_model_init_wall (&model, 1, 0);
-  QnResult result = run (&model);
+  g_auto (QnResult) result = run (&model);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_true (result.has_collapse_multiplier);
   g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, test_walls[0].associative,
@@ -50,7 +49,6 @@ test_collapse (void)
   g_assert_cmpfloat_with_epsilon (fastest, 1, 1e-12);
   for (size_t p = 0; p < result.pair_count; p++)
     g_assert_cmpfloat (result.pairs[p].normal_force, <=, 0);
-  qn_result_clear (&result);
 }
 
 static void
@@ -85,14 +83,13 @@ test_unstable (void)
   test_model_add_rectangle (&model, "good", 0, 0, 1, 1);
   test_model_add_rectangle (&model, "bad", 3.6, 0, 1, 1);
   test_model_add_weight_loads (&model, 1);
-  QnResult result = run (&model);
+  g_auto (QnResult) result = run (&model);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
   g_assert_false (result.has_collapse_multiplier);
   g_assert_false (result.limit.given);
   g_assert_cmpuint (result.unstable_count, ==, 1);
   g_assert_cmpint (result.unstable_blocks[0], ==, 2);
   g_assert_nonnull (result.mechanism);
-  qn_result_clear (&result);
 }
 
 static void
@@ -103,11 +100,10 @@ test_unbounded (void)
   test_model_init_stack (&model, 2, 1, 1);
   test_model_add_weight_loads (&model, 1);
   model.live_loads[0].vector = qn_vec2 (0, -1);
-  QnResult result = run (&model);
+  g_auto (QnResult) result = run (&model);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_UNBOUNDED);
   g_assert_false (result.has_collapse_multiplier);
   g_assert_cmpstr (qn_outcome_names[result.outcome], ==, "unbounded");
-  qn_result_clear (&result);
 }
 
 static void
@@ -117,7 +113,7 @@ test_non_associative (void)
 
   test_model_init_wall (&model, 3, 0);
   model.analysis.flow = QN_FLOW_NON_ASSOCIATIVE;
-  QnResult result = run (&model);
+  g_auto (QnResult) result = run (&model);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpint (result.limit.flow, ==, QN_FLOW_NON_ASSOCIATIVE);
   g_assert_true (result.has_associative_bound);
@@ -127,7 +123,6 @@ test_non_associative (void)
   g_assert_cmpfloat (result.limit.lower_bound, <=, result.limit.upper_bound);
   g_assert_cmpfloat (result.limit.upper_bound, <=, result.associative_bound);
   g_assert_cmpint (result.solution_count, >=, 2);
-  qn_result_clear (&result);
 }
 
 int

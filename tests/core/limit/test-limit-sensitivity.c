@@ -58,17 +58,14 @@ init_wall (QnModel *model, Varied varied, double share)
 static double
 multiplier_at (Varied varied, double share)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnLimitSolution solution;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnLimitSolution) solution;
   init_wall (&model, varied, share);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_limit_associative (&model, &contacts, NULL, NULL, &solution, NULL),
                    ==, QN_OK);
   double middle = 0.5 * (solution.lower_bound + solution.upper_bound);
-  qn_limit_solution_clear (&solution);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
   return middle;
 }
 
@@ -86,9 +83,9 @@ static void
 check_differences (QnLawKind wanted)
 {
   kind = wanted;
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnLimitSensitivity s;
   init_wall (&model, FRICTION, 0);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
@@ -106,9 +103,6 @@ check_differences (QnLawKind wanted)
     g_assert_cmpfloat_with_epsilon (found[i] * size[i], expected, 1e-5);
   }
   qn_limit_sensitivity_clear (&s);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void
@@ -127,9 +121,9 @@ test_compression (void)
 static void
 test_closed_form (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnLimitSensitivity s;
   test_model_init_block_on_plane (&model, 2, 0.5);
   test_model_add_weight_loads (&model, 1);
@@ -147,9 +141,6 @@ test_closed_form (void)
   g_assert_cmpfloat_with_epsilon (s.dead_loads[0], 0.65, 1e-6);
   g_assert_cmpfloat_with_epsilon (s.live_loads[0], -0.65, 1e-6);
   qn_limit_sensitivity_clear (&s);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

@@ -27,8 +27,8 @@ init_case (QnModel *model, QnContacts *contacts, int wall, Change change)
 static QnLimitSolution
 solve (QnLimitSeries *series, int wall, Change change)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnLimitSolution solution;
 
   init_case (&model, &contacts, wall, change);
@@ -37,21 +37,17 @@ solve (QnLimitSeries *series, int wall, Change change)
       ? qn_limit_series_solve (series, &model, &contacts, NULL, NULL, &solution, NULL)
       : qn_limit_associative (&model, &contacts, NULL, NULL, &solution, NULL),
     ==, QN_OK);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
   return solution;
 }
 
 static void
 begin (QnLimitSeries *series, int wall, Change change)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
 
   init_case (&model, &contacts, wall, change);
   g_assert_cmpint (qn_limit_series_init (series, &model, &contacts, NULL), ==, QN_OK);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static const Change middle = { 0.65, 50, 1, 1 };

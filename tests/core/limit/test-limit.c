@@ -18,7 +18,7 @@ detect (QnModel *model, QnContacts *contacts)
 static QnLimitSolution
 solve (QnModel *model)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   QnLimitSolution solution;
 
   detect (model, &contacts);
@@ -26,7 +26,6 @@ solve (QnModel *model)
                    ==, QN_OK);
   if (solution.outcome == QN_OUTCOME_COLLAPSE && model->law_count == 1)
     test_assert_certified (model, &contacts, &solution);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
   return solution;
 }
@@ -34,21 +33,19 @@ solve (QnModel *model)
 static void
 assert_multiplier (QnModel *model, double expected)
 {
-  QnLimitSolution solution = solve (model);
+  g_auto (QnLimitSolution) solution = solve (model);
 
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat_with_epsilon (solution.lower_bound, expected, 1e-6);
   g_assert_cmpfloat_with_epsilon (solution.upper_bound, expected, 1e-6);
-  qn_limit_solution_clear (&solution);
 }
 
 static void
 assert_outcome (QnModel *model, QnOutcome expected)
 {
-  QnLimitSolution solution = solve (model);
+  g_auto (QnLimitSolution) solution = solve (model);
 
   g_assert_cmpint (solution.outcome, ==, expected);
-  qn_limit_solution_clear (&solution);
 }
 
 /* The six walls: value, both certificates recomputed from the model alone. */
@@ -56,9 +53,9 @@ static void
 test_six_walls (void)
 {
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
-    QnModel model;
-    QnContacts contacts;
-    QnLimitSolution solution;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    g_auto (QnLimitSolution) solution;
 
     test_model_init_wall (&model, number, 0);
     detect (&model, &contacts);
@@ -72,9 +69,6 @@ test_six_walls (void)
     g_assert_cmpfloat (solution.check.static_violation, <, 1e-12);
 
     test_assert_certified (&model, &contacts, &solution);
-    qn_limit_solution_clear (&solution);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -233,7 +227,7 @@ static void
 test_dead_load_unstable (void)
 {
   QnModel model;
-  QnLimitSolution solution;
+  g_auto (QnLimitSolution) solution;
 
   test_model_init (&model);
   test_model_add_base (&model, 0, -1, 4, 1);
@@ -246,7 +240,6 @@ test_dead_load_unstable (void)
   g_assert_cmpfloat (bad[1], <, 0);
   g_assert_cmpfloat (bad[2], <, 0);
   g_assert_cmpfloat (hypot (good[0], good[1]), <, 1e-3 * fabs (bad[1]));
-  qn_limit_solution_clear (&solution);
 }
 
 /* Equilibrium under some live load but not without: no state to start from. */
@@ -281,8 +274,8 @@ test_no_joint (void)
 static void
 test_no_live_load (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnLimitSolution solution;
   QnDiag diag;
 
@@ -292,8 +285,6 @@ test_no_live_load (void)
   g_assert_cmpint (qn_limit_associative (&model, &contacts, NULL, NULL, &solution, &diag),
                    ==, QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_LIVE_LOAD);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* One pair per face is a hinge: the rotation rows of the stack are redundant or empty. */
@@ -337,7 +328,7 @@ static void
 test_symmetry (void)
 {
   QnModel right, left;
-  QnLimitSolution a, b;
+  g_auto (QnLimitSolution) a, b;
 
   test_model_init_stack (&right, 4, 1, 1);
   test_model_add_weight_loads (&right, 1);
@@ -354,8 +345,6 @@ test_symmetry (void)
     g_assert_cmpfloat_with_epsilon (a.velocities[3 * i + 2], -b.velocities[3 * i + 2],
                                     1e-6);
   }
-  qn_limit_solution_clear (&a);
-  qn_limit_solution_clear (&b);
 }
 
 static bool
@@ -372,11 +361,10 @@ arch_stands (double thickness, int count, int segments)
   qn_model_init (&model);
   g_assert_cmpint (qn_generate_arch (&model, &recipe, NULL), ==, QN_OK);
   model.laws[0].kind = QN_LAW_NO_TENSION;
-  QnLimitSolution solution = solve (&model);
+  g_auto (QnLimitSolution) solution = solve (&model);
   g_assert_true (solution.outcome == QN_OUTCOME_COLLAPSE
                  || solution.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE);
   bool stands = solution.outcome == QN_OUTCOME_COLLAPSE;
-  qn_limit_solution_clear (&solution);
   return stands;
 }
 
@@ -426,9 +414,9 @@ stop_at_once (const QnProgress *progress, void *user_data)
 static void
 test_cancel (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnLimitSolution solution;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnLimitSolution) solution;
 
   test_model_init_wall (&model, 1, 0);
   detect (&model, &contacts);
@@ -436,9 +424,6 @@ test_cancel (void)
     qn_limit_associative (&model, &contacts, stop_at_once, NULL, &solution, NULL), ==,
     QN_OK);
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_CANCELLED);
-  qn_limit_solution_clear (&solution);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

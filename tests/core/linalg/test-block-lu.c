@@ -80,13 +80,15 @@ grid_clear (Grid *grid)
   free (grid->ai);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Grid, grid_clear)
+
 static void
 test_solution (void)
 {
-  GRand *random = g_rand_new_with_seed (11);
+  g_autoptr (GRand) random = g_rand_new_with_seed (11);
 
   for (int structure = 0; structure < 5; structure++) {
-    Grid grid;
+    g_auto (Grid) grid;
     grid_init (&grid, SIDE, random);
     QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
     g_assert_nonnull (lu);
@@ -100,17 +102,15 @@ test_solution (void)
         g_assert_cmpfloat (fabs (grid.b[i] - grid.x[i]), <, 1e-12);
     }
     qn_block_lu_free (lu);
-    grid_clear (&grid);
   }
-  g_rand_free (random);
 }
 
 /* A body without any stiffness is found out: it moves without end. It leaves nothing behind. */
 static void
 test_vanishing_pivot (void)
 {
-  GRand *random = g_rand_new_with_seed (13);
-  Grid grid;
+  g_autoptr (GRand) random = g_rand_new_with_seed (13);
+  g_auto (Grid) grid;
   grid_init (&grid, SIDE, random);
   QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
 
@@ -136,8 +136,6 @@ test_vanishing_pivot (void)
   for (int32_t i = 0; i < grid.n; i++)
     g_assert_cmpfloat (fabs (grid.b[i] - grid.x[i]), <, 1e-12);
   qn_block_lu_free (lu);
-  grid_clear (&grid);
-  g_rand_free (random);
 }
 
 /* Rows are exchanged within a block: the first pivot may be zero. */
@@ -172,8 +170,8 @@ test_empty (void)
 static void
 test_refactorisation (void)
 {
-  GRand *random = g_rand_new_with_seed (17);
-  Grid grid;
+  g_autoptr (GRand) random = g_rand_new_with_seed (17);
+  g_auto (Grid) grid;
   grid_init (&grid, SIDE, random);
   QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
   QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
@@ -201,8 +199,6 @@ test_refactorisation (void)
   g_assert_cmpfloat (least, <, 0.7);
   qn_block_lu_free (lu);
   qn_block_lu_free (fresh);
-  grid_clear (&grid);
-  g_rand_free (random);
 }
 
 static void
@@ -220,8 +216,8 @@ run_backwards (void *pool, int32_t count, void (*part) (void *data, int32_t i),
 static void
 test_parts (void)
 {
-  GRand *random = g_rand_new_with_seed (19);
-  Grid grid;
+  g_autoptr (GRand) random = g_rand_new_with_seed (19);
+  g_auto (Grid) grid;
   int32_t most = 0;
   double share;
   grid_init (&grid, LARGE_SIDE, random);
@@ -260,8 +256,6 @@ test_parts (void)
   g_assert_cmpfloat (share, ==, 1);
   qn_block_lu_free (one);
   qn_block_lu_free (other);
-  grid_clear (&grid);
-  g_rand_free (random);
 }
 
 int

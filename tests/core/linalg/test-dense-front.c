@@ -29,7 +29,7 @@ fill (double *matrix, int32_t rows, int32_t columns, GRand *random)
 static void
 front_init (Front *front, int32_t pivots, int32_t rest, guint32 seed)
 {
-  GRand *random = g_rand_new_with_seed (seed);
+  g_autoptr (GRand) random = g_rand_new_with_seed (seed);
   front->dense = (QnDenseFront){ .pivots = pivots,
                                  .rest = rest,
                                  .diagonal = front->diagonal,
@@ -40,7 +40,6 @@ front_init (Front *front, int32_t pivots, int32_t rest, guint32 seed)
   fill (front->diagonal, pivots, pivots, random);
   fill (front->lower, rest, pivots, random);
   fill (front->upper, rest, pivots, random);
-  g_rand_free (random);
 }
 
 /* D x = b - U y and z = L x: forward and backward together solve for x, and forward tells what

@@ -132,7 +132,7 @@ check_entries (const QnFrontTree *tree, const int32_t *ap, const int32_t *ai)
 static void
 test_random (void)
 {
-  GRand *random = g_rand_new_with_seed (23);
+  g_autoptr (GRand) random = g_rand_new_with_seed (23);
 
   for (int structure = 0; structure < 10; structure++) {
     static QnVec2 points[3 * MOST_BODIES];
@@ -147,7 +147,6 @@ test_random (void)
     free (ap);
     free (ai);
   }
-  g_rand_free (random);
 }
 
 static double
@@ -169,7 +168,7 @@ test_dissection (void)
   static QnVec2 points[3 * MOST_BODIES], one_place[3 * MOST_BODIES];
   const QnVec2 *const known[] = { NULL, one_place, points };
   double work[3];
-  GRand *random = g_rand_new_with_seed (29);
+  g_autoptr (GRand) random = g_rand_new_with_seed (29);
   int32_t *ap, *ai, n = make_pattern (random, LARGE_SIDE, &ap, &ai, points);
 
   for (int k = 0; k < 3; k++) {
@@ -186,7 +185,6 @@ test_dissection (void)
   g_assert_cmpfloat (work[2], <, 0.9 * work[0]);
   free (ap);
   free (ai);
-  g_rand_free (random);
 }
 
 static void

@@ -197,8 +197,8 @@ test_tangents (void)
   int indefinite = 0;
   for (int number = 1; number <= TEST_WALL_COUNT; number++)
     for (int associative = 0; associative < 2; associative++) {
-      QnModel model;
-      QnContacts contacts;
+      g_auto (QnModel) model;
+      g_auto (QnContacts) contacts;
       QnAssembly as;
       test_model_init_wall (&model, number, associative ? 0.65 : 0);
       model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
@@ -217,8 +217,6 @@ test_tangents (void)
         indefinite += eigenvalue_signs (n, as.ap, as.ai, as.ax, 1e-9).negative > 0;
       }
       qn_assembly_clear (&as);
-      qn_contacts_clear (&contacts);
-      qn_model_clear (&model);
     }
   g_test_message ("%d tangents are indefinite", indefinite);
   g_assert_cmpint (indefinite, >, 3);

@@ -54,6 +54,8 @@ diagonal_clear (Diagonal *d)
   g_free (d->m);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Diagonal, diagonal_clear)
+
 /* What rounding of the largest eigenvalue of the operator makes of that of `value`. */
 static double
 rounding (const Diagonal *d, double least, double value)
@@ -97,10 +99,9 @@ check (Diagonal *d, size_t wanted, const double *expected, size_t count)
 static void
 test_simple (void)
 {
-  Diagonal d;
+  g_auto (Diagonal) d;
   diagonal_init (&d, 500, -0.5);
   check (&d, 6, (const double[]){ 1, 2, 3, 4, 5, 6 }, 6);
-  diagonal_clear (&d);
 }
 
 /* More unknowns than the basis has room for, and values that come four times: no Krylov space
@@ -108,19 +109,18 @@ test_simple (void)
 static void
 test_multiple (void)
 {
-  Diagonal d;
+  g_auto (Diagonal) d;
   diagonal_init (&d, 800, -1e-3);
   for (int i = 0; i < d.n; i++)
     d.k[i] = d.m[i] * (i / 4);
   check (&d, 10, (const double[]){ 0, 0, 0, 0, 1, 1, 1, 1, 2, 2 }, 10);
-  diagonal_clear (&d);
 }
 
 /* Every one that there is, also where all are the same. */
 static void
 test_all (void)
 {
-  Diagonal d;
+  g_auto (Diagonal) d;
   diagonal_init (&d, 4, -1);
   check (&d, 9, (const double[]){ 1, 2, 3, 4 }, 4);
   for (int i = 0; i < 4; i++)
@@ -128,14 +128,13 @@ test_all (void)
   check (&d, 9, (const double[]){ 7, 7, 7, 7 }, 4);
   d.n = 1;
   check (&d, 1, (const double[]){ 7 }, 1);
-  diagonal_clear (&d);
 }
 
 /* What has no mass does not vibrate. */
 static void
 test_without_mass (void)
 {
-  Diagonal d;
+  g_auto (Diagonal) d;
   diagonal_init (&d, 60, -1);
   for (int i = 3; i < d.n; i++)
     d.m[i] = 0;
@@ -143,19 +142,17 @@ test_without_mass (void)
   for (int i = 0; i < 3; i++)
     d.m[i] = 0;
   check (&d, 5, NULL, 0);
-  diagonal_clear (&d);
 }
 
 /* Rigid motions a hundred million times softer than the rest. */
 static void
 test_far_apart (void)
 {
-  Diagonal d;
+  g_auto (Diagonal) d;
   diagonal_init (&d, 300, -10);
   for (int i = 0; i < d.n; i++)
     d.k[i] = i < 3 ? 0 : d.m[i] * 1e8 * i;
   check (&d, 5, (const double[]){ 0, 0, 0, 3e8, 4e8 }, 5);
-  diagonal_clear (&d);
 }
 
 /* The iteration can be left at every product. */
@@ -163,7 +160,7 @@ static void
 test_cancel (void)
 {
   enum { WANTED = 4, N = 300 };
-  Diagonal d;
+  g_auto (Diagonal) d;
   double values[WANTED], vectors[WANTED * N];
   size_t found;
   diagonal_init (&d, N, -1);
@@ -185,7 +182,6 @@ test_cancel (void)
     g_assert_cmpint (d.products, ==, d.allowed);
     g_assert_cmpuint (found, ==, 0);
   }
-  diagonal_clear (&d);
 }
 
 int

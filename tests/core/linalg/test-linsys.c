@@ -41,7 +41,7 @@ static void
 test_refactorisation (void)
 {
   Dense d;
-  GRand *random = g_rand_new_with_seed (3);
+  g_autoptr (GRand) random = g_rand_new_with_seed (3);
   dense_pattern (&d);
   QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
   g_assert_nonnull (system);
@@ -56,7 +56,6 @@ test_refactorisation (void)
       g_assert_cmpfloat (fabs (d.b[i] - d.x[i]), <, 1e-8);
   }
   qn_linsys_free (system);
-  g_rand_free (random);
 }
 
 /* Elimination with row exchanges, the textbook way. */
@@ -94,7 +93,7 @@ test_sign (void)
 {
   Dense d;
   int negative = 0;
-  GRand *random = g_rand_new_with_seed (7);
+  g_autoptr (GRand) random = g_rand_new_with_seed (7);
   dense_pattern (&d);
   QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
 
@@ -109,7 +108,6 @@ test_sign (void)
   g_assert_cmpint (negative, >, 15);
   g_assert_cmpint (negative, <, 45);
   qn_linsys_free (system);
-  g_rand_free (random);
 }
 
 /* Factorising and solving at once, for matrices that come again and for others, with and without
@@ -118,7 +116,7 @@ static void
 test_at_once (void)
 {
   Dense d;
-  GRand *random = g_rand_new_with_seed (9);
+  g_autoptr (GRand) random = g_rand_new_with_seed (9);
   dense_pattern (&d);
   QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
 
@@ -143,14 +141,13 @@ test_at_once (void)
     }
   }
   qn_linsys_free (system);
-  g_rand_free (random);
 }
 
 static void
 test_singular (void)
 {
   Dense d;
-  GRand *random = g_rand_new_with_seed (5);
+  g_autoptr (GRand) random = g_rand_new_with_seed (5);
   dense_pattern (&d);
   dense_random (&d, random);
   QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
@@ -166,7 +163,6 @@ test_singular (void)
   for (int i = 0; i < N; i++)
     g_assert_cmpfloat (fabs (d.b[i] - d.x[i]), <, 1e-8);
   qn_linsys_free (system);
-  g_rand_free (random);
 }
 
 /* An unknown that nothing holds, pushed and not: the solution of the first proves it by its size, that
@@ -175,7 +171,7 @@ static void
 test_free_unknown (void)
 {
   Dense d;
-  GRand *random = g_rand_new_with_seed (6);
+  g_autoptr (GRand) random = g_rand_new_with_seed (6);
   dense_pattern (&d);
   dense_random (&d, random);
   QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
@@ -193,7 +189,6 @@ test_free_unknown (void)
     }
   }
   qn_linsys_free (system);
-  g_rand_free (random);
 }
 
 int

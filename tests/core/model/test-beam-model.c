@@ -56,7 +56,7 @@ static void
 test_split_side (void)
 {
   const QnVec2 outline[] = { { 0, 0 }, { 0, 1 }, { 0.5, 1 }, { 2, 1 }, { 2, 0 } };
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   test_model_add_base (&model, 0, -1, 2, 1);
   qn_model_add_block (&model, "b", outline, 5)->thickness = 1;
@@ -69,7 +69,6 @@ test_split_side (void)
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpfloat_with_epsilon (model.nodes[0].at.x, 1, 1e-15);
   g_assert_cmpfloat_with_epsilon (model.nodes[0].at.y, 1, 1e-15);
-  qn_model_clear (&model);
 }
 
 typedef struct {
@@ -159,7 +158,7 @@ static void
 test_rules (void)
 {
   for (gsize i = 0; i < G_N_ELEMENTS (rules); i++) {
-    QnModel model;
+    g_auto (QnModel) model;
     QnDiag diag = { 0 };
     init_sound (&model);
     rules[i].spoil (&model);
@@ -168,7 +167,6 @@ test_rules (void)
     g_assert_cmpint (diag.problem, ==, rules[i].problem);
     g_assert_cmpint (diag.entity, ==, rules[i].entity);
     g_assert_cmpstr (diag.field, ==, rules[i].field);
-    qn_model_clear (&model);
   }
 }
 

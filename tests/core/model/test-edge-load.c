@@ -50,7 +50,7 @@ prepare (QnModel *model)
 static void
 test_trapezoid (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init_block_on_plane (&model, 2, 1);
   add_edge_load (&model, 1, 2, 3, 6); /* the top, from right to left */
   prepare (&model);
@@ -67,21 +67,19 @@ test_trapezoid (void)
   load->intensity[0] = load->intensity[1] = 5;
   prepare (&model);
   assert_forces (&model, 1, 10, 0, -10 * 0.5);
-  qn_model_clear (&model);
 }
 
 /* A couple has no resultant; cut in two it is exact, and so it stays when the block turns. */
 static void
 test_couple (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init_block_on_plane (&model, 2, 1);
   add_edge_load (&model, 1, 2, -3, 3);
   prepare (&model);
   g_assert_cmpuint (model.edge_force_count, ==, 2);
   /* q(s) = 3 s on s = -1 … 1 leftwards of the middle, downwards: M = int 3 s s ds. */
   assert_forces (&model, 1, 0, 0, 2);
-  qn_model_clear (&model);
 }
 
 /* Round a corner, and the same with the vertices given clockwise. */
@@ -89,7 +87,7 @@ static void
 test_chain (void)
 {
   for (int clockwise = 0; clockwise < 2; clockwise++) {
-    QnModel model;
+    g_auto (QnModel) model;
     test_model_init_block_on_plane (&model, 2, 1);
     QnLoad *load = add_edge_load (&model, 1, 1, 0, 3);
     load->edge_count = 2; /* right side upwards, then the top to the left */
@@ -106,7 +104,6 @@ test_chain (void)
     double side = -0.5, top = -4;
     double moment = -side * (2.0 / 3 - 0.5) + top * (1 - 2 * 7.0 / 12);
     assert_forces (&model, 1, side, top, moment);
-    qn_model_clear (&model);
   }
 }
 
@@ -115,7 +112,7 @@ static void
 test_side (void)
 {
   const QnVec2 corners[] = { { -1, 0 }, { 1, 0 }, { 1, 1 }, { 0.25, 1 }, { -1, 1 } };
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   test_model_add_base (&model, -2, -1, 4, 1);
   QnBlock *block = qn_model_add_block (&model, "b", corners, G_N_ELEMENTS (corners));
@@ -126,14 +123,13 @@ test_side (void)
   prepare (&model);
   assert_forces (&model, 1, 0, -6, -6 * (1 - 2 * 2.0 / 3));
   g_assert_cmpuint (model.edge_force_count, ==, 2);
-  qn_model_clear (&model);
 }
 
 /* What is seen from above: a plane, a block in the middle of it, and nothing under a lintel. */
 static void
 test_surcharge (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   test_model_add_base (&model, -3, -1, 6, 1);
   test_model_add_rectangle (&model, "left", -1, 0, 0.5, 1);
@@ -158,7 +154,6 @@ test_surcharge (void)
   load->span[1] = 11;
   prepare (&model);
   g_assert_cmpuint (model.edge_force_count, ==, 0);
-  qn_model_clear (&model);
 }
 
 /* Fill over a roof of slope 1 from (0, 0) to (2, 2), up to level 1 and up to level 3. */
@@ -166,7 +161,7 @@ static void
 test_fill (void)
 {
   const QnVec2 roof[] = { { 0, 0 }, { 2, 0 }, { 2, 2 } };
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   qn_model_add_block (&model, "roof", roof, G_N_ELEMENTS (roof))->thickness = 0.5;
   QnLoad *load = add_surcharge (&model, 0);
@@ -184,7 +179,6 @@ test_fill (void)
   double strip = -0.5 * 2 * (20 * 1 + 4), triangle = -0.5 * 20 * 2;
   assert_forces (&model, 0, 0, strip + triangle,
                  strip * (1 - centroid.x) + triangle * (2.0 / 3 - centroid.x));
-  qn_model_clear (&model);
 }
 
 /* From either side; a block that stands before the wall takes the pressure of its height. */
@@ -193,7 +187,7 @@ test_backfill (void)
 {
   for (int right = 0; right < 2; right++) {
     const double sign = right ? -1 : 1;
-    QnModel model;
+    g_auto (QnModel) model;
     test_model_init (&model);
     test_model_add_base (&model, -3, -1, 6, 1);
     test_model_add_rectangle (&model, "wall", -0.5, 0, 1, 3);
@@ -217,7 +211,6 @@ test_backfill (void)
     g_assert_cmpfloat_with_epsilon (qn_model_load_resultant (&model, 0).x,
                                     sign * (uniform + triangle + step), EXACT);
     assert_forces (&model, 0, 0, 0, 0); /* ends at the base */
-    qn_model_clear (&model);
   }
 }
 
@@ -255,12 +248,11 @@ test_cases (void)
   assert_forces (&model, 1, 30000, -3000, 0);
   g_assert_cmpfloat (qn_model_load_resultant (&model, 2).y, ==, -3000);
 
-  QnModel copy;
+  g_auto (QnModel) copy;
   g_assert_cmpint (qn_model_copy (&model, &copy, NULL), ==, QN_OK);
   qn_model_clear (&model);
   assert_forces (&copy, 1, 30000, -3000, 0);
   g_assert_cmpstr (copy.load_cases[0].name, ==, "traffic");
-  qn_model_clear (&copy);
 }
 
 /* Lengths seen from any side sum up to the extent of the structure there. */
@@ -268,7 +260,7 @@ static void
 test_seen (void)
 {
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
-    QnModel model;
+    g_auto (QnModel) model;
     test_model_init_wall (&model, number, 0);
     prepare (&model);
     double low = INFINITY, high = -INFINITY, seen_width = 0;
@@ -282,7 +274,6 @@ test_seen (void)
       seen_width += seen.items[i].ends[0].x - seen.items[i].ends[1].x;
     g_assert_cmpfloat_with_epsilon (seen_width, high - low, EXACT);
     g_free (seen.items);
-    qn_model_clear (&model);
   }
 }
 
@@ -290,7 +281,7 @@ test_seen (void)
 static void
 test_refused (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   test_model_init_block_on_plane (&model, 2, 1);
   QnLoad *load = add_edge_load (&model, 1, 2, 1e308, 1e308);
@@ -306,7 +297,6 @@ test_refused (void)
   load->edge = 4;
   g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_EDGE_UNKNOWN);
-  qn_model_clear (&model);
 }
 
 int

@@ -6,7 +6,7 @@
 static void
 test_weights_and_forces (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init_block_on_plane (&model, 2, 1);
   test_model_add_weight_loads (&model, 0.5);
   QnLoad *force = qn_model_add_live_load (&model);
@@ -32,7 +32,6 @@ test_weights_and_forces (void)
   force->at = qn_vec2 (1, 1);
   qn_model_live_forces (&model, forces);
   g_assert_cmpfloat_with_epsilon (forces[5], 7 + 1 * 20 - 0.5 * 100, 1e-12);
-  qn_model_clear (&model);
 }
 
 int

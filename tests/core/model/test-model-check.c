@@ -26,10 +26,9 @@ init_sound (QnModel *model)
 static void
 test_sound (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   init_sound (&model);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
-  qn_model_clear (&model);
 }
 
 /* Each of these spoils one thing. */
@@ -160,7 +159,7 @@ static void
 test_refused (const void *data)
 {
   const Case *c = data;
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   init_sound (&model);
   c->spoil (&model);
@@ -179,7 +178,6 @@ test_refused (const void *data)
   g_assert_cmpstr (diag.field, ==, c->field);
   g_assert_cmpint (qn_model_prepare (&copy, NULL), ==, QN_ERROR_INVALID);
   qn_model_clear (&copy);
-  qn_model_clear (&model);
 }
 
 /* The rules for laws are the laws' own; here only that they are asked. */
@@ -188,21 +186,20 @@ test_laws_are_checked (void)
 {
   void (*spoils[]) (QnModel *) = { spoil_law_stiffness, spoil_law_friction };
   for (size_t i = 0; i < G_N_ELEMENTS (spoils); i++) {
-    QnModel model;
+    g_auto (QnModel) model;
     QnDiag diag;
     init_sound (&model);
     spoils[i](&model);
     g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
     g_assert_cmpint (diag.entity, ==, QN_ENTITY_LAW);
     g_assert_cmpint (diag.index, ==, 0);
-    qn_model_clear (&model);
   }
 }
 
 static void
 test_law_name_taken (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   init_sound (&model);
   QnLaw *law = qn_model_add_law (&model, "joint");
@@ -212,27 +209,25 @@ test_law_name_taken (void)
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NAME_TAKEN);
   g_assert_cmpint (diag.entity, ==, QN_ENTITY_LAW);
   g_assert_cmpint (diag.index, ==, 1);
-  qn_model_clear (&model);
 }
 
 /* Where every block has a law of its own the contact law may be left out. */
 static void
 test_block_laws_suffice (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   init_sound (&model);
   model.contact.law = QN_NONE;
   for (size_t i = 0; i < model.block_count; i++)
     model.blocks[i].law = 0;
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
-  qn_model_clear (&model);
 }
 
 /* A fault in a block that came from a wall is the wall's. */
 static void
 test_wall_is_blamed (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   test_model_init_wall (&model, 1, 0);
   model.walls[0].thickness = -1;
@@ -241,7 +236,6 @@ test_wall_is_blamed (void)
   g_assert_cmpint (diag.entity, ==, QN_ENTITY_WALL);
   g_assert_cmpint (diag.index, ==, 0);
   g_assert_cmpstr (diag.field, ==, "thickness");
-  qn_model_clear (&model);
 }
 
 int
@@ -250,9 +244,8 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/model-check/sound", test_sound);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    char *path = g_strconcat ("/model-check/refused/", cases[i].name, NULL);
+    g_autofree char *path = g_strconcat ("/model-check/refused/", cases[i].name, NULL);
     g_test_add_data_func (path, &cases[i], test_refused);
-    g_free (path);
   }
   g_test_add_func ("/model-check/laws-are-checked", test_laws_are_checked);
   g_test_add_func ("/model-check/law-name-taken", test_law_name_taken);

@@ -6,7 +6,7 @@
 static void
 test_derives (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   const QnVec2 clockwise[] = { { 1, 1 }, { 1, 3 }, { 4, 3 }, { 4, 1 } };
   QnBlock *block = qn_model_add_block (&model, "b", clockwise, 4);
@@ -28,38 +28,35 @@ test_derives (void)
   g_assert_cmpfloat (v[0].x, ==, 1);
   g_assert_cmpfloat (v[1].x, ==, 4); /* counter-clockwise, from the same vertex */
   g_assert_cmpfloat (model.characteristic_length, ==, sqrt (6));
-  qn_model_clear (&model);
 }
 
 static void
 test_twice_is_once (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init_wall (&model, 2, 0);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   double weight = model.blocks[7].weight;
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpuint (model.block_count, ==, 56);
   g_assert_cmpfloat (model.blocks[7].weight, ==, weight);
-  qn_model_clear (&model);
 }
 
 /* A drawing begins without blocks. */
 static void
 test_no_blocks (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpfloat (model.characteristic_length, ==, 0);
-  qn_model_clear (&model);
 }
 
 /* What overflows only when multiplied out. */
 static void
 test_weight_overflows (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   test_model_init_block_on_plane (&model, 1e3, 1e3);
   model.blocks[1].unit_weight = 1e305;
@@ -67,7 +64,6 @@ test_weight_overflows (void)
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_TOO_LARGE);
   g_assert_cmpint (diag.index, ==, 1);
   g_assert_cmpstr (diag.field, ==, "unit_weight");
-  qn_model_clear (&model);
 }
 
 int

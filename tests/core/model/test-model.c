@@ -27,13 +27,12 @@ test_defaults (void)
 static void
 test_find (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init_stack (&model, 3, 1, 0.5);
   g_assert_cmpint (qn_model_find_block (&model, "b2"), ==, 2);
   g_assert_cmpint (qn_model_find_block (&model, "b4"), ==, QN_NONE);
   g_assert_cmpint (qn_model_find_law (&model, "joint"), ==, 0);
   g_assert_cmpint (qn_model_find_law (&model, "mortar"), ==, QN_NONE);
-  qn_model_clear (&model);
 }
 
 static void
@@ -68,17 +67,15 @@ test_copy_is_deep (void)
 static void
 test_copy_of_empty (void)
 {
-  QnModel model, copy;
+  g_auto (QnModel) model, copy;
   qn_model_init (&model);
   g_assert_cmpint (qn_model_copy (&model, &copy, NULL), ==, QN_OK);
-  qn_model_clear (&copy);
-  qn_model_clear (&model);
 }
 
 static void
 test_many_blocks (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   for (int i = 0; i < 20000; i++) {
     char name[16];
@@ -87,7 +84,6 @@ test_many_blocks (void)
   }
   g_assert_cmpint (qn_model_find_block (&model, "b19999"), ==, 19999);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
-  qn_model_clear (&model);
 }
 
 int

@@ -75,7 +75,7 @@ static void
 test_many_vertices (void)
 {
   enum { COUNT = 20000 };
-  QnVec2 *v = g_new (QnVec2, COUNT);
+  g_autofree QnVec2 *v = g_new (QnVec2, COUNT);
   for (int i = 0; i < COUNT; i++) {
     double angle = 2 * G_PI * i / COUNT, radius = i % 2 == 0 ? 10 : 9;
     v[i] = qn_vec2 (radius * cos (angle), radius * sin (angle));
@@ -87,7 +87,6 @@ test_many_vertices (void)
   g_assert_cmpint (qn_polygon_check (v, COUNT).problem, ==, QN_PROBLEM_SELF_CROSSING);
   v[12004] = v[3];
   g_assert_cmpint (qn_polygon_check (v, COUNT).problem, !=, QN_PROBLEM_NONE);
-  g_free (v);
 }
 
 int
@@ -95,9 +94,8 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    char *path = g_strconcat ("/polygon-check/", cases[i].name, NULL);
+    g_autofree char *path = g_strconcat ("/polygon-check/", cases[i].name, NULL);
     g_test_add_data_func (path, &cases[i], test_flaw);
-    g_free (path);
   }
   g_test_add_func ("/polygon-check/names-vertices", test_flaw_names_vertices);
   g_test_add_func ("/polygon-check/many-vertices", test_many_vertices);

@@ -18,7 +18,7 @@ add_wall (QnModel *model, const char *name)
 static void
 test_names_and_places (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   QnWall *wall = add_wall (&model, "south");
   wall->law = 0;
@@ -45,14 +45,13 @@ test_names_and_places (void)
   g_assert_cmpint (last->law, ==, 0);
   g_assert_false (last->support[0] || last->support[1] || last->support[2]);
   g_assert_cmpfloat_with_epsilon (last->weight, 18000 * 0.6 * 0.175 * 0.5, 1e-9);
-  qn_model_clear (&model);
 }
 
 /* Loads name blocks of walls: expanding first makes them known. */
 static void
 test_expand_first (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init_wall (&model, 1, 0);
   g_assert_cmpint (qn_model_find_block (&model, "w.1.1"), ==, QN_NONE);
   g_assert_cmpint (qn_model_expand_walls (&model, NULL), ==, QN_OK);
@@ -65,13 +64,12 @@ test_expand_first (void)
   g_assert_cmpint (qn_model_expand_walls (&model, NULL), ==, QN_OK);
   g_assert_cmpuint (model.block_count, ==, 35);
   g_assert_cmpint (qn_model_find_block (&model, "v.1.1"), ==, 34);
-  qn_model_clear (&model);
 }
 
 static void
 test_large_numbers_in_names (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init (&model);
   QnWall *wall = add_wall (&model, "");
   g_free (wall->name);
@@ -86,7 +84,6 @@ test_large_numbers_in_names (void)
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_model_find_block (&model, "ein sehr langer Name \xc3\xa4.11.1203"),
                    ==, 1212);
-  qn_model_clear (&model);
 }
 
 typedef struct {
@@ -110,7 +107,7 @@ static void
 test_bad_course (const void *data)
 {
   const Case *c = data;
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   test_model_init (&model);
   QnWall *wall = add_wall (&model, "w");
@@ -124,7 +121,6 @@ test_bad_course (const void *data)
   g_assert_cmpint (diag.sub, ==, 1);
   g_assert_cmpint (diag.other, ==, c->position);
   g_assert_cmpuint (model.block_count, ==, 0); /* nothing was built */
-  qn_model_clear (&model);
 }
 
 /* A thousand million blocks are refused by counting, not by trying: the course ends say so, the
@@ -132,11 +128,11 @@ test_bad_course (const void *data)
 static void
 test_too_many_blocks (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   test_model_init (&model);
   size_t count = 1000;
-  double *course = g_new (double, count);
+  g_autofree double *course = g_new (double, count);
   for (size_t i = 0; i < count; i++)
     course[i] = 1;
   QnWall *wall = add_wall (&model, "w");
@@ -147,8 +143,6 @@ test_too_many_blocks (void)
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_TOO_MANY_BLOCKS);
   g_assert_cmpint (diag.entity, ==, QN_ENTITY_WALL);
   g_assert_cmpuint (model.block_capacity, ==, 0);
-  g_free (course);
-  qn_model_clear (&model);
 }
 
 static void
@@ -166,7 +160,7 @@ test_bad_wall (void)
     { { 0, 0 }, { 1, INFINITY }, QN_PROBLEM_NOT_FINITE, "unit" },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (bad); i++) {
-    QnModel model;
+    g_auto (QnModel) model;
     QnDiag diag;
     test_model_init (&model);
     QnWall *wall = add_wall (&model, "w");
@@ -177,14 +171,13 @@ test_bad_wall (void)
     g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
     g_assert_cmpint (diag.problem, ==, bad[i].problem);
     g_assert_cmpstr (diag.field, ==, bad[i].field);
-    qn_model_clear (&model);
   }
 }
 
 static void
 test_same_name_twice (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnDiag diag;
   test_model_init (&model);
   const double course[] = { 1 };
@@ -194,7 +187,6 @@ test_same_name_twice (void)
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NAME_TAKEN);
   g_assert_cmpint (diag.entity, ==, QN_ENTITY_WALL);
   g_assert_cmpint (diag.index, ==, 1);
-  qn_model_clear (&model);
 }
 
 int
@@ -205,9 +197,8 @@ main (int argc, char **argv)
   g_test_add_func ("/wall/expand-first", test_expand_first);
   g_test_add_func ("/wall/large-numbers-in-names", test_large_numbers_in_names);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    char *path = g_strconcat ("/wall/bad-course/", cases[i].name, NULL);
+    g_autofree char *path = g_strconcat ("/wall/bad-course/", cases[i].name, NULL);
     g_test_add_data_func (path, &cases[i], test_bad_course);
-    g_free (path);
   }
   g_test_add_func ("/wall/too-many-blocks", test_too_many_blocks);
   g_test_add_func ("/wall/bad-wall", test_bad_wall);

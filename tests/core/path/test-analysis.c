@@ -10,13 +10,12 @@
 static void
 run (QnModel *model, QnResult *result)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
 
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
 }
 
@@ -35,7 +34,7 @@ test_factorizations (void)
                                             QN_PROCEDURE_ARC_LENGTH };
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
     QnModel model;
-    QnResult whole, part;
+    g_auto (QnResult) whole, part;
     test_model_init_wall (&model, 1, 0);
     model.analysis.procedure = procedures[i];
     run (&model, &whole);
@@ -55,8 +54,6 @@ test_factorizations (void)
     g_assert_cmpuint (part.step_count, <, whole.step_count);
     for (size_t s = 0; s < part.step_count; s++)
       g_assert_cmpfloat (part.steps[s].multiplier, ==, whole.steps[s].multiplier);
-    qn_result_clear (&whole);
-    qn_result_clear (&part);
   }
 }
 
@@ -67,14 +64,13 @@ test_seconds (void)
   static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_LIMIT };
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
     QnModel model;
-    QnResult result;
+    g_auto (QnResult) result;
     init_block (&model);
     model.analysis.procedure = procedures[i];
     model.analysis.max_seconds = 1e-12;
     run (&model, &result);
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_NOT_CONVERGED);
     g_assert_cmpint (result.stop, ==, QN_STOP_TIME);
-    qn_result_clear (&result);
   }
 }
 
@@ -85,37 +81,34 @@ test_unbounded (void)
   static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_LIMIT };
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
     QnModel model;
-    QnResult result;
+    g_auto (QnResult) result;
     init_block (&model);
     model.live_loads[0].vector = qn_vec2 (0, -1);
     model.analysis.procedure = procedures[i];
     run (&model, &result);
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_UNBOUNDED);
     g_assert_false (result.has_collapse_multiplier);
-    qn_result_clear (&result);
   }
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   init_block (&model);
   model.live_loads[0].vector = qn_vec2 (0, -1);
   model.analysis.max_multiplier = 7;
   run (&model, &result);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
-  qn_result_clear (&result);
 }
 
 static void
 test_dead_load_alone (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   init_block (&model);
   model.analysis.max_multiplier = 0;
   run (&model, &result);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   g_assert_cmpuint (result.step_count, ==, 1);
   g_assert_cmpfloat (result.steps[0].multiplier, ==, 0);
-  qn_result_clear (&result);
 }
 
 /* What an analysis says has passed the check of its own numbers; the same with another displacement
@@ -123,9 +116,9 @@ test_dead_load_alone (void)
 static void
 test_proved (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnResultFaults faults;
   test_model_init_block_on_plane (&model, 1, 1);
   test_model_add_weight_loads (&model, 1);
@@ -142,9 +135,6 @@ test_proved (void)
       ==, QN_OK);
     g_assert_true ((faults.count > 0) == forged);
   }
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Of long paths the forces of steps before the last are not kept. What slid in a relaxed step is then not
@@ -152,9 +142,9 @@ test_proved (void)
 static void
 test_forces_not_kept (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnResultFaults faults;
   int relaxed = 0;
   test_model_init_wall (&model, 2, 0);
@@ -181,9 +171,6 @@ test_forces_not_kept (void)
     g_assert_true (faults.forces_unknown);
     g_assert_true ((faults.count > 0) == forged);
   }
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* The collapse of a path lies between the least solution and the associative bound, which is there
@@ -233,9 +220,9 @@ test_linearity (void)
     { 1e6, QN_GEOMETRY_NONLINEAR, QN_LINEARITY_HOLDS },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
-    QnModel model;
-    QnContacts contacts;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    g_auto (QnResult) result;
     test_model_init_wall (&model, 1, 0);
     model.laws[0].kn = model.laws[0].ks = cases[i].stiffness;
     model.analysis.geometry = cases[i].geometry;
@@ -251,9 +238,6 @@ test_linearity (void)
       g_assert_cmpfloat (qn_result_motion (&result, 0, result.step_count - 1), >,
                          QN_LINEAR_MOTION * 0.175);
     }
-    qn_result_clear (&result);
-    qn_contacts_clear (&contacts);
-    qn_model_clear (&model);
   }
 }
 
@@ -261,16 +245,14 @@ test_linearity (void)
 static void
 solve_wall (double stiffness, QnResult *result)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_wall (&model, 1, 0);
   model.laws[0].kn = model.laws[0].ks = stiffness;
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, result, NULL), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Displacements go like one over the stiffness. Where they leave linear geometry just before the last

@@ -8,13 +8,12 @@
 static void
 run (QnModel *model, QnProgressFunc progress, void *data, QnResult *result)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
 
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (model, &contacts, progress, data, result, NULL), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
 }
 
@@ -29,7 +28,7 @@ static void
 test_target (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   init_block (&model);
   model.analysis.max_multiplier = 0.3;
   run (&model, NULL, NULL, &result);
@@ -42,7 +41,6 @@ test_target (void)
   g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 0.3);
   for (size_t s = 1; s < result.step_count; s++)
     g_assert_cmpfloat (result.steps[s].multiplier, >, result.steps[s - 1].multiplier);
-  qn_result_clear (&result);
 }
 
 /* Sizes of steps follow from the structure: every step is the same, whatever the increments. */
@@ -74,7 +72,7 @@ test_collapse_does_not_depend_on_increments (void)
   static const int increments[] = { 1, 2, 10, 1000 };
   for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
     QnModel model;
-    QnResult result;
+    g_auto (QnResult) result;
     init_block (&model);
     model.analysis.increments = increments[i];
     model.analysis.multiplier_tolerance = 1e-9;
@@ -84,7 +82,6 @@ test_collapse_does_not_depend_on_increments (void)
     g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.65, 1e-9);
     g_assert_cmpint (result.steps[result.step_count - 1].event, ==, QN_EVENT_COLLAPSE);
     g_assert_nonnull (result.mechanism);
-    qn_result_clear (&result);
   }
 }
 
@@ -93,25 +90,23 @@ static void
 test_digits_beyond_the_bracket (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   init_block (&model);
   run (&model, NULL, NULL, &result);
   g_assert_cmpfloat (result.collapse_multiplier, <=, 0.65 * (1 + 4 * DBL_EPSILON));
   g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.65, 1e-6 * 0.65);
-  qn_result_clear (&result);
 }
 
 static void
 test_no_live_load (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   init_block (&model);
   model.live_load_count = 0;
   run (&model, NULL, NULL, &result);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   g_assert_cmpuint (result.step_count, ==, 1);
-  qn_result_clear (&result);
 }
 
 /* A load that presses a block onto its base has no limit. */
@@ -119,19 +114,18 @@ static void
 test_unbounded (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   init_block (&model);
   model.live_loads[0].vector = qn_vec2 (0, -1);
   run (&model, NULL, NULL, &result);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_UNBOUNDED);
-  qn_result_clear (&result);
 }
 
 static void
 test_dead_load_unstable (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   init_block (&model);
   model.dead_loads[0].vector = qn_vec2 (0.7, -1);
   run (&model, NULL, NULL, &result);
@@ -139,7 +133,6 @@ test_dead_load_unstable (void)
   g_assert_cmpuint (result.step_count, ==, 0);
   g_assert_cmpuint (result.unstable_count, ==, 1);
   g_assert_cmpint (result.unstable_blocks[0], ==, 1);
-  qn_result_clear (&result);
 }
 
 /* Wall 3 loses stability at 0.2604, long before its last equilibrium; but it moves by a thousandth of its
@@ -150,7 +143,7 @@ test_no_snap (void)
   static const int increments[] = { 10, 37, 100 };
   for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
     QnModel model;
-    QnResult result;
+    g_auto (QnResult) result;
     test_model_init_wall (&model, 3, 0);
     model.analysis.increments = increments[i];
     model.analysis.snap = QN_SNAP_THROUGH_STOP;
@@ -162,7 +155,6 @@ test_no_snap (void)
                      QN_EVENT_KIND_COLLAPSE);
     g_assert_cmpfloat (result.events[result.event_count - 1].multiplier, ==,
                        result.collapse_multiplier);
-    qn_result_clear (&result);
   }
 }
 
@@ -175,7 +167,7 @@ test_nonlinear_geometry (void)
   double before = 0;
   for (size_t i = 0; i < G_N_ELEMENTS (stiffness); i++) {
     QnModel model;
-    QnResult result;
+    g_auto (QnResult) result;
     test_model_init_wall (&model, 1, 0);
     model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
     model.laws[0].kn = model.laws[0].ks = stiffness[i];
@@ -183,7 +175,6 @@ test_nonlinear_geometry (void)
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
     g_assert_cmpfloat (result.collapse_multiplier, >, before);
     before = result.collapse_multiplier;
-    qn_result_clear (&result);
   }
   g_assert_cmpfloat_with_epsilon (before, 0.6415, 3e-4);
 }
@@ -198,14 +189,13 @@ static void
 test_cancel_keeps_what_converged (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   int steps = 5;
   test_model_init_wall (&model, 1, 0);
   run (&model, stop_after_steps, &steps, &result);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_CANCELLED);
   g_assert_cmpuint (result.step_count, ==, 5);
   g_assert_cmpfloat (result.pairs[0].normal_force, <, 0);
-  qn_result_clear (&result);
 }
 
 static bool
@@ -291,9 +281,9 @@ largest_imbalance (const QnModel *model, const QnContacts *contacts,
 static void
 test_forces_of_every_step (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   test_model_init_wall (&model, 1, 0);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
@@ -311,9 +301,6 @@ test_forces_of_every_step (void)
                        result.pairs[p].normal_force);
     g_assert_cmpint (result.step_states[last + p], ==, result.pairs[p].state);
   }
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 /* Blocks on points may swing, but a live load that acts along their weight does not ask them to:
@@ -322,7 +309,7 @@ static void
 test_idle_live_load (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   test_model_init_stack (&model, 30, 1, 1);
   test_model_add_weight_loads (&model, 1);
   model.live_loads[0].vector = qn_vec2 (0, -1);
@@ -332,7 +319,6 @@ test_idle_live_load (void)
 
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_UNBOUNDED);
   g_assert_cmpint (result.statistics.iterations, <, 3000);
-  qn_result_clear (&result);
 }
 
 /* Every other block on joints a hundred million times softer: stiffness changes displacements,
@@ -341,7 +327,7 @@ static void
 test_soft_and_stiff (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   test_model_init_wall (&model, 1, 0.65);
   test_model_soften_every_other_block (&model, 1e8);
   run (&model, NULL, NULL, &result);
@@ -351,7 +337,6 @@ test_soft_and_stiff (void)
                                   1e-4);
   g_assert_cmpint (result.statistics.iterations, <, 1000);
   g_assert_false (result.mechanism_uncertain);
-  qn_result_clear (&result);
 }
 
 int

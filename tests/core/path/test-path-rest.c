@@ -14,8 +14,8 @@
 static void
 solve (QnLawKind kind, double part, QnResult *result)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_block_on_plane (&model, WIDTH, HEIGHT);
   double weight = 10000 * WIDTH * HEIGHT;
   model.laws[0].kind = kind;
@@ -28,8 +28,6 @@ solve (QnLawKind kind, double part, QnResult *result)
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, result, NULL), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void

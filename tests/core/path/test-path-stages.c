@@ -98,7 +98,7 @@ test_cycle_of_loads (const void *procedure)
 {
   const double r = 0.25, k = STIFFNESS;
   const double plastic = 0.2 * YIELD * (1 / (r * k) - 1 / k);
-  TestRun run;
+  g_auto (TestRun) run;
   QnModel model;
   init_fibre (&model, QN_LAW_BILINEAR, r);
   add_force (&model, "live", 0, YIELD);
@@ -127,7 +127,6 @@ test_cycle_of_loads (const void *procedure)
     g_assert_cmpfloat_with_epsilon (
       uy (&run, i), plastic + run.result.steps[i].multiplier * YIELD / k, 1e-10);
   g_assert_cmpint (run.result.steps[0].stage, ==, 0);
-  test_run_clear (&run);
 }
 
 /* The same to given displacements, without hardening: the load follows the spring, whichever way
@@ -137,7 +136,7 @@ test_cycle_of_displacements (const void *data)
 {
   const QnProcedure procedure = (QnProcedure) GPOINTER_TO_INT (data);
   const double first = YIELD / STIFFNESS;
-  TestRun run;
+  g_auto (TestRun) run;
   QnModel model;
   init_fibre (&model, QN_LAW_ELASTIC_PLASTIC, 0);
   add_force (&model, "live", 0, YIELD);
@@ -165,7 +164,6 @@ test_cycle_of_displacements (const void *data)
       expected = fmin (u - 1, 1);
     g_assert_cmpfloat_with_epsilon (run.result.steps[i].multiplier, expected, 1e-8);
   }
-  test_run_clear (&run);
 }
 
 /* A vertical load first, then the push: a block on a plane slides at mu (W + N). The held set
@@ -173,7 +171,7 @@ test_cycle_of_displacements (const void *data)
 static void
 test_held_set (void)
 {
-  TestRun run;
+  g_auto (TestRun) run;
   QnModel model;
   double factors[QN_MAX_LOAD_SETS];
   test_model_init_block_on_plane (&model, 2, 0.5);
@@ -205,14 +203,13 @@ test_held_set (void)
   g_assert_cmpfloat_with_epsilon (reaction[0], -10000 * run.result.collapse_multiplier,
                                   1e-3);
   g_assert_cmpfloat_with_epsilon (reaction[1], base + weight + 10000, 1e-3);
-  test_run_clear (&run);
 }
 
 /* A stage that does not reach its end is the last one. */
 static void
 test_stops_at_collapse (void)
 {
-  TestRun run;
+  g_auto (TestRun) run;
   QnModel model;
   test_model_init_block_on_plane (&model, 2, 0.5);
   test_model_add_weight_loads (&model, 1);
@@ -224,7 +221,6 @@ test_stops_at_collapse (void)
   g_assert_nonnull (run.result.mechanism);
   for (size_t i = 1; i < run.result.step_count; i++)
     g_assert_cmpint (run.result.steps[i].stage, ==, 1);
-  test_run_clear (&run);
 }
 
 /* A prop in the middle of two unequal springs: the middle block settles with the support by the
@@ -233,7 +229,7 @@ static void
 test_settlement (void)
 {
   const double s = -2e-3;
-  TestRun run;
+  g_auto (TestRun) run;
   QnModel model;
   init_fibre (&model, QN_LAW_ELASTIC, 0);
   add_ceiling (&model);
@@ -256,7 +252,6 @@ test_settlement (void)
     g_assert_cmpfloat_with_epsilon (r[QN_DOF_UY], STIFFNESS * m * s / 2, 1e-3);
     g_assert_cmpfloat_with_epsilon (r[6 + QN_DOF_UY], -STIFFNESS * m * s / 2, 1e-3);
   }
-  test_run_clear (&run);
 }
 
 /* The same as a stage after a load, and taken back: the load stays. */
@@ -264,7 +259,7 @@ static void
 test_settlement_stage (void)
 {
   const double s = -2e-3;
-  TestRun run;
+  g_auto (TestRun) run;
   QnModel model;
   init_fibre (&model, QN_LAW_ELASTIC, 0);
   add_ceiling (&model);
@@ -284,7 +279,6 @@ test_settlement_stage (void)
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 1)), loaded, 1e-12);
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 2)), loaded + s / 2, 1e-12);
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 3)), loaded, 1e-12);
-  test_run_clear (&run);
 }
 
 /* A target that the load moves away from. */
@@ -294,7 +288,7 @@ static double
 energy_of_rocking (double target)
 {
   QnModel model;
-  TestRun run;
+  g_auto (TestRun) run;
   double energy;
 
   test_model_init (&model);
@@ -308,7 +302,6 @@ energy_of_rocking (double target)
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpuint (run.result.event_count, >, 0);
   energy = run.result.events[run.result.event_count - 1].energy;
-  test_run_clear (&run);
   return energy;
 }
 
@@ -327,7 +320,7 @@ static void
 test_wrong_sign (void)
 {
   QnDiag diag = { 0 };
-  TestRun run = { 0 };
+  g_auto (TestRun) run = { 0 };
   init_fibre (&run.model, QN_LAW_ELASTIC_PLASTIC, 0);
   add_force (&run.model, "live", 0, YIELD);
   QnAnalysisSettings *analysis = &run.model.analysis;
@@ -342,7 +335,6 @@ test_wrong_sign (void)
     QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_CONTROL_WRONG_SIGN);
   g_assert_cmpstr (diag.field, ==, "control.target");
-  test_run_clear (&run);
 }
 
 int

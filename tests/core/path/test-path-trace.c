@@ -7,13 +7,12 @@
 static void
 run (QnModel *model, QnResult *result)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
 
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
                    QN_OK);
-  qn_contacts_clear (&contacts);
 }
 
 static void
@@ -32,8 +31,8 @@ static void
 test_overturning_in_large_displacements (void)
 {
   const double b = 0.4, h = 1, alpha = atan (b / h), radius = hypot (b, h) / 2;
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   test_model_init_block_on_plane (&model, b, h);
   test_model_add_weight_loads (&model, 1);
   model.laws[0].kn = model.laws[0].ks = 1e10;
@@ -55,8 +54,6 @@ test_overturning_in_large_displacements (void)
   g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, b / h, 0.002);
   g_assert_cmpfloat_with_epsilon (result.steps[result.step_count - 1].multiplier, 0,
                                   0.002);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* Followed without a target the path ends where nothing of the load is left: with the diagonal
@@ -68,8 +65,8 @@ test_overturning_until_nothing_is_left (void)
   const double b = 0.4, h = 1, alpha = atan (b / h);
 
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_model_init_block_on_plane (&model, b, h);
     test_model_add_weight_loads (&model, 1);
     model.laws[0].kn = model.laws[0].ks = 1e9;
@@ -84,8 +81,6 @@ test_overturning_until_nothing_is_left (void)
                                     1e-12);
     g_assert_cmpfloat_with_epsilon (-u[2], alpha, 1e-3);
     g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, b / h, 0.004);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -190,8 +185,8 @@ check_truss (const QnModel *model, const QnResult *result)
 static void
 test_snap_back_by_arc_length (void)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   double least = INFINITY, most = -INFINITY;
   make_truss (&model, QN_PROCEDURE_ARC_LENGTH, -0.65);
   run (&model, &result);
@@ -213,8 +208,6 @@ test_snap_back_by_arc_length (void)
   g_test_message ("%zu steps, %d factorisations", result.step_count,
                   result.statistics.factorizations);
   g_assert_cmpint (result.statistics.factorizations, <, 6 * (int) result.step_count);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* What the springs hold, J. */
@@ -257,8 +250,8 @@ test_energy_of_displacements (void)
   double before = 0;
 
   for (int increments = 100; increments <= 400; increments *= 2) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     make_truss (&model, QN_PROCEDURE_DISPLACEMENT, 0);
     model.analysis.increments = increments;
     control (&model, QN_PROCEDURE_DISPLACEMENT, "keystone", QN_DOF_UY, -0.5);
@@ -272,8 +265,6 @@ test_energy_of_displacements (void)
     if (before != 0)
       g_assert_cmpfloat (before / error, >, 3);
     before = error;
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -281,8 +272,8 @@ test_energy_of_displacements (void)
 static void
 test_snap_under_held_displacement (void)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   int jumps = 0;
   make_truss (&model, QN_PROCEDURE_DISPLACEMENT, -0.65);
   run (&model, &result);
@@ -303,16 +294,14 @@ test_snap_under_held_displacement (void)
       g_assert_cmpfloat (result.steps[i - 1].multiplier, >, 1);
     }
   g_assert_cmpint (jumps, ==, 1);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* Asked to stop at limit points, it stops at the peak and not at the turn. */
 static void
 test_stop_at_limit_point (void)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   make_truss (&model, QN_PROCEDURE_DISPLACEMENT, -0.65);
   model.analysis.snap = QN_SNAP_THROUGH_STOP;
   run (&model, &result);
@@ -320,8 +309,6 @@ test_stop_at_limit_point (void)
   g_assert_cmpint (result.stop, ==, QN_STOP_LIMIT_POINT);
   g_assert_true (result.has_first_limit_multiplier);
   g_assert_cmpfloat (result.first_limit_multiplier, >, 2.2);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* --- Plateaus, peaks -------------------------------------------------------------------- */
@@ -334,8 +321,8 @@ test_sliding_courses (void)
   const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK,
                                      QN_PROCEDURE_ARC_LENGTH };
   for (int i = 0; i < 4 * (int) G_N_ELEMENTS (procedures); i++) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     double friction = i / 2 % 2 == 0 ? 0.3 : 0.65;
     test_model_init_stack (&model, 2, 1, 0.25);
     model.laws[0].friction = friction;
@@ -347,8 +334,6 @@ test_sliding_courses (void)
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
     g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, friction,
                                     1e-4 * friction);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -358,8 +343,8 @@ test_plateau (void)
 {
   static const QnProcedure procedures[] = { QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_model_init_block_on_plane (&model, 2, 0.5);
     test_model_add_weight_loads (&model, 1);
     control (&model, procedures[i], NULL, QN_DOF_UX, 0);
@@ -367,8 +352,6 @@ test_plateau (void)
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
     g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.65, 1e-6);
     g_assert_cmpfloat_with_epsilon (result.mechanism[3], 1, 1e-3);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -380,8 +363,8 @@ test_largest_multiplier (void)
                                             QN_PROCEDURE_ARC_LENGTH };
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
     bool displacement = procedures[i] == QN_PROCEDURE_DISPLACEMENT;
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_model_init_wall (&model, 3, 0);
     g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
     control (&model, procedures[i], displacement ? "w.11.4" : NULL, QN_DOF_UX, 0.05);
@@ -390,8 +373,6 @@ test_largest_multiplier (void)
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
     g_assert_cmpint (result.stop, ==, QN_STOP_MULTIPLIER);
     g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 0.2);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -402,8 +383,8 @@ test_elastic_member_never_collapses (void)
 {
   static const QnProcedure procedures[] = { QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_model_init_stack (&model, 50, 0.05, 0.1);
     model.laws[0].kind = QN_LAW_ELASTIC;
     test_model_add_weight_loads (&model, 1);
@@ -413,8 +394,6 @@ test_elastic_member_never_collapses (void)
     g_assert_cmpint (result.stop, ==, QN_STOP_MULTIPLIER);
     g_assert_false (result.has_collapse_multiplier);
     g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 1e9);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -425,8 +404,8 @@ test_peak_of_a_wall (void)
   static const QnProcedure procedures[] = { QN_PROCEDURE_DISPLACEMENT, QN_PROCEDURE_WORK,
                                             QN_PROCEDURE_ARC_LENGTH };
   for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_model_init_wall (&model, 1, 0);
     g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
     control (&model, procedures[i], "w.6.5", QN_DOF_UX, 0.05);
@@ -439,8 +418,6 @@ test_peak_of_a_wall (void)
                     result.statistics.factorizations);
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
     g_assert_cmpfloat_with_epsilon (peak, 0.6415, 1e-3);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -473,7 +450,7 @@ static void
 follow_closely (int wall, double dilatancy, double collapse, const QnResult *path,
                 QnResult *result)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   size_t last = 1;
 
   while (path->steps[last].multiplier < 0.97 * collapse)
@@ -487,7 +464,6 @@ follow_closely (int wall, double dilatancy, double collapse, const QnResult *pat
   model.analysis.max_multiplier = 0.97 * collapse;
   run (&model, result);
   g_assert_cmpint (result->outcome, ==, QN_OUTCOME_TARGET_REACHED);
-  qn_model_clear (&model);
 }
 
 /* Work and arc-length control run along the path of load control and on to its collapse, with
@@ -507,8 +483,8 @@ test_walls_to_collapse (void)
     double dilatancy = associative ? 0.65 : 0;
     double collapse =
       associative ? test_walls[wall - 1].associative : by_load_control[wall - 1];
-    QnModel model;
-    QnResult result, close;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result, close;
     test_model_init_wall (&model, wall, dilatancy);
     control (&model, procedure, NULL, QN_DOF_UX, 0);
     run (&model, &result);
@@ -527,9 +503,6 @@ test_walls_to_collapse (void)
         g_assert_cmpfloat_with_epsilon (
           multiplier_at (&close, top_displacement (&result, s)),
           result.steps[s].multiplier, 1.5e-3 * collapse);
-    qn_result_clear (&close);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -589,8 +562,8 @@ test_beyond_buckling (void)
 
   for (int columns = 1; columns <= 2; columns++)
     for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
-      QnModel model;
-      QnResult result;
+      g_auto (QnModel) model;
+      g_auto (QnResult) result;
       init_columns (&model, columns);
       control (&model, QN_PROCEDURE_DISPLACEMENT, NULL, QN_DOF_UY, ways[columns - 1]);
       model.analysis.control_node = 1;
@@ -606,8 +579,6 @@ test_beyond_buckling (void)
         sways = multiplier;
       else
         g_assert_cmpfloat_with_epsilon (multiplier, sways, 1e-3 * sways);
-      qn_result_clear (&result);
-      qn_model_clear (&model);
     }
   /* Clamped feet, heads that turn against the beam: between once and four times a column alone. */
   g_assert_cmpfloat (sways, >, G_PI * G_PI * EI / 64 / 1000);
@@ -618,16 +589,14 @@ test_beyond_buckling (void)
 static void
 test_loaded_beyond_buckling (void)
 {
-  QnModel model;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
   init_columns (&model, 1);
   model.analysis.max_multiplier = 916.62;
   run (&model, &result);
   const double *head = qn_result_step_displacements (&result, result.step_count - 1) + 3;
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   g_assert_cmpfloat_with_epsilon (head[1], -2.5, 0.01);
-  qn_result_clear (&result);
-  qn_model_clear (&model);
 }
 
 /* --- Joints without tension --------------------------------------------------------------- */
@@ -649,8 +618,8 @@ test_no_tension (void)
     size_t s = i / 2 % G_N_ELEMENTS (stacks), p = i / 2 / G_N_ELEMENTS (stacks);
     double exact = stacks[s].width / (stacks[s].blocks * stacks[s].height), highest = 0;
     bool held = procedures[p] == QN_PROCEDURE_DISPLACEMENT;
-    QnModel model;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
     test_model_init_stack (&model, stacks[s].blocks, stacks[s].width, stacks[s].height);
     test_model_add_weight_loads (&model, 1);
     model.laws[0].kind = QN_LAW_NO_TENSION;
@@ -665,8 +634,6 @@ test_no_tension (void)
     g_assert_cmpint (result.outcome, ==,
                      held ? QN_OUTCOME_TARGET_REACHED : QN_OUTCOME_COLLAPSE);
     g_assert_cmpfloat_with_epsilon (highest, exact, 1e-6);
-    qn_result_clear (&result);
-    qn_model_clear (&model);
   }
 }
 
@@ -677,13 +644,12 @@ test_turned (void)
   for (int wall = 1; wall <= 5; wall++) {
     QnResult results[2];
     for (int turned = 0; turned < 2; turned++) {
-      QnModel model;
+      g_auto (QnModel) model;
       test_model_init_wall (&model, wall, 0);
       g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
       if (turned)
         test_model_rotate (&model, 2.4);
       run (&model, &results[turned]);
-      qn_model_clear (&model);
     }
     g_assert_cmpuint (results[0].step_count, ==, results[1].step_count);
     for (size_t s = 0; s < results[0].step_count; s++)

@@ -32,12 +32,11 @@ init_pendulum (QnModel *model)
 static QnStatus
 run (QnModel *model, QnResult *result, QnDiag *diag)
 {
-  QnContacts contacts;
+  g_auto (QnContacts) contacts;
   memset (diag, 0, sizeof *diag);
   g_assert_cmpint (qn_model_prepare (model, diag), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, diag), ==, QN_OK);
   QnStatus status = qn_stability_run (model, &contacts, NULL, NULL, result, diag);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
   return status;
 }
@@ -48,7 +47,7 @@ static void
 test_pendulum (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   QnDiag diag;
   init_pendulum (&model);
   g_assert_cmpint (run (&model, &result, &diag), ==, QN_OK);
@@ -66,21 +65,19 @@ test_pendulum (void)
   const double *u = qn_result_step_displacements (&result, result.step_count - 1);
   g_assert_cmpfloat_with_epsilon (u[3], 0, 1e-9);
   g_assert_cmpint (result.steps[result.step_count - 1].event, ==, QN_EVENT_SNAP);
-  qn_result_clear (&result);
 }
 
 static void
 test_stable (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   QnDiag diag;
   init_pendulum (&model);
   model.analysis.max_multiplier = 50;
   g_assert_cmpint (run (&model, &result, &diag), ==, QN_OK);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   g_assert_false (result.has_first_limit_multiplier);
-  qn_result_clear (&result);
 }
 
 /* In linear geometry nothing buckles, however far. */
@@ -88,14 +85,13 @@ static void
 test_linear (void)
 {
   QnModel model;
-  QnResult result;
+  g_auto (QnResult) result;
   QnDiag diag;
   init_pendulum (&model);
   model.analysis.geometry = QN_GEOMETRY_LINEAR;
   model.analysis.max_multiplier = 1e6;
   g_assert_cmpint (run (&model, &result, &diag), ==, QN_OK);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
-  qn_result_clear (&result);
 }
 
 static void
@@ -122,7 +118,7 @@ test_leaning_stack (void)
   for (size_t i = 0; i < G_N_ELEMENTS (leans) * G_N_ELEMENTS (increments); i++) {
     size_t l = i / G_N_ELEMENTS (increments);
     QnModel model;
-    QnResult result;
+    g_auto (QnResult) result;
     QnDiag diag;
     test_model_init (&model);
     test_model_add_base (&model, -1, -0.5, 3, 0.5);
@@ -143,7 +139,6 @@ test_leaning_stack (void)
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
     g_assert_cmpfloat_with_epsilon (result.first_limit_multiplier, critical[l],
                                     1e-4 * critical[l]);
-    qn_result_clear (&result);
   }
 }
 

@@ -10,7 +10,7 @@ test_cosine (void)
   const double slide[6] = { 0, 0, 0, 1, 0, 0 }, fast[6] = { 0, 0, 0, 5, 0, 0 };
   const double back[6] = { 0, 0, 0, -1, 0, 0 }, lift[6] = { 0, 0, 0, 0, 1, 0 };
   const double rest[6] = { 0 }, turn[6] = { 0, 0, 0, 1, 0, -1 };
-  QnModel model;
+  g_auto (QnModel) model;
 
   test_model_init_block_on_plane (&model, 2, 1);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
@@ -21,7 +21,6 @@ test_cosine (void)
   /* Inertia of 2 x 1: (2^2 + 1^2)/12 per mass. */
   g_assert_cmpfloat_with_epsilon (qn_mechanism_cosine (&model, slide, turn),
                                   1 / sqrt (1 + 5.0 / 12), 1e-12);
-  qn_model_clear (&model);
 }
 
 static void
@@ -31,7 +30,7 @@ test_cluster (void)
   const double lift[6] = { 0, 0, 0, 0, 1, 0 }, lifted[6] = { 0, 0, 0, 0, 3, 0 };
   const double *fields[5] = { slide, lift, almost, lifted, slide };
   int32_t groups[5];
-  QnModel model;
+  g_auto (QnModel) model;
 
   test_model_init_block_on_plane (&model, 2, 1);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
@@ -42,7 +41,6 @@ test_cluster (void)
   g_assert_cmpint (qn_mechanism_cluster (&model, fields, 5, 0.999999, groups), ==, 3);
   g_assert_cmpint (groups[2], ==, 2);
   g_assert_cmpint (qn_mechanism_cluster (&model, fields, 0, 0.9, groups), ==, 0);
-  qn_model_clear (&model);
 }
 
 int

@@ -27,7 +27,7 @@ analyse (Case *c, const double *velocities)
 static void
 collapse (Case *c)
 {
-  QnLimitSolution solution;
+  g_auto (QnLimitSolution) solution;
 
   g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, NULL), ==, QN_OK);
@@ -38,7 +38,6 @@ collapse (Case *c)
   g_assert_cmpint (
     qn_mechanism_init (&c->mechanism, &c->model, &c->contacts, solution.velocities, NULL),
     ==, QN_OK);
-  qn_limit_solution_clear (&solution);
 }
 
 static void
@@ -49,11 +48,13 @@ case_clear (Case *c)
   qn_model_clear (&c->model);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Case, case_clear)
+
 static void
 test_rest (void)
 {
   const double velocities[6] = { 0 };
-  Case c;
+  g_auto (Case) c;
 
   test_model_init_block_on_plane (&c.model, 2, 1);
   analyse (&c, velocities);
@@ -61,14 +62,13 @@ test_rest (void)
   g_assert_cmpuint (c.mechanism.body_count, ==, 0);
   g_assert_cmpint (c.mechanism.joints[0].kind, ==, QN_JOINT_CLOSED);
   g_assert_cmpint (c.mechanism.body_of_block[1], ==, QN_NONE);
-  case_clear (&c);
 }
 
 static void
 test_sliding (void)
 {
   const double velocities[6] = { 0, 0, 0, 1, 0, 0 };
-  Case c;
+  g_auto (Case) c;
 
   test_model_init_block_on_plane (&c.model, 2, 1);
   analyse (&c, velocities);
@@ -77,7 +77,6 @@ test_sliding (void)
   g_assert_cmpfloat_with_epsilon (fabs (c.mechanism.joints[0].slip), 1, 1e-12);
   g_assert_false (c.mechanism.bodies[0].turns);
   g_assert_cmpint (c.mechanism.body_of_block[1], ==, 0);
-  case_clear (&c);
 }
 
 /* Associative sliding opens the joint by friction x slip: still sliding, not opening. */
@@ -104,7 +103,7 @@ static void
 test_overturning (void)
 {
   const double velocities[6] = { 0, 0, 0, 2, 0.5, -1 };
-  Case c;
+  g_auto (Case) c;
   QnVec2 start, end, hinge;
 
   test_model_init_block_on_plane (&c.model, 1, 4);
@@ -125,7 +124,6 @@ test_overturning (void)
   g_assert_cmpfloat (body->rotation, ==, -1);
   g_assert_cmpfloat_with_epsilon (body->centre.x, 0.5, 1e-12);
   g_assert_cmpfloat_with_epsilon (body->centre.y, 0, 1e-12);
-  case_clear (&c);
 }
 
 /* The three upper blocks of a stack turn together: one body, closed joints inside. */
@@ -133,7 +131,7 @@ static void
 test_bodies (void)
 {
   double velocities[5 * QN_DOF_COUNT] = { 0 };
-  Case c;
+  g_auto (Case) c;
 
   test_model_init_stack (&c.model, 4, 1, 1);
   for (int i = 2; i <= 4; i++) {
@@ -151,7 +149,6 @@ test_bodies (void)
   g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].box.max.y, 4, 1e-12);
   g_assert_cmpint (c.mechanism.counts[QN_JOINT_CLOSED], ==, 3);
   g_assert_cmpint (c.mechanism.kind, ==, QN_MECHANISM_KIND_OVERTURNING);
-  case_clear (&c);
 }
 
 /* The scale of the field changes nothing but the numbers. */
@@ -159,13 +156,12 @@ static void
 test_scale (void)
 {
   double velocities[6] = { 0, 0, 0, 2e-9, 0.5e-9, -1e-9 };
-  Case c;
+  g_auto (Case) c;
 
   test_model_init_block_on_plane (&c.model, 1, 4);
   analyse (&c, velocities);
   g_assert_cmpint (c.mechanism.kind, ==, QN_MECHANISM_KIND_OVERTURNING);
   g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].centre.x, 0.5, 1e-9);
-  case_clear (&c);
 }
 
 /* What limit analysis finds for single blocks, an arch and the walls, in a word: solid walls

@@ -1,4 +1,5 @@
 #include "core/result/result.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 #include <math.h>
@@ -6,7 +7,7 @@
 static void
 test_steps_are_kept (void)
 {
-  QnResult result;
+  g_auto (QnResult) result;
   double row[6];
 
   g_assert_cmpint (qn_result_init (&result, 2, 4, NULL), ==, QN_OK);
@@ -20,13 +21,12 @@ test_steps_are_kept (void)
     g_assert_cmpfloat (result.steps[s].multiplier, ==, s);
     g_assert_cmpfloat (qn_result_step_displacements (&result, s)[5], ==, 10.0 * s + 5);
   }
-  qn_result_clear (&result);
 }
 
 static void
 test_mechanism_scale (void)
 {
-  QnResult result;
+  g_auto (QnResult) result;
   const double moving[6] = { 0, 0, 0, 3, -4, 20 }, turning[6] = { 0, 0, 2, 0, 0, -1 };
   const double resting[6] = { 0 };
 
@@ -43,7 +43,6 @@ test_mechanism_scale (void)
   g_assert_cmpint (qn_result_set_mechanism (&result, resting, 0.5, NULL), ==, QN_OK);
   for (int i = 0; i < 6; i++)
     g_assert_cmpfloat (result.mechanism[i], ==, 0);
-  qn_result_clear (&result);
 }
 
 /* Forces of all steps are kept up to the budget, beyond it only where all are wanted. */
@@ -51,7 +50,7 @@ static void
 test_force_budget (void)
 {
   for (int all = 0; all < 2; all++) {
-    QnResult result;
+    g_auto (QnResult) result;
     size_t pairs = QN_RESULT_FORCE_BUDGET / 3;
     const double row[3] = { 0 };
     g_assert_cmpint (qn_result_init (&result, 1, pairs, NULL), ==, QN_OK);
@@ -71,7 +70,6 @@ test_force_budget (void)
       g_assert_cmpint (pair.state, ==, QN_PAIR_SLIP);
       g_assert_false (pair.has_springs);
     }
-    qn_result_clear (&result);
   }
 }
 

@@ -17,7 +17,7 @@ digest_of (const char *title, const char *source, double friction, double length
     "    \"foundation\": 0.3 } ], \"contact\": { \"law\": \"dry\" }%s }",
     title, source, friction, length, extra);
   g_autoptr (GError) error = NULL;
-  QnProject project;
+  g_auto (QnProject) project;
   qn_project_parse (text, strlen (text), "wall", NULL, &project, &error);
   g_assert_no_error (error);
   char *digest = qn_model_digest (&project);
@@ -25,7 +25,6 @@ digest_of (const char *title, const char *source, double friction, double length
   g_autofree char *quick = qn_model_digest_like (&project, canonical);
   qn_project_text_free (canonical);
   g_assert_cmpstr (quick, ==, digest);
-  qn_project_clear (&project);
   return digest;
 }
 

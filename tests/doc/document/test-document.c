@@ -390,7 +390,7 @@ bytes_in_use (void)
 static void
 test_memory (void)
 {
-  QnDocument *document = open_example ("ferris-tin-loi/wall3.quoin");
+  g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
   for (int i = 0; i < 10; i++)
     g_assert_true (change (document, 0.3 + 0.01 * i, NULL));
   gsize after_warm_up = 0;
@@ -403,7 +403,6 @@ test_memory (void)
   gsize end = bytes_in_use ();
   g_test_message ("%zu bytes in use before, %zu after", after_warm_up, end);
   g_assert_cmpuint (end, <=, after_warm_up + 65536);
-  g_object_unref (document);
 }
 
 int

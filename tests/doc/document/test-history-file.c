@@ -20,7 +20,7 @@ test_round_trip (void)
 {
   g_autofree char *text = g_strdup ("a\nc\nd\n");
   QnHistory *history = make_history ();
-  char *back = qn_history_undo (history, text);
+  g_autofree char *back = qn_history_undo (history, text);
   g_autofree char *json = qn_history_to_json (history, back);
   QnHistory *read = qn_history_from_json (json, back);
   g_assert_nonnull (read);
@@ -34,7 +34,6 @@ test_round_trip (void)
   g_autofree char *first = qn_history_undo (read, second);
   g_autofree char *start = qn_history_undo (read, first);
   g_assert_cmpstr (start, ==, "a\nb\nc\n");
-  g_free (back);
   qn_history_free (history);
   qn_history_free (read);
 }

@@ -81,10 +81,10 @@ mutate (GRand *rand, const char *text)
 static void
 test_random_edits (void)
 {
-  GRand *rand = g_rand_new_with_seed (42);
+  g_autoptr (GRand) rand = g_rand_new_with_seed (42);
   QnHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup ("one\ntwo\nthree\nfour\nfive\nsix\nseven\neight\n");
-  GPtrArray *states = g_ptr_array_new_with_free_func (g_free);
+  g_autoptr (GPtrArray) states = g_ptr_array_new_with_free_func (g_free);
   g_ptr_array_add (states, g_strdup (text));
   for (int i = 0; i < 500; i++) {
     g_autofree char *next = mutate (rand, text);
@@ -99,9 +99,7 @@ test_random_edits (void)
     walk (history, FALSE, &text);
     g_assert_cmpstr (text, ==, g_ptr_array_index (states, i));
   }
-  g_ptr_array_unref (states);
   qn_history_free (history);
-  g_rand_free (rand);
 }
 
 static void
@@ -166,24 +164,22 @@ test_clean_state (void)
 static void
 test_size (void)
 {
-  GString *long_text = g_string_new (NULL);
+  g_autoptr (GString) long_text = g_string_new (NULL);
   for (int i = 0; i < 10000; i++)
     g_string_append_printf (long_text, "block %d\n", i);
   QnHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup (long_text->str);
   for (int i = 0; i < 100; i++) {
     /* Two far places at once. */
-    GString *next = g_string_new (text);
+    g_autoptr (GString) next = g_string_new (text);
     g_string_overwrite (next, 6, i % 2 == 0 ? "x" : "y");
     g_string_overwrite (next, next->len - 2, i % 2 == 0 ? "x" : "y");
     record (history, "two places", NULL, &text, next->str);
-    g_string_free (next, TRUE);
   }
   g_assert_cmpuint (qn_history_get_size (history), <, 100 * 400);
   for (int i = 0; i < 100; i++)
     walk (history, TRUE, &text);
   g_assert_cmpstr (text, ==, long_text->str);
-  g_string_free (long_text, TRUE);
   qn_history_free (history);
 }
 

@@ -9,18 +9,17 @@ read_drawing (const char *name, QnProject *project)
   g_autofree char *path =
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "dxf", name, NULL);
   const QnImportSettings settings = QN_IMPORT_DEFAULTS;
-  QnImportReport report;
+  g_auto (QnImportReport) report;
   g_autoptr (GError) error = NULL;
   qn_import_file (path, &settings, project, &report, &error);
   g_assert_no_error (error);
-  qn_import_report_clear (&report);
 }
 
 /* An empty drawing becomes the imported one, in one step that can be undone. */
 static void
 test_into_empty (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   read_drawing ("wall-clean.dxf", &project);
   g_autoptr (QnDocument) document = qn_document_new ();
   g_autofree char *empty = g_strdup (qn_document_get_text (document));
@@ -35,14 +34,13 @@ test_into_empty (void)
                    "Import wall-clean.dxf");
   g_assert_true (qn_document_undo (document));
   g_assert_cmpstr (qn_document_get_text (document), ==, empty);
-  qn_project_clear (&project);
 }
 
 /* Into another drawing the blocks come with their supports, under names that are free. */
 static void
 test_into_drawing (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   read_drawing ("wall-clean.dxf", &project);
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall1.quoin");
   gsize before = qn_document_get_model (document)->block_count;
@@ -59,7 +57,6 @@ test_into_drawing (void)
   for (gsize i = 0; i < project.model.block_count; i++)
     imported_fixed += project.model.blocks[i].support[QN_DOF_UX];
   g_assert_cmpuint (fixed, ==, 1 + 2 * imported_fixed);
-  qn_project_clear (&project);
 }
 
 static void

@@ -37,6 +37,8 @@ outcome_clear (Outcome *outcome)
   g_clear_error (&outcome->error);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Outcome, outcome_clear)
+
 static QnJob *
 make_job_of (QnDocument *document)
 {
@@ -57,7 +59,7 @@ static void
 test_finish (void)
 {
   g_autoptr (QnJob) job = make_job ("02-overturning-block.quoin");
-  Outcome outcome = { 0 };
+  g_auto (Outcome) outcome = { 0 };
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);
   g_assert_no_error (outcome.error);
@@ -66,7 +68,6 @@ test_finish (void)
   g_assert_cmpstr (outcome.run->name, ==, "one");
   g_assert_cmpstr (outcome.run->fingerprint, ==, "mark");
   g_assert_false (outcome.run->live);
-  outcome_clear (&outcome);
 }
 
 /* The same analysis twice is the same bit for bit, in threads as elsewhere. */
@@ -76,12 +77,11 @@ test_repeatable (void)
   double multipliers[2];
   for (int i = 0; i < 2; i++) {
     g_autoptr (QnJob) job = make_job ("ferris-tin-loi/wall1.quoin");
-    Outcome outcome = { 0 };
+    g_auto (Outcome) outcome = { 0 };
     qn_job_start (job, on_done, &outcome);
     wait_for (&outcome);
     g_assert_no_error (outcome.error);
     multipliers[i] = outcome.run->result.collapse_multiplier;
-    outcome_clear (&outcome);
   }
   g_assert_cmpfloat (multipliers[0], ==, multipliers[1]);
 }
@@ -102,7 +102,7 @@ test_pause (void)
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall6.quoin");
   long_analysis_ask (document);
   g_autoptr (QnJob) job = make_job_of (document);
-  Outcome outcome = { 0 };
+  g_auto (Outcome) outcome = { 0 };
   qn_job_set_paused (job, TRUE);
   qn_job_start (job, on_done, &outcome);
   spin (150);
@@ -136,7 +136,6 @@ test_pause (void)
     gsize last = outcome.run->result.step_count - 1;
     g_assert_cmpfloat (outcome.run->result.steps[last].time, >=, reached);
   }
-  outcome_clear (&outcome);
 }
 
 /* An analysis in time tells its history and when it ends. */
@@ -146,7 +145,7 @@ test_history (void)
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall6.quoin");
   long_analysis_ask (document);
   g_autoptr (QnJob) job = make_job_of (document);
-  Outcome outcome = { 0 };
+  g_auto (Outcome) outcome = { 0 };
   QnId block;
   QnDof dof;
   gsize count = 0;
@@ -172,14 +171,13 @@ test_history (void)
   wait_for (&outcome);
   g_assert_no_error (outcome.error);
   g_assert_cmpint (outcome.run->result.outcome, ==, QN_OUTCOME_CANCELLED);
-  outcome_clear (&outcome);
 }
 
 static void
 test_cancelled_at_once (void)
 {
   g_autoptr (QnJob) job = make_job ("ferris-tin-loi/wall6.quoin");
-  Outcome outcome = { 0 };
+  g_auto (Outcome) outcome = { 0 };
   qn_job_cancel (job);
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);
@@ -188,7 +186,6 @@ test_cancelled_at_once (void)
     g_assert_error (outcome.error, G_IO_ERROR, G_IO_ERROR_CANCELLED);
   else
     g_assert_cmpint (outcome.run->result.outcome, ==, QN_OUTCOME_CANCELLED);
-  outcome_clear (&outcome);
 }
 
 /* What cannot be analysed is an error that names the block. */
@@ -213,14 +210,13 @@ test_unsound (void)
   g_assert_no_error (error);
   g_autoptr (QnJob) job =
     qn_job_new (qn_document_get_model (document), "one", "mark", &error);
-  Outcome outcome = { 0 };
+  g_auto (Outcome) outcome = { 0 };
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);
   g_assert_error (outcome.error, QN_JOB_ERROR, QN_JOB_ERROR_INVALID);
   g_assert_nonnull (strstr (outcome.error->message, "cloud"));
   g_assert_cmpint (qn_job_get_diag (job)->entity, ==, QN_ENTITY_BLOCK);
   g_assert_cmpint (qn_job_get_diag (job)->index, ==, 1);
-  outcome_clear (&outcome);
 }
 
 /* A run for every mode, the first from the job itself; they share model and contacts, and outlive
@@ -260,7 +256,7 @@ static void
 test_stability (void)
 {
   g_autoptr (QnJob) job = make_job ("21-column-pinned.quoin");
-  Outcome outcome = { 0 };
+  g_auto (Outcome) outcome = { 0 };
   qn_job_set_stability (job);
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);
@@ -270,7 +266,6 @@ test_stability (void)
                                   0.1);
   g_autofree char *title = qn_run_dup_title (outcome.run);
   g_assert_nonnull (strstr (title, "2470."));
-  outcome_clear (&outcome);
 }
 
 int

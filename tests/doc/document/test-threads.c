@@ -44,7 +44,7 @@ test_factorisation (void)
   enum { SIDE = 200 };
   int32_t *ap, *ai, n = SIDE * SIDE;
   QnSparsePattern pattern;
-  GRand *random = g_rand_new_with_seed (23);
+  g_autoptr (GRand) random = g_rand_new_with_seed (23);
   g_assert_true (qn_sparse_pattern_init (&pattern, n, (size_t) (16 * n)));
   for (int32_t i = 0; i < n; i++)
     for (int step = 1; step <= SIDE + 1; step += SIDE - 1)
@@ -73,7 +73,6 @@ test_factorisation (void)
   qn_block_lu_free (all);
   free (ap);
   free (ai);
-  g_rand_free (random);
 }
 
 int

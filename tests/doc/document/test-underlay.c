@@ -53,6 +53,8 @@ rig_clear (Rig *rig)
   g_free (rig->model);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Rig, rig_clear)
+
 static void
 test_reads (void)
 {
@@ -113,7 +115,7 @@ test_refusals (void)
     { "{\"image\": \"m.quoin\", \"width\": 1}", "m.quoin" },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (wrong); i++) {
-    Rig rig;
+    g_auto (Rig) rig;
     QnUnderlay underlay;
     GError *error = NULL;
     rig_init (&rig, wrong[i][0]);
@@ -122,7 +124,6 @@ test_refusals (void)
     g_assert_nonnull (strstr (error->message, wrong[i][1]));
     g_assert_null (underlay.image);
     g_clear_error (&error);
-    rig_clear (&rig);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "doc/masonry/masonry-field.h"
+#include "support/auto-clear-stereotomy.h"
 
 /* Every field of every kind of object comes back as it was set and touches no other, but for those
  * that must follow. */
@@ -37,7 +38,7 @@ test_fields (void)
 static void
 test_listed_wall (void)
 {
-  QnMasonry wall;
+  g_auto (QnMasonry) wall;
   g_assert_cmpint (qn_masonry_init (&wall, QN_MASONRY_WALL, "w", NULL), ==, QN_OK);
   g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_LENGTH));
   g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_LAP));
@@ -45,7 +46,6 @@ test_listed_wall (void)
   g_assert_false (qn_masonry_has_field (&wall, QN_MASONRY_LENGTH));
   g_assert_false (qn_masonry_has_field (&wall, QN_MASONRY_LAP));
   g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_UNIT_X));
-  qn_masonry_clear (&wall);
 }
 
 static void

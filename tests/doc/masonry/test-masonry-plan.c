@@ -1,6 +1,7 @@
 #include "core/base/box.h"
 #include "doc/masonry/masonry-plan.h"
 #include "doc/masonry/masonry-shape.h"
+#include "support/auto-clear-stereotomy.h"
 
 static const QnMasonryStyle style = { .unit = { 0.4, 0.2 },
                                       .bond = QN_BOND_RUNNING,
@@ -19,7 +20,7 @@ static const QnMasonryStyle style = { .unit = { 0.4, 0.2 },
 static void
 test_wall (void)
 {
-  QnMasonry wall;
+  g_auto (QnMasonry) wall;
   /* Dragged to the left and down: it ends where the drag began. */
   g_assert_true (qn_plan_wall (&wall, &style, qn_vec2 (5.0, 3.0), qn_vec2 (2.93, 1.55)));
   g_assert_cmpfloat_with_epsilon (wall.wall.leaves[0].length, 2.0, 1e-12);
@@ -28,14 +29,13 @@ test_wall (void)
   g_assert_cmpfloat_with_epsilon (wall.origin.y, 1.6, 1e-12);
   g_assert_cmpfloat (wall.foundation, ==, 0.2);
   g_assert_cmpfloat_with_epsilon (qn_masonry_estimate_blocks (&wall), 35.0, 1.0);
-  qn_masonry_clear (&wall);
 }
 
 /* A lintel where there is wall above, none where there is not. */
 static void
 test_opening (void)
 {
-  QnMasonry wall;
+  g_auto (QnMasonry) wall;
   QnOpening opening;
   g_assert_true (qn_plan_wall (&wall, &style, qn_vec2 (0, 0), qn_vec2 (4.0, 2.0)));
   g_assert_true (qn_plan_opening (&wall, &style, qn_vec2 (1.0, 0.6), qn_vec2 (2.0, 1.4),
@@ -47,7 +47,6 @@ test_opening (void)
   g_assert_cmpint (opening.span, ==, QN_SPAN_NONE);
   g_assert_false (qn_plan_opening (&wall, &style, qn_vec2 (9.0, 0.6), qn_vec2 (9.5, 2.0),
                                    TRUE, &opening));
-  qn_masonry_clear (&wall);
 }
 
 static void
@@ -79,7 +78,7 @@ static gsize
 lay (QnMasonryKind kind, QnVec2 from, QnVec2 to, QnBox *box)
 {
   QnMasonryStyle asked = style;
-  QnMasonry masonry;
+  g_auto (QnMasonry) masonry;
   QnModel model;
   gsize count = 0;
   asked.kind = kind;
@@ -96,7 +95,6 @@ lay (QnMasonryKind kind, QnVec2 from, QnVec2 to, QnBox *box)
   }
   qn_model_clear (&model);
   g_clear_pointer (&masonry.name, g_free);
-  qn_masonry_clear (&masonry);
   return count;
 }
 

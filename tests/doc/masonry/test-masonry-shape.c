@@ -1,4 +1,6 @@
 #include "doc/masonry/masonry-shape.h"
+#include "support/auto-clear-stereotomy.h"
+#include "support/auto-clear.h"
 
 static QnMasonry
 make_wall (void)
@@ -22,20 +24,19 @@ assert_point (QnVec2 a, double x, double y)
 static void
 test_frame (void)
 {
-  QnMasonry wall = make_wall ();
+  g_auto (QnMasonry) wall = make_wall ();
   wall.rotation = G_PI_2;
   QnVec2 p = qn_masonry_to_model (&wall, qn_vec2 (2.0, 1.0));
   assert_point (p, 0.0, 4.0);
   assert_point (qn_masonry_to_local (&wall, p), 2.0, 1.0);
   g_assert_true (qn_masonry_wall_contains (&wall, p));
   g_assert_false (qn_masonry_wall_contains (&wall, qn_vec2 (2.0, 3.0)));
-  qn_masonry_clear (&wall);
 }
 
 static void
 test_opening_box (void)
 {
-  QnMasonry wall = make_wall ();
+  g_auto (QnMasonry) wall = make_wall ();
   QnOpening opening = { .voussoirs = 1 };
   g_assert_true (qn_masonry_set_opening_box (&wall, &opening, qn_vec2 (3.05, 3.31),
                                              qn_vec2 (2.18, 2.57), TRUE));
@@ -48,13 +49,12 @@ test_opening_box (void)
   g_assert_cmpfloat_with_epsilon (opening.width, 3.2, 1e-12);
   g_assert_false (qn_masonry_set_opening_box (&wall, &opening, qn_vec2 (2.0, 3.0),
                                               qn_vec2 (2.01, 3.01), TRUE));
-  qn_masonry_clear (&wall);
 }
 
 static void
 test_drag_opening (void)
 {
-  QnMasonry wall = make_wall ();
+  g_auto (QnMasonry) wall = make_wall ();
   QnOpening *opening = qn_masonry_add_opening (&wall);
   *opening =
     (QnOpening){ .at = { 1.2, 0.6 }, .width = 0.8, .height = 0.8, .voussoirs = 1 };
@@ -74,7 +74,6 @@ test_drag_opening (void)
   g_assert_cmpfloat (opening->width, >, 0.0);
   qn_masonry_drag (&wall, 0, QN_HANDLE_MIDDLE, qn_vec2 (0, 0), qn_vec2 (-9, -9), TRUE);
   assert_point (opening->at, 0.0, 0.0);
-  qn_masonry_clear (&wall);
 }
 
 /* Whatever head and span are asked for, what comes out can be laid. */
@@ -83,19 +82,17 @@ test_heads (void)
 {
   for (int head = 0; head < QN_HEAD_COUNT; head++) {
     for (int span = 0; span < QN_SPAN_COUNT; span++) {
-      QnMasonry wall = make_wall ();
+      g_auto (QnMasonry) wall = make_wall ();
       wall.unit_weight = 1e4;
       QnOpening *opening = qn_masonry_add_opening (&wall);
       *opening =
         (QnOpening){ .at = { 1.2, 0.4 }, .width = 0.8, .height = 0.8, .voussoirs = 1 };
       qn_opening_set_head (opening, (QnHead) head, (QnSpan) span, 0.2);
-      QnModel model;
+      g_auto (QnModel) model;
       QnDiag diag = { 0 };
       qn_model_init (&model);
       g_assert_cmpint (qn_masonry_expand (&wall, 0, &model, &diag), ==, QN_OK);
       g_assert_cmpuint (model.block_count, >, 50);
-      qn_model_clear (&model);
-      qn_masonry_clear (&wall);
     }
   }
 }
@@ -116,7 +113,7 @@ test_drag_objects (void)
   g_assert_cmpfloat_with_epsilon (wall.wall.height, 1.6, 1e-12);
   qn_masonry_clear (&wall);
 
-  QnMasonry arch;
+  g_auto (QnMasonry) arch;
   g_assert_cmpint (qn_masonry_init (&arch, QN_MASONRY_ARCH, "a", NULL), ==, QN_OK);
   arch.arch = (QnArch){ .span = 2.0, .rise = 0.5, .ring = 0.2, .voussoirs = 9 };
   qn_masonry_drag (&arch, QN_NO_OPENING, QN_HANDLE_RIGHT, qn_vec2 (0, 0),
@@ -127,14 +124,13 @@ test_drag_objects (void)
   qn_masonry_drag (&arch, QN_NO_OPENING, QN_HANDLE_RISE, qn_vec2 (0, 0),
                    qn_vec2 (-3.0, 2.0), TRUE);
   g_assert_cmpint (arch.arch.shape, ==, QN_ARCH_POINTED);
-  qn_masonry_clear (&arch);
 }
 
 /* From a listed wall to any bond, the size stays. */
 static void
 test_set_bond (void)
 {
-  QnMasonry wall = make_wall ();
+  g_auto (QnMasonry) wall = make_wall ();
   QnLeaf *leaf = &wall.wall.leaves[0];
   const double course[] = { 1.0, 1.0, 0.5 };
   leaf->bond = QN_BOND_CUSTOM;
@@ -147,7 +143,6 @@ test_set_bond (void)
     0);
   qn_masonry_set_bond (&wall, QN_BOND_FLEMISH, 0.5);
   assert_point (qn_masonry_wall_size (&wall), size.x, size.y);
-  qn_masonry_clear (&wall);
 }
 
 int

@@ -131,7 +131,7 @@ test_modes (void)
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   const QnModel *model = qn_document_get_model (document);
   const QnContacts *contacts = qn_document_get_contacts (document);
-  double *shape = g_new0 (double, QN_DOF_COUNT * model->block_count);
+  g_autofree double *shape = g_new0 (double, QN_DOF_COUNT * model->block_count);
   shape[QN_DOF_COUNT * (model->block_count - 1)] = 1;
   QnResult result = { .mechanism = shape, .block_count = model->block_count };
   g_autofree char *mechanism = qn_explain_mechanism_briefly (model, contacts, &result);
@@ -145,7 +145,6 @@ test_modes (void)
   result.stability = QN_STABILITY_LOST;
   g_autofree char *buckling = qn_explain_mechanism_briefly (model, contacts, &result);
   g_assert_cmpstr (buckling, ==, "Buckling mode, of no given size.");
-  g_free (shape);
 }
 
 int

@@ -29,14 +29,13 @@ test_refused (void)
   for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++)
     g_assert_false (qn_law_points_parse (wrong[i], points, &count));
 
-  GString *text = g_string_new (NULL);
+  g_autoptr (GString) text = g_string_new (NULL);
   for (int i = 0; i < QN_MAX_CURVE_POINTS; i++)
     g_string_append_printf (text, "%d %d;", i, i);
   g_assert_true (qn_law_points_parse (text->str, points, &count));
   g_assert_cmpint (count, ==, QN_MAX_CURVE_POINTS);
   g_string_append (text, "100 100");
   g_assert_false (qn_law_points_parse (text->str, points, &count));
-  g_string_free (text, TRUE);
 }
 
 int

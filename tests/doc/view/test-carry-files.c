@@ -69,12 +69,14 @@ rig_clear (Rig *rig)
   g_free (rig->copy);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Rig, rig_clear)
+
 /* What a copy names is found before it is saved, and beside it afterwards; the file that it came
  * from stays as it was. */
 static void
 test_copy (void)
 {
-  Rig rig;
+  g_auto (Rig) rig;
   rig_init (&rig);
   g_autoptr (QnDocument) document = qn_document_new ();
   g_autoptr (GError) error = NULL;
@@ -105,7 +107,6 @@ test_copy (void)
   qn_document_cancel (again);
   g_clear_object (&its_state);
   g_clear_object (&state);
-  rig_clear (&rig);
 }
 
 /* Another file of the name is not written over; a project saved elsewhere takes its record along
@@ -113,7 +114,7 @@ test_copy (void)
 static void
 test_elsewhere (void)
 {
-  Rig rig;
+  g_auto (Rig) rig;
   rig_init (&rig);
   g_autoptr (QnDocument) document = qn_document_new ();
   g_autoptr (GError) error = NULL;
@@ -130,7 +131,6 @@ test_elsewhere (void)
   g_autofree char *json =
     qn_project_dup_extra (qn_document_get_project (document), "underlay");
   g_assert_nonnull (strstr (json, rig.from));
-  rig_clear (&rig);
 }
 
 int

@@ -1,4 +1,5 @@
 #include "doc/view/ground-preview.h"
+#include "support/auto-clear.h"
 
 static void
 init_pulse (QnModel *model)
@@ -25,7 +26,7 @@ value_at (const QnGroundPreview *preview, double x)
 static void
 test_rectangle (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   QnGroundPreview preview;
   init_pulse (&model);
   qn_ground_preview_init (&preview, &model, 0, QN_GROUND_ACCELERATION);
@@ -50,7 +51,6 @@ test_rectangle (void)
 
   qn_ground_preview_init (&preview, &model, 1, QN_GROUND_SPECTRUM);
   g_assert_cmpuint (preview.count, ==, 0);
-  qn_model_clear (&model);
 }
 
 int

@@ -1,4 +1,5 @@
 #include "doc/view/magnet.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 
@@ -27,7 +28,7 @@ check (const QnModel *model, QnMagnet magnet, QnVec2 p, QnMagnetKind kind, QnVec
 static void
 test_order (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   make_model (&model);
   QnMagnet magnet = { true, 0.05, 0.1 };
   check (&model, magnet, qn_vec2 (1.01, 1.02), QN_MAGNET_CORNER, qn_vec2 (1.0, 1.0));
@@ -38,19 +39,17 @@ test_order (void)
   check (&model, magnet, qn_vec2 (5.05, 3.05), QN_MAGNET_NOTHING, qn_vec2 (5.05, 3.05));
   magnet.enabled = false;
   check (&model, magnet, qn_vec2 (1.01, 1.02), QN_MAGNET_NOTHING, qn_vec2 (1.01, 1.02));
-  qn_model_clear (&model);
 }
 
 static void
 test_skip (void)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   make_model (&model);
   QnMagnet magnet = { true, 0.05, 0.0 };
   int skip[] = { 1 };
   g_assert_cmpint (qn_magnet_find (&magnet, &model, qn_vec2 (1.01, 1.02), skip).kind, ==,
                    QN_MAGNET_NOTHING);
-  qn_model_clear (&model);
 }
 
 static void

@@ -49,14 +49,13 @@ test_refused (void)
     g_assert_cmpint (rule.placement, ==, QN_PLACEMENT_UNIFORM);
     g_assert_cmpint (rule.count, ==, 7);
   }
-  GString *many = g_string_new (NULL);
+  g_autoptr (GString) many = g_string_new (NULL);
   for (int i = 0; i <= QN_MAX_EXPLICIT_PAIRS; i++)
     g_string_append_printf (many, "0.%03d;", i + 1);
   QnPairRule rule = { .placement = QN_PLACEMENT_ENDS };
   g_autoptr (GError) error = NULL;
   g_assert_false (qn_pair_rule_parse (&rule, many->str, "", &error));
   g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE);
-  g_string_free (many, TRUE);
 }
 
 int

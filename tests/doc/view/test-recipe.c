@@ -23,7 +23,7 @@ static void
 load (QnProject *project, const char *thickness, const char *figures)
 {
   GError *error = NULL;
-  GString *text = g_string_new (NULL);
+  g_autoptr (GString) text = g_string_new (NULL);
   g_string_printf (text, head, thickness);
   if (figures != NULL)
     g_string_append_printf (text, ",\n\"figures\": %s", figures);
@@ -31,13 +31,12 @@ load (QnProject *project, const char *thickness, const char *figures)
   g_assert_true (
     qn_project_parse (text->str, text->len, "test.quoin", NULL, project, &error));
   g_assert_no_error (error);
-  g_string_free (text, TRUE);
 }
 
 static void
 test_reads (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   GError *error = NULL;
   g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
   load (
@@ -80,17 +79,15 @@ test_reads (void)
 
   g_assert_cmpuint (warnings->len, ==, 1);
   g_assert_nonnull (strstr (g_ptr_array_index (warnings, 0), "colour"));
-  qn_project_clear (&project);
 }
 
 static void
 test_none (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   load (&project, "1", NULL);
   g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL, NULL);
   g_assert_cmpuint (recipes->len, ==, 0);
-  qn_project_clear (&project);
 }
 
 static void
@@ -114,7 +111,7 @@ test_refusals (void)
     { "[{\"name\": \"a\", \"dpi\": 0}]", "figures[0].dpi" },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (wrong); i++) {
-    QnProject project;
+    g_auto (QnProject) project;
     GError *error = NULL;
     load (&project, "1", wrong[i][0]);
     g_assert_null (qn_recipes_read (&project, NULL, &error));
@@ -123,7 +120,6 @@ test_refusals (void)
     g_assert_nonnull (strstr (error->message, "test.quoin:2:"));
     g_assert_null (strchr (error->message, '\n'));
     g_clear_error (&error);
-    qn_project_clear (&project);
   }
 }
 
@@ -131,7 +127,7 @@ test_refusals (void)
 static void
 test_round_trip (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   g_autoptr (GPtrArray) recipes =
     g_ptr_array_new_with_free_func ((GDestroyNotify) qn_recipe_free);
   for (int view = 0; view < QN_VIEW_COUNT; view++) {
@@ -151,7 +147,6 @@ test_round_trip (void)
   g_assert_nonnull (back);
   g_autofree char *second = qn_recipes_to_json (back);
   g_assert_cmpstr (first, ==, second);
-  qn_project_clear (&project);
 }
 
 static void
@@ -178,7 +173,7 @@ test_stale (void)
 static void
 test_same_file (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   GError *error = NULL;
   load (&project, "1",
         "[{\"name\": \"a\"}, {\"name\": \"b\", \"file\": \"x/../a.png\"},"
@@ -193,7 +188,6 @@ test_same_file (void)
   g_assert_false (qn_recipes_check_files (recipes, both, NULL));
   g_assert_true (qn_recipes_check_files (recipes, apart, &error));
   g_assert_no_error (error);
-  qn_project_clear (&project);
 }
 
 /* ---- many ---- */
@@ -212,11 +206,10 @@ read_many (int count)
   for (int i = 0; i < count; i++)
     g_string_append_printf (figures, "%s{\"name\": \"f%d\"}", i > 0 ? "," : "", i);
   g_string_append_c (figures, ']');
-  QnProject project;
+  g_auto (QnProject) project;
   load (&project, "1", figures->str);
   g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL, NULL);
   g_assert_cmpuint (recipes->len, ==, count);
-  qn_project_clear (&project);
   return 0;
 }
 

@@ -22,7 +22,7 @@ box (double w, double d, double h, double z)
 static void
 assert_blocks (const char *text)
 {
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   g_autoptr (GError) error = NULL;
   if (!qn_compas_import (text, strlen (text), "test.json", &drawing, &error))
     g_error ("%s", error->message);
@@ -41,7 +41,6 @@ assert_blocks (const char *text)
     g_assert_cmpfloat (high, ==, i * 0.5 + 0.5);
     g_assert_cmpfloat (right, ==, 2);
   }
-  qn_drawing_clear (&drawing);
 }
 
 static void

@@ -1,6 +1,7 @@
 #include "core/limit/limit.h"
 #include "io/exchange/drawing-import.h"
 #include "io/text/io-error.h"
+#include "support/auto-clear.h"
 
 #include <string.h>
 
@@ -29,8 +30,8 @@ import (const char *name, QnProject *project, QnImportReport *report)
 static double
 multiplier (const QnModel *model)
 {
-  QnContacts contacts;
-  QnLimitSolution solution;
+  g_auto (QnContacts) contacts;
+  g_auto (QnLimitSolution) solution;
   QnDiag diag = { 0 };
   g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
   g_assert_cmpint (qn_contacts_require_sound (model, &contacts, &diag), ==, QN_OK);
@@ -38,8 +39,6 @@ multiplier (const QnModel *model)
                    ==, QN_OK);
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
   double value = solution.upper_bound;
-  qn_limit_solution_clear (&solution);
-  qn_contacts_clear (&contacts);
   return value;
 }
 
@@ -109,15 +108,13 @@ test_report (void)
     { "wrong-unit", "declares 0.0254 m", "read as mm instead" }
   };
   for (size_t i = 0; i < G_N_ELEMENTS (expected); i++) {
-    QnProject project;
-    QnImportReport report;
+    g_auto (QnProject) project;
+    g_auto (QnImportReport) report;
     import (expected[i][0], &project, &report);
     g_assert_true (tells (report.lines, expected[i][1]));
     g_assert_true (expected[i][2] == NULL || tells (report.lines, expected[i][2]));
     g_assert_cmpint (tells (report.warnings, "unit"), ==,
                      strstr (expected[i][0], "unit") != NULL);
-    qn_import_report_clear (&report);
-    qn_project_clear (&project);
   }
 }
 
@@ -137,7 +134,7 @@ add_box (QnDrawing *drawing, const char *layer, double x0, double y0, double x1,
 static void
 test_supports_inferred (void)
 {
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   QnProject project;
   QnImportReport report;
   qn_drawing_init (&drawing);
@@ -162,7 +159,6 @@ test_supports_inferred (void)
   g_assert_cmpuint (project.model.block_count, ==, 1);
   qn_import_report_clear (&report);
   qn_project_clear (&project);
-  qn_drawing_clear (&drawing);
 }
 
 /* A drawing may name some of its blocks as others are numbered, or several alike. */
@@ -171,9 +167,9 @@ test_names (void)
 {
   static const char *const given[] = { "b2", NULL, "b3", "b2", "pier" };
   static const char *const expected[] = { "b2", "b3", "b4", "b5", "pier" };
-  QnDrawing drawing;
-  QnProject project;
-  QnImportReport report;
+  g_auto (QnDrawing) drawing;
+  g_auto (QnProject) project;
+  g_auto (QnImportReport) report;
   g_autoptr (GError) error = NULL;
   qn_drawing_init (&drawing);
   for (guint i = 0; i < G_N_ELEMENTS (given); i++) {
@@ -186,15 +182,12 @@ test_names (void)
   g_assert_cmpuint (project.model.block_count, ==, G_N_ELEMENTS (expected));
   for (guint i = 0; i < G_N_ELEMENTS (expected); i++)
     g_assert_cmpstr (project.model.blocks[i].name, ==, expected[i]);
-  qn_import_report_clear (&report);
-  qn_project_clear (&project);
-  qn_drawing_clear (&drawing);
 }
 
 static void
 test_refuses (void)
 {
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   QnProject project;
   QnImportReport report;
   g_autoptr (GError) error = NULL;
@@ -210,7 +203,6 @@ test_refuses (void)
   g_assert_false (
     qn_drawing_to_project (&drawing, "empty.dxf", &settings, &project, &report, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
-  qn_drawing_clear (&drawing);
 }
 
 int

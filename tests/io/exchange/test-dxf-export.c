@@ -9,17 +9,17 @@
 static void
 round_trip (double unit, double tolerance)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   test_model_init_wall (&model, 4, 0);
   test_model_rotate (&model, 0.1234);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "wall.dxf", NULL);
+  g_autofree char *path = g_build_filename (folder, "wall.dxf", NULL);
   g_autoptr (GError) error = NULL;
   g_assert_true (qn_dxf_export (&model, NULL, NULL, 1, unit, path, &error));
 
-  QnProject project;
-  QnImportReport report;
+  g_auto (QnProject) project;
+  g_auto (QnImportReport) report;
   if (!qn_import_file (path, &QN_IMPORT_DEFAULTS, &project, &report, &error))
     g_error ("%s", error->message);
   g_assert_cmpuint (project.model.block_count, ==, model.block_count);
@@ -35,19 +35,14 @@ round_trip (double unit, double tolerance)
     }
   }
   /* The same file again from what was read. */
-  char *again = g_build_filename (folder, "again.dxf", NULL);
+  g_autofree char *again = g_build_filename (folder, "again.dxf", NULL);
   g_assert_true (qn_dxf_export (&project.model, NULL, NULL, 1, unit, again, &error));
   g_autofree char *first = NULL, *second = NULL;
   g_assert_true (g_file_get_contents (path, &first, NULL, NULL));
   g_assert_true (g_file_get_contents (again, &second, NULL, NULL));
   g_assert_cmpstr (first, ==, second);
 
-  g_free (again);
-  g_free (path);
   test_scratch_free (folder);
-  qn_import_report_clear (&report);
-  qn_project_clear (&project);
-  qn_model_clear (&model);
 }
 
 static void
@@ -65,19 +60,19 @@ test_millimetres (void)
 static void
 test_layers (void)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   test_model_init_block_on_plane (&model, 1, 2);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-  QnResult result;
+  g_auto (QnResult) result;
   g_assert_cmpint (qn_result_init (&result, 2, contacts.pair_count, NULL), ==, QN_OK);
   g_assert_true (
     qn_result_add_step (&result, (QnStep){ 0 }, (const double[]){ 0, 0, 0, 0.25, 0, 0 }));
   char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "block.dxf", NULL);
+  g_autofree char *path = g_build_filename (folder, "block.dxf", NULL);
   g_assert_true (qn_dxf_export (&model, &contacts, &result, 2, 1, path, NULL));
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   g_autofree char *text = NULL;
   gsize length;
   g_assert_true (g_file_get_contents (path, &text, &length, NULL));
@@ -92,12 +87,7 @@ test_layers (void)
   const QnDrawingPath *still = &g_array_index (drawing.paths, QnDrawingPath, 1);
   g_assert_cmpfloat_with_epsilon (moved->points[0].x, still->points[0].x + 0.5, 1e-12);
   g_assert_cmpfloat (drawing.unit, ==, 1);
-  qn_drawing_clear (&drawing);
-  g_free (path);
   test_scratch_free (folder);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 int

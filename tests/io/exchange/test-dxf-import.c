@@ -24,7 +24,7 @@ path_at (const QnDrawing *drawing, guint index)
 static void
 test_line_and_layer (void)
 {
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse (HEAD "0\nLINE\n8\nJoints\n10\n1.25\n20\n-2\n11\n3\n21\n4e1\n" TAIL, &drawing);
   const QnDrawingPath *path = path_at (&drawing, 0);
   g_assert_cmpstr (path->layer, ==, "Joints");
@@ -33,14 +33,13 @@ test_line_and_layer (void)
   g_assert_cmpfloat (path->points[0].x, ==, 1.25);
   g_assert_cmpfloat (path->points[1].y, ==, 40);
   g_assert_false (path->closed);
-  qn_drawing_clear (&drawing);
 }
 
 static void
 test_bulge (void)
 {
   /* Half a circle of radius 1 from (0, 0) to (2, 0), below, and straight back. */
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse (HEAD
          "0\nLWPOLYLINE\n8\n0\n90\n99\n70\n1\n10\n0\n20\n0\n42\n1\n10\n2\n20\n0\n" TAIL,
          &drawing);
@@ -54,13 +53,12 @@ test_bulge (void)
     lowest = fmin (lowest, path->points[i].y);
   }
   g_assert_cmpfloat (lowest, <, -0.99);
-  qn_drawing_clear (&drawing);
 }
 
 static void
 test_curves (void)
 {
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse (
     HEAD
     "0\nCIRCLE\n8\n0\n10\n5\n20\n5\n40\n2\n"
@@ -86,7 +84,6 @@ test_curves (void)
     g_assert_cmpfloat_with_epsilon (
       spline->points[i].y, spline->points[i].x * (2 - spline->points[i].x), 1e-12);
   g_assert_cmpfloat (spline->points[spline->count - 1].x, ==, 2);
-  qn_drawing_clear (&drawing);
 }
 
 static void
@@ -94,7 +91,7 @@ test_inserts (void)
 {
   /* A unit square in a block, that block twice as large in another, inserted turned and as an
    * array, its layer 0 taking the layer of the insert. */
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse ("0\nSECTION\n2\nBLOCKS\n"
          "0\nBLOCK\n8\n0\n2\nA\n10\n1\n20\n1\n0\nLWPOLYLINE\n8\n0\n70\n1\n10\n1\n20\n1\n1"
          "0\n2\n20\n"
@@ -115,7 +112,6 @@ test_inserts (void)
   g_assert_cmpfloat_with_epsilon (first->points[2].y, 5, 1e-12);
   g_assert_cmpfloat_with_epsilon (second->points[0].y, 13, 1e-12);
   g_assert_cmpuint (drawing.notes->len, ==, 1);
-  qn_drawing_clear (&drawing);
 }
 
 /* A block that contains itself, twice: ends, and is told. */
@@ -164,33 +160,29 @@ test_bad_files (void)
 static void
 test_large (void)
 {
-  GString *text = g_string_new (HEAD);
+  g_autoptr (GString) text = g_string_new (HEAD);
   for (int i = 0; i < 100000; i++)
     g_string_append_printf (text, "0\nLINE\n8\n0\n10\n%d\n20\n0\n11\n%d\n21\n1\n", i, i);
   g_string_append (text, TAIL);
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse (text->str, &drawing);
   g_assert_cmpuint (drawing.paths->len, ==, 100000);
-  qn_drawing_clear (&drawing);
-  g_string_free (text, TRUE);
 }
 
 /* Names are the drawing's own: the program keeps none of them when it has gone. */
 static void
 test_names (void)
 {
-  GString *text = g_string_new (HEAD);
+  g_autoptr (GString) text = g_string_new (HEAD);
   for (int i = 0; i < 200; i++)
     g_string_append_printf (text, "0\nLINE\n8\nL%d\n10\n0\n20\n0\n11\n1\n21\n1\n", i / 2);
   g_string_append (text, TAIL);
   GQuark before = g_quark_from_string ("before the names");
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse (text->str, &drawing);
   g_assert_cmpuint (g_quark_from_string ("after the names"), <, before + 50);
   g_assert_cmpstr (path_at (&drawing, 199)->layer, ==, "L99");
   g_assert_true (path_at (&drawing, 0)->layer == path_at (&drawing, 1)->layer);
-  qn_drawing_clear (&drawing);
-  g_string_free (text, TRUE);
 }
 
 int

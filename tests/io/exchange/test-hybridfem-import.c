@@ -10,7 +10,7 @@ test_boxes (void)
     "Box 1:\n[0, 0], [1, 0], [1, 0.5], [0, 0.5]\nrho = 2400\n"
     "material = 0\n\nBox 2:\n[0,0.5],[1,0.5],[0.5,1.25]\nrho = 2400\n"
     "material = 0\nFE 1:\nN1 = [0, 0]\n";
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   g_assert_true (qn_hybridfem_import (text, strlen (text), "test.txt", &drawing, NULL));
   g_assert_cmpuint (drawing.paths->len, ==, 2);
   const QnDrawingPath *second = &g_array_index (drawing.paths, QnDrawingPath, 1);
@@ -19,7 +19,6 @@ test_boxes (void)
   g_assert_true (second->closed);
   g_assert_cmpfloat (second->points[2].y, ==, 1.25);
   g_assert_cmpuint (drawing.notes->len, ==, 1);
-  qn_drawing_clear (&drawing);
 }
 
 static void

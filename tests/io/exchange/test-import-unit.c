@@ -52,13 +52,14 @@ test_choice (void)
     { 1e6, 0, 0, 1, TRUE, "not plausible in any unit" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
-    QnDrawing drawing;
+    g_auto (QnDrawing) drawing;
     draw_squares (&drawing, &cases[i].size, 1);
     drawing.unit = cases[i].declared;
     QnImportSettings settings = QN_IMPORT_DEFAULTS;
     settings.unit = cases[i].given;
-    QnImportReport report = { .lines = g_ptr_array_new_with_free_func (g_free),
-                              .warnings = g_ptr_array_new_with_free_func (g_free) };
+    g_auto (QnImportReport)
+      report = { .lines = g_ptr_array_new_with_free_func (g_free),
+                 .warnings = g_ptr_array_new_with_free_func (g_free) };
     QnImportWork work = { .drawing = &drawing, .settings = &settings, .report = &report };
     qn_import_choose_unit (&work);
     g_assert_cmpuint (report.lines->len, ==, 1);
@@ -66,8 +67,6 @@ test_choice (void)
     g_assert_cmpfloat (work.unit, ==, cases[i].expected);
     g_assert_nonnull (strstr (report.lines->pdata[0], cases[i].said));
     g_assert_cmpint (report.warnings->len > 0, ==, cases[i].warned);
-    qn_import_report_clear (&report);
-    qn_drawing_clear (&drawing);
   }
 }
 

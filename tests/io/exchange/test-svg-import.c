@@ -28,7 +28,7 @@ assert_point (QnVec2 p, double x, double y)
 static void
 test_shapes (void)
 {
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse (
     "<svg width=\"200mm\" viewBox=\"0 0 100 50\"><g id=\"BLOCKS\" "
     "transform=\"translate(10,20)\"><rect x=\"1\" y=\"2\" width=\"3\" height=\"4\"/>"
@@ -46,13 +46,12 @@ test_shapes (void)
   assert_point (path_at (&drawing, 2)->points[1], 10, -22);
   g_assert_true (path_at (&drawing, 3)->closed);
   g_assert_cmpuint (drawing.notes->len, ==, 1);
-  qn_drawing_clear (&drawing);
 }
 
 static void
 test_path_commands (void)
 {
-  QnDrawing drawing;
+  g_auto (QnDrawing) drawing;
   parse ("<svg><path d=\"m1,1 2,0 v2h-2z M10 10 L11 10 11,11Z\"/>"
          "<path d=\"M0 0A1 1 0 0 1 2 0\"/><path d=\"M0 0C0 1 1 1 1 0S2-1 2 0\"/></svg>",
          &drawing);
@@ -71,7 +70,6 @@ test_path_commands (void)
   const QnDrawingPath *curve = path_at (&drawing, 3);
   assert_point (curve->points[curve->count - 1], 2, 0);
   assert_point (curve->points[12], 1, 0);
-  qn_drawing_clear (&drawing);
 }
 
 static void
@@ -115,7 +113,7 @@ test_extreme_numbers (void)
     for (guint k = 0; parts[k] != NULL; k++)
       g_string_append_printf (text, "%s%s", parts[k], k < 5 ? numbers[k] : "");
     g_string_append (text, "</svg>");
-    QnDrawing drawing;
+    g_auto (QnDrawing) drawing;
     parse (text->str, &drawing);
     g_assert_cmpuint (drawing.paths->len, ==, 1);
     g_assert_cmpuint (path_at (&drawing, 0)->count, >=, 2);
@@ -125,7 +123,6 @@ test_extreme_numbers (void)
       g_assert_cmpfloat (fabs (path_at (&drawing, 0)->points[k].y), <=, 1e15);
     }
     g_assert_cmpuint (drawing.paths->len + drawing.notes->len, ==, 1);
-    qn_drawing_clear (&drawing);
   }
 }
 

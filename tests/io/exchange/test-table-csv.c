@@ -34,7 +34,7 @@ expect (const ResultFixture *fixture, WriteFunc write, const char *expected)
   char *folder = test_scratch_new ();
   char *path = g_build_filename (folder, "table.csv", NULL);
   char *text = NULL;
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_true (write (path, fixture, &error));
   g_assert_no_error (error);
   g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
@@ -45,7 +45,6 @@ expect (const ResultFixture *fixture, WriteFunc write, const char *expected)
 
   g_assert_false (write ("/dev/full", fixture, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
-  g_error_free (error);
 }
 
 static void

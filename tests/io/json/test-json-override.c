@@ -13,10 +13,9 @@ expect (const char *override, const char *expected)
   gboolean done = qn_json_override (root, override, &error);
   g_assert_no_error (error);
   g_assert_true (done);
-  GString *written = g_string_new (NULL);
+  g_autoptr (GString) written = g_string_new (NULL);
   qn_json_append_value (written, root, 0);
   g_assert_cmpstr (written->str, ==, expected);
-  g_string_free (written, TRUE);
   cJSON_Delete (root);
 }
 
@@ -53,14 +52,12 @@ static void
 expect_error (const char *override, int code)
 {
   cJSON *root = cJSON_Parse (document);
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_false (qn_json_override (root, override, &error));
   g_assert_error (error, QN_IO_ERROR, code);
-  GString *quoted = g_string_new (NULL);
+  g_autoptr (GString) quoted = g_string_new (NULL);
   qn_json_append_string (quoted, override);
   g_assert_true (g_str_has_prefix (error->message, quoted->str));
-  g_string_free (quoted, TRUE);
-  g_error_free (error);
   cJSON_Delete (root);
 }
 

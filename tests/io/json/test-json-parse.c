@@ -12,10 +12,9 @@ expect_same (const char *text)
   QnJsonProblem problem;
   cJSON *value = qn_json_parse (text, strlen (text), &problem);
   g_assert_nonnull (value);
-  GString *written = g_string_new (NULL);
+  g_autoptr (GString) written = g_string_new (NULL);
   qn_json_append_value (written, value, 0);
   g_assert_cmpstr (written->str, ==, text);
-  g_string_free (written, TRUE);
   cJSON_Delete (value);
 }
 
@@ -45,10 +44,9 @@ expect_error (const char *text, const char *message)
   QnJsonProblem problem;
   g_assert_null (qn_json_parse (text, strlen (text), &problem));
   g_assert_false (problem.no_memory);
-  GError *error = qn_json_problem_to_error (&problem, "wall.quoin", text);
+  g_autoptr (GError) error = qn_json_problem_to_error (&problem, "wall.quoin", text);
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_cmpstr (error->message, ==, message);
-  g_error_free (error);
   g_free (problem.path);
 }
 
@@ -72,7 +70,7 @@ test_duplicate_keys (void)
                 "wall.quoin:1:13: [0].b: key is given twice");
 
   /* Far more keys than are compared one by one, and a nested one among them. */
-  GString *text = g_string_new ("{ \"nested\": { \"k\": 1 }");
+  g_autoptr (GString) text = g_string_new ("{ \"nested\": { \"k\": 1 }");
   for (int i = 0; i < 100000; i++)
     g_string_append_printf (text, ", \"k%d\": [%d]", i, i);
   g_string_append (text, " }");
@@ -86,7 +84,6 @@ test_duplicate_keys (void)
   g_assert_null (qn_json_parse (text->str, text->len, &problem));
   g_assert_cmpstr (problem.path, ==, "k99999");
   g_free (problem.path);
-  g_string_free (text, TRUE);
 }
 
 int

@@ -17,9 +17,8 @@ spell (const char *text)
 static void
 expect (const char *text, const char *spelling)
 {
-  char *spelt = spell (text);
+  g_autofree char *spelt = spell (text);
   g_assert_cmpstr (spelt, ==, spelling);
-  g_free (spelt);
 }
 
 static void

@@ -23,9 +23,8 @@ static void
 expect (const char *text, const char *expected)
 {
   QnJsonScanner scanner;
-  char *found = tokens (text, &scanner);
+  g_autofree char *found = tokens (text, &scanner);
   g_assert_cmpstr (found, ==, expected);
-  g_free (found);
 }
 
 static void
@@ -92,12 +91,11 @@ test_errors (void)
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnJsonScanner scanner;
-    char *found = tokens (cases[i].text, &scanner);
+    g_autofree char *found = tokens (cases[i].text, &scanner);
     g_assert_true (g_str_has_suffix (found, "E"));
     g_assert_nonnull (strstr (scanner.problem, cases[i].problem));
     g_assert_cmpuint (scanner.start, ==, cases[i].at);
     g_assert_cmpint (qn_json_next (&scanner), ==, QN_JSON_ERROR);
-    g_free (found);
   }
 }
 
@@ -116,25 +114,21 @@ static void
 test_deep_nesting (void)
 {
   for (const char *bracket = "[{"; *bracket != '\0'; bracket++) {
-    char *text = g_strnfill (10000000, *bracket);
+    g_autofree char *text = g_strnfill (10000000, *bracket);
     QnJsonScanner scanner;
-    char *found = tokens (text, &scanner);
+    g_autofree char *found = tokens (text, &scanner);
     g_assert_true (g_str_has_suffix (found, "E"));
     g_assert_cmpuint (scanner.start, <=, QN_JSON_MAX_DEPTH);
-    g_free (found);
-    g_free (text);
   }
 
-  GString *nested = g_string_new (NULL);
+  g_autoptr (GString) nested = g_string_new (NULL);
   for (int i = 0; i < QN_JSON_MAX_DEPTH; i++)
     g_string_append_c (nested, '[');
   for (int i = 0; i < QN_JSON_MAX_DEPTH; i++)
     g_string_append_c (nested, ']');
   QnJsonScanner scanner;
-  char *found = tokens (nested->str, &scanner);
+  g_autofree char *found = tokens (nested->str, &scanner);
   g_assert_true (g_str_has_suffix (found, "."));
-  g_free (found);
-  g_string_free (nested, TRUE);
 }
 
 static void
@@ -157,11 +151,10 @@ test_values (void)
   const char *text = "\"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e9\\ud83d\\ude00ü\"";
   qn_json_scanner_init (&scanner, text, strlen (text));
   g_assert_cmpint (qn_json_next (&scanner), ==, QN_JSON_STRING);
-  char *string = qn_json_dup_string (&scanner);
+  g_autofree char *string = qn_json_dup_string (&scanner);
   g_assert_cmpstr (string, ==, "\"\\/\b\f\n\r\té😀ü");
   g_assert_true (qn_json_string_is (&scanner, string));
   g_assert_false (qn_json_string_is (&scanner, "é"));
-  g_free (string);
 }
 
 static void

@@ -9,9 +9,8 @@
 static void
 expect_extra (const QnProject *project, const char *member, const char *expected)
 {
-  char *json = qn_project_dup_extra (project, member);
+  g_autofree char *json = qn_project_dup_extra (project, member);
   g_assert_cmpstr (json, ==, expected);
-  g_free (json);
 }
 
 /* Puts the members with one changed in place of the project's own. */
@@ -29,7 +28,7 @@ change (QnProject *project, const char *member, const char *json)
 static void
 test_members (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (test_project_text, &project);
   expect_extra (&project, "view", NULL);
   change (&project, "view", "{\"zoom\":0.5}");
@@ -42,23 +41,19 @@ test_members (void)
   expect_extra (&project, "figures", "[1, \"ü\"]");
 
   /* What was put there is in the file. */
-  char *text = qn_project_to_text (&project, NULL);
+  g_autofree char *text = qn_project_to_text (&project, NULL);
   g_assert_nonnull (strstr (text, "\"figures\": [1, \"ü\"]"));
-  g_free (text);
-  qn_project_clear (&project);
 }
 
 static void
 test_not_json (void)
 {
-  QnProject project;
-  GError *error = NULL;
+  g_auto (QnProject) project;
+  g_autoptr (GError) error = NULL;
   test_parse (test_project_text, &project);
   g_assert_null (qn_project_extras_with (&project, "view", "{", &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_cmpstr (error->message, ==, "view:1:2: text ends inside an object");
-  g_error_free (error);
-  qn_project_clear (&project);
 }
 
 int

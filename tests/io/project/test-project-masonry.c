@@ -1,5 +1,6 @@
 #include "io/project/project-masonry.h"
 #include "io/text/io-error.h"
+#include "support/auto-clear-stereotomy.h"
 
 #include <string.h>
 
@@ -69,7 +70,7 @@ static void
 test_round_trip (void)
 {
   for (gsize i = 0; i < G_N_ELEMENTS (objects); i++) {
-    QnProject project, again;
+    g_auto (QnProject) project, again;
     parse (objects[i], &project);
     g_assert_cmpuint (project.model.block_count, >, 4);
     g_autofree char *text = qn_project_to_text (&project, NULL);
@@ -77,8 +78,6 @@ test_round_trip (void)
     g_assert_null (strstr (text, "\"vertices\""));
     g_assert_true (qn_project_parse (text, strlen (text), "again", NULL, &again, NULL));
     assert_same_blocks (&project.model, &again.model);
-    qn_project_clear (&again);
-    qn_project_clear (&project);
   }
 }
 
@@ -87,26 +86,22 @@ static void
 test_struct_round_trip (void)
 {
   for (gsize i = 0; i < G_N_ELEMENTS (objects); i++) {
-    QnProject project, again;
-    QnMasonries list;
+    g_auto (QnProject) project, again;
+    g_auto (QnMasonries) list;
     parse (objects[i], &project);
     g_assert_true (qn_project_get_masonry (&project, &list, NULL));
     g_assert_cmpuint (list.count, ==, 1);
-    GString *json = g_string_new (NULL);
+    g_autoptr (GString) json = g_string_new (NULL);
     qn_masonry_append_json (json, &list.items[0], &project.model);
     parse (json->str, &again);
     assert_same_blocks (&project.model, &again.model);
-    g_string_free (json, TRUE);
-    qn_masonries_clear (&list);
-    qn_project_clear (&again);
-    qn_project_clear (&project);
   }
 }
 
 static void
 test_detach (void)
 {
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   parse (objects[0], &project);
   g_assert_true (qn_project_has_masonry (&project, 0));
   qn_project_detach_masonry (&project, 0);
@@ -115,8 +110,6 @@ test_detach (void)
   g_assert_null (strstr (text, "\"masonry\""));
   g_assert_true (qn_project_parse (text, strlen (text), "again", NULL, &again, NULL));
   assert_same_blocks (&project.model, &again.model);
-  qn_project_clear (&again);
-  qn_project_clear (&project);
 }
 
 static void
@@ -190,13 +183,12 @@ test_names_resolve (void)
     "], \"loads\": { \"live\": [ { \"kind\": \"force\", \"block\": \"a.v7\", "
     "\"value\": [0, -1000] } ] } }",
     NULL);
-  QnProject project;
+  g_auto (QnProject) project;
   g_assert_true (qn_project_parse (text, strlen (text), "test", NULL, &project, NULL));
   QnId block = project.model.live_loads[0].block;
   g_assert_cmpstr (project.model.blocks[block].name, ==, "a.v7");
   g_autofree char *path = qn_project_dup_key_path (&project, QN_ENTITY_BLOCK, block);
   g_assert_cmpstr (path, ==, "masonry[0]");
-  qn_project_clear (&project);
 }
 
 int

@@ -3,6 +3,7 @@
 #include "core/path/analysis.h"
 #include "io/project-text.h"
 #include "io/result/result-check.h"
+#include "support/auto-clear.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -53,7 +54,7 @@ static const char text[] =
 static void
 test_read (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (text, &project);
   const QnModel *model = &project.model;
   g_assert_cmpuint (project.warnings->len, ==, 0);
@@ -72,14 +73,13 @@ test_read (void)
   g_assert_cmpint (model->dead_loads[1].kind, ==, QN_LOAD_LINE);
   g_assert_cmpint (model->analysis.control_node, ==, qn_model_find_node (model, "tie.1"));
   g_assert_cmpint (model->analysis.control_block, ==, QN_NONE);
-  qn_project_clear (&project);
 }
 
 /* The canonical layout says all that there is: what it is read as writes the same bytes. */
 static void
 test_round_trip (void)
 {
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   test_parse (text, &project);
   g_autofree char *written = qn_project_to_text (&project, NULL);
   test_parse (written, &again);
@@ -104,15 +104,13 @@ test_round_trip (void)
     a.name = b.name = NULL;
     g_assert_cmpmem (&a, sizeof a, &b, sizeof b);
   }
-  qn_project_clear (&again);
-  qn_project_clear (&project);
 }
 
 /* Without blocks, neither laws nor contacts are needed. */
 static void
 test_beams_alone (void)
 {
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   test_parse (
     "{ \"format\": \"quoin\", \"version\": 1,"
     " \"sections\": [{ \"name\": \"s\", \"young\": 1, \"area\": 1, \"inertia\": 1 }],"
@@ -125,8 +123,6 @@ test_beams_alone (void)
   g_assert_cmpuint (again.model.law_count, ==, 0);
   g_assert_cmpuint (again.model.beam_count, ==, 1);
   g_assert_cmpuint (again.warnings->len, ==, 0);
-  qn_project_clear (&again);
-  qn_project_clear (&project);
 }
 
 static const struct {
@@ -199,10 +195,10 @@ check_result (const char *geometry)
   g_autofree char *override = g_strconcat ("analysis.geometry=", geometry, NULL);
   const char *const overrides[] = { override, "analysis.procedure=load",
                                     "analysis.max_multiplier=2", NULL };
-  QnProject project;
-  QnContacts contacts;
-  QnResult result;
-  QnResultFile file;
+  g_auto (QnProject) project;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
+  g_auto (QnResultFile) file;
   QnResultCheck check;
   GError *error = NULL;
   g_assert_true (
@@ -244,10 +240,6 @@ check_result (const char *geometry)
     *number = kept;
   }
   test_scratch_free (folder);
-  qn_result_file_clear (&file);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_project_clear (&project);
 }
 
 static void

@@ -4,6 +4,7 @@
 #include "io/exchange/record.h"
 #include "io/project-text.h"
 #include "io/result/result-file.h"
+#include "support/auto-clear.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -63,7 +64,7 @@ check_model (const QnModel *model)
 static void
 test_round_trip (void)
 {
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   gsize length;
   g_autofree char *text = text_with ("0.9", "0.9");
   test_parse (text, &project);
@@ -77,12 +78,9 @@ test_round_trip (void)
   g_autofree char *second = qn_project_to_text (&again, &length);
   g_assert_cmpstr (first, ==, second);
 
-  QnModel copy;
+  g_auto (QnModel) copy;
   g_assert_cmpint (qn_model_copy (&project.model, &copy, NULL), ==, QN_OK);
   check_model (&copy);
-  qn_model_clear (&copy);
-  qn_project_clear (&project);
-  qn_project_clear (&again);
 }
 
 static void
@@ -168,8 +166,8 @@ test_history (void)
     text_with ("\"record\": \"a.csv\", \"peak\": 3", "\"points\": [[0, 1], [0.3, 1]]");
   test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "r.json", NULL);
-  QnProject project;
-  QnContacts contacts;
+  g_auto (QnProject) project;
+  g_auto (QnContacts) contacts;
   QnResult result;
   QnResultFile file;
   GError *error = NULL;
@@ -204,8 +202,6 @@ test_history (void)
   g_assert_false (qn_result_file_parse (cut, strlen (cut), "r", &file, &error));
   g_assert_nonnull (strstr (error->message, "history: lists"));
   g_clear_error (&error);
-  qn_contacts_clear (&contacts);
-  qn_project_clear (&project);
 }
 
 int

@@ -64,7 +64,7 @@ static void
 test_round_trip (void)
 {
   for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++) {
-    QnProject project, again;
+    g_auto (QnProject) project, again;
     g_autofree char *text = with_laws (kinds[kind]);
     test_parse (text, &project);
     g_assert_cmpuint (project.warnings->len, ==, 0);
@@ -73,8 +73,6 @@ test_round_trip (void)
     test_parse (written, &again);
     g_assert_cmpuint (again.warnings->len, ==, 0);
     assert_same (&project.model.laws[0], &again.model.laws[0]);
-    qn_project_clear (&again);
-    qn_project_clear (&project);
   }
 }
 
@@ -105,7 +103,7 @@ test_values (void)
 static void
 test_warnings (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   g_autofree char *text =
     with_laws ("{ \"name\": \"joint\", \"kind\": \"elastic\", \"kn\": "
                "1, \"ks\": 1, \"yield\": 3, \"yeld\": 3 }");
@@ -115,7 +113,6 @@ test_warnings (void)
                                    "laws[0].yield: has no effect for this kind of law"));
   g_assert_true (g_str_has_suffix (g_ptr_array_index (project.warnings, 1),
                                    "laws[0].yeld: unknown key"));
-  qn_project_clear (&project);
 }
 
 static void

@@ -12,11 +12,9 @@ static void
 expect_errors (const char *replaced, const Case *cases, gsize count)
 {
   for (gsize i = 0; i < count; i++) {
-    char *text = test_replace (test_project_text, replaced, cases[i].line);
-    char *message = test_parse_error (text, NULL);
+    g_autofree char *text = test_replace (test_project_text, replaced, cases[i].line);
+    g_autofree char *message = test_parse_error (text, NULL);
     g_assert_cmpstr (message, ==, cases[i].message);
-    g_free (message);
-    g_free (text);
   }
 }
 
@@ -116,10 +114,9 @@ test_analysis (void)
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     Case padded = cases[i];
-    char *line = g_strconcat (cases[i].line, " \"loads\": {", NULL);
+    g_autofree char *line = g_strconcat (cases[i].line, " \"loads\": {", NULL);
     padded.line = line;
     expect_errors ("\"loads\": {", &padded, 1);
-    g_free (line);
   }
 }
 
@@ -239,7 +236,7 @@ test_sets_and_stages (void)
 static void
 test_no_effect (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   char *text = test_replace (test_project_text, "\"law\": \"joint\" }",
                              "\"law\": \"joint\", \"pairs\": { \"count\": 3 } }");
   test_parse (text, &project);
@@ -247,7 +244,6 @@ test_no_effect (void)
   g_assert_cmpstr (
     g_ptr_array_index (project.warnings, 0), ==,
     "wall.quoin:8:52: contact.pairs.count: has no effect with this placement");
-  qn_project_clear (&project);
   g_free (text);
 }
 

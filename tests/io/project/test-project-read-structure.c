@@ -11,11 +11,9 @@ static void
 expect_errors (const char *text, const Case *cases, gsize count)
 {
   for (gsize i = 0; i < count; i++) {
-    char *changed = test_replace (text, cases[i].what, cases[i].by);
-    char *message = test_parse_error (changed, NULL);
+    g_autofree char *changed = test_replace (text, cases[i].what, cases[i].by);
+    g_autofree char *message = test_parse_error (changed, NULL);
     g_assert_cmpstr (message, ==, cases[i].message);
-    g_free (message);
-    g_free (changed);
   }
 }
 

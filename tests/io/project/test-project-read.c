@@ -65,7 +65,7 @@ check_settings (const QnModel *model)
 static void
 test_every_key (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (full, &project);
   const QnModel *model = &project.model;
   g_assert_cmpuint (project.warnings->len, ==, 0);
@@ -90,13 +90,12 @@ test_every_key (void)
   g_assert_true (model->live_loads[0].has_at);
   g_assert_nonnull (cJSON_GetObjectItem (project.extras, "view"));
   g_assert_nonnull (cJSON_GetObjectItem (project.extras, "figures"));
-  qn_project_clear (&project);
 }
 
 static void
 test_defaults (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (test_project_text, &project);
   const QnModel *model = &project.model;
   g_assert_null (model->title);
@@ -112,7 +111,6 @@ test_defaults (void)
   g_assert_cmpfloat (model->contact.pairs.offset, ==, 0);
   g_assert_null (project.extras);
   g_assert_null (project.path);
-  qn_project_clear (&project);
 }
 
 static void
@@ -120,16 +118,14 @@ test_unknown_keys (void)
 {
   char *text =
     test_replace (test_project_text, "\"kn\": 1e7", "\"kn\": 1e7, \"colour\": 3");
-  char *more = test_replace (text, "  \"laws\"", "  \"ropes\": [], \"laws\"");
-  QnProject project;
+  g_autofree char *more = test_replace (text, "  \"laws\"", "  \"ropes\": [], \"laws\"");
+  g_auto (QnProject) project;
   test_parse (more, &project);
   g_assert_cmpuint (project.warnings->len, ==, 2);
   g_assert_cmpstr (g_ptr_array_index (project.warnings, 0), ==,
                    "wall.quoin:3:12: ropes: unknown key");
   g_assert_cmpstr (g_ptr_array_index (project.warnings, 1), ==,
                    "wall.quoin:4:64: laws[0].colour: unknown key");
-  qn_project_clear (&project);
-  g_free (more);
   g_free (text);
 }
 
@@ -140,16 +136,14 @@ test_shortcuts_of_older_files (void)
   char *text = test_replace (full, "\"snap\": \"stop\",",
                              "\"snap\": \"stop\", \"shortcuts\": "
                              "{ \"growing_increments\": false },");
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (text, &project);
   g_assert_cmpuint (project.warnings->len, ==, 1);
   g_assert_true (g_str_has_suffix (g_ptr_array_index (project.warnings, 0),
                                    ": analysis.shortcuts: unknown key"));
   check_settings (&project.model);
-  char *written = qn_project_to_text (&project, NULL);
+  g_autofree char *written = qn_project_to_text (&project, NULL);
   g_assert_nonnull (strstr (written, "\"growing_increments\""));
-  g_free (written);
-  qn_project_clear (&project);
   g_free (text);
 }
 
@@ -160,7 +154,7 @@ test_overrides (void)
                                            "laws[0].dilatancy=0.65",
                                            "contact.pairs.offset=0.02",
                                            "analysis.snap=stop", NULL };
-  QnProject project;
+  g_auto (QnProject) project;
   GError *error = NULL;
   g_assert_true (qn_project_parse (test_project_text, strlen (test_project_text),
                                    "wall.quoin", overrides, &project, &error));
@@ -172,19 +166,17 @@ test_overrides (void)
   g_assert_cmpstr (project.overrides[1], ==, "laws[0].dilatancy=0.65");
 
   /* The sum is that of the file, whatever was overridden. */
-  char *sum = g_compute_checksum_for_string (G_CHECKSUM_SHA256, test_project_text, -1);
+  g_autofree char *sum =
+    g_compute_checksum_for_string (G_CHECKSUM_SHA256, test_project_text, -1);
   g_assert_cmpstr (project.sha256, ==, sum);
-  g_free (sum);
-  qn_project_clear (&project);
 }
 
 static void
 expect_override_error (const char *override, const char *message)
 {
   const char *const overrides[] = { override, NULL };
-  char *found = test_parse_error (test_project_text, overrides);
+  g_autofree char *found = test_parse_error (test_project_text, overrides);
   g_assert_cmpstr (found, ==, message);
-  g_free (found);
 }
 
 static void
@@ -204,11 +196,10 @@ test_override_errors (void)
 
   static const char *const malformed[] = { "analysis", NULL };
   QnProject project;
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_false (qn_project_parse (test_project_text, strlen (test_project_text),
                                     "wall.quoin", malformed, &project, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
-  g_error_free (error);
 }
 
 /* Texts that are no project at all: the place and the reason. */
@@ -234,9 +225,8 @@ test_no_project (void)
       "1:44: laws: there must be at least one law" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
-    char *message = test_parse_error (cases[i][0], NULL);
+    g_autofree char *message = test_parse_error (cases[i][0], NULL);
     g_assert_cmpstr (message, ==, cases[i][1]);
-    g_free (message);
   }
 }
 
@@ -246,33 +236,28 @@ test_truncated (void)
 {
   gsize length = strlen (test_project_text) - 2;
   for (gsize i = 0; i < length; i++) {
-    char *text = g_strndup (test_project_text, i);
+    g_autofree char *text = g_strndup (test_project_text, i);
     g_free (test_parse_error (text, NULL));
-    g_free (text);
   }
-  char *longer = g_strconcat (test_project_text, "x", NULL);
-  char *message = test_parse_error (longer, NULL);
+  g_autofree char *longer = g_strconcat (test_project_text, "x", NULL);
+  g_autofree char *message = test_parse_error (longer, NULL);
   g_assert_cmpstr (message, ==, "11:1: text goes on after the end of the document");
-  g_free (message);
-  g_free (longer);
 }
 
 static void
 test_deep_nesting (void)
 {
-  char *brackets = g_strnfill (10000000, '[');
-  char *message = test_parse_error (brackets, NULL);
+  g_autofree char *brackets = g_strnfill (10000000, '[');
+  g_autofree char *message = test_parse_error (brackets, NULL);
   g_assert_nonnull (strstr (message, "nested too deeply"));
   g_assert_cmpuint (strlen (message), <, 1000);
-  g_free (message);
-  g_free (brackets);
 }
 
 static void
 test_files (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "wall.quoin", NULL);
+  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
   QnProject project;
   GError *error = NULL;
 
@@ -295,14 +280,13 @@ test_files (void)
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_true (g_str_has_suffix (error->message, "wall.quoin:1:1: text is not UTF-8"));
   g_clear_error (&error);
-  g_free (path);
 }
 
 static void
 test_large (void)
 {
   enum { BLOCKS = 100000 };
-  GString *text = g_string_new (NULL);
+  g_autoptr (GString) text = g_string_new (NULL);
   g_string_append_len (text, test_project_text,
                        strstr (test_project_text, " ],\n  \"contact\"")
                          - test_project_text);
@@ -313,11 +297,9 @@ test_large (void)
       "[%d, 3]], \"thickness\": 1, \"unit_weight\": 10000 }",
       i, i, i, i, i);
   g_string_append (text, strstr (test_project_text, " ],\n  \"contact\""));
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (text->str, &project);
   g_assert_cmpuint (project.model.block_count, ==, BLOCKS + 2);
-  qn_project_clear (&project);
-  g_string_free (text, TRUE);
 }
 
 int

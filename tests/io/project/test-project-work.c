@@ -54,11 +54,10 @@ read_once (const char *kind, int count)
     g_str_equal (kind, "loads") ? loads : "",
     g_str_equal (kind, "document") ? members : "");
   g_autoptr (GError) error = NULL;
-  QnProject project;
+  g_auto (QnProject) project;
   qn_project_parse (text, strlen (text), "many", NULL, &project, &error);
   g_assert_no_error (error);
   g_assert_cmpuint (project.warnings->len, >, 100);
-  qn_project_clear (&project);
   return 0;
 }
 

@@ -142,9 +142,9 @@ assert_same_settings (const QnModel *a, const QnModel *b)
 static void
 round_trip (const QnProject *project)
 {
-  QnProject again;
+  g_auto (QnProject) again;
   gsize length;
-  char *text = qn_project_to_text (project, &length);
+  g_autofree char *text = qn_project_to_text (project, &length);
   g_assert_cmpuint (strlen (text), ==, length);
   test_parse (text, &again);
   g_assert_cmpuint (again.warnings->len, ==, project->warnings->len);
@@ -162,20 +162,16 @@ round_trip (const QnProject *project)
   g_assert_true (cJSON_Compare (project->extras, again.extras, TRUE)
                  || (project->extras == NULL && again.extras == NULL));
 
-  char *second = qn_project_to_text (&again, NULL);
+  g_autofree char *second = qn_project_to_text (&again, NULL);
   g_assert_cmpstr (second, ==, text);
-  g_free (second);
-  g_free (text);
-  qn_project_clear (&again);
 }
 
 static void
 round_trip_text (const char *text)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (text, &project);
   round_trip (&project);
-  qn_project_clear (&project);
 }
 
 /* A project written from the text of another one gives what is written without: blocks that moved,
@@ -212,14 +208,14 @@ test_like (void)
       " \"unit_weight\": 1 }, { \"name\": \"c\", \"vertices\": [[1,1],[2,1],[2,2],[1,2]],"
       " \"thickness\": 1, \"unit_weight\": 1e4 }" },
   };
-  QnProject old;
+  g_auto (QnProject) old;
   test_parse (before, &old);
   QnProjectText *old_text = qn_project_write (&old, NULL, NULL);
   for (gsize i = 0; i < G_N_ELEMENTS (changes); i++) {
     g_auto (GStrv) parts = g_strsplit (before, changes[i][0], -1);
     g_assert_cmpuint (g_strv_length (parts), >, 1);
     g_autofree char *after = g_strjoinv (changes[i][1], parts);
-    QnProject project;
+    g_auto (QnProject) project;
     test_parse (after, &project);
     g_autofree char *whole = qn_project_to_text (&project, NULL);
     QnProjectText *text = qn_project_write (&project, &old, old_text);
@@ -231,10 +227,8 @@ test_like (void)
       g_assert_true (!listed || text->text[text->blocks[k][0]] == '{');
     }
     qn_project_text_free (text);
-    qn_project_clear (&project);
   }
   qn_project_text_free (old_text);
-  qn_project_clear (&old);
 }
 
 static void
@@ -311,30 +305,28 @@ test_examples (void)
 static void
 test_digits (void)
 {
-  GRand *random = g_rand_new_with_seed (3);
+  g_autoptr (GRand) random = g_rand_new_with_seed (3);
   QnProject project;
   qn_project_init (&project);
   qn_model_clear (&project.model);
   test_model_init (&project.model);
   for (int i = 0; i < 200; i++) {
-    char *name = g_strdup_printf ("n%d", i);
+    g_autofree char *name = g_strdup_printf ("n%d", i);
     test_model_add_rectangle (&project.model, name, 3 * i + g_rand_double (random),
                               g_rand_double (random) * 1e-3, 0.1 + g_rand_double (random),
                               0.1 + g_rand_double (random) * 1e6);
-    g_free (name);
   }
   g_assert_cmpint (qn_model_prepare (&project.model, NULL), ==, QN_OK);
   round_trip (&project);
   qn_project_clear (&project);
-  g_rand_free (random);
 }
 
 static void
 test_layout (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (test_project_text, &project);
-  char *text = qn_project_to_text (&project, NULL);
+  g_autofree char *text = qn_project_to_text (&project, NULL);
   g_assert_cmpstr (
     text, ==,
     "{\n"
@@ -361,8 +353,6 @@ test_layout (void)
     "  \"analysis\": { \"procedure\": \"load\", \"geometry\": \"linear\", "
     "\"increments\": 100 }\n"
     "}\n");
-  g_free (text);
-  qn_project_clear (&project);
 }
 
 /* Every kind of load on edges, with and without what may be left out; a case that nothing uses. */
@@ -392,7 +382,7 @@ static void
 test_save (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "copy.quoin", NULL);
+  g_autofree char *path = g_build_filename (folder, "copy.quoin", NULL);
   QnProject project, again;
   GError *error = NULL;
   test_parse (test_project_text, &project);
@@ -406,7 +396,6 @@ test_save (void)
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
   g_clear_error (&error);
   qn_project_clear (&project);
-  g_free (path);
 }
 
 /* Unknown members inside laws, blocks, contact, loads and analysis come back, whatever they
@@ -428,7 +417,7 @@ test_inner_members (void)
   char *fourth = test_replace (third, "\"loads\": {", "\"loads\": { \"note\": 5,");
   char *text = test_replace (fourth, "\"version\": 1,",
                              "\"version\": 1, \"analysis\": { \"by\": [1, 2] },");
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   test_parse (text, &project);
   char *written = qn_project_to_text (&project, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (kept); i++)
@@ -440,8 +429,6 @@ test_inner_members (void)
   char *list[] = { first, second, third, fourth, text, written, rewritten };
   for (size_t i = 0; i < G_N_ELEMENTS (list); i++)
     g_free (list[i]);
-  qn_project_clear (&again);
-  qn_project_clear (&project);
 }
 
 /* Members that no layer knows, in everything that has no name as well. */
@@ -482,7 +469,7 @@ test_note_members (void)
     "      \"target\": 1, \"k14\": 14 },"
     "    \"stages\": [ { \"loads\": \"live\", \"target\": 1 },"
     "      { \"loads\": \"a.b\", \"target\": 1, \"k15\": { \"deep\": [15] } } ] } }";
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   test_parse (json, &project);
   g_autofree char *written = qn_project_to_text (&project, NULL);
   test_parse (written, &again);
@@ -504,8 +491,6 @@ test_note_members (void)
   model->live_loads[2] = other;
   g_autofree char *swapped = qn_project_to_text (&again, NULL);
   g_assert_nonnull (strstr (swapped, "\"value\": [3, 0], \"k13\": 13 }"));
-  qn_project_clear (&again);
-  qn_project_clear (&project);
 }
 
 /* Load sets, settlements and stages. */
@@ -526,9 +511,9 @@ test_stages (void)
     "}, { \"loads\": [\"live\", \"top\"], \"procedure\": \"displacement\", "
     "\"control\": { \"block\": \"top\", \"component\": \"ux\", \"target\": 0 } } "
     "] },");
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   test_parse (text, &project);
-  char *written = qn_project_to_text (&project, NULL);
+  g_autofree char *written = qn_project_to_text (&project, NULL);
   test_parse (written, &again);
   const QnProject *both[] = { &project, &again };
   for (int i = 0; i < 2; i++) {
@@ -555,9 +540,6 @@ test_stages (void)
   }
   g_free (loads);
   g_free (text);
-  g_free (written);
-  qn_project_clear (&again);
-  qn_project_clear (&project);
 }
 
 int

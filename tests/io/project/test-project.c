@@ -22,15 +22,14 @@ static const char walls[] =
 static void
 expect_path (const QnProject *project, QnEntity entity, QnId index, const char *expected)
 {
-  char *path = qn_project_dup_key_path (project, entity, index);
+  g_autofree char *path = qn_project_dup_key_path (project, entity, index);
   g_assert_cmpstr (path, ==, expected);
-  g_free (path);
 }
 
 static void
 test_key_paths (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (walls, &project);
   expect_path (&project, QN_ENTITY_MODEL, QN_NONE, "");
   expect_path (&project, QN_ENTITY_LAW, 0, "laws[0]");
@@ -47,23 +46,21 @@ test_key_paths (void)
   expect_path (&project, QN_ENTITY_BLOCK, 3, "walls[1].courses[0][1]");
   expect_path (&project, QN_ENTITY_BLOCK, 4, "walls[1].courses[1][0]");
   expect_path (&project, QN_ENTITY_BLOCK, 5, "walls[1].courses[1][2]");
-  qn_project_clear (&project);
 }
 
 static void
 expect_error (const QnProject *project, const QnDiag *diag, int code, const char *message)
 {
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   qn_project_set_error (project, diag, &error);
   g_assert_error (error, QN_IO_ERROR, code);
   g_assert_cmpstr (error->message, ==, message);
-  g_error_free (error);
 }
 
 static void
 test_errors (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   QnDiag diag;
   test_parse (walls, &project);
 
@@ -90,13 +87,12 @@ test_errors (void)
 
   qn_diag_no_memory (&diag);
   expect_error (&project, &diag, QN_IO_ERROR_NO_MEMORY, "wall.quoin: not enough memory");
-  qn_project_clear (&project);
 }
 
 static void
 test_findings (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   test_parse (walls, &project);
   QnFinding items[] = {
     { QN_PROBLEM_NEAR_MISS_GAP, 1, 2, { 1, 0.5 }, 2e-6, QN_NONE },
@@ -112,20 +108,18 @@ test_findings (void)
   g_assert_cmpstr (
     g_ptr_array_index (texts, 1), ==,
     "wall.quoin:3:15: blocks[0]: block touches no other block (block \"base\")");
-  qn_project_clear (&project);
 }
 
 /* A project that was never read from a text has no lines. */
 static void
 test_without_text (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   QnDiag diag;
   qn_project_init (&project);
   qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks", 0);
   expect_error (&project, &diag, QN_IO_ERROR_INVALID,
                 "project: blocks: model has no blocks: draw or generate some first");
-  qn_project_clear (&project);
 }
 
 int

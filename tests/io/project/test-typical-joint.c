@@ -53,7 +53,7 @@ test_own_source (void)
 static void
 test_begin (void)
 {
-  QnProject project, again;
+  g_auto (QnProject) project, again;
   GError *error = NULL;
   g_assert_true (qn_project_begin (&project, "stone", &error));
   g_assert_no_error (error);
@@ -72,8 +72,6 @@ test_begin (void)
   g_assert_cmpfloat (again.model.live_loads[0].vector.x, ==, 1.0);
   g_autofree char *second = qn_project_to_text (&again, NULL);
   g_assert_cmpstr (second, ==, text);
-  qn_project_clear (&project);
-  qn_project_clear (&again);
 }
 
 int

@@ -9,6 +9,7 @@
 #include "io/result/result-claims.h"
 #include "io/text/fault-text.h"
 #include "io/text/outcome-text.h"
+#include "support/auto-clear.h"
 #include "support/scratch.h"
 #include "support/table.h"
 
@@ -286,9 +287,9 @@ test_row (gconstpointer data)
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
   g_autofree char *name = g_strconcat (row->example, ".quoin", NULL);
   g_autofree char *example = g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
-  QnProject project;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnProject) project;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnResultFile file;
   QnDiag diag = { 0 };
   g_autoptr (GError) error = NULL;
@@ -315,9 +316,6 @@ test_row (gconstpointer data)
     qn_result_file_clear (&file);
   }
   check_tables (folder, &project, &contacts, &result);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_project_clear (&project);
 }
 
 int

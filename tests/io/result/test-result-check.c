@@ -15,15 +15,13 @@ left_pair (const ResultFixture *fixture)
 static void
 run_check (const ResultFixture *fixture, QnResultCheck *check)
 {
-  char *text = result_fixture_dup_text (fixture);
-  QnResultFile file;
+  g_autofree char *text = result_fixture_dup_text (fixture);
+  g_auto (QnResultFile) file;
   GError *error = NULL;
   g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
   g_assert_no_error (error);
   g_assert_true (qn_result_check (&file, &fixture->project, check, &error));
   g_assert_no_error (error);
-  qn_result_file_clear (&file);
-  g_free (text);
 }
 
 static void
@@ -240,8 +238,8 @@ static void
 test_refused (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *text = result_fixture_dup_text (fixture);
-  QnResultFile file;
+  g_autofree char *text = result_fixture_dup_text (fixture);
+  g_auto (QnResultFile) file;
   QnResultCheck check;
   GError *error = NULL;
   g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
@@ -249,8 +247,6 @@ test_refused (ResultFixture *fixture, gconstpointer data)
   g_assert_false (qn_result_check (&file, &fixture->project, &check, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_clear_error (&error);
-  qn_result_file_clear (&file);
-  g_free (text);
 }
 
 int

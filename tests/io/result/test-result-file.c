@@ -9,18 +9,17 @@
 static void
 read_back (const ResultFixture *fixture, QnResultFile *file)
 {
-  char *text = result_fixture_dup_text (fixture);
+  g_autofree char *text = result_fixture_dup_text (fixture);
   GError *error = NULL;
   g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", file, &error));
   g_assert_no_error (error);
-  g_free (text);
 }
 
 static void
 test_match (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  QnResultFile file;
+  g_auto (QnResultFile) file;
   GError *error = NULL;
   gboolean same_bytes = FALSE;
   read_back (fixture, &file);
@@ -33,27 +32,25 @@ test_match (ResultFixture *fixture, gconstpointer data)
   g_assert_true (
     qn_result_file_match (&file, "r.json", &fixture->project, NULL, &same_bytes, &error));
   g_assert_false (same_bytes);
-  qn_result_file_clear (&file);
 }
 
 static void
 expect_mismatch (const QnResultFile *file, const QnProject *project,
                  const QnContacts *contacts, const char *reason)
 {
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_false (qn_result_file_match (file, "r.json", project, contacts, NULL, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_true (
     g_str_has_prefix (error->message, "r.json: the result is of another model"));
   g_assert_nonnull (strstr (error->message, reason));
-  g_error_free (error);
 }
 
 static void
 test_mismatch (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  QnResultFile file;
+  g_auto (QnResultFile) file;
   read_back (fixture, &file);
   file.contacts[1].face = 1;
   expect_mismatch (&file, &fixture->project, &fixture->contacts, "other contacts");
@@ -67,7 +64,6 @@ test_mismatch (ResultFixture *fixture, gconstpointer data)
   file.result.block_count = 1;
   expect_mismatch (&file, &fixture->project, NULL, "other blocks");
   file.result.block_count = 2;
-  qn_result_file_clear (&file);
 }
 
 int

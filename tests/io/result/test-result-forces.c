@@ -24,7 +24,7 @@ static void
 test_round_trip (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  QnResultFile file;
+  g_auto (QnResultFile) file;
   GError *error = NULL;
   add_forces (fixture);
   g_autofree char *text = result_fixture_dup_text (fixture);
@@ -39,7 +39,6 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
   }
   g_assert_cmpint (qn_result_pair_at (&file.result, 0, 0).state, ==, QN_PAIR_OPEN);
   g_assert_cmpint (file.result.step_states[3], ==, QN_PAIR_SLIP);
-  qn_result_file_clear (&file);
 }
 
 /* Results without them, of earlier programs or too large, know their last step. */
@@ -47,20 +46,19 @@ static void
 test_without (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  QnResultFile file;
+  g_auto (QnResultFile) file;
   g_autofree char *text = result_fixture_dup_text (fixture);
   g_assert_null (strstr (text, "\"forces\""));
   g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, NULL));
   g_assert_false (qn_result_has_forces (&file.result, 0));
   g_assert_true (qn_result_has_forces (&file.result, 1));
-  qn_result_file_clear (&file);
 }
 
 static void
 expect_refusal (const char *text, const char *from, const char *to, const char *reason)
 {
   QnResultFile file;
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_auto (GStrv) parts = g_strsplit (text, from, 2);
   g_assert_nonnull (parts[1]);
   g_autofree char *changed = g_strconcat (parts[0], to, parts[1], NULL);
@@ -68,7 +66,6 @@ expect_refusal (const char *text, const char *from, const char *to, const char *
     qn_result_file_parse (changed, strlen (changed), "r.json", &file, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_nonnull (strstr (error->message, reason));
-  g_error_free (error);
 }
 
 static void

@@ -12,8 +12,8 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
   (void) data;
   fixture->project.overrides = g_strsplit ("analysis.snap=stop", "|", -1);
   fixture->result.mechanism_uncertain = fixture->result.mechanism_by_work = true;
-  char *text = result_fixture_dup_text (fixture);
-  QnResultFile file;
+  g_autofree char *text = result_fixture_dup_text (fixture);
+  g_auto (QnResultFile) file;
   GError *error = NULL;
   g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
   g_assert_no_error (error);
@@ -64,8 +64,6 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
   }
   g_assert_cmpint (read->statistics.factorizations, ==, 400);
   g_assert_cmpint (read->statistics.peak_memory_bytes, ==, 12345678);
-  qn_result_file_clear (&file);
-  g_free (text);
 }
 
 typedef struct Case {
@@ -130,26 +128,23 @@ static void
 test_errors (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *text = result_fixture_dup_text (fixture);
+  g_autofree char *text = result_fixture_dup_text (fixture);
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
-    char *changed = test_replace (text, cases[i].what, cases[i].by);
+    g_autofree char *changed = test_replace (text, cases[i].what, cases[i].by);
     QnResultFile file;
-    GError *error = NULL;
+    g_autoptr (GError) error = NULL;
     g_assert_false (
       qn_result_file_parse (changed, strlen (changed), "r.json", &file, &error));
     g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
     g_assert_cmpstr (error->message, ==, cases[i].message);
-    g_error_free (error);
-    g_free (changed);
   }
-  g_free (text);
 }
 
 static void
 test_truncated (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *text = result_fixture_dup_text (fixture);
+  g_autofree char *text = result_fixture_dup_text (fixture);
   for (gsize length = 0; length < strlen (text) - 2; length++) {
     QnResultFile file;
     GError *error = NULL;
@@ -157,7 +152,6 @@ test_truncated (ResultFixture *fixture, gconstpointer data)
     g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
     g_clear_error (&error);
   }
-  g_free (text);
 }
 
 /* Keys may come in any order, and keys of a later version are passed over. */
@@ -169,7 +163,7 @@ test_order_and_unknown (void)
     "\"displacements\": [[1, 2, 3]] } ], \"contacts\": [], "
     "\"blocks\": [\"b\"], \"outcome\": \"target-reached\", \"version\": 1, "
     "\"format\": \"quoin-result\" }";
-  QnResultFile file;
+  g_auto (QnResultFile) file;
   GError *error = NULL;
   g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
   g_assert_no_error (error);
@@ -177,7 +171,6 @@ test_order_and_unknown (void)
   g_assert_false (file.result.has_collapse_multiplier);
   g_assert_null (file.result.mechanism);
   g_assert_cmpfloat (qn_result_step_displacements (&file.result, 0)[2], ==, 3);
-  qn_result_file_clear (&file);
 }
 
 /* What limit analysis, stages and beams add. */
@@ -197,7 +190,7 @@ static const char further_text[] =
 static void
 test_further (void)
 {
-  QnResultFile file;
+  g_auto (QnResultFile) file;
   GError *error = NULL;
   g_assert_true (
     qn_result_file_parse (further_text, strlen (further_text), "r.json", &file, &error));
@@ -217,7 +210,6 @@ test_further (void)
   g_assert_false (result->mechanism_by_work);
   g_assert_cmpfloat (result->mechanism[2 * 3 + 1], ==, 1);
   g_assert_cmpint (result->events[0].kind, ==, QN_EVENT_KIND_LOCAL);
-  qn_result_file_clear (&file);
 }
 
 static void
@@ -243,13 +235,12 @@ test_further_errors (void)
   for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
     g_autofree char *text = test_replace (further_text, wrong[i].what, wrong[i].by);
     QnResultFile file;
-    GError *error = NULL;
+    g_autoptr (GError) error = NULL;
     if (qn_result_file_parse (text, strlen (text), "r.json", &file, &error))
       g_error ("accepted: %s", wrong[i].by);
     g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
     if (strstr (error->message, wrong[i].message) == NULL)
       g_error ("'%s' is not in '%s'", wrong[i].message, error->message);
-    g_error_free (error);
   }
 }
 
@@ -258,8 +249,8 @@ test_file (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
   test_autoscratch char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "r.json", NULL);
-  QnResultFile file;
+  g_autofree char *path = g_build_filename (folder, "r.json", NULL);
+  g_auto (QnResultFile) file;
   GError *error = NULL;
   g_assert_false (qn_result_file_read (path, &file, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
@@ -268,8 +259,6 @@ test_file (ResultFixture *fixture, gconstpointer data)
                                        &fixture->result, &error));
   g_assert_true (qn_result_file_read (path, &file, &error));
   g_assert_no_error (error);
-  qn_result_file_clear (&file);
-  g_free (path);
 }
 
 int

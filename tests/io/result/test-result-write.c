@@ -65,9 +65,8 @@ test_text (ResultFixture *fixture, gconstpointer data)
     "\"peak_memory_bytes\": 12345678 }\n"
     "}\n",
     fixture->project.sha256, sign, sign);
-  char *text = result_fixture_dup_text (fixture);
+  g_autofree char *text = result_fixture_dup_text (fixture);
   g_assert_cmpstr (text, ==, expected);
-  g_free (text);
   g_free (expected);
 }
 
@@ -83,14 +82,13 @@ test_unstable (ResultFixture *fixture, gconstpointer data)
   result->unstable_blocks = g_malloc (sizeof (QnId));
   result->unstable_blocks[0] = 1;
   result->unstable_count = 1;
-  char *text = result_fixture_dup_text (fixture);
+  g_autofree char *text = result_fixture_dup_text (fixture);
   g_assert_nonnull (strstr (text, "\"outcome\": \"dead-load-unstable\","));
   g_assert_nonnull (strstr (text, "\"collapse_multiplier\": null,"));
   g_assert_nonnull (strstr (text, "\"unstable_blocks\": [1],"));
   g_assert_nonnull (strstr (text, "\"steps\": [],"));
   g_assert_nonnull (strstr (text, "\"contacts\": [],"));
   g_assert_nonnull (strstr (text, "\"mechanism\": null,"));
-  g_free (text);
 }
 
 /* What is certain is not mentioned; what is not is said in words too. */
@@ -98,16 +96,14 @@ static void
 test_uncertain_mechanism (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *certain = result_fixture_dup_text (fixture);
+  g_autofree char *certain = result_fixture_dup_text (fixture);
   g_assert_null (strstr (certain, "uncertain"));
   g_assert_null (strstr (certain, "by_work"));
   fixture->result.mechanism_uncertain = fixture->result.mechanism_by_work = true;
-  char *text = result_fixture_dup_text (fixture);
+  g_autofree char *text = result_fixture_dup_text (fixture);
   g_assert_nonnull (strstr (text, "\"mechanism_uncertain\": true,"));
   g_assert_nonnull (strstr (text, "\"mechanism_by_work\": true,"));
   g_assert_nonnull (strstr (text, "How the structure moves further was not determined"));
-  g_free (certain);
-  g_free (text);
 }
 
 static void
@@ -115,23 +111,21 @@ test_overrides (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
   fixture->project.overrides = g_strsplit ("analysis.snap=stop|title=\"x\"", "|", -1);
-  char *text = result_fixture_dup_text (fixture);
+  g_autofree char *text = result_fixture_dup_text (fixture);
   g_assert_nonnull (
     strstr (text, "\"overrides\": [\"analysis.snap=stop\", \"title=\\\"x\\\"\"],"));
-  g_free (text);
 }
 
 static void
 test_disk_full (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_false (qn_result_file_write ("/dev/full", &fixture->project,
                                         &fixture->contacts, &fixture->result, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
   g_assert_cmpstr (error->message, ==,
                    "/dev/full: cannot be written: No space left on device");
-  g_error_free (error);
 }
 
 int

@@ -8,6 +8,7 @@
 #include "io/result/result-check.h"
 #include "io/result/result-claims.h"
 #include "io/result/result-derived.h"
+#include "support/auto-clear.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -92,7 +93,7 @@ passes (const Case *c, const char *text, char **message)
 static void
 case_init (Case *c, const Source *source)
 {
-  QnResult result;
+  g_auto (QnResult) result;
   gsize length;
   g_autoptr (GError) error = NULL;
   g_autofree char *path =
@@ -105,7 +106,6 @@ case_init (Case *c, const Source *source)
     qn_analysis_run (&c->project.model, &c->contacts, NULL, NULL, &result, NULL), ==,
     QN_OK);
   c->text = qn_result_dup_text (&c->project, &c->contacts, &result, &length);
-  qn_result_clear (&result);
 }
 
 static void

@@ -11,7 +11,7 @@ static void
 test_bytes (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "file", NULL);
+  g_autofree char *path = g_build_filename (folder, "file", NULL);
   GError *error = NULL;
   gsize length;
 
@@ -27,8 +27,6 @@ test_bytes (void)
   g_assert_cmpuint (length, ==, 0);
   g_assert_cmpstr (bytes, ==, "");
   g_free (bytes);
-
-  g_free (path);
 }
 
 /* A pipe has no size to rely on. */
@@ -58,19 +56,18 @@ static void
 expect_error (const char *path, const char *reason)
 {
   gsize length;
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_null (qn_file_read (path, &length, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
   g_assert_true (g_str_has_prefix (error->message, path));
   g_assert_nonnull (strstr (error->message, reason));
-  g_error_free (error);
 }
 
 static void
 test_refused (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  char *path = g_build_filename (folder, "file", NULL);
+  g_autofree char *path = g_build_filename (folder, "file", NULL);
   expect_error (path, "No such file");
   expect_error (folder, "directory");
 
@@ -78,7 +75,6 @@ test_refused (void)
   g_assert_cmpint (g_chmod (path, 0), ==, 0);
   if (geteuid () != 0) /* root reads everything */
     expect_error (path, "ermission");
-  g_free (path);
 }
 
 int

@@ -58,13 +58,12 @@ test_larger_than_buffer (Fixture *fixture, gconstpointer data)
     qn_file_writer_printf (writer, "%05d\n", i);
   g_assert_true (qn_file_writer_commit (writer, &error));
 
-  char *content = NULL;
+  g_autofree char *content = NULL;
   gsize length;
   g_assert_true (g_file_get_contents (fixture->path, &content, &length, NULL));
   g_assert_cmpuint (length, ==, 600000);
   for (int i = 0; i < 100000; i++)
     g_assert_cmpint (atoi (content + 6 * i), ==, i);
-  g_free (content);
 }
 
 static void
@@ -86,7 +85,7 @@ static void
 test_mode_and_link (Fixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *link = g_build_filename (fixture->folder, "link", NULL);
+  g_autofree char *link = g_build_filename (fixture->folder, "link", NULL);
   GError *error = NULL;
   GStatBuf status;
   g_assert_true (qn_file_write (fixture->path, "old", 3, &error));
@@ -99,25 +98,23 @@ test_mode_and_link (Fixture *fixture, gconstpointer data)
   g_assert_true (g_file_test (link, G_FILE_TEST_IS_SYMLINK));
   g_assert_cmpint (g_stat (fixture->path, &status), ==, 0);
   g_assert_cmpuint (status.st_mode & 07777, ==, 0640);
-  g_free (link);
 }
 
 static void
 expect_refused (const char *path, const char *reason)
 {
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   g_assert_false (qn_file_write (path, "new", 3, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
   g_assert_true (g_str_has_prefix (error->message, path));
   g_assert_nonnull (strstr (error->message, reason));
-  g_error_free (error);
 }
 
 static void
 test_refused (Fixture *fixture, gconstpointer data)
 {
   (void) data;
-  char *nowhere = g_build_filename (fixture->folder, "none", "file", NULL);
+  g_autofree char *nowhere = g_build_filename (fixture->folder, "none", "file", NULL);
   expect_refused (nowhere, "No such file");
   expect_refused (fixture->folder, "directory");
   expect_refused ("/dev/full", "No space left");
@@ -127,7 +124,6 @@ test_refused (Fixture *fixture, gconstpointer data)
     expect_refused (fixture->path, "ermission");
     g_assert_cmpint (g_chmod (fixture->path, 0600), ==, 0);
   }
-  g_free (nowhere);
 }
 
 /* Devices are written, not replaced. */

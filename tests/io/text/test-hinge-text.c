@@ -19,7 +19,7 @@ static const char text[] =
 static char *
 words_for (const double moments[6])
 {
-  QnProject project;
+  g_auto (QnProject) project;
   g_autoptr (GError) error = NULL;
   qn_project_parse (text, sizeof text - 1, "beam.quoin", NULL, &project, &error);
   g_assert_no_error (error);
@@ -32,7 +32,6 @@ words_for (const double moments[6])
     .steps = &step, .step_count = 1, .beam_forces = forces, .element_count = 3
   };
   char *words = qn_hinges_dup_text (&project.model, &result);
-  qn_project_clear (&project);
   return words;
 }
 
@@ -55,7 +54,7 @@ test_places (void)
 static void
 test_unknown (void)
 {
-  QnProject project;
+  g_auto (QnProject) project;
   g_autoptr (GError) error = NULL;
   qn_project_parse (text, sizeof text - 1, "beam.quoin", NULL, &project, &error);
   g_assert_no_error (error);
@@ -68,7 +67,6 @@ test_unknown (void)
   g_assert_null (qn_hinges_dup_text (&project.model, &result));
   result.step_count = 0;
   g_assert_null (qn_hinges_dup_text (&project.model, &result));
-  qn_project_clear (&project);
 }
 
 int

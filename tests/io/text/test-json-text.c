@@ -6,10 +6,9 @@
 static void
 expect_string (const char *text, const char *expected)
 {
-  GString *json = g_string_new (NULL);
+  g_autoptr (GString) json = g_string_new (NULL);
   qn_json_append_string (json, text);
   g_assert_cmpstr (json->str, ==, expected);
-  g_string_free (json, TRUE);
 }
 
 static void
@@ -27,10 +26,9 @@ static void
 expect_value (const char *source, const char *expected)
 {
   cJSON *value = cJSON_Parse (source);
-  GString *json = g_string_new (NULL);
+  g_autoptr (GString) json = g_string_new (NULL);
   qn_json_append_value (json, value, 2);
   g_assert_cmpstr (json->str, ==, expected);
-  g_string_free (json, TRUE);
   cJSON_Delete (value);
 }
 

@@ -9,8 +9,8 @@
 static void
 collapse_in_words (QnModel *model, char **title, char **text)
 {
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   QnMechanism mechanism;
 
   model->analysis.procedure = QN_PROCEDURE_LIMIT;
@@ -24,8 +24,6 @@ collapse_in_words (QnModel *model, char **title, char **text)
   *title = qn_mechanism_dup_title (&mechanism);
   *text = qn_mechanism_dup_text (model, &mechanism);
   qn_mechanism_clear (&mechanism);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
 }
 

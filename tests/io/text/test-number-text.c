@@ -48,7 +48,7 @@ test_not_finite (void)
 static void
 test_round_trip (void)
 {
-  GRand *random = g_rand_new_with_seed (7);
+  g_autoptr (GRand) random = g_rand_new_with_seed (7);
   for (int i = 0; i < 100000; i++) {
     union {
       guint64 bits;
@@ -59,14 +59,13 @@ test_round_trip (void)
       g_assert_true (g_ascii_strtod (qn_number_text (value.number, text), NULL)
                      == value.number);
   }
-  g_rand_free (random);
 }
 
 /* Every decimal of up to 15 digits comes back as it was typed. */
 static void
 test_typed_numbers (void)
 {
-  GRand *random = g_rand_new_with_seed (11);
+  g_autoptr (GRand) random = g_rand_new_with_seed (11);
   for (int i = 0; i < 100000; i++) {
     int digits = g_rand_int_range (random, 1, 16);
     char typed[40], text[QN_NUMBER_TEXT_SIZE];
@@ -81,7 +80,6 @@ test_typed_numbers (void)
       found += g_ascii_isdigit (*c) && (found > 0 || *c != '0');
     g_assert_cmpint (found, <=, MAX (digits, 15));
   }
-  g_rand_free (random);
 }
 
 int

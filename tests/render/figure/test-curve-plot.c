@@ -64,7 +64,7 @@ static void
 test_history (void)
 {
   Fixture f;
-  QnCurve curve;
+  g_auto (QnCurve) curve;
   double end;
   fixture_init_wall (&f, 4, 4);
   f.result.history.width = QN_HISTORY_TRACK;
@@ -81,7 +81,6 @@ test_history (void)
                        qn_result_step_displacements (&f.result, s)[3 * 3 + QN_DOF_UX]);
   }
   g_assert_false (qn_curve_get_end (&curve, &end));
-  qn_curve_clear (&curve);
   fixture_clear (&f);
 }
 
@@ -221,7 +220,8 @@ test_runaway (void)
     { { 0, 1, 2, 3, 4 }, { 0, 0, 0, 0, 0 }, false, 0 },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
-    QnCurve curve = { .count = 5, .limit_point = 2, .collapse_point = 4, .dot = -1 };
+    g_auto (QnCurve)
+      curve = { .count = 5, .limit_point = 2, .collapse_point = 4, .dot = -1 };
     curve.x = g_memdup2 (cases[i].x, sizeof cases[i].x);
     curve.y = g_memdup2 (cases[i].y, sizeof cases[i].y);
     double end = 0;
@@ -236,7 +236,6 @@ test_runaway (void)
       g_assert_cmpint (curve.collapse_point, ==, 3);
     } else
       g_assert_cmpuint (curve.count, ==, 5);
-    qn_curve_clear (&curve);
   }
 }
 

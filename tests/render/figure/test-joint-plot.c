@@ -1,4 +1,5 @@
 #include "render/figure/joint-plot.h"
+#include "support/auto-clear.h"
 
 #include <glib.h>
 #include <math.h>
@@ -8,8 +9,8 @@
 static void
 fill (QnJointPlot *plot, QnPairResult *pairs)
 {
-  QnModel model;
-  QnContacts contacts;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
   QnDiag diag = { 0 };
   qn_model_init (&model);
   QnLaw *law = qn_model_add_law (&model, "dry");
@@ -34,8 +35,6 @@ fill (QnJointPlot *plot, QnPairResult *pairs)
   g_assert_false (qn_joint_plot_fill (plot, &model, &contacts, &result, -1, 0));
   result.pairs = pairs;
   g_assert_true (qn_joint_plot_fill (plot, &model, &contacts, &result, -1, 0));
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
 }
 
 static void

@@ -37,11 +37,13 @@ rig_clear (Rig *rig)
   fixture_clear (&rig->fixture);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Rig, rig_clear)
+
 static void
 test_gif (void)
 {
   for (int view = QN_VIEW_DEFORMED; view <= QN_VIEW_MECHANISM; view++) {
-    Rig rig;
+    g_auto (Rig) rig;
     GError *error = NULL;
     int code;
     rig_init (&rig, (QnView) view);
@@ -63,14 +65,13 @@ test_gif (void)
     g_assert_cmpint (ground.Blue, ==, 255);
     DGifCloseFile (gif, &code);
     g_unlink (path);
-    rig_clear (&rig);
   }
 }
 
 static void
 test_gif_is_repeatable (void)
 {
-  Rig rig;
+  g_auto (Rig) rig;
   GError *error = NULL;
   char *contents[2] = { NULL, NULL };
   gsize lengths[2];
@@ -85,13 +86,12 @@ test_gif_is_repeatable (void)
   g_free (contents[0]);
   g_free (contents[1]);
   g_unlink (path);
-  rig_clear (&rig);
 }
 
 static void
 test_frames (void)
 {
-  Rig rig;
+  g_auto (Rig) rig;
   GError *error = NULL;
   rig_init (&rig, QN_VIEW_MECHANISM);
   g_autofree char *inner = g_build_filename (rig.folder, "new", NULL);
@@ -108,14 +108,13 @@ test_frames (void)
     g_assert_cmpint (g_unlink (name), ==, 0);
   }
   g_assert_cmpint (g_rmdir (inner), ==, 0);
-  rig_clear (&rig);
 }
 
 /* All frames of an animation are drawn in one OpenGL context. */
 static void
 test_one_context (void)
 {
-  Rig rig;
+  g_auto (Rig) rig;
   GError *error = NULL;
   unsigned before = qn_gl_painter_count ();
   rig_init (&rig, QN_VIEW_MECHANISM);
@@ -132,7 +131,6 @@ test_one_context (void)
     g_unlink (path);
   }
   g_clear_error (&error);
-  rig_clear (&rig);
 }
 
 static bool
@@ -149,7 +147,7 @@ test_cancel_leaves_nothing (void)
 {
   const char *const names[] = { "a.gif", "frames/", "a.webm" };
   for (size_t i = 0; i < G_N_ELEMENTS (names); i++) {
-    Rig rig;
+    g_auto (Rig) rig;
     GError *error = NULL;
     int seen = 0;
     rig_init (&rig, QN_VIEW_MECHANISM);
@@ -165,14 +163,13 @@ test_cancel_leaves_nothing (void)
       g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_UNAVAILABLE);
     }
     g_clear_error (&error);
-    rig_clear (&rig);
   }
 }
 
 static void
 test_webm (void)
 {
-  Rig rig;
+  g_auto (Rig) rig;
   GError *error = NULL;
   rig_init (&rig, QN_VIEW_MECHANISM);
   g_autofree char *path = g_build_filename (rig.folder, "a.webm", NULL);
@@ -188,13 +185,12 @@ test_webm (void)
     g_assert_cmpint (strncmp (content, "\x1a\x45\xdf\xa3", 4), ==, 0);
     g_unlink (path);
   }
-  rig_clear (&rig);
 }
 
 static void
 test_refusals (void)
 {
-  Rig rig;
+  g_auto (Rig) rig;
   GError *error = NULL;
   rig_init (&rig, QN_VIEW_MECHANISM);
   g_assert_false (
@@ -217,7 +213,6 @@ test_refusals (void)
     qn_animation_export (&rig.animation, "a.gif", &rig.output, &rig.metadata, &error));
   g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
   g_clear_error (&error);
-  rig_clear (&rig);
 }
 
 int

@@ -40,6 +40,8 @@ clear (Solved *s)
   qn_project_clear (&s->project);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Solved, clear)
+
 /* Loads on every block at the last step: fx, fy, m. The caller frees them. */
 static double *
 dup_loads (const Solved *s)
@@ -177,7 +179,7 @@ test_places (void)
 static void
 test_thrust_of_arch (void)
 {
-  Solved s;
+  g_auto (Solved) s;
   QnThrust thrust;
   solve (&s, "06-arch.quoin");
   g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
@@ -189,7 +191,6 @@ test_thrust_of_arch (void)
       ends += thrust.cuts[c].next[side] == QN_NONE;
   g_assert_cmpint (ends, ==, 2);
   qn_thrust_clear (&thrust);
-  clear (&s);
 }
 
 /* Between neighbours of the line the forces and the loads on the blocks there are in equilibrium:
@@ -304,7 +305,7 @@ test_touch (void)
 static void
 test_values (void)
 {
-  Solved s;
+  g_auto (Solved) s;
   solve (&s, "06-arch.quoin");
   for (int on = 0; on < 2; on++) {
     g_autoptr (GError) error = NULL;
@@ -323,7 +324,6 @@ test_values (void)
     }
     g_assert_cmpuint (labels, ==, on ? s.contacts.face_count : 0);
   }
-  clear (&s);
 }
 
 int

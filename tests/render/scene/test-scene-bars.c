@@ -63,6 +63,8 @@ row_clear (Row *row)
   qn_model_clear (&row->model);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Row, row_clear)
+
 static QnScene *
 build (const Row *row, QnView view, QnField field)
 {
@@ -104,7 +106,7 @@ has_legend (const QnScene *scene, const char *text)
 static void
 test_follows (void)
 {
-  Row row = { 0 };
+  g_auto (Row) row = { 0 };
   row_init (&row);
   g_autoptr (QnScene) rest = build (&row, QN_VIEW_MODEL, QN_FIELD_NONE);
   const QnCommand *line = find_line (rest, qn_ink (QN_INK_BAR, false), 0);
@@ -129,14 +131,13 @@ test_follows (void)
   const double shift[] = { third, third, second, second, 0, 0 };
   for (int i = 0; i < 6; i++)
     g_assert_cmpfloat_with_epsilon (p[i].x, x[i] + shift[i], 1e-12);
-  row_clear (&row);
 }
 
 /* Bar and joint share the load like their stiffnesses; the legend tells the stress of the bar. */
 static void
 test_stress (void)
 {
-  Row row = { 0 };
+  g_auto (Row) row = { 0 };
   row_init (&row);
   g_autoptr (QnScene) scene = build (&row, QN_VIEW_DEFORMED, QN_FIELD_STRESS);
   QnColor most = qn_map_diverging (1, false);
@@ -149,7 +150,6 @@ test_stress (void)
   g_assert_true (has_legend (scene, text));
   g_assert_false (has_legend (scene, "compression up to"));
   g_assert_false (has_legend (scene, "reinforcing bar"));
-  row_clear (&row);
 }
 
 int

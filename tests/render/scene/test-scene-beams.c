@@ -75,6 +75,8 @@ portal_clear (Portal *p)
   qn_model_clear (&p->model);
 }
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Portal, portal_clear)
+
 static QnScene *
 build (const Portal *p, QnView view, QnDiagram diagram)
 {
@@ -91,7 +93,7 @@ build (const Portal *p, QnView view, QnDiagram diagram)
 static void
 test_picking (void)
 {
-  Portal p;
+  g_auto (Portal) p;
   portal_init (&p);
   g_autoptr (QnScene) scene = build (&p, QN_VIEW_MODEL, QN_DIAGRAM_MOMENT);
   bool seen[3] = { false };
@@ -99,7 +101,6 @@ test_picking (void)
     if (qn_scene_command (scene, i)->pick == QN_PICK_BEAM)
       seen[qn_scene_command (scene, i)->id] = true;
   g_assert_true (seen[0] && seen[1] && seen[2]);
-  portal_clear (&p);
 }
 
 /* Whether some text of the scene is a number near to this. */
@@ -119,7 +120,7 @@ says (const QnScene *scene, double number)
 static void
 test_labels (void)
 {
-  Portal p;
+  g_auto (Portal) p;
   portal_init (&p);
   const QnBeamForces *f = qn_result_step_beam_forces (&p.result, p.result.step_count - 1);
   g_autoptr (QnScene) moments = build (&p, QN_VIEW_DIAGRAMS, QN_DIAGRAM_MOMENT);
@@ -134,14 +135,13 @@ test_labels (void)
   g_assert_true (says (shears, f[2].shear[1] / 1000));
   g_autoptr (QnScene) normals = build (&p, QN_VIEW_DIAGRAMS, QN_DIAGRAM_NORMAL);
   g_assert_true (says (normals, f[0].normal[0] / 1000));
-  portal_clear (&p);
 }
 
 /* Diagrams of a result without beams are refused with one sentence. */
 static void
 test_refused (void)
 {
-  Portal p;
+  g_auto (Portal) p;
   QnViewOptions options;
   GError *error = NULL;
   portal_init (&p);
@@ -150,7 +150,6 @@ test_refused (void)
   g_assert_null (qn_scene_build (&p.model, &p.contacts, &p.result, &options, &error));
   g_assert_nonnull (strstr (error->message, "beams"));
   g_clear_error (&error);
-  portal_clear (&p);
 }
 
 static void
@@ -163,7 +162,7 @@ test_golden (void)
   } pictures[] = { { "cairo-beams-model", QN_VIEW_MODEL, QN_DIAGRAM_MOMENT },
                    { "cairo-beams-deformed", QN_VIEW_DEFORMED, QN_DIAGRAM_MOMENT },
                    { "cairo-beams-moments", QN_VIEW_DIAGRAMS, QN_DIAGRAM_MOMENT } };
-  Portal p;
+  g_auto (Portal) p;
   portal_init (&p);
   for (gsize i = 0; i < G_N_ELEMENTS (pictures); i++) {
     g_autoptr (QnScene) scene = build (&p, pictures[i].view, pictures[i].diagram);
@@ -180,7 +179,6 @@ test_golden (void)
     image_assert_golden (pictures[i].name, image, IMAGE_EXACT);
     cairo_surface_destroy (image);
   }
-  portal_clear (&p);
 }
 
 int

@@ -5,6 +5,7 @@
 #include "core/limit/limit.h"
 #include "io/text/number-text.h"
 #include "study/fixture.h"
+#include "support/auto-clear.h"
 
 #include <math.h>
 
@@ -13,9 +14,9 @@
 static void
 test_outputs (void)
 {
-  QnStudy study;
+  g_auto (QnStudy) study;
   QnCaseSolver solver;
-  QnCaseResult result;
+  g_auto (QnCaseResult) result;
   const double values[] = { 0.37, 12000 };
   fixture_study (&study, PLAN, "");
   g_assert_true (qn_case_solver_init (&solver, &study, NULL));
@@ -26,27 +27,23 @@ test_outputs (void)
   g_assert_cmpfloat_with_epsilon (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER], 0.37,
                                   1e-6);
   g_assert_true (isnan (result.numbers[QN_STUDY_UPPER_BOUND])); /* not asked for */
-  qn_case_result_clear (&result);
   qn_case_solver_clear (&solver);
-  qn_study_clear (&study);
 }
 
 /* A value that the project does not allow is a failed case that says which. */
 static void
 test_failed (void)
 {
-  QnStudy study;
+  g_auto (QnStudy) study;
   QnCaseSolver solver;
-  QnCaseResult result;
+  g_auto (QnCaseResult) result;
   const double values[] = { 0.4, -1 };
   fixture_study (&study, PLAN, "");
   g_assert_true (qn_case_solver_init (&solver, &study, NULL));
   qn_case_solve (&solver, values, NULL, NULL, &result);
   g_assert_true (result.failed);
   g_assert_nonnull (strstr (result.reason, "blocks[1].unit_weight"));
-  qn_case_result_clear (&result);
   qn_case_solver_clear (&solver);
-  qn_study_clear (&study);
 }
 
 /* Keys that move blocks: what the case finds, from the contacts of the project as it is, equals what
@@ -71,10 +68,10 @@ check_case (QnCaseSolver *solver, const char *model, const char *path, double va
   g_autofree char *override =
     g_strconcat (path, "=", qn_number_text (value, number), NULL);
   const char *overrides[] = { override, NULL };
-  QnCaseResult result;
-  QnProject project;
-  QnContacts contacts;
-  QnLimitSolution solution;
+  g_auto (QnCaseResult) result;
+  g_auto (QnProject) project;
+  g_auto (QnContacts) contacts;
+  g_auto (QnLimitSolution) solution;
   qn_case_solve (solver, &value, NULL, NULL, &result);
   if (result.failed)
     g_error ("%s", result.reason);
@@ -88,10 +85,6 @@ check_case (QnCaseSolver *solver, const char *model, const char *path, double va
     fabs (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] - solution.lower_bound), <,
     1e-7 * (1 + solution.upper_bound));
   *multiplier = solution.lower_bound;
-  qn_limit_solution_clear (&solution);
-  qn_contacts_clear (&contacts);
-  qn_project_clear (&project);
-  qn_case_result_clear (&result);
 }
 
 static void
@@ -109,7 +102,7 @@ test_geometry (gconstpointer data)
     model, geometries[i].path, geometries[i].values[0], geometries[i].values[1]);
   test_autoscratch char *folder = test_scratch_new ();
   double multipliers[2];
-  QnStudy study;
+  g_auto (QnStudy) study;
   QnCaseSolver solver;
   fixture_read (folder, text, &study, &error);
   g_assert_no_error (error);
@@ -119,7 +112,6 @@ test_geometry (gconstpointer data)
                 &multipliers[k]);
   g_assert_cmpfloat (multipliers[0], !=, multipliers[1]);
   qn_case_solver_clear (&solver);
-  qn_study_clear (&study);
 }
 
 /* A case in time: what it gives is what the result says. */
@@ -136,14 +128,14 @@ test_dynamic (void)
     "\"energy_error\", \"largest_slip\", \"mechanism_shape\"] }",
     g_getenv ("QUOIN_EXAMPLES"), "42-arch-pulse.quoin");
   test_autoscratch char *folder = test_scratch_new ();
-  QnStudy study;
+  g_auto (QnStudy) study;
   QnCaseSolver solver;
   fixture_read (folder, text, &study, &error);
   g_assert_no_error (error);
   g_assert_true (qn_case_solver_init (&solver, &study, NULL));
   const double scales[] = { 0.1, 4 };
   for (gsize i = 0; i < 2; i++) {
-    QnCaseResult result;
+    g_auto (QnCaseResult) result;
     QnCaseModel model;
     qn_case_solve (&solver, &scales[i], NULL, &model, &result);
     if (result.failed)
@@ -162,11 +154,9 @@ test_dynamic (void)
     if (i == 1)
       g_assert_cmpfloat (result.numbers[QN_STUDY_TIME_OF_COLLAPSE], ==,
                          history->collapse_time);
-    qn_case_result_clear (&result);
     qn_case_model_clear (&model);
   }
   qn_case_solver_clear (&solver);
-  qn_study_clear (&study);
 }
 
 /* An analysis that may not take as much work as it needs has failed, and says so. */
@@ -181,9 +171,9 @@ test_work (void)
     "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }",
     g_getenv ("QUOIN_EXAMPLES"), "06-arch.quoin");
   test_autoscratch char *folder = test_scratch_new ();
-  QnStudy study;
+  g_auto (QnStudy) study;
   QnCaseSolver solver;
-  QnCaseResult result;
+  g_auto (QnCaseResult) result;
   const double friction = 0.6;
   fixture_read (folder, text, &study, &error);
   g_assert_no_error (error);
@@ -191,9 +181,7 @@ test_work (void)
   qn_case_solve (&solver, &friction, NULL, NULL, &result);
   g_assert_true (result.failed);
   g_assert_nonnull (strstr (result.reason, "factorizations"));
-  qn_case_result_clear (&result);
   qn_case_solver_clear (&solver);
-  qn_study_clear (&study);
 }
 
 int

@@ -49,7 +49,7 @@ test_places (void)
   };
   test_autoscratch char *folder = test_scratch_new ();
   g_autoptr (GError) error = NULL;
-  QnStudy study;
+  g_auto (QnStudy) study;
   read_study (folder, STUDY, &study, &error);
   g_assert_no_error (error);
   const QnParameter *way = qn_study_parameter (&study, 0);
@@ -62,7 +62,6 @@ test_places (void)
     g_autofree char *text = g_strjoinv (" ", (char **) overrides->pdata);
     g_assert_cmpstr (text, ==, expected[i]);
   }
-  qn_study_clear (&study);
 }
 
 /* A block that is pushed at 1 m turns about its corner: the multiplier is known. */
@@ -70,9 +69,9 @@ static void
 test_case (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  QnStudy study;
+  g_auto (QnStudy) study;
   QnCaseSolver solver;
-  QnCaseResult result;
+  g_auto (QnCaseResult) result;
   read_study (folder, STUDY, &study, NULL);
   g_assert_true (qn_case_solver_init (&solver, &study, NULL));
   const double at_end = 2;
@@ -81,9 +80,7 @@ test_case (void)
   /* b alone: 1000 N, pushed by 5 N at 0.5 m and 5 N at 1 m with 2 Nm more against it: it slides
    * at 600/10 and turns at 500/(2.5 + 5 - 2). */
   g_assert_cmpfloat_with_epsilon (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER], 60, 1e-6);
-  qn_case_result_clear (&result);
   qn_case_solver_clear (&solver);
-  qn_study_clear (&study);
 }
 
 static void

@@ -2,6 +2,7 @@
 #include "study/cases/shape.h"
 
 #include "core/model/model.h"
+#include "support/auto-clear.h"
 #include <string.h>
 
 /* A stack of `count` blocks, 1 m wide and 2 m high. */
@@ -21,7 +22,7 @@ init_stack (QnModel *model, int count)
 static char *
 dup_turned (int count, int first, QnVec2 centre, double speed)
 {
-  QnModel model;
+  g_auto (QnModel) model;
   init_stack (&model, count);
   g_autofree double *v = g_new0 (double, 3 * count);
   for (int i = first; i < count; i++) {
@@ -31,7 +32,6 @@ dup_turned (int count, int first, QnVec2 centre, double speed)
     v[3 * i + 2] = speed;
   }
   char *shape = qn_shape_dup (&model, v);
-  qn_model_clear (&model);
   return shape;
 }
 

@@ -48,7 +48,7 @@ static void
 add (Bench *bench, QnStore *store, gsize index, gboolean failed)
 {
   const double values[] = { 0.1 + (double) index, 1.0 / 3 };
-  QnCaseResult result;
+  g_auto (QnCaseResult) result;
   qn_case_result_fail (&result, failed ? "it broke" : NULL);
   result.failed = failed;
   if (!failed) {
@@ -59,7 +59,6 @@ add (Bench *bench, QnStore *store, gsize index, gboolean failed)
   result.seconds = 0.25;
   qn_store_add (store, index, values, &result, &bench->error);
   g_assert_no_error (bench->error);
-  qn_case_result_clear (&result);
 }
 
 static void

@@ -28,7 +28,7 @@ test_ranges (void)
 static void
 test_script (void)
 {
-  QnStudy study;
+  g_auto (QnStudy) study;
   QnSubmission submission;
   g_autoptr (GError) error = NULL;
   test_autoscratch char *scratch = test_scratch_new ();
@@ -58,7 +58,6 @@ test_script (void)
   g_assert_true (qn_study_submit (&study, folder, &settings, &submission, &error));
   g_assert_cmpuint (submission.tasks, ==, 10);
   qn_submission_clear (&submission);
-  qn_study_clear (&study);
 }
 
 int

@@ -93,7 +93,7 @@ test_whole (void)
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
   g_autoptr (GError) error = NULL;
   QnDraft *draft = qn_draft_new (path, model);
-  QnStudy study;
+  g_auto (QnStudy) study;
   g_assert_true (qn_draft_vary (draft, "analysis.increments", 10, TRUE));
   QnDraftParameter counted = qn_draft_parameter (draft, 0);
   g_assert_cmpstr (counted.path, ==, "analysis.increments");
@@ -105,7 +105,6 @@ test_whole (void)
   g_assert_true (qn_study_read (path, NULL, &study, &error));
   g_assert_no_error (error);
   g_assert_true (qn_study_parameter (&study, 0)->whole);
-  qn_study_clear (&study);
   qn_draft_free (draft);
 }
 

@@ -11,10 +11,9 @@
 static void
 sample_of (QnSample *sample, const char *plan, const char *more)
 {
-  QnStudy study;
+  g_auto (QnStudy) study;
   fixture_study (&study, plan, more);
   qn_sample_init (sample, &study);
-  qn_study_clear (&study);
 }
 
 static void
@@ -28,20 +27,19 @@ assert_case (const QnSample *sample, gsize index, double friction, double weight
 static void
 test_grid (void)
 {
-  QnSample sample;
+  g_auto (QnSample) sample;
   sample_of (&sample, "{ \"kind\": \"grid\" }", "");
   g_assert_cmpuint (sample.count, ==, 9);
   assert_case (&sample, 0, 0.3, 10000);
   assert_case (&sample, 1, 0.3, 15000);
   assert_case (&sample, 3, 0.5, 10000);
   assert_case (&sample, 8, 0.7, 20000);
-  qn_sample_clear (&sample);
 }
 
 static void
 test_one_at_a_time (void)
 {
-  QnSample sample;
+  g_auto (QnSample) sample;
   sample_of (&sample, "{ \"kind\": \"one-at-a-time\" }", "");
   g_assert_cmpuint (sample.count, ==, 7);
   const double friction = qn_sample_case (&sample, 0)[0];
@@ -50,7 +48,6 @@ test_one_at_a_time (void)
   assert_case (&sample, 3, 0.7, weight);
   assert_case (&sample, 4, friction, 10000);
   assert_case (&sample, 6, friction, 20000);
-  qn_sample_clear (&sample);
 }
 
 /* Every layer of the interval 0.2 … 0.8 holds one point. */
@@ -77,12 +74,11 @@ rank_correlation (const QnSample *sample)
 static void
 test_layers (void)
 {
-  QnSample sample;
+  g_auto (QnSample) sample;
   sample_of (&sample, "{ \"kind\": \"latin-hypercube\", \"count\": 500, \"seed\": 3 }",
              "");
   assert_layers (&sample);
   g_assert_cmpfloat (fabs (rank_correlation (&sample)), <, 0.15);
-  qn_sample_clear (&sample);
 }
 
 /* Of uniform marginals: the friction's, and the weight's three steps. */
@@ -108,19 +104,18 @@ test_correlated (void)
       i == 0 ? 0.03 : 0.005);
     gsl_rng_free (random);
 
-    QnSample sample;
+    g_auto (QnSample) sample;
     sample_of (&sample, plan, ", \"correlation\": [[\"friction\", \"weight\", 0.6]]");
     g_assert_cmpfloat_with_epsilon (rank_correlation (&sample), 0.57, 0.04);
     if (i == 1)
       assert_layers (&sample);
-    qn_sample_clear (&sample);
   }
 }
 
 static void
 test_saltelli (void)
 {
-  QnSample sample;
+  g_auto (QnSample) sample;
   sample_of (&sample, "{ \"kind\": \"sobol\", \"count\": 64, \"seed\": 1 }", "");
   g_assert_cmpuint (sample.count, ==, 64 * 4);
   for (gsize i = 0; i < 64; i++) {
@@ -128,7 +123,6 @@ test_saltelli (void)
     g_assert_true (a[4] == b[0] && a[5] == a[1]); /* a with the friction of b */
     g_assert_true (a[6] == a[0] && a[7] == b[1]);
   }
-  qn_sample_clear (&sample);
 }
 
 /* The same seed gives these numbers on every machine; another seed gives others. */
@@ -144,7 +138,7 @@ test_known_numbers (void)
     { "sobol", { 0.750213199062, 0.332194693573, 0.332194693573 } },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (known); i++) {
-    QnSample sample, other;
+    g_auto (QnSample) sample, other;
     g_autofree char *plan =
       g_strdup_printf ("{ \"kind\": \"%s\", \"count\": 8, \"seed\": 1 }", known[i].plan);
     g_autofree char *next =
@@ -157,16 +151,14 @@ test_known_numbers (void)
     g_assert_true (
       memcmp (sample.values, other.values, sample.count * sample.width * sizeof (double))
       != 0);
-    qn_sample_clear (&sample);
-    qn_sample_clear (&other);
   }
 }
 
 static void
 test_whole (void)
 {
-  QnStudy study;
-  QnSample sample;
+  g_auto (QnStudy) study;
+  g_auto (QnSample) sample;
   fixture_study (&study, "{ \"kind\": \"monte-carlo\", \"count\": 50 }", "");
   QnParameter *parameter = &g_array_index (study.parameters, QnParameter, 0);
   parameter->whole = TRUE;
@@ -175,8 +167,6 @@ test_whole (void)
   for (gsize i = 0; i < sample.count; i++)
     g_assert_cmpfloat (qn_sample_case (&sample, i)[0], ==,
                        rint (qn_sample_case (&sample, i)[0]));
-  qn_sample_clear (&sample);
-  qn_study_clear (&study);
 }
 
 int

@@ -20,7 +20,7 @@ replace (const char *text, const char *from, const char *to)
 static void
 test_sound (void)
 {
-  QnStudy study;
+  g_auto (QnStudy) study;
   fixture_study (&study, "{ \"kind\": \"latin-hypercube\", \"count\": 100, \"seed\": 7 }",
                  ", \"correlation\": [[\"friction\", \"weight\", -0.3]]");
   g_assert_cmpint (study.run, ==, QN_STUDY_LIMIT);
@@ -32,7 +32,6 @@ test_sound (void)
   g_assert_cmpuint (study.outputs->len, ==, 2);
   g_assert_cmpuint (study.warnings->len, ==, 0);
   g_assert_false (isnan (qn_study_parameter (&study, 0)->base));
-  qn_study_clear (&study);
 }
 
 static void
@@ -147,12 +146,11 @@ test_missing_model (void)
 static void
 test_warnings (void)
 {
-  QnStudy study;
+  g_auto (QnStudy) study;
   fixture_study (&study, PLAN, ", \"colour\": 1");
   g_assert_cmpuint (study.warnings->len, ==, 1);
   g_assert_nonnull (
     strstr (g_ptr_array_index (study.warnings, 0), "colour: unknown key"));
-  qn_study_clear (&study);
 }
 
 int

@@ -30,14 +30,13 @@ fill (Bench *bench, const char *text, Function function)
   g_assert_no_error (error);
   qn_sample_init (&sample, &bench->study);
   for (gsize i = 0; i < sample.count; i++) {
-    QnCaseResult result;
+    g_auto (QnCaseResult) result;
     qn_case_result_fail (&result, NULL);
     result.failed = FALSE;
     result.outcome = g_strdup ("collapse");
     result.mechanism = g_strdup (i % 4 == 0 ? "sliding" : "rocking");
     result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] = function (qn_sample_case (&sample, i));
     g_assert_true (qn_store_add (store, i, qn_sample_case (&sample, i), &result, &error));
-    qn_case_result_clear (&result);
   }
   g_assert_true (qn_store_commit (store, &error));
   qn_store_close (store);
@@ -52,6 +51,8 @@ clear (Bench *bench)
   qn_study_clear (&bench->study);
   test_scratch_free (bench->folder);
 }
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Bench, clear)
 
 static double
 ishigami (const double *x)
@@ -69,7 +70,7 @@ test_ishigami (void)
   static const char *const paths[] = { "loads.live[0].direction[0]",
                                        "loads.live[0].direction[1]",
                                        "loads.dead[0].direction[0]" };
-  Bench bench;
+  g_auto (Bench) bench;
   QnSobolIndex indices[3];
   g_autoptr (GString) text = g_string_new (NULL);
   g_string_printf (text,
@@ -102,7 +103,6 @@ test_ishigami (void)
   QnMoments moments = qn_moments (sorted, count);
   g_assert_cmpfloat_with_epsilon (moments.mean, 3.5, 0.03);
   g_assert_cmpfloat_with_epsilon (moments.deviation * moments.deviation, 13.844588, 0.2);
-  clear (&bench);
 }
 
 static double
@@ -114,7 +114,7 @@ product (const double *x)
 static void
 test_effects (void)
 {
-  Bench bench;
+  g_auto (Bench) bench;
   double base;
   QnInterval effect;
   g_autofree char *text = fixture_study_text ("{ \"kind\": \"one-at-a-time\" }", "");
@@ -125,13 +125,12 @@ test_effects (void)
   g_assert_cmpfloat_with_epsilon (effect.low, fmin (0.3 * own[1] / 10000, base), 1e-12);
   g_assert_cmpfloat_with_epsilon (effect.high, fmax (0.7 * own[1] / 10000, base), 1e-12);
   g_assert_false (qn_table_is_sample (&bench.table));
-  clear (&bench);
 }
 
 static void
 test_mechanisms_and_summary (void)
 {
-  Bench bench;
+  g_auto (Bench) bench;
   gsize whole;
   g_autofree char *text =
     fixture_study_text ("{ \"kind\": \"monte-carlo\", \"count\": 40 }", "");
@@ -156,7 +155,6 @@ test_mechanisms_and_summary (void)
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
     if (strstr (summary, parts[i]) == NULL)
       g_test_fail_printf ("'%s' lacks '%s'", summary, parts[i]);
-  clear (&bench);
 }
 
 int
