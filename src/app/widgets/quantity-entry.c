@@ -45,8 +45,11 @@ quantity_type (void)
     { QN_QUANTITY_UNIT_WEIGHT, "QN_QUANTITY_UNIT_WEIGHT", "unit-weight" },
     { QN_QUANTITY_DENSITY, "QN_QUANTITY_DENSITY", "density" },
     { QN_QUANTITY_TIME, "QN_QUANTITY_TIME", "time" },
+    { QN_QUANTITY_ENERGY, "QN_QUANTITY_ENERGY", "energy" },
+    { QN_QUANTITY_SURFACE_ENERGY, "QN_QUANTITY_SURFACE_ENERGY", "surface-energy" },
     { 0, NULL, NULL }
   };
+  G_STATIC_ASSERT (G_N_ELEMENTS (values) == QN_QUANTITY_COUNT + 1);
   static GType type;
   if (type == 0)
     type = g_enum_register_static ("QnQuantity", values);
