@@ -2,8 +2,9 @@
 # Runs the benchmarks, an hour or so in all, and says what got worse since a baseline. Sets the
 # machine up first where something is missing, Clp among it, the peer of limit analysis.
 #
-#   tools/bench.sh [NAME...]     all, or some of: walls members joints render contacts scaling
-#                                paths dynamics earthquakes
+#   tools/bench.sh [NAME...]     all, or some of: contacts dynamics earthquakes factor joints
+#                                members outcomes paths render scaling skip stress study
+#                                variations walls
 #
 # Tables, charts and a description of the machine go to build/bench-results; the baseline is
 # $BASELINE, tests/bench/baselines/epyc by default. Exits non-zero where a benchmark fails, or
