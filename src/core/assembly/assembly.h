@@ -114,8 +114,8 @@ QnStatus qn_assembly_setup (QnAssembly *assembly, const QnModel *model,
 
 void qn_assembly_clear (QnAssembly *assembly);
 
-/* Takes up where a contact pair lies on its blocks, where that has changed: its kinematics are those of
- * the undeformed state until the next evaluation. */
+/* Reads the place of a contact pair on its blocks again, after it has changed. Its kinematics are
+ * those of the undeformed state until the next evaluation. */
 void qn_assembly_place_pair (QnAssembly *assembly, size_t pair);
 
 /* Where the bodies of all unknowns stand; NULL when memory runs out. */
@@ -149,7 +149,8 @@ double qn_assembly_residual_of (const QnAssembly *assembly, double multiplier,
  * blocks like their mass. */
 void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
 
-/* Whoever changes ax by hand says so: what is there of the last tangent is used for the next. */
+/* Must be called after ax was changed directly: otherwise the next tangent uses parts of the last
+ * one. */
 static inline void
 qn_assembly_forget_tangent (QnAssembly *assembly)
 {

@@ -108,7 +108,7 @@ void qn_beam_assembly_add_tangent (QnBeamAssembly *beams, double *ax);
 /* Whether the tangent is another than the one assembled last. */
 bool qn_beam_assembly_has_changed (const QnBeamAssembly *beams);
 
-/* Accepts the state of the last evaluation: plastic hinges remember it. */
+/* Accepts the state of the last evaluation: plastic hinges keep it. */
 void qn_beam_assembly_commit (QnBeamAssembly *beams);
 
 /* States, for going back. */

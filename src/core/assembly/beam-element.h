@@ -33,7 +33,7 @@ typedef struct QnBeamProperties {
   double rotary;     /* rho I, kg m */
 } QnBeamProperties;
 
-/* What a yielding end remembers, rad. */
+/* Plastic state of a yielding end, rad. */
 typedef struct QnBeamMemory {
   double plastic[2];
 } QnBeamMemory;

@@ -1,7 +1,7 @@
 /* Memory: thin, checked wrappers around the C allocator.
  *
- * Every function may fail and returns NULL or false then; nothing in the core aborts for want
- * of memory. Blocks are released with free().
+ * Every function may fail and returns NULL or false then. The core never aborts when memory is
+ * exhausted. Blocks are released with free().
  */
 #ifndef QN_CORE_MEMORY_H
 #define QN_CORE_MEMORY_H

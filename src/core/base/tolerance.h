@@ -70,8 +70,8 @@
 /* A matrix whose pivots differ by more than this is singular to working precision. */
 #define QN_TOLERANCE_SINGULAR 1e-15
 
-/* Backward error of a factorisation without free pivoting up to which it is good enough for
- * Newton's method, whose own residual is asked to 1e-8. */
+/* Largest backward error of a factorisation without free pivoting that suits Newton's method, whose
+ * residual must reach 1e-8. */
 #define QN_TOLERANCE_BACKWARD 1e-12
 
 /* Entries of a stiffness and of its transpose that differ by more than this part of the largest

@@ -1,16 +1,16 @@
 /* Contacts that follow the blocks, in large displacements.
  *
- * A joint as drawn holds where its blocks lie. Once it has slid by more than a little (QN_FOLLOW_SLIP
- * of the smaller block), or its blocks have turned against each other (QN_FOLLOW_TURN), it is left: its
- * pairs carry nothing any more. What touches then, and whatever else blocks come upon, are corners on
- * sides: a corner of one block and a side of another make a pair whose normal is the side's, whose
- * force acts where the corner is, and which carries nothing where the corner is beyond an end of the
- * side. Between two sides that lie on each other two corners carry, one at either end of what they
- * share, of whichever block.
+ * A joint of the drawing is valid while its blocks stay in place. Once it has slid by
+ * QN_FOLLOW_SLIP of the smaller block, or its blocks have turned against each other by
+ * QN_FOLLOW_TURN, it is released: its pairs carry nothing from then on. All other contacts are
+ * corners on sides. A corner of one block and a side of another make a pair. Its normal is that of
+ * the side, its force acts at the corner, and it carries nothing where the corner is beyond an end
+ * of the side. Two sides that lie on each other carry at two corners, one at each end of their
+ * overlap.
  *
- * Corners near sides are listed by a search through the box tree of the blocks as they lie, which has
- * to be repeated once something has moved by a quarter of the margin it was made with. A pair that is listed
- * is inactive, or active:
+ * A search through the box tree of the displaced blocks lists corners near sides. It must be
+ * repeated once something has moved by a quarter of its margin. A listed pair is inactive or
+ * active:
  *
  *   it becomes active    where its corner comes from outside, between the ends of the side; or lies
  *                        within, less deep than behind any other side of the block, as where a joint
@@ -18,12 +18,12 @@
  *   it becomes inactive  again where its corner is beyond an end of the side by
  *                        qn_contact_follow_band()
  *
- * Where two corners meet, one pair is enough: the second one waits until the first has slid off.
+ * Where two corners meet, one pair is enough: the second one is inactive until the first has slid
+ * off.
  *
- * A corner that becomes active within a block, without another contact there having been released,
- * carries nothing as long as it goes no deeper: its elongation is measured from the depth at which it
- * became active, its inset, until it has come out. So no contact has energy that nothing has put into
- * it.
+ * A corner may become active within a block although no other contact there was released. It then
+ * carries nothing at that depth, its inset: its elongation is measured from the inset until the
+ * corner has left the block. So no contact has energy without work.
  */
 #ifndef QN_CORE_CONTACT_FOLLOW_H
 #define QN_CORE_CONTACT_FOLLOW_H
@@ -32,13 +32,14 @@
 #include "core/contact/contact-side.h"
 #include "core/contact/contacts.h"
 
-/* Slip that leaves a joint, and overhang that leaves a side: part of the square root of the area of the
- * smaller block; and at least this many times the deepest overlap of joints under the dead load, so
- * that a corner which the stiffness of joints lets sink in is told from one that comes from the side. */
+/* Slip that releases a joint, and distance beyond the end of a side at which a corner becomes
+ * inactive: part of the square root of the area of the smaller block, and at least so many times
+ * the deepest overlap of joints under the dead load. So a corner that is pressed in differs from
+ * one that comes from the side. */
 #define QN_FOLLOW_SLIP    0.005
 #define QN_FOLLOW_OVERLAP 4.0
 
-/* Rotation of one block against the other that leaves a joint, rad. */
+/* Rotation of one block against the other that releases a joint, rad. */
 #define QN_FOLLOW_TURN 0.35
 
 /* Least margin of a search, part of the square root of the area of the smallest block. */

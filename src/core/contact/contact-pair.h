@@ -16,7 +16,7 @@ typedef struct QnPairSprings {
   bool equal;    /* `a` then stands for the whole pair; `b` is as it was given */
 } QnPairSprings;
 
-/* What a pair remembers between steps. */
+/* State of a pair between steps. */
 typedef struct QnPairMemory {
   QnSpringMemory a, b; /* of equal springs only `a` is used, for the pair as a whole */
   double qa[2], qb[2]; /* elongations of the two springs at the last commit, m */

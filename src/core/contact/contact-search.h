@@ -44,8 +44,9 @@ QnStatus qn_contact_search_init (QnContactSearch *search, const QnModel *model,
 
 void qn_contact_search_clear (QnContactSearch *search);
 
-/* Walking along the sides of one block that meet a box. Blocks of few sides are looked through;
- * the others, a ground of thousands of vertices, are asked through the tree. */
+/* Walking along the sides of one block that meet a box. All sides of a block with few are compared;
+ * those of a block with many, such as a ground of thousands of vertices, are searched through the
+ * tree. */
 typedef struct QnSideWalk {
   const QnContactSearch *search;
   QnBox box;

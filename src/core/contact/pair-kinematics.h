@@ -42,9 +42,9 @@ void qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_
 /* Makes it a corner B on a side of block a, apart from A as drawn. */
 void qn_pair_kinematics_set_corner (QnPairKinematics *pair, QnVec2 apart);
 
-/* The gradient of a pair as the inner loops want it. Translations of the two blocks enter by their
- * difference, which keeps the digits that it has: factors of (L rz of a, u_b - u_a in x and y,
- * L rz of b). */
+/* The gradient of a pair in the layout of the inner loops. Translations of the two blocks enter by
+ * their difference, which keeps the digits that it has: factors of (L rz of a, u_b - u_a in x and
+ * y, L rz of b). */
 enum { QN_PAIR_FACTORS = 4 };
 
 typedef struct QnPairGradient {

@@ -1,9 +1,9 @@
 /* Constitutive laws of the springs: what relates elongation and force.
  *
- * A contact pair has two springs in series, one on each block's side, each with a law of its
- * own. A law answers for one spring: given the elongation q = (normal, tangential) and what
- * the spring remembers from the last committed step, it returns the force and the consistent
- * tangent. Normal components are positive in opening (tension).
+ * A contact pair has two springs in series, one on each block's side, each with a law of its own. A
+ * law belongs to one spring: from the elongation q = (normal, tangential) and the state of the last
+ * committed step it computes the force and the consistent tangent. Normal components are positive
+ * in opening (tension).
  *
  * Four kinds are joints, whose two directions belong together; the others describe the fibres
  * of a continuous member: nonlinear in the normal direction, linear elastic in shear.

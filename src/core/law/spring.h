@@ -1,9 +1,8 @@
 /* One spring of a contact pair: a law resolved to forces and elongations.
  *
  * Elongation q and force f are (normal, tangential) pairs; normal components are positive in
- * opening and tension. What a spring remembers is advanced only when a step is committed:
- * evaluating it any number of times from the same memory gives the same answer, so the result
- * of a step does not depend on the iterations that led to it.
+ * opening and tension. The state of a spring (QnSpringMemory) changes only when a step is
+ * committed. So the result of a step does not depend on the iterations before it.
  */
 #ifndef QN_CORE_SPRING_H
 #define QN_CORE_SPRING_H
@@ -42,7 +41,7 @@ typedef struct QnSpring {
 typedef struct QnSpringMemory {
   double opening; /* m, opened by dilatancy or plastically; negative: shortened */
   double slip;    /* m, slid so far */
-  double extreme; /* m, what else a law remembers; its file says what */
+  double extreme; /* m, other state of a law, described in its file */
 } QnSpringMemory;
 
 /* What a spring, or a pair of springs, is doing. The tangent of a spring depends on its law and
@@ -74,7 +73,7 @@ typedef struct QnSpringResponse {
   double tangent[2][2];  /* d force[i] / d q[j], N/m */
   QnSpringMemory memory; /* to commit if the step is accepted */
   QnPhase phase;
-  bool varies; /* the tangent is not told by the phase */
+  bool varies; /* the tangent does not follow from the phase */
 } QnSpringResponse;
 
 /* A strength of a joint in terms of its normal force n (tension positive) and shear force t, and
@@ -121,7 +120,7 @@ int qn_spring_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_R
 int qn_spring_rigid_strength (const QnSpring *spring,
                               QnStrengthRow rows[QN_STRENGTH_ROWS]);
 
-/* Whether qn_spring_strength() tells everything that the law limits, as limit analysis needs. */
+/* Whether the rows of qn_spring_strength() are all limits of the law, as limit analysis needs. */
 bool qn_law_has_strength (QnLawKind kind);
 
 /* Whether the law is elastic and perfectly plastic within its strengths. */

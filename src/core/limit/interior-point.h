@@ -19,8 +19,8 @@
  * and z >= 0 (one per strength row): Qy + q + B'v + G'z = 0 and f'v = load_gain.
  *
  * Method: homogeneous embedding (Ye, Todd & Mizuno 1994 for linear, Goulart & Chen 2024 for
- * quadratic programs), Mehrotra's predictor and corrector, Gondzio's centrality correctors.
- * It ends with an optimum or with a certificate that there is none, never by running away:
+ * quadratic programs), Mehrotra's predictor and corrector, Gondzio's centrality correctors. It ends
+ * with an optimum or with a certificate that there is none, and never diverges:
  *
  *   no forces at all keep equilibrium: v, z >= 0 with B'v + G'z = 0, f'v = 0, d'v - h'z > 0
  *   the multiplier has no bound:       y, lambda with By + lambda f = 0, Gy <= 0, Qy = 0 and
@@ -142,17 +142,17 @@ QnStatus qn_interior_point_keep (const QnInteriorPoint *ip, QnIpVector *copy,
                                  QnDiag *diag);
 void qn_ip_vector_clear (QnIpVector *vector);
 
-/* One iteration; afterwards ip->state says whether to go on. */
+/* One iteration; ip->state then says whether to continue. */
 QnStatus qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag);
 
 /* Forces in equilibrium nearest to y (cell_count x 2, in and out, not homogeneous) in the metric
  * of the present iterate's barrier: a by-product of the last factorisation, at the price of a
  * few solves.
  *
- * *lambda in: the multiplier wanted; out: unchanged where `fixed`, else moved as little as
- * the metric asks for. *residual is the largest remaining |By + lambda f + d|, *slack the
- * smallest h - Gy (INFINITY without bounds); slack >= 0 proves that this multiplier can be
- * carried. The metric flattens towards the optimum: ask for a fixed multiplier early. */
+ * *lambda in: the required multiplier; out: unchanged where `fixed`, else the nearest one in the
+ * metric. *residual is the largest remaining |By + lambda f + d|, *slack the smallest h - Gy
+ * (INFINITY without bounds); slack >= 0 proves that this multiplier can be carried. Towards the
+ * optimum the metric becomes flat: request a fixed multiplier early. */
 QnStatus qn_interior_point_restore (QnInteriorPoint *ip, bool fixed, double *lambda,
                                     double *y, double *residual, double *slack,
                                     QnDiag *diag);

@@ -1,4 +1,4 @@
-/* How a structure that its dead load does not let stand begins to move; private to limit*.c. */
+/* How a structure begins to move that does not stand under its dead load; private to limit*.c. */
 #ifndef QN_CORE_LIMIT_FALL_H
 #define QN_CORE_LIMIT_FALL_H
 
@@ -12,7 +12,7 @@
  * At the optimum this is a certificate too: the dead load does positive power along it, and
  * no joint resists with more than that.
  *
- * v: row_count, out, unchanged where *found is false. `go_on` is asked with `user_data` after
+ * v: row_count, out, unchanged where *found is false. `go_on` is called with `user_data` after
  * every iteration; false ends the search, nothing found. */
 QnStatus qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
                         void *user_data, double *v, bool *found, QnDiag *diag);

@@ -5,8 +5,8 @@
  * springs in series, that is the intersection of what their laws allow
  * (qn_spring_rigid_strength()).
  *
- * Friction 0 without cohesion leaves no shear at all, and the cell says so. Stiffness plays no
- * part. Forces are divided by `force_unit`, lengths by `length_unit`, the live load by its own
+ * Without friction and cohesion there is no shear, and the cell is marked. Stiffness plays no part.
+ * Forces are divided by `force_unit`, lengths by `length_unit`, the live load by its own
  * `load_unit`; equilibrium rows of supported degrees of freedom do not exist.
  */
 #ifndef QN_CORE_LIMIT_PROBLEM_H

@@ -53,7 +53,7 @@ typedef struct QnLimitSolution {
                          scaled terms; DEAD_LOAD_UNSTABLE: how the blocks give way */
   double
     *dead_forces; /* pair_count x 2: strictly admissible forces under the dead load alone;
-                          NULL where none were asked for or found */
+                   * NULL where not requested or not found */
   QnLimitCheck check;
   QnStatistics effort; /* iterations, factorisations and factor_seconds alone */
 } QnLimitSolution;
@@ -120,9 +120,9 @@ QnStatus qn_limit_find_mechanism (const QnModel *model, const QnContacts *contac
                                   QnProgressFunc progress, void *user_data,
                                   double **velocities, QnDiag *diag);
 
-/* The limit analysis that the model's settings ask for, as a result: steps at the dead load
- * and at collapse (rigid blocks have not moved yet), pair forces, mechanism, bounds. In `series`
- * (nullable, limit-series.h) associative analyses share what they can. */
+/* The limit analysis of the model's settings, as a result: steps at the dead load and at collapse
+ * (rigid blocks have not moved yet), pair forces, mechanism, bounds. In `series` (nullable,
+ * limit-series.h) associative analyses share what they can. */
 struct QnLimitSeries;
 QnStatus qn_limit_run (struct QnLimitSeries *series, const QnModel *model,
                        const QnContacts *contacts, QnProgressFunc progress,

@@ -33,9 +33,9 @@ typedef struct QnFrontTree {
                         all pivots or none */
 } QnFrontTree;
 
-/* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which must
- * be symmetric. `points` says where the unknowns stand, NULL: unknown; large structures are ordered by
- * it where that makes factorisation cheaper. False when memory runs out; _clear is legal then. */
+/* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which must be
+ * symmetric. `points`: coordinates of the unknowns, NULL: unknown. Large structures are ordered by
+ * them where that needs fewer operations. False when memory runs out; _clear is legal then. */
 bool qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap,
                          const int32_t *ai, const QnVec2 *points);
 

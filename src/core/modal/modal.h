@@ -24,16 +24,16 @@ typedef struct QnModes {
 /* The state that the structure vibrates about. */
 typedef enum {
   QN_MODAL_DEAD_LOAD, /* the equilibrium under dead load */
-  QN_MODAL_LOADED     /* the last equilibrium of the analysis that the settings ask for */
+  QN_MODAL_LOADED     /* the last equilibrium of the analysis of the settings */
 } QnModalState;
 
 /* Solves for the `wanted` (>= 1) lowest modes, or as many as there are. *result holds the path up
- * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty.
- * The path is proved as that of every analysis; the modes are proved by their residuals, their
- * orthogonality, and the inertia of the stiffness, which tells that none is missing.
- * Refuses states that are not stable, blocks without mass and states in which pairs slip without
- * dilatancy, whose stiffness is not symmetric. Both outputs are overwritten without being cleared,
- * and empty on failure. */
+ * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty. The path
+ * is proved as that of every analysis; the modes are proved by their residuals, their
+ * orthogonality, and the inertia of the stiffness, which shows that none is missing. Refuses states
+ * that are not stable, blocks without mass and states in which pairs slip without dilatancy, whose
+ * stiffness is not symmetric. Both outputs are overwritten without being cleared, and empty on
+ * failure. */
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
                        QnModalState state, size_t wanted, QnProgressFunc progress,
                        void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);

@@ -46,8 +46,8 @@
  * that are clearly apart would be joined. */
 #define QN_MAX_CONTACT_TOLERANCE 0.05
 
-/* Entities of a project have a `note`: a number under which the layers above keep what else a file
- * says of them, 0 for nothing. The core hands it on with the entity and knows no more of it. */
+/* Entities of a project have a `note`: a number under which the layers above keep other members of
+ * the file, 0: none. The core copies it with the entity and does not use it. */
 
 /* A rigid block: a simple polygon with three degrees of freedom at its centroid. */
 typedef struct QnBlock {
@@ -242,7 +242,7 @@ typedef enum {
   QN_SHORTCUT_EARLY_FAILURE = 8,
 } QnShortcut;
 
-/* Whether limit analysis is asked for the associative bound of a path that ends in collapse. */
+/* Whether limit analysis computes the associative bound of a path that ends in collapse. */
 typedef enum {
   QN_BOUND_AUTO, /* where that takes little: up to QN_BOUND_PAIRS contact pairs */
   QN_BOUND_ALWAYS,
@@ -283,8 +283,8 @@ typedef struct QnAnalysisSettings {
   const QnWorkers *workers; /* borrowed; NULL: everything in the caller's thread */
 } QnAnalysisSettings;
 
-/* A stage of loading: its sets go from the multiplier that they stand at to another one while
- * all others are held. What joints and members remember carries over from stage to stage.
+/* A stage of loading: its sets go from the multiplier that they stand at to another one while all
+ * others are held. Slip, yield and cracks of joints and members carry over from stage to stage.
  * Settings that a stage does not have are those of the analysis. */
 typedef struct QnStage {
   char *name;    /* owned; may be NULL */
@@ -382,7 +382,7 @@ QnLoad *qn_model_add_live_load (QnModel *model);
 QnStage *qn_model_add_stage (QnModel *model, const char *name);
 
 /* A new ground motion has scale 1; `record` (nullable) is copied. Points are added one by one;
- * false when memory runs out. A copy has all of its own. */
+ * false when memory runs out. A copy shares nothing with the original. */
 QnGroundMotion *qn_model_add_ground_motion (QnModel *model, const char *record);
 QnGroundMotion *qn_model_copy_ground_motion (QnModel *model,
                                              const QnGroundMotion *motion);
@@ -441,8 +441,8 @@ QnId qn_model_find_beam (const QnModel *model, const char *name);
  * is legal; qn_contacts_require_sound() refuses to analyse it. */
 QnStatus qn_model_prepare (QnModel *model, QnDiag *diag);
 
-/* Bodies are what has degrees of freedom: the blocks, then the nodes. A node that rides on a
- * block has none of its own; its row of displacements says where the block takes it. */
+/* Bodies are what has degrees of freedom: the blocks, then the nodes. A node on a block has no
+ * unknowns; its row of displacements is the motion that the block gives it. */
 static inline size_t
 qn_model_body_count (const QnModel *model)
 {
@@ -466,8 +466,8 @@ qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
   return block != QN_NONE ? (size_t) block : SIZE_MAX;
 }
 
-/* Whose displacement tells how an analysis in time goes: the first track, else what is controlled,
- * else how far the highest block that moves goes sideways. *body: SIZE_MAX where nothing moves. */
+/* The displacement that is shown of an analysis in time: the first track, else the controlled one,
+ * else ux of the highest block that moves. *body: SIZE_MAX where nothing moves. */
 void qn_model_followed (const QnModel *model, size_t *body, QnDof *dof);
 
 /* Velocity at an arm r from a body's centroid: v + rz x r; rows of three. */

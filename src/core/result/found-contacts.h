@@ -1,4 +1,4 @@
-/* What a result says of contacts that blocks found on their way. */
+/* Contacts found during the motion, in a result. */
 #ifndef QN_CORE_FOUND_CONTACTS_H
 #define QN_CORE_FOUND_CONTACTS_H
 

@@ -45,8 +45,8 @@ typedef enum {
   QN_EVENT_KIND_COUNT
 } QnEventKind;
 
-/* A jump as a part of the displacement that it ends with: from here on a snap, and below the other part
- * none that is told, less than what a drawing shows. */
+/* A jump as a part of the displacement that it ends with: from the first part on it is a snap,
+ * below the second it is not reported. */
 #define QN_JUMP_SNAP  0.05
 #define QN_JUMP_LEAST 0.005
 
@@ -87,10 +87,9 @@ typedef struct QnStep {
  *
  * INPUT: what was there at the start, and the work that the ground (on the masses) and the dead
  * loads have done since. ELASTIC: stored in joints and beams, what the dead load stored there
- * included. FRICTION: lost by slip, dilatancy and plastic deformation, and with contacts that are given
- * up for others. DAMPING: lost in dashpots.
- * NUMERICAL: taken by the dissipation of the integration, from its own formula. Nothing is defined
- * as the rest of the others. */
+ * included. FRICTION: lost by slip, dilatancy and plastic deformation, and with contacts that
+ * others replace. DAMPING: lost in dashpots. NUMERICAL: taken by the dissipation of the
+ * integration, from its own formula. Nothing is defined as the rest of the others. */
 typedef enum {
   QN_ENERGY_INPUT,
   QN_ENERGY_KINETIC,
@@ -128,7 +127,7 @@ typedef struct QnHistory {
   double collapse_time;    /* s; where the outcome is COLLAPSE */
   double end;              /* s, reached */
   double shortest_step;    /* s */
-  int32_t steps, rejected; /* taken, and given up for shorter ones */
+  int32_t steps, rejected; /* taken, and rejected for shorter ones */
 } QnHistory;
 
 /* A contact that blocks found on their way, and when it first carried a force. Forces are on the block
@@ -180,12 +179,12 @@ typedef struct QnStatistics {
 /* Adds what another part of an analysis took; peak memory is the larger of the two. */
 void qn_statistics_add (QnStatistics *total, const QnStatistics *part);
 
-/* Forgets what differs from run to run, the times and the memory: 0 stands for not measured. */
+/* Sets times and memory, which differ from run to run, to 0: not measured. */
 void qn_statistics_clear_timings (QnStatistics *statistics);
 
 /* A collapse that is proved: forces within the strength of every joint balance the loads at this
- * multiplier, and a mechanism moves under them as the joints' flow lets it. A structure whose joints
- * dilate by less than their friction may have many. */
+ * multiplier, and the flow rules of the joints allow a mechanism under them. A structure whose
+ * joints dilate by less than their friction may have many. */
 typedef struct QnSolution {
   double multiplier;
   QnProcedure
@@ -210,7 +209,7 @@ typedef struct QnVibration {
   double omega; /* rad/s */
 } QnVibration;
 
-/* What a search for the loss of stability says. */
+/* The result of a search for the loss of stability. */
 typedef enum {
   QN_STABILITY_UNKNOWN, /* the analysis is no such search */
   QN_STABILITY_KEPT,    /* every step is stable */
@@ -248,13 +247,12 @@ typedef struct QnResult {
 
   QnPathEvent *events; /* by multiplier, those of the last stage */
   size_t event_count, event_capacity;
-  bool
-    events_unknown; /* read from a file of an earlier version, which does not tell them */
+  bool events_unknown; /* read from a file of an earlier version, which has none */
 
   QnSolution solutions[QN_RESULT_SOLUTIONS]; /* as they were met */
   int32_t solution_count;
   bool
-    has_associative_bound; /* whether limit analysis was asked for what nothing exceeds */
+    has_associative_bound; /* whether limit analysis was run for the associative bound */
   double associative_bound;
 
   QnLinearity linearity;           /* as qn_result_judge_linearity() says */
@@ -350,7 +348,7 @@ void qn_result_add_solution (QnResult *result, QnSolution solution);
 void qn_result_collapse_interval (const QnResult *result, double *least,
                                   QnProcedure *found_by, double *bound);
 
-/* Drops what the result says of collapse: multipliers, solutions, mechanism. */
+/* Removes collapse from the result: multipliers, solutions, mechanism. */
 void qn_result_clear_collapse (QnResult *result);
 
 /* Linear geometry holds as long as no block has moved by more than this part of the least width of a
