@@ -225,8 +225,8 @@ double quoin_result_get_solution_displacement (const QuoinResult *result,
  * an end is not known. */
 void quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2]);
 
-/* Whether, in linear geometry, blocks moved farther than it holds for before the answer was settled,
- * and the multiplier at which they did (not-a-number where they did not, or in time). */
+/* Whether, in linear geometry, blocks moved farther than it is valid for before the answer was
+ * found. And the multiplier at which they did: not-a-number where they did not, or in time. */
 bool quoin_result_is_beyond_linear (const QuoinResult *result);
 double quoin_result_get_beyond_linear_multiplier (const QuoinResult *result);
 

@@ -351,8 +351,8 @@ void qn_result_collapse_interval (const QnResult *result, double *least,
 /* Removes collapse from the result: multipliers, solutions, mechanism. */
 void qn_result_clear_collapse (QnResult *result);
 
-/* Linear geometry holds as long as no block has moved by more than this part of the least width of a
- * block (of a rectangle, its least side) since the dead load. */
+/* Linear geometry is valid as long as no block has moved by more than this part of the least width
+ * of a block (of a rectangle, its least side) since the dead load. */
 #define QN_LINEAR_MOTION 0.1
 
 /* A multiplier that changes by no more than this part of itself any more is settled. */

@@ -99,10 +99,10 @@ gboolean qn_document_edit_project (QnDocument *document, const char *name,
                                    const char *key, QnProjectEditFunc func,
                                    gpointer user_data, GError **error);
 
-/* Path in the file of the only number by which an edit that takes `other`, the number `value`, differs
- * from one that takes what there is already (`same`), *number as it is written there, NaN where it
- * is not; NULL where an edit is refused, or more differs or something else. Changes nothing. The
- * caller frees it. */
+/* Two edits are compared: one with the number `value`, `other`, and one with the present value,
+ * `same`. The path in the file of the only number that differs; *number: as it is written there,
+ * NaN where it is not; NULL where an edit is refused, or more differs or something else. Changes
+ * nothing. The caller frees it. */
 char *qn_document_dup_number_path (QnDocument *document, QnProjectEditFunc func,
                                    gpointer same, gpointer other, double value,
                                    double *number);

@@ -32,7 +32,7 @@ typedef enum {
 
 /* What becomes of gaps between blocks. */
 typedef enum {
-  QN_GAPS_OPEN,   /* they stay, and are told of */
+  QN_GAPS_OPEN,   /* they stay, and are reported */
   QN_GAPS_CLOSED, /* blocks grow to the middle */
   QN_GAPS_FILLED, /* a block of mortar in each */
   QN_GAPS_TREATMENT_COUNT

@@ -13,7 +13,7 @@
 /* Chords of curves deviate from them by less than this part of the radius. */
 #define QN_DRAWING_SAGITTA 0.002
 
-/* Largest coordinate, in any unit: beyond it a double does not tell a millimetre any more. */
+/* Largest coordinate, in any unit: beyond it a double does not resolve a millimetre. */
 #define QN_DRAWING_LARGEST 1e15
 
 typedef struct QnDrawingPath {
@@ -26,7 +26,7 @@ typedef struct QnDrawingPath {
   guint line;        /* of the file, from 1; 0 unknown */
 } QnDrawingPath;
 
-/* Something that was done to the drawing or left out, told once per kind with its count and the
+/* A repair of the drawing or something left out, reported once per kind with its count and the
  * place of the first. */
 typedef struct QnDrawingNote {
   char *text; /* "%u polylines closed" is made of these */

@@ -35,7 +35,7 @@ typedef struct QnDxfEntity {
 } QnDxfEntity;
 
 /* Calls `entity` for each, in the order of the file; all pointers are valid during the call only.
- * False where dxflib gives up. */
+ * False where dxflib fails. */
 bool qn_dxf_parse (const char *text, size_t length,
                    void (*entity) (const QnDxfEntity *entity, void *data), void *data);
 

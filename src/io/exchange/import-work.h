@@ -1,5 +1,5 @@
 /* Private to making a project of a drawing (drawing-import.h): what its steps share, and the steps,
- * in the order in which drawing-import.c takes them. Each changes the work and tells in the report
+ * in the order in which drawing-import.c takes them. Each changes the work and adds to the report
  * what it did. Where memory runs out they set `no_memory` or return QN_ERROR_NO_MEMORY; the work
  * can be cleared then as ever.
  */
@@ -92,7 +92,7 @@ QnStatus qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag);
 /* import-heal.c. Welds vertices, fits neighbours to each other and leaves out what collapsed. */
 QnStatus qn_import_heal (QnImportWork *work, QnDiag *diag);
 
-/* Looks for joints of mortar, tells of them, and does with them what the settings say. */
+/* Finds joints of mortar, reports them, and closes or fills them by the settings. */
 QnStatus qn_import_treat_gaps (QnImportWork *work, QnDiag *diag);
 
 /* Cuts all openings out of the blocks and supports; no opening is left among the outlines. */

@@ -8,9 +8,9 @@
  *   ESM/Itaca   ASCII: a heading of "KEY: value" lines with SAMPLING_INTERVAL_S, NDATA and UNITS,
  *               then one acceleration a line
  *
- * The kind is told from the contents. Units are m/s2, cm/s2 (also gal), mm/s2 and g = 9.80665
- * m/s2. Where a file does not say its unit or its time step, they must be given; where it says one
- * and another is given, that is an error: nothing is guessed and nothing overruled.
+ * The kind is told from the contents. Units are m/s2, cm/s2 (also gal), mm/s2 and g = 9.80665 m/s2.
+ * Where a file does not state its unit or its time step, they must be given. It is an error to give
+ * another one than the file states.
  */
 #ifndef QN_IO_RECORD_H
 #define QN_IO_RECORD_H
@@ -51,9 +51,10 @@ QnRecordFacts qn_record_facts (const QnRecord *record);
 gboolean qn_record_write (const char *path, const QnRecord *record, GError **error);
 
 /* Reads the record that a ground motion of a project names, from the folder where the project lies
- * (NULL: that of its path), and scales it to its peak; and those of all ground motions. Refused are records that end more than
- * a sample before the duration of an analysis in time, unless the project lets the ground rest from
- * then on, and files outside the project's folder unless `allow_outside`. */
+ * (NULL: that of its path), and scales it to its peak; and those of all ground motions. Two things
+ * are refused: a record that ends more than a sample before the duration of an analysis in time,
+ * unless the ground motion has `rest`; and a file outside the project's folder, unless
+ * `allow_outside`. */
 gboolean qn_project_read_record (QnProject *project, gsize index, const char *folder,
                                  gboolean allow_outside, GError **error);
 gboolean qn_project_read_records (QnProject *project, const char *folder,

@@ -1,4 +1,4 @@
-/* Tables as comma-separated values, units in the header, quoted where RFC 4180 asks for it. Files
+/* Tables as comma-separated values, units in the header, quoted where RFC 4180 requires it. Files
  * are written whole or not at all; errors are QN_IO_ERROR. */
 #ifndef QN_IO_TABLE_CSV_H
 #define QN_IO_TABLE_CSV_H
@@ -24,7 +24,7 @@ gboolean qn_contacts_csv_write (const char *path, const QnProject *project,
                                 GError **error);
 
 /* Section forces of beams at the last equilibrium: both ends of every element. Only the header
- * where there are none, or the result does not know them. */
+ * where there are none, or the result has none. */
 gboolean qn_beams_csv_write (const char *path, const QnProject *project,
                              const QnResult *result, GError **error);
 

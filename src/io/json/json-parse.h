@@ -1,7 +1,7 @@
 /* JSON text to a cJSON tree, strictly: what json-scan.h accepts, no key twice in one object.
  *
- * cJSON's own parser tells neither lines nor running out of memory apart from bad input, and
- * reads numbers in the locale of the process; its tree is what we use.
+ * The parser of cJSON reports no lines, does not distinguish lack of memory from bad input, and
+ * reads numbers in the locale of the process. So only its tree is used.
  */
 #ifndef QN_IO_JSON_PARSE_H
 #define QN_IO_JSON_PARSE_H

@@ -19,7 +19,7 @@ typedef struct QnReader {
   const char *text; /* nullable: no lines and columns then */
   gsize length;
   const char *const *overrides; /* nullable */
-  GPtrArray *warnings;          /* of char *; NULL: nobody asks for them */
+  GPtrArray *warnings;          /* of char *; NULL: not collected */
   guint dropped_warnings;       /* beyond QN_READER_MAX_WARNINGS */
   GError *error;                /* the first one; domain QN_IO_ERROR */
   gboolean keeps_unknown;       /* puts unknown members aside: */

@@ -1,6 +1,6 @@
 /* Private to reading and writing project files: members inside entities (laws, blocks, loads,
- * stages, …), contact, loads and analysis that no layer knows. They are kept by what they stand
- * in; an entity carries the number of its members as its note, so that they go where it goes.
+ * stages, …), contact, loads and analysis that no layer uses. They are kept by what they stand in;
+ * an entity carries the number of its members as its note, so that they go where it goes.
  */
 #ifndef QN_IO_PROJECT_INNER_H
 #define QN_IO_PROJECT_INNER_H

@@ -1,8 +1,8 @@
 /* Parametric masonry in project files: the top-level member `masonry`, a list of objects.
  *
- * The model holds only the blocks that such objects expand to; QnBlock.masonry says which object
- * a block came from. What the file says of the objects stays in QnProject.extras, and is written
- * back while blocks of the object remain. Keys, defaults and names of blocks are described in
+ * The model holds only the blocks that such objects expand to; QnBlock.masonry says which object a
+ * block came from. The text of the objects stays in QnProject.extras, and is written again while
+ * blocks of the object remain. Keys, defaults and names of blocks are described in
  * data/project-format.md; the rules behind them in stereotomy/masonry.h.
  */
 #ifndef QN_IO_PROJECT_MASONRY_H

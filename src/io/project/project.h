@@ -1,4 +1,4 @@
-/* Project files (*.quoin): a model with all that its file says besides mechanics.
+/* Project files (*.quoin): a model with the other members of its file.
  *
  * The format is described key by key in data/project-format.md. What is required: `format`,
  * `version`; `laws` and `contact.law`; `blocks` or `walls`; of a law `name`, `kind`, `kn`, `ks`

@@ -25,7 +25,7 @@ typedef struct QnTypicalJoint {
 extern const QnTypicalJoint qn_typical_joints[QN_JOINT_COUNT];
 
 /* Makes a law the Coulomb law of such a joint by area, without tensile strength and dilatancy, and
- * tells the source. FALSE when memory runs out. */
+ * sets its source. FALSE when memory runs out. */
 gboolean qn_law_make_joint (QnLaw *law, QnTypicalJointKind kind);
 
 /* The source of a law, translated if it is a typical joint's; NULL where it has none. `holds`: whether

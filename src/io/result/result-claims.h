@@ -1,8 +1,8 @@
-/* Is everything true that a result file says?
+/* Is everything in a result file true?
  *
- * What stands in the file alone, where contacts are and which project it was computed from, is compared
- * here; the rest is core/check/result-check.h. result-check.h, which uses nothing of the solver at all,
- * adds the balance of the last step from the points and directions in the file.
+ * Here contacts and project are compared with the file; core/check/result-check.h compares the
+ * rest. result-check.h, which uses nothing of the solver at all, adds the balance of the last step
+ * from the points and directions in the file.
  */
 #ifndef QN_IO_RESULT_CLAIMS_H
 #define QN_IO_RESULT_CLAIMS_H
@@ -18,8 +18,8 @@ gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
                                      const QnProject *project, const QnContacts *contacts,
                                      QnResultFaults *faults, GError **error);
 
-/* Largest imbalance and largest yield violation, over the largest force, that a result may have to pass
- * the independent check; or ten times the residual tolerance that the project asks for. */
+/* Largest imbalance and largest yield violation, over the largest force, that a result may have to
+ * pass the independent check; or ten times the residual tolerance of the project. */
 #define QN_RESULT_TOLERANCE 1e-6
 
 /* Whether a result passes: none of its claims is wrong, and forces balance and yield within tolerance.

@@ -1,5 +1,5 @@
-/* What a result file says twice, and what follows from the rest of it: words, names, counts, the facts
- * of the mechanism, ends of the interval.
+/* What a result file contains twice, and what follows from the rest of it: words, names, counts,
+ * the facts of the mechanism, ends of the interval.
  *
  * A result that was read is written again, and both texts are compared member by member. What the program
  * would write otherwise contradicts the rest of the file.
@@ -9,10 +9,11 @@
 
 #include "io/result/result-file.h"
 
-/* Compares the text that `file` was read from with what the program says of the same numbers; `name`
- * stands for it in messages. False with an error that names the place (QN_IO_ERROR) where they differ.
- * Adds to `unproved` (of char *, which it owns) the members that nothing in the file or the project proves,
- * each once: "generator", "steps[].iterations". A member that is left out states nothing. */
+/* Compares the text that `file` was read from with what the program writes for the same numbers;
+ * `name` is the name of the file in messages. False with an error that names the place
+ * (QN_IO_ERROR) where they differ. Adds to `unproved` (of char *, which it owns) the members that
+ * nothing in the file or the project proves, each once: "generator", "steps[].iterations". A member
+ * that is left out states nothing. */
 gboolean qn_result_text_agrees (const char *text, gsize length, const char *name,
                                 const QnResultFile *file, const QnProject *project,
                                 const QnContacts *contacts, GPtrArray *unproved,

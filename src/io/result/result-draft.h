@@ -1,5 +1,5 @@
-/* Private to the reading of results: what a file has said before it is known to fit together, and
- * how it becomes a result. */
+/* Private to the reading of results: the members of a file before they are compared with each
+ * other, and how they become a result. */
 #ifndef QN_IO_RESULT_DRAFT_H
 #define QN_IO_RESULT_DRAFT_H
 

@@ -8,7 +8,7 @@
 #include "core/result/result.h"
 #include "io/project/project.h"
 
-/* What the file says about a contact pair besides its forces. */
+/* What the file contains about a contact pair besides its forces. */
 typedef struct QnResultContact {
   QnId face;             /* number of the detected face */
   QnId block_a, block_b; /* into block_names */
@@ -30,7 +30,7 @@ typedef struct QnResultFile {
   QnResult result;
 } QnResultFile;
 
-/* How much a result file says about every contact pair. */
+/* What a result file contains about every contact pair. */
 typedef enum {
   QN_DETAIL_FORCES, /* its force */
   QN_DETAIL_PAIRS,  /* the hinge and its two springs as well */
@@ -39,7 +39,7 @@ typedef enum {
 } QnResultDetail;
 
 /* Writes a result, whole or not at all; `contacts` are the ones the analysis ran with. The second
- * form says QN_DETAIL_FORCES. Errors: QN_IO_ERROR. */
+ * form uses QN_DETAIL_FORCES. Errors: QN_IO_ERROR. */
 gboolean qn_result_file_write_detailed (const char *path, const QnProject *project,
                                         const QnContacts *contacts,
                                         const QnResult *result, QnResultDetail detail,

@@ -1,5 +1,4 @@
-/* What a result file says of an analysis in time: `history`, which data/result-format.md
- * describes. */
+/* The member `history` of a result file, of an analysis in time (data/result-format.md). */
 #ifndef QN_IO_RESULT_HISTORY_H
 #define QN_IO_RESULT_HISTORY_H
 

@@ -1,6 +1,6 @@
 /* Files that a project names: pictures behind the drawing, results and pictures of figures.
  *
- * A project may come from anybody. What it names stays inside the project's folder, symbolic links
+ * A project may come from anywhere. What it names stays inside the project's folder, symbolic links
  * followed, unless the user allows more.
  */
 #ifndef QN_IO_FILE_INSIDE_H

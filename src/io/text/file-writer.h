@@ -30,7 +30,7 @@ QnFileWriter *qn_file_writer_open_as (const char *path, const char *name, GError
 QnFileWriter *qn_file_writer_new_in_memory (void);
 char *qn_file_writer_steal (QnFileWriter *writer, gsize *length);
 
-/* Append. What goes wrong is kept until the commit, which tells it. */
+/* Append. The first error is kept until the commit, which reports it. */
 void qn_file_writer_write (QnFileWriter *writer, const char *bytes, gsize length);
 void qn_file_writer_puts (QnFileWriter *writer, const char *text);
 void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
@@ -60,7 +60,7 @@ gboolean qn_file_writer_failed (const QnFileWriter *writer);
 /* Completes the file and frees the writer. On failure the target is as it was before. */
 gboolean qn_file_writer_commit (QnFileWriter *writer, GError **error);
 
-/* Gives up, leaves the target as it was and frees the writer. NULL is allowed. */
+/* Abandons the file: leaves the target as it was and frees the writer. NULL is allowed. */
 void qn_file_writer_discard (QnFileWriter *writer);
 
 /* All of it at once. */

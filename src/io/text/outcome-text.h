@@ -11,7 +11,7 @@
  * made the procedure stop there. Free with g_free(). */
 char *qn_outcome_dup_reason (const QnModel *model, const QnResult *result);
 
-/* The same without the sentence that tells the multiplier of a collapse. */
+/* The same without the sentence with the multiplier of a collapse. */
 char *qn_outcome_dup_cause (const QnModel *model, const QnResult *result);
 
 /* One line: how the collapse multiplier was found, how many solutions there are, and the bound that
