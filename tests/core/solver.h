@@ -47,7 +47,7 @@ static inline QnSolveStatus
 relax (QnEquilibrium *eq, double multiplier)
 {
   const QnTarget target = qn_target_multiplier (multiplier);
-  return qn_equilibrium_relax (eq, NULL, &target, INFINITY, 300);
+  return qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, 300);
 }
 
 #endif

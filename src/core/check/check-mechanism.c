@@ -191,7 +191,7 @@ check_fall (QnCheck *check, const double *held, const double *driven, QnDiag *di
   bool joints = qn_central_path_has_joints (&eq.assembly);
   QnCentralPath *central = joints ? qn_central_path_new (&eq) : NULL;
   if ((central != NULL || !joints) && take_last_state (check, held, driven, &eq))
-    solve = qn_equilibrium_relax (&eq, central, &target, far, QN_RELAX_BUDGET);
+    solve = qn_equilibrium_relax (&eq, central, &target, far, NULL, QN_RELAX_BUDGET);
   if (solve != QN_SOLVE_MECHANISM)
     qn_check_tell_model (check, QN_CLAIM_FALL, (QnId) check->result->step_count - 1, NAN,
                          NAN);

@@ -165,6 +165,18 @@ bool qn_equilibrium_go_on (QnEquilibrium *eq);
  * NO_MEMORY. */
 QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
+/* Where a motion was when it had first gone farther than a distance (0), than a quarter of it (1), than a
+ * quarter of that (2), and so on. */
+#define QN_FALL_STATES 6
+typedef struct QnFall {
+  double *u[QN_FALL_STATES]; /* displacements, unknown_count each, */
+  int first;                 /* from this one on */
+} QnFall;
+
+/* False when memory runs out; to be cleared all the same. */
+bool qn_fall_init (QnFall *fall, const QnAssembly *assembly);
+void qn_fall_clear (QnFall *fall);
+
 /* Viscous steps until relaxation gives up when its answer decides. */
 #define QN_RELAX_BUDGET 300
 
@@ -173,9 +185,11 @@ QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
  * with eq->motion). A step that Newton's method does not solve is taken along the central path, unless
  * that is NULL. Where only rests near by count, `far` is finite: in large displacements what has
  * moved by more, m or characteristic lengths of rotation, moves on; what seems to fall before may still
- * come to rest. FAILED when neither is certain after `budget` viscous steps. */
+ * come to rest. FAILED when neither is certain after `budget` viscous steps. `fall` (nullable) keeps
+ * where it has been on the way to `far`. */
 QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central,
-                                    const QnTarget *target, double far, int budget);
+                                    const QnTarget *target, double far, QnFall *fall,
+                                    int budget);
 
 /* Notes how far joints stand open now; and whether one that stands open will close within `horizon`
  * if it goes on as it did since then, in `time_step`. */

@@ -8,8 +8,10 @@
  * Time is counted in units of C / k, with k the mean stiffness of the pairs, so that a
  * viscosity of 1 (a step of 1) is as stiff as the joints themselves.
  */
+#include "core/base/memory.h"
 #include "core/equilibrium/central-path.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* Newton iterations of one viscous step; more means that the step is too long. */
@@ -56,6 +58,9 @@
 #define FALL_BEGINS    10
 #define FALL_DOUBLINGS 4
 #define FALL_LENGTHS   1e3
+
+/* How far a state that is kept of a fall has gone, as a part of the one after it. */
+#define FALL_PART 0.25
 
 typedef struct {
   bool held;                            /* a measure, while the multiplier is free */
@@ -236,9 +241,38 @@ growth (Relaxation *relaxation, int iterations)
   return iterations <= QUICK && !may_fail ? LONGER : 1;
 }
 
+bool
+qn_fall_init (QnFall *fall, const QnAssembly *as)
+{
+  *fall = (QnFall){ .first = QN_FALL_STATES };
+  for (int i = 0; i < QN_FALL_STATES; i++) {
+    fall->u[i] = qn_alloc ((size_t) as->unknown_count, sizeof *fall->u[i]);
+    if (fall->u[i] == NULL)
+      return false;
+  }
+  return true;
+}
+
+void
+qn_fall_clear (QnFall *fall)
+{
+  for (int i = 0; i < QN_FALL_STATES; i++)
+    free (fall->u[i]);
+}
+
+static void
+note_fall (const QnEquilibrium *eq, QnFall *fall, double far)
+{
+  double parts = qn_equilibrium_motion (eq) / far;
+
+  for (; fall->first > 0 && parts > pow (FALL_PART, fall->first - 1); fall->first--)
+    memcpy (fall->u[fall->first - 1], eq->u,
+            (size_t) eq->assembly.unknown_count * sizeof *eq->u);
+}
+
 QnSolveStatus
 qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget *target,
-                      double far, int budget)
+                      double far, QnFall *fall, int budget)
 {
   Relaxation relaxation = { .held = target->direction != NULL,
                             .duration = find_duration (eq, target),
@@ -247,6 +281,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     relaxation.viscosity = fmin (FIRST_VISCOSITY, DRIVE_STEPS / relaxation.duration);
 
   memset (eq->motion, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->motion);
+  if (fall != NULL)
+    fall->first = QN_FALL_STATES;
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
     QnTarget now = target_in_time (&relaxation, target);
@@ -275,6 +311,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     qn_assembly_commit (&eq->assembly);
     relaxation.elapsed += 1 / relaxation.viscosity;
     update_velocity (eq, &relaxation);
+    if (fall != NULL)
+      note_fall (eq, fall, far);
     if (eq->assembly.nonlinear && qn_equilibrium_motion (eq) > far)
       return QN_SOLVE_MECHANISM;
     if (eq->out_of_balance <= eq->tolerance && relaxation.elapsed >= relaxation.duration)

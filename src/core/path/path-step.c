@@ -106,7 +106,7 @@ jump (QnPathTrace *trace, const QnTarget *target)
   if (status != QN_SOLVE_FAILED)
     return status;
   qn_equilibrium_restore (eq);
-  return qn_equilibrium_relax (eq, NULL, target, INFINITY, QN_RELAX_BUDGET);
+  return qn_equilibrium_relax (eq, NULL, target, INFINITY, NULL, QN_RELAX_BUDGET);
 }
 
 /* Whether a step that was solved went much farther than the steps before it, and not much less far
@@ -205,9 +205,10 @@ solve_nonlinear (QnPathTrace *trace, double *step)
     const QnTarget target = target_of (trace, *step);
     bool smallest = fabs (*step) <= tuning->smallest_step * trace->largest;
     QnSolveStatus status =
-      relaxes ? qn_equilibrium_relax (
-        eq, NULL, &target, far, smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT)
-              : solve_statically (trace, &target);
+      relaxes
+        ? qn_equilibrium_relax (eq, NULL, &target, far, NULL,
+                                smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT)
+        : solve_statically (trace, &target);
     if (relaxes)
       trace->means = QN_FOUND_BY_RELAXATION;
     if (status == QN_SOLVE_CONVERGED)

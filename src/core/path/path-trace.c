@@ -52,7 +52,6 @@ const QnPathTuning qn_path_tuning = {
   .nearly_settled = 5e-3,
   .settled = 0.1,
   .collapsed_motion = 0.1,
-  .falls = 6,
   .most_above = 4,
   .most_steps = 100000,
 };
@@ -446,15 +445,6 @@ find_velocity (const QnPathTrace *trace, double *velocity)
     velocity[i] = to[i] - from[i];
 }
 
-/* How far above the highest multiplier the load is held, to see whether a structure in large displacements
- * rests there or falls. */
-static double
-held_above (const QnPathTrace *trace)
-{
-  return trace->above * trace->path->settings->multiplier_tolerance
-         * fmax (trace->events.highest, trace->unit);
-}
-
 /* Whether the structure moves on from its highest multiplier along this motion. */
 static bool
 is_proved (QnPathTrace *trace, const double *velocity)
@@ -472,33 +462,23 @@ is_proved (QnPathTrace *trace, const double *velocity)
 /* In large displacements other joints slide and open as a structure falls: where the motion known is not
  * proved to begin at the highest multiplier, that to where it has fallen less and less far. `velocity` is
  * eq->motion. */
-static QnStatus
-settle_velocity (QnPathTrace *trace, QnDiag *diag)
+static void
+settle_velocity (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   double *velocity = eq->motion, *known = trace->buckling;
-  double far = tuning->collapsed_motion * eq->assembly.length;
-  const QnTarget target =
-    qn_target_multiplier (fmin (trace->events.highest + held_above (trace), trace->end));
   size_t size = (size_t) eq->assembly.unknown_count * sizeof *velocity;
   bool proved = is_proved (trace, velocity);
 
   memcpy (known, velocity, size);
-  for (int i = 0; !proved && i < tuning->falls; i++, far *= tuning->cut) {
-    QnSolveStatus status =
-      qn_equilibrium_relax (eq, trace->central, &target, far, QN_RELAX_BUDGET);
-    if (status == QN_SOLVE_NO_MEMORY)
-      return qn_diag_no_memory (diag);
-    if (status != QN_SOLVE_MECHANISM)
-      break;
+  for (int i = trace->fall.first; !proved && i < QN_FALL_STATES; i++) {
     for (int32_t k = 0; k < eq->assembly.unknown_count; k++)
-      velocity[k] = eq->u[k] - trace->highest.u[k];
+      velocity[k] = trace->fall.u[i][k] - trace->highest.u[k];
     proved = is_proved (trace, velocity);
   }
   if (!proved)
     memcpy (velocity, known, size);
   qn_equilibrium_restore (eq);
-  return QN_OK;
 }
 
 /* Whether the structure moves on for good at the last multiplier, in linear geometry: its forces and its
@@ -569,7 +549,7 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   if (trace->load_control && qn_path_trace_is_linear (trace))
     status = judge_mechanism (trace, velocity, diag);
   else if (trace->load_control && trace->stop == QN_STOP_FALL)
-    status = settle_velocity (trace, diag);
+    settle_velocity (trace);
   return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
 }
 
@@ -582,15 +562,17 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
 {
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
-  double more = held_above (trace), far = tuning->collapsed_motion * eq->assembly.length;
+  double more = trace->above * path->settings->multiplier_tolerance
+                * fmax (trace->events.highest, trace->unit);
+  double far = tuning->collapsed_motion * eq->assembly.length;
   const QnTarget target =
     qn_target_multiplier (fmin (trace->events.highest + more, trace->end));
 
   qn_equilibrium_save (eq, &trace->lower);
   qn_equilibrium_set_state (eq, &trace->highest);
   qn_equilibrium_commit (eq);
-  QnSolveStatus status =
-    qn_equilibrium_relax (eq, trace->central, &target, far, QN_RELAX_BUDGET);
+  QnSolveStatus status = qn_equilibrium_relax (eq, trace->central, &target, far,
+                                               &trace->fall, QN_RELAX_BUDGET);
 
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_stay (path, far);
@@ -772,7 +754,8 @@ qn_path_trace (QnPath *path, QnDiag *diag)
     return status;
   bool ready = renew_central_path (&trace);
   trace.buckling = qn_alloc ((size_t) as->unknown_count, sizeof *trace.buckling);
-  ready = qn_path_predictor_init (&trace.predictor, as) && trace.buckling != NULL && ready
+  ready = qn_path_predictor_init (&trace.predictor, as) && qn_fall_init (&trace.fall, as)
+          && trace.buckling != NULL && ready
           && qn_path_events_init (&trace.events, path, trace.unit)
           && (!trace.load_control || renew_highest (&trace));
   trace.patience =
@@ -785,6 +768,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   qn_central_path_free (trace.central);
   free (trace.buckling);
   qn_path_predictor_clear (&trace.predictor);
+  qn_fall_clear (&trace.fall);
   qn_equilibrium_state_clear (&trace.highest);
   qn_equilibrium_state_clear (&trace.lower);
   qn_path_measure_clear (&trace.measure);

@@ -81,10 +81,8 @@ typedef struct QnPathTuning {
   double nearly_settled, settled;
 
   /* In nonlinear geometry a structure under load control has collapsed where it has moved by this part
-   * of the characteristic length since its highest multiplier. Its mechanism is looked for on so many
-   * ways, each `cut` as far as the one before. */
+   * of the characteristic length since its highest multiplier. */
   double collapsed_motion;
-  int falls;
 
   /* Load control in nonlinear geometry holds the load a tolerance above the highest multiplier, after each
    * rest twice as far, at most so many tolerances. */
@@ -107,6 +105,7 @@ typedef struct QnPathTrace {
   QnPathMeasure measure;
   QnPathPredictor predictor;
   QnPathEvents events;
+  QnFall fall;            /* with the load last held above the highest multiplier */
   QnCentralPath *central; /* NULL where it does not apply */
   bool load_control;
   bool may_jump; /* some joint is not associative, or not known to be */

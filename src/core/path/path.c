@@ -228,7 +228,7 @@ relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
   QnSolveStatus solve;
 
   for (int steps = FIRST_TURN; steps <= LAST_TURN; steps *= 2) {
-    solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, steps);
+    solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, steps);
     if (solve != QN_SOLVE_FAILED)
       return solve;
     qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
@@ -259,8 +259,9 @@ find_rest (QnEquilibrium *eq)
   QnSolveStatus solve = find_equilibrium (eq, central);
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
-    solve = applies ? relax_in_turns (eq, central)
-                    : qn_equilibrium_relax (eq, NULL, &target, INFINITY, QN_RELAX_BUDGET);
+    solve = applies
+              ? relax_in_turns (eq, central)
+              : qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, QN_RELAX_BUDGET);
   }
   qn_central_path_free (central);
   return solve;
@@ -280,7 +281,7 @@ qn_path_stay (QnPath *path, double far)
   for (int32_t i = 0; i < as->unknown_count; i++)
     eq->u[i] += LEAN * far * eq->motion[i];
   solve = qn_assembly_evaluate (&eq->assembly, eq->u)
-            ? qn_equilibrium_relax (eq, NULL, &target, far, QN_RELAX_BUDGET)
+            ? qn_equilibrium_relax (eq, NULL, &target, far, NULL, QN_RELAX_BUDGET)
             : QN_SOLVE_FAILED;
   bool falls = solve == QN_SOLVE_MECHANISM; /* in this motion */
   if (solve == QN_SOLVE_CONVERGED)
