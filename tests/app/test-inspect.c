@@ -102,6 +102,29 @@ test_click_joint (void)
   driver_discard (window);
 }
 
+/* In the view of contacts a click selects what the pointer tells of: also joints of blocks that are
+ * small on the screen. */
+static void
+test_small_joints (void)
+{
+  QnWindow *window = driver_open_example ("12-facade.quoin");
+  QnSelection *selection = selection_of (window);
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  const QnContacts *contacts = qn_document_get_contacts (qn_window_get_document (window));
+  driver_activate (window, "win.view::contacts");
+  driver_run (200);
+  gsize shortest = 0;
+  for (gsize f = 1; f < contacts->face_count; f++)
+    if (contacts->faces[f].length < contacts->faces[shortest].length)
+      shortest = f;
+  QnVec2 at = middle_of (window, (QnId) shortest);
+  QnId told = qn_canvas_pick_joint (canvas, qn_canvas_to_screen (canvas, at));
+  g_assert_cmpint (told, !=, QN_NONE);
+  driver_click (window, at.x, at.y);
+  g_assert_cmpint (qn_selection_get_face (selection), ==, told);
+  driver_discard (window);
+}
+
 /* In the view of the model a drag that begins at a joint moves the block that lies there. */
 static void
 test_drag_beside_joint (void)
@@ -283,6 +306,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/inspect/click-joint", test_click_joint);
+  g_test_add_func ("/app/inspect/small-joints", test_small_joints);
   g_test_add_func ("/app/inspect/drag-beside-joint", test_drag_beside_joint);
   g_test_add_func ("/app/inspect/table-row", test_table_row);
   g_test_add_func ("/app/inspect/stale-result", test_stale_result);

@@ -4,6 +4,7 @@
 
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
+#include "app/window/action-table.h"
 #include "io/project/typical-stone.h"
 
 static const char two_blocks[] =
@@ -103,6 +104,47 @@ has_action (GMenuModel *menu, const char *action)
   return FALSE;
 }
 
+/* Items tell the keys that do the same: GTK finds those that work everywhere, the others are told by
+ * the menu. */
+static void
+expect_keys_told (GMenuModel *menu)
+{
+  for (int i = 0; i < g_menu_model_get_n_items (menu); i++) {
+    g_autofree char *action = NULL, *told = NULL;
+    g_menu_model_get_item_attribute (menu, i, G_MENU_ATTRIBUTE_ACTION, "s", &action);
+    g_menu_model_get_item_attribute (menu, i, "accel", "s", &told);
+    const QnActionRow *row = action != NULL ? qn_action_find (action) : NULL;
+    if (row != NULL && row->keys != NULL && row->reach == QN_REACH_NO_ENTRY) {
+      g_auto (GStrv) keys = g_strsplit (row->keys, " ", -1);
+      g_assert_cmpstr (told, ==, keys[0]);
+    }
+    static const char *const links[] = { G_MENU_LINK_SECTION, G_MENU_LINK_SUBMENU };
+    for (gsize k = 0; k < G_N_ELEMENTS (links); k++) {
+      g_autoptr (GMenuModel) below = g_menu_model_get_item_link (menu, i, links[k]);
+      if (below != NULL)
+        expect_keys_told (below);
+    }
+  }
+}
+
+static gboolean
+is_scroller (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_SCROLLED_WINDOW (widget);
+}
+
+/* All of the menu is in sight. */
+static void
+expect_whole (GtkWidget *menu)
+{
+  GtkWidget *scroller = driver_find_widget (menu, is_scroller, NULL);
+  GtkAdjustment *down =
+    gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (scroller));
+  g_assert_cmpfloat (gtk_adjustment_get_page_size (down), >=,
+                     gtk_adjustment_get_upper (down));
+}
+
 /* Opens the menu there, checks what it offers, and closes it. */
 static void
 check_menu (QnWindow *window, double x, double y, const char *action, const char *shot)
@@ -114,6 +156,8 @@ check_menu (QnWindow *window, double x, double y, const char *action, const char
   g_assert_nonnull (menu);
   g_assert_true (
     has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)), action));
+  expect_whole (menu);
+  expect_keys_told (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)));
   driver_screenshot (menu, shot);
   driver_key ("Escape");
   driver_run (200);
@@ -471,6 +515,15 @@ is_title (GtkWidget *widget, gconstpointer data)
   return GTK_IS_LABEL (widget) && gtk_widget_has_css_class (widget, "title");
 }
 
+static int
+least_width (QnWindow *window)
+{
+  int width = 0;
+  gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL,
+                      NULL, NULL);
+  return width;
+}
+
 /* It fits into 600 x 500, also with results and a message; the side panel folds away and back. */
 static void
 test_small_window (void)
@@ -480,6 +533,7 @@ test_small_window (void)
   g_assert_true (qn_window_open_path (window, path));
   driver_run (300);
   driver_activate (window, "win.run");
+  g_assert_cmpint (least_width (window), <=, 600);
   driver_wait_for_job (window);
   driver_activate (window, "win.view::forces");
   qn_window_show_error (window, "A message that is long enough to need more than one "
@@ -489,9 +543,7 @@ test_small_window (void)
   expect_tools_in_sight (window);
   GtkWidget *title = driver_find_widget (GTK_WIDGET (window), is_title, NULL);
   g_assert_false (pango_layout_is_ellipsized (gtk_label_get_layout (GTK_LABEL (title))));
-  int width = 0, height = 0;
-  gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL,
-                      NULL, NULL);
+  int width = least_width (window), height = 0;
   gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_VERTICAL, 600, &height, NULL,
                       NULL, NULL);
   g_test_message ("least size %d x %d", width, height);
@@ -507,9 +559,7 @@ test_small_window (void)
   for (gsize i = 0; i < G_N_ELEMENTS (views); i++) {
     driver_activate (window, views[i]);
     driver_screenshot (GTK_WIDGET (window), "small-window-panel");
-    gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL,
-                        NULL, NULL);
-    g_assert_cmpint (width, <=, 600);
+    g_assert_cmpint (least_width (window), <=, 600);
   }
   driver_discard (window);
 }
@@ -534,6 +584,38 @@ test_message_over_drawing (void)
   g_assert_true (gtk_widget_compute_bounds (bar, canvas, &bounds));
   g_assert_true (graphene_rect_contains_rect (&room, &bounds));
   driver_screenshot (GTK_WIDGET (window), "message");
+  driver_discard (window);
+}
+
+/* The buttons of the views keep their places in every view of a result, and take no more of the
+ * drawing in one than in another. */
+static void
+test_views_keep_places (void)
+{
+  static const char *const views[] = { "win.view::model",    "win.view::contacts",
+                                       "win.view::deformed", "win.view::mechanism",
+                                       "win.view::forces",   "win.view::diagrams" };
+  QnWindow *window = driver_open_example ("34-frame-hybrid.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  graphene_rect_t first, now;
+  int height = 0;
+  for (gsize i = 0; i < G_N_ELEMENTS (views); i++) {
+    driver_activate (window, views[i]);
+    driver_run (100);
+    GtkWidget *button =
+      driver_find_widget (GTK_WIDGET (window), driver_is_button, "Forces");
+    GtkWidget *all = gtk_widget_get_ancestor (button, GTK_TYPE_BOX);
+    while (!gtk_widget_has_css_class (all, "view-switcher"))
+      all = gtk_widget_get_parent (all);
+    g_assert_true (gtk_widget_compute_bounds (button, GTK_WIDGET (window), &now));
+    if (i == 0) {
+      first = now;
+      height = gtk_widget_get_height (all);
+    }
+    g_assert_cmpint (gtk_widget_get_height (all), ==, height);
+    g_assert_true (graphene_rect_equal (&first, &now));
+  }
   driver_discard (window);
 }
 
@@ -687,6 +769,7 @@ test_runs_menu (void)
                              "win.export-result"));
   g_assert_true (has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)),
                              "win.remove-run"));
+  expect_whole (menu);
   driver_screenshot (menu, "menu-run");
   driver_key ("Escape");
   driver_run (300);
@@ -760,6 +843,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/reach/keys-after-buttons", test_keys_after_buttons);
   g_test_add_func ("/app/reach/small-window", test_small_window);
   g_test_add_func ("/app/reach/message", test_message_over_drawing);
+  g_test_add_func ("/app/reach/views-keep-places", test_views_keep_places);
   g_test_add_func ("/app/reach/panels-keep-width", test_panels_keep_width);
   g_test_add_func ("/app/reach/dark-paper", test_dark_paper);
   g_test_add_func ("/app/reach/keys-from-anywhere", test_keys_from_anywhere);

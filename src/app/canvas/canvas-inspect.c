@@ -17,7 +17,7 @@
 #define CARD_POINTS 8.5
 #define CARD_PAD    7.0
 #define CARD_ASIDE  18.0
-#define CARD_TAB    88 /* points */
+#define CARD_GAP    10 /* points, between names and values */
 #define REST_MS                                                                          \
   500 /* in the view of the model, until what is under the pointer is told */
 
@@ -85,6 +85,10 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
+  if (qn_view_state_get_view (self->state) == QN_VIEW_CONTACTS) {
+    QnPick pick = qn_canvas_pick (self, screen, 1u << QN_PICK_FACE);
+    return pick.kind == QN_PICK_FACE ? pick.id : QN_NONE;
+  }
   if (!qn_view_state_get_content (self->state, &model, &contacts, &result))
     return QN_NONE;
   QnMotion motion = qn_canvas_get_motion (self);
@@ -167,6 +171,20 @@ card_place (QnCanvas *self, double width, double height)
   return qn_vec2 (MAX (at.x, 0.0), MAX (at.y, 0.0));
 }
 
+/* Where the values begin, px: beside the longest name. */
+static int
+measure_names (PangoLayout *layout, const char *values)
+{
+  g_auto (GStrv) lines = g_strsplit (values, "\n", -1);
+  int widest = 0, width;
+  for (int i = 0; lines[i] != NULL; i++) {
+    pango_layout_set_text (layout, lines[i], (int) strcspn (lines[i], "\t"));
+    pango_layout_get_pixel_size (layout, &width, NULL);
+    widest = MAX (widest, width);
+  }
+  return widest;
+}
+
 static PangoLayout *
 make_card (QnCanvas *self, const char *title, const char *values)
 {
@@ -180,7 +198,8 @@ make_card (QnCanvas *self, const char *title, const char *values)
   pango_layout_set_font_description (layout, font);
   pango_font_description_free (font);
   PangoTabArray *tabs = pango_tab_array_new_with_positions (
-    1, TRUE, PANGO_TAB_LEFT, (int) (CARD_TAB * self->camera.unit));
+    1, TRUE, PANGO_TAB_LEFT,
+    measure_names (layout, values) + (int) (CARD_GAP * self->camera.unit));
   pango_layout_set_tabs (layout, tabs);
   pango_tab_array_free (tabs);
   pango_layout_set_markup (layout, markup, -1);

@@ -116,11 +116,7 @@ shows_document (QnCanvas *canvas)
 static QnId
 face_under (QnCanvas *canvas, const QnToolEvent *event)
 {
-  if (!shows_contacts (canvas))
-    return shows_document (canvas) ? qn_canvas_pick_joint (canvas, event->screen)
-                                   : QN_NONE;
-  QnPick face = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
-  return face.kind == QN_PICK_FACE ? face.id : QN_NONE;
+  return shows_document (canvas) ? qn_canvas_pick_joint (canvas, event->screen) : QN_NONE;
 }
 
 static void

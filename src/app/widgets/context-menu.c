@@ -74,6 +74,16 @@ hold_still (GtkWidget *popover, GtkWidget *widget)
                           (GDestroyNotify) g_ptr_array_unref);
 }
 
+/* GTK puts the lines between sections in later, and a menu that is open does not grow by them. */
+static gboolean
+pop_up (gpointer popover)
+{
+  if (gtk_widget_get_parent (popover) != NULL)
+    gtk_popover_popup (popover);
+  g_object_unref (popover);
+  return G_SOURCE_REMOVE;
+}
+
 static gboolean
 open_menu (GtkWidget *widget, QnMenuPlace *place)
 {
@@ -93,7 +103,7 @@ open_menu (GtkWidget *widget, QnMenuPlace *place)
   g_object_set_data (G_OBJECT (widget), POPOVER, popover);
   g_signal_connect (popover, "closed", G_CALLBACK (on_closed), NULL);
   hold_still (popover, widget);
-  gtk_popover_popup (GTK_POPOVER (popover));
+  g_idle_add (pop_up, g_object_ref (popover));
   return TRUE;
 }
 

@@ -41,7 +41,7 @@ struct _QnWindow {
   GtkInfoBar *info_bar;
   GtkButton *info_button, *run_button, *undo_button, *redo_button;
   GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box,
-    *field_button;
+    *field_button, *shown_stack;
   GtkProgressBar *progress_bar;
   GtkMenuButton *history_button, *view_button;
   GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,

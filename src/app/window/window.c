@@ -25,8 +25,6 @@
 /* Of what is told of a running analysis, where there is room. */
 #define PROGRESS_CHARS 24
 
-/* A view whose name has no room is told by that many letters. */
-
 G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
 
 QnDocument *
@@ -135,7 +133,6 @@ update_stale (QnWindow *self)
   gtk_widget_set_visible (self->stale_label, age != QN_RUN_CURRENT);
 }
 
-/* Beams have views that blocks do not need, results colours that the model does not have. */
 /* The name of the view on the button that stands for all of them where the drawing is narrow. */
 static void
 update_view_menu (QnWindow *self)
@@ -147,6 +144,8 @@ update_view_menu (QnWindow *self)
                                  gtk_button_get_label (GTK_BUTTON (child)));
 }
 
+/* Beams have views that blocks do not need. Colours, and section forces in their place, keep it where
+ * they say nothing, so that the buttons beside them keep theirs. */
 static void
 update_view_buttons (QnWindow *self)
 {
@@ -156,9 +155,10 @@ update_view_buttons (QnWindow *self)
   gboolean shown = qn_view_state_get_view (self->state) == QN_VIEW_DIAGRAMS;
   gtk_widget_set_visible (self->diagrams_button, beams || shown);
   QnView view = qn_view_state_get_view (self->state);
-  gtk_widget_set_visible (self->field_button,
-                          qn_view_needs_result (view) && view != QN_VIEW_DIAGRAMS);
-  gtk_widget_set_visible (self->diagram_box, shown);
+  gtk_widget_set_visible (self->shown_stack, run != NULL || qn_view_needs_result (view));
+  gtk_widget_set_sensitive (self->field_button, qn_view_needs_result (view));
+  gtk_stack_set_visible_child (GTK_STACK (self->shown_stack),
+                               shown ? self->diagram_box : self->field_button);
 }
 
 static void
@@ -632,6 +632,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (diagrams_button);
   BIND (diagram_box);
   BIND (field_button);
+  BIND (shown_stack);
   BIND (progress_bar);
   BIND (history_button);
   BIND (properties_scroller);
