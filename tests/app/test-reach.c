@@ -2,6 +2,7 @@
  * windows, pasting. */
 #include "driver.h"
 
+#include "app/canvas/canvas-private.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/window/action-table.h"
@@ -524,6 +525,19 @@ least_width (QnWindow *window)
   return width;
 }
 
+/* The buttons at the lower right lie on no word of the legend. */
+static void
+expect_legend_free (QnWindow *window)
+{
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  graphene_rect_t buttons;
+  g_assert_true (gtk_widget_compute_bounds (
+    driver_find_id (GTK_WIDGET (window), "view_box"), GTK_WIDGET (canvas), &buttons));
+  QnBox legend = qn_canvas_legend_box (canvas, qn_canvas_get_scene (canvas));
+  g_assert_true (legend.max.x <= (double) buttons.origin.x
+                 || legend.max.y <= (double) buttons.origin.y);
+}
+
 /* It fits into 600 x 500, also with results and a message; the side panel folds away and back. */
 static void
 test_small_window (void)
@@ -559,6 +573,7 @@ test_small_window (void)
   for (gsize i = 0; i < G_N_ELEMENTS (views); i++) {
     driver_activate (window, views[i]);
     driver_screenshot (GTK_WIDGET (window), "small-window-panel");
+    expect_legend_free (window);
     g_assert_cmpint (least_width (window), <=, 600);
   }
   driver_discard (window);

@@ -113,15 +113,25 @@ copy_clear (Copy *copy)
   g_free (copy->program);
 }
 
-/* Starts it with the machine's data or with none; what it said on standard error, and how it
- * ended, where it did so by itself. */
+/* Starts it with the machine's data or with none, with folders of the user's or without any; what it
+ * said on standard error, and how it ended, where it did so by itself. */
+typedef enum Place { PLACE_USUAL, PLACE_BARE, PLACE_HOMELESS } Place;
+
 static char *
-copy_start (const Copy *copy, gboolean bare, int *status)
+copy_start (const Copy *copy, Place place, int *status)
 {
+  static const char *const own[] = { "HOME",           "XDG_CONFIG_HOME",
+                                     "XDG_DATA_HOME",  "XDG_STATE_HOME",
+                                     "XDG_CACHE_HOME", "XDG_RUNTIME_DIR" };
   const char *argv[] = { "timeout", "3", copy->program, NULL };
   g_auto (GStrv) environment = g_get_environ ();
-  if (bare)
+  if (place == PLACE_BARE)
     environment = g_environ_setenv (environment, "XDG_DATA_DIRS", "/nonexistent", TRUE);
+  if (place == PLACE_HOMELESS)
+    environment = g_environ_unsetenv (
+      g_environ_unsetenv (environment, "GSETTINGS_BACKEND"), "G_DEBUG");
+  for (gsize i = 0; place == PLACE_HOMELESS && i < G_N_ELEMENTS (own); i++)
+    environment = g_environ_setenv (environment, own[i], "/proc/nonexistent", TRUE);
   char *said = NULL;
   g_assert_true (g_spawn_sync (NULL, (char **) argv, environment, G_SPAWN_SEARCH_PATH,
                                NULL, NULL, NULL, &said, status, NULL));
@@ -129,14 +139,14 @@ copy_start (const Copy *copy, gboolean bare, int *status)
 }
 
 /* Without its settings schema the program says so and ends; the build tree's serves as well as an
- * installed one. */
+ * installed one. It needs no folder that can be written. */
 static void
 test_uninstalled (void)
 {
   Copy copy;
   int status = -1;
   copy_init (&copy);
-  g_autofree char *missing = copy_start (&copy, TRUE, &status);
+  g_autofree char *missing = copy_start (&copy, PLACE_BARE, &status);
   g_assert_true (WIFEXITED (status));
   g_assert_cmpint (WEXITSTATUS (status), ==, EXIT_FAILURE);
   g_assert_nonnull (strstr (missing, "the settings schema"));
@@ -147,9 +157,13 @@ test_uninstalled (void)
   const char *argv[] = { "cp", real, copy.data, NULL };
   g_assert_true (g_spawn_sync (NULL, (char **) argv, NULL, G_SPAWN_SEARCH_PATH, NULL,
                                NULL, NULL, NULL, NULL, NULL));
-  g_autofree char *silent = copy_start (&copy, FALSE, &status);
+  g_autofree char *silent = copy_start (&copy, PLACE_USUAL, &status);
   g_assert_cmpstr (silent, ==, "");
   g_assert_cmpint (WEXITSTATUS (status), ==, 124); /* ended by timeout, not by itself */
+  /* Libraries tell once what they cannot keep; settings would tell at every reading. */
+  g_autofree char *told = copy_start (&copy, PLACE_HOMELESS, &status);
+  g_assert_null (strstr (told, "dconf"));
+  g_assert_cmpint (WEXITSTATUS (status), ==, 124);
   copy_clear (&copy);
 }
 

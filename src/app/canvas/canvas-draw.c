@@ -502,7 +502,7 @@ place_legend (QnCanvas *self, const QnScene *scene, QnFurniture *furniture)
          top = ruler_px (self) + LEGEND_TOP * self->camera.unit;
   double right = self->camera.width - furniture->width - LEGEND_INSET;
   const QnVec2 corners[] = {
-    { left, self->camera.height - furniture->height - LEGEND_INSET },
+    { left, furniture->y },
     { left, top },
     { right, top },
   };
@@ -524,6 +524,20 @@ place_legend (QnCanvas *self, const QnScene *scene, QnFurniture *furniture)
   furniture->y = best.y;
 }
 
+/* Upper side of the legend at the lower left: above what lies in the other corner, where both have no
+ * room beside each other. */
+static double
+legend_top (QnCanvas *self, const QnFurniture *furniture)
+{
+  graphene_rect_t corner;
+  double foot = self->camera.height;
+  if (self->corner != NULL
+      && gtk_widget_compute_bounds (self->corner, GTK_WIDGET (self), &corner)
+      && furniture->x + furniture->width + LEGEND_PAD > corner.origin.x)
+    foot = corner.origin.y;
+  return foot - furniture->height - LEGEND_INSET;
+}
+
 /* Measured and placed. The caller clears it. */
 static void
 lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, gboolean placed,
@@ -533,7 +547,7 @@ lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, gboolean placed,
                      true);
   qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
   furniture->x = ruler_px (self) + LEGEND_INSET;
-  furniture->y = self->camera.height - furniture->height - LEGEND_INSET;
+  furniture->y = legend_top (self, furniture);
   if (placed)
     place_legend (self, scene, furniture);
 }

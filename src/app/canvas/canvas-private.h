@@ -45,7 +45,8 @@ struct _QnCanvas {
   gboolean has_place;
   QnVec2 place; /* ringed, m */
   guint place_timeout;
-  QnGaps gaps; /* marked */
+  QnGaps gaps;       /* marked */
+  GtkWidget *corner; /* weak */
 };
 
 /* The scene of the present state, built when needed; NULL where there is nothing to show. */

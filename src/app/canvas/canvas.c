@@ -181,6 +181,12 @@ qn_canvas_unroot (GtkWidget *widget)
   GTK_WIDGET_CLASS (qn_canvas_parent_class)->unroot (widget);
 }
 
+void
+qn_canvas_set_corner (QnCanvas *self, GtkWidget *corner)
+{
+  g_set_weak_pointer (&self->corner, corner);
+}
+
 static void
 qn_canvas_dispose (GObject *object)
 {
@@ -195,6 +201,7 @@ qn_canvas_dispose (GObject *object)
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   g_clear_handle_id (&self->rest_timeout, g_source_remove);
   g_clear_pointer (&self->gl_layer, gtk_widget_unparent);
+  g_clear_weak_pointer (&self->corner);
   qn_scene_cache_clear (&self->cache);
   g_clear_pointer (&self->scene, qn_scene_free);
   g_clear_error (&self->scene_error);

@@ -51,6 +51,9 @@ void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
 /* Where OpenGL draws large structures; a QnGlLayer. */
 GtkWidget *qn_canvas_get_gl_layer (QnCanvas *canvas);
 
+/* What lies over the lower right corner, which the legend gives way to; borrowed. */
+void qn_canvas_set_corner (QnCanvas *canvas, GtkWidget *corner);
+
 /* One line on the pointer: place and what the magnet took; the caller frees it. */
 char *qn_canvas_dup_status (QnCanvas *canvas);
 

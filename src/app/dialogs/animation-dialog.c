@@ -356,8 +356,7 @@ qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell
   qn_animation_settings_init (&dialog->settings, state);
   gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
   qn_help_set_page (form->base.root, "export");
-  qn_bound_form_show (form);
-  gtk_window_present (GTK_WINDOW (form->base.root));
+  qn_dialog_present (qn_bound_form_show (form), form->base.widgets[EXPORT]);
   if (path != NULL)
     write_to (dialog, path);
 }

@@ -378,5 +378,5 @@ qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write
   take_entries (dialog);
   for (guint field = TITLE; field <= CAPTION; field++)
     g_signal_connect_swapped (widgets[field], "changed", G_CALLBACK (on_typed), dialog);
-  gtk_window_present (GTK_WINDOW (dialog->base.root));
+  qn_dialog_present (dialog->base.root, widgets[EXPORT]);
 }

@@ -4,6 +4,7 @@
 
 #include "app/canvas/gap-marks.h"
 #include "app/forms/bound-form.h"
+#include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include "io/exchange/drawing-import.h"
@@ -240,6 +241,5 @@ qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
     dialog->settings.gaps = QN_GAPS_CLOSED;
     try_import (dialog);
   }
-  qn_bound_form_show (dialog);
-  gtk_window_present (window);
+  qn_dialog_present (qn_bound_form_show (dialog), dialog->base.widgets[ACCEPT]);
 }

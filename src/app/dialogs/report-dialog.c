@@ -3,6 +3,7 @@
 
 #include "app/forms/form.h"
 #include "app/widgets/builder.h"
+#include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "doc/view/report-template.h"
 #include <glib/gi18n.h>
@@ -95,10 +96,10 @@ qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFunc cho
   gtk_window_set_transient_for (dialog->window, parent);
   qn_help_set_page (GTK_WIDGET (dialog->window), "export");
   qn_own (GTK_WIDGET (dialog->window), dialog);
-  g_signal_connect_swapped (qn_builder_get_widget (builder, "export"), "clicked",
-                            G_CALLBACK (on_export), dialog);
+  GtkWidget *export = qn_builder_get_widget (builder, "export");
+  g_signal_connect_swapped (export, "clicked", G_CALLBACK (on_export), dialog);
   qn_report_template_read (&plan, qn_document_get_project (document), NULL);
   update (dialog, &plan);
   qn_report_template_clear (&plan);
-  gtk_window_present (dialog->window);
+  qn_dialog_present (GTK_WIDGET (dialog->window), export);
 }

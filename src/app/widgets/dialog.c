@@ -22,6 +22,13 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   return dialog;
 }
 
+void
+qn_dialog_present (GtkWidget *dialog, GtkWidget *accept)
+{
+  gtk_window_present (GTK_WINDOW (dialog));
+  gtk_widget_grab_focus (accept);
+}
+
 char *
 qn_dialog_complete_path (const char *path, const char *const *endings, GError **error)
 {

@@ -7,6 +7,9 @@
 /* Modal, gone with its parent. A height of -1 takes what the content needs. */
 GtkWidget *qn_dialog_new (GtkWindow *parent, const char *title, int width, int height);
 
+/* Shows it with the focus on the button that takes what it offers, for Return. */
+void qn_dialog_present (GtkWidget *dialog, GtkWidget *accept);
+
 /* The path chosen for a file to be written. One that ends in none of `endings` (NULL-terminated,
  * with their dots) gets the first of them; such a file must not be there yet, as nobody was asked
  * whether it may be replaced. NULL with an error; the caller frees it. */

@@ -406,6 +406,7 @@ bind_settings (QnWindow *self)
 {
   /* Opposite to the legend, which stays where it is in every script. */
   gtk_widget_set_direction (GTK_WIDGET (self->view_box), GTK_TEXT_DIR_LTR);
+  qn_canvas_set_corner (self->canvas, GTK_WIDGET (self->view_box));
   GSettings *settings = qn_settings_get ();
   g_settings_bind (settings, "window-width", self, "default-width",
                    G_SETTINGS_BIND_DEFAULT);
