@@ -1,5 +1,7 @@
 #include "bench/compare.h"
 
+#include "support/scratch.h"
+
 #include <glib/gstdio.h>
 
 #define HEADINGS                                                                         \
@@ -24,8 +26,7 @@ write_table (const char *folder, const char *name, const char *text)
 static void
 set_up (Fixture *f)
 {
-  *f = (Fixture){ .folder = g_dir_make_tmp ("quoin-compare-XXXXXX", NULL) };
-  g_assert_nonnull (f->folder);
+  *f = (Fixture){ .folder = test_scratch_new () };
   f->before = g_build_filename (f->folder, "before", NULL);
   f->after = g_build_filename (f->folder, "after", NULL);
 }
@@ -33,26 +34,13 @@ set_up (Fixture *f)
 static void
 tear_down (Fixture *f)
 {
-  static const char *const names[] = { "before/walls.csv",
-                                       "after/walls.csv",
-                                       "before/scaling.csv",
-                                       "after/scaling.csv",
-                                       "before/scaling-bars.csv",
-                                       "after/scaling-bars.csv",
-                                       "said",
-                                       "before",
-                                       "after",
-                                       "" };
-  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
-    g_autofree char *path = g_build_filename (f->folder, names[i], NULL);
-    g_remove (path);
-  }
-  g_assert_false (g_file_test (f->folder, G_FILE_TEST_EXISTS));
-  g_free (f->folder);
+  test_scratch_free (f->folder);
   g_free (f->before);
   g_free (f->after);
   g_free (f->said);
 }
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Fixture, tear_down)
 
 static gboolean
 compare (Fixture *f, gboolean partial, GError **error)
@@ -69,23 +57,36 @@ compare (Fixture *f, gboolean partial, GError **error)
   return ok;
 }
 
-/* What becomes of ROW, or of a row without an error, when `what` in it is replaced by `by`. */
+/* Compares a table before and after. */
 static void
-check_change_of (const char *before_row, const char *what, const char *by, int worse,
+compare_tables (Fixture *f, const char *name, const char *before, const char *after)
+{
+  set_up (f);
+  write_table (f->before, name, before);
+  write_table (f->after, name, after);
+  g_assert_true (compare (f, FALSE, NULL));
+}
+
+/* Rows of walls.csv before and after. */
+static void
+check_rows (const char *before, const char *after, int worse, int better)
+{
+  g_auto (Fixture) f;
+  g_autofree char *old = g_strconcat (HEADINGS, before, NULL);
+  g_autofree char *new = g_strconcat (HEADINGS, after, NULL);
+  compare_tables (&f, "walls.csv", old, new);
+  if (f.verdict.worse != worse || f.verdict.better != better)
+    g_error ("%s -> %s: %s", before, after, f.said);
+}
+
+/* What becomes of a row when `what` in it is replaced by `by`. */
+static void
+check_change_of (const char *before, const char *what, const char *by, int worse,
                  int better)
 {
-  Fixture f;
-  g_autoptr (GString) row = g_string_new (before_row);
-  g_assert_cmpuint (g_string_replace (row, what, by, 1), ==, 1);
-  g_autofree char *before = g_strconcat (HEADINGS, before_row, NULL);
-  g_autofree char *after = g_strconcat (HEADINGS, row->str, NULL);
-  set_up (&f);
-  write_table (f.before, "walls.csv", before);
-  write_table (f.after, "walls.csv", after);
-  g_assert_true (compare (&f, FALSE, NULL));
-  if (f.verdict.worse != worse || f.verdict.better != better)
-    g_error ("%s -> %s: %s", what, by, f.said);
-  tear_down (&f);
+  g_autoptr (GString) after = g_string_new (before);
+  g_assert_cmpuint (g_string_replace (after, what, by, 1), ==, 1);
+  check_rows (before, after->str, worse, better);
 }
 
 static void
@@ -126,15 +127,8 @@ test_multipliers (void)
 static void
 test_tolerance (void)
 {
-  Fixture f;
-  set_up (&f);
-  write_table (f.before, "walls.csv",
-               HEADINGS "1,0,load,30,0.01,on,collapse,0.64,-0.2,0.01,1,100\n");
-  write_table (f.after, "walls.csv",
-               HEADINGS "1,0,load,30,0.01,on,collapse,0.63,-1.7,0.01,1,100\n");
-  g_assert_true (compare (&f, FALSE, NULL));
-  g_assert_cmpint (f.verdict.worse, ==, 0);
-  tear_down (&f);
+  check_rows ("1,0,load,30,0.01,on,collapse,0.64,-0.2,0.01,1,100\n",
+              "1,0,load,30,0.01,on,collapse,0.63,-1.7,0.01,1,100\n", 0, 0);
 }
 
 static void
@@ -149,34 +143,22 @@ test_times (void)
 static void
 test_short_times (void)
 {
-  Fixture f;
-  set_up (&f);
-  write_table (f.before, "walls.csv",
-               HEADINGS "1,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.01,100\n"
-                        "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.01,100\n");
-  write_table (f.after, "walls.csv",
-               HEADINGS "1,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.29,100\n"
-                        "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.31,100\n");
-  g_assert_true (compare (&f, FALSE, NULL));
-  g_assert_cmpint (f.verdict.worse, ==, 0);
-  tear_down (&f);
+  check_rows ("1,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.01,100\n"
+              "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.01,100\n",
+              "1,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.29,100\n"
+              "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,0.31,100\n",
+              0, 0);
 }
 
 /* No time is much longer, but all of them are. */
 static void
 test_mean_time (void)
 {
-  Fixture f;
-  set_up (&f);
-  write_table (f.before, "walls.csv",
-               HEADINGS "1,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n"
-                        "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n");
-  write_table (f.after, "walls.csv",
-               HEADINGS "1,0,load,30,0.0001,on,collapse,0.64,0,0.01,1.4,100\n"
-                        "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1.4,100\n");
-  g_assert_true (compare (&f, FALSE, NULL));
-  g_assert_cmpint (f.verdict.worse, ==, 1);
-  tear_down (&f);
+  check_rows ("1,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n"
+              "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n",
+              "1,0,load,30,0.0001,on,collapse,0.64,0,0.01,1.4,100\n"
+              "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1.4,100\n",
+              1, 0);
 }
 
 static void
@@ -191,18 +173,11 @@ test_outcomes (void)
 static void
 test_time_limits (void)
 {
-  Fixture f;
-  set_up (&f);
-  write_table (f.before, "walls.csv",
-               HEADINGS "1,0,load,30,0.0001,on,cancelled,0.64,0,0.01,1,100\n"
-                        "2,0,load,30,0.0001,on,cancelled,0.64,0,0.01,1,100\n");
-  write_table (f.after, "walls.csv",
-               HEADINGS "1,0,load,30,0.0001,on,cancelled,0.32,-50,0.01,9,999\n"
-                        "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n");
-  g_assert_true (compare (&f, FALSE, NULL));
-  g_assert_cmpint (f.verdict.worse, ==, 0);
-  g_assert_cmpint (f.verdict.better, ==, 1);
-  tear_down (&f);
+  check_rows ("1,0,load,30,0.0001,on,cancelled,0.64,0,0.01,1,100\n"
+              "2,0,load,30,0.0001,on,cancelled,0.64,0,0.01,1,100\n",
+              "1,0,load,30,0.0001,on,cancelled,0.32,-50,0.01,9,999\n"
+              "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n",
+              0, 1);
 }
 
 /* Several outcomes in one table: each speaks for its own columns; limit analysis is exact. */
@@ -212,57 +187,45 @@ test_prefixes (void)
   static const char headings[] =
     "kind,blocks,limit outcome,limit multiplier,path outcome,"
     "path multiplier,path factorisations\n";
-  Fixture f;
+  g_auto (Fixture) f;
   g_autofree char *before =
     g_strconcat (headings, "wall,199,collapse,0.5,cancelled,0.1,50\n", NULL);
   g_autofree char *after =
     g_strconcat (headings, "wall,199,collapse,0.500002,cancelled,0.05,70\n", NULL);
-  set_up (&f);
-  write_table (f.before, "scaling.csv", before);
-  write_table (f.after, "scaling.csv", after);
-  g_assert_true (compare (&f, FALSE, NULL));
+  compare_tables (&f, "scaling.csv", before, after);
   g_assert_cmpint (f.verdict.worse, ==, 1);
   g_assert_nonnull (strstr (f.said, "limit multiplier 0.5 -> 0.500002"));
-  tear_down (&f);
 }
 
 static void
 test_rows (void)
 {
-  Fixture f;
-  set_up (&f);
-  write_table (f.before, "walls.csv", HEADINGS ROW);
-  write_table (f.after, "walls.csv",
-               HEADINGS "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n");
-  g_assert_true (compare (&f, FALSE, NULL));
+  g_auto (Fixture) f;
+  compare_tables (&f, "walls.csv", HEADINGS ROW,
+                  HEADINGS "2,0,load,30,0.0001,on,collapse,0.64,0,0.01,1,100\n");
   g_assert_cmpint (f.verdict.missing, ==, 1);
   g_assert_cmpint (f.verdict.added, ==, 1);
   g_assert_true (compare (&f, TRUE, NULL));
   g_assert_cmpint (f.verdict.missing, ==, 0);
-  tear_down (&f);
 }
 
 /* Commas within quotes, and the bars that are met or missed. */
 static void
 test_bars (void)
 {
-  Fixture f;
-  set_up (&f);
-  write_table (f.before, "scaling-bars.csv",
-               "bar,case,value,met\n\"time, s\",wall,3,yes\nx,wall,1,no\n");
-  write_table (f.after, "scaling-bars.csv",
-               "bar,case,value,met\n\"time, s\",wall,9,no\nx,wall,1,yes\n");
-  g_assert_true (compare (&f, FALSE, NULL));
+  g_auto (Fixture) f;
+  compare_tables (&f, "scaling-bars.csv",
+                  "bar,case,value,met\n\"time, s\",wall,3,yes\nx,wall,1,no\n",
+                  "bar,case,value,met\n\"time, s\",wall,9,no\nx,wall,1,yes\n");
   g_assert_cmpint (f.verdict.worse, ==, 1);
   g_assert_cmpint (f.verdict.better, ==, 1);
   g_assert_cmpint (f.verdict.missing, ==, 0);
-  tear_down (&f);
 }
 
 static void
 test_unreadable (void)
 {
-  Fixture f;
+  g_auto (Fixture) f;
   g_autoptr (GError) error = NULL;
   set_up (&f);
   g_assert_false (compare (&f, FALSE, &error));
@@ -274,7 +237,6 @@ test_unreadable (void)
   write_table (f.after, "walls.csv", "");
   g_assert_false (compare (&f, FALSE, &error));
   g_assert_error (error, G_FILE_ERROR, G_FILE_ERROR_INVAL);
-  tear_down (&f);
 }
 
 static int
@@ -292,7 +254,7 @@ run_program (const char *before, const char *after)
 static void
 test_exit_codes (void)
 {
-  Fixture f;
+  g_auto (Fixture) f;
   set_up (&f);
   write_table (f.before, "walls.csv", HEADINGS ROW);
   write_table (f.after, "walls.csv",
@@ -301,7 +263,6 @@ test_exit_codes (void)
   g_assert_cmpint (run_program (f.before, f.after), ==, 1);
   g_assert_cmpint (run_program (f.before, NULL), ==, 2);
   g_assert_cmpint (run_program (f.before, f.folder), ==, 5);
-  tear_down (&f);
 }
 
 int

@@ -1,5 +1,7 @@
 #include "support/run.h"
 
+#include "core/check/result-check.h"
+
 #include <glib.h>
 
 void
@@ -21,6 +23,16 @@ test_run_solve (TestRun *run)
   g_assert_cmpint (
     qn_analysis_run (&run->model, &run->contacts, NULL, NULL, &run->result, &diag), ==,
     QN_OK);
+}
+
+int
+test_run_count_faults (const TestRun *run)
+{
+  QnResultFaults faults;
+  g_assert_cmpint (qn_result_find_faults (&run->model, &run->contacts, &run->result,
+                                          QN_CHECK_STATED, &faults, NULL),
+                   ==, QN_OK);
+  return faults.count;
 }
 
 void

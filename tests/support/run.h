@@ -17,6 +17,9 @@ typedef struct TestRun {
 void test_run_prepare (TestRun *run);
 void test_run_solve (TestRun *run);
 
+/* How many statements of the result its check finds to be false. */
+int test_run_count_faults (const TestRun *run);
+
 /* Prepares the model and finds the lowest modes about its equilibrium under dead load. */
 void test_find_modes (QnModel *model, size_t wanted, QnModes *modes);
 

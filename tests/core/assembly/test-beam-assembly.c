@@ -176,23 +176,15 @@ run (QnModel *model, QnContacts *contacts, QnResult *result)
                    QN_OK);
 }
 
-static void
-drop (QnModel *model, QnContacts *contacts, QnResult *result)
-{
-  qn_result_clear (result);
-  qn_contacts_clear (contacts);
-  qn_model_clear (model);
-}
-
 /* A clamped beam between two ends: exact at the nodes under a uniform load, however few the
  * elements; moments q L^2 / 12 and q L^2 / 24, shear q L / 2. */
 static void
 test_line_load (void)
 {
   for (int elements = 2; elements <= 6; elements += 2) {
-    QnModel model;
-    QnContacts contacts;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    g_auto (QnResult) result;
     qn_model_init (&model);
     QnSection *section = add_section (&model);
     section->unit_weight = 0;
@@ -213,7 +205,6 @@ test_line_load (void)
     g_assert_cmpfloat_with_epsilon (f[elements / 2].moment[0], 12e3 * 16 / 24, 1e-3);
     g_assert_cmpfloat_with_epsilon (f[0].shear[0], 24e3, 1e-3);
     g_assert_cmpfloat_with_epsilon (f[elements - 1].shear[1], -24e3, 1e-3);
-    drop (&model, &contacts, &result);
   }
 }
 
@@ -271,9 +262,9 @@ test_energy (void)
 static void
 test_truss (void)
 {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  g_auto (QnResult) result;
   qn_model_init (&model);
   add_section (&model)->unit_weight = 0;
   test_model_add_node (&model, "a", 0, 0, "xy");
@@ -294,7 +285,6 @@ test_truss (void)
   g_assert_cmpfloat_with_epsilon (f[1].normal[0], -5e3, 1e-2);
   g_assert_cmpfloat_with_epsilon (f[2].normal[1], -5e3, 1e-2);
   g_assert_cmpfloat (fabs (f[1].moment[0]) + fabs (f[1].moment[1]), <, 1e-6);
-  drop (&model, &contacts, &result);
 }
 
 /* A node on a block moves with it; a beam from it to a support holds the block. */
@@ -302,9 +292,9 @@ static void
 test_rigid_link (void)
 {
   for (int seat = QN_SEAT_CENTROID; seat < QN_SEAT_COUNT; seat++) {
-    QnModel model;
-    QnContacts contacts;
-    QnResult result;
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    g_auto (QnResult) result;
     test_model_init (&model);
     test_model_add_rectangle (&model, "block", 0, 0, 1, 0.5)->unit_weight = 0;
     add_section (&model)->unit_weight = 0;
@@ -328,7 +318,6 @@ test_rigid_link (void)
     /* The end moment is that of the loads about the node. */
     double moment = 300 - qn_vec2_cross (arm, load->vector);
     g_assert_cmpfloat_with_epsilon (-f[0].moment[0], moment, 1e-6 * 2e3);
-    drop (&model, &contacts, &result);
   }
 }
 

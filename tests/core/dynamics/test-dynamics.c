@@ -1,50 +1,22 @@
 /* Closed forms of single bodies in time. */
-#include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
 
 #define G 9.81
 
-typedef struct Case {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Case;
-
 static void
-solve (Case *c)
+init_case (TestRun *c, double width, double height)
 {
-  QnDiag diag = { 0 };
-  g_assert_cmpint (qn_model_prepare (&c->model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, &diag), ==, QN_OK);
-  QnStatus status =
-    qn_analysis_run (&c->model, &c->contacts, NULL, NULL, &c->result, &diag);
-  if (status != QN_OK)
-    g_error ("%s", qn_problem_text (diag.problem));
-}
-
-static void
-case_clear (Case *c)
-{
-  qn_result_clear (&c->result);
-  qn_contacts_clear (&c->contacts);
-  qn_model_clear (&c->model);
-}
-
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Case, case_clear)
-
-static void
-init_case (Case *c, double width, double height)
-{
-  *c = (Case){ 0 };
+  *c = (TestRun){ 0 };
   test_model_init_block_on_plane (&c->model, width, height);
   c->model.analysis.procedure = QN_PROCEDURE_DYNAMIC;
 }
 
 static void
-track (Case *c, QnId block, QnDof dof)
+track (TestRun *c, QnId block, QnDof dof)
 {
   QnTrack *track = qn_model_add_track (&c->model);
   track->block = block;
@@ -52,7 +24,7 @@ track (Case *c, QnId block, QnDof dof)
 }
 
 static void
-add_weight (Case *c)
+add_weight (TestRun *c)
 {
   QnLoad *load = qn_model_add_dead_load (&c->model);
   load->kind = QN_LOAD_WEIGHT;
@@ -60,7 +32,7 @@ add_weight (Case *c)
 }
 
 static double
-tracked (const Case *c, size_t row, int which)
+tracked (const TestRun *c, size_t row, int which)
 {
   const QnHistory *h = &c->result.history;
   return h->rows[row * h->width + QN_HISTORY_TRACK + (size_t) which];
@@ -72,7 +44,7 @@ tracked (const Case *c, size_t row, int which)
 static double
 spring_error (double rho, double ratio, QnDampingStiffness of, int steps, double *energy)
 {
-  g_auto (Case) c;
+  g_auto (TestRun) c;
   init_case (&c, 1, 1);
   QnLaw *law = &c.model.laws[0];
   law->kind = QN_LAW_ELASTIC;
@@ -88,7 +60,7 @@ spring_error (double rho, double ratio, QnDampingStiffness of, int steps, double
   start->block = 1;
   start->displacement[QN_DOF_UY] = 0.001;
   track (&c, 1, QN_DOF_UY);
-  solve (&c);
+  test_run_solve (&c);
   double damped = omega * sqrt (1 - ratio * ratio), worst = 0;
   const QnHistory *h = &c.result.history;
   g_assert_cmpuint (h->row_count, ==, (gsize) steps + 1);
@@ -127,7 +99,7 @@ test_spring (void)
 
 /* A block on the ground under a pulse; its displacement is tracked. */
 static void
-slide (Case *c, QnPulse pulse, double rho, double step, gboolean adaptive)
+slide (TestRun *c, QnPulse pulse, double rho, double step, gboolean adaptive)
 {
   init_case (c, 2, 0.2);
   c->model.laws[0].friction = 0.3;
@@ -142,7 +114,7 @@ slide (Case *c, QnPulse pulse, double rho, double step, gboolean adaptive)
   motion->direction = qn_vec2 (-1, 0);
   motion->pulse = pulse;
   track (c, 1, QN_DOF_UX);
-  solve (c);
+  test_run_solve (c);
   g_assert_cmpfloat (c->result.history.energy_error, <, 1e-6);
 }
 
@@ -150,7 +122,7 @@ slide (Case *c, QnPulse pulse, double rho, double step, gboolean adaptive)
 static double
 slide_error (QnPulse pulse, double rho, double step, gboolean adaptive, double exact)
 {
-  g_auto (Case) c;
+  g_auto (TestRun) c;
   slide (&c, pulse, rho, step, adaptive);
   double slip = tracked (&c, c.result.history.row_count - 1, 0);
   g_test_message ("rho %g, step %g: %.7f m of %.7f m", rho, step, slip, exact);
@@ -175,7 +147,7 @@ test_slide_rectangle (void)
 static int
 count_factorizations (double amplitude, QnGeometry geometry, double damping)
 {
-  g_auto (Case) c;
+  g_auto (TestRun) c;
   init_case (&c, 2, 0.2);
   c.model.laws[0].friction = 0.3;
   c.model.laws[0].kn = c.model.laws[0].ks = 1e9;
@@ -190,7 +162,7 @@ count_factorizations (double amplitude, QnGeometry geometry, double damping)
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);
   motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, amplitude, 0.2, 0.05 };
-  solve (&c);
+  test_run_solve (&c);
   g_assert_cmpint (c.result.history.steps, ==, 100);
   g_assert_cmpint (c.result.statistics.iterations, >=, 50);
   int count = c.result.statistics.factorizations;
@@ -222,7 +194,7 @@ test_slide_sine (void)
   const QnPulse pulse = { QN_PULSE_SINE, 6, 0.4, 0.02 };
   const double h = 1e-6, limit = 0.3 * G;
   double v = 0, u = 0, farthest = 0, worst = 0;
-  Case c;
+  TestRun c;
   slide (&c, pulse, 0.8, 0.00025, TRUE);
   const QnHistory *history = &c.result.history;
   double t = 0;
@@ -243,7 +215,7 @@ test_slide_sine (void)
   g_test_message ("%.2e m of %.4f m", worst, farthest);
   g_assert_cmpfloat (farthest, >, 0.03);
   g_assert_cmpfloat (worst / farthest, <, 1e-3);
-  case_clear (&c);
+  test_run_clear (&c);
 }
 
 /* --- The rocking block -------------------------------------------------------------------- */
@@ -273,7 +245,7 @@ quarter_period (double theta)
 }
 
 static void
-init_rocking (Case *c, double theta)
+init_rocking (TestRun *c, double theta)
 {
   init_case (c, WIDTH, HEIGHT);
   c->model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
@@ -295,12 +267,12 @@ static void
 test_rock (void)
 {
   double theta = 0.5 * atan (WIDTH / HEIGHT), exact = quarter_period (theta), found = 0;
-  g_auto (Case) c;
+  g_auto (TestRun) c;
   init_rocking (&c, theta);
   c.model.analysis.dynamic.duration = 3;
   c.model.analysis.dynamic.time_step = 0.002;
   c.model.analysis.dynamic.joint_damping = 1e-4;
-  solve (&c);
+  test_run_solve (&c);
   const QnHistory *h = &c.result.history;
   for (size_t i = 1; i < h->row_count && found == 0; i++) {
     double a = tracked (&c, i - 1, 0), b = tracked (&c, i, 0);
@@ -319,11 +291,11 @@ test_rock (void)
 static void
 test_overturn (void)
 {
-  g_auto (Case) c;
+  g_auto (TestRun) c;
   init_rocking (&c, 1.02 * atan (WIDTH / HEIGHT));
   c.model.analysis.dynamic.duration = 10;
   c.model.analysis.dynamic.time_step = 0.01;
-  solve (&c);
+  test_run_solve (&c);
   const QnHistory *h = &c.result.history;
   g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat (h->collapse_time, >, 0.5);
@@ -340,7 +312,7 @@ test_overturn (void)
 static void
 test_beam (void)
 {
-  g_auto (Case) c = { 0 };
+  g_auto (TestRun) c = { 0 };
   test_model_init (&c.model);
   QnSection *section = qn_model_add_section (&c.model, "s");
   section->young = 1e10;
@@ -364,7 +336,7 @@ test_beam (void)
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (0, 1);
   motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, 1, 10, 0 };
-  solve (&c);
+  test_run_solve (&c);
 
   /* Under a constant acceleration it swings about its deflection m g l^4/(8 EI) and comes back. */
   double mass = 20000 * 0.04 / G, bending = section->young * section->inertia;
@@ -396,14 +368,14 @@ stop_after (const QnProgress *progress, void *user_data)
 static void
 test_cancel (void)
 {
-  g_auto (Case) whole, part;
+  g_auto (TestRun) whole, part;
   QnDiag diag;
   int budget = 300;
   init_rocking (&whole, 0.05);
   init_rocking (&part, 0.05);
   whole.model.analysis.dynamic.duration = part.model.analysis.dynamic.duration = 1;
   whole.model.analysis.dynamic.time_step = part.model.analysis.dynamic.time_step = 0.01;
-  solve (&whole);
+  test_run_solve (&whole);
   g_assert_cmpint (qn_model_prepare (&part.model, &diag), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&part.model, &part.contacts, &diag), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (&part.model, &part.contacts, stop_after, &budget,
@@ -418,7 +390,7 @@ test_cancel (void)
 }
 
 static QnProblem
-refusal (Case *c)
+refusal (TestRun *c)
 {
   QnDiag diag = { 0 };
   QnStatus status = qn_model_prepare (&c->model, &diag);
@@ -427,12 +399,12 @@ refusal (Case *c)
   if (status == QN_OK)
     status = qn_analysis_run (&c->model, &c->contacts, NULL, NULL, &c->result, &diag);
   g_assert_cmpint (status, ==, QN_ERROR_INVALID);
-  case_clear (c);
+  test_run_clear (c);
   return diag.problem;
 }
 
 static void
-init_refused (Case *c)
+init_refused (TestRun *c)
 {
   init_case (c, 1, 1);
   c->model.analysis.dynamic.duration = 1;
@@ -442,7 +414,7 @@ init_refused (Case *c)
 static void
 test_refuse (void)
 {
-  Case c;
+  TestRun c;
   init_refused (&c);
   c.model.blocks[1].unit_weight = 0;
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_BLOCK_WITHOUT_MASS);

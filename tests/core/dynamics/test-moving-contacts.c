@@ -1,7 +1,6 @@
 /* Contacts that follow the blocks: closed forms of blocks that slide off, fall and lie. */
-#include "core/check/result-check.h"
-#include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
@@ -9,16 +8,10 @@
 #define G         9.81
 #define STIFFNESS 1e8
 
-typedef struct Case {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Case;
-
 static void
-init_case (Case *c, double friction, double duration, double time_step)
+init_case (TestRun *c, double friction, double duration, double time_step)
 {
-  *c = (Case){ 0 };
+  *c = (TestRun){ 0 };
   test_model_init (&c->model);
   QnLoad *load = qn_model_add_dead_load (&c->model);
   load->kind = QN_LOAD_WEIGHT;
@@ -35,7 +28,7 @@ init_case (Case *c, double friction, double duration, double time_step)
 }
 
 static void
-push (Case *c, QnId block, double vx, double vy, double turning)
+push (TestRun *c, QnId block, double vx, double vy, double turning)
 {
   QnInitialMotion *motion = qn_model_add_initial_motion (&c->model);
   motion->block = block;
@@ -61,43 +54,23 @@ loses_only (const QnHistory *h)
 
 /* Solves, and proves what came out; the balance of energy holds, and contacts that change add none. */
 static void
-solve (Case *c)
+solve (TestRun *c)
 {
-  QnDiag diag = { 0 };
-  QnResultFaults faults;
-  g_assert_cmpint (qn_model_prepare (&c->model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, &diag), ==, QN_OK);
-  QnStatus status =
-    qn_analysis_run (&c->model, &c->contacts, NULL, NULL, &c->result, &diag);
-  if (status != QN_OK)
-    g_error ("%s", qn_problem_text (diag.problem));
-  g_assert_cmpint (qn_result_find_faults (&c->model, &c->contacts, &c->result,
-                                          QN_CHECK_STATED, &faults, NULL),
-                   ==, QN_OK);
-  g_assert_cmpint (faults.count, ==, 0);
+  test_run_solve (c);
+  g_assert_cmpint (test_run_count_faults (c), ==, 0);
   g_assert_cmpfloat (c->result.history.energy_error, <, 1e-3);
   g_assert_true (loses_only (&c->result.history));
 }
 
-static void
-case_clear (Case *c)
-{
-  qn_result_clear (&c->result);
-  qn_contacts_clear (&c->contacts);
-  qn_model_clear (&c->model);
-}
-
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Case, case_clear)
-
 static double
-last (const Case *c, QnId block, QnDof dof)
+last (const TestRun *c, QnId block, QnDof dof)
 {
   const QnResult *r = &c->result;
   return qn_result_step_displacements (r, r->step_count - 1)[3 * block + (int) dof];
 }
 
 static double
-energy (const Case *c, QnEnergyKind kind)
+energy (const TestRun *c, QnEnergyKind kind)
 {
   const QnHistory *h = &c->result.history;
   return h->rows[(h->row_count - 1) * h->width + QN_HISTORY_ENERGY + (size_t) kind];
@@ -105,7 +78,7 @@ energy (const Case *c, QnEnergyKind kind)
 
 /* Normal force at the last step between a side of one block and a corner of another. */
 static double
-found_force (const Case *c, QnId block, QnId other)
+found_force (const TestRun *c, QnId block, QnId other)
 {
   const QnResult *r = &c->result;
   double sum = 0;
@@ -128,7 +101,7 @@ test_lie (void)
   const double width = 0.2, height = 1, weight = 10e3 * width * height;
   double damped = 0;
   for (int i = 0; i < 3; i++) {
-    g_auto (Case) c;
+    g_auto (TestRun) c;
     init_case (&c, 0.65, 4, i == 0 ? 5e-3 : i == 1 ? 2e-3 : 1e-3);
     test_model_add_base (&c.model, -3, -0.2, 6, 0.2);
     test_model_add_rectangle (&c.model, "block", -0.5 * width, 0, width, height);
@@ -167,7 +140,7 @@ test_edge (void)
                weight = 10e3 * length * height;
   static const double centroids[] = { -0.05, -0.02, 0.02 }; /* from the edge */
   for (gsize i = 0; i < G_N_ELEMENTS (centroids); i++) {
-    g_auto (Case) c;
+    g_auto (TestRun) c;
     double way = centroids[i] + 0.8, rear = centroids[i] - 0.5 * length;
     init_case (&c, friction, 2, 2e-3);
     test_model_add_base (&c.model, -2, -1, 2, 1);
@@ -200,7 +173,7 @@ static void
 test_dominoes (void)
 {
   const int count = 6;
-  g_auto (Case) c;
+  g_auto (TestRun) c;
   init_case (&c, 0.4, 6, 2e-3);
   test_model_add_base (&c.model, -2, -0.2, 8, 0.2);
   for (int i = 0; i < count; i++) {
@@ -231,7 +204,7 @@ test_arch (void)
   const int count = 17;
   const double inner = 3.75, outer = 4.25;
   gboolean any_inset = FALSE;
-  g_auto (Case) c;
+  g_auto (TestRun) c;
   init_case (&c, 0.7, 2.5, 2e-3);
   test_model_add_base (&c.model, -6, -0.5, 12, 0.5);
   for (int i = 0; i < count; i++) {
@@ -266,8 +239,7 @@ test_arch (void)
 static void
 test_tampered (void)
 {
-  g_auto (Case) c;
-  QnResultFaults faults;
+  g_auto (TestRun) c;
   init_case (&c, 0.65, 2, 2e-3);
   test_model_add_base (&c.model, -3, -0.2, 6, 0.2);
   test_model_add_rectangle (&c.model, "block", -0.1, 0, 0.2, 1);
@@ -290,10 +262,7 @@ test_tampered (void)
       r->found[force->found].contact.inset += 1e-4;
     else
       r->found_force_count--; /* the corner lies within the ground, and nothing holds it */
-    g_assert_cmpint (
-      qn_result_find_faults (&c.model, &c.contacts, r, QN_CHECK_STATED, &faults, NULL),
-      ==, QN_OK);
-    g_assert_cmpint (faults.count, >, 0);
+    g_assert_cmpint (test_run_count_faults (&c), >, 0);
     *force = kept;
     r->found[0] = first;
     r->found[kept.found] = other;

@@ -1,7 +1,6 @@
 /* Contacts that follow the blocks along a path of equilibria: closed forms of blocks that slide far. */
-#include "core/check/result-check.h"
-#include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
@@ -14,16 +13,10 @@
 #define HEIGHT 0.2
 #define WEIGHT (10e3 * LENGTH * HEIGHT)
 
-typedef struct Case {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Case;
-
 static void
-init_case (Case *c, QnProcedure procedure, double target)
+init_case (TestRun *c, QnProcedure procedure, double target)
 {
-  *c = (Case){ 0 };
+  *c = (TestRun){ 0 };
   test_model_init (&c->model);
   QnLoad *load = qn_model_add_dead_load (&c->model);
   load->kind = QN_LOAD_WEIGHT;
@@ -44,7 +37,7 @@ init_case (Case *c, QnProcedure procedure, double target)
 
 /* A force of 1 N to the right at the centroid of a block. */
 static void
-push (Case *c, QnId block)
+push (TestRun *c, QnId block)
 {
   QnLoad *load = qn_model_add_live_load (&c->model);
   load->kind = QN_LOAD_FORCE;
@@ -54,32 +47,14 @@ push (Case *c, QnId block)
 
 /* Solves, and proves what came out. */
 static void
-solve (Case *c)
+solve (TestRun *c)
 {
-  QnDiag diag = { 0 };
-  QnResultFaults faults;
-  g_assert_cmpint (qn_model_prepare (&c->model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, &diag), ==, QN_OK);
-  QnStatus status =
-    qn_analysis_run (&c->model, &c->contacts, NULL, NULL, &c->result, &diag);
-  if (status != QN_OK)
-    g_error ("%s", qn_problem_text (diag.problem));
-  g_assert_cmpint (qn_result_find_faults (&c->model, &c->contacts, &c->result,
-                                          QN_CHECK_STATED, &faults, NULL),
-                   ==, QN_OK);
-  g_assert_cmpint (faults.count, ==, 0);
-}
-
-static void
-case_clear (Case *c)
-{
-  qn_result_clear (&c->result);
-  qn_contacts_clear (&c->contacts);
-  qn_model_clear (&c->model);
+  test_run_solve (c);
+  g_assert_cmpint (test_run_count_faults (c), ==, 0);
 }
 
 static double
-displacement (const Case *c, size_t step, QnId block, QnDof dof)
+displacement (const TestRun *c, size_t step, QnId block, QnDof dof)
 {
   return qn_result_step_displacements (&c->result, step)[3 * block + (int) dof];
 }
@@ -89,7 +64,7 @@ displacement (const Case *c, size_t step, QnId block, QnDof dof)
 static void
 test_slide (void)
 {
-  Case c;
+  g_auto (TestRun) c;
   init_case (&c, QN_PROCEDURE_DISPLACEMENT, 1.5);
   test_model_add_base (&c.model, -2, -0.2, 6, 0.2);
   test_model_add_rectangle (&c.model, "block", 0, 0, LENGTH, HEIGHT);
@@ -111,7 +86,6 @@ test_slide (void)
     }
   g_assert_cmpfloat_with_epsilon (front, -(0.5 + shift) * WEIGHT, 1e-5 * WEIGHT);
   g_assert_cmpfloat_with_epsilon (rear, -(0.5 - shift) * WEIGHT, 1e-5 * WEIGHT);
-  case_clear (&c);
 }
 
 /* At the edge of a table it tips where the resultant passes the edge, and turns about it: -x / y of its
@@ -122,7 +96,7 @@ test_edge (void)
   const double tips = FRICTION * 0.5 * HEIGHT, radius = hypot (tips, 0.5 * HEIGHT);
   const double start = -0.5, at_end = -0.01;
   gboolean tipped = FALSE;
-  Case c;
+  g_auto (TestRun) c;
   init_case (&c, QN_PROCEDURE_DISPLACEMENT, at_end - start);
   test_model_add_base (&c.model, -2, -1, 2, 1);
   test_model_add_rectangle (&c.model, "block", start - 0.5 * LENGTH, 0, LENGTH, HEIGHT);
@@ -141,7 +115,6 @@ test_edge (void)
     tipped = tipped || (x > -tips && displacement (&c, s, 1, QN_DOF_RZ) < -0.01);
   }
   g_assert_true (tipped);
-  case_clear (&c);
 }
 
 /* Two blocks with a gap between them: the first one slides until it meets the second, which resists as
@@ -153,7 +126,7 @@ test_meet (void)
                                             QN_PROCEDURE_LOAD };
   const double gap = 0.01;
   for (gsize i = 0; i < G_N_ELEMENTS (procedures); i++) {
-    Case c;
+    g_auto (TestRun) c;
     init_case (&c, procedures[i], 0.1);
     test_model_add_base (&c.model, -2, -0.2, 6, 0.2);
     test_model_add_rectangle (&c.model, "first", 0, 0, LENGTH, HEIGHT);
@@ -174,7 +147,6 @@ test_meet (void)
       g_assert_cmpfloat_with_epsilon (displacement (&c, last, 2, QN_DOF_UX), 0.1 - gap,
                                       1e-5);
     }
-    case_clear (&c);
   }
 }
 
@@ -182,8 +154,7 @@ test_meet (void)
 static void
 test_tampered (void)
 {
-  Case c;
-  QnResultFaults faults;
+  g_auto (TestRun) c;
   init_case (&c, QN_PROCEDURE_DISPLACEMENT, 0.5);
   test_model_add_base (&c.model, -2, -0.2, 6, 0.2);
   test_model_add_rectangle (&c.model, "block", 0, 0, LENGTH, HEIGHT);
@@ -203,16 +174,12 @@ test_tampered (void)
       r->found[0].contact.corner = 17;
     else
       r->found_force_count--;
-    g_assert_cmpint (
-      qn_result_find_faults (&c.model, &c.contacts, r, QN_CHECK_STATED, &faults, NULL),
-      ==, QN_OK);
-    g_assert_cmpint (faults.count, >, 0);
+    g_assert_cmpint (test_run_count_faults (&c), >, 0);
     *force = kept;
     r->found[0] = first;
     r->found[kept.found] = other;
     r->found_force_count = count;
   }
-  case_clear (&c);
 }
 
 int

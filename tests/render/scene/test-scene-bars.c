@@ -1,17 +1,11 @@
 /* Pictures of reinforcing bars: they follow their blocks, in every view, and show their stress. */
-#include "core/path/analysis.h"
 #include "render/scene/scene.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <string.h>
 
 /* Three blocks of 1 m in a row, the first held, with a bar of 1e-4 m2 through their middles. */
-typedef struct {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Row;
-
 #define AREA 1e-4
 
 static void
@@ -24,7 +18,7 @@ add_law (QnModel *model, const char *name, double kn)
 }
 
 static void
-row_init (Row *row)
+row_init (TestRun *row)
 {
   QnModel *model = &row->model;
   qn_model_init (model);
@@ -48,25 +42,11 @@ row_init (Row *row)
   load->vector = qn_vec2 (1e6, 0);
   model->analysis.max_multiplier = 1;
   model->analysis.increments = 1;
-  QnDiag diag = { 0 };
-  g_assert_cmpint (qn_model_prepare (model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (model, &row->contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (
-    qn_analysis_run (model, &row->contacts, NULL, NULL, &row->result, NULL), ==, QN_OK);
+  test_run_solve (row);
 }
-
-static void
-row_clear (Row *row)
-{
-  qn_result_clear (&row->result);
-  qn_contacts_clear (&row->contacts);
-  qn_model_clear (&row->model);
-}
-
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Row, row_clear)
 
 static QnScene *
-build (const Row *row, QnView view, QnField field)
+build (const TestRun *row, QnView view, QnField field)
 {
   QnViewOptions options;
   GError *error = NULL;
@@ -106,7 +86,7 @@ has_legend (const QnScene *scene, const char *text)
 static void
 test_follows (void)
 {
-  g_auto (Row) row = { 0 };
+  g_auto (TestRun) row = { 0 };
   row_init (&row);
   g_autoptr (QnScene) rest = build (&row, QN_VIEW_MODEL, QN_FIELD_NONE);
   const QnCommand *line = find_line (rest, qn_ink (QN_INK_BAR, false), 0);
@@ -137,7 +117,7 @@ test_follows (void)
 static void
 test_stress (void)
 {
-  g_auto (Row) row = { 0 };
+  g_auto (TestRun) row = { 0 };
   row_init (&row);
   g_autoptr (QnScene) scene = build (&row, QN_VIEW_DEFORMED, QN_FIELD_STRESS);
   QnColor most = qn_map_diverging (1, false);

@@ -1,18 +1,12 @@
 /* Pictures of beams: what is drawn, picked and written, and two references pixel by pixel. */
-#include "core/path/analysis.h"
 #include "render/backend/draw-cairo.h"
 #include "render/image-compare.h"
 #include "render/scene/scene.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
 #include <string.h>
-
-typedef struct {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Portal;
 
 static QnId
 add_node (QnModel *model, const char *name, double x, double y)
@@ -34,7 +28,7 @@ add_beam (QnModel *model, const char *name, QnId first, QnId second, int32_t ele
 /* A portal 4 x 3 m: clamped, pinned, hinged at its right corner; 12 kN/m on the beam, 9 kN at
  * the left corner. */
 static void
-portal_init (Portal *p)
+portal_init (TestRun *p)
 {
   QnModel *model = &p->model;
   qn_model_init (model);
@@ -61,24 +55,11 @@ portal_init (Portal *p)
   load->vector = qn_vec2 (9e3, 0);
   model->analysis.max_multiplier = 1;
   model->analysis.increments = 1;
-  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (model, &p->contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (model, &p->contacts, NULL, NULL, &p->result, NULL),
-                   ==, QN_OK);
+  test_run_solve (p);
 }
-
-static void
-portal_clear (Portal *p)
-{
-  qn_result_clear (&p->result);
-  qn_contacts_clear (&p->contacts);
-  qn_model_clear (&p->model);
-}
-
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Portal, portal_clear)
 
 static QnScene *
-build (const Portal *p, QnView view, QnDiagram diagram)
+build (const TestRun *p, QnView view, QnDiagram diagram)
 {
   QnViewOptions options;
   GError *error = NULL;
@@ -93,7 +74,7 @@ build (const Portal *p, QnView view, QnDiagram diagram)
 static void
 test_picking (void)
 {
-  g_auto (Portal) p;
+  g_auto (TestRun) p;
   portal_init (&p);
   g_autoptr (QnScene) scene = build (&p, QN_VIEW_MODEL, QN_DIAGRAM_MOMENT);
   bool seen[3] = { false };
@@ -120,7 +101,7 @@ says (const QnScene *scene, double number)
 static void
 test_labels (void)
 {
-  g_auto (Portal) p;
+  g_auto (TestRun) p;
   portal_init (&p);
   const QnBeamForces *f = qn_result_step_beam_forces (&p.result, p.result.step_count - 1);
   g_autoptr (QnScene) moments = build (&p, QN_VIEW_DIAGRAMS, QN_DIAGRAM_MOMENT);
@@ -141,7 +122,7 @@ test_labels (void)
 static void
 test_refused (void)
 {
-  g_auto (Portal) p;
+  g_auto (TestRun) p;
   QnViewOptions options;
   GError *error = NULL;
   portal_init (&p);
@@ -162,7 +143,7 @@ test_golden (void)
   } pictures[] = { { "cairo-beams-model", QN_VIEW_MODEL, QN_DIAGRAM_MOMENT },
                    { "cairo-beams-deformed", QN_VIEW_DEFORMED, QN_DIAGRAM_MOMENT },
                    { "cairo-beams-moments", QN_VIEW_DIAGRAMS, QN_DIAGRAM_MOMENT } };
-  g_auto (Portal) p;
+  g_auto (TestRun) p;
   portal_init (&p);
   for (gsize i = 0; i < G_N_ELEMENTS (pictures); i++) {
     g_autoptr (QnScene) scene = build (&p, pictures[i].view, pictures[i].diagram);
