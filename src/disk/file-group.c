@@ -129,7 +129,7 @@ qn_file_group_commit (QnFileGroup *group)
       done++;
   }
   while (trouble != 0 && done > 0) {
-    /* Undoes an exchange; a file that took nobody's place comes back. */
+    /* Reverses an exchange; a file that replaced no other moves back. */
     const char *name = group->names[--done];
     char *from = join (group->hidden, name), *to = join (group->folder, name);
 

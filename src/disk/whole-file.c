@@ -151,7 +151,7 @@ open_target (QnWholeFile *file, const char *path)
     file->fd = open (path, O_WRONLY | O_CLOEXEC);
     return file->fd >= 0 ? 0 : errno;
   }
-  /* Renaming over a write-protected file would succeed, but is not what was asked for. */
+  /* Renaming over a write-protected file would succeed, but the file must not be replaced. */
   if (exists && access (path, W_OK) != 0)
     return errno;
   file->target = exists ? realpath (path, NULL) : follow_links (path);

@@ -10,7 +10,7 @@
 
 #define NONE SIZE_MAX
 
-/* Sine of the angle (10 degrees) between lines that have no intersection to speak of. */
+/* Sine of the angle (10 degrees) below which lines count as parallel. */
 #define STRAIGHT_SINE 0.1736
 
 /* Cosine of the angle (1.5 degrees) within which a bed goes on past a head joint. */
@@ -503,11 +503,11 @@ trim (QnRing *ring, const QnRing *other, QnDiag *diag)
   }
   qn_rings_clear (&cutter);
   qn_rings_clear (&left);
-  /* A ring that cannot be cut is told of as an overlap. */
+  /* A ring that cannot be cut is reported as an overlap. */
   return status == QN_ERROR_NO_MEMORY ? status : QN_OK;
 }
 
-/* Area that two rings have in common, m2; 0 where it cannot be told. */
+/* Area that two rings have in common, m2; 0 where it cannot be computed. */
 static double
 common_area (const QnRings *rings, const QnId pair[2])
 {

@@ -73,7 +73,7 @@ test_curves (void)
              "-o", results, NULL);
 
   g_autofree char *other = g_build_filename (folder, "other", NULL);
-  cli_fails (3, "does not say the unit", "ida", model, "--record", bare, "--scale",
+  cli_fails (3, "does not state the unit", "ida", model, "--record", bare, "--scale",
              "1:2:1", "-o", other, NULL);
   cli_says ("bare.txt: does not overturn", "ida", model, "--record", bare, "--unit", "g",
             "--scale", "1:2:1", "-o", other, NULL);

@@ -25,7 +25,7 @@ test_refused (void)
       "load set is named twice" },
     { "16-load-stages.quoin",
       "analysis.stages=[{\"loads\":\"top\"},{\"loads\":\"push\",\"target\":1}]",
-      "target is missing: only the last stage may go on to collapse" },
+      "target is missing: only the last stage may end by collapse" },
     { "16-load-stages.quoin", "analysis.stages=[{\"loads\":\"top\",\"target\":0}]",
       "stage ends where it begins" },
     { "16-load-stages.quoin",

@@ -67,7 +67,8 @@ take_text (char **option, const char *kept)
     *option = g_strdup (kept);
 }
 
-/* What is not asked for is as the project keeps it. A file that the project names lies beside it. */
+/* Options that are not given are those of the project. A file that the project names lies beside
+ * it. */
 static gboolean
 take_kept (Options *options, const QnProject *project, GError **error)
 {
@@ -185,7 +186,7 @@ find (QnInput *input, const Options *options, Answer *answer)
   return end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER;
 }
 
-/* --- What comes out ---------------------------------------------------------------------- */
+/* --- Output ---------------------------------------------------------------------- */
 
 static void
 print (const Answer *answer)
@@ -365,7 +366,8 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "damping", 0, 0, G_OPTION_ARG_DOUBLE, &options.damping,
       N_ ("Damping ratio of the spectrum (0.05)"), N_ ("RATIO") },
     { "unit", 0, 0, G_OPTION_ARG_STRING, &options.unit,
-      N_ ("Unit of accelerations where the table does not say it"), N_ ("g|m/s2|cm/s2") },
+      N_ ("Unit of accelerations where the table does not state it"),
+      N_ ("g|m/s2|cm/s2") },
     { "confidence", 0, 0, G_OPTION_ARG_DOUBLE, &options.confidence,
       N_ ("Confidence factor FC of NTC 2018 (1)"), N_ ("FC") },
     { "control", 0, 0, G_OPTION_ARG_STRING, &options.control,

@@ -135,8 +135,8 @@ probe_output (const char *path)
   return QN_EXIT_DONE;
 }
 
-/* A path that no load drives has no answer, unless the dead load alone is asked for. Limit analysis
- * and stages refuse it themselves. */
+/* A path without a live load has no answer, unless it is that of the dead load alone. Limit
+ * analysis and stages refuse it themselves. */
 static QnExit
 require_live_load (const QnProject *project)
 {
@@ -151,8 +151,8 @@ require_live_load (const QnProject *project)
   if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
       || analysis->max_multiplier == 0 || !lacks)
     return QN_EXIT_DONE;
-  qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or ask for the dead load alone "
-                   "by analysis.max_multiplier=0"),
+  qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or set "
+                   "analysis.max_multiplier=0 for the dead load alone"),
                 project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
   return QN_EXIT_INVALID;
 }
@@ -175,7 +175,7 @@ report (const Options *options, const QnInput *input, const QnResult *result)
     if (code != QN_EXIT_DONE)
       return code;
   }
-  /* Tells how the analysis ended where that is no success, and gives the exit code. */
+  /* Reports an end that is no success; the exit code. */
   switch (result->outcome) {
   case QN_OUTCOME_COLLAPSE:
   case QN_OUTCOME_TARGET_REACHED:

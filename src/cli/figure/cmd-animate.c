@@ -75,7 +75,7 @@ fill (QnAnimation *animation, const Options *options, double scale, gboolean *sh
   animation->user_data = shown;
 }
 
-/* The number of pictures that the speed asks for. */
+/* The number of pictures at the given speed. */
 static bool
 choose_frames (QnAnimation *animation, const Options *options, GError **error)
 {

@@ -98,8 +98,8 @@ const QnSubcommand qn_cmd_compare = {
   .arguments = "MODEL[=RESULT]…",
   .summary = N_ ("Put several mechanisms on one sheet, at one scale"),
   .help =
-    N_ ("A project without a result is solved first. Under each figure stands its "
-        "load multiplier and the name of its mechanism; results of the same structure "
-        "that move alike have the same letter. The ending .csv gives a table."),
+    N_ ("A project without a result is solved first. Below each figure are its load "
+        "multiplier and the name of its mechanism; results of the same structure that "
+        "move alike have the same letter. With the ending .csv a table is written."),
   .run = run,
 };

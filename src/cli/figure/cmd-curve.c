@@ -40,7 +40,7 @@ take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
   return QN_EXIT_DONE;
 }
 
-/* Runs of one project are told apart by the names of their results. */
+/* Runs of one project are distinguished by the names of their results. */
 static void
 label_curves (QnCurve *curves, const QnSheetItem *items, char **arguments, gsize count,
               GPtrArray *labels)
@@ -197,8 +197,8 @@ const QnSubcommand qn_cmd_curve = {
   .arguments = "MODEL[=RESULT]…",
   .summary = N_ ("Plot load–displacement curves, several in one picture"),
   .help =
-    N_ ("A project without a result is solved first. Each curve shows the block that "
-        "the project controls, or else the one that moves furthest since the dead "
-        "load. The ending .csv gives a table."),
+    N_ ("A project without a result is solved first. Each curve shows the block that the "
+        "project controls, or else the one that moves furthest since the dead load. With "
+        "the ending .csv a table is written."),
   .run = run,
 };

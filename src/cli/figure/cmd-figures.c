@@ -108,7 +108,7 @@ is_wanted (const QnRecipe *recipe, const Options *options)
          || g_strv_contains ((const char *const *) options->names, recipe->name);
 }
 
-/* Names asked for that no figure has are told at once. */
+/* Given names that no figure has are reported first. */
 static QnExit
 check_names (const GPtrArray *recipes, const Options *options)
 {

@@ -27,9 +27,9 @@ qn_sheet_item_solve (QnSheetItem *item)
   return status == QN_OK ? QN_EXIT_DONE : qn_input_refuse (&item->input.project, &diag);
 }
 
-/* Reads the result named behind "=", or solves the project where none is named. An argument
- * that is itself the name of a file is taken as that, "=" or not. On failure the user has
- * been told and *item is empty. */
+/* Reads the result named behind "=", or solves the project where none is named. An argument that is
+ * itself the name of a file is taken as that, "=" or not. On failure the error is printed and *item
+ * is empty. */
 static QnExit
 load_item (QnSheetItem *item, const char *argument)
 {

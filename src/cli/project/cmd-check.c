@@ -125,7 +125,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "json", 0, 0, G_OPTION_ARG_NONE, &options.json,
       N_ ("Print a form that programs can read"), NULL },
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
-      N_ ("Check everything that this result says as well"), N_ ("RESULT.json") },
+      N_ ("Check everything in this result as well"), N_ ("RESULT.json") },
     QN_INPUT_SET_ENTRY (&options.overrides),
     QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
     G_OPTION_ENTRY_NULL,

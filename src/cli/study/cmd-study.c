@@ -164,7 +164,7 @@ run_run (const QnSubcommand *self, int argc, char **argv)
     { "jobs", 'j', 0, G_OPTION_ARG_INT, &options.jobs,
       N_ ("Processes at once; all cores by default"), N_ ("N") },
     { "shard", 0, 0, G_OPTION_ARG_STRING, &options.shard,
-      N_ ("Compute the k-th of n slices only, into a database of its own"), N_ ("K/N") },
+      N_ ("Compute the k-th of n slices only, into a separate database"), N_ ("K/N") },
     { "keep", 0, 0, G_OPTION_ARG_NONE, &options.keep,
       N_ ("Keep the full result of every case that is computed"), NULL },
     { "retry", 0, 0, G_OPTION_ARG_NONE, &options.retry,
@@ -235,8 +235,8 @@ static const QnSubcommand submit_action = {
   .name = "study submit",
   .arguments = "FOLDER",
   .summary = N_ ("Compute the cases that are missing on a cluster"),
-  .help = N_ ("The folder must lie where all nodes see it. Submitted again, tasks that "
-              "failed or were lost are submitted once more, and no others."),
+  .help = N_ ("All nodes must see the folder. Run again, the command submits only tasks "
+              "that failed or were lost."),
   .run = run_submit,
 };
 

@@ -28,7 +28,7 @@ find_reaction (const QnVerifyCase *test, const QnModel *model, const QnResult *r
   return NAN;
 }
 
-/* What the path of an analysis tells. */
+/* Results of the path of an analysis. */
 static double
 read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *result)
 {

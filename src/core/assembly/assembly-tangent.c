@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* Part of the pairs up to which it pays to look at blocks one by one. */
+/* Up to this part of the pairs, assembling single blocks is faster. */
 #define FEW 0.25
 
 static void

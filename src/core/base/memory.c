@@ -6,7 +6,7 @@
 #include <sys/mman.h>
 #endif
 
-/* From this size on memory is asked for in large pages, and this is how they are aligned. */
+/* From this size on memory is requested in large pages; their alignment. */
 #define LARGE_MEMORY ((size_t) 4 << 20)
 #define LARGE_PAGE   ((uintptr_t) 2 << 20)
 

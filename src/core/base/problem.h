@@ -105,7 +105,7 @@
   X (LOAD_SET_UNUSED, "no stage applies this load set") \
   X (STAGE_IDLE, "stage applies no load set") \
   X (STAGE_SETS_APART, "load sets of the stage have different multipliers") \
-  X (STAGE_ENDLESS, "target is missing: only the last stage may go on to collapse") \
+  X (STAGE_ENDLESS, "target is missing: only the last stage may end by collapse") \
   X (STAGE_NO_CHANGE, "stage ends where it begins") \
   X (STAGE_TWO_ENDS, "stage ends at a multiplier or at a displacement, not at both") \
   X (STAGE_LIMIT, "limit analysis has no stages") \

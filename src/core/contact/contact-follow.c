@@ -376,7 +376,7 @@ qn_contact_follow_find (const QnContactFollow *follow, const QnFoundContact *con
   return follow->count;
 }
 
-/* What the contacts of the list before remember. Whether the list is the same. */
+/* States of the contacts of the previous list. Whether the list is the same. */
 static bool
 take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *active,
            size_t count, QnId *places)

@@ -123,7 +123,7 @@ try_side (const QnContactSearch *search, const QnSide *side, QnId block,
   return true;
 }
 
-/* Looks for the point on the boundary of a that lies deepest in b. */
+/* Finds the point on the boundary of a that lies deepest in b. */
 static bool
 try_boundary (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts,
               Deepest *deepest)

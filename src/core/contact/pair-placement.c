@@ -155,7 +155,7 @@ add_bars (const QnModel *model, QnContacts *contacts, QnId index, bool *used,
   return QN_OK;
 }
 
-/* Whether the springs on either side of a pair may soften, as far as the kinds of law tell. */
+/* Whether the kinds of law of both springs of a pair may soften. */
 static bool
 may_soften (const QnModel *model, const QnContacts *contacts, QnId pair)
 {

@@ -76,9 +76,9 @@ qn_pair_series_start (QnPairSeries *series, const QnPairSprings *springs,
   evaluate (series);
 }
 
-/* Where neither spring has stiffness in a direction, both slip, yield or are open, and no
- * tangent tells how to share the elongation. But the stronger one cannot go on: it is set back
- * to where it carries the force of the other elastically. Returns whether that was done. */
+/* Where neither spring has stiffness in a direction, both slip, yield or are open, and no tangent
+ * shows how to share the elongation. But the stronger one cannot yield further: it is set back to
+ * where it carries the force of the other elastically. Returns whether that was done. */
 static bool
 set_back_stronger (QnPairSeries *series)
 {

@@ -5,10 +5,10 @@
  *   yield       |n - x| <= ny
  *   flow        dp in the direction of n - x
  *
- * In monotonic loading this is the line of stiffness kn up to ny and of stiffness r kn from
- * there on. Unloading is elastic; the elastic range stays 2 ny wide (Bauschinger effect), so
- * that yield in the other direction begins 2 ny below. Because the back force is proportional
- * to p, the plastic elongation is all there is to remember. Return mapping in closed form:
+ * In monotonic loading this is the line of stiffness kn up to ny and of stiffness r kn from there
+ * on. Unloading is elastic; the elastic range stays 2 ny wide (Bauschinger effect), so that yield
+ * in the other direction begins 2 ny below. Because the back force is proportional to p, the
+ * plastic elongation is the whole state. Return mapping in closed form:
  *
  *   |kn (q - p) - x| > ny:   p = (1 - r) (q -+ ny / kn),   n = x +- ny,   dn/dq = r kn
  *   |x| = nu - ny:           p = q - n / kn,               n = x +- ny,   dn/dq = 0

@@ -22,7 +22,7 @@
  * Sources: EN 1992-1-1, 3.1.7 (parabola-rectangle, exponent 2); Hillerborg, Modeer & Petersson
  * 1976, Cem. Concr. Res. 6:773-782 (cohesive crack). Shear is elastic, cracked or not.
  *
- * Remembers minus the plastic shortening as `opening` and the widest d as `extreme`.
+ * State: minus the plastic shortening as `opening` and the widest d as `extreme`.
  */
 #include "core/law/law-ops.h"
 

@@ -14,11 +14,11 @@
  *   cap        n* - kn psi g >= cap for the g that brings |t| down to c - mu cap:
  *                                          n = cap,            |t| <= c - mu cap
  *
- * The cap is reversible: a joint that opens carries its cap (nothing, for a dry joint),
- * whatever the opening, and closes again where it opened, raised by dilatancy only. An open
- * dry joint forgets its slip because g brings t to zero. With psi = 0 this is the law of the
- * paper on HybriDFEM in two dimensions (equations 1 and 2); psi = mu makes the flow
- * associative and the tangent symmetric.
+ * The cap is reversible: a joint that opens carries its cap (nothing, for a dry joint), whatever
+ * the opening, and closes again where it opened, raised by dilatancy only. An open dry joint loses
+ * its slip because g brings t to zero. With psi = 0 this is the law of the paper on HybriDFEM in
+ * two dimensions (equations 1 and 2); psi = mu makes the flow associative and the tangent
+ * symmetric.
  */
 #include "core/law/law-ops.h"
 

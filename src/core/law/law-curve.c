@@ -16,7 +16,7 @@
  * area under them, above the last force, is G. Curves over strain must have one: the response
  * then does not depend on the size of the blocks.
  *
- * Remembers pt - pc as `opening` and pc as `extreme`. Shear is elastic.
+ * State: pt - pc as `opening` and pc as `extreme`. Shear is elastic.
  */
 #include "core/law/law-ops.h"
 

@@ -18,7 +18,7 @@
  * belongs to the one section that breaks, so that the response does not depend on how many
  * blocks a bar is cut into.
  *
- * Remembers the plastic elongation and, as `extreme`, the largest elongation. Shear is elastic.
+ * State: the plastic elongation and, as `extreme`, the largest elongation. Shear is elastic.
  */
 #include "core/law/law-ops.h"
 

@@ -400,7 +400,7 @@ condense (QnIpKkt *kkt, const QnIpKktRight *right)
   }
 }
 
-/* The change of v and lambda that the residuals ask for. */
+/* The change of v and lambda that removes the residuals. */
 static QnStatus
 correct (QnIpKkt *kkt, QnIpKktVector *out, QnDiag *diag)
 {
@@ -455,7 +455,7 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
     if (status)
       return status;
     now = follow (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
-    /* The first pass is the solution; later ones go on while they gain a digit. */
+    /* The first pass is the solution; later ones refine it while they gain a digit. */
     if (round > 0 && now > last)
       now = undo (kkt, right, out);
     if (now <= REFINEMENT_TARGET || (round > 0 && now > 0.1 * last)) {

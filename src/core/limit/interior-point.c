@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Iterations without a better iterate after which the engine gives up. */
+/* Iterations without a better iterate after which the method stops. */
 #define STALL_ITERATIONS 12
 
 /* … and after which it does so where the best is this good already: what is left is rounding. */
@@ -659,8 +659,8 @@ judge (QnInteriorPoint *ip)
   }
 }
 
-/* A direction that solves its equations; where rounding does not let it, the regularisation
- * grows and with it the distance that a step leaves to the next. */
+/* A direction that solves its equations. Where rounding prevents that, the regularisation grows,
+ * and with it the residual that a step leaves. */
 static QnStatus
 find_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
 {

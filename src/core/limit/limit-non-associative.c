@@ -156,8 +156,8 @@ follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
   return status;
 }
 
-/* Asks the linear program with the shear lines of a settled state for the mechanism: *point
- * stays settled only if there is one, and *last receives its velocities. */
+/* Finds the mechanism by the linear program with the shear lines of a settled state: *point stays
+ * settled only if there is one, and *last receives its velocities. */
 static QnStatus
 find_mechanism (Sequence *seq, QnLimitFixedPoint *point, QnLimitSolution *last,
                 bool *cancelled, QnDiag *diag)

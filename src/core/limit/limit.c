@@ -92,8 +92,8 @@ count_effort (Run *run)
 }
 
 /* Forces strictly within the strength that carry `constant` alone, or the certificate that there
- * are none. An iterate that can be led into the interior settles the question early; the
- * program goes on to its end only where there is no interior. */
+ * are none. An iterate that can be moved into the interior is an early answer; only where there is
+ * no interior does the program run to its end. */
 static QnStatus
 carry (Run *run, const double *constant, const QnIpVector *start, double *forces,
        bool *found, QnDiag *diag)

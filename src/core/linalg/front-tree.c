@@ -259,7 +259,8 @@ is_worth_joining (const Group *child, const Group *parent, double *zeros)
          || *zeros <= (pivots <= MIDDLING ? SOME_ZEROS : FEW_ZEROS) * size;
 }
 
-/* Every node starts as a group, and joins its parent's in the elimination tree where that pays. */
+/* Every node starts as a group, and joins its parent's in the elimination tree where that is
+ * faster. */
 static bool
 form_groups (Analysis *a)
 {

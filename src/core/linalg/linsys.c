@@ -23,7 +23,7 @@ struct QnLinsys {
   int32_t *ap, *ai;
   QnBlockLu *blocks;
   double *trial;    /* n: right-hand side that the last factorisation was tried on, */
-  double *solution; /* its solution where nobody asked for it, */
+  double *solution; /* its solution where it is not requested, */
   double *left;     /* and what that leaves */
   bool pivoted;     /* the last factorisation is KLU's */
   bool whole;       /* everything is to be eliminated anew each time */

@@ -74,7 +74,7 @@ check_edge_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId
            : status;
 }
 
-/* Infinite ends are those that nobody gave. */
+/* Infinite ends are those that are not given. */
 static QnStatus
 check_span (const QnLoad *load, const char *const fields[2], QnEntity entity, QnId index,
             QnDiag *diag)
@@ -236,7 +236,7 @@ check_procedure (const QnModel *model, QnProcedure procedure, uint32_t sets,
 
 /* What is known of the load sets before a run. */
 typedef struct {
-  double multiplier[QN_MAX_LOAD_SETS];  /* NaN where only the run will tell */
+  double multiplier[QN_MAX_LOAD_SETS];  /* NaN where only the analysis finds it */
   size_t last_driven[QN_MAX_LOAD_SETS]; /* number of the stage, from 1; 0: none */
 } SetStates;
 
@@ -356,7 +356,7 @@ check_stages (const QnModel *model, QnDiag *diag)
 
 /* ---------------------------------------------------------------------------------------- */
 
-/* A tolerance that double precision resolves, and that still tells equilibrium from none. */
+/* A tolerance that double precision resolves, and that is small enough for an equilibrium. */
 static QnStatus
 check_tolerance (double value, double least, double largest, const char *field,
                  QnDiag *diag)

@@ -6,7 +6,7 @@
 /* Relative distance below which two multipliers are called equal. */
 #define ALIKE 0.01
 
-/* Relative distance up to which a path and limit analysis tell multipliers apart. */
+/* Multipliers of a path and of limit analysis that differ by less than this part count as one. */
 #define RESOLVED 1e-4
 
 static const struct {

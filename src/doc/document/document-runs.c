@@ -64,7 +64,7 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
 }
 
-/* "Load control", "Limit, associative": what a run is told from others by. */
+/* "Load control", "Limit, associative": what distinguishes a run from others. */
 static const char *
 method_name (const QnAnalysisSettings *analysis)
 {
@@ -88,7 +88,7 @@ method_name (const QnAnalysisSettings *analysis)
   return "";
 }
 
-/* A job for the model, with what it is told from others by; NULL with an error. */
+/* A job for the model, with what distinguishes it from others; NULL with an error. */
 static QnJob *
 make_job (QnDocument *self, const QnModel *model, const char *method, GError **error)
 {

@@ -10,7 +10,7 @@
 
 /* ---- writing ---- */
 
-/* What tells the run's settings from the project's, as `--set` would. NULL where nothing does. */
+/* Differences of the run's settings from the project's, as for `--set`. NULL where nothing does. */
 static char **
 dup_overrides (const QnAnalysisSettings *own, const QnAnalysisSettings *projects)
 {
@@ -83,7 +83,7 @@ fill_contacts (QnRun *run, GError **error)
   return qn_edit_refuse (error, message);
 }
 
-/* Procedures that are asked for in passing are no change of the model. */
+/* A procedure that is run once is no change of the model. */
 static gboolean
 changes_model (const QnResultFile *file)
 {

@@ -165,8 +165,7 @@ char *
 qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair)
 {
   static const char *const sentences[QN_REPAIR_COUNT] = {
-    [QN_REPAIR_CLOSE] =
-      N_ ("Lets all blocks beside gaps like this one grow to the middle"),
+    [QN_REPAIR_CLOSE] = N_ ("Extends all blocks beside gaps like this one to the middle"),
     [QN_REPAIR_SNAP] = N_ ("Moves corners of %s onto %s"),
     [QN_REPAIR_MOVE] = N_ ("Moves %s as a whole until it touches %s"),
     [QN_REPAIR_TRIM] = N_ ("Removes from %s its overlap with %s"),

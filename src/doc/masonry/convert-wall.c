@@ -186,7 +186,7 @@ replace_course (Courses *courses, guint index, double left, double right)
   g_array_unref (old);
 }
 
-/* Fills the hole if the bond tells how. */
+/* Fills the hole if the bond defines its blocks. */
 static gboolean
 fill_hole (Courses *courses, Hole *hole)
 {

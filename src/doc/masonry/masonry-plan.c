@@ -4,7 +4,7 @@
 #include "doc/masonry/masonry-shape.h"
 #include <math.h>
 
-/* Rise of an arch of which the pointer tells none, in parts of the span. */
+/* Rise of an arch where the pointer does not define it, in parts of the span. */
 #define LEAST_RISE 0.02
 
 static gboolean

@@ -286,7 +286,7 @@ qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,
   return found;
 }
 
-/* ---- what comes out ---- */
+/* ---- output ---- */
 
 /* A plot with its labels, which are owned. */
 typedef struct Plot {

@@ -198,7 +198,7 @@ quiet (double *value, double largest)
     *value = 0;
 }
 
-/* Rounding is told as 0. */
+/* Rounding errors are shown as 0. */
 static void
 quiet_joint (const QnStepView *view, const QnContactFace *face, QnJointReading *reading)
 {

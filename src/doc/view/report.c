@@ -14,7 +14,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-/* Rows of a table of joints where it is not asked for all; the others are counted. */
+/* Rows of a table of joints unless all are requested; the others are counted. */
 #define MOST_ROWS 120
 
 /* A table that grows by cells. */
@@ -435,7 +435,7 @@ write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
     force = fmax (force, fmax (fabs (numbers[N]), fabs (numbers[T])));
     length = fmax (length, numbers[LENGTH]);
   }
-  /* What is small beside the others is told as such, not by the digits that rounding left. */
+  /* A value that is small beside the others is shown as small, without digits of rounding. */
   const double least[COLUMNS] = {
     [T] = 0.01 * force, [M] = 0.01 * force * length, [E] = 0.1 * length
   };

@@ -15,7 +15,7 @@ struct _QnViewState {
   QnRun *onion;
   bool result_loads;      /* whether the views of results show loads */
   double mechanism_scale; /* a mechanism has no size, and a factor of its own */
-  double fitting_scale;   /* of the current run; 0: not asked for yet */
+  double fitting_scale;   /* of the current run; 0: not requested yet */
 };
 
 G_DEFINE_FINAL_TYPE (QnViewState, qn_view_state, G_TYPE_OBJECT)

@@ -103,7 +103,7 @@ static gboolean
 run_import (QnImportWork *work, QnProject *project, GError **error)
 {
   QnDiag diag = { 0 };
-  /* What the reader of the file had to tell. */
+  /* What the reader of the file reported. */
   for (guint i = 0; i < work->drawing->notes->len; i++) {
     const QnDrawingNote *note = work->drawing->notes->pdata[i];
     if (note->line > 0)

@@ -48,7 +48,7 @@ qn_drawing_add_path (QnDrawing *drawing, const char *layer, guint line)
   return &g_array_index (drawing->paths, QnDrawingPath, drawing->paths->len - 1);
 }
 
-/* Room grows by doubling; the count tells when. */
+/* Capacity doubles when the count is a power of two. */
 void
 qn_drawing_path_add (QnDrawingPath *path, QnVec2 point)
 {

@@ -65,10 +65,10 @@ settle_unit (Reading *r, gsize line, const char *said)
   if (said != NULL && own == 0)
     return fail (r, line, _ ("unit is not one of m/s2, cm/s2, gal, mm/s2 and g"));
   if (own > 0 && given > 0 && own != given)
-    return fail (r, line, _ ("the file says another unit than the one given"));
+    return fail (r, line, _ ("the file states another unit than the one given"));
   if (own == 0 && given == 0)
     return fail (r, 0,
-                 _ ("the file does not say the unit of its accelerations: give it "
+                 _ ("the file does not state the unit of its accelerations: give it "
                     "(unit: g, m/s2, cm/s2)"));
   r->factor = own > 0 ? own : given;
   return TRUE;
@@ -79,9 +79,10 @@ static gboolean
 settle_time_step (Reading *r, gsize line, double said)
 {
   if (said > 0 && r->time_step > 0 && fabs (said / r->time_step - 1) > 1e-9)
-    return fail (r, line, _ ("the file says another time step than the one given"));
+    return fail (r, line, _ ("the file states another time step than the one given"));
   if (!(said > 0) && !(r->time_step > 0))
-    return fail (r, 0, _ ("the file does not say its time step: give it (time_step, s)"));
+    return fail (r, 0,
+                 _ ("the file does not state its time step: give it (time_step, s)"));
   r->time_step = said > 0 ? said : r->time_step;
   return TRUE;
 }
@@ -156,8 +157,8 @@ static gboolean
 check_count (const Reading *r, double said)
 {
   if (said > 0 && (double) r->points->len < said)
-    return fail (r, 0,
-                 _ ("record has fewer samples than its heading says: it is cut off"));
+    return fail (
+      r, 0, _ ("record has fewer samples than its heading states: it is incomplete"));
   return TRUE;
 }
 
@@ -240,7 +241,7 @@ read_table (Reading *r)
   if (!settle_unit (r, first + 1, unit))
     return FALSE;
   if (r->time_step > 0)
-    return fail (r, 0, _ ("the file says its times: a time step is not wanted"));
+    return fail (r, 0, _ ("the file has times: no time step may be given"));
   for (gsize i = first + (has_header ? 1 : 0); r->lines[i] != NULL; i++) {
     const char *at = r->lines[i];
     double time, value, more;

@@ -60,7 +60,7 @@ qn_json_locate (const char *text, gsize length, const char *path)
   return offset;
 }
 
-/* Goes on from the place of one offset to that of a later one. */
+/* Moves from the place of one offset to that of a later one. */
 static void
 advance (const char *text, gsize from, gsize to, QnJsonPlace *place)
 {

@@ -294,8 +294,7 @@ qn_json_next (QnJsonScanner *scanner)
     return scan_separator (scanner);
   case EXPECT_NOTHING:
     if (more)
-      return fail (scanner, scanner->offset,
-                   _ ("text goes on after the end of the document"));
+      return fail (scanner, scanner->offset, _ ("text after the end of the document"));
     return accept (scanner, QN_JSON_END, 0);
   default:
     return scan_value (scanner);

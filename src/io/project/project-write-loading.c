@@ -196,7 +196,7 @@ append_stage (GString *json, const QnModel *model, size_t index)
   return stage->note;
 }
 
-/* What differs from the defaults, after the three settings that everybody looks for. */
+/* Values other than the defaults, after three settings that are always written. */
 void
 qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner)
 {

@@ -11,8 +11,8 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-/* Findings come by the thousand, and each look for a place that is not listed reads the text from the
- * start: in longer texts than this such findings are told without. */
+/* There may be thousands of findings, and a search for a place that is not listed reads the text
+ * from the start. In texts longer than this such findings have no place. */
 #define LARGE_TEXT 1000000
 
 void

@@ -124,7 +124,7 @@ dup_numbers (const char *sentence)
 
 typedef enum { SAME_SENTENCE, SAME_NUMBERS, OTHER_SENTENCE } Likeness;
 
-/* What ended a path is told by the sentence alone: any such end may be meant. */
+/* Only the sentence says what ended a path: any such end is possible. */
 static Likeness
 compare_reason (const QnModel *model, const QnResult *result, const char *stated)
 {

@@ -366,8 +366,8 @@ write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
   }
 }
 
-/* The velocity field and, for readers who do not want to work them out, its facts. These are
- * left out where memory runs out: the field is the result. */
+/* The velocity field and the facts that follow from it. These are left out where memory runs out:
+ * the field is the result. */
 static void
 write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
                  const QnResult *result)

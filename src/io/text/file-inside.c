@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 
 /* Where a path leads when all symbolic links are followed; of a file that does not exist yet, what
- * its folder's path leads to with the name behind. NULL where that cannot be told: a link to
- * nothing, a folder that is none. */
+ * its folder's path leads to with the name behind. NULL where that cannot be decided: a link
+ * without a target, a folder that does not exist. */
 static char *
 resolve (const char *path)
 {

@@ -3,7 +3,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-/* Hinges told one by one; the rest are counted. */
+/* Hinges named one by one; the rest are counted. */
 #define HINGES_IN_WORDS 4
 
 /* A moment within this part of the plastic one is that of a plastic hinge. */

@@ -5,7 +5,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-/* Bodies told one by one; the rest are counted. */
+/* Bodies named one by one; the rest are counted. */
 #define BODIES_IN_WORDS 3
 
 /* A mechanism has a direction where this part of its motion, block by block, has it. */

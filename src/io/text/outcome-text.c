@@ -240,9 +240,9 @@ explain_linearity (const QnResult *result)
   if (result->history.width > 0)
     return g_strdup (
       _ ("Blocks move by more than a tenth of their least width, where linear geometry "
-         "does not hold: solve in large displacements (analysis.geometry=nonlinear)."));
+         "is not valid: solve in large displacements (analysis.geometry=nonlinear)."));
   return g_strdup_printf (
-    _ ("Linear geometry holds up to a load multiplier of %.4g only, where a block has "
+    _ ("Linear geometry is valid up to a load multiplier of %.4g only, where a block has "
        "moved by a tenth of the least width of the blocks: solve in large displacements "
        "(analysis.geometry=nonlinear)."),
     result->beyond_linear_multiplier);
@@ -434,11 +434,9 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
     if (model->analysis.geometry == QN_GEOMETRY_NONLINEAR
         && reached < (1 - AT_TARGET) * QN_UNBOUNDED)
       return g_strdup_printf (
-        _ (
-          "No multiple of the live load brings this structure down: its joints hold at "
-          "any "
-          "force and hang on fixed blocks. It was followed to a load multiplier of %.4g, "
-          "where it has moved as far as it is large. Limit the strength of the joints."),
+        _ ("The structure carries every multiple of the live load: joints of unlimited "
+           "strength connect it to fixed blocks. It was followed to a load multiplier of "
+           "%.4g, where it has moved by its own size. Limit the strength of the joints."),
         reached);
     if (task->procedure != QN_PROCEDURE_LIMIT)
       return g_strdup_printf (
@@ -465,8 +463,8 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
   return g_strdup ("");
 }
 
-/* What ended an analysis: a result that was read does not say whether its budget did, but tells what
- * was spent. */
+/* What ended an analysis: a result that was read does not state whether its budget did, but how
+ * much was used. */
 static QnStop
 stop_of (const QnModel *model, const QnResult *result)
 {

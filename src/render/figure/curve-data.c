@@ -66,8 +66,8 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion moti
 /* Share of the peak from which on a multiplier counts as the peak. */
 #define AT_PEAK 0.995
 
-/* A motion runs away where it comes to more than so many times the displacement at the peak, and
- * is drawn up to this many times. */
+/* A motion counts as unlimited where it exceeds so many times the displacement at the peak, and is
+ * drawn up to this many times. */
 #define RUNAWAY 4.0
 #define BEYOND  1.6
 

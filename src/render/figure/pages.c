@@ -159,7 +159,7 @@ need (QnPages *pages, double height)
     next_page (pages);
 }
 
-/* Line by line, so that long texts go on on the next page. */
+/* Line by line, so that long texts continue on the next page. */
 static void
 flow (QnPages *pages, PangoLayout *layout)
 {

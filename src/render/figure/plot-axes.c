@@ -28,7 +28,7 @@ nice_step (double range, double count)
   return (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10) * power;
 }
 
-/* What passes a tick by less than can be seen does not ask for another. */
+/* A value beyond a tick by less than can be seen needs no further tick. */
 void
 qn_axis_set (QnAxis *axis, double low, double high, double length, double spacing)
 {
@@ -79,7 +79,7 @@ qn_axis_set_names (QnAxis *axis, const char *const *names, int count)
   axis->step = 1;
 }
 
-/* The digits that tell neighbouring ticks apart; of decades, the power of ten. */
+/* The digits that distinguish neighbouring ticks; of decades, the power of ten. */
 static char *
 tick_text (const QnAxis *axis, double value)
 {

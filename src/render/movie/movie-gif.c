@@ -47,7 +47,7 @@ set_failed (GError **error)
                        _ ("the animation could not be encoded as GIF"));
 }
 
-/* The palette padded to a power of two, as the format wants it. */
+/* The palette padded to a power of two, as the format requires. */
 static ColorMapObject *
 make_color_map (const QnPalette *palette)
 {

@@ -183,7 +183,7 @@ find_pairs (QnSceneBuilder *b)
   b->touches = qn_step_touches (b->model, b->result, b->step, &b->touch_count);
 }
 
-/* Where the analysis does not say how joints are, the motion tells. */
+/* Where the analysis does not state the states of joints, they follow from the motion. */
 static bool
 find_joints (QnSceneBuilder *b, GError **error)
 {

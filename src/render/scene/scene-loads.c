@@ -255,8 +255,8 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
                                               : 0.5f;
 }
 
-/* A settling support: an arrow in its direction with how far. Turning has its size told
- * only. */
+/* A settling support: an arrow in its direction with how far. Of a moment only the size is written.
+ * */
 static void
 add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
                 QnColor color)

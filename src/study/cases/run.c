@@ -159,7 +159,7 @@ tell (Run *run, GError **error)
   return qn_store_commit (run->store, error);
 }
 
-/* Waits until a worker has something to say, or it is time to tell. */
+/* Waits until a worker reports, or progress is due. */
 static gboolean
 wait_for_workers (Run *run, gboolean *busy, GError **error)
 {

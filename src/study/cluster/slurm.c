@@ -57,8 +57,8 @@ ask (const char *const *command, char **refusal, GError **error)
   return answer;
 }
 
-/* Marks the slices whose tasks wait or run. Slurm forgets arrays that have ended and then refuses to
- * speak of them: none of their tasks runs. */
+/* Marks the slices whose tasks wait or run. Slurm removes arrays that have ended and then reports
+ * an error for them: none of their tasks runs. */
 static gboolean
 mark_active (const char *jobs, guint8 *active, guint slices, GError **error)
 {

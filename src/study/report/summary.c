@@ -56,7 +56,7 @@ append_sample (GString *text, const double *sorted, gsize count)
 }
 
 /* Share of the cases that do not reach a multiplier, at ten round ones. */
-/* Of what is all but one value, lines that the printed digits can tell apart. */
+/* Where nearly all values are one, lines that the printed digits distinguish. */
 static void
 append_fragility (GString *text, const double *sorted, gsize count)
 {

@@ -141,7 +141,7 @@ qn_table_find (const QnTable *table, const char *name)
   return -1;
 }
 
-/* In quotes where the text asks for them. */
+/* In quotes where the text needs them. */
 static void
 write_text (QnFileWriter *writer, const char *text)
 {

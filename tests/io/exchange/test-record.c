@@ -75,10 +75,10 @@ test_esm (void)
 static void
 test_refused (void)
 {
-  assert_refused ("0 0\n1 1\n", NULL, 0, "does not say the unit");
+  assert_refused ("0 0\n1 1\n", NULL, 0, "does not state the unit");
   assert_refused ("0 0\n1 1\n", "furlong", 0, "not one of m/s2");
   assert_refused ("time [s],a [m/s2]\n0,0\n1,1\n", "g", 0, "another unit");
-  assert_refused ("0 0\n1 1\n", "g", 0.1, "not wanted");
+  assert_refused ("0 0\n1 1\n", "g", 0.1, "no time step may be given");
   assert_refused ("", "g", 0, "empty");
   assert_refused ("0 1\n", "g", 0, "at least two points");
   assert_refused ("0 0\n1 1\n1 2\n", "g", 0, "r:3: times of the signal must increase");

@@ -57,8 +57,7 @@ test_errors (void)
   expect_error ("{\n  \"a\": 1", "wall.quoin:2:9: text ends inside an object");
   expect_error ("{ \"a\": [1, { \"b\": NaN }] }",
                 "wall.quoin:1:19: a[1].b: number is not finite");
-  expect_error ("{ \"a\": 1 } 2",
-                "wall.quoin:1:12: text goes on after the end of the document");
+  expect_error ("{ \"a\": 1 } 2", "wall.quoin:1:12: text after the end of the document");
 }
 
 static void

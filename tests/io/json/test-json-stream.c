@@ -78,7 +78,7 @@ test_errors (void)
     { "[]", "f:1:1: expected an object" },
     { "{}", "f:1:1: number: required key is missing" },
     { "{ \"number\": 1", "f:1:14: text ends inside an object" },
-    { "{ \"number\": 1 } 2", "f:1:17: text goes on after the end of the document" },
+    { "{ \"number\": 1 } 2", "f:1:17: text after the end of the document" },
     { "{ \"number\": \"1\" }", "f:1:13: number: expected a number" },
     { "{ \"number\": 1e999 }", "f:1:13: number: number is not finite" },
     { "{ \"number\": NaN }", "f:1:13: number: number is not finite" },

@@ -241,7 +241,7 @@ test_truncated (void)
   }
   g_autofree char *longer = g_strconcat (test_project_text, "x", NULL);
   g_autofree char *message = test_parse_error (longer, NULL);
-  g_assert_cmpstr (message, ==, "11:1: text goes on after the end of the document");
+  g_assert_cmpstr (message, ==, "11:1: text after the end of the document");
 }
 
 static void
