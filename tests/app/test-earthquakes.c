@@ -70,6 +70,25 @@ test_live_history (void)
   driver_discard (window);
 }
 
+/* A history that was followed to its end has reached no target, and no other method has a multiplier
+ * to add. */
+static void
+test_end_of_history (void)
+{
+  QnWindow *window = driver_open_example ("41-column-impulse.quoin");
+  driver_activate (window, "win.show-panel::result");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), driver_says, "End of the duration"));
+  g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, "Target reached"));
+  GtkWidget *others =
+    driver_find_widget (GTK_WIDGET (window), driver_is_button, "Solve by _All Methods");
+  g_assert_nonnull (others);
+  g_assert_false (gtk_widget_get_mapped (others));
+  driver_discard (window);
+}
+
 /* ---- energies ---- */
 
 static int
@@ -613,6 +632,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/earthquakes/live-history", test_live_history);
+  g_test_add_func ("/app/earthquakes/end", test_end_of_history);
   g_test_add_func ("/app/earthquakes/record", test_record);
   g_test_add_func ("/app/earthquakes/buttons", test_buttons);
   g_test_add_func ("/app/earthquakes/energies", test_energies);

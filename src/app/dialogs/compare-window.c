@@ -141,7 +141,7 @@ fill_table (Compare *compare)
     g_autofree char *moved = dup_displacement (run);
     g_autofree char *steps = g_strdup_printf ("%zu", run->result.step_count);
     const char *outcome =
-      run->kind == QN_RUN_ANALYSIS ? qn_explain_outcome_label (run->result.outcome) : "–";
+      run->kind == QN_RUN_ANALYSIS ? qn_explain_outcome_label (&run->result) : "–";
     const char *const cells[] = { title, number, part, moved, steps, outcome };
     for (guint k = 0; k < G_N_ELEMENTS (cells); k++)
       put (compare, (int) k, (int) i + 1, cells[k]);

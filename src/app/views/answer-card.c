@@ -7,12 +7,13 @@
 #include "doc/document/run-text.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
+#include "io/text/outcome-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
 typedef struct Card {
   QnDocument *document;
-  GtkWidget *box, *stale, *bar, *events, *found;
+  GtkWidget *box, *stale, *bar, *events, *found, *others;
   GtkLabel *number, *outcome, *verdict, *mechanism, *explanation, *happened, *values;
 } Card;
 
@@ -44,7 +45,7 @@ static void
 update_number (Card *card, const QnRun *run)
 {
   const QnResult *result = &run->result;
-  const char *outcome = qn_explain_outcome_label (result->outcome);
+  const char *outcome = qn_explain_outcome_label (result);
   gboolean given = run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier;
   g_autofree char *number =
     given ? g_strdup_printf ("%.4f", result->collapse_multiplier) : g_strdup (outcome);
@@ -119,6 +120,9 @@ update (Card *card)
   set_text (card->explanation, given ? explanation : whole);
   update_values (card, run, bounds);
   update_events (card, run);
+  /* Without a live load there is no multiplier that other methods could find. */
+  gtk_widget_set_visible (
+    card->others, !qn_model_lacks_live_load (qn_document_get_model (card->document)));
 }
 
 static GtkWidget *
@@ -155,11 +159,12 @@ qn_answer_card_new (QnDocument *document)
   card->found = add_expander (box, _ ("_How it was found"), &card->explanation);
   card->values =
     add_text (gtk_expander_get_child (GTK_EXPANDER (card->found)), "guarantee");
-  GtkWidget *button = gtk_button_new_with_mnemonic (_ ("Solve by _All Methods"));
+  card->others = gtk_button_new_with_mnemonic (_ ("Solve by _All Methods"));
   gtk_widget_set_tooltip_text (
-    button, _ ("HybriDFEM, then limit analysis with both flow rules, of the same model"));
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.run-all");
-  gtk_box_append (GTK_BOX (box), button);
+    card->others,
+    _ ("HybriDFEM, then limit analysis with both flow rules, of the same model"));
+  gtk_actionable_set_action_name (GTK_ACTIONABLE (card->others), "win.run-all");
+  gtk_box_append (GTK_BOX (box), card->others);
   qn_own (box, card);
   qn_watch (box, document, "runs-changed", G_CALLBACK (update), card);
   qn_watch (box, document, "changed", G_CALLBACK (update), card);

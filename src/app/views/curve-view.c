@@ -272,8 +272,14 @@ draw_text (QnCurveView *self, cairo_t *cr, const char *text, double x, double y,
     gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
   g_autofree char *small = g_markup_printf_escaped ("<small>%s</small>", text);
   pango_layout_set_markup (layout, small, -1);
-  int width, height;
+  int width, height, most = gtk_widget_get_height (GTK_WIDGET (self));
   pango_layout_get_pixel_size (layout, &width, &height);
+  if (upright && width > most) { /* its unit, at the end, stays */
+    pango_layout_set_width (layout, most * PANGO_SCALE);
+    pango_layout_set_ellipsize (layout, PANGO_ELLIPSIZE_MIDDLE);
+    width = most;
+    y = 0.5 * most;
+  }
   cairo_save (cr);
   cairo_translate (cr, x, y);
   if (upright)

@@ -43,7 +43,7 @@ update_live_label (QnWindow *self)
            && !qn_document_is_stale (self->document, run)) {
     g_autofree char *words =
       qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
-    const char *label = qn_explain_outcome_label (run->result.outcome);
+    const char *label = qn_explain_outcome_label (&run->result);
     text = run->result.has_collapse_multiplier
              ? g_strdup_printf ("λ = %.4f · %s", run->result.collapse_multiplier,
                                 words != NULL ? words : label)

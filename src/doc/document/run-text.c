@@ -26,8 +26,7 @@ qn_run_dup_title (const QnRun *run)
     return g_strdup_printf (_ ("%s: stable"), run->name);
   return result->has_collapse_multiplier
            ? g_strdup_printf (_ ("%s: %.4f"), run->name, result->collapse_multiplier)
-           : g_strdup_printf (_ ("%s: %s"), run->name,
-                              qn_explain_outcome_label (result->outcome));
+           : g_strdup_printf (_ ("%s: %s"), run->name, qn_explain_outcome_label (result));
 }
 
 char *

@@ -85,7 +85,7 @@ qn_explain_finding (const QnModel *model, const QnFinding *finding)
 }
 
 const char *
-qn_explain_outcome_label (QnOutcome outcome)
+qn_explain_outcome_label (const QnResult *result)
 {
   static const char *const texts[QN_OUTCOME_COUNT] = {
     [QN_OUTCOME_COLLAPSE] = N_ ("Collapse"),
@@ -97,7 +97,9 @@ qn_explain_outcome_label (QnOutcome outcome)
     [QN_OUTCOME_NOT_CONVERGED] = N_ ("Not converged"),
     [QN_OUTCOME_REST] = N_ ("At rest"),
   };
-  return _ (texts[outcome]);
+  if (result->outcome == QN_OUTCOME_TARGET_REACHED && result->history.width > 0)
+    return _ ("End of the duration");
+  return _ (texts[result->outcome]);
 }
 
 const char *

@@ -24,8 +24,8 @@ char *qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
 char *qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
                                     const QnResult *result);
 
-/* Short label of an outcome and of a pair's state, translated; static strings. */
-const char *qn_explain_outcome_label (QnOutcome outcome);
+/* Short label of how an analysis ended and of a pair's state, translated; static strings. */
+const char *qn_explain_outcome_label (const QnResult *result);
 const char *qn_explain_pair_state (QnPairState state);
 
 #endif

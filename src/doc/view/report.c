@@ -576,7 +576,7 @@ write_comparison (QnPages *pages, const QnReport *report, GError **error)
   for (size_t i = 0; i < report->run_count; i++) {
     const QnResult *r = &report->runs[i].file->result;
     add_cell (cells, g_strdup (report->runs[i].name));
-    add_cell (cells, g_strdup (qn_explain_outcome_label (r->outcome)));
+    add_cell (cells, g_strdup (qn_explain_outcome_label (r)));
     add_number (cells, "%.6g",
                 r->has_collapse_multiplier ? r->collapse_multiplier : (double) NAN);
     add_number (cells, "%.6g",

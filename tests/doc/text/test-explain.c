@@ -77,9 +77,16 @@ test_outcome (void)
   g_assert_nonnull (strstr (words, "block"));
   g_assert_cmpstr (brief, ==, "Overturning to the right");
   g_assert_true (g_str_has_prefix (words, brief));
-  g_assert_cmpstr (qn_explain_outcome_label (QN_OUTCOME_COLLAPSE), ==, "Collapse");
-  for (int i = 0; i < QN_OUTCOME_COUNT; i++)
-    g_assert_cmpstr (qn_explain_outcome_label ((QnOutcome) i), !=, "");
+  QnResult result = { .outcome = QN_OUTCOME_COLLAPSE };
+  g_assert_cmpstr (qn_explain_outcome_label (&result), ==, "Collapse");
+  for (int i = 0; i < QN_OUTCOME_COUNT; i++) {
+    result.outcome = (QnOutcome) i;
+    g_assert_cmpstr (qn_explain_outcome_label (&result), !=, "");
+  }
+  result.outcome = QN_OUTCOME_TARGET_REACHED;
+  g_assert_cmpstr (qn_explain_outcome_label (&result), ==, "Target reached");
+  result.history.width = 1;
+  g_assert_cmpstr (qn_explain_outcome_label (&result), ==, "End of the duration");
   for (int i = 0; i < QN_PAIR_STATE_COUNT; i++)
     g_assert_cmpstr (qn_explain_pair_state ((QnPairState) i), !=, "");
 
