@@ -67,12 +67,13 @@ take_motion (QnPathMeasure *measure, double increment, QnDiag *diag)
     * qn_assembly_elastic_displacements (&eq->assembly, measure->direction, NULL);
   if (far > FARTHEST_FIRST)
     increment *= FARTHEST_FIRST / far;
-  measure->first = rate_length * increment;
+  double advance = rate_length; /* of the measure, per multiplier */
   if (measure->procedure == QN_PROCEDURE_WORK) {
-    double along = dot (measure->direction, eq->assembly.live_at_rest, n);
+    advance *= dot (measure->direction, eq->assembly.live_at_rest, n);
     memcpy (measure->direction, eq->assembly.live_at_rest, (size_t) n * sizeof (double));
-    measure->first *= fabs (along);
   }
+  measure->first = fabs (advance) * increment;
+  measure->slope = advance != 0 ? 1 / advance : 0;
   return QN_OK;
 }
 

@@ -14,7 +14,8 @@ typedef struct QnPathMeasure {
   double start,
     end;        /* of the controlled displacement, scaled: where its way begins (0, or
                         where a stage begins) and should end; NaN without one */
-  double first; /* the first step */
+  double first; /* the first step, */
+  double slope; /* and of the multiplier where work or arc length begins; 0: unknown */
   double *direction;
   double *unit;   /* direction of the controlled displacement; zero without one */
   double *last_u; /* displacements before the last accepted step, or at setup */

@@ -110,25 +110,25 @@ largest_next_step (const QnPathTrace *trace)
   return fmin (most, fmax (far / trace->pace, is_displacement ? first : 0));
 }
 
-/* Load control in nonlinear geometry: whether a step passes the highest multiplier and may miss more of it than
- * the tolerance. A path that only bends down lies below its tangents at both ends of the step. Where they
- * meet it may turn: so far the next try goes. */
+/* Nonlinear geometry: whether a step passes the highest multiplier and may miss more of it than the tolerance.
+ * A path that only bends down lies below its tangents at both ends of the step. Where they meet it may turn: so
+ * far the next try goes, and less far where the first tangent is not known. */
 static bool
 passes_peak (QnPathTrace *trace, double step)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
   double before = eq->committed.multiplier, after = eq->multiplier;
   double tolerance = trace->path->settings->multiplier_tolerance * fabs (after);
-  double first = trace->slope, last = eq->slope;
+  double size = fabs (step), ahead = copysign (1, step);
+  double first = ahead * trace->slope, last = ahead * eq->slope;
 
-  if (!trace->load_control || qn_path_trace_is_linear (trace) || trace->events.below
-      || trace->jumped || trace->measure.procedure != QN_PROCEDURE_WORK
-      || step <= tuning->smallest_step * trace->largest || first <= 0 || !(last < 0))
+  if (qn_path_trace_is_linear (trace) || trace->events.below || trace->jumped
+      || size <= tuning->smallest_step * trace->largest || first < 0 || !(last < 0))
     return false;
-  double turn = (after - before - last * step) / (first - last);
-  if (first * turn - fmax (0, after - before) <= tolerance)
+  double turn = first > 0 ? (after - before - last * size) / (first - last) : 0;
+  if (first > 0 && first * turn - fmax (0, after - before) <= tolerance)
     return false;
-  trace->step = fmin (fmax (turn, tuning->cut * step), step / 2);
+  trace->step = ahead * fmin (fmax (turn, tuning->cut * size), size / 2);
   return true;
 }
 
@@ -176,7 +176,7 @@ take_work (QnPathTrace *trace, QnDiag *diag)
   }
   trace->largest = trace->step;
   trace->pace = 0;
-  trace->slope = 0;
+  trace->slope = trace->measure.slope;
   return status;
 }
 
@@ -688,6 +688,7 @@ run (QnPathTrace *trace, QnDiag *diag)
   size_t known = 0;
 
   trace->step = trace->measure.first;
+  trace->slope = trace->measure.slope;
   trace->largest = fabs (trace->step);
   if (trace->step == 0)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);

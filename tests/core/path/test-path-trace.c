@@ -26,11 +26,12 @@ control (QnModel *model, QnProcedure procedure, const char *block, QnDof dof,
 }
 
 /* A stiff block rocks over its corner: lambda = tan (alpha - theta) with tan alpha = b/h, zero
- * when the diagonal is vertical. The whole curve, within 0.5 % of its peak. */
+ * when the diagonal is vertical. The whole curve from its peak on, within 0.5 % of that. */
 static void
 test_overturning_in_large_displacements (void)
 {
   const double b = 0.4, h = 1, alpha = atan (b / h), radius = hypot (b, h) / 2;
+  bool peak_passed = false;
   g_auto (QnModel) model;
   g_auto (QnResult) result;
   test_model_init_block_on_plane (&model, b, h);
@@ -45,6 +46,10 @@ test_overturning_in_large_displacements (void)
   g_assert_cmpuint (result.step_count, >, 10);
   for (size_t s = 1; s < result.step_count; s++) {
     const double *u = qn_result_step_displacements (&result, s) + 3;
+    if (result.steps[s].multiplier < result.steps[s - 1].multiplier)
+      peak_passed = true;
+    if (!peak_passed)
+      continue;
     double theta = -u[2];
     g_assert_cmpfloat_with_epsilon (result.steps[s].multiplier, tan (alpha - theta),
                                     0.002);
@@ -243,11 +248,12 @@ work_on_head (const QnModel *model, const QnResult *result)
 
 /* What the press puts in is what the springs hold, when it pulls and when it pushes, past both
  * turns of the load and both of the head: the keystone is what is controlled. The difference is
- * the trapezoids': about a quarter for half the increment, the first steps being smaller. */
+ * the trapezoids': about a quarter for half the increment, the first steps and those next to a peak being
+ * smaller. */
 static void
 test_energy_of_displacements (void)
 {
-  double before = 0;
+  double first = 0;
 
   for (int increments = 100; increments <= 400; increments *= 2) {
     g_auto (QnModel) model;
@@ -262,9 +268,10 @@ test_energy_of_displacements (void)
     g_test_message ("%d increments: stored %.9g J, work %.9g J, %.2e", increments, stored,
                     work, error);
     g_assert_cmpfloat (fabs (error), <, 100.0 / (increments * increments));
-    if (before != 0)
-      g_assert_cmpfloat (before / error, >, 3);
-    before = error;
+    if (increments == 100)
+      first = error;
+    else if (increments == 400)
+      g_assert_cmpfloat (first / error, >, 9);
   }
 }
 
@@ -637,6 +644,52 @@ test_no_tension (void)
   }
 }
 
+/* In large displacements stacks carry a little less than width / height, and lean on at once: long steps
+ * would pass that peak. Every procedure finds it to the tolerance of the multiplier, whatever its steps. */
+static void
+test_peaks_between_steps (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_DISPLACEMENT, QN_PROCEDURE_WORK,
+                                            QN_PROCEDURE_ARC_LENGTH, QN_PROCEDURE_LOAD };
+  static const int increments[] = { 5, 10, 100 };
+  static const QnLawKind laws[] = { QN_LAW_NO_TENSION, QN_LAW_COULOMB };
+  static const struct {
+    int blocks;
+    double width, height, peak; /* of joints of 1e9 N/m, found in 1,000 increments too */
+  } stacks[] = { { 1, 0.4, 1.2, 0.33330 },
+                 { 4, 0.6, 0.3, 0.49996 },
+                 { 12, 1, 0.3, 0.27756 } };
+
+  for (size_t s = 0; s < G_N_ELEMENTS (stacks); s++)
+    for (size_t l = 0; l < G_N_ELEMENTS (laws); l++)
+      for (size_t p = 0; p < G_N_ELEMENTS (procedures); p++)
+        for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
+          bool held = procedures[p] == QN_PROCEDURE_DISPLACEMENT;
+          g_auto (QnModel) model;
+          g_auto (QnResult) result;
+          test_model_init_stack (&model, stacks[s].blocks, stacks[s].width,
+                                 stacks[s].height);
+          test_model_add_weight_loads (&model, 1);
+          model.laws[0].kind = laws[l];
+          model.laws[0].friction = 2;
+          model.laws[0].kn = model.laws[0].ks = 1e9;
+          model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+          model.analysis.increments = increments[i];
+          control (&model, procedures[p], NULL, QN_DOF_UX, 0.15 * stacks[s].width);
+          if (held)
+            model.analysis.control_block = (QnId) model.block_count - 1;
+          run (&model, &result);
+          g_test_message ("%d blocks, law %d, procedure %d, %d increments: %.6f, %d "
+                          "factorisations",
+                          stacks[s].blocks, laws[l], procedures[p], increments[i],
+                          result.collapse_multiplier, result.statistics.factorizations);
+          g_assert_cmpint (result.outcome, ==,
+                           held ? QN_OUTCOME_TARGET_REACHED : QN_OUTCOME_COLLAPSE);
+          g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, stacks[s].peak,
+                                          2e-4 * stacks[s].peak);
+        }
+}
+
 /* A wall that lies turned with its loads takes the same steps: no measure knows of the axes. */
 static void
 test_turned (void)
@@ -681,6 +734,7 @@ main (int argc, char **argv)
   g_test_add_func ("/path-control/beyond-buckling", test_beyond_buckling);
   g_test_add_func ("/path-control/loaded-beyond-buckling", test_loaded_beyond_buckling);
   g_test_add_func ("/path-control/no-tension", test_no_tension);
+  g_test_add_func ("/path-control/peaks-between-steps", test_peaks_between_steps);
   g_test_add_func ("/path-control/turned", test_turned);
   return g_test_run ();
 }
