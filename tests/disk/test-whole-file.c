@@ -12,28 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-typedef struct Fixture {
-  char *folder, *path;
-} Fixture;
-
 static void
-set_up (Fixture *fixture, gconstpointer data)
-{
-  (void) data;
-  fixture->folder = test_scratch_new ();
-  fixture->path = g_build_filename (fixture->folder, "file", NULL);
-}
-
-static void
-tear_down (Fixture *fixture, gconstpointer data)
-{
-  (void) data;
-  g_free (fixture->path);
-  test_scratch_free (fixture->folder);
-}
-
-static void
-test_new_and_old (Fixture *fixture, gconstpointer data)
+test_new_and_old (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   g_assert_cmpint (qn_whole_file_replace (fixture->path, "one", 3), ==, 0);
@@ -49,7 +29,7 @@ test_new_and_old (Fixture *fixture, gconstpointer data)
 }
 
 static void
-test_discard (Fixture *fixture, gconstpointer data)
+test_discard (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   for (int old = 0; old < 2; old++) {
@@ -66,7 +46,7 @@ test_discard (Fixture *fixture, gconstpointer data)
 
 /* Who is faster has made the file: it is replaced all the same. */
 static void
-test_made_meanwhile (Fixture *fixture, gconstpointer data)
+test_made_meanwhile (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   QnWholeFile file;
@@ -81,7 +61,7 @@ test_made_meanwhile (Fixture *fixture, gconstpointer data)
 /* A link to a file that is not there yet gets it where the link leads, as with a redirection; where it
  * leads to no folder, or to itself, nothing is written. */
 static void
-test_link_to_nothing (Fixture *fixture, gconstpointer data)
+test_link_to_nothing (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   static const struct {
@@ -109,7 +89,7 @@ test_link_to_nothing (Fixture *fixture, gconstpointer data)
 }
 
 static void
-test_link (Fixture *fixture, gconstpointer data)
+test_link (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   g_autofree char *link = g_build_filename (fixture->folder, "link", NULL);
@@ -121,7 +101,7 @@ test_link (Fixture *fixture, gconstpointer data)
 }
 
 static void
-test_refused (Fixture *fixture, gconstpointer data)
+test_refused (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   QnWholeFile file;
@@ -144,7 +124,7 @@ test_refused (Fixture *fixture, gconstpointer data)
 /* A writer that is killed leaves the old file and no trace, where the system has files without
  * a name. */
 static void
-test_kill (Fixture *fixture, gconstpointer data)
+test_kill (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   int status, fd = open (fixture->folder, O_RDWR | O_TMPFILE, 0600);
@@ -174,7 +154,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   static const struct {
     const char *path;
-    void (*function) (Fixture *fixture, gconstpointer data);
+    void (*function) (TestScratchFile *fixture, gconstpointer data);
   } tests[] = {
     { "/disk/whole-file/new-and-old", test_new_and_old },
     { "/disk/whole-file/discard", test_discard },
@@ -185,6 +165,7 @@ main (int argc, char **argv)
     { "/disk/whole-file/kill", test_kill },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (tests); i++)
-    g_test_add (tests[i].path, Fixture, NULL, set_up, tests[i].function, tear_down);
+    g_test_add (tests[i].path, TestScratchFile, NULL, test_scratch_file_set_up,
+                tests[i].function, test_scratch_file_tear_down);
   return g_test_run ();
 }

@@ -38,6 +38,22 @@ test_scratch_free (char *folder)
   g_free (folder);
 }
 
+void
+test_scratch_file_set_up (TestScratchFile *file, gconstpointer data)
+{
+  (void) data;
+  file->folder = test_scratch_new ();
+  file->path = g_build_filename (file->folder, "file", NULL);
+}
+
+void
+test_scratch_file_tear_down (TestScratchFile *file, gconstpointer data)
+{
+  (void) data;
+  g_free (file->path);
+  test_scratch_free (file->folder);
+}
+
 guint
 test_scratch_count (const char *folder)
 {

@@ -19,6 +19,14 @@ test_scratch_clear (char **folder)
   test_scratch_free (*folder);
 }
 
+/* The path of a file that is not there yet, in such a folder: a fixture of g_test_add (). */
+typedef struct TestScratchFile {
+  char *folder, *path;
+} TestScratchFile;
+
+void test_scratch_file_set_up (TestScratchFile *file, gconstpointer data);
+void test_scratch_file_tear_down (TestScratchFile *file, gconstpointer data);
+
 /* Number of entries in a folder. */
 guint test_scratch_count (const char *folder);
 

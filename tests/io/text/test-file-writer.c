@@ -8,28 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-typedef struct Fixture {
-  char *folder, *path;
-} Fixture;
-
 static void
-set_up (Fixture *fixture, gconstpointer data)
-{
-  (void) data;
-  fixture->folder = test_scratch_new ();
-  fixture->path = g_build_filename (fixture->folder, "result.json", NULL);
-}
-
-static void
-tear_down (Fixture *fixture, gconstpointer data)
-{
-  (void) data;
-  g_free (fixture->path);
-  test_scratch_free (fixture->folder);
-}
-
-static void
-test_pieces (Fixture *fixture, gconstpointer data)
+test_pieces (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   GError *error = NULL;
@@ -49,7 +29,7 @@ test_pieces (Fixture *fixture, gconstpointer data)
 }
 
 static void
-test_larger_than_buffer (Fixture *fixture, gconstpointer data)
+test_larger_than_buffer (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   GError *error = NULL;
@@ -67,7 +47,7 @@ test_larger_than_buffer (Fixture *fixture, gconstpointer data)
 }
 
 static void
-test_discard_keeps_the_old (Fixture *fixture, gconstpointer data)
+test_discard_keeps_the_old (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   GError *error = NULL;
@@ -82,7 +62,7 @@ test_discard_keeps_the_old (Fixture *fixture, gconstpointer data)
 
 /* A file that is replaced keeps its permissions; a link keeps leading to it. */
 static void
-test_mode_and_link (Fixture *fixture, gconstpointer data)
+test_mode_and_link (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   g_autofree char *link = g_build_filename (fixture->folder, "link", NULL);
@@ -111,7 +91,7 @@ expect_refused (const char *path, const char *reason)
 }
 
 static void
-test_refused (Fixture *fixture, gconstpointer data)
+test_refused (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   g_autofree char *nowhere = g_build_filename (fixture->folder, "none", "file", NULL);
@@ -128,7 +108,7 @@ test_refused (Fixture *fixture, gconstpointer data)
 
 /* Devices are written, not replaced. */
 static void
-test_device (Fixture *fixture, gconstpointer data)
+test_device (TestScratchFile *fixture, gconstpointer data)
 {
   (void) fixture;
   (void) data;
@@ -144,7 +124,9 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-#define ADD(path, test) g_test_add (path, Fixture, NULL, set_up, test, tear_down)
+#define ADD(path, test)                                                                  \
+  g_test_add (path, TestScratchFile, NULL, test_scratch_file_set_up, test,               \
+              test_scratch_file_tear_down)
   ADD ("/file-writer/pieces", test_pieces);
   ADD ("/file-writer/larger-than-buffer", test_larger_than_buffer);
   ADD ("/file-writer/discard-keeps-the-old", test_discard_keeps_the_old);
