@@ -101,8 +101,7 @@ jump (QnPathTrace *trace, const QnTarget *target)
 
   trace->means = QN_FOUND_BY_RELAXATION;
   if (trace->central != NULL)
-    status =
-      qn_central_path_relax (trace->central, target, INFINITY, tuning->jump_budget);
+    status = qn_central_path_relax (trace->central, target, INFINITY, QN_CENTRAL_BUDGET);
   if (status != QN_SOLVE_FAILED)
     return status;
   qn_equilibrium_restore (eq);
@@ -197,7 +196,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
   QnEquilibrium *eq = &trace->path->equilibrium;
   double least_for_newton = trace->means == QN_FOUND_BY_RELAXATION && !trace->load_control
                               ? INFINITY
-                              : tuning->newton_step * trace->largest;
+                              : pow (tuning->cut, tuning->most_cuts) * trace->largest;
   double before = 0, far = eq->assembly.length;
   bool relaxes = false;
 
@@ -290,13 +289,12 @@ share_to_end (const QnPathTrace *trace, QnTarget *end)
 }
 
 QnSolveStatus
-qn_path_step_land (QnPathTrace *trace, double *share)
+qn_path_step_land (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   QnTarget end;
 
-  *share = share_to_end (trace, &end);
-  if (!(*share < 1))
+  if (!(share_to_end (trace, &end) < 1))
     return QN_SOLVE_CONVERGED;
   qn_equilibrium_save (eq, &eq->anchor);
   QnSolveStatus status = qn_equilibrium_newton (eq, &end, 0, QN_NEWTON_BUDGET);

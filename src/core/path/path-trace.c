@@ -34,17 +34,13 @@ const QnPathTuning qn_path_tuning = {
   .most_cuts = 2,
   .smallest_step = 1.0 / 1024,
   .restart_step = 1.0 / 64,
-  .newton_step = 1.0 / 16,
   .least_lean = 1e-2,
-  .most_of_step = 0.9,
   .jump = 3,
   .jump_stays = 0.5,
   .undecided = 1e-4,
-  .jump_budget = 80,
   .patience = 1000,
   .most_patience = 6000,
   .most_effort = 1e7,
-  .long_growth = 10,
   .plateau_tolerance = 1e-4,
   .plateau_growth = 10,
   .least_gain = 0.02,
@@ -287,7 +283,7 @@ advance_far (QnPathTrace *trace, QnDiag *diag)
 
   if (target.advance > 0)
     status = qn_central_path_relax (trace->central, &target, tuning->undecided,
-                                    tuning->jump_budget);
+                                    QN_CENTRAL_BUDGET);
   if (status == QN_SOLVE_CONVERGED && eq->multiplier > trace->end)
     status = qn_central_path_solve (trace->central, &end, QN_CENTRAL_BUDGET);
   switch (status) {
@@ -309,7 +305,7 @@ advance_far (QnPathTrace *trace, QnDiag *diag)
     return QN_OK;
   }
   trace->long_growth =
-    fmin (trace->long_growth * trace->long_growth, tuning->long_growth);
+    fmin (trace->long_growth * trace->long_growth, tuning->plateau_growth);
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
   trace->jumped = false;
   if (!accept (trace))
@@ -325,7 +321,6 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   int32_t before = eq->statistics.iterations;
-  double share;
   QnSolveStatus status = qn_path_step_solve (trace, step);
 
   *easy = (!trace->may_jump
@@ -334,12 +329,12 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
   *again = false;
   if (status != QN_SOLVE_CONVERGED)
     return status;
-  status = qn_path_step_land (trace, &share);
+  status = qn_path_step_land (trace);
   if (status != QN_SOLVE_FAILED)
     return status;
   *again = fabs (*step) > tuning->smallest_step * trace->largest;
   if (*again) {
-    trace->step = *step * fmin (share, tuning->most_of_step);
+    trace->step = tuning->cut * *step;
     qn_equilibrium_restore (eq);
   }
   return QN_SOLVE_CONVERGED;
@@ -738,7 +733,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   double dead = qn_assembly_largest (as, as->dead, NULL);
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
-                        .long_growth = tuning->long_growth,
+                        .long_growth = tuning->plateau_growth,
                         .above = 1,
                         .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,

@@ -29,22 +29,16 @@ typedef struct QnPathTuning {
   double largest_step, largest_motion;
 
   /* To what part a step is cut that fails or jumps, and how often in linear geometry before the
-   * structure is let move; in nonlinear geometry down to which part of the largest one so far; and with
-   * which part of it the path goes on afterwards. */
+   * structure is let move. In nonlinear geometry a step that is the largest one so far, cut as often, is the
+   * smallest that Newton's method is worth: relaxation takes a longer one for the same effort. It is cut down
+   * to smallest_step of the largest; with restart_step of it the path goes on afterwards. */
   double cut;
   int most_cuts;
   double smallest_step, restart_step;
 
-  /* Nonlinear geometry: smallest step, as a part of the largest, that Newton's method is worth:
-   * relaxation takes a longer one for the same effort. */
-  double newton_step;
-
   /* How far a structure is moved out of an unstable equilibrium at first, in characteristic lengths; up
    * to one. */
   double least_lean;
-
-  /* A step that cannot be ended right at the end of the path is shortened at least to this part. */
-  double most_of_step;
 
   /* Motion so many times as far as the step before would have it may be a jump; it is one if that part
    * of it is left in a step that is cut. */
@@ -54,16 +48,13 @@ typedef struct QnPathTuning {
    * relaxation finds equilibria above the mechanism that moves on for good. */
   double undecided;
 
-  /* Factorisations of one central path of a jump. */
-  int jump_budget;
-
   /* Load control: from so many factorisations on a structure that settles in one place after the other
    * is no longer followed to each of them: from `patience` on, in structures of few blocks until
    * factorisations x blocks are most_effort, up to most_patience. Then, and where no short step leads on,
-   * the work grows by long_growth at once, by its square root where that leads nowhere, and so on; less
-   * than `growth` gains nothing. */
+   * the work grows by plateau_growth at once, for then a plateau shows in one step; by its square root where
+   * that leads nowhere, and so on; less than `growth` gains nothing. */
   int patience, most_patience;
-  double most_effort, long_growth;
+  double most_effort;
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
    * so many times is a plateau: collapse, in linear geometry. Where no step leads on it is collapse if the
@@ -158,8 +149,8 @@ QnSolveStatus qn_path_step_solve_load (QnPathTrace *trace, double target, bool *
 bool qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations);
 
 /* A step that passes the end of the path is solved once more, to end right there. FAILED where that
- * takes a shorter step, *share of this one; the state is then the one that was given. */
-QnSolveStatus qn_path_step_land (QnPathTrace *trace, double *share);
+ * takes a shorter step; the state is then the one that was given. */
+QnSolveStatus qn_path_step_land (QnPathTrace *trace);
 
 /* --- Where the path ends (path-end.c) ----------------------------------------------------- */
 
