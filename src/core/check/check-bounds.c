@@ -207,6 +207,9 @@ check_solutions (QnCheck *check)
     if (limit->given ? !suits_limit (limit, solution) : !is_met (check, solution))
       tell_interval (check, solution->multiplier, NAN);
   }
+  /* Only fixed points and the paths beside them are several. */
+  if (result->solution_count > 1 && !fixed_points)
+    tell_interval (check, result->solutions[1].multiplier, NAN);
   if (result->solution_count == 0) {
     greatest = least = result->collapse_multiplier;
     if (!result->has_collapse_multiplier)

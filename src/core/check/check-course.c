@@ -68,11 +68,59 @@ check_order (QnCheck *check)
   }
 }
 
-/* Collapse is the last step of all, and only where that is the outcome. */
+static QnProcedure
+procedure_of (const QnCheck *check, const QnStep *step)
+{
+  return step->stage > 0 && (size_t) step->stage <= check->model->stage_count
+           ? check->model->stages[step->stage - 1].procedure
+           : check->model->analysis.procedure;
+}
+
+static bool
+is_same_state (const QnResult *r, size_t a, size_t b)
+{
+  size_t count = qn_result_body_count (r) * QN_DOF_COUNT;
+  const double *u = qn_result_step_displacements (r, a),
+               *v = qn_result_step_displacements (r, b);
+  bool same = r->steps[a].multiplier == r->steps[b].multiplier;
+
+  for (size_t i = 0; same && i < count; i++)
+    same = u[i] == v[i];
+  return same;
+}
+
+/* No step of a path repeats the one before, and where the load is prescribed it grows all the time; only
+ * the last step may lie below, where the structure moves on. Limit analysis has two: before and at
+ * collapse. */
+static void
+check_advance (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  double grows = 0;
+
+  if (r->limit.given && r->step_count != 2)
+    qn_check_tell_model (check, QN_CLAIM_STEPS, QN_NONE, NAN, NAN);
+  if (r->limit.given || r->history.width > 0)
+    return;
+  for (size_t i = 1; i < r->step_count; i++) {
+    bool begins = r->steps[i].stage != r->steps[i - 1].stage;
+    bool ends = i + 1 == r->step_count && r->outcome == QN_OUTCOME_COLLAPSE;
+    double more = r->steps[i].multiplier - r->steps[i - 1].multiplier;
+    bool in_order = begins || !is_same_state (r, i - 1, i);
+    if (!begins && !ends && procedure_of (check, &r->steps[i]) == QN_PROCEDURE_LOAD)
+      in_order = in_order && (grows == 0 ? more != 0 : grows * more > 0);
+    grows = begins ? 0 : more;
+    if (!in_order)
+      qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i, r->steps[i].multiplier, NAN);
+  }
+}
+
+/* Collapse is the last step of all, and only where that is the outcome; only paths jump. */
 static void
 check_events (QnCheck *check)
 {
   const QnResult *r = check->result;
+  bool is_path = !r->limit.given && r->history.width == 0;
 
   for (size_t i = 0; i < r->step_count; i++) {
     bool is_last = i + 1 == r->step_count;
@@ -81,12 +129,14 @@ check_events (QnCheck *check)
     /* Motion that is driven may go on beyond its collapse multiplier. */
     if (collapses != should)
       qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) i, NAN, NAN);
-    if (i == 0 && r->steps[i].event == QN_EVENT_SNAP && r->step_count > 1)
-      qn_check_tell_model (check, QN_CLAIM_EVENTS, 0, NAN, NAN);
+    bool ends = is_last && r->outcome == QN_OUTCOME_SNAP;
+    bool may_jump = ends || (i > 0 && is_path && r->stability == QN_STABILITY_UNKNOWN);
+    if (r->steps[i].event == QN_EVENT_SNAP ? !may_jump : ends)
+      qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) i, NAN, NAN);
   }
 }
 
-/* Without any equilibrium there is nothing that is told of one. */
+/* Without any equilibrium there is nothing that is told of one, and in time no multiplier. */
 static void
 check_nothing (QnCheck *check)
 {
@@ -95,7 +145,7 @@ check_nothing (QnCheck *check)
                || r->event_count > 0 || r->solution_count > 0 || r->limit.given
                || r->stability != QN_STABILITY_UNKNOWN || r->vibration.mode > 0;
 
-  if (r->step_count == 0 && tells)
+  if ((r->step_count == 0 || r->history.width > 0) && tells)
     qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
 }
 
@@ -325,6 +375,7 @@ qn_check_course (QnCheck *check, QnDiag *diag)
 {
   check_numbers (check);
   check_order (check);
+  check_advance (check);
   check_events (check);
   QnStatus status = check_outcome (check, diag);
   check_nothing (check);

@@ -3,7 +3,8 @@
  * An event begins at the highest multiplier so far, which is that of a step, and ends where the path
  * climbs above it again. Where motion is prescribed every state in between is a step, and the event is
  * recomputed from them. Under load control these states are not kept: then its displacement at the end
- * and its energy are compared with its kind and its sign alone. */
+ * and its energy are compared with its kind and its sign alone, and the blocks of a collapse are those of
+ * the mechanism. */
 #include "core/check/check-parts.h"
 
 #include <math.h>
@@ -139,14 +140,31 @@ climbs_after (const QnCheck *check, const Stretch *stretch, size_t start)
   return false;
 }
 
-static bool
-has_blocks (const QnCheck *check, const QnPathEvent *event, size_t start, size_t end)
+/* How fast a body moves in the mechanism, likewise. */
+static double
+speed (const QnCheck *check, size_t body)
 {
-  double least = QN_TAKES_PART * largest_shift (check, start, end);
+  const int32_t *unknown = check->assembly.unknown + QN_DOF_COUNT * body;
+  const double *v = check->result->mechanism + QN_DOF_COUNT * body;
+
+  return hypot (unknown[0] != QN_NONE ? v[0] : 0, unknown[1] != QN_NONE ? v[1] : 0);
+}
+
+/* Whether the blocks of an event are those that move between two steps; of a collapse under load control
+ * those of the mechanism. */
+static bool
+has_blocks (const QnCheck *check, const QnPathEvent *event, bool by_mechanism,
+            size_t start, size_t end)
+{
+  double fastest = 0;
   size_t next = 0;
 
+  for (size_t b = 0; by_mechanism && b < qn_result_body_count (check->result); b++)
+    fastest = fmax (fastest, speed (check, b));
+  double least =
+    QN_TAKES_PART * (by_mechanism ? fastest : largest_shift (check, start, end));
   for (size_t b = 0; b < check->model->block_count; b++) {
-    double moved = shift (check, b, start, end);
+    double moved = by_mechanism ? speed (check, b) : shift (check, b, start, end);
     bool told = next < event->block_count && event->blocks[next] == (QnId) b;
     next += told;
     if (fabs (moved - least) > NEARLY * least && told != (moved > least))
@@ -245,7 +263,7 @@ suits_end (const QnPathEvent *event)
 {
   double before = event->displacement_before, after = event->displacement_after;
 
-  return !same (after, before) || (event->energy == 0 && event->block_count == 0);
+  return !same (after, before) || event->energy == 0;
 }
 
 /* Returns whether an event is one of the steps; *start is where it begins. */
@@ -263,12 +281,13 @@ is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_
     return false;
   if (collapses && (!r->has_collapse_multiplier || climbs_after (check, stretch, *start)))
     return false;
+  if (stretch->by_load && collapses)
+    return suits_end (event)
+           && (r->mechanism == NULL || has_blocks (check, event, true, 0, 0));
   if (*start == stretch->last)
     return collapses;
   size_t end = collapses ? stretch->last : find_end (check, stretch, *start);
-  if (stretch->by_load && collapses)
-    return suits_end (event);
-  return has_blocks (check, event, *start, end)
+  return has_blocks (check, event, false, *start, end)
          && (stretch->by_load || is_recomputed (check, stretch, event, *start, end));
 }
 
@@ -333,7 +352,8 @@ qn_check_events (QnCheck *check)
   if (collapses != r->has_collapse_multiplier)
     qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) (stretch.last),
                          r->has_collapse_multiplier ? r->collapse_multiplier : NAN, NAN);
-  for (size_t i = stretch.base + 1; stretch.by_load && i < stretch.last; i++)
+  bool stops = r->outcome == QN_OUTCOME_SNAP;
+  for (size_t i = stretch.base + 1; stretch.by_load && i + stops <= stretch.last; i++)
     if (r->steps[i].event == QN_EVENT_SNAP && !is_told (check, &stretch, i))
       qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) (i), NAN, NAN);
   check_first_snap (check);

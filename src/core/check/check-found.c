@@ -10,6 +10,9 @@
  * block. */
 #define NO_DEPTH 1e-6
 
+/* A joint is left where it has slid or turned by so much, within this part of it. */
+#define NEARLY 1e-3
+
 static bool
 is_side (const QnSides *sides, const QnFoundContact *contact)
 {
@@ -34,18 +37,23 @@ exists (const QnCheck *check, const QnFoundContact *contact)
          && is_side (&check->follow.sides, contact);
 }
 
-/* Whether all that the result says of found contacts refers to something, in the order it should. */
+/* Whether all that the result says of found contacts refers to something, in the order it should: both
+ * lists grow as time goes on. */
 static bool
 refers (const QnCheck *check)
 {
   const QnResult *r = check->result;
   const int32_t steps = (int32_t) r->step_count;
+  const double first = r->history.width > 0 ? 0 : 1; /* the dead load comes before */
+  size_t begun = 0;
 
   for (size_t i = 0; i < r->found_count; i++)
-    if (!exists (check, &r->found[i].contact))
+    if (!exists (check, &r->found[i].contact)
+        || !(r->found[i].time >= (i > 0 ? r->found[i - 1].time : 0)))
       return false;
   for (size_t i = 0; i < r->left_count; i++)
-    if (r->left[i].face < 0 || (size_t) r->left[i].face >= check->contacts->face_count)
+    if (r->left[i].face < 0 || (size_t) r->left[i].face >= check->contacts->face_count
+        || !(r->left[i].time >= (i > 0 ? r->left[i - 1].time : first)))
       return false;
   for (size_t i = 0; i < r->found_force_count; i++) {
     const QnFoundForce *f = &r->found_forces[i];
@@ -53,17 +61,28 @@ refers (const QnCheck *check)
         || f->step >= steps || !isfinite (f->normal) || !isfinite (f->shear)
         || (i > 0 && f->step < r->found_forces[i - 1].step))
       return false;
+    begun += f->step == r->found[f->found].time;
   }
-  return true;
+  /* Along a path every contact carries at the step that it is found at. */
+  return r->history.width > 0 || begun == r->found_count;
 }
 
 bool
 qn_check_found_init (QnCheck *check, QnDiag *diag)
 {
   const QnResult *r = check->result;
+  const QnAnalysisSettings *settings = &check->model->analysis;
+  bool states = r->found_count > 0 || r->left_count > 0 || r->found_force_count > 0;
 
-  if (r->found_count == 0 && r->left_count == 0 && r->found_force_count == 0)
+  check->follows =
+    settings->geometry == QN_GEOMETRY_NONLINEAR && !r->limit.given
+    && (r->history.width > 0 ? settings->dynamic.follow : settings->follow);
+  if (!check->follows) {
+    if (states)
+      qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, NAN,
+                     NAN);
     return true;
+  }
   if (qn_contact_follow_init (&check->follow, check->model, check->contacts, diag)
       != QN_OK)
     return false;
@@ -81,6 +100,7 @@ qn_check_found_init (QnCheck *check, QnDiag *diag)
     ok = qn_contacts_with_found (check->model, check->contacts, &check->follow.sides,
                                  contacts, r->found_count, &check->all, diag)
          == QN_OK;
+  check->follows = known;
   free (contacts);
   return ok;
 }
@@ -101,7 +121,7 @@ qn_check_found_take (QnCheck *check, size_t step)
   QnAssembly *as = &check->assembly;
   size_t drawn = check->contacts->pair_count;
 
-  if (check->all.pairs == NULL)
+  if (!check->follows)
     return;
   for (size_t i = 0; i < r->found_count; i++) {
     check->found[i] = (QnFoundForce){ .state = QN_PAIR_OPEN };
@@ -114,20 +134,29 @@ qn_check_found_take (QnCheck *check, size_t step)
        check->next_force++) {
     const QnFoundForce *force = &r->found_forces[check->next_force];
     check->found[force->found] = *force;
-    if (!(r->found[force->found].time
-          <= r->steps[step].time)) /* carries before it is found */
+    bool stated = !as->inactive[drawn + (size_t) force->found];
+    /* Stated twice, or before it is found. */
+    if (stated || !(r->found[force->found].time <= r->steps[step].time))
       qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step,
                            r->found[force->found].time, r->steps[step].time);
     as->inactive[drawn + (size_t) force->found] = false;
   }
+  size_t left = 0, faces = 0;
   for (size_t i = 0; i < r->left_count; i++) {
     const QnContactFace *face = &check->contacts->faces[r->left[i].face];
-    if (!(r->left[i].time <= r->steps[step].time))
+    /* The dead load comes before all that moves, also where that begins at the same time. */
+    if (step == 0 || !(r->left[i].time <= r->steps[step].time))
       continue;
+    left++;
     check->follow.left[r->left[i].face] = true;
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
       as->inactive[p] = true;
   }
+  for (size_t f = 0; f < check->contacts->face_count; f++)
+    faces += check->follow.left[f];
+  if (left != faces) /* none is left twice */
+    qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step, (double) left,
+                         (double) faces);
 }
 
 /* Of the contacts that are listed, those that the result states something of at this step. */
@@ -194,4 +223,56 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
   }
   free (stated);
   return QN_OK;
+}
+
+/* How far the joint of a face has slid or turned at a step, as a part of what it is left for; *off: what
+ * the steps leave open of that. */
+static double
+find_way (const QnCheck *check, const QnContactFace *face, const double *rows,
+          double *off)
+{
+  const QnAssembly *as = &check->assembly;
+  double band = qn_contact_follow_band (&check->follow, face->a, face->b);
+  double turned =
+    rows[QN_DOF_COUNT * face->a + QN_DOF_RZ] - rows[QN_DOF_COUNT * face->b + QN_DOF_RZ];
+  double way = fabs (turned) / QN_FOLLOW_TURN;
+
+  *off = NEARLY;
+  for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+    const QnPairMemory *memory = &as->responses[p].memory;
+    if (check->contacts->pairs[p].bar != QN_NONE) /* never left */
+      return 0;
+    way = fmax (way, fabs (memory->a.slip + memory->b.slip) / band);
+    *off = fmax (*off,
+                 NEARLY
+                   + (check->slack + QN_CHECK_FORCES * check->scale / as->springs[p].a.ks)
+                       / band);
+  }
+  return way;
+}
+
+/* What slides too far in a step is left with the next one; in time with the same. */
+void
+qn_check_left (QnCheck *check, size_t step)
+{
+  const QnResult *r = check->result;
+  bool in_time = r->history.width > 0;
+  const double *rows = qn_result_step_displacements (r, step);
+
+  if (in_time && step == 0) /* motion has not begun */
+    return;
+  for (size_t f = 0; f < check->contacts->face_count; f++) {
+    double off, at = INFINITY, now = r->steps[step].time;
+    if (check->follow.left[f])
+      continue;
+    for (size_t i = 0; i < r->left_count; i++)
+      if (r->left[i].face == (QnId) f)
+        at = fmin (at, r->left[i].time);
+    double way = find_way (check, &check->contacts->faces[f], rows, &off);
+    bool leaves = !in_time && at == now + 1, may_stay = step + 1 == r->step_count;
+    if ((leaves && way < 1 - off) || (!leaves && !may_stay && way > 1 + off)
+        || (!in_time && at != rint (at) && isfinite (at)))
+      qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_BLOCK,
+                     check->contacts->faces[f].a, at, now);
+  }
 }

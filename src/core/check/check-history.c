@@ -56,6 +56,7 @@ check_scalars (QnCheck *check)
   is_true = is_true && residual <= h->largest_residual * (1 + QN_CHECK_EXACT);
   if (r->outcome == QN_OUTCOME_COLLAPSE) /* what falls may be followed on */
     is_true = is_true && h->collapse_time <= last + little
+              && h->collapse_time >= h->shortest_step * (1 - SAME_TIME)
               && (check->model->analysis.dynamic.fall
                   || qn_check_agrees (h->collapse_time, last, little));
   if (!is_true)
@@ -220,6 +221,24 @@ prepare_motion (QnCheck *check, QnDiag *diag)
   return qn_assembly_mass (as, check->mass, diag);
 }
 
+/* No joint as drawn that is pressed together has slid further, over its length, than the largest slip. */
+static void
+check_slip (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  double stated = check->result->history.largest_slip;
+
+  for (size_t p = 0; p < check->contacts->pair_count; p++) {
+    const QnPairMemory *memory = &as->responses[p].memory;
+    double length = check->contacts->faces[check->contacts->pairs[p].face].length;
+    double slip = fabs (memory->a.slip + memory->b.slip) / length;
+    double rounding =
+      (QN_CHECK_FORCES * check->scale / as->springs[p].a.ks + check->slack) / length;
+    if (as->responses[p].force[0] < 0 && !(slip <= stated + rounding))
+      qn_check_tell_pair (check, QN_CLAIM_HISTORY, step, p, stated, slip);
+  }
+}
+
 /* Kinetic energy by the velocities and masses, elastic energy by the forces, and where the ground stands
  * still the input by the work of the loads. Beams, and contacts found on the way, store energy that is not
  * counted here. */
@@ -229,6 +248,9 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
   const QnResult *r = check->result;
   const double *row = find_row (check, step);
   double largest = 0;
+
+  if (step > 0)
+    check_slip (check, step);
 
   if (r->velocities != NULL) {
     gather_velocity (check, step);
@@ -257,7 +279,8 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
   } energies[] = {
     { QN_ENERGY_KINETIC, r->velocities != NULL,
       r->velocities != NULL ? kinetic_energy (check) : 0, QN_CHECK_EXACT },
-    { QN_ENERGY_ELASTIC, check->model->element_count == 0 && check->all.pairs == NULL,
+    { QN_ENERGY_ELASTIC,
+      check->model->element_count == 0 && r->found_count == 0 && r->left_count == 0,
       elastic_energy (check), QN_CHECK_FORCES },
     { QN_ENERGY_INPUT, moves_freely (check->model),
       first[QN_ENERGY_INPUT] + work_of_weights (check), QN_CHECK_EXACT },
@@ -272,14 +295,16 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
   return QN_OK;
 }
 
-/* A block that has turned by a right angle has overturned by then. */
+/* A block that has turned by a right angle has overturned by then; one that begins like that has once it
+ * moves. */
 static void
 check_overturning (QnCheck *check)
 {
   const QnResult *r = check->result;
   const double *start = qn_result_step_displacements (r, 0);
+  size_t first = check->model->initial_count > 0 ? 2 : 1;
 
-  for (size_t i = 1; r->outcome == QN_OUTCOME_COLLAPSE && i < r->step_count; i++)
+  for (size_t i = first; r->outcome == QN_OUTCOME_COLLAPSE && i < r->step_count; i++)
     for (size_t b = 0; b < r->block_count; b++) {
       size_t rz = QN_DOF_COUNT * b + QN_DOF_RZ;
       double turned = qn_result_step_displacements (r, i)[rz] - start[rz];

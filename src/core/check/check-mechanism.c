@@ -11,6 +11,9 @@
  * structure begins to move. */
 #define RATE 0.02
 
+/* A strength is reached within this part of the largest force. */
+#define LITTLE 1e-2
+
 /* A structure falls where it moves by this part of the characteristic length and does not come to rest. */
 #define FALL 0.1
 
@@ -59,7 +62,7 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                             pair != NULL ? pair->shear_force : found->shear };
   const QnPairSprings *springs = &as->springs[p];
   QnStrengthRow rows[QN_STRENGTH_ROWS];
-  double little = 1e-2 * check->scale;
+  double little = LITTLE * check->scale;
 
   /* What yields otherwise moves otherwise. */
   if (qn_spring_strength (&springs->a, rows) == 0
@@ -84,6 +87,32 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
   if ((opens && !freedom.opens && !loose) || (slides && !freedom.slides && !loose)
       || (slides && freedom.slides && !loose && rate[1] * force[1] < 0))
     qn_check_tell_pair (check, QN_CLAIM_FLOW, step, p, opens ? rate[0] : rate[1], 0);
+}
+
+/* Beams at collapse turn at ends that yield, in the sense of their moments, and at hinges; elsewhere they
+ * move as they are. In linear geometry, in which deformations of rates are rates of deformations. */
+static void
+check_beams (QnCheck *check, double none)
+{
+  QnBeamAssembly *beams = &check->assembly.beams;
+
+  qn_beam_assembly_update_kinematics (beams, check->velocity);
+  for (size_t e = 0; e < beams->count; e++) {
+    const QnBeamProperties *p = &beams->beams[e].properties;
+    const double *rate = beams->beams[e].kinematics.deformation;
+    bool flows = fabs (rate[0]) <= none;
+    for (int end = 0; end < 2; end++) {
+      double moment = beams->responses[e].force[1 + end], turn = rate[1 + end];
+      bool yields = fabs (moment) >= (1 - LITTLE) * p->moments[end];
+      flows = flows
+              && (p->moments[end] == 0 || fabs (turn) * p->length <= none
+                  || (yields && turn * moment > 0));
+    }
+    if (!flows)
+      qn_check_tell (check, QN_CLAIM_FLOW, (QnId) check->result->step_count - 1,
+                     QN_ENTITY_BEAM, check->model->elements[e].beam, rate[0], 0);
+  }
+  qn_beam_assembly_update_kinematics (beams, check->u);
 }
 
 /* The load sets that the last stage drives, and all factors when it began. */
@@ -224,6 +253,38 @@ check_second_order_work (QnCheck *check, QnDiag *diag)
   return QN_OK;
 }
 
+/* Where motion is prescribed and the structure does not fall, the mechanism is its last motion. */
+static void
+check_last_motion (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  const QnModel *model = check->model;
+  size_t n = (size_t) check->assembly.unknown_count, last = r->step_count - 1;
+  int32_t stage = r->steps[last].stage;
+  QnProcedure procedure =
+    stage > 0 ? model->stages[stage - 1].procedure : model->analysis.procedure;
+  double *before = check->residual, product = 0, square = 0;
+
+  if (procedure == QN_PROCEDURE_LOAD || r->limit.given || r->vibration.mode > 0
+      || r->stability != QN_STABILITY_UNKNOWN || last == 0)
+    return;
+  qn_check_gather (&check->assembly, qn_result_step_displacements (r, last - 1), before);
+  for (size_t i = 0; i < n; i++) {
+    product += check->velocity[i] * (check->u[i] - before[i]);
+    square += check->velocity[i] * check->velocity[i];
+  }
+  double speed = product / square, largest = qn_largest (check->velocity, n) * speed;
+  double none = QN_CHECK_TOLERANCE * largest + QN_CHECK_EXACT * check->largest;
+  for (size_t i = 0; i < n; i++)
+    if (!(speed > 0
+          && qn_check_agrees (speed * check->velocity[i], check->u[i] - before[i],
+                              none))) {
+      qn_check_tell_model (check, QN_CLAIM_FLOW, (QnId) last, check->velocity[i],
+                           (check->u[i] - before[i]) / speed);
+      return;
+    }
+}
+
 QnStatus
 qn_check_mechanism (QnCheck *check, QnDiag *diag)
 {
@@ -234,8 +295,12 @@ qn_check_mechanism (QnCheck *check, QnDiag *diag)
     return QN_OK;
   qn_check_gather (as, result->mechanism, check->velocity);
   qn_check_bodies (check);
-  if (result->outcome != QN_OUTCOME_COLLAPSE || result->history.width > 0)
+  if (result->history.width > 0)
     return QN_OK;
+  if (result->outcome != QN_OUTCOME_COLLAPSE) {
+    check_last_motion (check);
+    return QN_OK;
+  }
   check_work (check);
   if (result->mechanism_uncertain)
     return QN_OK;
@@ -247,5 +312,7 @@ qn_check_mechanism (QnCheck *check, QnDiag *diag)
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p])
       check_joint (check, p, rates + 2 * p, none);
+  if (!as->nonlinear)
+    check_beams (check, none);
   return QN_OK;
 }

@@ -39,8 +39,9 @@ typedef struct QnCheck {
   QnCheckDepth depth;
   QnResultFaults *faults;
   QnAssembly assembly;    /* of the contacts as drawn and those found on the way */
-  QnContactFollow follow; /* where there are any, or joints were left */
-  QnContacts all;         /* those contacts; `contacts` where there are none */
+  bool follows;           /* contacts follow the blocks */
+  QnContactFollow follow; /* where they do */
+  QnContacts all;         /* those contacts; empty where they do not */
   size_t first_force,
     next_force;        /* of the result's forces of found contacts: those of the step */
   QnFoundForce *found; /* scratch, by found contact: forces of the step */
@@ -98,6 +99,9 @@ void qn_check_found_take (QnCheck *check, size_t step);
 
 /* No corner lies within another block without a contact. After qn_check_found_take(). */
 QnStatus qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag);
+
+/* Joints are left once they have slid or turned too far, and no other is. Likewise. */
+void qn_check_left (QnCheck *check, size_t step);
 
 /* Unknowns from a row of displacements or velocities for every body. */
 void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);

@@ -71,7 +71,7 @@ qn_check_gather (const QnAssembly *as, const double *rows, double *u)
       u[as->unknown[i]] = i % QN_DOF_COUNT == QN_DOF_RZ ? rows[i] * as->length : rows[i];
 }
 
-/* What no unknown tells: supports, nodes on blocks. */
+/* What no unknown tells: supports, nodes on blocks; and rigid blocks at collapse have not moved yet. */
 static void
 check_displacements (QnCheck *check, size_t step, const double *rows)
 {
@@ -79,6 +79,8 @@ check_displacements (QnCheck *check, size_t step, const double *rows)
   size_t count = qn_model_body_count (check->model) * QN_DOF_COUNT;
 
   qn_assembly_expand (as, check->u, check->rows);
+  if (check->result->limit.given)
+    memset (check->rows, 0, count * sizeof *check->rows);
   double largest = qn_largest (check->rows, count);
   for (size_t i = 0; i < count; i++)
     if (!qn_check_agrees (rows[i], check->rows[i], QN_CHECK_EXACT * largest))
@@ -370,17 +372,41 @@ check_strength (QnCheck *check, size_t step)
   }
 }
 
+static bool
+may_yield (const QnSpring *spring)
+{
+  return spring->kind != QN_LAW_ELASTIC && spring->kind != QN_LAW_NO_TENSION
+         && spring->kind != QN_LAW_COULOMB;
+}
+
+/* Whether a joint stands open by more than what little force would close; rigid blocks do not tell. */
+static bool
+is_apart (const QnCheck *check, size_t p)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnPairMemory *memory = &as->responses[p].memory;
+  double gap = as->elongations[2 * p] - memory->a.opening
+               - (as->springs[p].equal ? 0 : memory->b.opening);
+
+  return !check->result->limit.given
+         && gap > check->slack + QN_CHECK_STATE * check->scale / as->springs[p].a.kn;
+}
+
 /* Whether a state is that of the forces alone, where displacements or what came before do not tell it. A
  * very little force may be what an iteration has left. */
 static bool
-state_suits_force (const QnCheck *check, const QnPairSprings *springs,
-                   const double force[2], QnPairState state)
+state_suits_force (const QnCheck *check, size_t p, const double force[2],
+                   QnPairState state)
 {
+  const QnPairSprings *springs = &check->assembly.springs[p];
   double little = QN_CHECK_STATE * check->scale;
 
+  if (state == QN_PAIR_YIELD && !may_yield (&springs->a) && !may_yield (&springs->b))
+    return false;
   if (state == QN_PAIR_STICK
       || hypot (force[0], force[1]) <= QN_CHECK_FORCES * check->scale)
-    return state != QN_PAIR_STICK || hypot (force[0], force[1]) > 0;
+    return state == QN_PAIR_STICK ? hypot (force[0], force[1]) > 0
+                                  : state == QN_PAIR_OPEN || !is_apart (check, p);
   if (state == QN_PAIR_YIELD)
     return is_near_strength (springs, force, little);
   return qn_pair_state_of_force (springs, state, force, little) == state;
@@ -427,6 +453,7 @@ check_states (QnCheck *check, size_t step)
   const QnResult *result = check->result;
   bool by_force =
     result->limit.given || result->history.width > 0 || result->steps[step].relaxed;
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
 
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
@@ -436,10 +463,14 @@ check_states (QnCheck *check, size_t step)
       return;
     double size = hypot (force[0], force[1]);
     bool by_little = size <= QN_CHECK_FORCES * check->scale;
-    if (!comes_to_state (check, p, state)
-        && !((by_force || begins (check, p) || by_little || state != QN_PAIR_STICK
-              || stays (check, p))
-             && state_suits_force (check, springs, force, state)))
+    bool told =
+      by_force || begins (check, p) || stays (check, p)
+      || ((by_little || state != QN_PAIR_STICK) && qn_pair_strength (springs, rows) > 0);
+    bool suits = as->inactive[p]
+                   ? state == QN_PAIR_OPEN
+                   : comes_to_state (check, p, state)
+                       || (told && state_suits_force (check, p, force, state));
+    if (!suits)
       qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, state,
                           qn_pair_state (springs, as->responses[p].phase));
   }
@@ -581,8 +612,10 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
   QnStatus status = qn_check_modes (check, step, diag);
   if (status == QN_OK && in_time)
     status = qn_check_motion (check, step, diag);
-  if (status == QN_OK && check->all.pairs != NULL)
+  if (status == QN_OK && check->follows) {
     status = qn_check_found_missing (check, step, diag);
+    qn_check_left (check, step);
+  }
   qn_assembly_commit (as);
   return status;
 }

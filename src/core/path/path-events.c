@@ -38,7 +38,7 @@ qn_path_events_clear (QnPathEvents *events)
   *events = (QnPathEvents){ 0 };
 }
 
-/* How far a body has moved, rotations aside, m. */
+/* How far a body has moved, rotations aside, m; or, where `from` is NULL, how fast it moves. */
 static double
 shift (const QnAssembly *as, size_t body, const double *from, const double *to)
 {
@@ -47,7 +47,7 @@ shift (const QnAssembly *as, size_t body, const double *from, const double *to)
   for (size_t i = 0; i < 2; i++) {
     int32_t unknown = as->unknown[QN_DOF_COUNT * body + i];
     if (unknown != QN_NONE)
-      d[i] = to[unknown] - from[unknown];
+      d[i] = to[unknown] - (from != NULL ? from[unknown] : 0);
   }
   return hypot (d[0], d[1]);
 }
@@ -76,15 +76,27 @@ energy_of_step (const QnEquilibrium *eq, double held)
   return (held - 0.5 * (eq->committed.multiplier + eq->multiplier)) * work;
 }
 
+/* The blocks that move from one state to another; returns how many. blocks: block_count. */
+static size_t
+list_movers (const QnPath *path, const double *from, const double *to, QnId *blocks)
+{
+  double least = QN_TAKES_PART * largest_shift (path, from, to);
+  size_t count = 0;
+
+  for (size_t b = 0; b < path->model->block_count; b++) {
+    double moved = shift (&path->equilibrium.assembly, b, from, to);
+    if (moved > 0 && moved >= least)
+      blocks[count++] = (QnId) b;
+  }
+  return count;
+}
+
 static bool
 add (QnPathEvents *events, QnEventKind kind, double multiplier, double before,
      double after)
 {
   QnPath *path = events->path;
-  const QnEquilibrium *eq = &path->equilibrium;
-  size_t count = path->model->block_count;
-  QnId *blocks = qn_alloc (count, sizeof *blocks);
-  double least = QN_TAKES_PART * largest_shift (path, events->highest_u, eq->u);
+  QnId *blocks = qn_alloc (path->model->block_count, sizeof *blocks);
   QnPathEvent event = { .kind = kind,
                         .stage = path->stage,
                         .multiplier = path->origin + path->scale * multiplier,
@@ -95,11 +107,7 @@ add (QnPathEvents *events, QnEventKind kind, double multiplier, double before,
 
   if (blocks == NULL)
     return false;
-  for (size_t b = 0; b < count; b++) {
-    double moved = shift (&eq->assembly, b, events->highest_u, eq->u);
-    if (moved > 0 && moved >= least)
-      blocks[event.block_count++] = (QnId) b;
-  }
+  event.block_count = list_movers (path, events->highest_u, path->equilibrium.u, blocks);
   return qn_result_add_event (path->result, event);
 }
 
@@ -174,4 +182,13 @@ qn_path_events_collapse (QnPathEvents *events)
 {
   return add (events, QN_EVENT_KIND_COLLAPSE, events->highest,
               events->highest_displacement, events->displacement);
+}
+
+void
+qn_path_events_take_mechanism (QnPathEvents *events, const double *velocity)
+{
+  QnResult *result = events->path->result;
+  QnPathEvent *collapse = &result->events[result->event_count - 1];
+
+  collapse->block_count = list_movers (events->path, NULL, velocity, collapse->blocks);
 }

@@ -49,4 +49,8 @@ bool qn_path_events_has_snapped (const QnPathEvents *events);
  * out. */
 bool qn_path_events_collapse (QnPathEvents *events);
 
+/* Names the blocks that move in the mechanism (unknowns) as those of the collapse: under load control what
+ * moves beyond the highest multiplier is no step. After qn_path_events_collapse(). */
+void qn_path_events_take_mechanism (QnPathEvents *events, const double *velocity);
+
 #endif

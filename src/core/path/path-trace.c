@@ -545,6 +545,8 @@ conclude (QnPathTrace *trace, QnDiag *diag)
     status = judge_mechanism (trace, velocity, diag);
   else if (trace->load_control && trace->stop == QN_STOP_FALL)
     settle_velocity (trace);
+  if (trace->load_control)
+    qn_path_events_take_mechanism (&trace->events, velocity);
   return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
 }
 

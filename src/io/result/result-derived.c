@@ -46,6 +46,40 @@ is_by_load (const QnModel *model, const QnResult *result)
          && result->history.width == 0;
 }
 
+static gboolean
+has_relaxed (const QnResult *result)
+{
+  gboolean any = FALSE;
+  for (size_t i = 0; i < result->step_count; i++)
+    any = any || result->steps[i].relaxed;
+  return any;
+}
+
+/* Whether a found contact carries at no step that is kept. */
+static gboolean
+has_idle_contacts (const QnResult *result)
+{
+  g_autofree gboolean *carries = g_new0 (gboolean, result->found_count);
+  gboolean any = FALSE;
+  for (size_t i = 0; i < result->found_force_count; i++)
+    carries[result->found_forces[i].found] = TRUE;
+  for (size_t i = 0; i < result->found_count; i++)
+    any = any || !carries[i];
+  return any;
+}
+
+/* Whether steps are jumps that no event tells: of stages before the last, and where motion is prescribed. */
+static gboolean
+has_other_jumps (const QnModel *model, const QnResult *result)
+{
+  gboolean any = FALSE;
+  for (size_t i = 0; i < result->step_count; i++)
+    any = any
+          || (result->steps[i].event == QN_EVENT_SNAP
+              && (result->steps[i].stage < result->stage || !is_by_load (model, result)));
+  return any;
+}
+
 static void
 list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unproved)
 {
@@ -56,6 +90,9 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
   /* Limit analysis is repeated where it found no equilibrium. */
   gboolean is_rigid = model->analysis.procedure == QN_PROCEDURE_LIMIT
                       && model->analysis.flow == QN_FLOW_ASSOCIATIVE;
+  /* Beside fixed points, of which the result has no steps. */
+  gboolean has_paths =
+    result->limit.given && result->limit.flow == QN_FLOW_NON_ASSOCIATIVE;
   const struct {
     const char *member;
     gboolean stated;
@@ -67,13 +104,17 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "statistics", TRUE },
     { "steps[].iterations", result->step_count > 0 },
     { "steps[].residual", result->step_count > 0 },
+    { "steps[].relaxed", has_relaxed (result) },
+    { "steps[].event", has_other_jumps (model, result) },
     { "outcome", (result->step_count == 0 && !is_rigid) || no_answer },
     { "events[].displacement_after", has_events (result) && is_by_load (model, result) },
     { "events[].energy", has_events (result) && is_by_load (model, result) },
-    { "events[].blocks", has_events (result) && is_by_load (model, result)
-                           && result->has_collapse_multiplier },
-    { "solutions[].found_by", result->solution_count > 0 && is_by_load (model, result) },
-    { "node_mechanism", result->node_count > 0 && result->mechanism != NULL },
+    { "solutions[].found_by",
+      result->solution_count > 0 && (is_by_load (model, result) || has_paths) },
+    { "solutions[].displacement", has_paths },
+    { "node_mechanism", result->node_count > 0 && result->mechanism != NULL
+                          && (result->mechanism_uncertain
+                              || model->analysis.geometry == QN_GEOMETRY_NONLINEAR) },
     { "history.energy_error", in_time },
     { "history.largest_residual", in_time },
     { "history.largest_slip", in_time },
@@ -83,12 +124,11 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "history.time_of_collapse", in_time && result->outcome == QN_OUTCOME_COLLAPSE },
     { "history.peak", in_time },
     { "history.tracks[].values", in_time && model->track_count > 0 },
+    { "history.found", in_time && has_idle_contacts (result) },
     { "history.found[].foot", in_time && result->found_count > 0 },
     { "history.found[].time", in_time && result->found_count > 0 },
     { "history.left[].time", in_time && result->left_count > 0 },
     { "found[].foot", !in_time && result->found_count > 0 },
-    { "found[].step", !in_time && result->found_count > 0 },
-    { "left[].step", !in_time && result->left_count > 0 },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (members); i++)
     if (members[i].stated)

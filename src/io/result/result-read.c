@@ -431,7 +431,12 @@ read_vibration (QnJsonStream *stream, gpointer target)
     { "mode", qn_json_stream_int32, offsetof (QnVibration, mode), QN_JSON_REQUIRED },
     { "omega", qn_json_stream_number, offsetof (QnVibration, omega), QN_JSON_REQUIRED },
   };
-  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
+  QnVibration *vibration = target;
+  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target))
+    return FALSE;
+  /* Counted from 1, and 0 where none is told: what says 0 is compared with the first. */
+  vibration->mode = MAX (vibration->mode, 1);
+  return TRUE;
 }
 
 static gboolean

@@ -1,9 +1,11 @@
-/* Every number and every word of results is changed, one at a time, and the check must refuse what comes
- * out: numbers by a factor of 1.05 and by their sign, words into other words, every member left out.
+/* Every member of results of all kinds is changed, one at a time, and the check must refuse what comes out:
+ * numbers by a factor of 1.05, by their sign, to 0, and where they are nothing beside those of their list
+ * to a hundredth of the largest; words into other words, letters of states into others; every member left
+ * out, elements of lists doubled and exchanged with the next one.
  *
- * What survives must be in `allowed`: statements that neither the file nor the project proves, which the
- * check lists, and changes of less than its tolerance. Quick runs change some of each list of numbers;
- * `-m slow` changes all. */
+ * What survives must be a member that the check itself lists as not proved, or in `allowed`, which says
+ * why. Quick runs change the last element of every list; `-m slow` the first, the middle, the last and the
+ * largest. */
 #include "core/path/analysis.h"
 #include "io/result/result-check.h"
 #include "io/result/result-claims.h"
@@ -15,9 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of every list of numbers quick runs change so many. */
-#define SOME 1
-
 /* A number that is smaller than this part of the largest of its list is nothing: what it says is within
  * the tolerance of forces, 1e-5. */
 #define NOTHING 3e-4
@@ -25,32 +24,68 @@
 /* In members that follow from others. */
 #define ROUNDING 1e-8
 
+/* To what part of the largest of its list a number is changed that is nothing. */
+#define LITTLE 0.01
+
 typedef struct Source {
   const char *name, *example;
-  const char *overrides[4];
+  gboolean slow; /* in slow runs alone */
+  const char *overrides[8];
 } Source;
 
+#define LARGE  "analysis.geometry=nonlinear"
+#define FOLLOW "analysis.contacts=follow"
+#define WALL   "ferris-tin-loi/wall3.quoin"
+#define PUSH                                                                             \
+  "analysis.control={\"block\":\"w.11.4\",\"component\":\"ux\",\"target\":0.05}"
+
 static const Source sources[] = {
-  { "block", "01-sliding-block.quoin", { NULL } },
-  { "block in large displacements",
-    "01-sliding-block.quoin",
-    { "analysis.geometry=nonlinear", NULL } },
-  { "arch", "06-arch.quoin", { NULL } },
-  { "arch in large displacements",
+  { "block", "01-sliding-block.quoin", FALSE, { NULL } },
+  { "block in large displacements", "01-sliding-block.quoin", FALSE, { LARGE, NULL } },
+  { "arch", "06-arch.quoin", FALSE, { NULL } },
+  { "arch in large displacements", "06-arch.quoin", FALSE, { LARGE, NULL } },
+  { "arch by work", "06-arch.quoin", FALSE, { "analysis.procedure=work", NULL } },
+  { "arch by arc length",
     "06-arch.quoin",
-    { "analysis.geometry=nonlinear", NULL } },
-  { "arch by work", "06-arch.quoin", { "analysis.procedure=work", NULL } },
+    TRUE,
+    { "analysis.procedure=arc-length", LARGE, NULL } },
   { "limit",
     "06-arch.quoin",
+    FALSE,
     { "analysis.procedure=limit", "analysis.flow=associative", NULL } },
   { "fixed points",
     "06-arch.quoin",
+    FALSE,
     { "analysis.procedure=limit", "analysis.flow=non-associative", NULL } },
-  { "stages", "16-load-stages.quoin", { NULL } },
-  { "settlement", "18-spreading-arch.quoin", { NULL } },
-  { "beams", "32-frame-beams.quoin", { NULL } },
-  { "rubble", "15-rubble-pier.quoin", { NULL } },
-  { "in time", "40-rocking-in-time.quoin", { "analysis.dynamic.duration=0.3", NULL } },
+  { "stages", "16-load-stages.quoin", FALSE, { NULL } },
+  { "unloading", "17-unloading.quoin", TRUE, { NULL } },
+  { "settlement", "18-spreading-arch.quoin", FALSE, { NULL } },
+  { "crushing", "26-crushing-tower.quoin", TRUE, { NULL } },
+  { "beams", "32-frame-beams.quoin", FALSE, { NULL } },
+  { "mast", "36-mast-on-block.quoin", FALSE, { NULL } },
+  { "no tension", "05-stack.quoin", FALSE, { "laws[0].kind=no-tension", NULL } },
+  { "cohesion",
+    "05-stack.quoin",
+    TRUE,
+    { "laws[0].cohesion=500", "laws[0].tension=300", NULL } },
+  { "rubble", "15-rubble-pier.quoin", FALSE, { NULL } },
+  { "stop at a jump", "15-rubble-pier.quoin", TRUE, { "analysis.snap=stop", NULL } },
+  { "contacts that follow", "29-block-over-an-edge.quoin", FALSE, { NULL } },
+  { "wall that is followed",
+    WALL,
+    TRUE,
+    { LARGE, FOLLOW, "analysis.procedure=displacement", PUSH, "analysis.increments=20",
+      "laws[0].kn=1e8", "laws[0].ks=1e8", NULL } },
+  { "in time",
+    "40-rocking-in-time.quoin",
+    FALSE,
+    { "analysis.dynamic.duration=0.3", NULL } },
+  { "in time, followed",
+    "40-rocking-in-time.quoin",
+    FALSE,
+    { "analysis.dynamic.duration=0.5", "analysis.dynamic.contacts=follow",
+      "analysis.dynamic.initial=[{\"block\":\"block\",\"displacement\":[0,0.1,0.5]}]",
+      NULL } },
 };
 
 /* --- One result ---------------------------------------------------------------------------- */
@@ -63,15 +98,14 @@ typedef struct Case {
   int changed, survived;
 } Case;
 
-/* Whether the check lets a text pass. */
+/* Whether the check lets a text pass; it lists in `unproved` what is not proved. */
 static gboolean
-passes (const Case *c, const char *text, char **message)
+passes (const Case *c, const char *text, GPtrArray *unproved, char **message)
 {
   QnResultFile file;
   QnResultFaults faults;
   QnResultCheck check;
   g_autoptr (GError) error = NULL;
-  g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
   gsize length = strlen (text);
   gboolean done = FALSE;
   if (qn_result_file_parse (text, length, "result.json", &file, &error)) {
@@ -118,65 +152,73 @@ case_clear (Case *c)
 
 /* --- What may survive ---------------------------------------------------------------------- */
 
-/* Patterns of paths, without the numbers of elements, and of changes. docs/method/checking.md says why. */
+/* Patterns of paths, without the numbers of elements, and of changes, beyond what the check lists. */
 static const struct {
   const char *pattern;
   const char *source; /* of this one alone; NULL: of all */
 } allowed[] = {
-  /* A member that is left out states nothing. */
+  /* A member that is left out states nothing, and a path with fewer steps is one. */
   { "* left out", NULL },
-  /* Written by whom, from where, in what time, in which language. */
-  { "generator word *", NULL },
-  { "model word *", NULL },
-  { "timings.* times", NULL },
-  { "statistics.* times", NULL },
-  { "reason word *", NULL },
-  /* How the solver came there. */
-  { "steps[].iterations *", NULL },
-  { "steps[].residual times", NULL },
-  { "steps[].relaxed flag", NULL },
-  { "outcome word not-converged", NULL },
-  { "solutions[].found_by word *", NULL },
-  /* What lies between the steps. */
-  { "events[].displacement_after times", NULL },
-  { "events[].energy times", NULL },
-  { "history.energy_error times", NULL },
-  { "history.largest_residual times", NULL },
-  { "history.largest_slip times", NULL },
-  { "history.shortest_step times", NULL },
-  { "history.steps times", NULL },
-  { "history.rejected times", NULL },
-  { "history.time_of_collapse times", NULL },
-  { "history.peak[] times", NULL },
-  { "history.tracks[].values[] *", NULL },
+  /* Of jumps under load control kind and place are proved, not what lies between. */
+  { "steps[].event null", NULL },
   /* Joints slide on a way that no step tells, where a motion comes to rest and in time. */
   { "steps[].displacements[][] *", "stages" },
   { "steps[].displacements[][] *", "rubble" },
+  { "steps[].displacements[][] *", "contacts that follow" },
   { "steps[].displacements[][] *", "in time" },
-  /* Of a path that is not in the file. */
-  { "solutions[].displacement times", "fixed points" },
-  /* Beams bend and yield as they move. */
-  { "node_mechanism[][] *", "beams" },
+  { "steps[].displacements[][] *", "in time, followed" },
   /* Within the error of the balance of energy. */
-  { "history.energy.numerical[] times", "in time" },
+  { "history.energy.numerical[] *", NULL },
   /* A velocity has the same energy the other way. */
   { "steps[].velocities[][] sign", NULL },
   /* A joint that carries nothing is open or slips. */
   { "contacts[].state word slip", NULL },
   { "contacts[].state word open", NULL },
+  { "steps[].states letter s", NULL },
+  { "steps[].states letter o", NULL },
+  /* The order of what is found or left at the same time. */
+  { "found[] exchanged", NULL },
+  { "left[] exchanged", NULL },
+  { "history.found[] exchanged", NULL },
+  /* Rates of joints and beams are compared to 2 % of the largest. */
+  { "mechanism[][] little", NULL },
+  { "node_mechanism[][] little", NULL },
+  { "node_mechanism[][] times", NULL },
 };
 
-static gboolean
-is_allowed (const char *source, const char *path)
+/* The path without the numbers of elements. */
+static char *
+dup_member (const char *path)
 {
   g_autoptr (GString) member = g_string_new (NULL);
   for (const char *at = path; *at != '\0'; at++)
     if (!(g_ascii_isdigit (*at) && member->len > 0
           && member->str[member->len - 1] == '['))
       g_string_append_c (member, *at);
+  return g_string_free (g_steal_pointer (&member), FALSE);
+}
+
+/* Whether the check lists the member, or one that it is in, as not proved. */
+static gboolean
+is_listed (const GPtrArray *unproved, const char *member)
+{
+  for (guint i = 0; i < unproved->len; i++) {
+    const char *listed = unproved->pdata[i];
+    gsize length = strlen (listed);
+    if (strncmp (listed, member, length) == 0
+        && (member[length] == '\0' || member[length] == '.' || member[length] == '['))
+      return TRUE;
+  }
+  return FALSE;
+}
+
+static gboolean
+is_allowed (const char *source, const char *member, const char *how)
+{
+  g_autofree char *change = g_strconcat (member, " ", how, NULL);
   for (gsize i = 0; i < G_N_ELEMENTS (allowed); i++)
     if ((allowed[i].source == NULL || strcmp (allowed[i].source, source) == 0)
-        && g_pattern_match_simple (allowed[i].pattern, member->str))
+        && g_pattern_match_simple (allowed[i].pattern, change))
       return TRUE;
   return FALSE;
 }
@@ -186,13 +228,14 @@ is_allowed (const char *source, const char *path)
 static void
 try_change (Case *c, const cJSON *root, const char *path, const char *how)
 {
+  g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
   char *text = cJSON_PrintUnformatted (root);
   c->changed++;
-  if (passes (c, text, NULL)) {
+  if (passes (c, text, unproved, NULL)) {
+    g_autofree char *member = dup_member (path);
     c->survived++;
-    g_autofree char *member = g_strconcat (path, " ", how, NULL);
-    if (!is_allowed (c->name, member)) {
-      g_test_message ("survives: %s", member);
+    if (!is_listed (unproved, member) && !is_allowed (c->name, member, how)) {
+      g_test_message ("survives: %s %s", path, how);
       g_test_fail ();
     }
   }
@@ -219,13 +262,36 @@ static void
 change_number (Case *c, const cJSON *root, cJSON *item, const char *path, double largest)
 {
   double number = item->valuedouble;
-  if (fabs (number) < MAX (NOTHING * largest, ROUNDING))
-    return;
-  cJSON_SetNumberValue (item, 1.05 * number);
-  try_change (c, root, path, "times");
-  cJSON_SetNumberValue (item, -number);
-  try_change (c, root, path, "sign");
+  if (fabs (number) < MAX (NOTHING * largest, ROUNDING)) {
+    cJSON_SetNumberValue (item, number + LITTLE * largest);
+    if (LITTLE * largest > ROUNDING)
+      try_change (c, root, path, "little");
+  } else {
+    cJSON_SetNumberValue (item, 1.05 * number);
+    try_change (c, root, path, "times");
+    cJSON_SetNumberValue (item, -number);
+    try_change (c, root, path, "sign");
+    cJSON_SetNumberValue (item, 0);
+    try_change (c, root, path, "zero");
+  }
   cJSON_SetNumberValue (item, number);
+}
+
+/* The first, the middle and the last letter of the states. */
+static void
+change_states (Case *c, const cJSON *root, cJSON *item, const char *path)
+{
+  char *states = item->valuestring;
+  gsize length = strlen (states), places[] = { 0, length / 2, length - 1 };
+  for (gsize i = 0; length > 0 && i < G_N_ELEMENTS (places); i++)
+    for (const char *letter = "ksoy"; *letter != '\0'; letter++) {
+      const char how[] = { 'l', 'e', 't', 't', 'e', 'r', ' ', *letter, '\0' };
+      char before = states[places[i]];
+      states[places[i]] = *letter;
+      if (before != *letter)
+        try_change (c, root, path, how);
+      states[places[i]] = before;
+    }
 }
 
 static void
@@ -237,6 +303,10 @@ change_word (Case *c, const cJSON *root, cJSON *item, const char *path)
     "slip",           "open",          "sliding", "opening", "hinge-start",
   };
   char *word = item->valuestring;
+  if (g_str_has_suffix (path, ".states")) {
+    change_states (c, root, item, path);
+    return;
+  }
   for (gsize i = 0; i < G_N_ELEMENTS (words); i++)
     if (strcmp (words[i], word) != 0) {
       g_autofree char *how = g_strconcat ("word ", words[i], NULL);
@@ -255,6 +325,36 @@ change_flag (Case *c, const cJSON *root, cJSON *item, const char *path)
   item->type = type;
 }
 
+static void
+change_null (Case *c, const cJSON *root, cJSON *item, const char *path)
+{
+  item->type = cJSON_Number;
+  cJSON_SetNumberValue (item, 0.5);
+  try_change (c, root, path, "null");
+  item->type = cJSON_String;
+  item->valuestring = (char *) "snap";
+  try_change (c, root, path, "null");
+  item->type = cJSON_NULL;
+  item->valuestring = NULL;
+}
+
+/* By more than rounding of the largest number in them. */
+static gboolean
+differs (const cJSON *a, const cJSON *b)
+{
+  double largest = MAX (largest_of (a), largest_of (b));
+  if (cJSON_IsNumber (a) && cJSON_IsNumber (b))
+    return fabs (a->valuedouble - b->valuedouble) > ROUNDING;
+  if (!cJSON_IsArray (a) || cJSON_GetArraySize (a) != cJSON_GetArraySize (b))
+    return !cJSON_Compare (a, b, TRUE);
+  for (const cJSON *x = a->child, *y = b->child; x != NULL; x = x->next, y = y->next)
+    if (cJSON_IsNumber (x) && cJSON_IsNumber (y)
+          ? fabs (x->valuedouble - y->valuedouble) > MAX (LITTLE * largest, ROUNDING)
+          : differs (x, y))
+      return TRUE;
+  return FALSE;
+}
+
 static void walk (Case *c, cJSON *root, cJSON *parent, const char *path, double largest);
 
 static void
@@ -266,15 +366,71 @@ change_item (Case *c, cJSON *root, cJSON *item, const char *path, double largest
     change_word (c, root, item, path);
   else if (cJSON_IsBool (item))
     change_flag (c, root, item, path);
+  else if (cJSON_IsNull (item))
+    change_null (c, root, item, path);
   else if (cJSON_IsArray (item) || cJSON_IsObject (item))
     walk (c, root, item, path, largest);
 }
 
 static gboolean
-is_picked (int index, int count)
+is_picked (const cJSON *list, const cJSON *item, int index, int count)
 {
-  return g_test_slow () || count <= SOME
-         || index % (count / SOME) == (count - 1) % (count / SOME);
+  if (!g_test_slow ())
+    return index + 1 == count;
+  gboolean largest = cJSON_IsNumber (item) || cJSON_IsArray (item);
+  double size = cJSON_IsNumber (item) ? fabs (item->valuedouble) : largest_of (item);
+  return index == 0 || index == count / 2 || index + 1 == count
+         || (largest && size > 0 && size == largest_of (list));
+}
+
+static void
+set_children (cJSON *parent, const GPtrArray *items)
+{
+  parent->child = items->len > 0 ? items->pdata[0] : NULL;
+  for (guint i = 0; i < items->len; i++) {
+    cJSON *item = items->pdata[i];
+    item->prev = items->pdata[i > 0 ? i - 1 : items->len - 1];
+    item->next = i + 1 < items->len ? items->pdata[i + 1] : NULL;
+  }
+}
+
+static void
+try_children (Case *c, const cJSON *root, cJSON *parent, const GPtrArray *items,
+              const char *path, const char *how)
+{
+  g_autoptr (GPtrArray) before = g_ptr_array_new ();
+  for (cJSON *item = parent->child; item != NULL; item = item->next)
+    g_ptr_array_add (before, item);
+  set_children (parent, items);
+  try_change (c, root, path, how);
+  set_children (parent, before);
+}
+
+/* A member is left out; an element of a list also doubled, and exchanged with the one before. */
+static void
+change_place (Case *c, const cJSON *root, cJSON *parent, guint index, const char *path)
+{
+  g_autoptr (GPtrArray) items = g_ptr_array_new ();
+  for (cJSON *item = parent->child; item != NULL; item = item->next)
+    g_ptr_array_add (items, item);
+  cJSON *item = items->pdata[index];
+  if (cJSON_IsArray (parent)) {
+    cJSON *copy = cJSON_Duplicate (item, TRUE);
+    g_ptr_array_insert (items, (int) index, copy);
+    try_children (c, root, parent, items, path, "doubled");
+    g_ptr_array_remove_index (items, index);
+    copy->next = NULL; /* it would be freed as well */
+    cJSON_Delete (copy);
+    if (index > 0 && differs (items->pdata[index - 1], item)) {
+      items->pdata[index] = items->pdata[index - 1];
+      items->pdata[index - 1] = item;
+      try_children (c, root, parent, items, path, "exchanged");
+      items->pdata[index - 1] = items->pdata[index];
+      items->pdata[index] = item;
+    }
+  }
+  g_ptr_array_remove_index (items, index);
+  try_children (c, root, parent, items, path, "left out");
 }
 
 static void
@@ -284,22 +440,15 @@ walk (Case *c, cJSON *root, cJSON *parent, const char *path, double largest)
   gboolean is_list = cJSON_IsArray (parent);
   if (is_list)
     largest = MAX (largest, largest_of (parent));
-  cJSON *before = NULL;
   for (int i = 0; i < count; i++) {
-    cJSON *item = before != NULL ? before->next : parent->child;
-    if (is_list && !is_picked (i, count)) {
-      before = item;
+    cJSON *item = cJSON_GetArrayItem (parent, i);
+    if (is_list && !is_picked (parent, item, i, count))
       continue;
-    }
     g_autofree char *place =
       is_list ? g_strdup_printf ("%s[%d]", path, i)
               : g_strconcat (path, *path != '\0' ? "." : "", item->string, NULL);
     change_item (c, root, item, place, is_list ? largest : 0);
-    cJSON **link = before != NULL ? &before->next : &parent->child;
-    *link = item->next;
-    try_change (c, root, place, "left out");
-    *link = item;
-    before = item;
+    change_place (c, root, parent, (guint) i, place);
   }
 }
 
@@ -310,7 +459,8 @@ test_source (gconstpointer data)
   Case c;
   g_autofree char *message = NULL;
   case_init (&c, source);
-  gboolean whole = passes (&c, c.text, &message);
+  g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
+  gboolean whole = passes (&c, c.text, unproved, &message);
   g_test_message ("%s", message);
   g_assert_true (whole);
   cJSON *root = cJSON_Parse (c.text);
@@ -330,7 +480,8 @@ main (int argc, char **argv)
   g_test_set_nonfatal_assertions ();
   for (gsize i = 0; i < G_N_ELEMENTS (sources); i++) {
     g_autofree char *path = g_strdup_printf ("/io/tampering/%s", sources[i].name);
-    g_test_add_data_func (path, &sources[i], test_source);
+    if (g_test_slow () || !sources[i].slow)
+      g_test_add_data_func (path, &sources[i], test_source);
   }
   return g_test_run ();
 }
