@@ -347,6 +347,10 @@ renew_contacts (Run *run, QnDiag *diag)
 static QnStatus
 follow (Run *run, QnDiag *diag)
 {
+  /* Joints that the initial motion has left do not drive it. */
+  QnStatus status = renew_contacts (run, diag);
+  if (status != QN_OK)
+    return status;
   QnStepStatus step =
     qn_time_step_start (&run->step, qn_ground_acceleration (&run->ground, 0));
   if (step == QN_STEP_NO_MEMORY)
@@ -355,9 +359,6 @@ follow (Run *run, QnDiag *diag)
   run->energy = qn_energy_start (&run->step);
   run->result->steps[0].time = 0;
   note_peaks (run);
-  QnStatus status = renew_contacts (run, diag);
-  if (status != QN_OK)
-    return status;
   memset (run->displacements, 0,
           qn_model_body_count (run->model) * QN_DOF_COUNT * sizeof *run->displacements);
   if (!qn_result_add_velocities (run->result, run->displacements) || !keep_row (run)
