@@ -1,5 +1,6 @@
 #include "stereotomy/ring.h"
 #include "core/base/memory.h"
+#include "core/base/polygon.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -77,13 +78,8 @@ qn_rings_bounds (const QnRings *rings)
 void
 qn_ring_orient (QnRing *ring)
 {
-  if (qn_ring_area (ring) >= 0)
-    return;
-  for (size_t i = 1, j = ring->count - 1; i < j; i++, j--) {
-    QnVec2 swap = ring->points[i];
-    ring->points[i] = ring->points[j];
-    ring->points[j] = swap;
-  }
+  if (qn_ring_area (ring) < 0)
+    qn_polygon_reverse (ring->points, ring->count);
 }
 
 /* Whether `b` says nothing between its neighbours `a` and `c`: a repeated point, a point of

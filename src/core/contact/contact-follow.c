@@ -66,29 +66,6 @@ qn_contact_follow_band (const QnContactFollow *follow, QnId a, QnId b)
 
 /* --- Where corners are ------------------------------------------------------------------- */
 
-/* A point of a block as it lies. */
-static QnVec2
-place_point (const QnModel *model, QnId block, QnVec2 point, const double *displacements)
-{
-  const double *d = displacements + QN_DOF_COUNT * block;
-  QnVec2 centroid = model->blocks[block].centroid;
-  QnVec2 arm = qn_vec2_rotate (qn_vec2_sub (point, centroid), cos (d[2]), sin (d[2]));
-
-  return qn_vec2_add (qn_vec2_add (centroid, qn_vec2 (d[0], d[1])), arm);
-}
-
-/* A point in space as a point of the block as drawn. */
-static QnVec2
-unplace_point (const QnModel *model, QnId block, QnVec2 point,
-               const double *displacements)
-{
-  const double *d = displacements + QN_DOF_COUNT * block;
-  QnVec2 centroid = model->blocks[block].centroid;
-  QnVec2 arm = qn_vec2_sub (point, qn_vec2_add (centroid, qn_vec2 (d[0], d[1])));
-
-  return qn_vec2_add (centroid, qn_vec2_rotate (arm, cos (d[2]), -sin (d[2])));
-}
-
 static QnCornerPlace
 place_beside (const QnSide *side, QnVec2 corner)
 {
@@ -116,9 +93,8 @@ corner_of (const QnContactFollow *follow, const QnFoundContact *contact,
   const QnModel *model = follow->model;
   QnVec2 corner = qn_model_block_vertices (model, contact->other)[contact->corner];
 
-  return unplace_point (model, contact->block,
-                        place_point (model, contact->other, corner, displacements),
-                        displacements);
+  return qn_block_unplace (model, contact->block, displacements,
+                           qn_block_place (model, contact->other, displacements, corner));
 }
 
 QnCornerPlace
@@ -252,9 +228,9 @@ list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacemen
     const QnSide *const both[2] = { &own[i], next };
     if (joined && is_joined (follow, a, b, NULL, both))
       continue; /* it is held where it is */
-    QnVec2 corner = unplace_point (
-      follow->model, a, place_point (follow->model, b, next->start, displacements),
-      displacements);
+    QnVec2 corner =
+      qn_block_unplace (follow->model, a, displacements,
+                        qn_block_place (follow->model, b, displacements, next->start));
     for (size_t s = sides->first[a]; ok && s < sides->first[a + 1]; s++) {
       const QnSide *side = &sides->items[s];
       QnCornerPlace at = place_beside (side, corner);
@@ -294,7 +270,7 @@ list_all (QnContactFollow *follow, const double *displacements, double margin)
     const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
     boxes[b] = QN_BOX_EMPTY;
     for (QnId i = 0; i < model->blocks[b].vertex_count; i++)
-      qn_box_add_point (&boxes[b], place_point (model, (QnId) b, v[i], displacements));
+      qn_box_add_point (&boxes[b], qn_block_place (model, (QnId) b, displacements, v[i]));
   }
   ok = ok && qn_box_tree_init (&tree, boxes, blocks)
        && qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);

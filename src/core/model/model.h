@@ -470,6 +470,32 @@ qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
  * else ux of the highest block that moves. *body: SIZE_MAX where nothing moves. */
 void qn_model_followed (const QnModel *model, size_t *body, QnDof *dof);
 
+/* Where a point of a block as drawn lies after displacements (rows ux, uy, rz of all bodies), with
+ * finite rotation; and the point of the block as drawn that lies at a place. */
+static inline QnVec2
+qn_block_place (const QnModel *model, QnId block, const double *displacements,
+                QnVec2 point)
+{
+  const double *u = displacements + QN_DOF_COUNT * block;
+  QnVec2 centroid = model->blocks[block].centroid;
+  QnVec2 arm = qn_vec2_rotate (qn_vec2_sub (point, centroid), cos (u[QN_DOF_RZ]),
+                               sin (u[QN_DOF_RZ]));
+
+  return qn_vec2_add (qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY])), arm);
+}
+
+static inline QnVec2
+qn_block_unplace (const QnModel *model, QnId block, const double *displacements,
+                  QnVec2 place)
+{
+  const double *u = displacements + QN_DOF_COUNT * block;
+  QnVec2 centroid = model->blocks[block].centroid;
+  QnVec2 moved = qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]));
+
+  return qn_vec2_add (centroid, qn_vec2_rotate (qn_vec2_sub (place, moved),
+                                                cos (u[QN_DOF_RZ]), -sin (u[QN_DOF_RZ])));
+}
+
 /* Velocity at an arm r from a body's centroid: v + rz x r; rows of three. */
 static inline void
 qn_body_velocity_at (const double body[3], QnVec2 arm, double out[3])

@@ -28,7 +28,7 @@ infer_supports (QnImportWork *work)
     lowest = fmin (lowest, box.min.y);
     least_height = fmin (least_height, box.max.y - box.min.y);
   }
-  work->report->supported = work->outlines->len > 0;
+
   if (supports > 0) {
     qn_import_tell (work, FALSE, _ ("fixed by their layer: %zu"), supports);
     return;

@@ -56,9 +56,9 @@ typedef struct QnImportSettings {
 typedef struct QnImportReport {
   GPtrArray *lines;    /* char *: all of it, in order */
   GPtrArray *warnings; /* char *: what the user must look at, also among the lines */
-  gboolean supported;  /* whether the project has supports */
-  QnGaps gaps;         /* joints of mortar as they were drawn, m */
-  double widest_gap;   /* m; 0 where there is none */
+
+  QnGaps gaps;       /* joints of mortar as they were drawn, m */
+  double widest_gap; /* m; 0 where there is none */
 } QnImportReport;
 
 /* "mm", "cm", "dm", "m", "in", "ft"; 0 for anything else. */

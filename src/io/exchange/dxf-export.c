@@ -1,5 +1,6 @@
 #include "io/exchange/dxf-export.h"
 #include "core/model/support.h"
+#include "io/exchange/dxf-scan.h"
 #include "io/text/file-writer.h"
 
 /* Handles of the fixed objects; entities count on from FIRST_ENTITY. */
@@ -27,6 +28,13 @@ typedef struct Export {
   guint handle; /* the next free one */
   gboolean beams;
 } Export;
+
+/* Group codes and values as they stand in the file. */
+static void
+put_text (Export *export, const char *lines)
+{
+  qn_file_writer_puts (export->writer, lines);
+}
 
 static void
 put (Export *export, int code, const char *text)
@@ -61,35 +69,16 @@ put_length (Export *export, int code, double metres)
   put (export, code, text);
 }
 
-/* $INSUNITS of the unit, 0 where it has no number. */
-static int
-unit_code (double unit)
-{
-  static const struct {
-    double unit;
-    int code;
-  } codes[] = { { 1, 6 },    { 0.001, 4 },  { 0.01, 5 },
-                { 0.1, 14 }, { 0.0254, 1 }, { 0.3048, 2 } };
-  for (gsize i = 0; i < G_N_ELEMENTS (codes); i++)
-    if (codes[i].unit == unit)
-      return codes[i].code;
-  return 0;
-}
-
 static void
 put_header (Export *export)
 {
-  put (export, 0, "SECTION");
-  put (export, 2, "HEADER");
-  put (export, 9, "$ACADVER");
-  put (export, 1, "AC1015");
-  put (export, 9, "$HANDSEED");
-  put (export, 5, "FFFFFF");
-  put (export, 9, "$INSUNITS");
-  put_int (export, 70, unit_code (export->unit));
-  put (export, 9, "$MEASUREMENT");
-  put_int (export, 70, 1);
-  put (export, 0, "ENDSEC");
+  put_text (export, "  0\nSECTION\n  2\nHEADER\n"
+                    "  9\n$ACADVER\n  1\nAC1015\n"
+                    "  9\n$HANDSEED\n  5\nFFFFFF\n"
+                    "  9\n$INSUNITS\n");
+  put_int (export, 70, qn_dxf_unit_code (export->unit));
+  put_text (export, "  9\n$MEASUREMENT\n 70\n1\n"
+                    "  0\nENDSEC\n");
 }
 
 static void
@@ -133,7 +122,7 @@ put_layers (Export *export)
     put_int (export, 62, layers[i].color);
     put (export, 6, "CONTINUOUS");
   }
-  put (export, 0, "ENDTAB");
+  put_text (export, "  0\nENDTAB\n");
 }
 
 static void
@@ -144,53 +133,43 @@ put_line_types (Export *export)
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     begin_record (export, "LTYPE", export->handle++, HANDLE_LTYPES,
                   "AcDbLinetypeTableRecord", names[i]);
-    put_int (export, 70, 0);
-    put (export, 3, "");
-    put_int (export, 72, 65);
-    put_int (export, 73, 0);
-    put (export, 40, "0.0");
+    put_text (export, " 70\n0\n  3\n\n 72\n65\n 73\n0\n 40\n0.0\n");
   }
-  put (export, 0, "ENDTAB");
+  put_text (export, "  0\nENDTAB\n");
 }
 
 static void
 put_empty_table (Export *export, const char *name, guint handle)
 {
   begin_table (export, name, handle, 0);
-  put (export, 0, "ENDTAB");
+  put_text (export, "  0\nENDTAB\n");
 }
 
 static void
 put_tables (Export *export)
 {
-  put (export, 0, "SECTION");
-  put (export, 2, "TABLES");
+  put_text (export, "  0\nSECTION\n  2\nTABLES\n");
   put_empty_table (export, "VPORT", HANDLE_VPORTS);
   put_line_types (export);
   put_layers (export);
   begin_table (export, "STYLE", HANDLE_STYLES, 1);
   begin_record (export, "STYLE", export->handle++, HANDLE_STYLES,
                 "AcDbTextStyleTableRecord", "Standard");
-  put_int (export, 70, 0);
-  put (export, 3, "txt");
-  put (export, 0, "ENDTAB");
+  put_text (export, " 70\n0\n  3\ntxt\n  0\nENDTAB\n");
   put_empty_table (export, "VIEW", HANDLE_VIEWS);
   put_empty_table (export, "UCS", HANDLE_UCSS);
   begin_table (export, "APPID", HANDLE_APPIDS, 1);
   begin_record (export, "APPID", export->handle++, HANDLE_APPIDS, "AcDbRegAppTableRecord",
                 "ACAD");
-  put_int (export, 70, 0);
-  put (export, 0, "ENDTAB");
+  put_text (export, " 70\n0\n  0\nENDTAB\n");
   begin_table (export, "DIMSTYLE", HANDLE_DIMSTYLES, 0);
-  put (export, 100, "AcDbDimStyleTable");
-  put (export, 0, "ENDTAB");
+  put_text (export, "100\nAcDbDimStyleTable\n  0\nENDTAB\n");
   begin_table (export, "BLOCK_RECORD", HANDLE_RECORDS, 2);
   begin_record (export, "BLOCK_RECORD", HANDLE_MODEL, HANDLE_RECORDS,
                 "AcDbBlockTableRecord", "*Model_Space");
   begin_record (export, "BLOCK_RECORD", HANDLE_PAPER, HANDLE_RECORDS,
                 "AcDbBlockTableRecord", "*Paper_Space");
-  put (export, 0, "ENDTAB");
-  put (export, 0, "ENDSEC");
+  put_text (export, "  0\nENDTAB\n  0\nENDSEC\n");
 }
 
 static void
@@ -199,40 +178,27 @@ put_space (Export *export, const char *name, guint record)
   put (export, 0, "BLOCK");
   put_handle (export, 5, export->handle++);
   put_handle (export, 330, record);
-  put (export, 100, "AcDbEntity");
-  put (export, 8, "0");
-  put (export, 100, "AcDbBlockBegin");
+  put_text (export, "100\nAcDbEntity\n  8\n0\n100\nAcDbBlockBegin\n");
   put (export, 2, name);
-  put_int (export, 70, 0);
-  put (export, 10, "0.0");
-  put (export, 20, "0.0");
-  put (export, 30, "0.0");
+  put_text (export, " 70\n0\n 10\n0.0\n 20\n0.0\n 30\n0.0\n");
   put (export, 3, name);
-  put (export, 1, "");
-  put (export, 0, "ENDBLK");
+  put_text (export, "  1\n\n  0\nENDBLK\n");
   put_handle (export, 5, export->handle++);
   put_handle (export, 330, record);
-  put (export, 100, "AcDbEntity");
-  put (export, 8, "0");
-  put (export, 100, "AcDbBlockEnd");
+  put_text (export, "100\nAcDbEntity\n  8\n0\n100\nAcDbBlockEnd\n");
 }
 
 static void
 put_objects (Export *export)
 {
-  put (export, 0, "SECTION");
-  put (export, 2, "OBJECTS");
-  put (export, 0, "DICTIONARY");
+  put_text (export, "  0\nSECTION\n  2\nOBJECTS\n  0\nDICTIONARY\n");
   put_handle (export, 5, HANDLE_ROOT);
-  put_int (export, 330, 0);
-  put (export, 100, "AcDbDictionary");
-  put (export, 3, "ACAD_GROUP");
+  put_text (export, "330\n0\n100\nAcDbDictionary\n  3\nACAD_GROUP\n");
   put_handle (export, 350, HANDLE_GROUPS);
-  put (export, 0, "DICTIONARY");
+  put_text (export, "  0\nDICTIONARY\n");
   put_handle (export, 5, HANDLE_GROUPS);
   put_handle (export, 330, HANDLE_ROOT);
-  put (export, 100, "AcDbDictionary");
-  put (export, 0, "ENDSEC");
+  put_text (export, "100\nAcDbDictionary\n  0\nENDSEC\n");
 }
 
 static void
@@ -315,8 +281,7 @@ static void
 put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
               const QnResult *result, double scale)
 {
-  put (export, 0, "SECTION");
-  put (export, 2, "ENTITIES");
+  put_text (export, "  0\nSECTION\n  2\nENTITIES\n");
   for (size_t i = 0; i < model->block_count; i++)
     put_block (export, model, (QnId) i,
                qn_support_is_full (model->blocks[i].support) ? "SUPPORTS" : "BLOCKS",
@@ -329,7 +294,7 @@ put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
       put_block (export, model, (QnId) i, "DEFORMED", u + i * QN_DOF_COUNT, scale);
   }
   put_beams (export, model, result, scale);
-  put (export, 0, "ENDSEC");
+  put_text (export, "  0\nENDSEC\n");
 }
 
 gboolean
@@ -342,13 +307,12 @@ qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult 
     return FALSE;
   put_header (&export);
   put_tables (&export);
-  put (&export, 0, "SECTION");
-  put (&export, 2, "BLOCKS");
+  put_text (&export, "  0\nSECTION\n  2\nBLOCKS\n");
   put_space (&export, "*Model_Space", HANDLE_MODEL);
   put_space (&export, "*Paper_Space", HANDLE_PAPER);
-  put (&export, 0, "ENDSEC");
+  put_text (&export, "  0\nENDSEC\n");
   put_entities (&export, model, contacts, result, scale);
   put_objects (&export);
-  put (&export, 0, "EOF");
+  put_text (&export, "  0\nEOF\n");
   return qn_file_writer_commit (export.writer, error);
 }

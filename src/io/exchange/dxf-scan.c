@@ -24,6 +24,32 @@ typedef struct Scanner {
   GError **error;
 } Scanner;
 
+/* Numbers of $INSUNITS. */
+static const struct {
+  double metres;
+  int code;
+} units[] = { { 1, 6 },      { 0.001, 4 },  { 0.01, 5 }, { 0.1, 14 },
+              { 0.0254, 1 }, { 0.3048, 2 }, { 1000, 7 }, { 0.9144, 10 } };
+
+int
+qn_dxf_unit_code (double metres)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
+    if (units[i].metres == metres)
+      return units[i].code;
+  return 0;
+}
+
+/* Metres per unit; 0: unknown or none. */
+static double
+declared_unit (int code)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
+    if (units[i].code == code)
+      return units[i].metres;
+  return 0;
+}
+
 static const char *const kept_types[] = { "LINE",   "LWPOLYLINE", "POLYLINE", "VERTEX",
                                           "SEQEND", "ARC",        "CIRCLE",   "ELLIPSE",
                                           "SPLINE", "INSERT",     "SOLID",    "TRACE",
@@ -246,32 +272,6 @@ finish_entity (Scanner *scanner)
   }
   scanner->type[0] = '\0';
   g_array_set_size (scanner->pairs, 0);
-}
-
-/* Metres per unit of $INSUNITS; 0: unknown or none. */
-static double
-declared_unit (int code)
-{
-  switch (code) {
-  case 1:
-    return 0.0254;
-  case 2:
-    return 0.3048;
-  case 4:
-    return 0.001;
-  case 5:
-    return 0.01;
-  case 6:
-    return 1;
-  case 7:
-    return 1000;
-  case 10:
-    return 0.9144;
-  case 14:
-    return 0.1;
-  default:
-    return 0;
-  }
 }
 
 /* A pair with code 0 ends what was before it. */

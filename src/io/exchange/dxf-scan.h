@@ -27,4 +27,7 @@ gboolean qn_dxf_scan (const char *text, gsize length, const char *name,
 
 void qn_dxf_scan_clear (QnDxfScan *scan);
 
+/* Number of $INSUNITS for a unit of so many metres; 0 where it has none. */
+int qn_dxf_unit_code (double metres);
+
 #endif

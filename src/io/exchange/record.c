@@ -328,8 +328,7 @@ qn_record_facts (const QnRecord *record)
     facts.displacement = MAX (facts.displacement, fabs (d));
   }
   facts.duration = record->count > 0 ? record->points[record->count - 1].x : 0;
-  facts.end_velocity = v;
-  facts.end_displacement = d;
+
   return facts;
 }
 

@@ -35,14 +35,13 @@ gboolean qn_record_parse (const char *text, gsize length, const char *name,
 
 void qn_record_clear (QnRecord *record);
 
-/* What a record amounts to. Without correction of the base line the velocity and the displacement
- * at the end are what the record drifts by. */
+/* What a record amounts to, without correction of the base line. */
 typedef struct QnRecordFacts {
   double duration;     /* s */
   double peak;         /* m/s2 */
   double velocity;     /* m/s, largest */
   double displacement; /* m, largest */
-  double end_velocity, end_displacement;
+
 } QnRecordFacts;
 
 QnRecordFacts qn_record_facts (const QnRecord *record);

@@ -8,6 +8,9 @@
 
 #include <string.h>
 
+/* Heads of columns, behind the name of a body. */
+static const char *const motions[] = { " ux [m]", " uy [m]", " rz [rad]" };
+
 const char *
 qn_result_body_name (const QnModel *model, QnId body)
 {
@@ -46,9 +49,8 @@ write_text (QnFileWriter *writer, const char *name, const char *suffix)
 static void
 write_numbers (QnFileWriter *writer, const double *numbers, size_t count)
 {
-  for (size_t i = 0; i < count; i++) {
+  for (size_t i = 0; i < count; i++)
     qn_file_writer_puts_number (writer, ",", numbers[i]);
-  }
 }
 
 /* Whether a support settles in any of the loads. */
@@ -69,7 +71,7 @@ static void
 write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *result,
                    const QnResult *values, size_t step)
 {
-  static const char *const motions[] = { " ux [m]", " uy [m]", " rz [rad]" };
+
   static const char *const actions[] = { " Rx [N]", " Ry [N]", " M [N m]" };
   for (size_t s = 0; s < result->support_count; s++)
     for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
@@ -91,21 +93,11 @@ write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *r
     }
 }
 
-static void
-write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage)
-{
-  qn_file_writer_puts (writer, ",");
-  if (stage < 1 || (size_t) stage > model->stage_count)
-    return;
-  g_autofree char *name = qn_stage_dup_name (model, stage);
-  write_text (writer, name, "");
-}
-
 static gboolean
 write_history (const char *path, const QnModel *model, const QnHistory *history,
                GError **error)
 {
-  static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
+
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
@@ -115,7 +107,7 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
   for (size_t i = 0; i < model->track_count; i++) {
     qn_file_writer_puts (writer, ",");
     write_text (writer, model->blocks[model->tracks[i].block].name,
-                columns[model->tracks[i].dof]);
+                motions[model->tracks[i].dof]);
   }
   for (size_t i = 0; i < history->row_count; i++) {
     const double *row = history->rows + i * history->width;
@@ -137,11 +129,11 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   if (writer == NULL)
     return FALSE;
   QnId block = qn_result_curve_motion (&project->model, result).body;
-  static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
+
   qn_file_writer_puts (writer, "step,multiplier [-]");
   for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
     qn_file_writer_puts (writer, ",");
-    write_text (writer, qn_result_body_name (&project->model, block), columns[dof]);
+    write_text (writer, qn_result_body_name (&project->model, block), motions[dof]);
   }
   qn_file_writer_puts (writer, ",iterations,residual [-],event");
   if (project->model.stage_count > 0)
@@ -161,7 +153,11 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
     write_numbers (writer, &step->residual, 1);
     qn_file_writer_printf (writer, ",%s", events[step->event]);
     if (project->model.stage_count > 0)
-      write_stage (writer, &project->model, step->stage);
+      qn_file_writer_puts (writer, ",");
+    if (step->stage > 0 && (size_t) step->stage <= project->model.stage_count) {
+      g_autofree char *name = qn_stage_dup_name (&project->model, step->stage);
+      write_text (writer, name, "");
+    }
     if (result->reactions != NULL)
       write_settlements (writer, &project->model, result, result, i);
     qn_file_writer_puts (writer, "\n");

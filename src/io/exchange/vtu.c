@@ -1,8 +1,8 @@
 #include "io/exchange/vtu.h"
 
+#include "core/base/box.h"
 #include "core/model/support.h"
 #include "disk/file-group.h"
-#include "io/exchange/vtu-xml.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
@@ -11,220 +11,239 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* VTK's number of the kind of cell that a block is. */
+/* VTK's numbers of the kinds of cells that lines and blocks are. */
+#define VTK_LINE    3
 #define VTK_POLYGON 7
 
 /* Longest force arrow, as part of the model's extent. */
 #define FORCE_LENGTH 0.1
 
-/* The blocks at one step. */
-typedef struct Blocks {
-  const QnModel *model;
-  const double *u; /* block_count x 3, nullable */
-  QnId *owner;     /* block of each vertex, block by block */
-  QnVec2 *points;
-  size_t *ends;
-  size_t point_count;
-} Blocks;
+/* --- XML ---------------------------------------------------------------------------------- */
 
 static void
-blocks_init (Blocks *blocks, const QnModel *model)
+begin (QnFileWriter *writer, size_t points, size_t cells)
 {
-  *blocks = (Blocks){ .model = model };
-  for (size_t i = 0; i < model->block_count; i++)
-    blocks->point_count += (size_t) model->blocks[i].vertex_count;
-  blocks->owner = g_new (QnId, blocks->point_count);
-  blocks->points = g_new (QnVec2, blocks->point_count);
-  blocks->ends = g_new (size_t, model->block_count);
-  size_t n = 0;
-  for (size_t i = 0; i < model->block_count; i++) {
-    const QnVec2 *vertices = qn_model_block_vertices (model, (QnId) i);
-    for (QnId k = 0; k < model->blocks[i].vertex_count; k++, n++) {
-      blocks->owner[n] = (QnId) i;
-      blocks->points[n] = vertices[k];
-    }
-    blocks->ends[i] = n;
-  }
-}
-
-static void
-blocks_clear (Blocks *blocks)
-{
-  g_free (blocks->owner);
-  g_free (blocks->points);
-  g_free (blocks->ends);
-}
-
-static double
-point_value (const void *data, size_t index, int component)
-{
-  const Blocks *blocks = data;
-  QnVec2 p = blocks->points[index];
-  return component == 0 ? p.x : component == 1 ? p.y : 0;
-}
-
-static double
-displacement_value (const void *data, size_t index, int component)
-{
-  const Blocks *blocks = data;
-  if (blocks->u == NULL || component == 2)
-    return 0;
-  const double *u = blocks->u + (size_t) blocks->owner[index] * QN_DOF_COUNT;
-  QnVec2 arm = qn_vec2_sub (blocks->points[index],
-                            blocks->model->blocks[blocks->owner[index]].centroid);
-  QnVec2 turned = qn_vec2_rotate (arm, cos (u[QN_DOF_RZ]), sin (u[QN_DOF_RZ]));
-  QnVec2 moved = qn_vec2_sub (turned, arm);
-  return component == 0 ? u[QN_DOF_UX] + moved.x : u[QN_DOF_UY] + moved.y;
-}
-
-static double
-end_value (const void *data, size_t index, int component)
-{
-  (void) component;
-  return (double) ((const Blocks *) data)->ends[index];
-}
-
-static double
-polygon_value (const void *data, size_t index, int component)
-{
-  (void) data;
-  (void) index;
-  (void) component;
-  return VTK_POLYGON;
-}
-
-static double
-motion_value (const void *data, size_t index, int component)
-{
-  const Blocks *blocks = data;
-  return blocks->u != NULL ? blocks->u[index * QN_DOF_COUNT + (size_t) component] : 0;
-}
-
-static double
-supported_value (const void *data, size_t index, int component)
-{
-  const bool *support = ((const Blocks *) data)->model->blocks[index].support;
-  (void) component;
-  return qn_support_is_any (support);
-}
-
-static double
-weight_value (const void *data, size_t index, int component)
-{
-  (void) component;
-  return ((const Blocks *) data)->model->blocks[index].weight;
+  qn_file_writer_printf (
+    writer,
+    "<?xml version=\"1.0\"?>\n"
+    "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+    "<UnstructuredGrid>\n<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n",
+    points, cells);
 }
 
 static gboolean
-write_blocks (const Blocks *blocks, QnFileWriter *writer, GError **error)
+finish (QnFileWriter *writer, GError **error)
 {
-  if (writer == NULL)
-    return FALSE;
-  size_t points = blocks->point_count, cells = blocks->model->block_count;
-  qn_vtu_begin (writer, points, cells);
-  qn_file_writer_puts (writer, "<Points>\n");
-  qn_vtu_put_array (writer, "Float64", "Points", 3, points, point_value, blocks);
-  qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  qn_vtu_put_array (writer, "Int64", "connectivity", 1, points, qn_vtu_index_value,
-                    blocks);
-  qn_vtu_put_array (writer, "Int64", "offsets", 1, cells, end_value, blocks);
-  qn_vtu_put_array (writer, "UInt8", "types", 1, cells, polygon_value, blocks);
-  qn_file_writer_puts (writer, "</Cells>\n<PointData Vectors=\"displacement\">\n");
-  qn_vtu_put_array (writer, "Float64", "displacement", 3, points, displacement_value,
-                    blocks);
-  qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"block\">\n");
-  qn_vtu_put_array (writer, "Int64", "block", 1, cells, qn_vtu_index_value, blocks);
-  qn_vtu_put_array (writer, "UInt8", "supported", 1, cells, supported_value, blocks);
-  qn_vtu_put_array (writer, "Float64", "motion", 3, cells, motion_value, blocks);
-  qn_vtu_put_array (writer, "Float64", "weight", 1, cells, weight_value, blocks);
-  qn_file_writer_puts (writer, "</CellData>\n");
-  qn_vtu_end (writer);
+  qn_file_writer_puts (writer, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   return qn_file_writer_commit (writer, error);
 }
 
-/* The contact forces at the last equilibrium. */
-typedef struct Forces {
-  const QnContacts *contacts;
-  const QnResult *result;
-  double metres_per_newton;
-} Forces;
+/* An array of `count` rows; type as VTK calls it: "Float64", "Int64", "UInt8". */
+static void
+put_array (QnFileWriter *writer, const char *type, const char *name, size_t components,
+           size_t count, const double *values)
+{
+  qn_file_writer_printf (writer,
+                         "<DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%zu\" "
+                         "format=\"ascii\">\n",
+                         type, name, components);
+  for (size_t i = 0; i < count; i++) {
+    qn_file_writer_numbers (writer, values + i * components, components, " ");
+    qn_file_writer_puts (writer, "\n");
+  }
+  qn_file_writer_puts (writer, "</DataArray>\n");
+}
+
+/* first, first + step, first + 2 step, … */
+static void
+put_series (QnFileWriter *writer, const char *type, const char *name, size_t count,
+            double first, double step)
+{
+  g_autofree double *values = g_new (double, count);
+  for (size_t i = 0; i < count; i++)
+    values[i] = first + step * (double) i;
+  put_array (writer, type, name, 1, count, values);
+}
+
+/* x, y, 0 of a point; the rows are zeros before. */
+static void
+set_row (double *rows, size_t index, QnVec2 vector)
+{
+  rows[3 * index] = vector.x;
+  rows[3 * index + 1] = vector.y;
+}
+
+/* The elements Points and Cells for lines, each on two points of its own. */
+static void
+put_lines (QnFileWriter *writer, size_t lines, const double *points)
+{
+  qn_file_writer_puts (writer, "<Points>\n");
+  put_array (writer, "Float64", "Points", 3, 2 * lines, points);
+  qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
+  put_series (writer, "Int64", "connectivity", 2 * lines, 0, 1);
+  put_series (writer, "Int64", "offsets", lines, 2, 2);
+  put_series (writer, "UInt8", "types", lines, VTK_LINE, 0);
+  qn_file_writer_puts (writer, "</Cells>\n");
+}
+
+/* --- The files: each closes its writer, NULL where that could not be opened --------------- */
+
+/* The blocks, moved by u (nullable: block_count x 3). */
+static gboolean
+write_blocks (QnFileWriter *writer, const QnModel *model, const double *u, GError **error)
+{
+  if (writer == NULL)
+    return FALSE;
+  const size_t cells = model->block_count;
+  size_t points = 0, n = 0;
+  for (size_t i = 0; i < cells; i++)
+    points += (size_t) model->blocks[i].vertex_count;
+  g_autofree double *at = g_new0 (double, 3 * points),
+                    *moved = g_new0 (double, 3 * points);
+  g_autofree double *ends = g_new (double, cells), *weights = g_new (double, cells);
+  g_autofree double *supported = g_new (double, cells);
+  g_autofree double *still = g_new0 (double, QN_DOF_COUNT *cells);
+  for (size_t i = 0; i < cells; i++) {
+    const QnBlock *block = &model->blocks[i];
+    const QnVec2 *vertices = qn_model_block_vertices (model, (QnId) i);
+    for (QnId k = 0; k < block->vertex_count; k++, n++) {
+      set_row (at, n, vertices[k]);
+      if (u == NULL)
+        continue;
+      const double *motion = u + i * QN_DOF_COUNT;
+      QnVec2 arm = qn_vec2_sub (vertices[k], block->centroid);
+      QnVec2 turned =
+        qn_vec2_rotate (arm, cos (motion[QN_DOF_RZ]), sin (motion[QN_DOF_RZ]));
+      set_row (moved, n,
+               qn_vec2_add (qn_vec2 (motion[QN_DOF_UX], motion[QN_DOF_UY]),
+                            qn_vec2_sub (turned, arm)));
+    }
+    ends[i] = (double) n;
+    supported[i] = qn_support_is_any (block->support);
+    weights[i] = block->weight;
+  }
+
+  begin (writer, points, cells);
+  qn_file_writer_puts (writer, "<Points>\n");
+  put_array (writer, "Float64", "Points", 3, points, at);
+  qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
+  put_series (writer, "Int64", "connectivity", points, 0, 1);
+  put_array (writer, "Int64", "offsets", 1, cells, ends);
+  put_series (writer, "UInt8", "types", cells, VTK_POLYGON, 0);
+  qn_file_writer_puts (writer, "</Cells>\n<PointData Vectors=\"displacement\">\n");
+  put_array (writer, "Float64", "displacement", 3, points, moved);
+  qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"block\">\n");
+  put_series (writer, "Int64", "block", cells, 0, 1);
+  put_array (writer, "UInt8", "supported", 1, cells, supported);
+  put_array (writer, "Float64", "motion", QN_DOF_COUNT, cells, u != NULL ? u : still);
+  put_array (writer, "Float64", "weight", 1, cells, weights);
+  qn_file_writer_puts (writer, "</CellData>\n");
+  return finish (writer, error);
+}
+
+/* A line for every element, with displacements and section forces where the result (nullable) has
+ * them at this step. */
+static gboolean
+write_beams (QnFileWriter *writer, const QnModel *model, const QnResult *result,
+             size_t step, GError **error)
+{
+  if (writer == NULL)
+    return FALSE;
+  const double *u = NULL; /* rows of the nodes */
+  const QnBeamForces *forces = NULL;
+  if (result != NULL && step < result->step_count
+      && result->node_count == model->node_count)
+    u = qn_result_step_displacements (result, step) + result->block_count * QN_DOF_COUNT;
+  if (u != NULL && result->element_count == model->element_count)
+    forces = qn_result_step_beam_forces (result, step);
+
+  const size_t cells = model->element_count, points = 2 * cells;
+  g_autofree double *at = g_new0 (double, 3 * points),
+                    *moved = g_new0 (double, 3 * points);
+  g_autofree double *nvm = g_new0 (double, 3 * points), *beams = g_new (double, cells);
+  for (size_t i = 0; i < points; i++) {
+    const QnBeamElement *element = &model->elements[i / 2];
+    const size_t end = i % 2;
+    const QnId node = element->nodes[end];
+    set_row (at, i, model->nodes[node].at);
+    if (u != NULL) {
+      const double *motion = u + (size_t) node * QN_DOF_COUNT;
+      set_row (moved, i, qn_vec2 (motion[QN_DOF_UX], motion[QN_DOF_UY]));
+    }
+    if (forces != NULL) {
+      nvm[3 * i] = forces[i / 2].normal[end];
+      nvm[3 * i + 1] = forces[i / 2].shear[end];
+      nvm[3 * i + 2] = forces[i / 2].moment[end];
+    }
+    beams[i / 2] = element->beam;
+  }
+
+  begin (writer, points, cells);
+  put_lines (writer, cells, at);
+  qn_file_writer_puts (writer, "<PointData Vectors=\"displacement\">\n");
+  put_array (writer, "Float64", "displacement", 3, points, moved);
+  if (forces != NULL)
+    put_array (writer, "Float64", "normal_shear_moment", 3, points, nvm);
+  qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"beam\">\n");
+  put_array (writer, "Int64", "beam", 1, cells, beams);
+  qn_file_writer_puts (writer, "</CellData>\n");
+  return finish (writer, error);
+}
 
 static QnVec2
-force_on_b (const Forces *forces, size_t pair)
+force_on_b (const QnContacts *contacts, const QnResult *result, size_t pair)
 {
-  const QnContactFace *face =
-    &forces->contacts->faces[forces->contacts->pairs[pair].face];
-  const QnPairResult *state = &forces->result->pairs[pair];
+  const QnContactFace *face = &contacts->faces[contacts->pairs[pair].face];
+  const QnPairResult *state = &result->pairs[pair];
   QnVec2 f = qn_vec2_add_scaled (qn_vec2_scale (state->normal_force, face->normal),
                                  state->shear_force, face->tangent);
   return qn_vec2_scale (-1, f);
 }
 
-static double
-force_point (const void *data, size_t index, int component)
-{
-  const Forces *forces = data;
-  QnVec2 p = forces->contacts->pairs[index / 2].point;
-  if (index % 2 == 1)
-    p = qn_vec2_add_scaled (p, forces->metres_per_newton, force_on_b (forces, index / 2));
-  return component == 0 ? p.x : component == 1 ? p.y : 0;
-}
-
-static double
-state_value (const void *data, size_t index, int component)
-{
-  (void) component;
-  return ((const Forces *) data)->result->pairs[index].state;
-}
-
-static double
-face_value (const void *data, size_t index, int component)
-{
-  (void) component;
-  return ((const Forces *) data)->contacts->pairs[index].face;
-}
-
-static double
-force_value (const void *data, size_t index, int component)
-{
-  const QnPairResult *state = &((const Forces *) data)->result->pairs[index];
-  return component == 0 ? state->normal_force : state->shear_force;
-}
-
+/* The contact forces at the last equilibrium; the largest becomes a tenth of the model's extent. */
 static gboolean
-write_forces (const Forces *forces, QnFileWriter *writer, GError **error)
+write_forces (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+              const QnResult *result, GError **error)
 {
   if (writer == NULL)
     return FALSE;
-  size_t cells = forces->contacts->pair_count;
-  qn_vtu_begin (writer, 2 * cells, cells);
-  qn_vtu_put_lines (writer, cells, force_point, forces);
+  const size_t cells = contacts->pair_count;
+  QnBox bounds = QN_BOX_EMPTY;
+  double largest = 0;
+  for (size_t i = 0; i < model->block_count; i++)
+    qn_box_add_box (&bounds, qn_box_of_points (qn_model_block_vertices (model, (QnId) i),
+                                               (size_t) model->blocks[i].vertex_count));
+  for (size_t i = 0; i < cells; i++)
+    largest = fmax (largest, qn_vec2_length (force_on_b (contacts, result, i)));
+  const double metres_per_newton =
+    largest > 0 ? FORCE_LENGTH * qn_box_size (bounds) / largest : 0;
+
+  g_autofree double *points = g_new0 (double, 6 * cells);
+  g_autofree double *states = g_new (double, cells), *faces = g_new (double, cells);
+  g_autofree double *forces = g_new (double, 2 * cells);
+  for (size_t i = 0; i < cells; i++) {
+    const QnContactPair *pair = &contacts->pairs[i];
+    set_row (points, 2 * i, pair->point);
+    set_row (points, 2 * i + 1,
+             qn_vec2_add_scaled (pair->point, metres_per_newton,
+                                 force_on_b (contacts, result, i)));
+    states[i] = result->pairs[i].state;
+    faces[i] = pair->face;
+    forces[2 * i] = result->pairs[i].normal_force;
+    forces[2 * i + 1] = result->pairs[i].shear_force;
+  }
+
+  begin (writer, 2 * cells, cells);
+  put_lines (writer, cells, points);
   qn_file_writer_puts (writer, "<CellData Scalars=\"state\">\n");
-  qn_vtu_put_array (writer, "Int64", "state", 1, cells, state_value, forces);
-  qn_vtu_put_array (writer, "Int64", "face", 1, cells, face_value, forces);
-  qn_vtu_put_array (writer, "Float64", "normal_shear_force", 2, cells, force_value,
-                    forces);
+  put_array (writer, "Int64", "state", 1, cells, states);
+  put_array (writer, "Int64", "face", 1, cells, faces);
+  put_array (writer, "Float64", "normal_shear_force", 2, cells, forces);
   qn_file_writer_puts (writer, "</CellData>\n");
-  qn_vtu_end (writer);
-  return qn_file_writer_commit (writer, error);
+  return finish (writer, error);
 }
 
-/* The largest force becomes a tenth of the model's extent. */
-static double
-force_scale (const Forces *forces, const Blocks *blocks)
-{
-  QnVec2 low = { INFINITY, INFINITY }, high = { -INFINITY, -INFINITY };
-  for (size_t i = 0; i < blocks->point_count; i++) {
-    low = qn_vec2 (fmin (low.x, blocks->points[i].x), fmin (low.y, blocks->points[i].y));
-    high =
-      qn_vec2 (fmax (high.x, blocks->points[i].x), fmax (high.y, blocks->points[i].y));
-  }
-  double largest = 0;
-  for (size_t i = 0; i < forces->contacts->pair_count; i++)
-    largest = fmax (largest, qn_vec2_length (force_on_b (forces, i)));
-  double extent = fmax (high.x - low.x, high.y - low.y);
-  return largest > 0 ? FORCE_LENGTH * extent / largest : 0;
-}
+/* --- The group ---------------------------------------------------------------------------- */
 
 /* The files of one export: the list and what it names. */
 typedef struct Export {
@@ -260,23 +279,22 @@ put_entry (Export *export, double time, int part, const char *name)
 }
 
 static gboolean
-write_steps (Export *export, Blocks *blocks, const QnContacts *contacts,
+write_steps (Export *export, const QnModel *model, const QnContacts *contacts,
              const QnResult *result, GError **error)
 {
   size_t steps = result != NULL && result->step_count > 0 ? result->step_count : 1;
   for (size_t i = 0; i < steps; i++) {
     gboolean has = result != NULL && i < result->step_count;
     g_autofree char *name = g_strdup_printf ("%s_%04zu.vtu", export->stem, i);
-    blocks->u = has ? qn_result_step_displacements (result, i) : NULL;
-    if (!write_blocks (blocks, open_member (export, name, error), error))
+    if (!write_blocks (open_member (export, name, error), model,
+                       has ? qn_result_step_displacements (result, i) : NULL, error))
       return FALSE;
     double time = has ? result->steps[i].multiplier : 0;
     put_entry (export, time, 0, name);
-    if (blocks->model->element_count == 0)
+    if (model->element_count == 0)
       continue;
     g_autofree char *beams = g_strdup_printf ("%s_beams_%04zu.vtu", export->stem, i);
-    if (!qn_vtu_write_beams (open_member (export, beams, error), blocks->model, result, i,
-                             error))
+    if (!write_beams (open_member (export, beams, error), model, result, i, error))
       return FALSE;
     put_entry (export, time, 2, beams);
   }
@@ -284,9 +302,7 @@ write_steps (Export *export, Blocks *blocks, const QnContacts *contacts,
       || result->pair_count != contacts->pair_count)
     return TRUE;
   g_autofree char *name = g_strdup_printf ("%s_forces.vtu", export->stem);
-  Forces forces = { contacts, result, 0 };
-  forces.metres_per_newton = force_scale (&forces, blocks);
-  if (!write_forces (&forces, open_member (export, name, error), error))
+  if (!write_forces (open_member (export, name, error), model, contacts, result, error))
     return FALSE;
   put_entry (export, result->steps[result->step_count - 1].multiplier, 1, name);
   return TRUE;
@@ -320,11 +336,8 @@ qn_vtu_export (const QnModel *model, const QnContacts *contacts, const QnResult 
   int trouble = qn_file_group_open (&export.group, export.folder);
   gboolean done = trouble == 0;
   if (done) {
-    Blocks blocks;
-    blocks_init (&blocks, model);
-    done = write_steps (&export, &blocks, contacts, result, error)
+    done = write_steps (&export, model, contacts, result, error)
            && write_list (&export, name, error);
-    blocks_clear (&blocks);
     if (done)
       trouble = qn_file_group_commit (&export.group);
     else

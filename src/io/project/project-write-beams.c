@@ -22,10 +22,8 @@ append_section (GString *json, const QnModel *model, size_t index)
     qn_json_put_number (json, "inertia", section->inertia);
   }
   qn_json_put_number (json, "shear_factor", section->shear_factor);
-  if (section->yield > 0)
-    qn_json_put_number (json, "yield", section->yield);
-  if (section->plastic_moment > 0)
-    qn_json_put_number (json, "plastic_moment", section->plastic_moment);
+  qn_json_put_unusual (json, "yield", section->yield, 0);
+  qn_json_put_unusual (json, "plastic_moment", section->plastic_moment, 0);
   if (section->density >= 0)
     qn_json_put_number (json, "density", section->density);
   else if (section->unit_weight > 0)
@@ -52,8 +50,7 @@ append_beam (GString *json, const QnModel *model, size_t index)
     g_string_append_printf (json, "[%s, %s]", beam->hinge[0] ? "true" : "false",
                             beam->hinge[1] ? "true" : "false");
   }
-  if (beam->element_count > 1)
-    qn_json_put_number (json, "elements", beam->element_count);
+  qn_json_put_unusual (json, "elements", beam->element_count, 1);
   return beam->note;
 }
 
@@ -62,11 +59,8 @@ qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
 {
   gboolean first = TRUE;
 
-  if (model->section_count > 0) {
-    qn_json_append_list (json, model, inner, "  \"sections\": [", 4, model->section_count,
-                         append_section);
-    g_string_append (json, ",\n");
-  }
+  qn_json_append_list (json, model, inner, "  \"sections\": [", 4, model->section_count,
+                       append_section, "],\n");
   for (size_t i = 0; i < model->node_count; i++) {
     if (model->nodes[i].beam != QN_NONE)
       continue;
@@ -86,9 +80,6 @@ qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
     first = FALSE;
   }
   g_string_append (json, first ? "" : " ],\n");
-  if (model->beam_count > 0) {
-    qn_json_append_list (json, model, inner, "  \"beams\": [", 4, model->beam_count,
-                         append_beam);
-    g_string_append (json, ",\n");
-  }
+  qn_json_append_list (json, model, inner, "  \"beams\": [", 4, model->beam_count,
+                       append_beam, "],\n");
 }

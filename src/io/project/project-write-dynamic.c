@@ -17,15 +17,13 @@ append_ground (GString *json, const QnModel *model, size_t index)
 {
   const QnGroundMotion *motion = &model->ground[index];
   qn_json_put_vec2 (json, "direction", motion->direction);
-  if (motion->scale != 1)
-    qn_json_put_number (json, "scale", motion->scale);
+  qn_json_put_unusual (json, "scale", motion->scale, 1);
   switch (motion->kind) {
   case QN_SIGNAL_RECORD:
     qn_json_put_string (json, "record", motion->record);
     if (motion->unit != NULL)
       qn_json_put_string (json, "unit", motion->unit);
-    if (motion->time_step > 0)
-      qn_json_put_number (json, "time_step", motion->time_step);
+    qn_json_put_unusual (json, "time_step", motion->time_step, 0);
     if (motion->rests)
       qn_json_put_bool (json, "rest", true);
     break;
@@ -38,13 +36,11 @@ append_ground (GString *json, const QnModel *model, size_t index)
     qn_json_put_string (json, "kind", qn_pulse_kind_names[motion->pulse.kind]);
     qn_json_put_number (json, "amplitude", motion->pulse.amplitude);
     qn_json_put_number (json, "duration", motion->pulse.duration);
-    if (motion->pulse.start > 0)
-      qn_json_put_number (json, "start", motion->pulse.start);
+    qn_json_put_unusual (json, "start", motion->pulse.start, 0);
     g_string_append (json, " }");
     break;
   }
-  if (motion->peak > 0)
-    qn_json_put_number (json, "peak", motion->peak);
+  qn_json_put_unusual (json, "peak", motion->peak, 0);
   return motion->note;
 }
 
@@ -92,26 +88,21 @@ qn_project_append_dynamic (GString *json, const QnModel *model,
   qn_json_put_number (json, "duration", s->duration);
   qn_json_put_number (json, "time_step", s->time_step);
   qn_json_put_number (json, "rho", s->rho);
-  if (s->tolerance != usual->tolerance)
-    qn_json_put_number (json, "tolerance", s->tolerance);
+  qn_json_put_unusual (json, "tolerance", s->tolerance, usual->tolerance);
   if (!s->adaptive)
     qn_json_put_bool (json, "adaptive", false);
   if (s->follow != usual->follow)
     qn_json_put_string (json, "contacts", s->follow ? "follow" : "fixed");
   if (s->fall)
     qn_json_put_bool (json, "fall", true);
-  if (s->output_interval > 0)
-    qn_json_put_number (json, "output_interval", s->output_interval);
+  qn_json_put_unusual (json, "output_interval", s->output_interval, 0);
   put_damping (json, s, inner);
-  if (model->ground_count > 0)
-    qn_json_append_list (json, model, inner, ",\n      \"ground\": [", 8,
-                         model->ground_count, append_ground);
-  if (model->initial_count > 0)
-    qn_json_append_list (json, model, inner, ",\n      \"initial\": [", 8,
-                         model->initial_count, append_initial);
-  if (model->track_count > 0)
-    qn_json_append_list (json, model, inner, ",\n      \"track\": [", 8,
-                         model->track_count, append_track);
+  qn_json_append_list (json, model, inner, ",\n      \"ground\": [", 8,
+                       model->ground_count, append_ground, "]");
+  qn_json_append_list (json, model, inner, ",\n      \"initial\": [", 8,
+                       model->initial_count, append_initial, "]");
+  qn_json_append_list (json, model, inner, ",\n      \"track\": [", 8, model->track_count,
+                       append_track, "]");
   g_string_append (json, " }");
   qn_json_append_inner (json, inner, "analysis.dynamic");
 }

@@ -14,8 +14,8 @@ put_edge_load (GString *json, const QnModel *model, const QnLoad *load)
     qn_json_put_string (json, "side", qn_block_side_names[load->side]);
   else
     qn_json_put_number (json, "edge", load->edge);
-  if (!load->has_side && load->edge_count != 1)
-    qn_json_put_number (json, "count", load->edge_count);
+  if (!load->has_side)
+    qn_json_put_unusual (json, "count", load->edge_count, 1);
   if (load->part[0] != 0 || load->part[1] != 1)
     qn_json_put_vec2 (json, "part", qn_vec2 (load->part[0], load->part[1]));
   if (load->intensity[0] == load->intensity[1])
@@ -55,8 +55,7 @@ put_backfill (GString *json, const QnLoad *load)
     qn_json_put_number (json, "friction_angle", load->friction_angle);
     qn_json_put_string (json, "earth", qn_earth_names[load->earth]);
   }
-  if (load->pressure != 0)
-    qn_json_put_number (json, "surcharge", load->pressure);
+  qn_json_put_unusual (json, "surcharge", load->pressure, 0);
 }
 
 static void
@@ -73,8 +72,7 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
   case QN_LOAD_FORCE:
     qn_json_put_string (json, "block", model->blocks[load->block].name);
     qn_json_put_vec2 (json, "value", load->vector);
-    if (load->moment != 0)
-      qn_json_put_number (json, "moment", load->moment);
+    qn_json_put_unusual (json, "moment", load->moment, 0);
     if (load->has_at)
       qn_json_put_vec2 (json, "at", load->at);
     break;
@@ -90,8 +88,7 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
   case QN_LOAD_NODE:
     qn_json_put_string (json, "node", model->nodes[load->node].name);
     qn_json_put_vec2 (json, "value", load->vector);
-    if (load->moment != 0)
-      qn_json_put_number (json, "moment", load->moment);
+    qn_json_put_unusual (json, "moment", load->moment, 0);
     break;
   case QN_LOAD_EDGE:
     put_edge_load (json, model, load);
@@ -189,8 +186,7 @@ append_stage (GString *json, const QnModel *model, size_t index)
   qn_json_put_string (json, "procedure", qn_procedure_names[stage->procedure]);
   if (stage->has_target)
     qn_json_put_number (json, "target", stage->target);
-  if (stage->increments > 0)
-    qn_json_put_number (json, "increments", stage->increments);
+  qn_json_put_unusual (json, "increments", stage->increments, 0);
   put_control (json, model, stage->control_block, stage->control_node, stage->control_dof,
                stage->control_target);
   return stage->note;
@@ -210,14 +206,13 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
   qn_json_put_number (json, "increments", analysis->increments);
   if (isfinite (analysis->max_multiplier))
     qn_json_put_number (json, "max_multiplier", analysis->max_multiplier);
-  if (analysis->multiplier_tolerance != usual->multiplier_tolerance)
-    qn_json_put_number (json, "multiplier_tolerance", analysis->multiplier_tolerance);
-  if (analysis->residual_tolerance != usual->residual_tolerance)
-    qn_json_put_number (json, "residual_tolerance", analysis->residual_tolerance);
-  if (analysis->max_factorizations != usual->max_factorizations)
-    qn_json_put_number (json, "max_factorizations", analysis->max_factorizations);
-  if (analysis->max_seconds != usual->max_seconds)
-    qn_json_put_number (json, "max_seconds", analysis->max_seconds);
+  qn_json_put_unusual (json, "multiplier_tolerance", analysis->multiplier_tolerance,
+                       usual->multiplier_tolerance);
+  qn_json_put_unusual (json, "residual_tolerance", analysis->residual_tolerance,
+                       usual->residual_tolerance);
+  qn_json_put_unusual (json, "max_factorizations", analysis->max_factorizations,
+                       usual->max_factorizations);
+  qn_json_put_unusual (json, "max_seconds", analysis->max_seconds, usual->max_seconds);
   if (analysis->bound != usual->bound)
     qn_json_put_string (json, "bound", qn_bound_choice_names[analysis->bound]);
   if (analysis->snap != usual->snap)
@@ -230,9 +225,8 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
                analysis->control_dof, analysis->control_target);
   if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE)
     qn_json_append_inner (json, inner, "analysis.control");
-  if (model->stage_count > 0)
-    qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6,
-                         model->stage_count, append_stage);
+  qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6, model->stage_count,
+                       append_stage, "]");
   qn_project_append_dynamic (json, model, &usual->dynamic, inner);
   g_string_append (json, " }");
   qn_model_clear (&defaults);

@@ -2,14 +2,6 @@
 #include "io/project/project-write-parts.h"
 #include "io/text/json-text.h"
 
-/* Sizes whose default is 0. */
-static void
-put_size (GString *json, const char *key, double size)
-{
-  if (size != 0)
-    qn_json_put_number (json, key, size);
-}
-
 static void
 put_leaf (GString *json, const QnLeaf *leaf)
 {
@@ -19,9 +11,8 @@ put_leaf (GString *json, const QnLeaf *leaf)
   qn_json_put_string (json, "bond", qn_bond_names[leaf->bond]);
   if (leaf->closer != QN_CLOSER_NONE)
     qn_json_put_string (json, "closers", qn_closer_names[leaf->closer]);
-  put_size (json, "header", leaf->header);
-  if (leaf->lap != 0.5)
-    qn_json_put_number (json, "lap", leaf->lap);
+  qn_json_put_unusual (json, "header", leaf->header, 0);
+  qn_json_put_unusual (json, "lap", leaf->lap, 0.5);
 }
 
 static void
@@ -40,11 +31,11 @@ append_opening (GString *json, const QnOpening *opening)
   if (opening->span != QN_SPAN_NONE)
     qn_json_put_number (json, "depth", opening->depth);
   if (opening->span == QN_SPAN_LINTEL)
-    put_size (json, "bearing", opening->bearing);
+    qn_json_put_unusual (json, "bearing", opening->bearing, 0);
   if (opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS)
     qn_json_put_number (json, "voussoirs", opening->voussoirs);
   if (opening->span == QN_SPAN_FLAT_ARCH)
-    put_size (json, "skew", opening->skew);
+    qn_json_put_unusual (json, "skew", opening->skew, 0);
   if (opening->span == QN_SPAN_VOUSSOIRS)
     qn_json_put_string (json, "sides", qn_sides_names[opening->sides]);
   if (opening->sill_height > 0)
@@ -112,7 +103,7 @@ put_arch (GString *json, const QnArch *arch, gboolean with_span)
   qn_json_put_number (json, "voussoirs", arch->voussoirs);
   qn_json_put_string (json, "sides", qn_sides_names[arch->sides]);
   if (with_span)
-    put_size (json, "springer", arch->springer);
+    qn_json_put_unusual (json, "springer", arch->springer, 0);
 }
 
 static void
@@ -189,11 +180,11 @@ qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *
   qn_json_put_string (json, "kind", qn_masonry_kind_names[masonry->kind]);
   qn_json_put_string (json, "name", masonry->name);
   qn_json_put_vec2 (json, "origin", masonry->origin);
-  put_size (json, "rotation", masonry->rotation);
+  qn_json_put_unusual (json, "rotation", masonry->rotation, 0);
   qn_json_put_number (json, "thickness", masonry->thickness);
   qn_json_put_weight (json, masonry->unit_weight, masonry->density);
   qn_json_put_law (json, model, masonry->law);
-  put_size (json, "foundation", masonry->foundation);
+  qn_json_put_unusual (json, "foundation", masonry->foundation, 0);
   if (masonry->perturbation > 0) {
     qn_json_put_number (json, "perturbation", masonry->perturbation);
     qn_json_put_number (json, "perturbation_seed", masonry->perturbation_seed);

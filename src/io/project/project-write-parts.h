@@ -13,6 +13,9 @@ void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
 void qn_json_put_points (GString *json, const char *key, const QnVec2 *points,
                          gsize count);
 
+/* A number, left out where it is the usual one. */
+void qn_json_put_unusual (GString *json, const char *key, double number, double usual);
+
 /* true or false as a member. */
 void qn_json_put_bool (GString *json, const char *key, bool value);
 
@@ -31,11 +34,11 @@ void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
 /* Appends the members of one entity, and returns its note. */
 typedef int32_t (*QnMembersFunc) (GString *json, const QnModel *model, size_t index);
 
-/* A list of entities, one in a line, with the members that no layer knows: `head`, which ends in "[", and
- * the objects behind so many spaces. */
+/* A list of entities, one in a line, with the members that no layer knows: `head`, which ends in "[",
+ * the objects behind so many spaces, and `tail`, which begins with "]". Nothing for an empty one. */
 void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
                           const char *head, int indent, size_t count,
-                          QnMembersFunc append_members);
+                          QnMembersFunc append_members, const char *tail);
 
 /* Parts of the document; inner: members that no layer knows (project-inner.h), or NULL.
  *

@@ -71,6 +71,13 @@ qn_json_put_points (GString *json, const char *key, const QnVec2 *points, gsize 
 }
 
 void
+qn_json_put_unusual (GString *json, const char *key, double number, double usual)
+{
+  if (number != usual)
+    qn_json_put_number (json, key, number);
+}
+
+void
 qn_json_put_bool (GString *json, const char *key, bool value)
 {
   qn_json_begin_member (json, key);
@@ -92,14 +99,14 @@ append_object (GString *json, const QnModel *model, GHashTable *inner, size_t in
 void
 qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
                      const char *head, int indent, size_t count,
-                     QnMembersFunc append_members)
+                     QnMembersFunc append_members, const char *tail)
 {
-  g_string_append (json, head);
   for (size_t i = 0; i < count; i++) {
-    g_string_append_printf (json, "%s\n%*s", i > 0 ? "," : "", indent, "");
+    g_string_append_printf (json, "%s\n%*s", i > 0 ? "," : head, indent, "");
     append_object (json, model, inner, i, append_members);
   }
-  g_string_append (json, " ]");
+  if (count > 0)
+    g_string_append_printf (json, " %s", tail);
 }
 
 /* Parameters that are left out by default are left out where they have no effect. */
@@ -116,8 +123,7 @@ append_law (GString *json, const QnModel *model, size_t index)
   qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
   qn_json_put_number (json, "kn", law->kn);
   qn_json_put_number (json, "ks", law->ks);
-  if (law->shear_factor > 0)
-    qn_json_put_number (json, "shear_factor", law->shear_factor);
+  qn_json_put_unusual (json, "shear_factor", law->shear_factor, 0);
   for (size_t i = 0; i < count; i++) {
     double value = qn_law_get (law, &parameters[i]);
     if (value != 0 || !parameters[i].positive)
@@ -224,9 +230,8 @@ append_contact (GString *json, const QnModel *model, GHashTable *inner)
   qn_json_put_number (json, "tolerance", model->contact.tolerance);
   put_pair_rule (json, &model->contact.pairs);
   qn_json_append_inner (json, inner, "contact.pairs");
-  if (model->override_count > 0)
-    qn_json_append_list (json, model, inner, ",\n    \"faces\": [", 6,
-                         model->override_count, append_face);
+  qn_json_append_list (json, model, inner, ",\n    \"faces\": [", 6,
+                       model->override_count, append_face, "]");
   g_string_append (json, " }");
 }
 
@@ -333,30 +338,20 @@ append_blocks (GString *json, const QnModel *model, GHashTable *inner,
   g_string_append (json, " ],\n");
 }
 
-static gboolean
-has_any_masonry (const QnModel *model)
-{
-  for (size_t i = 0; i < model->block_count; i++)
-    if (model->blocks[i].masonry != QN_NONE)
-      return TRUE;
-  return FALSE;
-}
-
-/* The objects that were not detached. */
+/* The objects that were not detached, with their key; nothing where there are none. */
 static void
 append_masonry (GString *json, const QnProject *project, const cJSON *list)
 {
   gboolean first = TRUE;
   QnId index = 0;
-  g_string_append_c (json, '[');
   for (const cJSON *item = list->child; item != NULL; item = item->next, index++) {
     if (!qn_project_has_masonry (project, index))
       continue;
-    g_string_append (json, first ? "\n    " : ",\n    ");
+    g_string_append (json, first ? ",\n  \"" QN_MASONRY_MEMBER "\": [\n    " : ",\n    ");
     qn_json_append_value (json, item, 4);
     first = FALSE;
   }
-  g_string_append (json, " ]");
+  g_string_append (json, first ? "" : " ]");
 }
 
 QnProjectText *
@@ -370,24 +365,19 @@ qn_project_write (const QnProject *project, const QnProject *like,
   text->blocks = g_malloc0_n (model->block_count + 1, sizeof *text->blocks);
   append_head (json, model);
   GHashTable *inner = qn_project_index_inner (project);
+  if (model->law_count == 0)
+    g_string_append (json, "  \"laws\": [ ],\n");
   qn_json_append_list (json, model, inner, "  \"laws\": [", 4, model->law_count,
-                       append_law);
-  g_string_append (json, ",\n");
+                       append_law, "],\n");
   append_blocks (json, model, inner, like, like_text, text->blocks);
-  if (model->wall_count > 0) {
-    qn_json_append_list (json, model, inner, "  \"walls\": [", 4, model->wall_count,
-                         append_wall);
-    g_string_append (json, ",\n");
-  }
+  qn_json_append_list (json, model, inner, "  \"walls\": [", 4, model->wall_count,
+                       append_wall, "],\n");
   qn_project_append_beams (json, model, inner);
   append_contact (json, model, inner);
   qn_json_append_inner (json, inner, "contact");
   g_string_append (json, ",\n");
-  if (model->bar_count > 0) {
-    qn_json_append_list (json, model, inner, "  \"bars\": [", 4, model->bar_count,
-                         append_bar);
-    g_string_append (json, ",\n");
-  }
+  qn_json_append_list (json, model, inner, "  \"bars\": [", 4, model->bar_count,
+                       append_bar, "],\n");
   qn_project_append_loads (json, model, inner);
   qn_json_append_inner (json, inner, "loads");
   g_string_append (json, ",\n");
@@ -397,17 +387,14 @@ qn_project_write (const QnProject *project, const QnProject *like,
 
   const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;
   for (; extra != NULL; extra = extra->next) {
-    gboolean masonry = g_strcmp0 (extra->string, QN_MASONRY_MEMBER) == 0;
-    if ((masonry && !has_any_masonry (model))
-        || g_strcmp0 (extra->string, QN_INNER_MEMBER) == 0)
-      continue;
-    g_string_append (json, ",\n  ");
-    qn_json_append_string (json, extra->string);
-    g_string_append (json, ": ");
-    if (masonry)
+    if (g_strcmp0 (extra->string, QN_MASONRY_MEMBER) == 0) {
       append_masonry (json, project, extra);
-    else
+    } else if (g_strcmp0 (extra->string, QN_INNER_MEMBER) != 0) {
+      g_string_append (json, ",\n  ");
+      qn_json_append_string (json, extra->string);
+      g_string_append (json, ": ");
       qn_json_append_value (json, extra, 2);
+    }
   }
   g_string_append (json, "\n}\n");
   text->length = json->len;

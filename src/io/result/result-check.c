@@ -1,6 +1,7 @@
 #include "io/result/result-check.h"
 
 #include "core/base/memory.h"
+#include "core/base/polygon.h"
 #include "core/result/found-contacts.h"
 #include "io/result/result-check-beams.h"
 #include "io/result/result-contact.h"
@@ -75,15 +76,6 @@ law_excess (const QnLaw *law, double area, double normal, double shear)
 }
 
 static double
-distance_to_segment (QnVec2 point, QnVec2 start, QnVec2 end)
-{
-  QnVec2 along = qn_vec2_sub (end, start), from = qn_vec2_sub (point, start);
-  double square = qn_vec2_dot (along, along);
-  double s = square > 0 ? CLAMP (qn_vec2_dot (from, along) / square, 0, 1) : 0;
-  return qn_vec2_length (qn_vec2_add_scaled (from, -s, along));
-}
-
-static double
 distance_to_outline (const QnModel *model, QnId block, QnVec2 point)
 {
   const QnVec2 *vertices = qn_model_block_vertices (model, block);
@@ -91,22 +83,8 @@ distance_to_outline (const QnModel *model, QnId block, QnVec2 point)
   double distance = INFINITY;
   for (QnId i = 0; i < count; i++)
     distance =
-      MIN (distance, distance_to_segment (point, vertices[i], vertices[(i + 1) % count]));
+      MIN (distance, qn_segment_distance (vertices[i], vertices[(i + 1) % count], point));
   return distance;
-}
-
-/* A point of the structure at equilibrium, as seen from a block that has not moved. */
-static QnVec2
-seen_from_block (const QnModel *model, QnId block, const double *deformation,
-                 QnVec2 point)
-{
-  if (deformation == NULL)
-    return point;
-  const double *u = deformation + (size_t) block * QN_DOF_COUNT;
-  QnVec2 centroid = model->blocks[block].centroid;
-  QnVec2 moved = qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]));
-  return qn_vec2_add (centroid, qn_vec2_rotate (qn_vec2_sub (point, moved),
-                                                cos (u[QN_DOF_RZ]), -sin (u[QN_DOF_RZ])));
 }
 
 /* Adds the force of a pair, and its moment about the centroid, to the balance of one block. */
@@ -150,8 +128,11 @@ check_pairs (const QnResultFile *file, const QnModel *model, const double *defor
         worst = excess;
         check->violating_pair = (QnId) i;
       }
-      QnVec2 seen = seen_from_block (model, sides[side], deformation, contact->point);
-      double distance = distance_to_outline (model, sides[side], seen);
+      QnVec2 on_block =
+        deformation == NULL
+          ? contact->point
+          : qn_block_unplace (model, sides[side], deformation, contact->point);
+      double distance = distance_to_outline (model, sides[side], on_block);
       if (distance > check->point_distance) {
         check->point_distance = distance;
         check->distant_pair = (QnId) i;
@@ -160,17 +141,6 @@ check_pairs (const QnResultFile *file, const QnModel *model, const double *defor
   }
   check->yield_violation = check->contact_scale > 0 ? worst / check->contact_scale : 0;
   g_hash_table_unref (overrides);
-}
-
-/* Where a point of a block lies after displacements. */
-static QnVec2
-place_on_block (const QnModel *model, QnId block, const double *deformation, QnVec2 point)
-{
-  const double *u = deformation + (size_t) block * QN_DOF_COUNT;
-  QnVec2 centroid = model->blocks[block].centroid;
-  QnVec2 arm = qn_vec2_rotate (qn_vec2_sub (point, centroid), cos (u[QN_DOF_RZ]),
-                               sin (u[QN_DOF_RZ]));
-  return qn_vec2_add (qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY])), arm);
 }
 
 /* Contacts that blocks found on their way, of which the result has been compared with the model. */
@@ -183,7 +153,7 @@ check_found (const QnResult *result, const QnModel *model, const double *deforma
   for (size_t i = 0; i < count; i++) {
     const QnFoundContact *contact = &result->found[forces[i].found].contact;
     QnVec2 force = qn_found_force (model, contact, &forces[i], deformation);
-    QnVec2 corner = place_on_block (model, contact->other, deformation,
+    QnVec2 corner = qn_block_place (model, contact->other, deformation,
                                     qn_found_corner (model, contact));
     add_force (model, contact->block, deformation, force, corner, balance);
     add_force (model, contact->other, deformation, qn_vec2_scale (-1, force), corner,

@@ -10,17 +10,6 @@ qn_result_deformation (const QnModel *model, const QnResult *result)
   return qn_result_step_displacements (result, result->step_count - 1);
 }
 
-/* Where a point of a block has moved to. */
-static QnVec2
-move (const QnModel *model, QnId block, const double *deformation, QnVec2 point)
-{
-  const double *u = deformation + (size_t) block * QN_DOF_COUNT;
-  QnVec2 centroid = model->blocks[block].centroid;
-  QnVec2 arm = qn_vec2_rotate (qn_vec2_sub (point, centroid), cos (u[QN_DOF_RZ]),
-                               sin (u[QN_DOF_RZ]));
-  return qn_vec2_add (qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY])), arm);
-}
-
 void
 qn_result_contact_place (const QnModel *model, const QnContacts *contacts, size_t pair,
                          const double *deformation, QnVec2 *point, QnVec2 *normal)
@@ -31,8 +20,8 @@ qn_result_contact_place (const QnModel *model, const QnContacts *contacts, size_
   if (deformation == NULL)
     return;
 
-  QnVec2 a = move (model, face->a, deformation, *point);
-  QnVec2 b = move (model, face->b, deformation, *point);
+  QnVec2 a = qn_block_place (model, face->a, deformation, *point);
+  QnVec2 b = qn_block_place (model, face->b, deformation, *point);
   double turn = 0.5
                 * (deformation[(size_t) face->a * QN_DOF_COUNT + QN_DOF_RZ]
                    + deformation[(size_t) face->b * QN_DOF_COUNT + QN_DOF_RZ]);

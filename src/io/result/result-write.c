@@ -8,16 +8,11 @@
 #include "io/text/outcome-text.h"
 
 /* What the file spells for an event, with its quotes. */
-static const char *
-event_text (QnEvent event)
-{
-  static const char *const texts[QN_EVENT_COUNT] = {
-    [QN_EVENT_NONE] = "null",
-    [QN_EVENT_SNAP] = "\"snap\"",
-    [QN_EVENT_COLLAPSE] = "\"collapse\"",
-  };
-  return texts[event];
-}
+static const char *const event_texts[QN_EVENT_COUNT] = {
+  [QN_EVENT_NONE] = "null",
+  [QN_EVENT_SNAP] = "\"snap\"",
+  [QN_EVENT_COLLAPSE] = "\"collapse\"",
+};
 
 static void
 write_optional (QnFileWriter *writer, const char *key, bool given, double number)
@@ -142,13 +137,10 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   qn_file_writer_puts (writer, ",\n");
   g_free (model);
   if (project->overrides != NULL && project->overrides[0] != NULL) {
-    qn_file_writer_puts (writer, "  \"overrides\": ");
-    const char *const *strings = (const char *const *) project->overrides;
-    qn_file_writer_puts (writer, "[");
-    for (gsize i = 0; strings[i] != NULL; i++)
-      qn_file_writer_puts_string (writer, i > 0 ? ", " : "", strings[i]);
-    qn_file_writer_puts (writer, "]");
-    qn_file_writer_puts (writer, ",\n");
+    qn_file_writer_puts (writer, "  \"overrides\": [");
+    for (gsize i = 0; project->overrides[i] != NULL; i++)
+      qn_file_writer_puts_string (writer, i > 0 ? ", " : "", project->overrides[i]);
+    qn_file_writer_puts (writer, "],\n");
   }
 
   qn_file_writer_printf (writer, "  \"outcome\": \"%s\",\n",
@@ -254,7 +246,7 @@ write_steps (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_printf (writer,
                            ", \"iterations\": %d, \"residual\": ", step->iterations);
     qn_file_writer_number (writer, step->residual);
-    qn_file_writer_printf (writer, ", \"event\": %s", event_text (step->event));
+    qn_file_writer_printf (writer, ", \"event\": %s", event_texts[step->event]);
     if (step->relaxed)
       qn_file_writer_puts (writer, ", \"relaxed\": true");
     if (step->stage > 0)

@@ -19,15 +19,6 @@ yields_at (const QnModel *model, const QnBeamForces *forces, size_t element, int
          && fabs (forces[element].moment[end]) >= (1 - YIELDS) * plastic;
 }
 
-/* “beam” at “left corner” */
-static char *
-dup_place (const QnModel *model, size_t element, int end)
-{
-  const QnBeamElement *e = &model->elements[element];
-  return g_strdup_printf (_ ("“%s” at “%s”"), model->beams[e->beam].name,
-                          model->nodes[e->nodes[end]].name);
-}
-
 char *
 qn_hinges_dup_text (const QnModel *model, const QnResult *result)
 {
@@ -41,8 +32,10 @@ qn_hinges_dup_text (const QnModel *model, const QnResult *result)
   for (size_t i = 0; i < model->element_count; i++)
     for (int end = 0; end < 2; end++)
       if (yields_at (model, forces, i, end) && count++ < HINGES_IN_WORDS) {
-        g_autofree char *place = dup_place (model, i, end);
-        g_string_append_printf (places, "%s%s", places->len > 0 ? _ (", ") : "", place);
+        const QnBeamElement *e = &model->elements[i];
+        g_string_append (places, places->len > 0 ? _ (", ") : "");
+        g_string_append_printf (places, _ ("“%s” at “%s”"), model->beams[e->beam].name,
+                                model->nodes[e->nodes[end]].name);
       }
   if (count == 0)
     return NULL;

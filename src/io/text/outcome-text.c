@@ -101,9 +101,9 @@ qn_model_lacks_live_load (const QnModel *model)
 }
 
 static char *
-unstable_names (const QnModel *model, const QnResult *result)
+explain_unstable (const QnModel *model, const QnResult *result)
 {
-  GString *names = g_string_new (NULL);
+  g_autoptr (GString) names = g_string_new (NULL);
   for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
     QnId block = result->unstable_blocks[i];
     g_string_append_printf (names, "%s“%s”", i > 0 ? ", " : "",
@@ -115,7 +115,11 @@ unstable_names (const QnModel *model, const QnResult *result)
     g_string_append_printf (
       names, ngettext (" and %zu other", " and %zu others", (gulong) more), more);
   }
-  return g_string_free (names, FALSE);
+  return g_strdup_printf (
+    _ ("No stable equilibrium was found under the dead load "
+       "alone. What moves: %s. Support these blocks, close the gaps next to "
+       "them, or give their joints more friction."),
+    names->str);
 }
 
 static const QnStep *
@@ -194,28 +198,22 @@ found_by_words (QnProcedure procedure)
   return texts[procedure] != NULL ? _ (texts[procedure]) : "";
 }
 
-/* The multiplier that the path does not climb above. */
-static double
-most_carried (const QnResult *result)
-{
-  for (gsize i = result->event_count; i-- > 0;)
-    if (result->events[i].kind == QN_EVENT_KIND_COLLAPSE)
-      return result->events[i].multiplier;
-  return -HUGE_VAL;
-}
-
 char *
 qn_outcome_dup_interval (const QnResult *result)
 {
   QnProcedure found_by = QN_PROCEDURE_LOAD;
   double least, bound, greatest = -HUGE_VAL;
+  double carried = -HUGE_VAL; /* what the path does not climb above */
   qn_result_collapse_interval (result, &least, &found_by, &bound);
   if (isnan (least))
     return NULL;
+  for (gsize i = 0; i < result->event_count; i++)
+    if (result->events[i].kind == QN_EVENT_KIND_COLLAPSE)
+      carried = result->events[i].multiplier;
   for (gint32 i = 0; i < result->solution_count; i++)
     greatest = MAX (greatest, result->solutions[i].multiplier);
   const char *found = found_by_words (found_by);
-  double carried = most_carried (result);
+
   g_autofree char *from =
     carried > (1 + QN_SETTLED) * least ? g_strdup_printf (
       _ ("The multiplier was %s: the plateau beyond a peak of %.4f;"), found, carried)
@@ -353,19 +351,6 @@ explain_failure (const Task *task, const QnResult *result)
     last->multiplier);
 }
 
-static char *
-explain_unstable (const QnModel *model, const QnResult *result)
-{
-  char *names = unstable_names (model, result);
-  char *text = g_strdup_printf (
-    _ ("No stable equilibrium was found under the dead load "
-       "alone. What moves: %s. Support these blocks, close the gaps next to "
-       "them, or give their joints more friction."),
-    names);
-  g_free (names);
-  return text;
-}
-
 /* How an analysis in time ended; NULL where it ended under the dead load, or as others do. */
 static char *
 explain_time (const QnResult *result)
@@ -498,10 +483,9 @@ explain_in_stage (const QnModel *model, const QnResult *result, const char *what
 char *
 qn_outcome_dup_reason (const QnModel *model, const QnResult *result)
 {
-  g_autofree char *what =
-    result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0
-      ? collapse_sentence (result)
-      : NULL;
+  gboolean collapse =
+    result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0;
+  g_autofree char *what = collapse ? collapse_sentence (result) : NULL;
   return explain_in_stage (model, result, what);
 }
 

@@ -184,20 +184,14 @@ read_touch (const QnModel *model, const QnResult *result, const QnFoundForce *fo
   const QnFoundContact *contact = &result->found[force->found].contact;
   const double *u = displacements + (size_t) contact->block * QN_DOF_COUNT;
   const double *v = displacements + (size_t) contact->other * QN_DOF_COUNT;
-  QnVec2 centre = model->blocks[contact->block].centroid;
-  QnVec2 other = model->blocks[contact->other].centroid;
   QnVec2 corner = qn_found_corner (model, contact);
   double turn = u[QN_DOF_RZ], turned = v[QN_DOF_RZ];
-  QnVec2 place = qn_vec2_add (
-    qn_vec2_add (other, qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY])),
-    qn_vec2_rotate (qn_vec2_sub (corner, other), cos (turned), sin (turned)));
-  QnVec2 arm =
-    qn_vec2_sub (place, qn_vec2_add (centre, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY])));
+  QnVec2 place = qn_block_place (model, contact->other, displacements, corner);
   QnVec2 on = qn_found_force (model, contact, force, NULL);
   return (QnTouch){
     .found = force->found,
     .block = { contact->block, contact->other },
-    .at = { qn_vec2_add (centre, qn_vec2_rotate (arm, cos (turn), -sin (turn))), corner },
+    .at = { qn_block_unplace (model, contact->block, displacements, place), corner },
     .on = { on, qn_vec2_scale (
                   -1, qn_vec2_rotate (on, cos (turn - turned), sin (turn - turned))) },
     .normal = qn_found_normal (model, contact),

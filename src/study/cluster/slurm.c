@@ -171,10 +171,10 @@ submit (QnStore *store, gsize count, const char *folder, const QnSlurmSettings *
       || !qn_store_get_note (store, "slurm-jobs", &jobs, error))
     return FALSE;
   guint former = before != NULL ? (guint) g_ascii_strtoull (before, NULL, 10) : 0;
-  guint wish = settings->array_size > 0 ? settings->array_size
-               : former > 0             ? former
-                                        : QN_SLURM_ARRAY_SIZE;
-  guint slices = (guint) MIN ((gsize) wish, count);
+  guint asked = settings->array_size > 0 ? settings->array_size
+                : former > 0             ? former
+                                         : QN_SLURM_ARRAY_SIZE;
+  guint slices = (guint) MIN ((gsize) asked, count);
   g_autofree guint8 *active = g_new0 (guint8, MAX (slices, former));
   g_autofree guint8 *wanted = g_new0 (guint8, slices);
   const char *known = jobs != NULL ? jobs : "";
