@@ -74,6 +74,13 @@ qn_box_grow (QnBox box, double margin)
                   { box.max.x + margin, box.max.y + margin } };
 }
 
+/* The smaller of width and height, m. */
+static inline double
+qn_box_smaller_side (QnBox box)
+{
+  return qn_min (box.max.x - box.min.x, box.max.y - box.min.y);
+}
+
 /* The larger of width and height, m; 0 where empty. */
 static inline double
 qn_box_size (QnBox box)

@@ -1,6 +1,7 @@
 #include "render/backend/output.h"
 
 #include "core/base/integer.h"
+#include "disk/whole-file.h"
 #include "render/backend/gl-painter.h"
 #include "render/backend/png-encode.h"
 #include "render/scene/svg-text.h"
@@ -70,12 +71,8 @@ bool
 qn_format_of_path (const char *path, QnFormat *format, GError **error)
 {
   static const char *const endings[] = { ".png", ".svg", ".pdf" };
-  if (strcmp (path, "-") == 0) {
-    *format = QN_FORMAT_PNG;
-    return true;
-  }
   /* What cannot keep a name by its ending, such as a device, takes the first format. */
-  if (g_str_has_prefix (path, "/dev/")) {
+  if (strcmp (path, "-") == 0 || g_str_has_prefix (path, "/dev/")) {
     *format = QN_FORMAT_PNG;
     return true;
   }
@@ -170,10 +167,10 @@ describe (const QnMetadata *m, QnPngText texts[5])
   return n;
 }
 
-static cairo_status_t
-append_output (void *closure, const unsigned char *data, unsigned int length)
+cairo_status_t
+qn_output_append (void *bytes, const unsigned char *data, unsigned int length)
 {
-  g_byte_array_append (closure, data, length);
+  g_byte_array_append (bytes, data, length);
   return CAIRO_STATUS_SUCCESS;
 }
 
@@ -267,8 +264,8 @@ encode_vector (QnFormat format, const QnOutput *output, const QnPage *page,
   double width = page->width * points, height = page->height * points;
   bool pdf = format == QN_FORMAT_PDF;
   cairo_surface_t *surface =
-    pdf ? cairo_pdf_surface_create_for_stream (append_output, bytes, width, height)
-        : cairo_svg_surface_create_for_stream (append_output, bytes, width, height);
+    pdf ? cairo_pdf_surface_create_for_stream (qn_output_append, bytes, width, height)
+        : cairo_svg_surface_create_for_stream (qn_output_append, bytes, width, height);
   g_autoptr (GPtrArray) texts = pdf ? NULL : qn_svg_text_collect (surface);
   if (pdf)
     qn_output_describe_pdf (surface, metadata);
@@ -334,4 +331,13 @@ qn_page_export (const char *path, const QnOutput *output, const QnMetadata *meta
   gsize length;
   const void *content = g_bytes_get_data (bytes, &length);
   return qn_file_replace (path, content, length, error);
+}
+
+bool
+qn_file_replace (const char *path, const void *data, size_t length, GError **error)
+{
+  int trouble = qn_whole_file_replace (path, data, length);
+  if (trouble != 0)
+    qn_render_error_set_unwritten (error, path, trouble);
+  return trouble == 0;
 }

@@ -74,6 +74,10 @@ GBytes *qn_page_encode (QnFormat format, const QnOutput *output,
                         const QnMetadata *metadata, QnPageFunc draw, void *data,
                         GError **error);
 
+/* Collects what Cairo writes in a GByteArray. */
+cairo_status_t qn_output_append (void *bytes, const unsigned char *data,
+                                 unsigned int length);
+
 /* Puts the metadata into a PDF, which bears no date: equal input gives equal bytes. */
 void qn_output_describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata);
 

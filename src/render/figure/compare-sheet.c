@@ -180,25 +180,29 @@ common_scale (const SheetLayout *s, int columns, int rows)
   return scale;
 }
 
-/* Height in px of the largest words under a picture, for cells of one column's width. */
+/* Draws title and caption under a picture, centred about x, or only measures them; returns their
+ * height, px. */
 static double
-measure_words (const SheetLayout *s, int columns)
+lay_words (const SheetLayout *s, size_t index, double width, double x, double y,
+           bool draw)
 {
-  double u = s->page->unit, largest = 0;
-  double width = (s->width - (columns - 1) * CELL_GAP * u) / columns;
-  for (size_t i = 0; i < s->sheet->count; i++) {
-    const QnFigure *figure = &s->sheet->figures[i];
-    QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = width };
-    QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = width };
-    const char *title = figure->title != NULL ? figure->title : figure->model->title;
-    g_autofree char *caption = dup_caption (s, i);
-    double w, a = 0, b;
-    if (title != NULL && *title != '\0')
-      qn_text_measure (s->cr, &bold, title, &w, &a);
-    qn_text_measure (s->cr, &plain, caption, &w, &b);
-    largest = fmax (largest, a + b);
+  const QnFigure *figure = &s->sheet->figures[index];
+  const double u = s->page->unit;
+  QnColor ink = qn_ink (QN_INK_LINE, figure->options.monochrome);
+  QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = width };
+  QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = width };
+  const char *title = qn_figure_title (figure);
+  g_autofree char *caption = dup_caption (s, index);
+  double w, above = 0, below;
+  if (title != NULL && *title != '\0') {
+    qn_text_measure (s->cr, &bold, title, &w, &above);
+    if (draw)
+      qn_text_draw (s->cr, &bold, title, x, y, 0.5, 0, 0, ink);
   }
-  return largest;
+  qn_text_measure (s->cr, &plain, caption, &w, &below);
+  if (draw)
+    qn_text_draw (s->cr, &plain, caption, x, y + above, 0.5, 0, 0, ink);
+  return above + below;
 }
 
 static void
@@ -214,21 +218,7 @@ draw_cells (const SheetLayout *s)
     view.height += FOOT_GAP * view.unit;
     view.center.y -= 0.5 * FOOT_GAP * view.unit / view.scale;
     qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->page->antialias, s->cr, NULL);
-    const QnFigure *figure = &s->sheet->figures[i];
-    double u = s->page->unit;
-    QnColor ink = qn_ink (QN_INK_LINE, figure->options.monochrome);
-    QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = view.width };
-    QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = view.width };
-    const char *title = figure->title != NULL ? figure->title : figure->model->title;
-    g_autofree char *caption = dup_caption (s, i);
-    double x = view.x + 0.5 * view.width, y = view.y + view.height;
-    if (title != NULL && *title != '\0') {
-      double width, height;
-      qn_text_measure (s->cr, &bold, title, &width, &height);
-      qn_text_draw (s->cr, &bold, title, x, y, 0.5, 0, 0, ink);
-      y += height;
-    }
-    qn_text_draw (s->cr, &plain, caption, x, y, 0.5, 0, 0, ink);
+    lay_words (s, i, view.width, view.x + 0.5 * view.width, view.y + view.height, true);
   }
 }
 
@@ -264,7 +254,9 @@ draw_sheet (SheetLayout *s)
     s->sheet->columns > 0
       ? s->sheet->columns
       : (int) qn_to_integer (ceil (sqrt ((double) s->sheet->count)), 1, G_MAXINT16);
-  s->words = measure_words (s, MAX (guess, 1));
+  double cell = (s->width - (MAX (guess, 1) - 1) * CELL_GAP * u) / MAX (guess, 1);
+  for (size_t i = 0; i < s->sheet->count; i++)
+    s->words = fmax (s->words, lay_words (s, i, cell, 0, 0, false));
   int count = (int) s->sheet->count;
   int first = s->sheet->columns > 0 ? MIN (s->sheet->columns, count) : 1;
   int last = s->sheet->columns > 0 ? first : MIN (count, 12);
@@ -294,10 +286,8 @@ draw_sheet_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
     QnScene *scene = qn_scene_build (figure->model, figure->contacts, figure->result,
                                      &figure->options, error);
     if (scene == NULL) {
-      g_prefix_error (error, "%s: ",
-                      figure->title != NULL          ? figure->title
-                      : figure->model->title != NULL ? figure->model->title
-                                                     : _ ("untitled"));
+      const char *title = qn_figure_title (figure);
+      g_prefix_error (error, "%s: ", title != NULL ? title : _ ("untitled"));
       return false;
     }
     g_ptr_array_add (scenes, scene);

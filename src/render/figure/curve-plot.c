@@ -2,6 +2,7 @@
 
 #include "render/backend/draw-cairo.h"
 #include "render/figure/figure-furniture.h"
+#include "render/figure/figure.h"
 #include "render/figure/plot-axes.h"
 #include "render/scene/camera.h"
 #include "render/scene/paint.h"
@@ -157,24 +158,14 @@ create_legend (const QnCurvePlot *data)
     entry->dashed = true;
     entry->size = 0.8f;
   }
-  if (limit) {
-    QnLegendEntry *entry =
-      qn_scene_legend (scene, QN_COMMAND_MARKER, ink, "%s", _ ("first limit point"));
-    entry->marker = QN_MARKER_DIAMOND;
-    entry->size = 7;
-  }
-  if (collapse) {
-    QnLegendEntry *entry =
-      qn_scene_legend (scene, QN_COMMAND_MARKER, ink, "%s", _ ("collapse"));
-    entry->marker = QN_MARKER_CROSS;
-    entry->size = 6.5f;
-  }
-  if (runs_on) {
-    QnLegendEntry *entry =
-      qn_scene_legend (scene, QN_COMMAND_MARKER, ink, "%s", _ ("grows without limit"));
-    entry->marker = QN_MARKER_ARROW_HEAD;
-    entry->size = 1;
-  }
+  if (limit)
+    qn_scene_legend_marker (scene, QN_MARKER_DIAMOND, 7, ink, "%s",
+                            _ ("first limit point"));
+  if (collapse)
+    qn_scene_legend_marker (scene, QN_MARKER_CROSS, 6.5f, ink, "%s", _ ("collapse"));
+  if (runs_on)
+    qn_scene_legend_marker (scene, QN_MARKER_ARROW_HEAD, 1, ink, "%s",
+                            _ ("grows without limit"));
   return scene;
 }
 
@@ -300,9 +291,8 @@ static bool
 draw_curve_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
 {
   (void) error;
-  double margin = fmin (10 * page->unit, 0.1 * fmin (page->width, page->height));
-  qn_curve_plot_draw (data, cr, page, margin, margin, page->width - 2 * margin,
-                      page->height - 2 * margin);
+  QnFrame frame = qn_page_frame (page, 10);
+  qn_curve_plot_draw (data, cr, page, frame.x, frame.y, frame.width, frame.height);
   return true;
 }
 

@@ -22,7 +22,7 @@ draw_titles (const QnFigure *figure, const QnScene *scene, cairo_t *cr,
   g_autofree char *own =
     figure->caption == NULL ? qn_figure_dup_caption (figure, scene, false) : NULL;
   const char *caption = figure->caption != NULL ? figure->caption : own;
-  const char *title = figure->title != NULL ? figure->title : figure->model->title;
+  const char *title = qn_figure_title (figure);
   QnTextStyle big = { .size = QN_TYPE_TITLE * page->unit,
                       .bold = true,
                       .width = frame->width };

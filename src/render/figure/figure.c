@@ -17,6 +17,22 @@ qn_figure_init (QnFigure *figure, const QnModel *model, const QnContacts *contac
   qn_view_options_init (&figure->options, view);
 }
 
+const char *
+qn_figure_title (const QnFigure *figure)
+{
+  return figure->title != NULL ? figure->title : figure->model->title;
+}
+
+QnFrame
+qn_page_frame (const QnPage *page, double margin)
+{
+  margin = fmin (margin * page->unit, 0.1 * fmin (page->width, page->height));
+  return (QnFrame){ .x = margin,
+                    .y = margin,
+                    .width = page->width - 2 * margin,
+                    .height = page->height - 2 * margin };
+}
+
 static size_t
 shown_step (const QnFigure *figure)
 {
@@ -204,21 +220,17 @@ qn_figure_fit_height (const QnFigure *figure, cairo_t *cr, const QnPage *page,
 static bool
 draw_figure_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
 {
-  double margin = fmin (PAGE_MARGIN * page->unit, 0.1 * fmin (page->width, page->height));
-  QnFrame frame = { .x = margin,
-                    .y = margin,
-                    .width = page->width - 2 * margin,
-                    .height = page->height - 2 * margin };
+  QnFrame frame = qn_page_frame (page, PAGE_MARGIN);
+
   return qn_figure_draw (data, cr, page, &frame, NULL, error);
 }
 
-/* The metadata, with what the figure itself knows where they say nothing. */
-static QnMetadata
-complete_metadata (const QnFigure *figure, const QnMetadata *metadata)
+QnMetadata
+qn_figure_metadata (const QnFigure *figure, const QnMetadata *metadata)
 {
   QnMetadata full = *metadata;
   if (full.title == NULL)
-    full.title = figure->title != NULL ? figure->title : figure->model->title;
+    full.title = qn_figure_title (figure);
   if (isnan (full.multiplier))
     full.multiplier = qn_figure_multiplier (figure);
   return full;
@@ -228,7 +240,7 @@ bool
 qn_figure_export (const QnFigure *figure, const char *path, const QnOutput *output,
                   const QnMetadata *metadata, GError **error)
 {
-  QnMetadata full = complete_metadata (figure, metadata);
+  QnMetadata full = qn_figure_metadata (figure, metadata);
   QnFigure copy = *figure;
   return qn_page_export (path, output, &full, draw_figure_page, &copy, error);
 }
@@ -237,7 +249,7 @@ GBytes *
 qn_figure_encode (const QnFigure *figure, QnFormat format, const QnOutput *output,
                   const QnMetadata *metadata, GError **error)
 {
-  QnMetadata full = complete_metadata (figure, metadata);
+  QnMetadata full = qn_figure_metadata (figure, metadata);
   QnFigure copy = *figure;
   return qn_page_encode (format, output, &full, draw_figure_page, &copy, error);
 }

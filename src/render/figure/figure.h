@@ -27,6 +27,12 @@ bool qn_figure_export (const QnFigure *figure, const char *path, const QnOutput 
 GBytes *qn_figure_encode (const QnFigure *figure, QnFormat format, const QnOutput *output,
                           const QnMetadata *metadata, GError **error);
 
+/* Its title, or that of its model; NULL where there is none. */
+const char *qn_figure_title (const QnFigure *figure);
+
+/* The metadata, with the title and the multiplier of the figure where they say nothing. */
+QnMetadata qn_figure_metadata (const QnFigure *figure, const QnMetadata *metadata);
+
 /* Multiplier of what the figure shows; not-a-number where no result is shown. */
 double qn_figure_multiplier (const QnFigure *figure);
 
@@ -39,6 +45,9 @@ typedef struct QnFrame {
   double x, y, width, height; /* px */
   double scale;               /* px per m wanted; 0: as large as fits */
 } QnFrame;
+
+/* What a margin leaves of a page: so many points, at most a tenth of its smaller side. */
+QnFrame qn_page_frame (const QnPage *page, double margin);
 
 /* Draws scene and furniture. `camera`, nullable, receives the camera used. */
 bool qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,

@@ -52,13 +52,6 @@ qn_paper_parse (const char *name, QnPaper *paper)
   return false;
 }
 
-static cairo_status_t
-append (void *closure, const unsigned char *data, unsigned int length)
-{
-  g_byte_array_append (closure, data, length);
-  return CAIRO_STATUS_SUCCESS;
-}
-
 QnPages *
 qn_pages_new (QnPaper paper, const char *footer, const QnMetadata *metadata)
 {
@@ -67,7 +60,7 @@ qn_pages_new (QnPaper paper, const char *footer, const QnMetadata *metadata)
   pages->footer = g_strdup (footer);
   pages->bytes = g_byte_array_new ();
   pages->surface = cairo_pdf_surface_create_for_stream (
-    append, pages->bytes, papers[paper].width, papers[paper].height);
+    qn_output_append, pages->bytes, papers[paper].width, papers[paper].height);
   qn_output_describe_pdf (pages->surface, metadata);
   pages->cr = cairo_create (pages->surface);
   pages->y = MARGIN;

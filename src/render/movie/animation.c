@@ -145,11 +145,7 @@ static QnFrame
 divide_page (Player *player)
 {
   const QnPage *page = player->page;
-  double margin = fmin (MARGIN * page->unit, 0.1 * fmin (page->width, page->height));
-  QnFrame frame = { .x = margin,
-                    .y = margin,
-                    .width = page->width - 2 * margin,
-                    .height = page->height - 2 * margin };
+  QnFrame frame = qn_page_frame (page, MARGIN);
   if (!player->along_steps || !player->animation->curve || player->curve.count < 2)
     return frame;
   player->plot = frame;
@@ -158,11 +154,11 @@ divide_page (Player *player)
     player->plot.x = frame.x + frame.width - player->plot.width;
     player->plot.y += 0.15 * frame.height;
     player->plot.height *= 0.7;
-    frame.width -= player->plot.width + 2 * margin;
+    frame.width -= player->plot.width + 2 * frame.x;
   } else {
     player->plot.height = CURVE_SHARE * frame.height;
     player->plot.y = frame.y + frame.height - player->plot.height;
-    frame.height -= player->plot.height + 2 * margin;
+    frame.height -= player->plot.height + 2 * frame.y;
   }
   return frame;
 }
@@ -340,12 +336,7 @@ qn_animation_export (const QnAnimation *animation, const char *path,
   if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
     return false;
   page.painter = painter;
-  QnMetadata full = *metadata;
-  if (full.title == NULL)
-    full.title = animation->figure.title != NULL ? animation->figure.title
-                                                 : animation->figure.model->title;
-  if (isnan (full.multiplier))
-    full.multiplier = qn_figure_multiplier (&animation->figure);
+  QnMetadata full = qn_figure_metadata (&animation->figure, metadata);
 
   cairo_surface_t *surface = cairo_image_surface_create (
     CAIRO_FORMAT_ARGB32, (int) qn_to_integer (page.width, 1, G_MAXINT16),

@@ -25,13 +25,6 @@ movie_free (QnMovie *movie)
 }
 
 static void
-set_write_error (GError **error, const char *path, int trouble)
-{
-  g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
-               _ ("%s: cannot be written: %s"), path, g_strerror (trouble));
-}
-
-static void
 frames_abandon (QnMovie *movie)
 {
   qn_file_group_discard (&movie->pictures);
@@ -62,7 +55,7 @@ frames_open (const char *path, const QnPage *page, double rate,
   int trouble = qn_file_group_open (&movie->pictures, path);
   if (trouble == 0)
     return movie;
-  set_write_error (error, path, trouble);
+  qn_render_error_set_unwritten (error, path, trouble);
   frames_abandon (movie);
   return NULL;
 }
@@ -85,7 +78,7 @@ frames_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
   free (path);
   if (trouble != 0) {
     g_autofree char *meant = g_build_filename (movie->folder, name, NULL);
-    set_write_error (error, meant, trouble);
+    qn_render_error_set_unwritten (error, meant, trouble);
   }
   return trouble == 0;
 }
@@ -95,7 +88,7 @@ frames_finish (QnMovie *movie, GError **error)
 {
   int trouble = qn_file_group_commit (&movie->pictures);
   if (trouble != 0) {
-    set_write_error (error, movie->folder, trouble);
+    qn_render_error_set_unwritten (error, movie->folder, trouble);
     frames_abandon (movie);
     return false;
   }

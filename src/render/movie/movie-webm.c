@@ -100,13 +100,6 @@ set_pipeline_error (QnMovie *movie, GError **error)
                cause != NULL ? cause->message : _ ("the encoder stopped"));
 }
 
-static void
-set_file_error (const QnMovie *movie, int trouble, GError **error)
-{
-  g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
-               _ ("%s: cannot be written: %s"), movie->path, g_strerror (trouble));
-}
-
 static QnMovie *
 webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
            cairo_surface_t *const *samples, int sample_count, GError **error)
@@ -127,7 +120,7 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
                                                     3600 * (gint64) GST_SECOND);
   int trouble = qn_whole_file_open (&movie->file, path);
   if (trouble != 0) {
-    set_file_error (movie, trouble, error);
+    qn_render_error_set_unwritten (error, movie->path, trouble);
     movie_free (movie);
     return NULL;
   }
@@ -211,7 +204,7 @@ webm_finish (QnMovie *movie, GError **error)
   }
   int trouble = qn_whole_file_commit (&movie->file);
   if (trouble != 0)
-    set_file_error (movie, trouble, error);
+    qn_render_error_set_unwritten (error, movie->path, trouble);
   movie_free (movie);
   return trouble == 0;
 }

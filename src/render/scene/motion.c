@@ -181,16 +181,6 @@ qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
   return joints;
 }
 
-/* Friction that dilates lifts a sliding joint off its bed without opening it. */
-static void
-joint_states_from_kind (QnJoint *joint, const QnJointMotion *motion)
-{
-  if (motion->kind != QN_JOINT_SLIDING)
-    return;
-  joint->open_start = joint->open_end = false;
-  joint->sliding = true;
-}
-
 QnJoint *
 qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
                             const double *velocities, QnMechanismKind *kind)
@@ -205,8 +195,12 @@ qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
     g_free (joints);
     return NULL;
   }
+  /* Friction that dilates lifts a sliding joint off its bed without opening it. */
   for (size_t f = 0; f < mechanism.joint_count; f++)
-    joint_states_from_kind (&joints[f], &mechanism.joints[f]);
+    if (mechanism.joints[f].kind == QN_JOINT_SLIDING) {
+      joints[f].open_start = joints[f].open_end = false;
+      joints[f].sliding = true;
+    }
   *kind = mechanism.kind;
   qn_mechanism_clear (&mechanism);
   return joints;

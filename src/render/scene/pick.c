@@ -1,14 +1,6 @@
 #include "render/scene/pick.h"
 
-/* Distance of p from the segment a b. */
-static double
-distance_to_segment (QnVec2 p, QnVec2 a, QnVec2 b)
-{
-  QnVec2 d = qn_vec2_sub (b, a), r = qn_vec2_sub (p, a);
-  double length = qn_vec2_dot (d, d);
-  double s = length > 0 ? fmin (fmax (qn_vec2_dot (r, d) / length, 0), 1) : 0;
-  return qn_vec2_length (qn_vec2_add_scaled (r, -s, d));
-}
+#include "core/base/polygon.h"
 
 /* Even-odd rule. */
 static bool
@@ -35,7 +27,7 @@ command_hit (const QnScene *scene, const QnCommand *command, const QnCamera *cam
   case QN_COMMAND_STROKE:
     for (uint32_t i = command->closed ? 0 : 1; i < command->count; i++) {
       uint32_t before = i > 0 ? i - 1 : command->count - 1;
-      if (distance_to_segment (p, v[before], v[i]) <= reach + size)
+      if (qn_segment_distance (v[before], v[i], p) <= reach + size)
         return true;
     }
     return false;

@@ -16,4 +16,7 @@ typedef enum {
 
 GQuark qn_render_error_quark (void);
 
+/* The file ("-": standard output) cannot be written; an errno says why. */
+void qn_render_error_set_unwritten (GError **error, const char *path, int trouble);
+
 #endif

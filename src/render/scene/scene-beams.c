@@ -120,16 +120,14 @@ add_element (const QnBeamDrawing *drawing, QnSceneBuilder *b, QnId element)
   fill.a = 140;
   QnCommand *command =
     qn_scene_fill (b->scene, QN_LAYER_BLOCKS, band, G_N_ELEMENTS (band), fill);
-  command->pick = QN_PICK_BEAM;
-  command->id = b->model->elements[element].beam;
+  qn_command_set_pick (command, QN_PICK_BEAM, b->model->elements[element].beam);
   qn_scene_stroke (b->scene, QN_LAYER_OUTLINES, band, PIECES + 1, false, QN_WIDTH_GHOST,
                    line);
   qn_scene_stroke (b->scene, QN_LAYER_OUTLINES, band + PIECES + 1, PIECES + 1, false,
                    QN_WIDTH_GHOST, line);
   command = qn_scene_stroke (b->scene, QN_LAYER_JOINTS, axis, PIECES + 1, false,
                              WIDTH_AXIS, line);
-  command->pick = QN_PICK_BEAM;
-  command->id = b->model->elements[element].beam;
+  qn_command_set_pick (command, QN_PICK_BEAM, b->model->elements[element].beam);
 }
 
 static void
@@ -257,13 +255,9 @@ qn_build_beams (QnSceneBuilder *b)
       yields |= add_hinges (&drawing, b, (QnId) e);
   }
   add_nodes (b);
-  if (yields) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, qn_builder_ink (b, QN_INK_HINGE),
-                       "%s", _ ("plastic hinge"));
-    entry->marker = QN_MARKER_DOT;
-    entry->size = 7;
-  }
+  if (yields)
+    qn_scene_legend_marker (b->scene, QN_MARKER_DOT, 7, qn_builder_ink (b, QN_INK_HINGE),
+                            "%s", _ ("plastic hinge"));
   for (size_t i = 0; b->options->names && i < model->beam_count; i++) {
     QnVec2 across;
     QnId middle = model->beams[i].first_element + model->beams[i].element_count / 2;

@@ -5,9 +5,9 @@
 
 #include <glib/gi18n-lib.h>
 
-/* Vertices of a block as displaced by `motion`; the array is reused. */
-static const QnVec2 *
-place_vertices (const QnSceneBuilder *b, const QnMotion *motion, QnId block, GArray *out)
+const QnVec2 *
+qn_builder_place_vertices (const QnSceneBuilder *b, const QnMotion *motion, QnId block,
+                           GArray *out)
 {
   const QnVec2 *vertices = qn_model_block_vertices (b->model, block);
   QnId count = b->model->blocks[block].vertex_count;
@@ -21,10 +21,7 @@ place_vertices (const QnSceneBuilder *b, const QnMotion *motion, QnId block, GAr
 static double
 smaller_side (const QnVec2 *points, QnId count)
 {
-  QnBox box = QN_BOX_EMPTY;
-  for (QnId i = 0; i < count; i++)
-    qn_box_add_point (&box, points[i]);
-  return fmin (box.max.x - box.min.x, box.max.y - box.min.y);
+  return qn_box_smaller_side (qn_box_of_points (points, (size_t) count));
 }
 
 /* Blocks that move less than this share of the fastest are left out of the onion skin, where
@@ -75,7 +72,7 @@ qn_build_blocks (QnSceneBuilder *b, const QnColor *fills)
 
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
-    const QnVec2 *v = place_vertices (b, &b->motion, (QnId) i, points);
+    const QnVec2 *v = qn_builder_place_vertices (b, &b->motion, (QnId) i, points);
     size_t count = (size_t) block->vertex_count;
     QnColor fill = qn_builder_ink (b, QN_INK_SUPPORT);
     if (fills != NULL)
@@ -86,14 +83,11 @@ qn_build_blocks (QnSceneBuilder *b, const QnColor *fills)
     if (b->options->underlay.image != NULL)
       fill = qn_color_fade (fill, FILL_OVER_PHOTO);
     QnCommand *command = qn_scene_fill (b->scene, QN_LAYER_BLOCKS, v, count, fill);
-    command->pick = QN_PICK_BLOCK;
-    command->id = (QnId) i;
+    qn_command_set_pick (command, QN_PICK_BLOCK, (QnId) i);
     command = qn_scene_stroke (b->scene, QN_LAYER_OUTLINES, v, count, true,
                                QN_WIDTH_OUTLINE, line);
-    command->extent = (float) smaller_side (v, block->vertex_count);
-    command->least = 1.6f;
-    command->pick = QN_PICK_BLOCK;
-    command->id = (QnId) i;
+    qn_command_set_extent (command, smaller_side (v, block->vertex_count), 1.6f);
+    qn_command_set_pick (command, QN_PICK_BLOCK, (QnId) i);
   }
   if (fills == NULL)
     add_material_legend (b, materials);
@@ -113,8 +107,7 @@ qn_build_ghost (QnSceneBuilder *b)
     QnId count = model->blocks[i].vertex_count;
     QnCommand *command = qn_scene_stroke (b->scene, QN_LAYER_GHOST, v, (size_t) count,
                                           true, QN_WIDTH_GHOST, line);
-    command->extent = (float) smaller_side (v, count);
-    command->least = 2;
+    qn_command_set_extent (command, smaller_side (v, count), 2);
     any = true;
   }
   if (any)
@@ -144,12 +137,11 @@ qn_build_onion (QnSceneBuilder *b)
   for (size_t i = 0; i < b->model->block_count; i++) {
     if (qn_motion_of_block (&motion, (QnId) i) < least)
       continue;
-    const QnVec2 *v = place_vertices (b, &motion, (QnId) i, points);
+    const QnVec2 *v = qn_builder_place_vertices (b, &motion, (QnId) i, points);
     QnCommand *command =
       qn_scene_stroke (b->scene, QN_LAYER_ONION, v, points->len, true, 0.9, line);
     command->dashed = true;
-    command->extent = (float) smaller_side (v, (QnId) points->len);
-    command->least = 3;
+    qn_command_set_extent (command, smaller_side (v, (QnId) points->len), 3);
   }
   g_autofree char *number = qn_label_number ("%.4f", multiplier);
   QnLegendEntry *entry = known ? qn_scene_legend (b->scene, QN_COMMAND_STROKE, line,
@@ -166,20 +158,17 @@ qn_build_names (QnSceneBuilder *b)
     const QnBlock *block = &b->model->blocks[i];
     if (block->name == NULL || *block->name == '\0')
       continue;
-    const QnVec2 *v = qn_model_block_vertices (b->model, (QnId) i);
     QnVec2 at = qn_builder_place (b, (QnId) i, block->centroid);
     QnCommand *command = qn_scene_text (b->scene, QN_LAYER_LABELS, at, QN_SIZE_LABEL,
                                         block->name, qn_builder_ink (b, QN_INK_LINE));
-    QnBox box = QN_BOX_EMPTY;
-    for (QnId k = 0; k < block->vertex_count; k++)
-      qn_box_add_point (&box, v[k]);
+    QnBox box = qn_box_of_points (qn_model_block_vertices (b->model, (QnId) i),
+                                  (size_t) block->vertex_count);
     /* Shown where the block is wide and tall enough for its name. */
     double letters = (double) g_utf8_strlen (block->name, -1);
     double width = (box.max.x - box.min.x) / (0.62 * letters + 1);
-    command->extent = (float) fmin (width, (box.max.y - box.min.y) / 1.3);
-    command->least = QN_SIZE_LABEL;
-    command->pick = QN_PICK_BLOCK;
-    command->id = (QnId) i;
+    qn_command_set_extent (command, fmin (width, (box.max.y - box.min.y) / 1.3),
+                           QN_SIZE_LABEL);
+    qn_command_set_pick (command, QN_PICK_BLOCK, (QnId) i);
   }
 }
 

@@ -44,7 +44,19 @@ qn_builder_place (const QnSceneBuilder *builder, QnId block, QnVec2 p)
   return qn_motion_place (&builder->motion, block, p, builder->motion.scale);
 }
 
-/* scene-blocks.c */
+/* A point of a joint as drawn, half-way between its two sides. */
+static inline QnVec2
+qn_builder_place_joint (const QnSceneBuilder *builder, const QnContactFace *face,
+                        QnVec2 p)
+{
+  return qn_vec2_lerp (qn_builder_place (builder, face->a, p),
+                       qn_builder_place (builder, face->b, p), 0.5);
+}
+
+/* scene-blocks.c; and the vertices of a block as displaced by `motion`, in an array that is used
+ * again. */
+const QnVec2 *qn_builder_place_vertices (const QnSceneBuilder *builder,
+                                         const QnMotion *motion, QnId block, GArray *out);
 void qn_build_underlay (QnSceneBuilder *builder);
 void qn_build_ghost (QnSceneBuilder *builder);
 /* `fills`, nullable, has one colour per block. */

@@ -15,15 +15,6 @@
 /* Points wide enough to read on zoom, pt. */
 #define DETAIL_LEAST 9
 
-static void
-pickable (QnCommand *command, QnPickKind pick, QnId id, double extent, double least)
-{
-  command->pick = (uint8_t) pick;
-  command->id = id;
-  command->extent = (float) extent;
-  command->least = (float) least;
-}
-
 /* A spring as a zigzag from one point to another. */
 static void
 add_spring (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnId pair, double extent)
@@ -37,7 +28,8 @@ add_spring (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnId pair, double extent)
   }
   QnCommand *command = qn_scene_stroke (b->scene, QN_LAYER_SYMBOLS, points, 8, false, 0.7,
                                         qn_builder_ink (b, QN_INK_LINE));
-  pickable (command, QN_PICK_PAIR, pair, extent, DETAIL_LEAST);
+  qn_command_set_pick (command, QN_PICK_PAIR, pair);
+  qn_command_set_extent (command, extent, DETAIL_LEAST);
 }
 
 /* Where the details of a pair are drawn: a little inwards of the end of its face, because in
@@ -86,11 +78,13 @@ add_pair_details (QnSceneBuilder *b, const QnContactFace *face, QnId pair, doubl
     QnCommand *dot =
       qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, i < 2 ? QN_MARKER_DOT : QN_MARKER_RING,
                        places[i], 3.2, 0, qn_builder_ink (b, QN_INK_FACE));
-    pickable (dot, QN_PICK_PAIR, pair, extent, DETAIL_LEAST);
+    qn_command_set_pick (dot, QN_PICK_PAIR, pair);
+    qn_command_set_extent (dot, extent, DETAIL_LEAST);
     QnVec2 at = qn_vec2_add_scaled (places[i], 0.5 * spread, face->tangent);
     QnCommand *text = qn_scene_text (b->scene, QN_LAYER_LABELS, at, QN_SIZE_LABEL,
                                      letters[i], qn_builder_ink (b, QN_INK_LINE));
-    pickable (text, QN_PICK_PAIR, pair, extent, 3 * DETAIL_LEAST);
+    qn_command_set_pick (text, QN_PICK_PAIR, pair);
+    qn_command_set_extent (text, extent, 3 * DETAIL_LEAST);
   }
 }
 
@@ -104,7 +98,7 @@ add_face (QnSceneBuilder *b, QnId index)
                      qn_vec2_lerp (face->start, face->end, 0.97) };
   QnCommand *command =
     qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false, QN_WIDTH_FACE, color);
-  pickable (command, QN_PICK_FACE, index, 0, 0);
+  qn_command_set_pick (command, QN_PICK_FACE, index);
 
   QnVec2 middle = qn_vec2_lerp (face->start, face->end, 0.5);
   double length = fmin (0.30 * b->block_size, 0.35 * face->length);
@@ -130,7 +124,8 @@ qn_build_contacts (QnSceneBuilder *b)
         add_pair_details (b, face, pair, spread);
       QnCommand *command = qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
                                             contacts->pairs[pair].point, 3.4, 0, dot);
-      pickable (command, QN_PICK_PAIR, pair, face->length / face->pair_count, 2.5);
+      qn_command_set_pick (command, QN_PICK_PAIR, pair);
+      qn_command_set_extent (command, face->length / face->pair_count, 2.5);
     }
   }
   if (contacts->face_count > 0) {
@@ -139,12 +134,10 @@ qn_build_contacts (QnSceneBuilder *b)
       ngettext ("%zu contact face", "%zu contact faces", contacts->face_count),
       contacts->face_count)
       ->size = QN_WIDTH_FACE;
-    QnLegendEntry *entry = qn_scene_legend (
-      b->scene, QN_COMMAND_MARKER, dot,
+    qn_scene_legend_marker (
+      b->scene, QN_MARKER_DOT, 3.4f, dot,
       ngettext ("%zu contact pair", "%zu contact pairs", contacts->pair_count),
       contacts->pair_count);
-    entry->marker = QN_MARKER_DOT;
-    entry->size = 3.4f;
   }
 }
 
@@ -161,14 +154,11 @@ qn_build_findings (QnSceneBuilder *b)
                                                                      : QN_MARKER_CROSS;
     QnCommand *command =
       qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, marker, finding->at, 9, 0, color);
-    command->pick = QN_PICK_BLOCK;
-    command->id = finding->block_a;
+    qn_command_set_pick (command, QN_PICK_BLOCK, finding->block_a);
     if (used[finding->problem])
       continue;
     used[finding->problem] = true;
-    QnLegendEntry *entry = qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, "%s",
-                                            _ (qn_problem_text (finding->problem)));
-    entry->marker = (uint8_t) marker;
-    entry->size = 9;
+    qn_scene_legend_marker (b->scene, marker, 9, color, "%s",
+                            _ (qn_problem_text (finding->problem)));
   }
 }

@@ -81,8 +81,7 @@ add_area (QnSceneBuilder *b, const QnBeamDrawing *drawing, QnId element, double 
   }
   QnCommand *line =
     qn_scene_stroke (b->scene, QN_LAYER_FORCES, curve, PIECES + 1, false, 1.1, color);
-  line->pick = QN_PICK_BEAM;
-  line->id = b->model->elements[element].beam;
+  qn_command_set_pick (line, QN_PICK_BEAM, b->model->elements[element].beam);
 }
 
 static const char *

@@ -117,16 +117,13 @@ add_joint_lines (QnSceneBuilder *b, const double *values)
     const QnContactFace *face = &b->contacts->faces[f];
     if (b->left != NULL && b->left[f])
       continue;
-    QnVec2 line[2] = { qn_vec2_lerp (qn_builder_place (b, face->a, face->start),
-                                     qn_builder_place (b, face->b, face->start), 0.5),
-                       qn_vec2_lerp (qn_builder_place (b, face->a, face->end),
-                                     qn_builder_place (b, face->b, face->end), 0.5) };
+    QnVec2 line[2] = { qn_builder_place_joint (b, face, face->start),
+                       qn_builder_place_joint (b, face, face->end) };
     double share = b->scene->bar.max > 0 ? values[f] / b->scene->bar.max : 0;
     QnCommand *command = qn_scene_stroke (
       b->scene, QN_LAYER_JOINTS, line, 2, false, 1.2 + 2.4 * share,
       qn_color_bar_color (&b->scene->bar, values[f], b->options->monochrome));
-    command->pick = QN_PICK_FACE;
-    command->id = (QnId) f;
+    qn_command_set_pick (command, QN_PICK_FACE, (QnId) f);
   }
 }
 

@@ -30,14 +30,6 @@ typedef struct FaceForce {
   QnVec2 at;    /* where the normal resultant acts, m */
 } FaceForce;
 
-/* Where a point of a joint is, half-way between its two sides. */
-static QnVec2
-joint_place (const QnSceneBuilder *b, const QnContactFace *face, QnVec2 p)
-{
-  return qn_vec2_lerp (qn_builder_place (b, face->a, p), qn_builder_place (b, face->b, p),
-                       0.5);
-}
-
 /* A force by its parts along the frame of the joint, which turns with its blocks. */
 static QnVec2
 joint_force (const QnSceneBuilder *b, const QnContactFace *face, double normal,
@@ -65,7 +57,7 @@ add_pair_forces (QnSceneBuilder *b, const QnContactFace *face, double per_newton
       joint_force (b, face, b->pairs[index].normal_force, b->pairs[index].shear_force);
     if (qn_vec2_length (force) < least)
       continue;
-    QnVec2 at = joint_place (b, face, b->contacts->pairs[index].point);
+    QnVec2 at = qn_builder_place_joint (b, face, b->contacts->pairs[index].point);
     QnVec2 tail = qn_vec2_add_scaled (at, -per_newton, force);
     qn_scene_arrow (b->scene, QN_LAYER_FORCES, tail, at, 0.5, color, QN_PICK_PAIR, index,
                     qn_vec2_length (force) * per_newton);
@@ -105,15 +97,15 @@ cut_place (const QnSceneBuilder *b, const QnCut *cut, QnVec2 p)
   const QnTouch *touch = touch_of (b, cut);
   if (touch != NULL)
     return qn_builder_place (b, touch->block[0], p);
-  return joint_place (b, &b->contacts->faces[cut->face], p);
+  return qn_builder_place_joint (b, &b->contacts->faces[cut->face], p);
 }
 
 static void
 pick_cut (const QnSceneBuilder *b, QnCommand *command, const QnCut *cut)
 {
   const QnTouch *touch = touch_of (b, cut);
-  command->pick = touch != NULL ? QN_PICK_FOUND : QN_PICK_FACE;
-  command->id = touch != NULL ? touch->found : cut->face;
+  qn_command_set_pick (command, touch != NULL ? QN_PICK_FOUND : QN_PICK_FACE,
+                       touch != NULL ? touch->found : cut->face);
 }
 
 /* The middle third, within which the whole joint is pressed. */
@@ -127,8 +119,7 @@ add_kern (QnSceneBuilder *b, const QnCut *cut)
   QnCommand *command = qn_scene_stroke (b->scene, QN_LAYER_FORCES, kern, 2, false, 1.6,
                                         qn_builder_ink (b, QN_INK_FAINT));
   pick_cut (b, command, cut);
-  command->extent = (float) cut->length;
-  command->least = 12;
+  qn_command_set_extent (command, cut->length, 12);
 }
 
 static QnMarker
@@ -163,8 +154,7 @@ add_values (QnSceneBuilder *b, QnVec2 at, double normal, double shear, double mo
     qn_scene_text (b->scene, QN_LAYER_LABELS, at, VALUE_SIZE, text, color);
   command->align_x = BESIDE;
   command->align_y = 0.5F;
-  command->extent = (float) room;
-  command->least = VALUES_LEAST;
+  qn_command_set_extent (command, room, VALUES_LEAST);
 }
 
 /* A point of the line, with the force there. */
@@ -178,8 +168,7 @@ add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing)
     qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, place_marker (cut->place), at,
                      place_size (cut->place), 0, color);
   pick_cut (b, command, cut);
-  command->extent = (float) spacing;
-  command->least = 4;
+  qn_command_set_extent (command, spacing, 4);
   if (b->options->values) {
     add_values (b, at, qn_vec2_dot (cut->force, cut->normal),
                 qn_vec2_dot (cut->force, qn_vec2_perp (cut->normal)), cut->moment,
@@ -190,8 +179,7 @@ add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing)
   g_autofree char *text = g_strdup_printf (_ ("%s kN"), number);
   command = qn_scene_text (b->scene, QN_LAYER_LABELS, at, 6.5, text, color);
   command->align_x = BESIDE;
-  command->extent = (float) spacing;
-  command->least = NUMBER_LEAST;
+  qn_command_set_extent (command, spacing, NUMBER_LEAST);
 }
 
 /* From every joint to the next, each way once. */
@@ -235,7 +223,7 @@ add_face_values (QnSceneBuilder *b, const QnThrust *thrust, double least)
     if (!has_next (&thrust->cuts[thrust->cut_of[f]])
         && (fabs (r.normal) > least || fabs (r.shear) > least
             || fabs (r.moment) > least * face->length))
-      add_values (b, joint_place (b, face, r.at), r.normal, r.shear, r.moment,
+      add_values (b, qn_builder_place_joint (b, face, r.at), r.normal, r.shear, r.moment,
                   r.eccentricity, r.place, face->length,
                   qn_builder_ink (b, QN_INK_FORCE));
   }
@@ -269,10 +257,9 @@ add_thrust_legend (QnSceneBuilder *b, const CutTally *tally)
   for (int place = QN_PLACE_KERN; place < QN_PLACE_COUNT; place++) {
     if (!tally->places[place])
       continue;
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, "%s", _ (words[place]));
-    entry->marker = (uint8_t) place_marker ((QnPressurePlace) place);
-    entry->size = place_size ((QnPressurePlace) place);
+    qn_scene_legend_marker (b->scene, place_marker ((QnPressurePlace) place),
+                            place_size ((QnPressurePlace) place), color, "%s",
+                            _ (words[place]));
   }
 }
 
@@ -287,7 +274,7 @@ find_resultants (const QnSceneBuilder *b, double *largest)
     const QnContactFace *face = &b->contacts->faces[f];
     QnJointReading reading = qn_joint_reading (b->contacts, (QnId) f, b->pairs, NULL);
     resultants[f] = (FaceForce){ joint_force (b, face, reading.normal, reading.shear),
-                                 joint_place (b, face, reading.at) };
+                                 qn_builder_place_joint (b, face, reading.at) };
     *largest = fmax (*largest, qn_vec2_length (resultants[f].force));
   }
   return resultants;
@@ -326,11 +313,8 @@ qn_build_forces (QnSceneBuilder *b)
     add_face_values (b, &thrust, LEAST_SHARE * largest);
   qn_thrust_clear (&thrust);
   add_thrust_legend (b, &tally);
-  if (b->options->symbols) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, qn_builder_ink (b, QN_INK_FAINT),
-                       "%s", _ ("force of a contact pair"));
-    entry->marker = QN_MARKER_ARROW_HEAD;
-    entry->size = 0.6f;
-  }
+  if (b->options->symbols)
+    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 0.6f,
+                            qn_builder_ink (b, QN_INK_FAINT), "%s",
+                            _ ("force of a contact pair"));
 }

@@ -40,15 +40,12 @@ qn_build_found (QnSceneBuilder *b)
   for (size_t i = 0; i < count; i++) {
     QnCommand *command = qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
                                           place_of (b, &forces[i]), SIZE, 0, color);
-    command->pick = QN_PICK_FOUND;
-    command->id = forces[i].found;
+    qn_command_set_pick (command, QN_PICK_FOUND, forces[i].found);
   }
   if (count == 0)
     return;
-  QnLegendEntry *entry = qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, "%s",
-                                          _ ("contact found during the motion"));
-  entry->marker = QN_MARKER_DOT;
-  entry->size = SIZE;
+  qn_scene_legend_marker (b->scene, QN_MARKER_DOT, SIZE, color, "%s",
+                          _ ("contact found during the motion"));
 }
 
 double

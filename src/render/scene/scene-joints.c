@@ -34,50 +34,39 @@ add_gap (QnSceneBuilder *b, QnId index, const QnContactFace *face, QnColor color
   /* The hairline closes the seam that antialiasing leaves between neighbouring gaps. */
   qn_scene_stroke (b->scene, QN_LAYER_GAPS, gap, 4, true, 0.3, color);
   QnCommand *command = qn_scene_fill (b->scene, QN_LAYER_GAPS, gap, 4, color);
-  command->pick = QN_PICK_FACE;
-  command->id = index;
+  qn_command_set_pick (command, QN_PICK_FACE, index);
 }
 
 static void
 add_hinge (QnSceneBuilder *b, QnId index, const QnContactFace *face, bool at_start,
            QnColor color)
 {
-  QnVec2 end = at_start ? face->start : face->end;
-  QnVec2 at = qn_vec2_lerp (qn_builder_place (b, face->a, end),
-                            qn_builder_place (b, face->b, end), 0.5);
+  QnVec2 at = qn_builder_place_joint (b, face, at_start ? face->start : face->end);
   QnCommand *command =
     qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_RING, at, 4.2, 0, color);
-  command->pick = QN_PICK_FACE;
-  command->id = index;
-  command->extent = (float) face->length;
-  command->least = SYMBOL_LEAST;
+  qn_command_set_pick (command, QN_PICK_FACE, index);
+  qn_command_set_extent (command, face->length, SYMBOL_LEAST);
 }
 
 static void
 add_sliding (QnSceneBuilder *b, QnId index, const QnContactFace *face,
              const QnJoint *joint, QnColor color)
 {
-  QnVec2 start = qn_vec2_lerp (qn_builder_place (b, face->a, face->start),
-                               qn_builder_place (b, face->b, face->start), 0.5);
-  QnVec2 end = qn_vec2_lerp (qn_builder_place (b, face->a, face->end),
-                             qn_builder_place (b, face->b, face->end), 0.5);
-  QnVec2 line[2] = { start, end };
+  QnVec2 line[2] = { qn_builder_place_joint (b, face, face->start),
+                     qn_builder_place_joint (b, face, face->end) };
   QnCommand *command =
     qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false, 1.5, color);
-  command->pick = QN_PICK_FACE;
-  command->id = index;
+  qn_command_set_pick (command, QN_PICK_FACE, index);
 
   /* Seen along the tangent, block a is on the left and block b on the right. The left half
    * arrow of the symbol points forwards, which is right where b slips backwards. */
-  QnVec2 d = qn_vec2_sub (end, start);
+  QnVec2 d = qn_vec2_sub (line[1], line[0]);
   double angle = atan2 (d.y, d.x);
   command = qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_SLIDE,
-                             qn_vec2_lerp (start, end, 0.5), 11, angle, color);
+                             qn_vec2_lerp (line[0], line[1], 0.5), 11, angle, color);
   command->mirrored = joint->slip > 0;
-  command->pick = QN_PICK_FACE;
-  command->id = index;
-  command->extent = (float) face->length;
-  command->least = 1.6f * SYMBOL_LEAST;
+  qn_command_set_pick (command, QN_PICK_FACE, index);
+  qn_command_set_extent (command, face->length, 1.6f * SYMBOL_LEAST);
 }
 
 void
@@ -107,16 +96,9 @@ qn_build_joints (QnSceneBuilder *b)
   }
   if (tally.open)
     qn_scene_legend (b->scene, QN_COMMAND_FILL, open, "%s", _ ("open joint"));
-  if (tally.hinge) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, hinge, "%s", _ ("hinge"));
-    entry->marker = QN_MARKER_RING;
-    entry->size = 4.2f;
-  }
-  if (tally.sliding) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, slide, "%s", _ ("sliding joint"));
-    entry->marker = QN_MARKER_SLIDE;
-    entry->size = 11;
-  }
+  if (tally.hinge)
+    qn_scene_legend_marker (b->scene, QN_MARKER_RING, 4.2f, hinge, "%s", _ ("hinge"));
+  if (tally.sliding)
+    qn_scene_legend_marker (b->scene, QN_MARKER_SLIDE, 11, slide, "%s",
+                            _ ("sliding joint"));
 }

@@ -54,6 +54,16 @@ add_weight_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId in
   }
 }
 
+/* A number with its unit as a label. */
+static QnCommand *
+add_quantity (QnSceneBuilder *b, QnVec2 at, const char *format, double number,
+              const char *unit, QnColor color)
+{
+  g_autofree char *digits = qn_label_number (format, number);
+  g_autofree char *text = g_strconcat (digits, unit, NULL);
+  return qn_scene_text (b->scene, QN_LAYER_LABELS, at, QN_SIZE_LABEL, text, color);
+}
+
 static double
 largest_force (const QnLoad *loads, size_t count)
 {
@@ -80,10 +90,7 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
     double length = FORCE_ARROW * b->block_size * fmax (force / largest, 0.2);
     QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
     qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, at, 1.4, color, pick, index, 0);
-    g_autofree char *number = qn_label_number ("%.4g", force / 1000);
-    g_autofree char *text = g_strconcat (number, " kN", NULL);
-    QnCommand *label =
-      qn_scene_text (b->scene, QN_LAYER_LABELS, from, QN_SIZE_LABEL, text, color);
+    QnCommand *label = add_quantity (b, from, "%.4g", force / 1000, " kN", color);
     label->align_x = load->vector.x > 0.3 * force    ? 1
                      : load->vector.x < -0.3 * force ? 0
                                                      : 0.5f;
@@ -101,8 +108,7 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
     size_t last = G_N_ELEMENTS (arc) - 1;
     QnCommand *turning =
       qn_scene_stroke (b->scene, QN_LAYER_LOADS, arc, last, false, 1.2, color);
-    turning->pick = (uint8_t) pick;
-    turning->id = index;
+    qn_command_set_pick (turning, pick, index);
     QnVec2 d = qn_vec2_sub (arc[last], arc[last - 1]);
     qn_scene_marker (b->scene, QN_LAYER_LOADS, QN_MARKER_ARROW_HEAD, arc[last], 6,
                      atan2 (d.y, d.x), color);
@@ -115,8 +121,7 @@ add_tails (QnSceneBuilder *b, const QnVec2 tails[2], QnPickKind pick, QnId index
 {
   QnCommand *line =
     qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
-  line->pick = (uint8_t) pick;
-  line->id = index;
+  qn_command_set_pick (line, pick, index);
 }
 
 /* A row of arrows that reach the beam, joined at their tails. */
@@ -139,10 +144,8 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
                     index, 0);
   }
   add_tails (b, tails, pick, index, color);
-  g_autofree char *number = qn_label_number ("%.4g", force / 1000);
-  g_autofree char *text = g_strconcat (number, " kN/m", NULL);
-  qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_lerp (tails[0], tails[1], 0.5),
-                 QN_SIZE_LABEL, text, color)
+  add_quantity (b, qn_vec2_lerp (tails[0], tails[1], 0.5), "%.4g", force / 1000, " kN/m",
+                color)
     ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
 }
 
@@ -239,11 +242,8 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
   }
   if (!(most > 0))
     return;
-  g_autofree char *number = qn_label_number ("%.4g", shown / 1000);
-  g_autofree char *text = g_strconcat (number, pressure ? " kPa" : " kN/m", NULL);
-  QnCommand *label =
-    qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_add_scaled (at, -scale, direction),
-                   QN_SIZE_LABEL, text, color);
+  QnCommand *label = add_quantity (b, qn_vec2_add_scaled (at, -scale, direction), "%.4g",
+                                   shown / 1000, pressure ? " kPa" : " kN/m", color);
   label->align_x = direction.x > 0.3 * most    ? 1.1f
                    : direction.x < -0.3 * most ? -0.1f
                                                : 0.5f;
@@ -270,20 +270,11 @@ add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId ind
   QnVec2 to = qn_vec2_add_scaled (from, length, along);
   if (!turns)
     qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, to, 1.4, color, pick, index, 0);
-  g_autofree char *number =
-    qn_label_number ("%.3g", turns ? 1e3 * load->value : 1e3 * fabs (load->value));
-  g_autofree char *text = g_strconcat (number, turns ? " mrad" : " mm", NULL);
   QnCommand *label =
-    qn_scene_text (b->scene, QN_LAYER_LABELS, to, QN_SIZE_LABEL, text, color);
+    add_quantity (b, to, "%.3g", turns ? 1e3 * load->value : 1e3 * fabs (load->value),
+                  turns ? " mrad" : " mm", color);
   label->align_x = along.x < 0 ? 1.1f : along.x > 0 ? -0.1f : 0.5f;
   label->align_y = along.y < 0 ? 1.2f : along.y > 0 ? -0.2f : 0.5f;
-}
-
-/* Loads of sets are called by the name of their set. */
-static const char *
-set_label (const QnSceneBuilder *b, const QnLoad *load, const char *name)
-{
-  return load->set > 0 ? qn_model_load_set_name (b->model, load->set) : name;
 }
 
 static void
@@ -296,6 +287,9 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
   bool on_edges = false;
   for (size_t i = 0; i < count; i++) {
     const QnLoad *load = &loads[i];
+    /* Loads of sets are called by the name of their set. */
+    const char *called =
+      load->set > 0 ? qn_model_load_set_name (b->model, load->set) : name;
     if (qn_load_is_on_edges (load->kind)) {
       size_t source = i + (loads == b->model->live_loads ? b->model->dead_load_count : 0);
       add_edge_load (b, source, intensity, pick, (QnId) i, color);
@@ -312,11 +306,8 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
     }
     if (load->kind == QN_LOAD_SETTLEMENT) {
       add_settlement (b, load, pick, (QnId) i, color);
-      QnLegendEntry *entry =
-        qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, _ ("%s: settlement"),
-                         set_label (b, load, name));
-      entry->marker = QN_MARKER_ARROW_HEAD;
-      entry->size = 1.4f;
+      qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 1.4f, color,
+                              _ ("%s: settlement"), called);
       continue;
     }
     /* Own weight downwards goes without saying: the legend names it, no arrow is spent. */
@@ -330,22 +321,16 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
                               : g_strdup_printf (_ ("weight × (%s, %s)"), x, y);
     QnLegendEntry *entry =
       qn_scene_legend (b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color,
-                       _ ("%s: %s"), set_label (b, load, name), what);
+                       _ ("%s: %s"), called, what);
     entry->marker = QN_MARKER_ARROW_HEAD;
     entry->size = QN_WIDTH_ARROW;
   }
-  if (on_edges) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, _ ("%s: load on edges"), name);
-    entry->marker = QN_MARKER_ARROW_HEAD;
-    entry->size = QN_WIDTH_ARROW;
-  }
-  if (largest > 0) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, _ ("%s: force"), name);
-    entry->marker = QN_MARKER_ARROW_HEAD;
-    entry->size = 1.4f;
-  }
+  if (on_edges)
+    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, QN_WIDTH_ARROW, color,
+                            _ ("%s: load on edges"), name);
+  if (largest > 0)
+    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 1.4f, color, _ ("%s: force"),
+                            name);
 }
 
 void

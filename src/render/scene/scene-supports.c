@@ -38,8 +38,7 @@ hatch_polygon (QnSceneBuilder *b, const QnVec2 *v, QnId count, QnVec2 direction,
                          qn_vec2_add_scaled (base, cuts[k + 1], direction) };
       QnCommand *command =
         qn_scene_stroke (b->scene, QN_LAYER_HATCH, line, 2, false, 0.5, color);
-      command->extent = (float) spacing;
-      command->least = 1.5f;
+      qn_command_set_extent (command, spacing, 1.5f);
     }
   }
 }
@@ -48,10 +47,7 @@ hatch_polygon (QnSceneBuilder *b, const QnVec2 *v, QnId count, QnVec2 direction,
 static double
 hatch_spacing (const QnSceneBuilder *b, const QnVec2 *v, QnId count)
 {
-  QnBox box = QN_BOX_EMPTY;
-  for (QnId i = 0; i < count; i++)
-    qn_box_add_point (&box, v[i]);
-  double side = fmin (box.max.x - box.min.x, box.max.y - box.min.y);
+  double side = qn_box_smaller_side (qn_box_of_points (v, (size_t) count));
   return fmin (0.30 * side, 0.22 * b->block_size);
 }
 
@@ -66,13 +62,7 @@ qn_build_supports (QnSceneBuilder *b)
     int held = block->support[0] + block->support[1] + block->support[2];
     if (held == 0)
       continue;
-    const QnVec2 *vertices = qn_model_block_vertices (b->model, (QnId) i);
-    g_array_set_size (points, 0);
-    for (QnId k = 0; k < block->vertex_count; k++) {
-      QnVec2 p = qn_builder_place (b, (QnId) i, vertices[k]);
-      g_array_append_val (points, p);
-    }
-    const QnVec2 *v = (const QnVec2 *) (void *) points->data;
+    const QnVec2 *v = qn_builder_place_vertices (b, &b->motion, (QnId) i, points);
     bool all = held == QN_DOF_COUNT;
     QnVec2 direction = qn_vec2 (G_SQRT2 / 2, all ? G_SQRT2 / 2 : -G_SQRT2 / 2);
     double spacing = hatch_spacing (b, v, block->vertex_count);

@@ -103,16 +103,20 @@ qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double wi
   QnVec2 line[2] = { from, to };
   double angle = atan2 (to.y - from.y, to.x - from.x);
   QnCommand *shaft = qn_scene_stroke (scene, layer, line, 2, false, width, color);
-  shaft->pick = (uint8_t) pick;
-  shaft->id = id;
-  shaft->extent = (float) extent;
-  shaft->least = 3;
+  qn_command_set_pick (shaft, pick, id);
+  qn_command_set_extent (shaft, extent, 3);
   QnCommand *head = qn_scene_marker (scene, layer, QN_MARKER_ARROW_HEAD, to,
                                      3 + 2.5 * width, angle, color);
-  head->pick = (uint8_t) pick;
-  head->id = id;
-  head->extent = (float) extent;
-  head->least = 3 + 2.5f * (float) width;
+  qn_command_set_pick (head, pick, id);
+  qn_command_set_extent (head, extent, 3 + 2.5f * (float) width);
+}
+
+static QnLegendEntry *
+add_legend (QnScene *scene, QnLegendEntry entry, const char *format, va_list args)
+{
+  entry.text = g_strdup_vprintf (format, args);
+  g_array_append_val (scene->legend, entry);
+  return &g_array_index (scene->legend, QnLegendEntry, scene->legend->len - 1);
 }
 
 QnLegendEntry *
@@ -121,15 +125,26 @@ qn_scene_legend (QnScene *scene, QnCommandKind kind, QnColor color, const char *
 {
   va_list args;
   va_start (args, format);
-  QnLegendEntry entry = {
-    .kind = (uint8_t) kind,
-    .color = color,
-    .size = 1.5f,
-    .text = g_strdup_vprintf (format, args),
-  };
+  QnLegendEntry *entry = add_legend (
+    scene, (QnLegendEntry){ .kind = (uint8_t) kind, .color = color, .size = 1.5f },
+    format, args);
   va_end (args);
-  g_array_append_val (scene->legend, entry);
-  return &g_array_index (scene->legend, QnLegendEntry, scene->legend->len - 1);
+  return entry;
+}
+
+void
+qn_scene_legend_marker (QnScene *scene, QnMarker marker, double size, QnColor color,
+                        const char *format, ...)
+{
+  va_list args;
+  va_start (args, format);
+  add_legend (scene,
+              (QnLegendEntry){ .kind = QN_COMMAND_MARKER,
+                               .marker = (uint8_t) marker,
+                               .color = color,
+                               .size = (float) size },
+              format, args);
+  va_end (args);
 }
 
 /* Stable counting sort by layer: within a layer the order of addition stays. */

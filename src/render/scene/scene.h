@@ -152,9 +152,29 @@ QnCommand *qn_scene_text (QnScene *scene, QnLayer layer, QnVec2 at, double size,
 void qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double width,
                      QnColor color, QnPickKind pick, QnId id, double extent);
 
+/* What a command stands for when it is picked. */
+static inline void
+qn_command_set_pick (QnCommand *command, QnPickKind pick, QnId id)
+{
+  command->pick = (uint8_t) pick;
+  command->id = id;
+}
+
+/* Size of what a command annotates, m: where that is less than `least` pt, it is left out. */
+static inline void
+qn_command_set_extent (QnCommand *command, double extent, double least)
+{
+  command->extent = (float) extent;
+  command->least = (float) least;
+}
+
 /* Adds a line to the legend; valid until the next addition. */
 QnLegendEntry *qn_scene_legend (QnScene *scene, QnCommandKind kind, QnColor color,
                                 const char *format, ...) G_GNUC_PRINTF (4, 5);
+
+/* The same with a marker of a size (pt) as its sample. */
+void qn_scene_legend_marker (QnScene *scene, QnMarker marker, double size, QnColor color,
+                             const char *format, ...) G_GNUC_PRINTF (5, 6);
 
 /* Sorts the commands and computes the box. To be called once, when all is added. */
 void qn_scene_finish (QnScene *scene);
