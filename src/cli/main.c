@@ -39,9 +39,8 @@ describe (void)
 static QnExit
 dispatch (int argc, char **argv)
 {
-  if (argc < 2) {
+  if (argc < 2)
     return qn_cli_usage_error (NULL, _ ("a subcommand is missing"));
-  }
   if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
     printf (_ ("Usage: quoin-cli SUBCOMMAND [OPTION…] ARGUMENT…\n\n"
                "Block masonry: contacts, load path, collapse mechanism and pictures.\n\n"
@@ -64,11 +63,10 @@ dispatch (int argc, char **argv)
     return describe ();
 
   const QnSubcommand *subcommand = find_subcommand (argv[1]);
-  if (subcommand == NULL) {
-    g_autofree char *message = g_strdup_printf (
-      argv[1][0] == '-' ? _ ("unknown option %s") : _ ("unknown subcommand %s"), argv[1]);
-    return qn_cli_usage_error (NULL, message);
-  }
+  if (subcommand == NULL)
+    return qn_cli_usage_error (
+      NULL, argv[1][0] == '-' ? _ ("unknown option %s") : _ ("unknown subcommand %s"),
+      argv[1]);
   return subcommand->run (subcommand, argc - 1, argv + 1);
 }
 

@@ -217,12 +217,10 @@ solve (const Options *options, QnInput *input)
     qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
                      &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
-  if (status == QN_ERROR_CANCELLED) {
+  if (status == QN_ERROR_CANCELLED)
     return qn_cli_cancelled (input->project.name);
-  }
-  if (status != QN_OK) {
+  if (status != QN_OK)
     return qn_input_refuse (&input->project, &diag);
-  }
   result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
   if (options->no_timings)
     qn_statistics_clear_timings (&result.statistics);

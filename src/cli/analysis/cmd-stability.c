@@ -34,9 +34,8 @@ static QnExit
 exit_code (const QnProject *project, const QnResult *result)
 {
   g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
-  if (result->outcome == QN_OUTCOME_CANCELLED) {
+  if (result->outcome == QN_OUTCOME_CANCELLED)
     return qn_cli_cancelled (project->name);
-  }
   if (result->outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE
       && result->outcome != QN_OUTCOME_NOT_CONVERGED)
     return QN_EXIT_DONE;

@@ -19,9 +19,8 @@ qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
   if (result->outcome != QN_OUTCOME_COLLAPSE)
     return QN_EXIT_DONE;
   if (qn_limit_sensitivity (&project->model, contacts, result, &sensitivity, &diag)
-      != QN_OK) {
+      != QN_OK)
     return qn_input_refuse (project, &diag);
-  }
   printf (_ ("Change of the associative multiplier %.6f, of this mechanism:\n"),
           sensitivity.multiplier);
   printf ("%-24s %12s %12s %12s %12s %12s\n", _ ("law"), _ ("friction"), _ ("cohesion"),

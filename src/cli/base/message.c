@@ -40,14 +40,29 @@ qn_cli_warning (const char *format, ...)
 }
 
 QnExit
-qn_cli_usage_error (const char *subcommand, const char *message)
+qn_cli_usage_error (const char *subcommand, const char *format, ...)
 {
+  va_list arguments;
+  va_start (arguments, format);
+  g_autofree char *message = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
   if (subcommand != NULL)
     qn_cli_error (_ ("%s: %s (see quoin-cli %s --help)"), subcommand, message,
                   subcommand);
   else
     qn_cli_error (_ ("%s (see quoin-cli --help)"), message);
   return QN_EXIT_USAGE;
+}
+
+QnExit
+qn_cli_refuse_name (const char *subcommand, const char *value, const char *const *names,
+                    size_t count)
+{
+  g_autoptr (GString) known = g_string_new (NULL);
+  for (size_t i = 0; i < count; i++)
+    g_string_append_printf (known, "%s%s", i > 0 ? ", " : "", names[i]);
+  g_autofree char *reason = g_strdup_printf (_ ("is not one of %s"), known->str);
+  return qn_cli_usage_error (subcommand, "%s: %s", value, reason);
 }
 
 static QnExit

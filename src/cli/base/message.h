@@ -13,7 +13,12 @@ void qn_cli_warning (const char *format, ...) G_GNUC_PRINTF (1, 2);
 
 /* Wrong usage: the message and where help is to be found. `subcommand` may be NULL. Returns how the
  * program ends, QN_EXIT_USAGE. */
-QnExit qn_cli_usage_error (const char *subcommand, const char *message);
+QnExit qn_cli_usage_error (const char *subcommand, const char *format, ...)
+  G_GNUC_PRINTF (2, 3);
+
+/* The same for the value of an option that is none of these. */
+QnExit qn_cli_refuse_name (const char *subcommand, const char *value,
+                           const char *const *names, size_t count);
 
 /* An override that a subcommand puts before those of the user: where an error names it as what set a
  * value, the subcommand is named instead. Both are borrowed for good. */

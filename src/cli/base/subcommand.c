@@ -32,9 +32,8 @@ check_numbers (const QnSubcommand *self, const GOptionEntry *entries)
   for (; entries->long_name != NULL; entries++)
     if (entries->arg == G_OPTION_ARG_DOUBLE
         && !isfinite (*(double *) entries->arg_data)) {
-      g_autofree char *message =
-        g_strdup_printf (_ ("--%s must be a finite number"), entries->long_name);
-      qn_cli_usage_error (self->name, message);
+      qn_cli_usage_error (self->name, _ ("--%s must be a finite number"),
+                          entries->long_name);
       return FALSE;
     }
   return TRUE;
@@ -80,9 +79,8 @@ check_files (const QnSubcommand *self, const GOptionEntry *entries, int count,
       const char *output = *(char **) entries->arg_data;
       if (files->pdata[i] == output || !is_same_file (output, files->pdata[i]))
         continue;
-      g_autofree char *message =
-        g_strdup_printf (_ ("%s: another file of this command is the same file"), output);
-      qn_cli_usage_error (self->name, message);
+      qn_cli_usage_error (
+        self->name, _ ("%s: another file of this command is the same file"), output);
       return FALSE;
     }
   return TRUE;
@@ -119,7 +117,7 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
   gboolean parsed = g_option_context_parse (context, argc, argv, &error);
   g_set_prgname ("quoin-cli");
   if (!parsed) {
-    qn_cli_usage_error (self->name, error->message);
+    qn_cli_usage_error (self->name, "%s", error->message);
     return FALSE;
   }
   if (*argc > 1 && g_strcmp0 ((*argv)[1], "--") == 0) {

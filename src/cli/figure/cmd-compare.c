@@ -29,11 +29,11 @@ static QnExit
 draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
       gsize count)
 {
-  g_autoptr (GError) failure = NULL;
-  if (qn_is_table (options->picture.path))
-    return qn_comparison_table_write (options->picture.path, items, count, &failure)
-             ? QN_EXIT_DONE
-             : qn_cli_fail (g_steal_pointer (&failure));
+  GError *error = NULL;
+  if (qn_is_table (options->picture.path)) {
+    qn_comparison_table_write (options->picture.path, items, count, &error);
+    return qn_cli_end (error);
+  }
   g_autofree QnFigure *figures = g_new0 (QnFigure, count);
   for (gsize i = 0; i < count; i++) {
     const QnSheetItem *item = &items[i];
@@ -44,16 +44,14 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
   }
 
   QnMetadata metadata;
-  GError *error = NULL;
   QnCompareSheet sheet = { .figures = figures,
                            .count = count,
                            .columns = MAX (options->columns, 0),
                            .title = options->title };
   qn_picture_metadata (NULL, &metadata);
   metadata.title = options->title;
-  if (!qn_compare_sheet_export (&sheet, options->picture.path, output, &metadata, &error))
-    return qn_cli_fail (error);
-  return QN_EXIT_DONE;
+  qn_compare_sheet_export (&sheet, options->picture.path, output, &metadata, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit
@@ -76,10 +74,9 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
     if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
       qn_cli_usage_error (self->name, _ ("--columns must be positive"));
-    else if (qn_is_table (options.picture.path))
-      code = qn_picture_page (self, &options.picture, &output);
     else
-      code = qn_picture_output (self, &options.picture, &output);
+      code = (qn_is_table (options.picture.path) ? qn_picture_page : qn_picture_output) (
+        self, &options.picture, &output);
   }
   gsize count = (gsize) MAX (argc - 1, 0);
   if (code == QN_EXIT_DONE)

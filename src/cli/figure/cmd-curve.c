@@ -66,11 +66,9 @@ parse_references (const QnSubcommand *self, Options *options)
   for (char **text = options->references; text != NULL && *text != NULL; text++) {
     char *end = NULL;
     QnReferenceLine line = { .y = g_ascii_strtod (*text, &end) };
-    if (end == *text || (*end != '\0' && *end != '=') || !isfinite (line.y)) {
-      g_autofree char *message =
-        g_strdup_printf (_ ("%s: a reference is a number, or a number=text"), *text);
-      return qn_cli_usage_error (self->name, message);
-    }
+    if (end == *text || (*end != '\0' && *end != '=') || !isfinite (line.y))
+      return qn_cli_usage_error (
+        self->name, _ ("%s: a reference is a number, or a number=text"), *text);
     line.label = *end == '=' ? end + 1 : _ ("reference");
     g_array_append_val (options->lines, line);
   }
@@ -170,10 +168,9 @@ run (const QnSubcommand *self, int argc, char **argv)
       qn_cli_usage_error (
         self->name, _ ("--energy draws one analysis, as a picture; the history that "
                        "solve --csv writes is its table"));
-    else if (qn_is_table (options.picture.path))
-      code = qn_picture_page (self, &options.picture, &output);
     else
-      code = qn_picture_output (self, &options.picture, &output);
+      code = (qn_is_table (options.picture.path) ? qn_picture_page : qn_picture_output) (
+        self, &options.picture, &output);
   }
   options.lines = g_array_new (FALSE, FALSE, sizeof (QnReferenceLine));
   if (code == QN_EXIT_DONE)

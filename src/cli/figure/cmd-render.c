@@ -17,26 +17,6 @@ typedef struct Options {
   gboolean allow_outside;
 } Options;
 
-/* `text` is what stands on the command line. */
-static QnExit
-refuse (const QnSubcommand *self, const char *reason, const char *text)
-{
-  g_autofree char *message = g_strdup_printf ("%s: %s", text, reason);
-  return qn_cli_usage_error (self->name, message);
-}
-
-/* `text` is none of the names that the option takes. */
-static QnExit
-refuse_unknown (const QnSubcommand *self, const char *const *names, size_t count,
-                const char *text)
-{
-  g_autoptr (GString) known = g_string_new (NULL);
-  for (size_t i = 0; i < count; i++)
-    g_string_append_printf (known, "%s%s", i > 0 ? ", " : "", names[i]);
-  g_autofree char *reason = g_strdup_printf (_ ("is not one of %s"), known->str);
-  return refuse (self, reason, text);
-}
-
 static gboolean
 parse_step (const char *text, int32_t *step)
 {
@@ -76,8 +56,8 @@ parse_switches (const QnSubcommand *self, char **lists, bool on, QnViewOptions *
     for (char **name = names; *name != NULL; name++) {
       bool *flag = qn_view_switch (view, *name);
       if (flag == NULL)
-        return refuse_unknown (self, qn_view_switches,
-                               g_strv_length ((char **) qn_view_switches), *name);
+        return qn_cli_refuse_name (self->name, *name, qn_view_switches,
+                                   g_strv_length ((char **) qn_view_switches));
       *flag = on;
     }
   }
@@ -90,23 +70,28 @@ parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *vie
 {
   QnView kind = QN_VIEW_MODEL;
   if (options->view != NULL && !qn_view_parse (options->view, &kind))
-    return refuse_unknown (self, qn_view_names, QN_VIEW_COUNT, options->view);
+    return qn_cli_refuse_name (self->name, options->view, qn_view_names, QN_VIEW_COUNT);
   qn_view_options_init (view, kind);
   view->monochrome = options->picture.monochrome;
   if (options->field != NULL && !qn_field_parse (options->field, &view->field))
-    return refuse_unknown (self, qn_field_names, QN_FIELD_COUNT, options->field);
+    return qn_cli_refuse_name (self->name, options->field, qn_field_names,
+                               QN_FIELD_COUNT);
   if (options->diagram != NULL && !qn_diagram_parse (options->diagram, &view->diagram))
-    return refuse_unknown (self, qn_diagram_names, QN_DIAGRAM_COUNT, options->diagram);
+    return qn_cli_refuse_name (self->name, options->diagram, qn_diagram_names,
+                               QN_DIAGRAM_COUNT);
   if (!parse_step (options->step, &view->step))
-    return refuse (self, _ ("a step is a number from 0, or last"), options->step);
+    return qn_cli_usage_error (self->name, "%s: %s", options->step,
+                               _ ("a step is a number from 0, or last"));
   if (!parse_scale (options->scale, &view->scale))
-    return refuse (self, _ ("a scale is a positive number, auto or true"),
-                   options->scale);
+    return qn_cli_usage_error (self->name, "%s: %s", options->scale,
+                               _ ("a scale is a positive number, auto or true"));
   if (options->result == NULL && kind != QN_VIEW_MODEL && kind != QN_VIEW_CONTACTS)
-    return refuse (self, _ ("this view needs --result"), options->view);
+    return qn_cli_usage_error (self->name, "%s: %s", options->view,
+                               _ ("this view needs --result"));
   if (options->onion != NULL && kind != QN_VIEW_DEFORMED && kind != QN_VIEW_MECHANISM)
-    return refuse (self, _ ("only a deformed view or a mechanism takes a second result"),
-                   options->onion);
+    return qn_cli_usage_error (
+      self->name, "%s: %s", options->onion,
+      _ ("only a deformed view or a mechanism takes a second result"));
   QnExit code = parse_switches (self, options->show, true, view);
   if (code == QN_EXIT_DONE)
     code = parse_switches (self, options->hide, false, view);

@@ -26,13 +26,6 @@ item_clear (Item *item)
   qn_input_clear (&item->input);
 }
 
-static QnExit
-refuse (const QnSubcommand *self, const char *text, const char *reason)
-{
-  g_autofree char *message = g_strdup_printf ("%s: %s", text, reason);
-  return qn_cli_usage_error (self->name, message);
-}
-
 /* The sections that are named. */
 static QnExit
 choose_sections (const QnSubcommand *self, const char *list, bool *sections)
@@ -44,11 +37,9 @@ choose_sections (const QnSubcommand *self, const char *list, bool *sections)
     int i = 0;
     while (i < QN_REPORT_SECTION_COUNT && strcmp (qn_report_section_names[i], *name) != 0)
       i++;
-    if (i == QN_REPORT_SECTION_COUNT) {
-      g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
-      g_autofree char *reason = g_strdup_printf (_ ("is not one of %s"), known);
-      return refuse (self, *name, reason);
-    }
+    if (i == QN_REPORT_SECTION_COUNT)
+      return qn_cli_refuse_name (self->name, *name, qn_report_section_names,
+                                 QN_REPORT_SECTION_COUNT);
     sections[i] = true;
   }
   return QN_EXIT_DONE;
@@ -132,7 +123,8 @@ plan_report (const QnSubcommand *self, const Options *options, const QnProject *
   if (!qn_report_template_read (plan, project, &error))
     return qn_cli_fail (g_steal_pointer (&error));
   if (options->paper != NULL && !qn_paper_parse (options->paper, &plan->paper))
-    return refuse (self, options->paper, _ ("a paper is a4 or letter"));
+    return qn_cli_usage_error (self->name, "%s: %s", options->paper,
+                               _ ("a paper is a4 or letter"));
   if (options->sections == NULL)
     return QN_EXIT_DONE;
   QnExit code = choose_sections (self, options->sections, plan->sections);

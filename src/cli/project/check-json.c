@@ -22,6 +22,14 @@ write_flag (QnFileWriter *out, const char *key, gboolean value)
 }
 
 static void
+write_support (QnFileWriter *out, const bool support[QN_DOF_COUNT])
+{
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    write_flag (out, dof > 0 ? ", " : ", \"support\": [", support[dof]);
+  qn_file_writer_puts (out, "] }");
+}
+
+static void
 write_nodes (QnFileWriter *out, const QnModel *model)
 {
   qn_file_writer_puts (out, "  \"nodes\": [");
@@ -32,10 +40,7 @@ write_nodes (QnFileWriter *out, const QnModel *model)
     write_point (out, ", \"at\": [", node->at);
     if (node->block != QN_NONE)
       qn_file_writer_printf (out, ", \"block\": %d", node->block);
-    write_flag (out, ", \"support\": [", node->support[QN_DOF_UX]);
-    write_flag (out, ", ", node->support[QN_DOF_UY]);
-    write_flag (out, ", ", node->support[QN_DOF_RZ]);
-    qn_file_writer_puts (out, "] }");
+    write_support (out, node->support);
   }
   qn_file_writer_puts (out, "\n  ],\n");
 }
@@ -221,10 +226,7 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
     qn_file_writer_puts_number (out, ", \"area\": ", block->area);
     write_point (out, ", \"centroid\": [", block->centroid);
     qn_file_writer_puts_number (out, ", \"weight\": ", block->weight);
-    write_flag (out, ", \"support\": [", block->support[QN_DOF_UX]);
-    write_flag (out, ", ", block->support[QN_DOF_UY]);
-    write_flag (out, ", ", block->support[QN_DOF_RZ]);
-    qn_file_writer_puts (out, "] }");
+    write_support (out, block->support);
   }
   qn_file_writer_puts (out, "\n  ],\n");
   write_nodes (out, &input->project.model);

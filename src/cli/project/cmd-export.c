@@ -100,7 +100,7 @@ check_options (const QnSubcommand *self, const Options *options, Format *format)
     problem = _ ("--table must be curve, displacements, contacts or beams");
   if (problem == NULL)
     return QN_EXIT_DONE;
-  return qn_cli_usage_error (self->name, problem);
+  return qn_cli_usage_error (self->name, "%s", problem);
 }
 
 static QnExit

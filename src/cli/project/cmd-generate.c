@@ -113,11 +113,9 @@ generate (const QnSubcommand *self, const Options *options, const Kind *kind,
     return qn_cli_fail (error);
   for (gsize i = 0; arguments[i] != NULL; i++) {
     char *override = dup_override (arguments[i]);
-    if (override == NULL) {
-      g_autofree char *message =
-        g_strdup_printf (_ ("expected KEY=VALUE, not \"%s\""), arguments[i]);
-      return qn_cli_usage_error (self->name, message);
-    }
+    if (override == NULL)
+      return qn_cli_usage_error (self->name, _ ("expected KEY=VALUE, not \"%s\""),
+                                 arguments[i]);
     g_ptr_array_add (overrides, override);
   }
   g_ptr_array_add (overrides, NULL);

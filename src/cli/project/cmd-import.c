@@ -71,7 +71,7 @@ check_options (const QnSubcommand *self, Options *options)
   }
   if (problem == NULL)
     return QN_EXIT_DONE;
-  return qn_cli_usage_error (self->name, problem);
+  return qn_cli_usage_error (self->name, "%s", problem);
 }
 
 static QnExit

@@ -70,7 +70,7 @@ apply_setting (const QnSubcommand *self, QnLaw *law, const char *setting)
       message = g_strdup_printf (_ ("“%s” is not a number"), parts[1]);
   }
   if (message != NULL)
-    qn_cli_usage_error (self->name, message);
+    qn_cli_usage_error (self->name, "%s", message);
   return message == NULL;
 }
 
@@ -119,8 +119,7 @@ take_preset (const QnSubcommand *self, const char *name, QnLawPreset *what)
       *what = *qn_law_preset ((QnLawKind) kind);
       return QN_EXIT_DONE;
     }
-  g_autofree char *message = g_strdup_printf (_ ("no law is called “%s”"), name);
-  return qn_cli_usage_error (self->name, message);
+  return qn_cli_usage_error (self->name, _ ("no law is called “%s”"), name);
 }
 
 static QnExit

@@ -344,8 +344,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
     if (strcmp (argv[1], actions[i]->name + strlen ("study ")) == 0)
       return actions[i]->run (actions[i], argc - 1, argv + 1);
-  g_autofree char *message = g_strdup_printf (_ ("unknown action %s"), argv[1]);
-  return qn_cli_usage_error (self->name, message);
+  return qn_cli_usage_error (self->name, _ ("unknown action %s"), argv[1]);
 }
 
 const QnSubcommand qn_cmd_study = {

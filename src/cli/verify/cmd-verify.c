@@ -195,8 +195,7 @@ check_names (const QnSubcommand *self, char **names)
     for (gsize i = 0; i < count; i++)
       known = known || strcmp (groups[i].name, *names) == 0;
     if (!known) {
-      g_autofree char *message = g_strdup_printf (_ ("no group is called “%s”"), *names);
-      qn_cli_usage_error (self->name, message);
+      qn_cli_usage_error (self->name, _ ("no group is called “%s”"), *names);
       return FALSE;
     }
   }
