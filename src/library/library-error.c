@@ -1,6 +1,6 @@
 #include "io/text/io-error.h"
 #include "library/library-private.h"
-#include "render/scene/render-error.h"
+#include "render/drawing/render-error.h"
 
 #include <string.h>
 

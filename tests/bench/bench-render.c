@@ -9,6 +9,7 @@
 #include "render/backend/draw-gl.h"
 #include "render/backend/offscreen.h"
 #include "render/fixture.h"
+#include "render/scene/scene-build.h"
 
 enum { COLUMNS = 320, COURSES = 313, RUNS = 7 };
 

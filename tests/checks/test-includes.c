@@ -27,7 +27,7 @@ static const Layer layers[] = {
     /* The last three for the shim in C++ that stands before dxflib. */
     { "glib", "gio/", "cjson/", "dxflib/", "dl_", "sstream", "string", "vector" } },
   { "render",
-    { "scene", "backend", "figure", "movie" },
+    { "drawing", "scene", "backend", "figure", "movie" },
     { "core/", "disk/", "render/" },
     { "glib", "gio/", "gmodule.h", "cairo", "pango/", "gdk-pixbuf/", "GL/", "EGL/",
       "png.h", "gif_lib.h", "gst/" } },
@@ -186,7 +186,7 @@ test_check_can_fail (void)
   expect ("src/core/law/a.c", "#include \"core/elsewhere.h\"", TRUE);
   expect ("src/core/a.c", "#include \"core/law/law.h\"", TRUE);
   expect ("src/core/law/a.c", "#include <cholmod.h>", FALSE);
-  expect ("src/io/json/a.c", "#include \"render/scene/scene.h\"", TRUE);
+  expect ("src/io/json/a.c", "#include \"render/drawing/scene.h\"", TRUE);
   expect ("src/io/json/a.c", "#include <cairo.h>", TRUE);
   expect ("src/render/scene/a.c", "#include \"io/project/project-read.h\"", TRUE);
   expect ("src/render/scene/a.c", "#include <cairo-svg.h>", FALSE);

@@ -5,8 +5,8 @@
 #include "core/base/integer.h"
 #include "doc/edit/edit-dynamic.h"
 #include "render/backend/draw-cairo.h"
+#include "render/drawing/paint.h"
 #include "render/figure/figure-furniture.h"
-#include "render/scene/paint.h"
 
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>

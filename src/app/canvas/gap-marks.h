@@ -2,7 +2,7 @@
 #ifndef QN_APP_GAP_MARKS_H
 #define QN_APP_GAP_MARKS_H
 
-#include "render/scene/camera.h"
+#include "render/drawing/camera.h"
 #include "stereotomy/gaps.h"
 #include <cairo.h>
 

@@ -5,7 +5,7 @@
 #define QN_APP_GL_LAYER_H
 
 #include "render/backend/gl-api.h"
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 #include <gtk/gtk.h>
 

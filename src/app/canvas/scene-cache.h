@@ -3,7 +3,7 @@
 #ifndef QN_APP_SCENE_CACHE_H
 #define QN_APP_SCENE_CACHE_H
 
-#include "render/scene/scene.h"
+#include "render/scene/scene-build.h"
 
 typedef struct QnSceneCache {
   cairo_surface_t *surface; /* NULL: nothing yet */

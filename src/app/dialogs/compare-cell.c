@@ -3,6 +3,7 @@
 #include "doc/document/run-text.h"
 #include "doc/text/explain.h"
 #include "render/backend/draw-cairo.h"
+#include "render/scene/scene-build.h"
 #include <glib/gi18n.h>
 
 #define MARGIN_PX    24.0

@@ -9,6 +9,7 @@
 #include "app/widgets/settings.h"
 #include "io/exchange/drawing-import.h"
 #include "render/backend/draw-cairo.h"
+#include "render/scene/scene-build.h"
 #include <glib/gi18n.h>
 
 #define PREVIEW_MARGIN_PX 16.0

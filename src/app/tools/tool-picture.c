@@ -4,7 +4,7 @@
 #include "app/tools/tools.h"
 
 #include "doc/document/picture.h"
-#include "render/scene/rectify.h"
+#include "render/drawing/rectify.h"
 #include <glib/gi18n.h>
 #include <string.h>
 

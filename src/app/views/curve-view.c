@@ -4,9 +4,9 @@
 #include "doc/document/run-text.h"
 #include "doc/view/magnet.h"
 #include "io/exchange/table-csv.h"
+#include "render/drawing/camera.h"
+#include "render/drawing/color.h"
 #include "render/figure/curve-plot.h"
-#include "render/scene/camera.h"
-#include "render/scene/color.h"
 
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>

@@ -3,7 +3,7 @@
 #include "app/forms/form.h"
 #include "app/widgets/settings.h"
 #include "doc/view/energy-plot.h"
-#include "render/scene/color.h"
+#include "render/drawing/color.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

@@ -4,6 +4,7 @@
 
 #include "doc/document/document.h"
 #include "render/backend/draw-cairo.h"
+#include "render/scene/scene-build.h"
 #include <glib/gi18n.h>
 #include <string.h>
 

@@ -2,8 +2,8 @@
 
 #include "doc/edit/edit.h"
 #include "io/text/file-inside.h"
-#include "render/scene/photo.h"
-#include "render/scene/rectify.h"
+#include "render/drawing/photo.h"
+#include "render/drawing/rectify.h"
 #include <glib/gi18n.h>
 
 #define MEMBER "underlay"

@@ -5,7 +5,7 @@
 
 #include "doc/document/document.h"
 #include "doc/document/underlay.h"
-#include "render/scene/camera.h"
+#include "render/drawing/camera.h"
 
 /* Lays a picture behind the drawing, in place of the one that is there: over the width of the
  * drawing where there is one and of `view` otherwise, its foot at that of the drawing. Refused

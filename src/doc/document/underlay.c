@@ -3,9 +3,9 @@
 #include "io/project/project-extras.h"
 #include "io/text/file-inside.h"
 #include "io/text/json-text.h"
-#include "render/scene/photo.h"
-#include "render/scene/rectify.h"
-#include "render/scene/render-error.h"
+#include "render/drawing/photo.h"
+#include "render/drawing/rectify.h"
+#include "render/drawing/render-error.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

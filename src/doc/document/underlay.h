@@ -11,7 +11,7 @@
  * is for photos taken at an angle: what on the photo is a rectangle in truth, by parts of the photo's
  * width from the left and of its height from below, from the lower left corner counter-clockwise. Then
  * `origin` and `width` are those of the rectangle, `height` is its height in m, and the photo is shown
- * as seen from the front (render/scene/rectify.h). */
+ * as seen from the front (render/drawing/rectify.h). */
 #ifndef QN_DOC_UNDERLAY_H
 #define QN_DOC_UNDERLAY_H
 

@@ -7,7 +7,7 @@
 #define QN_DOC_EDIT_PLACE_H
 
 #include "doc/edit/edit-frame.h"
-#include "render/scene/camera.h"
+#include "render/drawing/camera.h"
 
 /* Where a set of blocks and beams is, and what its blocks come to. */
 typedef struct QnExtent {

@@ -2,7 +2,7 @@
 
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
-#include "render/scene/text.h"
+#include "render/drawing/text.h"
 
 #include <glib/gi18n.h>
 

@@ -7,9 +7,9 @@
 #include "doc/view/inspect.h"
 #include "doc/view/load-text.h"
 #include "io/project/project-names.h"
+#include "render/drawing/camera.h"
+#include "render/drawing/text.h"
 #include "render/figure/curve-plot.h"
-#include "render/scene/camera.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

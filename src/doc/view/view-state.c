@@ -1,8 +1,8 @@
 #include "doc/view/view-state.h"
 
 #include "doc/document/picture.h"
+#include "render/drawing/photo.h"
 #include "render/scene/motion.h"
-#include "render/scene/photo.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 #include "render/backend/draw-cairo.h"
 
-#include "render/scene/marker-shape.h"
-#include "render/scene/paint.h"
-#include "render/scene/text.h"
+#include "render/drawing/marker-shape.h"
+#include "render/drawing/paint.h"
+#include "render/drawing/text.h"
 
 /* Paper around labels that stand on hatching, pt. */
 #define LABEL_HALO 1.0

@@ -2,7 +2,7 @@
 #ifndef QN_RENDER_DRAW_CAIRO_H
 #define QN_RENDER_DRAW_CAIRO_H
 
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 /* What a drawing cost. */
 typedef struct QnDrawCounts {

@@ -5,7 +5,7 @@
 
 #include "render/backend/draw-cairo.h"
 #include "render/backend/gl-api.h"
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 typedef struct QnGlRenderer QnGlRenderer;
 

@@ -3,7 +3,7 @@
 #define QN_RENDER_DRAW_SCENE_H
 
 #include "render/backend/output.h"
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 /* With a painter the picture is drawn off screen, read back and laid onto the page;
  * labels are always Cairo's. */

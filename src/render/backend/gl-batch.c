@@ -1,7 +1,7 @@
 #include "render/backend/gl-batch.h"
 
 #include "render/backend/gl-shape.h"
-#include "render/scene/marker-shape.h"
+#include "render/drawing/marker-shape.h"
 
 static void
 add_marker (QnGlBrush brush, const QnScene *scene, const QnCommand *command)

@@ -10,7 +10,7 @@
 #ifndef QN_RENDER_GL_BATCH_H
 #define QN_RENDER_GL_BATCH_H
 
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 /* Steps of a pixel in which growth is stored. */
 #define QN_GL_GROWTH_STEPS 60

@@ -3,7 +3,7 @@
 #ifndef QN_RENDER_GL_PAINTER_H
 #define QN_RENDER_GL_PAINTER_H
 
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 typedef struct QnGlPainter QnGlPainter;
 

@@ -1,7 +1,7 @@
 #include "render/backend/gl-shape.h"
 
 #include "core/base/integer.h"
-#include "render/scene/triangulate.h"
+#include "render/drawing/triangulate.h"
 
 /* Distance from an edge that is not there, m or pt. */
 #define FAR 1e9f

@@ -4,7 +4,7 @@
 #include "disk/whole-file.h"
 #include "render/backend/gl-painter.h"
 #include "render/backend/png-encode.h"
-#include "render/scene/svg-text.h"
+#include "render/drawing/svg-text.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>

@@ -8,7 +8,7 @@
 #ifndef QN_RENDER_OUTPUT_H
 #define QN_RENDER_OUTPUT_H
 
-#include "render/scene/render-error.h"
+#include "render/drawing/render-error.h"
 
 #include <cairo.h>
 #include <glib.h>

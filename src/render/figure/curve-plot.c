@@ -1,13 +1,13 @@
 #include "render/figure/curve-plot.h"
 
 #include "render/backend/draw-cairo.h"
+#include "render/drawing/camera.h"
+#include "render/drawing/paint.h"
+#include "render/drawing/scene.h"
+#include "render/drawing/text.h"
 #include "render/figure/figure-furniture.h"
 #include "render/figure/figure.h"
 #include "render/figure/plot-axes.h"
-#include "render/scene/camera.h"
-#include "render/scene/paint.h"
-#include "render/scene/scene.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 

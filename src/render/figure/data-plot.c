@@ -1,10 +1,10 @@
 #include "render/figure/data-plot.h"
 
 #include "render/backend/draw-cairo.h"
+#include "render/drawing/paint.h"
+#include "render/drawing/scene.h"
 #include "render/figure/figure-furniture.h"
 #include "render/figure/plot-axes.h"
-#include "render/scene/paint.h"
-#include "render/scene/scene.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 #include "render/figure/figure-furniture.h"
 
 #include "render/backend/draw-cairo.h"
-#include "render/scene/paint.h"
+#include "render/drawing/paint.h"
+#include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 

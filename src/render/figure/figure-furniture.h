@@ -4,7 +4,7 @@
 #define QN_RENDER_FIGURE_FURNITURE_H
 
 #include "render/backend/output.h"
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 /* Sizes of the type, pt. */
 #define QN_TYPE_TITLE  10.0

@@ -1,8 +1,8 @@
 #include "render/figure/figure-layout.h"
 
 #include "render/backend/draw-scene.h"
-#include "render/scene/scene-fit.h"
-#include "render/scene/text.h"
+#include "render/drawing/scene-fit.h"
+#include "render/drawing/text.h"
 
 /* Space between the parts, pt. */
 #define PART_GAP 7.0

@@ -1,8 +1,8 @@
 #include "render/figure/figure.h"
 
+#include "render/drawing/text.h"
 #include "render/figure/figure-layout.h"
 #include "render/scene/motion.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 

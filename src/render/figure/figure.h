@@ -3,7 +3,7 @@
 #define QN_RENDER_FIGURE_H
 
 #include "render/backend/output.h"
-#include "render/scene/scene.h"
+#include "render/scene/scene-build.h"
 
 typedef struct QnFigure {
   const QnModel *model;       /* borrowed, prepared */

@@ -1,7 +1,7 @@
 #include "render/figure/joint-plot.h"
 
-#include "render/scene/paint.h"
-#include "render/scene/text.h"
+#include "render/drawing/paint.h"
+#include "render/drawing/text.h"
 
 #include <glib.h>
 

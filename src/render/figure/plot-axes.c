@@ -1,8 +1,8 @@
 #include "render/figure/plot-axes.h"
 
 #include "core/base/integer.h"
-#include "render/scene/paint.h"
-#include "render/scene/text.h"
+#include "render/drawing/paint.h"
+#include "render/drawing/text.h"
 
 #include <glib.h>
 #include <math.h>

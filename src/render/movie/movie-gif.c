@@ -1,8 +1,8 @@
 /* Animated GIF through giflib: one palette for all frames, and of every frame only the
  * rectangle that changed. */
 #include "core/base/integer.h"
+#include "render/drawing/palette.h"
 #include "render/movie/movie.h"
-#include "render/scene/palette.h"
 
 #include <gif_lib.h>
 #include <glib/gi18n-lib.h>

@@ -1,6 +1,6 @@
 #include "render/scene/motion.h"
 
-#include "render/scene/camera.h"
+#include "render/drawing/camera.h"
 
 #include <glib/gi18n-lib.h>
 

@@ -1,7 +1,7 @@
 /* Reinforcing bars: lines from end to end that follow the blocks they lie in. Under a field of
  * stresses each piece has the colour of the stress where it crosses the nearest joint. */
+#include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 

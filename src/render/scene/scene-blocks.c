@@ -1,7 +1,7 @@
 /* Blocks: fills, outlines, ghost, onion skin, names, and the photo behind them. */
 #include "core/model/support.h"
+#include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 

@@ -1,8 +1,8 @@
 /* Chooses, checks and runs the builders of one view. */
+#include "render/drawing/render-error.h"
+#include "render/drawing/text.h"
 #include "render/scene/reading.h"
-#include "render/scene/render-error.h"
 #include "render/scene/scene-builder.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 

@@ -4,7 +4,7 @@
 
 #include "render/scene/motion.h"
 #include "render/scene/reading.h"
-#include "render/scene/scene.h"
+#include "render/scene/scene-build.h"
 
 /* Line widths and sizes of figures, pt. */
 #define QN_WIDTH_OUTLINE 0.55F

@@ -2,9 +2,9 @@
  * action, and the line of thrust where there is one (thrust.h), with the force and the kern at each
  * of its joints. In nonlinear geometry all of it is drawn where the blocks have moved to, at
  * factor 1. */
+#include "render/drawing/text.h"
 #include "render/scene/reading.h"
 #include "render/scene/scene-builder.h"
-#include "render/scene/text.h"
 #include "render/scene/thrust.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,8 +1,8 @@
 /* Loads as arrows and overall dimensions. */
 #include "core/base/integer.h"
 #include "core/model/support.h"
+#include "render/drawing/text.h"
 #include "render/scene/scene-beams.h"
-#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 

@@ -1,5 +1,5 @@
 #include "doc/document/underlay.h"
-#include "render/scene/rectify.h"
+#include "render/drawing/rectify.h"
 
 #include <glib/gstdio.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 #include "render/backend/output.h"
 
-#include "render/scene/text.h"
+#include "render/drawing/text.h"
 
 #include <glib/gstdio.h>
 #include <math.h>

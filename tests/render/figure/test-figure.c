@@ -1,6 +1,6 @@
+#include "render/drawing/text.h"
 #include "render/figure/figure.h"
 #include "render/fixture.h"
-#include "render/scene/text.h"
 
 #include <glib/gstdio.h>
 #include <math.h>

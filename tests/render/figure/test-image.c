@@ -5,6 +5,7 @@
 #include "render/backend/offscreen.h"
 #include "render/fixture.h"
 #include "render/image-compare.h"
+#include "render/scene/scene-build.h"
 
 #include <glib.h>
 

@@ -1,6 +1,6 @@
 #include "render/fixture.h"
 #include "render/scene/motion.h"
-#include "render/scene/scene.h"
+#include "render/scene/scene-build.h"
 
 #include <glib.h>
 

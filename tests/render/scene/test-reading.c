@@ -2,7 +2,7 @@
 #include "io/project/project.h"
 #include "render/fixture.h"
 #include "render/scene/reading.h"
-#include "render/scene/scene.h"
+#include "render/scene/scene-build.h"
 #include "render/scene/thrust.h"
 
 #include <glib.h>

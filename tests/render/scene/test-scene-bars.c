@@ -1,5 +1,5 @@
 /* Pictures of reinforcing bars: they follow their blocks, in every view, and show their stress. */
-#include "render/scene/scene.h"
+#include "render/scene/scene-build.h"
 #include "support/run.h"
 
 #include <glib.h>

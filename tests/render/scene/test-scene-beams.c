@@ -1,7 +1,7 @@
 /* Pictures of beams: what is drawn, picked and written, and two references pixel by pixel. */
 #include "render/backend/draw-cairo.h"
 #include "render/image-compare.h"
-#include "render/scene/scene.h"
+#include "render/scene/scene-build.h"
 #include "support/run.h"
 
 #include <glib.h>

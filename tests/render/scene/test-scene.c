@@ -1,8 +1,9 @@
 #include "render/backend/draw-cairo.h"
 #include "render/backend/output.h"
+#include "render/drawing/pick.h"
 #include "render/fixture.h"
-#include "render/scene/pick.h"
 #include "render/scene/reading.h"
+#include "render/scene/scene-build.h"
 
 #include <glib.h>
 

@@ -1,8 +1,8 @@
-#include "render/scene/text.h"
+#include "render/drawing/text.h"
 
 #include "core/base/integer.h"
-#include "render/scene/paint.h"
-#include "render/scene/svg-text.h"
+#include "render/drawing/paint.h"
+#include "render/drawing/svg-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

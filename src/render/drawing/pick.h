@@ -2,7 +2,7 @@
 #ifndef QN_RENDER_PICK_H
 #define QN_RENDER_PICK_H
 
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 typedef struct QnPick {
   QnPickKind kind; /* QN_PICK_NOTHING: nothing there */

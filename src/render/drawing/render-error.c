@@ -1,4 +1,4 @@
-#include "render/scene/render-error.h"
+#include "render/drawing/render-error.h"
 
 #include <glib/gi18n-lib.h>
 

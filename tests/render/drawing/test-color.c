@@ -1,4 +1,4 @@
-#include "render/scene/color.h"
+#include "render/drawing/color.h"
 
 #include <glib.h>
 #include <math.h>

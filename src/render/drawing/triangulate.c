@@ -1,4 +1,4 @@
-#include "render/scene/triangulate.h"
+#include "render/drawing/triangulate.h"
 
 #include <stdbool.h>
 

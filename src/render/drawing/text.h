@@ -2,7 +2,7 @@
 #ifndef QN_RENDER_TEXT_H
 #define QN_RENDER_TEXT_H
 
-#include "render/scene/color.h"
+#include "render/drawing/color.h"
 
 #include <cairo.h>
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-#include "render/scene/camera.h"
+#include "render/drawing/camera.h"
 
 QnBox
 qn_camera_visible_box (const QnCamera *camera)

@@ -1,4 +1,4 @@
-#include "render/scene/color.h"
+#include "render/drawing/color.h"
 
 #include "core/base/base.h"
 #include "core/base/integer.h"

@@ -1,6 +1,6 @@
 /* The scene: everything that is to be seen, as one sorted array of drawing commands.
  *
- * Builders (qn_scene_build) decide what is drawn; the back ends (draw-cairo.h, draw-gl.h)
+ * Builders (scene/scene-build.h) decide what is drawn; the back ends (draw-cairo.h, draw-gl.h)
  * and the picker (pick.h) only walk this array and agree therefore by construction.
  *
  * Places are in model coordinates (m, y up). Line widths, marker sizes and text sizes are in
@@ -11,10 +11,8 @@
 #define QN_RENDER_SCENE_H
 
 #include "core/result/mechanism.h"
-#include "render/scene/camera.h"
-#include "render/scene/color.h"
-#include "render/scene/motion.h"
-#include "render/scene/view-options.h"
+#include "render/drawing/camera.h"
+#include "render/drawing/color.h"
 
 #include <cairo.h>
 #include <glib.h>
@@ -125,17 +123,6 @@ typedef struct QnScene {
 QnScene *qn_scene_new (void);
 void qn_scene_free (QnScene *scene);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnScene, qn_scene_free)
-
-/* Everything that a view shows of a model. `contacts` and `result` may be NULL where the view
- * does without; `result` must belong to the model. Returns NULL with a one-line error when
- * the view needs what is not there (a mechanism, a step). */
-QnScene *qn_scene_build (const QnModel *model, const QnContacts *contacts,
-                         const QnResult *result, const QnViewOptions *options,
-                         GError **error);
-
-/* How the blocks are displaced in a scene that was built of these, its factor included. */
-QnMotion qn_scene_motion (const QnScene *scene, const QnModel *model,
-                          const QnResult *result, const QnViewOptions *options);
 
 /* ---- for builders ---------------------------------------------------------------------- */
 

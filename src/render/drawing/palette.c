@@ -1,4 +1,4 @@
-#include "render/scene/palette.h"
+#include "render/drawing/palette.h"
 
 #include <glib.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "render/scene/pick.h"
+#include "render/drawing/pick.h"
 
 #include "core/base/polygon.h"
 

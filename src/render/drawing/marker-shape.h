@@ -3,7 +3,7 @@
 #ifndef QN_RENDER_MARKER_SHAPE_H
 #define QN_RENDER_MARKER_SHAPE_H
 
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 #define QN_MARKER_POINTS 32
 

@@ -1,5 +1,5 @@
 /* Photos of a plane, made by a camera whose place is known, seen from the front again. */
-#include "render/scene/rectify.h"
+#include "render/drawing/rectify.h"
 
 #include <glib.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "render/scene/camera.h"
+#include "render/drawing/camera.h"
 
 #include <glib.h>
 

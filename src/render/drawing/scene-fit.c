@@ -1,6 +1,6 @@
-#include "render/scene/scene-fit.h"
+#include "render/drawing/scene-fit.h"
 
-#include "render/scene/text.h"
+#include "render/drawing/text.h"
 
 #include <string.h>
 

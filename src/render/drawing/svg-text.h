@@ -5,8 +5,8 @@
 #ifndef QN_RENDER_SVG_TEXT_H
 #define QN_RENDER_SVG_TEXT_H
 
-#include "render/scene/color.h"
-#include "render/scene/text.h"
+#include "render/drawing/color.h"
+#include "render/drawing/text.h"
 
 #include <cairo.h>
 #include <glib.h>

@@ -1,4 +1,4 @@
-#include "render/scene/rectify.h"
+#include "render/drawing/rectify.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #ifndef QN_RENDER_PAINT_H
 #define QN_RENDER_PAINT_H
 
-#include "render/scene/color.h"
+#include "render/drawing/color.h"
 
 #include <cairo.h>
 

@@ -1,4 +1,4 @@
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "render/scene/marker-shape.h"
+#include "render/drawing/marker-shape.h"
 
 static void
 set_points (QnMarkerPath *path, QnMarkerPaint paint, bool closed, int count,

@@ -1,6 +1,6 @@
-#include "render/scene/photo.h"
+#include "render/drawing/photo.h"
 
-#include "render/scene/render-error.h"
+#include "render/drawing/render-error.h"
 
 #include <gdk-pixbuf/gdk-pixbuf.h>
 #include <glib/gi18n-lib.h>

@@ -1,4 +1,4 @@
-#include "render/scene/svg-text.h"
+#include "render/drawing/svg-text.h"
 
 #include "core/base/integer.h"
 

@@ -2,7 +2,7 @@
 #ifndef QN_RENDER_SCENE_FIT_H
 #define QN_RENDER_SCENE_FIT_H
 
-#include "render/scene/scene.h"
+#include "render/drawing/scene.h"
 
 /* Centres the scene in the camera's viewport, as large as it goes without clipping markers,
  * line ends and labels; at `scale` px per m where that is > 0. The camera's viewport and unit

@@ -1,4 +1,4 @@
-#include "render/scene/text.h"
+#include "render/drawing/text.h"
 
 #include <glib.h>
 #include <libintl.h>
