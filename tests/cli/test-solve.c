@@ -86,6 +86,23 @@ test_set_is_repeatable (void)
             "--set", "analysis.max_multiplier=0.25", "-o", "-", NULL);
 }
 
+/* A path that creeps past its largest multiplier in long steps still ends right there. */
+static void
+test_ends_at_target (void)
+{
+  static const double targets[] = { 0.99, 1, 1.1 };
+  for (gsize i = 0; i < G_N_ELEMENTS (targets); i++) {
+    g_autofree char *set = g_strdup_printf ("analysis.max_multiplier=%g", targets[i]);
+    g_autofree char *json = solve_example ("19-settling-wall.quoin", set, NULL, NULL);
+    g_assert_nonnull (strstr (json, "\"outcome\": \"target-reached\""));
+    const char *last = g_strrstr (json, "\"displacements\"");
+    g_assert_nonnull (last);
+    last = g_strrstr_len (json, last - json, "\"multiplier\"");
+    g_assert_nonnull (last);
+    g_assert_cmpfloat_with_epsilon (number_of (last, "multiplier"), targets[i], 1e-9);
+  }
+}
+
 static void
 test_bad_set (void)
 {
@@ -330,6 +347,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/solve/standard-output", test_standard_output);
   g_test_add_func ("/cli/solve/set", test_set);
   g_test_add_func ("/cli/solve/set-is-repeatable", test_set_is_repeatable);
+  g_test_add_func ("/cli/solve/ends-at-target", test_ends_at_target);
   g_test_add_func ("/cli/solve/bad-set", test_bad_set);
   g_test_add_func ("/cli/solve/outputs", test_outputs);
   g_test_add_func ("/cli/solve/same-bytes", test_same_bytes);

@@ -399,9 +399,12 @@ check_whole (const Place *place, GHashTable *expected)
       continue;
     g_test_message ("%s", (char *) path);
     g_assert_nonnull (whole);
-    /* A WebM file has random numbers of its own in it. */
-    g_assert_cmpuint (g_bytes_get_size (content), ==, g_bytes_get_size (whole));
-    g_assert_true (g_str_has_suffix (path, ".webm") || g_bytes_equal (content, whole));
+    /* A WebM file has random numbers of its own in it, each in as few bytes as it takes, up to 8. */
+    if (!g_str_has_suffix (path, ".webm"))
+      g_assert_true (g_bytes_equal (content, whole));
+    else
+      g_assert_cmpfloat_with_epsilon ((double) g_bytes_get_size (content),
+                                      (double) g_bytes_get_size (whole), 32);
   }
 }
 

@@ -148,7 +148,7 @@ qn_path_end_check (QnPathTrace *trace)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_MULTIPLIER);
   else if (qn_path_measure_is_at_end (&trace->measure))
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
-  else if (falls && eq->multiplier <= 0)
+  else if (falls && eq->multiplier <= QN_TOLERANCE_TARGET * events->highest)
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_ZERO);
   else if (is_drawn_out (trace))
     qn_path_end_finish (trace, QN_OUTCOME_UNBOUNDED, QN_STOP_MULTIPLIER);

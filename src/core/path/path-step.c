@@ -289,12 +289,13 @@ share_to_end (const QnPathTrace *trace, QnTarget *end)
 }
 
 QnSolveStatus
-qn_path_step_land (QnPathTrace *trace)
+qn_path_step_land (QnPathTrace *trace, double *share)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   QnTarget end;
 
-  if (!(share_to_end (trace, &end) < 1))
+  *share = share_to_end (trace, &end);
+  if (!(*share < 1))
     return QN_SOLVE_CONVERGED;
   qn_equilibrium_save (eq, &eq->anchor);
   QnSolveStatus status = qn_equilibrium_newton (eq, &end, 0, QN_NEWTON_BUDGET);

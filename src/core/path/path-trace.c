@@ -321,6 +321,7 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   int32_t before = eq->statistics.iterations;
+  double share;
   QnSolveStatus status = qn_path_step_solve (trace, step);
 
   *easy = (!trace->may_jump
@@ -329,12 +330,12 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
   *again = false;
   if (status != QN_SOLVE_CONVERGED)
     return status;
-  status = qn_path_step_land (trace);
+  status = qn_path_step_land (trace, &share);
   if (status != QN_SOLVE_FAILED)
     return status;
   *again = fabs (*step) > tuning->smallest_step * trace->largest;
   if (*again) {
-    trace->step = tuning->cut * *step;
+    trace->step = *step * fmin (share, 1 - tuning->cut);
     qn_equilibrium_restore (eq);
   }
   return QN_SOLVE_CONVERGED;

@@ -149,8 +149,8 @@ QnSolveStatus qn_path_step_solve_load (QnPathTrace *trace, double target, bool *
 bool qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations);
 
 /* A step that passes the end of the path is solved once more, to end right there. FAILED where that
- * takes a shorter step; the state is then the one that was given. */
-QnSolveStatus qn_path_step_land (QnPathTrace *trace);
+ * takes a shorter step, *share of this one; the state is then the one that was given. */
+QnSolveStatus qn_path_step_land (QnPathTrace *trace, double *share);
 
 /* --- Where the path ends (path-end.c) ----------------------------------------------------- */
 
