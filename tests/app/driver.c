@@ -483,23 +483,44 @@ driver_press (GtkWidget *root, const char *label)
   driver_run (150);
 }
 
-/* What a window takes with it. */
-enum { ITS_WINDOW, ITS_CANVAS, ITS_STATE, ITS_DOCUMENT, ITS_COUNT };
-
+/* What a window takes with it: pointers that become NULL. */
 struct DriverParts {
-  gpointer objects[ITS_COUNT]; /* NULL: gone */
+  GPtrArray *objects; /* gpointer *, each weak */
 };
+
+static void
+watch (DriverParts *parts, gpointer object)
+{
+  gpointer *place = g_new (gpointer, 1);
+  *place = object;
+  g_object_add_weak_pointer (object, place);
+  g_ptr_array_add (parts->objects, place);
+}
+
+static void
+watch_tree (DriverParts *parts, GtkWidget *widget)
+{
+  if (g_str_has_prefix (G_OBJECT_TYPE_NAME (widget), "Qn"))
+    watch (parts, widget);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    watch_tree (parts, child);
+}
 
 DriverParts *
 driver_watch_parts (QnWindow *window)
 {
   DriverParts *parts = g_new (DriverParts, 1);
-  parts->objects[ITS_WINDOW] = window;
-  parts->objects[ITS_CANVAS] = qn_window_get_canvas (window);
-  parts->objects[ITS_STATE] = qn_window_get_view_state (window);
-  parts->objects[ITS_DOCUMENT] = qn_window_get_document (window);
-  for (int i = 0; i < ITS_COUNT; i++)
-    g_object_add_weak_pointer (parts->objects[i], &parts->objects[i]);
+  parts->objects = g_ptr_array_new_with_free_func (g_free);
+  watch (parts, qn_window_get_view_state (window));
+  watch (parts, qn_window_get_document (window));
+  GListModel *windows = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (windows); i++) {
+    g_autoptr (GtkWindow) each = g_list_model_get_item (windows, i);
+    if (each == GTK_WINDOW (window)
+        || gtk_window_get_transient_for (each) == GTK_WINDOW (window))
+      watch_tree (parts, GTK_WIDGET (each));
+  }
   return parts;
 }
 
@@ -507,8 +528,8 @@ static gboolean
 are_gone (gpointer data)
 {
   const DriverParts *parts = data;
-  for (int i = 0; i < ITS_COUNT; i++)
-    if (parts->objects[i] != NULL)
+  for (guint i = 0; i < parts->objects->len; i++)
+    if (*(gpointer *) g_ptr_array_index (parts->objects, i) != NULL)
       return FALSE;
   return TRUE;
 }
@@ -517,6 +538,7 @@ void
 driver_wait_until_gone (DriverParts *parts)
 {
   driver_wait (are_gone, parts);
+  g_ptr_array_unref (parts->objects);
   g_free (parts);
 }
 

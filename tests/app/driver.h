@@ -59,8 +59,8 @@ void driver_activate (QnWindow *window, const char *detailed_action);
 /* Closes without asking, and waits until the window and all that belongs to it are gone. */
 void driver_discard (QnWindow *window);
 
-/* Remembers a window with its drawing, view state and document; waits until they are gone, and
- * forgets them. Fails where one of them outlives the others. */
+/* Remembers a window and its dialogs with all widgets of Quoin's own in them, its view state and its document; waits
+ * until they are gone, and forgets them. Fails where one of them stays. */
 typedef struct DriverParts DriverParts;
 DriverParts *driver_watch_parts (QnWindow *window);
 void driver_wait_until_gone (DriverParts *parts);
