@@ -111,6 +111,7 @@ qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double wi
   qn_command_set_extent (head, extent, 3 + 2.5f * (float) width);
 }
 
+G_GNUC_PRINTF (3, 0)
 static QnLegendEntry *
 add_legend (QnScene *scene, QnLegendEntry entry, const char *format, va_list args)
 {
