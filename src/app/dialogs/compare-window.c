@@ -109,8 +109,9 @@ dup_displacement (const QnRun *run)
   char *text = NULL;
   if (qn_run_has_curve (run) && take_curve (&curve, run)) {
     if (!curve.in_time && curve.count > 0)
-      text = qn_units_format_full (millimetres, QN_QUANTITY_LENGTH,
-                                   curve.x[curve.count - 1], 4);
+      text = qn_units_format_full (
+        millimetres, curve.rotation ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH,
+        curve.x[curve.count - 1], 4);
     qn_curve_clear (&curve);
   }
   return text != NULL ? text : g_strdup ("–");

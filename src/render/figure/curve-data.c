@@ -41,6 +41,7 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion moti
                       .collapse_point = -1,
                       .dot = -1,
                       .component = components[motion.dof],
+                      .rotation = motion.dof == QN_DOF_RZ,
                       .in_time = result->history.width > 0 };
   curve->x = g_try_new0 (double, MAX (count, 1));
   curve->y = g_try_new0 (double, MAX (count, 1));

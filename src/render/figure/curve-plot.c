@@ -175,14 +175,30 @@ is_in_time (const QnCurvePlot *data)
   return data->curve_count > 0 && data->curves[0].in_time;
 }
 
+/* What the curves show: displacements, rotations, or some of each. */
+typedef enum Shown { SHOWN_DISPLACEMENTS, SHOWN_ROTATIONS, SHOWN_BOTH } Shown;
+
+static Shown
+find_shown (const QnCurvePlot *data)
+{
+  size_t turning = 0;
+  for (size_t i = 0; i < data->curve_count; i++)
+    turning += data->curves[i].rotation;
+  return turning == 0                   ? SHOWN_DISPLACEMENTS
+         : turning == data->curve_count ? SHOWN_ROTATIONS
+                                        : SHOWN_BOTH;
+}
+
 static const char *
 motion_unit (const QnCurvePlot *data, double largest, double *factor)
 {
-  bool small = largest < (data->rotation ? 0.1 : 1.0);
+  static const char *const units[][2] = { [SHOWN_DISPLACEMENTS] = { "m", "mm" },
+                                          [SHOWN_ROTATIONS] = { "rad", "mrad" },
+                                          [SHOWN_BOTH] = { "m, rad", "mm, mrad" } };
+  Shown shown = find_shown (data);
+  bool small = largest < (shown == SHOWN_ROTATIONS ? 0.1 : 1.0);
   *factor = small ? 1000 : 1;
-  if (data->rotation)
-    return small ? "mrad" : "rad";
-  return small ? "mm" : "m";
+  return units[shown][small];
 }
 
 static const char *
@@ -214,15 +230,17 @@ dup_motion_name (const QnCurvePlot *data)
     if (g_strcmp0 (data->curves[i].component, component) != 0)
       component = NULL;
   }
+  Shown shown = find_shown (data);
+  if (shown == SHOWN_BOTH)
+    return g_strdup (_ ("Displacement or rotation"));
   if (component == NULL)
-    return g_strdup (data->rotation ? _ ("Rotation")
-                     : since_dead   ? _ ("Displacement since the dead load")
-                                    : _ ("Displacement"));
-  return g_strdup_printf (data->rotation ? since_dead
-                                             ? _ ("Rotation %s since the dead load")
-                                             : _ ("Rotation %s")
+    return g_strdup (since_dead ? _ ("Displacement since the dead load")
+                                : _ ("Displacement"));
+  return g_strdup_printf (shown == SHOWN_ROTATIONS
+                            ? since_dead ? _ ("Rotation %s since the dead load")
+                                         : _ ("Rotation %s")
                           : since_dead ? _ ("Displacement %s since the dead load")
-                                         : _ ("Displacement %s"),
+                                       : _ ("Displacement %s"),
                           component);
 }
 

@@ -16,7 +16,8 @@ typedef struct QnCurve {
   bool
     since_dead; /* displacements leave out what the dead load has moved, which is not 0 */
   const char
-    *component; /* "ux", "uy" or "rz": what moves; NULL: the plot's label says it */
+    *component;  /* "ux", "uy" or "rz": what moves; NULL: the plot's label says it */
+  bool rotation; /* what moves turns: rad instead of m */
   size_t count;
   ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
   ptrdiff_t collapse_point; /* index of the point marked as collapse, or -1 */
@@ -37,7 +38,6 @@ typedef struct QnCurvePlot {
     *x_unit; /* unit of x as it is, "" for none; NULL: x is in m or rad, or s where
                           the first curve is in time */
   const char *y_label; /* or NULL: "Load multiplier", or the displacement in time */
-  bool rotation;       /* x is in rad instead of m */
   bool x_log, y_log;   /* decades: values that are not positive are left out */
   bool points;         /* every point of the curves is marked */
   const QnCurve *curves;

@@ -29,11 +29,13 @@ test_curve_of_result (void)
   g_assert_cmpint (curve.limit_point, ==, 2);
   g_assert_cmpint (curve.collapse_point, ==, (ptrdiff_t) last);
   g_assert_false (curve.since_dead);
+  g_assert_false (curve.rotation);
   qn_curve_clear (&curve);
 
   const QnCurveMotion turning = { 3, QN_DOF_RZ, false };
   g_assert_true (qn_curve_from_result (&curve, &f.result, turning));
   g_assert_cmpfloat (curve.x[last], ==, *displacement (&f, last, turning));
+  g_assert_true (curve.rotation);
   qn_curve_clear (&curve);
   fixture_clear (&f);
 }
@@ -127,6 +129,53 @@ export_plot (const QnCurvePlot *plot)
     g_assert_cmpint (g_unlink (path), ==, 0);
   }
   g_rmdir (folder);
+}
+
+static char *
+dup_svg (const QnCurvePlot *plot)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "c.svg", NULL);
+  char *text = NULL;
+  QnOutput output;
+  QnMetadata metadata;
+  qn_output_init (&output);
+  qn_metadata_init (&metadata);
+  g_assert_true (qn_curve_export (plot, path, &output, &metadata, NULL));
+  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
+  g_unlink (path);
+  g_rmdir (folder);
+  return text;
+}
+
+/* What turns has a rotation on its axis, in its unit, over loads and over time. */
+static void
+test_units_of_motion (void)
+{
+  double x[2] = { 0, 0.05 }, y[2] = { 0, 0.4 };
+  QnCurve curves[2] = { { .x = x, .y = y, .count = 2, .component = "rz" },
+                        { .x = x, .y = y, .count = 2, .component = "ux" } };
+  for (size_t i = 0; i < 2; i++)
+    curves[i].limit_point = curves[i].collapse_point = curves[i].dot = -1;
+  curves[0].rotation = true;
+  const struct {
+    size_t first, count;
+    bool in_time;
+    const char *label;
+  } cases[] = {
+    { 0, 1, false, "Rotation rz (mrad)" },
+    { 0, 1, true, "Rotation rz (rad)" },
+    { 0, 2, false, "Displacement or rotation (mm, mrad)" },
+    { 1, 1, false, "Displacement ux (mm)" },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnCurve *first = &curves[cases[i].first];
+    first->in_time = cases[i].in_time;
+    g_autofree char *svg =
+      dup_svg (&(QnCurvePlot){ .curves = first, .curve_count = cases[i].count });
+    first->in_time = false;
+    g_assert_nonnull (strstr (svg, cases[i].label));
+  }
 }
 
 /* No data, one point, not-a-number, a vertical drop: a plot is still drawn. */
@@ -248,6 +297,7 @@ main (int argc, char **argv)
   g_test_add_func ("/render/curve-plot/limit-of-descending-curve",
                    test_limit_of_descending_curve);
   g_test_add_func ("/render/curve-plot/runaway", test_runaway);
+  g_test_add_func ("/render/curve-plot/units", test_units_of_motion);
   g_test_add_func ("/render/curve-plot/odd-data", test_odd_data);
   g_test_add_func ("/render/curve-plot/decades", test_decades);
   g_test_add_func ("/render/curve-plot/history", test_history);
