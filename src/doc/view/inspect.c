@@ -124,6 +124,7 @@ place_word (QnPressurePlace place)
     [QN_PLACE_KERN] = N_ ("within the kern"),
     [QN_PLACE_INSIDE] = N_ ("outside the kern"),
     [QN_PLACE_EDGE] = N_ ("at the edge"),
+    [QN_PLACE_OUTSIDE] = N_ ("outside the joint"),
   };
   return texts[place] != NULL ? _ (texts[place]) : "";
 }

@@ -241,6 +241,13 @@ static void
 draw_sample_marker (cairo_t *cr, const QnLegendEntry *entry, double x, double middle,
                     double u)
 {
+  if (entry->marker == QN_MARKER_SLIDE) { /* beside the line of the joint */
+    qn_set_color (cr, entry->color, 1);
+    cairo_set_line_width (cr, 1.5 * u);
+    cairo_move_to (cr, x, middle);
+    cairo_line_to (cr, x + SAMPLE_WIDTH * u, middle);
+    cairo_stroke (cr);
+  }
   if (entry->marker == QN_MARKER_ARROW_HEAD) {
     double head = (3 + 2.5 * entry->size) * u;
     qn_set_color (cr, entry->color, 1);

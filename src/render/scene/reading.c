@@ -8,6 +8,7 @@
 
 #define KERN_SHARE (1.0 / 6.0)
 #define EDGE_SHARE (0.5 - 1.0 / 50.0)
+#define BEYOND     (0.5 + 1.0 / 50.0)
 
 QnPressurePlace
 qn_pressure_place (double eccentricity, double length, double normal, double total)
@@ -17,7 +18,8 @@ qn_pressure_place (double eccentricity, double length, double normal, double tot
   double share = fabs (eccentricity) / length;
   return share <= KERN_SHARE   ? QN_PLACE_KERN
          : share <= EDGE_SHARE ? QN_PLACE_INSIDE
-                               : QN_PLACE_EDGE;
+         : share <= BEYOND     ? QN_PLACE_EDGE
+                               : QN_PLACE_OUTSIDE;
 }
 
 static void

@@ -17,6 +17,7 @@ typedef enum {
   QN_PLACE_KERN,    /* up to L/6: the whole joint is pressed, if it is linear */
   QN_PLACE_INSIDE,  /* up to L/2 */
   QN_PLACE_EDGE,    /* within a fiftieth of L of the end: a hinge */
+  QN_PLACE_OUTSIDE, /* beyond: tension in the joint or in bars holds it */
   QN_PLACE_COUNT
 } QnPressurePlace;
 

@@ -20,9 +20,8 @@
 static bool
 shows_forces (const QnSceneBuilder *b)
 {
-  return b->result != NULL && b->result->beam_forces != NULL
-         && b->options->view != QN_VIEW_MECHANISM && b->options->view != QN_VIEW_MODEL
-         && b->options->view != QN_VIEW_CONTACTS;
+  return b->result != NULL && b->result->beam_forces != NULL && b->result->step_count > 0
+         && b->options->view != QN_VIEW_MODEL && b->options->view != QN_VIEW_CONTACTS;
 }
 
 void
@@ -31,7 +30,9 @@ qn_beam_drawing_init (QnBeamDrawing *drawing, const QnSceneBuilder *b)
   const QnModel *model = b->model;
   double factors[QN_MAX_LOAD_SETS];
 
-  *drawing = (QnBeamDrawing){ .builder = b };
+  *drawing = (QnBeamDrawing){ .builder = b,
+                              .bent = b->motion.displacements != NULL
+                                      && b->options->view != QN_VIEW_MECHANISM };
   if (!shows_forces (b))
     return;
   drawing->forces = qn_result_step_beam_forces (b->result, b->step);
@@ -69,7 +70,7 @@ static double
 deflection (const QnBeamDrawing *drawing, QnId element, double s)
 {
   const QnModel *model = drawing->builder->model;
-  if (drawing->forces == NULL || drawing->builder->motion.displacements == NULL)
+  if (drawing->forces == NULL || !drawing->bent)
     return 0;
   QnBeamProperties p = qn_beam_properties (model, element);
   QnVec2 y = qn_vec2_scale (1 / p.length, qn_vec2_perp (p.chord));
@@ -130,8 +131,8 @@ add_element (const QnBeamDrawing *drawing, QnSceneBuilder *b, QnId element)
   qn_command_set_pick (command, QN_PICK_BEAM, b->model->elements[element].beam);
 }
 
-static void
-add_ghosts (QnSceneBuilder *b)
+bool
+qn_build_beam_ghosts (QnSceneBuilder *b)
 {
   QnColor color = qn_builder_ink (b, QN_INK_FAINT);
   for (size_t i = 0; i < b->model->beam_count; i++) {
@@ -140,6 +141,7 @@ add_ghosts (QnSceneBuilder *b)
                        b->model->nodes[beam->nodes[1]].at };
     qn_scene_stroke (b->scene, QN_LAYER_GHOST, line, 2, false, QN_WIDTH_GHOST, color);
   }
+  return b->model->beam_count > 0;
 }
 
 /* Hinges stand a little inside the beam, so that those of several beams at a node are told
@@ -247,8 +249,6 @@ qn_build_beams (QnSceneBuilder *b)
   if (model->node_count == 0)
     return;
   qn_beam_drawing_init (&drawing, b);
-  if (b->motion.displacements != NULL && b->options->ghost)
-    add_ghosts (b);
   for (size_t e = 0; e < model->element_count; e++) {
     add_element (&drawing, b, (QnId) e);
     if (b->options->symbols)

@@ -10,6 +10,7 @@ typedef struct QnBeamDrawing {
   const QnBeamForces
     *forces;     /* of the step, by element; NULL: not known, or not wanted */
   QnVec2 *loads; /* on elements at the step, N/m; with forces */
+  bool bent;     /* drawn with the deflection by these forces; a mechanism is not */
 } QnBeamDrawing;
 
 void qn_beam_drawing_init (QnBeamDrawing *drawing, const QnSceneBuilder *builder);

@@ -110,6 +110,7 @@ qn_build_ghost (QnSceneBuilder *b)
     qn_command_set_extent (command, smaller_side (v, count), 2);
     any = true;
   }
+  any |= qn_build_beam_ghosts (b);
   if (any)
     qn_scene_legend (b->scene, QN_COMMAND_STROKE, line, "%s", _ ("undeformed"))->size =
       0.7f;

@@ -59,6 +59,9 @@ const QnVec2 *qn_builder_place_vertices (const QnSceneBuilder *builder,
                                          const QnMotion *motion, QnId block, GArray *out);
 void qn_build_underlay (QnSceneBuilder *builder);
 void qn_build_ghost (QnSceneBuilder *builder);
+
+/* The axes of beams that are not bent; false where there are none. Part of the above. */
+bool qn_build_beam_ghosts (QnSceneBuilder *builder);
 /* `fills`, nullable, has one colour per block. */
 void qn_build_blocks (QnSceneBuilder *builder, const QnColor *fills);
 void qn_build_onion (QnSceneBuilder *builder);

@@ -87,7 +87,7 @@ add_area (QnSceneBuilder *b, const QnBeamDrawing *drawing, QnId element, double 
 static const char *
 unit_of (QnDiagram diagram)
 {
-  return diagram == QN_DIAGRAM_MOMENT ? "kN m" : "kN";
+  return diagram == QN_DIAGRAM_MOMENT ? "kN·m" : "kN";
 }
 
 static void

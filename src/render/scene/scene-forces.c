@@ -15,8 +15,10 @@
 /* Forces below this share of the largest are not drawn. */
 #define LEAST_SHARE QN_THRUST_LEAST_SHARE
 
-/* Joints of the line of thrust that are closer on paper have no numbers, pt. */
+/* Joints of the line of thrust that are closer on paper have no numbers, pt: above each other, and
+ * beside each other, where numbers need their width. */
 #define NUMBER_LEAST 16
+#define NUMBER_WIDE  32
 
 /* Size of the values of a joint, and the room that they need, pt. */
 #define VALUE_SIZE   5.5
@@ -157,9 +159,33 @@ add_values (QnSceneBuilder *b, QnVec2 at, double normal, double shear, double mo
   qn_command_set_extent (command, room, VALUES_LEAST);
 }
 
-/* A point of the line, with the force there. */
+static QnVec2
+along (QnVec2 v)
+{
+  double length = qn_vec2_length (v);
+  return length > 0 ? qn_vec2_scale (1 / length, v) : v;
+}
+
+/* Places a number into the corner between the joint and the line of thrust that points to the
+ * right most: neither runs through it. `way` leads along the line of thrust. */
 static void
-add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing)
+set_beside (QnCommand *number, QnVec2 joint, QnVec2 way)
+{
+  QnVec2 corner = { 0, 0 };
+  for (int i = 0; i < 4; i++) {
+    QnVec2 d = qn_vec2_add (qn_vec2_scale (i % 2 ? -1 : 1, joint),
+                            qn_vec2_scale (i / 2 ? -1 : 1, way));
+    if (d.x + 0.1 * d.y > corner.x + 0.1 * corner.y)
+      corner = d;
+  }
+  number->align_x = BESIDE;
+  number->align_y = (float) (0.5 - 0.85 * along (corner).y);
+}
+
+/* A point of the line, with the force there, at a distance from the nearest one; `stride` from the
+ * next one of its rank, `way` along the line, of unit length. */
+static void
+add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing, int stride, QnVec2 way)
 {
   QnColor color = qn_builder_ink (b, QN_INK_THRUST);
   QnVec2 at = cut_place (b, cut, cut->at);
@@ -178,8 +204,37 @@ add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing)
   g_autofree char *number = qn_label_number ("%.3g", qn_vec2_length (cut->force) / 1000);
   g_autofree char *text = g_strdup_printf (_ ("%s kN"), number);
   command = qn_scene_text (b->scene, QN_LAYER_LABELS, at, 6.5, text, color);
-  command->align_x = BESIDE;
-  qn_command_set_extent (command, spacing, NUMBER_LEAST);
+  QnVec2 joint =
+    qn_vec2_sub (cut_place (b, cut, cut->end), cut_place (b, cut, cut->start));
+  set_beside (command, along (joint), way);
+  qn_command_set_extent (
+    command, stride * spacing,
+    (float) (NUMBER_LEAST + (NUMBER_WIDE - NUMBER_LEAST) * fabs (way.x)));
+}
+
+/* How many joints lie from one that has its number to the next one that has: of a line of thrust
+ * every one has its number where there is room, else every second, every fourth. */
+static uint8_t *
+dup_strides (const QnThrust *thrust)
+{
+  uint8_t *strides = g_new0 (uint8_t, thrust->count + 1);
+  for (size_t c = 0; c < thrust->count; c++) {
+    const QnId *next = thrust->cuts[c].next;
+    QnId before = QN_NONE, at = (QnId) c;
+    if (strides[c] > 0 || (next[0] == QN_NONE) == (next[1] == QN_NONE))
+      continue;
+    for (unsigned index = 0; at != QN_NONE && strides[at] == 0; index++) {
+      unsigned stride = 1;
+      while (index % (2 * stride) == 0 && stride < 64)
+        stride *= 2;
+      strides[at] = (uint8_t) stride;
+      next = thrust->cuts[at].next;
+      QnId after = next[0] != before ? next[0] : next[1];
+      before = at;
+      at = after;
+    }
+  }
+  return strides;
 }
 
 /* From every joint to the next, each way once. */
@@ -187,21 +242,25 @@ static void
 add_thrust (QnSceneBuilder *b, const QnThrust *thrust, CutTally *tally)
 {
   QnColor color = qn_builder_ink (b, QN_INK_THRUST);
+  g_autofree uint8_t *strides = dup_strides (thrust);
   for (size_t c = 0; c < thrust->count; c++) {
     const QnCut *cut = &thrust->cuts[c];
     double spacing = INFINITY;
+    QnVec2 way = { 0, 0 };
     for (int side = 0; side < 2; side++) {
       if (cut->next[side] == QN_NONE)
         continue;
       const QnCut *next = &thrust->cuts[cut->next[side]];
       QnVec2 line[2] = { cut_place (b, cut, cut->at), cut_place (b, next, next->at) };
-      spacing = fmin (spacing, qn_vec2_length (qn_vec2_sub (line[1], line[0])));
+      QnVec2 piece = qn_vec2_sub (line[1], line[0]);
+      spacing = fmin (spacing, qn_vec2_length (piece));
+      way = qn_vec2_add_scaled (way, side == 0 ? -1 : 1, along (piece));
       if ((size_t) cut->next[side] > c)
         qn_scene_stroke (b->scene, QN_LAYER_FORCES, line, 2, false, 2.2, color);
     }
     if (!isfinite (spacing))
       continue;
-    add_cut (b, cut, spacing);
+    add_cut (b, cut, spacing, MAX (strides[c], 1), along (way));
     tally->any = true;
     tally->places[cut->place] = true;
   }
@@ -235,7 +294,7 @@ add_face_values (QnSceneBuilder *b, const QnThrust *thrust, double least)
                   qn_builder_ink (b, QN_INK_FORCE));
   }
   qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
-                   _ ("N, T (kN), M (kN m), e (mm), where there is room"));
+                   _ ("N, T (kN), M (kN·m), e (mm), where there is room"));
 }
 
 static void

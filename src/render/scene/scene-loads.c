@@ -342,11 +342,11 @@ qn_build_loads (QnSceneBuilder *b)
              QN_INK_LIVE_LOAD, _ ("live load"));
 }
 
-/* A dimension line from a to b, with ticks, extension lines from the object and its length.
- * `text_angle` is 0 or 90 degrees. */
+/* A dimension line from a to b, with ticks, extension lines from the object and its length on the
+ * far side. `text_angle` is 0 or 90 degrees. */
 static void
 add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
-               QnVec2 object_to, double text_angle)
+               QnVec2 object_to, double text_angle, bool above)
 {
   QnScene *scene = b->scene;
   QnColor color = qn_builder_ink (b, QN_INK_LINE);
@@ -367,7 +367,22 @@ add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
   QnCommand *label = qn_scene_text (scene, QN_LAYER_LABELS, qn_vec2_lerp (from, to, 0.5),
                                     7.5, text, color);
   label->angle = (float) text_angle;
-  label->align_y = text_angle > 0 ? -0.25f : 1.25f;
+  label->align_y = above ? -0.25f : 1.25f;
+}
+
+/* By how much loads stand out of the structure at each side, m. */
+static void
+measure_loads (const QnSceneBuilder *b, QnVec2 *low, QnVec2 *high)
+{
+  QnBox box = b->box;
+  for (guint i = 0; i < b->scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (b->scene, i);
+    const QnVec2 *points = qn_scene_points (b->scene, command);
+    for (uint32_t k = 0; command->layer == QN_LAYER_LOADS && k < command->count; k++)
+      qn_box_add_point (&box, points[k]);
+  }
+  *low = qn_vec2_sub (b->box.min, box.min);
+  *high = qn_vec2_sub (box.max, b->box.max);
 }
 
 void
@@ -377,11 +392,18 @@ qn_build_dimensions (QnSceneBuilder *b)
     return;
   QnVec2 low = b->box.min, high = b->box.max;
   double gap = 0.045 * qn_box_diagonal (b->box);
-  /* A line of beams has no height. */
+  QnVec2 below, above;
+  measure_loads (b, &below, &above);
+  /* On the side where no load is in the way. A line of beams has no height. */
+  bool top = above.y < below.y, right = above.x < below.x;
+  double y = top ? high.y + above.y + gap : low.y - below.y - gap;
+  double x = right ? high.x + above.x + gap : low.x - below.x - gap;
   if (high.x > low.x)
-    add_dimension (b, qn_vec2 (low.x, low.y - gap), qn_vec2 (high.x, low.y - gap), low,
-                   qn_vec2 (high.x, low.y), 0);
+    add_dimension (b, qn_vec2 (low.x, y), qn_vec2 (high.x, y),
+                   qn_vec2 (low.x, top ? high.y : low.y),
+                   qn_vec2 (high.x, top ? high.y : low.y), 0, top);
   if (high.y > low.y)
-    add_dimension (b, qn_vec2 (low.x - gap, low.y), qn_vec2 (low.x - gap, high.y), low,
-                   qn_vec2 (low.x, high.y), G_PI / 2);
+    add_dimension (b, qn_vec2 (x, low.y), qn_vec2 (x, high.y),
+                   qn_vec2 (right ? high.x : low.x, low.y),
+                   qn_vec2 (right ? high.x : low.x, high.y), G_PI / 2, !right);
 }

@@ -115,15 +115,16 @@ place_force (QnCut *cut, double normal, double first, double total)
   QnVec2 along = qn_vec2_perp (cut->normal);
   double start = qn_vec2_dot (cut->start, along);
   cut->length = qn_vec2_dot (cut->end, along) - start;
-  double s = 0.5 * cut->length;
-  cut->moment = (start + s) * normal - first;
-  if (normal < 0) {
-    s = fmin (fmax (first / normal - start, 0), cut->length);
-    cut->eccentricity = s - 0.5 * cut->length;
-    cut->place = cut->length > 0
-                   ? qn_pressure_place (cut->eccentricity, cut->length, normal, total)
-                   : QN_PLACE_EDGE;
-  }
+  double half = 0.5 * cut->length;
+  cut->moment = (start + half) * normal - first;
+  if (normal < 0 && cut->length > 0) {
+    cut->eccentricity = first / normal - start - half;
+    cut->place = qn_pressure_place (cut->eccentricity, cut->length, normal, total);
+  } else if (normal < 0)
+    cut->place = QN_PLACE_EDGE;
+  if (cut->place == QN_PLACE_NOWHERE)
+    cut->eccentricity = 0;
+  double s = fmin (fmax (half + cut->eccentricity, 0), cut->length);
   cut->at = qn_vec2_add_scaled (cut->start, s, along);
 }
 
@@ -172,6 +173,13 @@ is_loaded (const Search *s, QnId cut)
 {
   return qn_vec2_length (s->thrust->cuts[cut].force)
          >= QN_THRUST_LEAST_SHARE * s->thrust->largest;
+}
+
+/* Whether the force acts within the cut: bending alone, or tension, leaves no line of thrust. */
+static bool
+is_pressed (const QnCut *cut)
+{
+  return cut->place != QN_PLACE_NOWHERE && cut->place != QN_PLACE_OUTSIDE;
 }
 
 /* The block of a face on one side of its cut. */
@@ -232,14 +240,15 @@ link_cuts (Search *s)
       s->thrust->cuts[c].next[side] =
         find_next (s, of_cut + begin[c], (gsize) (begin[c + 1] - begin[c]), side, layer,
                    (QnId) (2 * c) + side);
-  /* The way leads both ways, or none. */
+  /* The way leads from pressure to pressure, and both ways, or none. */
   for (size_t c = 0; c < cuts; c++)
     for (int side = 0; side < 2; side++) {
       QnId *next = &s->thrust->cuts[c].next[side];
       if (*next == QN_NONE)
         continue;
-      const QnId *back = s->thrust->cuts[*next].next;
-      if (back[0] != (QnId) c && back[1] != (QnId) c)
+      const QnCut *other = &s->thrust->cuts[*next];
+      if ((other->next[0] != (QnId) c && other->next[1] != (QnId) c)
+          || !is_pressed (&s->thrust->cuts[c]) || !is_pressed (other))
         *next = QN_NONE;
     }
 }

@@ -4,7 +4,8 @@
  * voussoirs, or a bed joint all the way through a pier. Its resultant follows from the contact
  * forces of its faces. Two cuts are neighbours where the blocks between them have no other loaded
  * joint: then the forces at the two cuts and the loads on these blocks are in equilibrium, and the
- * line of thrust leads from the one to the other. Where a wall forks, at openings, it ends.
+ * line of thrust leads from the one to the other. Where a wall forks, at openings, it ends, and so
+ * it does where a joint is bent or pulled: the force acts outside of it.
  */
 #ifndef QN_RENDER_THRUST_H
 #define QN_RENDER_THRUST_H
@@ -18,7 +19,7 @@ typedef struct QnCut {
   QnVec2 force;        /* N, of side 1 on side 0 */
   QnVec2 at;           /* m, where it acts, kept within the cut */
   double length;       /* m */
-  double eccentricity; /* m, of `at` from the middle, towards the end */
+  double eccentricity; /* m, from the middle towards the end; 0 where place is NOWHERE */
   double moment; /* N m, about the middle, counter-clockwise: -normal * eccentricity */
   QnPressurePlace place;
   QnId face;    /* the one that `at` lies in; from the number of faces on, a touch */

@@ -158,7 +158,8 @@ test_places (void)
   } cases[] = {
     { -1, -1, QN_PLACE_KERN, 0 },      { -3, -2, QN_PLACE_KERN, -0.1 },
     { -1, -3, QN_PLACE_INSIDE, 0.25 }, { 0, -1, QN_PLACE_EDGE, 0.5 },
-    { 1, -1, QN_PLACE_NOWHERE, 0 },    { 1, 1, QN_PLACE_NOWHERE, 0 },
+    { 1, -3, QN_PLACE_OUTSIDE, 1 },    { 1, -1, QN_PLACE_NOWHERE, 0 },
+    { 1, 1, QN_PLACE_NOWHERE, 0 },
   };
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     pairs[0].normal_force = cases[i].first;
@@ -191,6 +192,55 @@ test_thrust_of_arch (void)
       ends += thrust.cuts[c].next[side] == QN_NONE;
   g_assert_cmpint (ends, ==, 2);
   qn_thrust_clear (&thrust);
+}
+
+/* In bending alone, or where bars pull, the force acts outside the joint: no line leads there. */
+static void
+test_thrust_needs_pressure (void)
+{
+  static const char *const bent[] = { "07-cantilever.quoin",
+                                      "09-reinforced-cantilever.quoin",
+                                      "34-frame-hybrid.quoin" };
+  for (size_t e = 0; e < G_N_ELEMENTS (bent); e++) {
+    g_auto (Solved) s;
+    QnThrust thrust;
+    solve (&s, bent[e]);
+    g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
+    qn_thrust_find (&thrust, s.model, &s.contacts, pairs, NULL, 0);
+    g_assert_cmpuint (thrust.count, >, 0);
+    for (size_t c = 0; c < thrust.count; c++)
+      for (int side = 0; side < 2; side++)
+        g_assert_cmpint (thrust.cuts[c].next[side], ==, QN_NONE);
+    qn_thrust_clear (&thrust);
+  }
+}
+
+/* Numbers stand in the corner between joint and line of thrust, and where joints are too near for
+ * all of them, every second or fourth has its own. */
+static void
+test_thrust_numbers (void)
+{
+  g_auto (Solved) s;
+  QnViewOptions options;
+  solve (&s, "28-arch-under-fill.quoin");
+  qn_view_options_init (&options, QN_VIEW_FORCES);
+  g_autoptr (QnScene) scene =
+    qn_scene_build (s.model, &s.contacts, &s.result, &options, NULL);
+  g_assert_nonnull (scene);
+  float least = G_MAXFLOAT, most = 0;
+  int numbers = 0, raised = 0;
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->kind != QN_COMMAND_TEXT)
+      continue;
+    raised += command->align_y < 0.25F || command->align_y > 0.75F;
+    least = MIN (least, command->extent);
+    most = MAX (most, command->extent);
+    numbers++;
+  }
+  g_assert_cmpint (numbers, ==, 26);
+  g_assert_cmpint (raised, >=, 6); /* about the crown, where the line is level */
+  g_assert_cmpfloat (most, >, 15 * least);
 }
 
 /* Between neighbours of the line the forces and the loads on the blocks there are in equilibrium:
@@ -336,6 +386,8 @@ main (int argc, char **argv)
   g_test_add_func ("/render/reading/touch", test_touch);
   g_test_add_func ("/render/reading/values", test_values);
   g_test_add_func ("/render/thrust/arch", test_thrust_of_arch);
+  g_test_add_func ("/render/thrust/needs-pressure", test_thrust_needs_pressure);
+  g_test_add_func ("/render/thrust/numbers", test_thrust_numbers);
   g_test_add_func ("/render/thrust/balances", test_thrust_balances);
   return g_test_run ();
 }

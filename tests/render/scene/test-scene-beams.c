@@ -133,6 +133,65 @@ test_refused (void)
   g_clear_error (&error);
 }
 
+/* A mechanism shows where beams yield and where they were, and its legend says so. */
+static void
+test_mechanism (void)
+{
+  g_auto (TestRun) p;
+  GError *error = NULL;
+  QnViewOptions options;
+  portal_init (&p);
+  size_t step = p.result.step_count - 1, bodies = qn_result_body_count (&p.result);
+  double moment = fabs (qn_result_step_beam_forces (&p.result, step)[0].moment[1]);
+  p.model.sections[0].plastic_moment = moment;
+  for (size_t e = 0; e < p.model.element_count; e++)
+    p.model.elements[e].yields[1] = e == 0;
+  g_autofree double *mechanism =
+    g_memdup2 (qn_result_step_displacements (&p.result, step),
+               QN_DOF_COUNT * bodies * sizeof (double));
+  p.result.mechanism = mechanism;
+  qn_view_options_init (&options, QN_VIEW_MECHANISM);
+  g_autoptr (QnScene) scene =
+    qn_scene_build (&p.model, &p.contacts, &p.result, &options, &error);
+  g_assert_no_error (error);
+  p.result.mechanism = NULL;
+  bool hinge = false, undeformed = false;
+  for (guint i = 0; i < scene->legend->len; i++) {
+    const char *text = g_array_index (scene->legend, QnLegendEntry, i).text;
+    hinge |= strcmp (text, "plastic hinge") == 0;
+    undeformed |= strcmp (text, "undeformed") == 0;
+  }
+  g_assert_true (hinge);
+  g_assert_true (undeformed);
+}
+
+/* Dimensions stand where no load is in the way: of a load from the left on the right. */
+static void
+test_dimensions (void)
+{
+  g_auto (TestRun) p;
+  QnViewOptions options;
+  portal_init (&p);
+  qn_view_options_init (&options, QN_VIEW_MODEL);
+  options.loads = options.dimensions = true;
+  for (int sign = -1; sign <= 1; sign += 2) {
+    p.model.live_loads[1].vector.x = sign * 9e3;
+    p.model.live_loads[1].node = sign > 0 ? 1 : 2;
+    g_autoptr (QnScene) scene =
+      qn_scene_build (&p.model, &p.contacts, &p.result, &options, NULL);
+    int upright = 0;
+    for (guint i = 0; i < scene->commands->len; i++) {
+      const QnCommand *command = qn_scene_command (scene, i);
+      if (command->layer != QN_LAYER_LABELS || command->angle == 0)
+        continue;
+      double x = qn_scene_points (scene, command)[0].x;
+      g_assert_true (sign > 0 ? x > 4 : x < 0);
+      upright++;
+    }
+    g_assert_cmpint (upright, ==, 1);
+  }
+}
+
 static void
 test_golden (void)
 {
@@ -169,6 +228,8 @@ main (int argc, char **argv)
   g_test_add_func ("/scene-beams/picking", test_picking);
   g_test_add_func ("/scene-beams/labels", test_labels);
   g_test_add_func ("/scene-beams/refused", test_refused);
+  g_test_add_func ("/scene-beams/mechanism", test_mechanism);
+  g_test_add_func ("/scene-beams/dimensions", test_dimensions);
   g_test_add_func ("/scene-beams/golden", test_golden);
   return g_test_run ();
 }
