@@ -146,6 +146,36 @@ test_cases (void)
     WORDS ("SI units"));
 }
 
+/* Sections of beams, reinforcing bars and the start of a motion are told; a frame has no blocks to
+ * count and no contacts to find anything about. */
+static void
+test_members (void)
+{
+  static const struct {
+    const char *example;
+    const char *there[5], *absent[4];
+  } cases[] = {
+    { "32-frame-beams.quoin",
+      { "3 beams; 3 m wide, 3 m high.", "Section", "E = 30000 MPa", "63.496 kN·m" },
+      { "0 blocks", "Findings", "weigh" } },
+    { "09-reinforced-cantilever.quoin",
+      { "Reinforcing bars", "Area (mm²)", "400", "30000 MPa" },
+      { "e+07", "e-" } },
+    { "40-rocking-in-time.quoin",
+      { "Initial displacement of block: -49.76 mm; 8.652 mm; 5.655°",
+        "0.0001 s times the stiffness", "in time, in nonlinear geometry" },
+      { "dynamic" } },
+  };
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *pdf = g_build_filename (folder, "report.pdf", NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *model = cli_example (cases[i].example);
+    cli_do ("report", model, "--sections", "model,materials,loads,findings", "-o", pdf,
+            NULL);
+    assert_words (pdf, cases[i].there, cases[i].absent);
+  }
+}
+
 /* Supports move by millimetres, as blocks do. */
 static void
 test_settlement (void)
@@ -227,6 +257,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/report/sections", test_sections);
   g_test_add_func ("/cli/report/results", test_results);
   g_test_add_func ("/cli/report/cases", test_cases);
+  g_test_add_func ("/cli/report/members", test_members);
   g_test_add_func ("/cli/report/settlement", test_settlement);
   g_test_add_func ("/cli/report/record", test_record);
   g_test_add_func ("/cli/report/template", test_template);

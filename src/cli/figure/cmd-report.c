@@ -104,7 +104,7 @@ write_report (const Options *options, const QnInput *input, const Item *items,
   report->run_count = count;
   report->units = QN_UNITS_SI;
   report->units.force = QN_FORCE_KN;
-  report->units.stress = QN_STRESS_KPA;
+  report->units.stress = QN_STRESS_MPA;
   report->generator = "quoin " QN_VERSION;
   g_autoptr (GBytes) bytes = qn_report_encode (report, &error);
   gsize length;

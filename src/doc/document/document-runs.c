@@ -3,6 +3,7 @@
 #include "io/exchange/record.h"
 
 #include "doc/edit/edit.h"
+#include "doc/text/explain.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -64,30 +65,6 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
 }
 
-/* "Load control", "Limit, associative": what distinguishes a run from others. */
-static const char *
-method_name (const QnAnalysisSettings *analysis)
-{
-  switch (analysis->procedure) {
-  case QN_PROCEDURE_LOAD:
-    return _ ("load control");
-  case QN_PROCEDURE_DISPLACEMENT:
-    return _ ("displacement control");
-  case QN_PROCEDURE_WORK:
-    return _ ("work control");
-  case QN_PROCEDURE_ARC_LENGTH:
-    return _ ("arc length");
-  case QN_PROCEDURE_LIMIT:
-    return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("limit, associative")
-                                                 : _ ("limit, non-associative");
-  case QN_PROCEDURE_DYNAMIC:
-    return _ ("in time");
-  case QN_PROCEDURE_COUNT:
-    break;
-  }
-  return "";
-}
-
 /* A job for the model, with what distinguishes it from others; NULL with an error. */
 static QnJob *
 make_job (QnDocument *self, const QnModel *model, const char *method, GError **error)
@@ -130,7 +107,8 @@ qn_document_analyse (QnDocument *self, GError **error)
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC
       && !qn_project_read_records (&self->project, self->folder, FALSE, error))
     return FALSE;
-  return start (self, make_job (self, model, method_name (&model->analysis), error));
+  return start (self,
+                make_job (self, model, qn_explain_procedure (&model->analysis), error));
 }
 
 gboolean
@@ -149,7 +127,8 @@ qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
   QnModel model = self->project.model;
   model.analysis.procedure = procedure;
   model.analysis.flow = flow;
-  return start (self, make_job (self, &model, method_name (&model.analysis), error));
+  return start (self,
+                make_job (self, &model, qn_explain_procedure (&model.analysis), error));
 }
 
 gboolean

@@ -165,3 +165,26 @@ qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
     return g_strdup_printf (_ ("%s (last motion)"), title);
   return g_steal_pointer (&title);
 }
+
+const char *
+qn_explain_procedure (const QnAnalysisSettings *analysis)
+{
+  switch (analysis->procedure) {
+  case QN_PROCEDURE_LOAD:
+    return _ ("load control");
+  case QN_PROCEDURE_DISPLACEMENT:
+    return _ ("displacement control");
+  case QN_PROCEDURE_WORK:
+    return _ ("work control");
+  case QN_PROCEDURE_ARC_LENGTH:
+    return _ ("arc length");
+  case QN_PROCEDURE_LIMIT:
+    return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("limit, associative")
+                                                 : _ ("limit, non-associative");
+  case QN_PROCEDURE_DYNAMIC:
+    return _ ("in time");
+  case QN_PROCEDURE_COUNT:
+    break;
+  }
+  return "";
+}

@@ -24,6 +24,9 @@ char *qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
 char *qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
                                     const QnResult *result);
 
+/* "load control", "limit, associative". */
+const char *qn_explain_procedure (const QnAnalysisSettings *analysis);
+
 /* Short label of how an analysis ended and of a pair's state, translated; static strings. */
 const char *qn_explain_outcome_label (const QnResult *result);
 const char *qn_explain_pair_state (QnPairState state);

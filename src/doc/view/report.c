@@ -6,7 +6,6 @@
 #include "doc/text/law-text.h"
 #include "doc/view/inspect.h"
 #include "doc/view/load-text.h"
-#include "io/project/project-names.h"
 #include "render/drawing/camera.h"
 #include "render/drawing/text.h"
 #include "render/figure/curve-plot.h"
@@ -48,7 +47,7 @@ title_of (const QnProject *project)
 static char *
 dup_quantity (const QnReport *report, QnQuantity quantity, double value)
 {
-  return qn_units_format_full (report->units, quantity, value, 5);
+  return qn_label_power (qn_units_format_full (report->units, quantity, value, 5));
 }
 
 /* Box around the blocks and the weight of those that are free. */
@@ -127,13 +126,16 @@ write_model (QnPages *pages, const QnReport *report, GError **error)
                              { QN_COUNTED_FACES, report->contacts->face_count },
                              { QN_COUNTED_PAIRS, report->contacts->pair_count },
                              { QN_COUNTED_BEAMS, model->beam_count } };
-  g_autofree char *number = qn_counts_dup_text (
-    counts, G_N_ELEMENTS (counts) - (model->beam_count > 0 ? 0 : 1), ", ");
+  gsize first = model->block_count > 0 || model->beam_count == 0 ? 0 : 3;
+  gsize end = G_N_ELEMENTS (counts) - (model->beam_count > 0 ? 0 : 1);
+  g_autofree char *number = qn_counts_dup_text (counts + first, end - first, ", ");
   g_autofree char *width = dup_quantity (report, QN_QUANTITY_LENGTH, size.x);
   g_autofree char *height = dup_quantity (report, QN_QUANTITY_LENGTH, size.y);
   g_autofree char *force = dup_quantity (report, QN_QUANTITY_FORCE, weight);
-  g_autofree char *text = g_strdup_printf (
-    _ ("%s; %s wide, %s high; free blocks weigh %s."), number, width, height, force);
+  g_autofree char *text =
+    first > 0 ? g_strdup_printf (_ ("%s; %s wide, %s high."), number, width, height)
+              : g_strdup_printf (_ ("%s; %s wide, %s high; free blocks weigh %s."),
+                                 number, width, height, force);
   qn_pages_paragraph (pages, text);
   qn_figure_init (&figure, model, report->contacts, NULL, QN_VIEW_MODEL);
   figure.options.dimensions = figure.options.loads = true;
@@ -148,10 +150,10 @@ dup_law_numbers (const QnLaw *law, QnUnits units)
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   g_autoptr (GString) text = g_string_new (NULL);
-  g_autofree char *kn =
-    qn_units_format_full (units, qn_law_quantity ("kn", law->basis), law->kn, 6);
-  g_autofree char *ks =
-    qn_units_format_full (units, qn_law_quantity ("ks", law->basis), law->ks, 6);
+  g_autofree char *kn = qn_label_power (
+    qn_units_format_full (units, qn_law_quantity ("kn", law->basis), law->kn, 6));
+  g_autofree char *ks = qn_label_power (
+    qn_units_format_full (units, qn_law_quantity ("ks", law->basis), law->ks, 6));
   g_string_append_printf (text, "kn = %s, ks = %s", kn, ks);
   for (size_t i = 0; i < count; i++) {
     double value = qn_law_get (law, &parameters[i]);
@@ -159,9 +161,89 @@ dup_law_numbers (const QnLaw *law, QnUnits units)
       continue;
     g_autofree char *number = qn_units_format_full (
       units, qn_law_quantity (parameters[i].key, law->basis), value, 6);
+    number = qn_label_power (number);
     g_string_append_printf (text, ", %s = %s", parameters[i].key, number);
   }
   return g_strdup (text->str);
+}
+
+/* ", E = 30000 MPa": what a section has that is not 0. */
+static void
+append_number (GString *text, const char *symbol, QnQuantity quantity, double value,
+               const char *unit)
+{
+  /* Strengths in MPa, sides in mm, moments in kN·m. */
+  const QnUnits units = { .length = QN_LENGTH_MM,
+                          .force = QN_FORCE_KN,
+                          .stress = QN_STRESS_MPA };
+  if (value == 0)
+    return;
+  g_autofree char *number =
+    qn_label_power (qn_units_format_full (units, quantity, value, 6));
+  g_string_append_printf (text, "%s%s = %s%s", text->len > 0 ? ", " : "", symbol, number,
+                          unit);
+}
+
+static char *
+dup_section_numbers (const QnSection *section)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  append_number (text, "E", QN_QUANTITY_STRESS, section->young, "");
+  append_number (text, "G", QN_QUANTITY_STRESS, section->shear_modulus, "");
+  if (section->shear_modulus == 0)
+    append_number (text, "ν", QN_QUANTITY_NUMBER, section->poisson, "");
+  append_number (text, "b", QN_QUANTITY_LENGTH, section->width, "");
+  append_number (text, "h", QN_QUANTITY_LENGTH, section->height, "");
+  append_number (text, "A", QN_QUANTITY_NUMBER, section->area, "\u00a0m²");
+  append_number (text, "I", QN_QUANTITY_NUMBER, section->inertia, "\u00a0m⁴");
+  append_number (text, "k", QN_QUANTITY_NUMBER, section->shear_factor, "");
+  append_number (text, "fy", QN_QUANTITY_STRESS, section->yield, "");
+  append_number (text, "Mp", QN_QUANTITY_MOMENT, qn_section_plastic_moment (section), "");
+  append_number (text, "γ", QN_QUANTITY_UNIT_WEIGHT, section->unit_weight, "");
+  return g_strdup (text->str);
+}
+
+static void
+write_sections (QnPages *pages, const QnModel *model)
+{
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->beam_count == 0)
+    return;
+  add_cell (cells, g_strdup (_ ("Section")));
+  add_cell (cells, g_strdup (_ ("Beams")));
+  add_cell (cells, g_strdup (_ ("Numbers")));
+  for (size_t i = 0; i < model->section_count; i++) {
+    size_t users = 0;
+    for (size_t k = 0; k < model->beam_count; k++)
+      users += model->beams[k].section == (QnId) i;
+    add_cell (cells, g_strdup (model->sections[i].name));
+    add_cell (cells, g_strdup_printf ("%zu", users));
+    add_cell (cells, dup_section_numbers (&model->sections[i]));
+  }
+  write_table (pages, cells, 3);
+}
+
+static void
+write_bars (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->bar_count == 0)
+    return;
+  add_cell (cells, g_strdup (_ ("Reinforcing bars")));
+  add_cell (cells, g_strdup (_ ("Area (mm²)")));
+  add_cell (cells, g_strdup_printf (_ ("Length (%s)"),
+                                    qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
+  add_cell (cells, g_strdup (_ ("Law")));
+  for (size_t i = 0; i < model->bar_count; i++) {
+    const QnBar *bar = &model->bars[i];
+    double length = qn_vec2_length (qn_vec2_sub (bar->end, bar->start));
+    add_cell (cells, g_strdup_printf ("%zu", i + 1));
+    add_number (cells, "%.5g", 1e6 * bar->area);
+    add_cell (cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, length, 5));
+    add_cell (cells, g_strdup (model->laws[bar->law].name));
+  }
+  write_table (pages, cells, 4);
 }
 
 static gboolean
@@ -219,6 +301,8 @@ write_materials (QnPages *pages, const QnReport *report)
   }
   if (model->block_count > 0)
     write_table (pages, blocks, G_N_ELEMENTS (block_head));
+  write_sections (pages, model);
+  write_bars (pages, report);
 }
 
 static void
@@ -237,6 +321,52 @@ write_ground_motion (QnPages *pages, const QnGroundMotion *motion)
   g_autofree char *line = g_strdup_printf (
     _ ("Ground motion: %s, factor %s, along (%s; %s)"), signal, scale, x, y);
   qn_pages_paragraph (pages, line);
+}
+
+/* A block that starts elsewhere than at rest, or moves when the motion begins. */
+static void
+write_initial_motion (QnPages *pages, const QnReport *report,
+                      const QnInitialMotion *motion)
+{
+  const char *block = report->project->model.blocks[motion->block].name;
+  const double *u = motion->displacement, *v = motion->velocity;
+  QnUnits units = qn_units_of_motion (report->units);
+  if (u[QN_DOF_UX] != 0 || u[QN_DOF_UY] != 0 || u[QN_DOF_RZ] != 0) {
+    g_autofree char *x =
+      qn_units_format_full (units, QN_QUANTITY_LENGTH, u[QN_DOF_UX], 4);
+    g_autofree char *y =
+      qn_units_format_full (units, QN_QUANTITY_LENGTH, u[QN_DOF_UY], 4);
+    g_autofree char *turn =
+      qn_units_format_full (units, QN_QUANTITY_ANGLE, u[QN_DOF_RZ], 4);
+    g_autofree char *line =
+      g_strdup_printf (_ ("Initial displacement of %s: %s; %s; %s"), block, x, y, turn);
+    qn_pages_paragraph (pages, line);
+  }
+  if (v[QN_DOF_UX] != 0 || v[QN_DOF_UY] != 0 || v[QN_DOF_RZ] != 0) {
+    g_autofree char *x = qn_label_number ("%.4g", v[QN_DOF_UX]);
+    g_autofree char *y = qn_label_number ("%.4g", v[QN_DOF_UY]);
+    g_autofree char *turn = qn_label_number ("%.4g", v[QN_DOF_RZ]);
+    g_autofree char *line = g_strdup_printf (
+      _ ("Initial velocity of %s: %s; %s m/s; %s rad/s"), block, x, y, turn);
+    qn_pages_paragraph (pages, line);
+  }
+}
+
+static void
+write_dynamic (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  const QnDynamicSettings *dynamic = &model->analysis.dynamic;
+  for (size_t i = 0; i < model->initial_count; i++)
+    write_initial_motion (pages, report, &model->initial[i]);
+  g_autofree char *duration = qn_label_number ("%.4g", dynamic->duration);
+  g_autofree char *line = g_strdup_printf (_ ("Duration: %s s"), duration);
+  qn_pages_paragraph (pages, line);
+  g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
+  g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
+  g_autofree char *damping = g_strdup_printf (
+    _ ("Damping: %s 1/s times the mass, %s s times the stiffness"), mass, joints);
+  qn_pages_paragraph (pages, damping);
 }
 
 /* "Live load, traffic × 1.5: Backfill on the left: …" */
@@ -273,14 +403,10 @@ write_loads (QnPages *pages, const QnReport *report)
   }
   for (size_t i = 0; i < model->ground_count; i++)
     write_ground_motion (pages, &model->ground[i]);
-  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC) {
-    g_autofree char *duration =
-      qn_label_number ("%.4g", model->analysis.dynamic.duration);
-    g_autofree char *line = g_strdup_printf (_ ("Duration: %s s"), duration);
-    qn_pages_paragraph (pages, line);
-  }
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    write_dynamic (pages, report);
   g_autofree char *analysis = g_strdup_printf (
-    _ ("Procedure: %s, in %s geometry."), qn_procedure_names[model->analysis.procedure],
+    _ ("Procedure: %s, in %s geometry."), qn_explain_procedure (&model->analysis),
     model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear"));
   qn_pages_paragraph (pages, analysis);
 }
@@ -289,6 +415,8 @@ static void
 write_findings (QnPages *pages, const QnReport *report)
 {
   const QnFindings *findings = &report->contacts->findings;
+  if (report->project->model.block_count == 0)
+    return;
   qn_pages_heading (pages, _ ("Findings"));
   if (findings->count == 0)
     qn_pages_paragraph (pages, _ ("Contact detection has found nothing unusual."));
@@ -546,18 +674,22 @@ write_certificate (QnPages *pages, const QnReport *report)
               "equilibrium, every joint within its strength."));
   for (size_t i = 0; i < report->run_count; i++) {
     const QnReportRun *run = &report->runs[i];
-    g_autofree char *text =
-      run->check == NULL
-        ? g_strdup_printf (_ ("%s: not checked: %s"), run->name, run->unchecked)
-        : g_strdup_printf (
-          run->passes ? _ ("%s: passed at a load multiplier of %.6g; out of balance by "
-                           "%.1e of the largest force, strength exceeded by %.1e of "
-                           "the largest contact force.")
-                      : _ ("%s: failed at a load multiplier of %.6g; out of balance by "
-                           "%.1e of the largest force, strength exceeded by %.1e of "
-                           "the largest contact force."),
-          run->name, run->check->multiplier, run->check->out_of_balance,
-          run->check->yield_violation);
+    g_autofree char *text = NULL;
+    if (run->check == NULL) {
+      text = g_strdup_printf (_ ("%s: not checked: %s"), run->name, run->unchecked);
+    } else {
+      g_autofree char *multiplier = qn_label_number ("%.6g", run->check->multiplier);
+      g_autofree char *balance = qn_label_number ("%.1e", run->check->out_of_balance);
+      g_autofree char *excess = qn_label_number ("%.1e", run->check->yield_violation);
+      text = g_strdup_printf (
+        run->passes ? _ ("%s: passed at a load multiplier of %s; out of balance by %s of "
+                         "the largest force, strength exceeded by %s of the largest "
+                         "contact force.")
+                    : _ ("%s: failed at a load multiplier of %s; out of balance by %s of "
+                         "the largest force, strength exceeded by %s of the largest "
+                         "contact force."),
+        run->name, multiplier, balance, excess);
+    }
     qn_pages_paragraph (pages, text);
   }
 }

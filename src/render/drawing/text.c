@@ -18,6 +18,28 @@ qn_label_number (const char *format, double value)
   bool nothing = buffer[0] == '-' && strpbrk (buffer, "123456789n") == NULL;
   GString *text = g_string_new (nothing ? buffer + 1 : buffer);
   g_string_replace (text, ".", C_ ("decimal sign", "."), 1);
+  return qn_label_power (g_string_free (text, FALSE));
+}
+
+char *
+qn_label_power (char *number)
+{
+  static const char *const raised[] = {
+    "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"
+  };
+  const char *e = strchr (number, 'e');
+  char *end = NULL;
+  if (e == NULL || !(g_ascii_isdigit (e[1]) || e[1] == '-' || e[1] == '+'))
+    return number;
+  gint64 power = g_ascii_strtoll (e + 1, &end, 10);
+  g_autofree char *digits = g_strdup_printf ("%" G_GINT64_FORMAT, ABS (power));
+  GString *text = g_string_new_len (number, e - number);
+  if (power != 0)
+    g_string_append (text, power < 0 ? "·10⁻" : "·10");
+  for (const char *d = digits; power != 0 && *d != '\0'; d++)
+    g_string_append (text, raised[*d - '0']);
+  g_string_append (text, end);
+  g_free (number);
   return g_string_free (text, FALSE);
 }
 

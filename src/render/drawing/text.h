@@ -21,9 +21,13 @@ typedef struct QnTextStyle {
 } QnTextStyle;
 
 /* A number as text, with the decimal sign of the language that words are in, so that a picture is
- * of one piece whatever the locale's numbers look like; `format` is one printf() conversion of a
- * double. Newly allocated. */
+ * of one piece whatever the locale's numbers look like, and powers as "2·10⁻⁷"; `format` is one
+ * printf() conversion of a double. Newly allocated. */
 char *qn_label_number (const char *format, double value);
+
+/* A number, with what stands behind it, whose exponent is written as a power: "2e-07 m" as "2·10⁻⁷ m".
+ * Takes the text. */
+char *qn_label_power (char *number);
 
 /* Size of the text in px. */
 void qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text,

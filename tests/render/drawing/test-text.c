@@ -19,7 +19,9 @@ test_numbers (void)
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     g_assert_nonnull (setlocale (LC_NUMERIC, names[i]));
     expect ("%.2f", 1234.5, "1234.50");
-    expect ("%.4g", 1.5e7, "1.5e+07");
+    expect ("%.4g", 1.5e7, "1.5·10⁷");
+    expect ("%.1e", 2.5e-14, "2.5·10⁻¹⁴");
+    expect ("%.1e", 0, "0.0");
     expect ("%g", 3, "3");
     expect ("%.1f", -0.04, "0.0");
     expect ("%.1f", -0.06, "-0.1");
@@ -36,7 +38,7 @@ test_french (void)
   bindtextdomain ("quoin", g_getenv ("QUOIN_CATALOGUES"));
   bind_textdomain_codeset ("quoin", "UTF-8");
   expect ("%.2f", 1234.5, "1234,50");
-  expect ("%.4g", 1.5e7, "1,5e+07");
+  expect ("%.4g", 1.5e7, "1,5·10⁷");
   expect ("%g", 3, "3");
   expect ("%.1f", -0.04, "0,0");
 }
