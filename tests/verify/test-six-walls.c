@@ -78,7 +78,7 @@ test_effort (gconstpointer data)
   g_test_message ("wall %d: %d factorisations, %d iterations", number,
                   spent->factorizations, spent->iterations);
   g_assert_cmpint (spent->factorizations, >, 0);
-  g_assert_cmpint (spent->factorizations, <=, number == 6 ? 300 : 160);
+  g_assert_cmpint (spent->factorizations, <=, number == 6 ? 300 : 150);
   verify_clear (&solved);
 }
 

@@ -187,12 +187,15 @@ qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target, double 
 }
 
 /* A full mechanism has a singular tangent, yet a target holds it: a trace of damping lets the bordered
- * system be solved in two halves. */
+ * system be solved in two halves. A tangent that is factorised without it is not singular. */
 static double
 viscosity_of_tangent (const Newton *newton)
 {
-  return newton->target->direction != NULL ? fmax (newton->viscosity, TRACE)
-                                           : newton->viscosity;
+  bool held = newton->target->direction != NULL;
+
+  return held && !is_factored (newton->eq, newton->viscosity)
+           ? fmax (newton->viscosity, TRACE)
+           : newton->viscosity;
 }
 
 /* The Newton direction: eq->step and multiplier_step. */
