@@ -128,7 +128,12 @@ TMPDIR=$(mktemp -d)
 export TMPDIR
 
 echo "== tests"
-check build-test -- --timeout-multiplier 3 --no-suite monkey
+check build-test -- --timeout-multiplier 3 --no-suite app --no-suite monkey
+
+# These wait for the display half of their time.
+waiting=$((2 * $(nproc)))
+echo "== the window"
+check build-test -- --timeout-multiplier 3 --num-processes $waiting --suite app
 
 echo "== tests under sanitizers"
 export ASAN_OPTIONS=detect_leaks=1:abort_on_error=1
@@ -138,7 +143,7 @@ check build-sanitize -Db_sanitize=address,undefined -Db_lundef=false -- \
   --timeout-multiplier 6 --no-suite slow
 
 echo "== the window under sanitizers"
-check build-sanitize -- --timeout-multiplier 6 --suite app
+check build-sanitize -- --timeout-multiplier 6 --num-processes $waiting --suite app
 
 echo "== threads under the thread sanitizer"
 export TSAN_OPTIONS="suppressions=$PWD/tests/sanitize/thread.supp:halt_on_error=1"
