@@ -65,9 +65,6 @@ on_scroll (GtkEventControllerScroll *controller, double dx, double dy, QnCanvas 
 static void
 on_pan_begin (GtkGestureDrag *gesture, double x, double y, QnCanvas *self)
 {
-  (void) gesture;
-  (void) x;
-  (void) y;
   self->gesture_camera = self->camera;
   gtk_widget_set_cursor_from_name (GTK_WIDGET (self), "grabbing");
 }
@@ -75,7 +72,6 @@ on_pan_begin (GtkGestureDrag *gesture, double x, double y, QnCanvas *self)
 static void
 on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCanvas *self)
 {
-  (void) gesture;
   QnCamera camera = self->gesture_camera;
   qn_camera_pan (&camera, qn_vec2 (dx, dy));
   self->camera.center = camera.center;
@@ -85,16 +81,12 @@ on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCanvas *self)
 static void
 on_pan_end (GtkGestureDrag *gesture, double dx, double dy, QnCanvas *self)
 {
-  (void) gesture;
-  (void) dx;
-  (void) dy;
   gtk_widget_set_cursor (GTK_WIDGET (self), NULL);
 }
 
 static void
 on_pinch_begin (GtkGesture *gesture, GdkEventSequence *sequence, QnCanvas *self)
 {
-  (void) sequence;
   double x, y;
   self->gesture_camera = self->camera;
   if (gtk_gesture_get_bounding_box_center (gesture, &x, &y))
@@ -104,7 +96,6 @@ on_pinch_begin (GtkGesture *gesture, GdkEventSequence *sequence, QnCanvas *self)
 static void
 on_pinch_changed (GtkGestureZoom *gesture, double factor, QnCanvas *self)
 {
-  (void) gesture;
   self->camera = self->gesture_camera;
   zoom_at (self, self->zoom_center, factor);
 }

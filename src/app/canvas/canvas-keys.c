@@ -130,8 +130,6 @@ static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnCanvas *self)
 {
-  (void) controller;
-  (void) keycode;
   gboolean control = (modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK)) != 0;
   if (keyval == GDK_KEY_Escape) {
     if (self->typed->len > 0)

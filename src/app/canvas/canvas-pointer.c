@@ -120,7 +120,6 @@ on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *s
 static void
 on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
 {
-  (void) controller;
   self->pointer_inside = self->keyboard_cursor;
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   gtk_widget_queue_draw (GTK_WIDGET (self));

@@ -64,7 +64,6 @@ on_unrealize (GtkGLArea *area, QnGlLayer *self)
 static gboolean
 on_render (GtkGLArea *area, GdkGLContext *context, QnGlLayer *self)
 {
-  (void) context;
   int factor = gtk_widget_get_scale_factor (GTK_WIDGET (area));
   self->gl.Disable (GL_SCISSOR_TEST);
   self->gl.ClearColor (0, 0, 0, 0);

@@ -278,7 +278,6 @@ turn_angle (const Drag *drag)
 static gboolean
 drag_masonry (QnMasonry *masonry, gpointer data, GError **error)
 {
-  (void) error;
   const Drag *drag = data;
   qn_masonry_drag (masonry, drag->grip.opening, (QnHandleKind) drag->grip.handle,
                    drag->from, drag->to, drag->snap);

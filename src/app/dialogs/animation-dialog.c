@@ -304,8 +304,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   Dialog *dialog = ((Form *) data)->dialog;
   QnAnimationSettings *s = &dialog->settings;
   gboolean on = value->number != 0.0;
-  (void) draft;
-  (void) error;
   if (field == CANCEL)
     g_cancellable_cancel (dialog->cancellable);
   else if (field == EXPORT)

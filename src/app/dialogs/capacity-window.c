@@ -179,7 +179,6 @@ on_found (GObject *source, GAsyncResult *result, gpointer data)
   g_autofree char *block = NULL, *reason = NULL;
   g_autofree QnCapacity *curve =
     qn_capacity_find_finish (result, &block, &reason, &error);
-  (void) source;
   /* The window may have been closed meanwhile. */
   g_autoptr (GObject) root = g_weak_ref_get (data);
   Form *form = root != NULL ? g_object_get_data (root, FORM) : NULL;
@@ -479,8 +478,6 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   Form *form = data;
-  (void) draft;
-  (void) error;
   g_clear_pointer (&form->message, g_free);
   switch (field) {
   case CONTROL:
@@ -545,7 +542,6 @@ static void
 draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   Form *form = data;
-  (void) area;
   cairo_set_source_rgb (cr, 1, 1, 1);
   cairo_paint (cr);
   if (form->found)

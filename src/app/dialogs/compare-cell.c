@@ -65,7 +65,6 @@ camera_of (const Cell *cell, int width, int height)
 static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
-  (void) area;
   const Cell *cell = data;
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
@@ -107,8 +106,6 @@ qn_compare_cell_redraw (GtkWidget *widget)
 static gboolean
 on_scroll (GtkEventControllerScroll *controller, double dx, double dy, Cell *cell)
 {
-  (void) controller;
-  (void) dx;
   QnCompareView *view = cell->view;
   view->zoom = CLAMP (view->zoom * pow (WHEEL_FACTOR, -dy), 0.2, 200.0);
   view->changed (view->changed_data);
@@ -118,16 +115,12 @@ on_scroll (GtkEventControllerScroll *controller, double dx, double dy, Cell *cel
 static void
 on_pan_begin (GtkGestureDrag *gesture, double x, double y, Cell *cell)
 {
-  (void) gesture;
-  (void) x;
-  (void) y;
   cell->pan_from = cell->view->pan;
 }
 
 static void
 on_pan_update (GtkGestureDrag *gesture, double dx, double dy, Cell *cell)
 {
-  (void) gesture;
   QnCompareView *view = cell->view;
   double scale = view->base_scale * view->zoom;
   if (!(scale > 0.0))
@@ -139,9 +132,6 @@ on_pan_update (GtkGestureDrag *gesture, double dx, double dy, Cell *cell)
 static void
 on_resize (GtkDrawingArea *area, int width, int height, Cell *cell)
 {
-  (void) area;
-  (void) width;
-  (void) height;
   cell->view->changed (cell->view->changed_data);
 }
 

@@ -39,7 +39,6 @@ typedef struct Compare {
 static void
 compare_free (gpointer data, GObject *where)
 {
-  (void) where;
   Compare *compare = data;
   g_clear_object (&compare->chooser);
   g_signal_handlers_disconnect_by_data (compare->batch, compare);
@@ -156,7 +155,6 @@ draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer 
   guint count = 0;
   g_autofree QnCurve *curves = g_new0 (QnCurve, compare->shown->len + 1);
   g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
-  (void) area;
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
   for (guint i = 0; i < compare->shown->len; i++) {
@@ -199,7 +197,6 @@ take_scale (GtkWidget *cell, gpointer data)
 static void
 redraw_cell (GtkWidget *cell, gpointer data)
 {
-  (void) data;
   qn_compare_cell_redraw (cell);
 }
 
@@ -262,9 +259,6 @@ move_run (Compare *compare, QnRun *run, guint to)
 static GdkContentProvider *
 on_drag_prepare (GtkDragSource *source, double x, double y, GtkWidget *cell)
 {
-  (void) source;
-  (void) x;
-  (void) y;
   return gdk_content_provider_new_typed (G_TYPE_POINTER, qn_compare_cell_get_run (cell));
 }
 
@@ -272,8 +266,6 @@ static gboolean
 on_cell_drop (GtkDropTarget *target, const GValue *value, double x, double y,
               Compare *compare)
 {
-  (void) x;
-  (void) y;
   GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (target));
   guint to;
   gboolean found = g_ptr_array_find (compare->shown, qn_compare_cell_get_run (cell), &to);
@@ -286,7 +278,6 @@ static gboolean
 on_cell_key (GtkEventControllerKey *controller, guint key, guint code,
              GdkModifierType state, Compare *compare)
 {
-  (void) code;
   GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (controller));
   QnRun *run = qn_compare_cell_get_run (cell);
   guint at;
@@ -307,7 +298,6 @@ make_cell_menu (GtkWidget *cell, QnMenuPlace *place, gpointer data)
   Compare *compare = data;
   GMenu *menu = g_menu_new (), *order = g_menu_new (), *rest = g_menu_new ();
   guint at;
-  (void) place;
   if (!g_ptr_array_find (compare->shown, qn_compare_cell_get_run (cell), &at))
     return NULL;
   if (at > 0) {
@@ -332,7 +322,6 @@ move_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   Compare *compare = data;
   guint from, to;
-  (void) action;
   g_variant_get (parameter, "(uu)", &from, &to);
   if (from < compare->shown->len)
     move_run (compare, compare->shown->pdata[from], to);
@@ -343,7 +332,6 @@ copy_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   Compare *compare = data;
   guint at = g_variant_get_uint32 (parameter);
-  (void) action;
   if (at >= compare->shown->len)
     return;
   g_autofree char *title = dup_title (compare, compare->shown->pdata[at]);
@@ -444,7 +432,6 @@ remove_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   Compare *compare = data;
   guint at = g_variant_get_uint32 (parameter);
-  (void) action;
   if (at >= compare->shown->len)
     return;
   g_ptr_array_remove_index (compare->shown, at);
@@ -543,7 +530,6 @@ on_add_folders (Compare *compare)
 static void
 add_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  (void) action;
   Compare *compare = data;
   qn_batch_add (compare->batch, g_variant_get_string (parameter, NULL));
 }
@@ -553,7 +539,6 @@ add_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 static gboolean
 on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
 {
-  (void) widget;
   Compare *compare = data;
   gint64 now = gdk_frame_clock_get_frame_time (clock);
   if (compare->started == 0)

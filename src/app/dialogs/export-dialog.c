@@ -156,7 +156,6 @@ show_refusal (Dialog *dialog, const char *message)
 static void
 draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
-  (void) area;
   Dialog *dialog = data;
   QnFigure figure;
   QnPage page;
@@ -305,8 +304,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnRecipe *recipe = dialog->recipe;
   QnOutput *output = &recipe->output;
   gboolean on = value->number != 0.0;
-  (void) draft;
-  (void) error;
   switch (field) {
   case VIEW:
     recipe->view.view = (QnView) value->number;

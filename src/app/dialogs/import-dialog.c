@@ -133,7 +133,6 @@ try_import (Dialog *dialog)
 static void
 draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
-  (void) area;
   const Dialog *dialog = data;
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
@@ -193,8 +192,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   Dialog *dialog = data;
   double *number = number_of (dialog, field);
-  (void) draft;
-  (void) error;
   if (field == ACCEPT && dialog->has_project)
     dialog->import (dialog->parent, &dialog->project);
   if (field == ACCEPT || field == CANCEL) {

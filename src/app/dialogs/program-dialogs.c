@@ -23,7 +23,6 @@ show (gpointer form, guint field, QnValue *value)
   GSettings *settings = qn_settings_get ();
   const char *key = fields[field].id;
   g_autoptr (GVariant) kept = g_settings_get_value (settings, key);
-  (void) form;
   if (g_variant_is_of_type (kept, G_VARIANT_TYPE_STRING))
     value->number = g_settings_get_enum (settings, key);
   else if (g_variant_is_of_type (kept, G_VARIANT_TYPE_BOOLEAN))
@@ -41,9 +40,6 @@ take (gpointer form, QnProject *draft, guint field, const QnValue *value, GError
   GSettings *settings = qn_settings_get ();
   const char *key = fields[field].id;
   g_autoptr (GVariant) kept = g_settings_get_value (settings, key);
-  (void) form;
-  (void) draft;
-  (void) error;
   if (g_variant_is_of_type (kept, G_VARIANT_TYPE_STRING))
     return g_settings_set_enum (settings, key, (int) value->number);
   if (g_variant_is_of_type (kept, G_VARIANT_TYPE_BOOLEAN))

@@ -33,8 +33,6 @@ solve_case (GTask *task, gpointer source, gpointer data, GCancellable *cancellab
   QnCaseModel model;
   QnCaseResult result;
   GError *error = NULL;
-  (void) source;
-  (void) cancellable;
   if (!qn_folder_read_study (opening->folder, &study, &error)) {
     g_task_return_error (task, error);
     return;

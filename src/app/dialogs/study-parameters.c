@@ -39,7 +39,6 @@ on_values (GtkWidget *part, QnStudyWindow *self)
 static void
 on_kind (GtkDropDown *choice, GParamSpec *pspec, QnStudyWindow *self)
 {
-  (void) pspec;
   if (gtk_drop_down_get_selected (choice) < QN_DRAFT_OTHER)
     on_values (GTK_WIDGET (choice), self);
 }
@@ -75,8 +74,6 @@ static GMenuModel *
 make_menu (GtkWidget *row, QnMenuPlace *place, gpointer data)
 {
   GMenu *menu = g_menu_new ();
-  (void) place;
-  (void) data;
   qn_menu_add_target (menu, _ ("_Leave It As It Is"), "study.remove",
                       g_variant_new_uint32 (index_of (row)));
   return G_MENU_MODEL (menu);

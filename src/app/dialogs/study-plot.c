@@ -147,8 +147,6 @@ find_point (QnStudyWindow *self, double x, double y)
 static void
 on_click (GtkGestureClick *gesture, int count, double x, double y, QnStudyWindow *self)
 {
-  (void) gesture;
-  (void) count;
   gtk_widget_grab_focus (self->plot);
   gint64 nearest = find_point (self, x, y);
   if (nearest < 0)
@@ -183,9 +181,6 @@ static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnStudyWindow *self)
 {
-  (void) controller;
-  (void) keycode;
-  (void) modifiers;
   switch (keyval) {
   case GDK_KEY_Right:
     choose (self, self->chosen + 1);

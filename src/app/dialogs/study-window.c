@@ -57,8 +57,6 @@ qn_study_window_show_draft (QnStudyWindow *self)
 static void
 run (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  (void) action;
-  (void) parameter;
   qn_study_window_run (data);
 }
 
@@ -66,8 +64,6 @@ static void
 cancel (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyWindow *self = data;
-  (void) action;
-  (void) parameter;
   qn_study_job_cancel (self->job);
 }
 
@@ -75,8 +71,6 @@ static void
 undo (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyWindow *self = data;
-  (void) action;
-  (void) parameter;
   qn_draft_undo (self->draft);
   qn_study_window_show_draft (self);
 }
@@ -85,8 +79,6 @@ static void
 redo (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyWindow *self = data;
-  (void) action;
-  (void) parameter;
   qn_draft_redo (self->draft);
   qn_study_window_show_draft (self);
 }
@@ -94,15 +86,12 @@ redo (GSimpleAction *action, GVariant *parameter, gpointer data)
 static void
 export_results (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  (void) action;
   qn_study_window_export (data, g_variant_get_string (parameter, NULL));
 }
 
 static void
 open_case (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  (void) action;
-  (void) parameter;
   qn_study_window_open_case (data);
 }
 
@@ -111,8 +100,6 @@ static void
 copy_case (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyWindow *self = data;
-  (void) action;
-  (void) parameter;
   gdk_clipboard_set_text (gtk_widget_get_clipboard (self->plot),
                           gtk_label_get_text (self->status));
 }
@@ -121,7 +108,6 @@ static void
 remove_parameter (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyWindow *self = data;
-  (void) action;
   qn_draft_remove (self->draft, g_variant_get_uint32 (parameter));
   qn_study_window_show_draft (self);
 }
@@ -131,7 +117,6 @@ static void
 export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   const char *what, *path;
-  (void) action;
   g_variant_get (parameter, "(&s&s)", &what, &path);
   qn_study_window_export_to (data, what, path);
 }
@@ -141,8 +126,6 @@ static void
 move_load (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyWindow *self = data;
-  (void) action;
-  (void) parameter;
   gtk_window_present (self->parent.window);
   gtk_widget_activate_action (GTK_WIDGET (self->parent.window), "win.tool", "s", "path");
 }

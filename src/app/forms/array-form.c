@@ -36,8 +36,6 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   Form *form = data;
-  (void) draft;
-  (void) error;
   if (field < MAKE)
     form->numbers[field] = value->number;
   else

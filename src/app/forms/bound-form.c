@@ -232,7 +232,6 @@ static gboolean
 scroll_to (GtkWidget *root, GdkFrameClock *clock, gpointer data)
 {
   QnBoundForm *form = data;
-  (void) clock;
   if (form->frames++ < 2)
     return G_SOURCE_CONTINUE;
   for (guint i = 0; form->widgets[i] != NULL; i++) {
@@ -427,14 +426,12 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
 static void
 on_notify (GtkWidget *widget, GParamSpec *pspec, QnBoundForm *form)
 {
-  (void) pspec;
   on_entered (widget, form);
 }
 
 static void
 on_row_selected (GtkWidget *widget, GtkListBoxRow *row, QnBoundForm *form)
 {
-  (void) row;
   on_entered (widget, form);
 }
 
@@ -517,7 +514,6 @@ make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
   QnBoundForm *form = data;
   GtkWidget *row = gtk_widget_get_ancestor (widget, GTK_TYPE_LIST_BOX_ROW);
   GMenu *menu = g_menu_new (), *commands = g_menu_new (), *text = g_menu_new ();
-  (void) place;
   if (row != NULL) {
     gtk_list_box_select_row (GTK_LIST_BOX (gtk_widget_get_parent (row)),
                              GTK_LIST_BOX_ROW (row));
@@ -538,7 +534,6 @@ static void
 press (GSimpleAction *action, GVariant *field, gpointer data)
 {
   QnBoundForm *form = data;
-  (void) action;
   g_signal_emit_by_name (form->widgets[g_variant_get_int32 (field)], "clicked");
 }
 
@@ -567,7 +562,6 @@ static void
 on_gone (gpointer data, GObject *root)
 {
   QnBoundForm *form = data;
-  (void) root;
   if (form->clear != NULL)
     form->clear (form);
   g_free (form->widgets);

@@ -366,7 +366,6 @@ static void
 draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   Form *form = data;
-  (void) area;
   cairo_set_source_rgb (cr, 1, 1, 1);
   cairo_paint (cr);
   qn_ground_preview_draw (&form->sampled, form->preview, cr, width, height, UNIT);
@@ -375,7 +374,6 @@ draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer da
 static void
 on_destroy (GtkWidget *root, Form *form)
 {
-  (void) root;
   g_clear_object (&form->chooser);
   qn_ground_preview_clear (&form->sampled);
   g_free (form->fault);

@@ -12,7 +12,6 @@ qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback func,
 static void
 on_owner_gone (gpointer data, GObject *where)
 {
-  (void) where;
   g_free (data);
 }
 

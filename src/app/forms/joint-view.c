@@ -15,7 +15,6 @@ static void
 on_gone (gpointer data, GObject *where)
 {
   View *view = data;
-  (void) where;
   free (view->plot.points);
   g_free (view);
 }

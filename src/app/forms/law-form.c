@@ -85,7 +85,6 @@ row_info (guint row)
 static const char *
 row_step (guint row)
 {
-  (void) row;
   return _ ("Change Law");
 }
 

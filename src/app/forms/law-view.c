@@ -16,7 +16,6 @@ static void
 on_gone (gpointer data, GObject *where)
 {
   View *view = data;
-  (void) where;
   g_array_unref (view->samples);
   g_free (view);
 }
@@ -26,7 +25,6 @@ static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   const View *view = data;
-  (void) area;
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
   if (view->samples->len > 0) {

@@ -125,7 +125,6 @@ change_masonry (QnMasonry *masonry, gpointer data, GError **error)
   const Change *change = data;
   double number = change->value->number;
   QnLeaf *leaf = &masonry->wall.leaves[0];
-  (void) error;
   switch (change->field) {
   case BOND:
     qn_masonry_set_bond (masonry, bonds[(guint) number], leaf->lap);
@@ -163,7 +162,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 static const char *
 row_step (guint row)
 {
-  (void) row;
   return _ ("Change %s");
 }
 

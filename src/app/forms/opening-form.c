@@ -91,7 +91,6 @@ change_opening (QnMasonry *masonry, gpointer data, GError **error)
 {
   const Change *change = data;
   QnOpening *opening = &masonry->wall.openings[change->opening];
-  (void) error;
   if (change->field >= FIRST_NUMBER)
     qn_opening_set_field (opening, (QnOpeningField) (change->field - FIRST_NUMBER),
                           change->number);

@@ -50,7 +50,6 @@ row_info (guint row)
 static const char *
 row_step (guint row)
 {
-  (void) row;
   return _ ("Change %s");
 }
 

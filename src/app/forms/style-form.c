@@ -232,8 +232,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   double *number = number_of (settings, field);
   guint row = (guint) MAX (value->number, 0.0);
   gboolean on = value->number != 0.0;
-  (void) draft;
-  (void) error;
   if (number != NULL)
     *number = value->number;
   switch (field) {

@@ -144,7 +144,6 @@ qn_bounds_bar_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
 static gboolean
 on_query_tooltip (GtkWidget *widget, int x, int y, gboolean keyboard, GtkTooltip *tooltip)
 {
-  (void) y;
   QnBoundsBar *self = QN_BOUNDS_BAR (widget);
   g_autofree char *text =
     keyboard || self->bounds == NULL ? NULL : qn_bounds_bar_dup_told (self, x);
@@ -157,8 +156,6 @@ qn_bounds_bar_measure (GtkWidget *widget, GtkOrientation orientation, int for_si
                        int *minimum, int *natural, int *minimum_baseline,
                        int *natural_baseline)
 {
-  (void) widget;
-  (void) for_size;
   *minimum = *natural = orientation == GTK_ORIENTATION_VERTICAL ? HEIGHT : 160;
   *minimum_baseline = *natural_baseline = -1;
 }

@@ -619,7 +619,6 @@ go_to (QnCurveView *self, double x, double y)
 static void
 on_drag_begin (GtkGestureDrag *gesture, double x, double y, QnCurveView *self)
 {
-  (void) gesture;
   gtk_widget_grab_focus (GTK_WIDGET (self));
   go_to (self, x, y);
 }
@@ -635,9 +634,6 @@ on_drag_update (GtkGestureDrag *gesture, double dx, double dy, QnCurveView *self
 static void
 on_click (GtkGestureClick *gesture, int presses, double x, double y, QnCurveView *self)
 {
-  (void) gesture;
-  (void) x;
-  (void) y;
   if (presses != 2)
     return;
   fit (self);
@@ -647,16 +643,12 @@ on_click (GtkGestureClick *gesture, int presses, double x, double y, QnCurveView
 static void
 on_pan_begin (GtkGestureDrag *gesture, double x, double y, QnCurveView *self)
 {
-  (void) gesture;
-  (void) x;
-  (void) y;
   self->pan_from = self->range;
 }
 
 static void
 on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCurveView *self)
 {
-  (void) gesture;
   const QnBox *from = &self->pan_from;
   QnVec2 moved = qn_vec2 (-dx / plot_width (self) * (from->max.x - from->min.x),
                           dy / plot_height (self) * (from->max.y - from->min.y));
@@ -669,7 +661,6 @@ on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCurveView *self)
 static void
 on_motion (GtkEventControllerMotion *controller, double x, double y, QnCurveView *self)
 {
-  (void) controller;
   self->pointer = qn_vec2 (x, y);
   self->inside = TRUE;
   gtk_widget_queue_draw (GTK_WIDGET (self));
@@ -678,7 +669,6 @@ on_motion (GtkEventControllerMotion *controller, double x, double y, QnCurveView
 static void
 on_leave (GtkEventControllerMotion *controller, QnCurveView *self)
 {
-  (void) controller;
   self->inside = FALSE;
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
@@ -687,7 +677,6 @@ on_leave (GtkEventControllerMotion *controller, QnCurveView *self)
 static gboolean
 on_scroll (GtkEventControllerScroll *controller, double dx, double dy, QnCurveView *self)
 {
-  (void) dx;
   GdkModifierType held =
     gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (controller));
   if ((held & GDK_CONTROL_MASK) == 0 && !gtk_widget_has_focus (GTK_WIDGET (self)))
@@ -700,9 +689,6 @@ static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnCurveView *self)
 {
-  (void) controller;
-  (void) keycode;
-  (void) modifiers;
   if (keyval == GDK_KEY_Left)
     gtk_widget_activate_action (GTK_WIDGET (self), "win.previous-step", NULL);
   else if (keyval == GDK_KEY_Right)
@@ -724,8 +710,6 @@ qn_curve_view_measure (GtkWidget *widget, GtkOrientation orientation, int for_si
                        int *minimum, int *natural, int *minimum_baseline,
                        int *natural_baseline)
 {
-  (void) widget;
-  (void) for_size;
   *minimum = *natural = orientation == GTK_ORIENTATION_VERTICAL ? LEAST_HEIGHT : 200;
   *minimum_baseline = *natural_baseline = -1;
 }

@@ -130,8 +130,6 @@ go_to (View *view, double x)
 static void
 on_drag_begin (GtkGestureDrag *gesture, double x, double y, View *view)
 {
-  (void) gesture;
-  (void) y;
   gtk_widget_grab_focus (view->plot);
   go_to (view, x);
 }
@@ -140,7 +138,6 @@ static void
 on_drag_update (GtkGestureDrag *gesture, double dx, double dy, View *view)
 {
   double x, y;
-  (void) dy;
   if (gtk_gesture_drag_get_start_point (gesture, &x, &y))
     go_to (view, x + dx);
 }
@@ -148,8 +145,6 @@ on_drag_update (GtkGestureDrag *gesture, double dx, double dy, View *view)
 static void
 on_motion (GtkEventControllerMotion *controller, double x, double y, View *view)
 {
-  (void) controller;
-  (void) y;
   view->pointer = time_at (view, x);
   show_values (view);
 }
@@ -157,7 +152,6 @@ on_motion (GtkEventControllerMotion *controller, double x, double y, View *view)
 static void
 on_leave (GtkEventControllerMotion *controller, View *view)
 {
-  (void) controller;
   view->pointer = -1.0;
   show_values (view);
 }
@@ -166,9 +160,6 @@ static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, View *view)
 {
-  (void) controller;
-  (void) keycode;
-  (void) modifiers;
   if (keyval == GDK_KEY_Left)
     gtk_widget_activate_action (view->plot, "win.previous-step", NULL);
   else if (keyval == GDK_KEY_Right)
@@ -181,7 +172,6 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
 static void
 on_destroy (GtkWidget *root, View *view)
 {
-  (void) root;
   qn_energy_plot_clear (&view->energies);
 }
 

@@ -82,7 +82,6 @@ add_fixes (Panel *panel, GtkWidget *box, const QnModel *model, const QnFinding *
 static void
 on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
 {
-  (void) list;
   const QnContacts *contacts =
     qn_document_get_contacts (qn_canvas_get_document (panel->canvas));
   int index = gtk_list_box_row_get_index (row);
@@ -100,7 +99,6 @@ static GMenuModel *
 make_row_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
 {
   Panel *panel = data;
-  (void) place;
   on_row_activated (NULL, GTK_LIST_BOX_ROW (gtk_widget_get_parent (box)), panel);
   GMenu *menu = g_menu_new ();
   qn_menu_add_target (

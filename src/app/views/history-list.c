@@ -11,7 +11,6 @@ typedef struct List {
 static void
 on_row_activated (GtkListBox *box, GtkListBoxRow *row, List *list)
 {
-  (void) box;
   qn_document_go_to (list->document, (guint) gtk_list_box_row_get_index (row));
 }
 
@@ -19,7 +18,6 @@ on_row_activated (GtkListBox *box, GtkListBoxRow *row, List *list)
 static GMenuModel *
 make_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
 {
-  (void) data;
   GtkListBoxRow *row = gtk_list_box_get_row_at_y (GTK_LIST_BOX (box), (int) place->y);
   GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (gtk_widget_get_root (box)));
   if (place->by_key && focus != NULL)

@@ -97,7 +97,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnDocument *document = qn_canvas_get_document (canvas);
   QnUnderlay underlay = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
   gboolean fade = field == OPACITY;
-  (void) draft;
   if (field == ALLOW) {
     qn_document_allow_picture (document);
     qn_view_state_refresh_underlay (qn_canvas_get_state (canvas));

@@ -96,7 +96,6 @@ play_time (Bar *bar, const QnRun *run, gboolean loop)
 static gboolean
 on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
 {
-  (void) widget;
   Bar *bar = data;
   const QnRun *run = run_in_time (bar);
   gint64 now = gdk_frame_clock_get_frame_time (clock);

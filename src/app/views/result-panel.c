@@ -30,7 +30,6 @@ run_of (const Panel *panel)
 static void
 on_run_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
 {
-  (void) pspec;
   const GPtrArray *runs = qn_document_get_runs (document_of (panel));
   guint row = gtk_drop_down_get_selected (choice);
   if (row < runs->len)
@@ -40,7 +39,6 @@ on_run_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
 static void
 on_onion_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
 {
-  (void) pspec;
   const GPtrArray *runs = qn_document_get_runs (document_of (panel));
   guint row = gtk_drop_down_get_selected (choice);
   qn_view_state_set_onion (
@@ -87,7 +85,6 @@ update_runs (Panel *panel)
 static void
 on_stage_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
 {
-  (void) pspec;
   const QnRun *run = run_of (panel);
   size_t first = 0, last = 0;
   if (run == NULL

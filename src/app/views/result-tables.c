@@ -74,7 +74,6 @@ dup_step_cell (const Table *table, const QnRun *run, guint row, guint column)
                             .displacements = qn_result_step_displacements (result, row),
                             .linear = run->model.analysis.geometry == QN_GEOMETRY_LINEAR,
                             .scale = 1.0 };
-  (void) table;
   switch (column) {
   case STEP:
     return g_strdup_printf ("%u", row);
@@ -100,7 +99,6 @@ dup_step_cell (const Table *table, const QnRun *run, guint row, guint column)
 static void
 select_step (const Table *table, const QnRun *run, guint row)
 {
-  (void) run;
   if (qn_view_state_get_view (table->state) != QN_VIEW_DEFORMED)
     qn_view_state_set_view (table->state, QN_VIEW_DEFORMED);
   qn_view_state_set_step (table->state, (int) row);
@@ -152,7 +150,6 @@ dup_contact_cell (const Table *table, const QnRun *run, guint row, guint column)
                                 ? &found_forces (run, &count)[row - result->pair_count]
                                 : NULL;
   const QnPairResult *pair = found == NULL ? &result->pairs[row] : NULL;
-  (void) table;
   switch (column) {
   case BLOCKS: {
     if (found == NULL && row >= run->contacts.pair_count)
@@ -266,7 +263,6 @@ make_row_menu (GtkWidget *label, QnMenuPlace *place, gpointer data)
   const Table *table = data;
   GtkListItem *cell = g_object_get_data (G_OBJECT (label), "qn-item");
   guint row = gtk_list_item_get_position (cell);
-  (void) place;
   if (run_of (table) == NULL || row == GTK_INVALID_LIST_POSITION)
     return NULL;
   gtk_single_selection_set_selected (table->selection, row);
@@ -287,7 +283,6 @@ make_row_menu (GtkWidget *label, QnMenuPlace *place, gpointer data)
 static void
 on_setup_cell (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
 {
-  (void) factory;
   GtkWidget *label = gtk_label_new (NULL);
   g_object_set_data (G_OBJECT (label), "qn-item", item);
   qn_context_menu_attach (label, make_row_menu, data);
@@ -307,7 +302,6 @@ on_bind_cell (GObject *factory, GtkListItem *item, const Table *table)
 static void
 on_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
 {
-  (void) pspec;
   guint row = gtk_single_selection_get_selected (selection);
   const QnRun *run = run_of (table);
   if (run != NULL && row < table->kind->count_rows (run))

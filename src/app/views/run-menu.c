@@ -6,8 +6,6 @@
 static GMenuModel *
 make_menu (GtkWidget *runs, QnMenuPlace *place, gpointer data)
 {
-  (void) place;
-  (void) data;
   if (gtk_drop_down_get_selected_item (GTK_DROP_DOWN (runs)) == NULL)
     return NULL;
   g_autoptr (GtkBuilder) builder = qn_builder_new ("context-menus");

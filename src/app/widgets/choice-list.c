@@ -6,7 +6,6 @@
 static void
 on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer shortened)
 {
-  (void) factory;
   GtkWidget *label = gtk_label_new (NULL);
   gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
   if (shortened != NULL) {
@@ -19,8 +18,6 @@ on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer 
 static void
 on_bind_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
 {
-  (void) factory;
-  (void) data;
   GtkStringObject *row = gtk_list_item_get_item (item);
   gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)),
                       gtk_string_object_get_string (row));

@@ -34,9 +34,6 @@ static gboolean
 on_drop (GtkDropTarget *target, const GValue *value, double x, double y,
          const Taker *taker)
 {
-  (void) target;
-  (void) x;
-  (void) y;
   gboolean taken = FALSE;
   for (GSList *l = g_value_get_boxed (value); l != NULL; l = l->next)
     taken |= taker->take (l->data, taker->data);

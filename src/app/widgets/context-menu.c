@@ -122,7 +122,6 @@ qn_context_menu_open (GtkWidget *widget)
 static void
 on_pressed (GtkGestureClick *gesture, int count, double x, double y, GtkWidget *widget)
 {
-  (void) count;
   QnMenuPlace place = { FALSE, x, y };
   if (open_menu (widget, &place))
     gtk_gesture_set_state (GTK_GESTURE (gesture), GTK_EVENT_SEQUENCE_CLAIMED);
@@ -132,8 +131,6 @@ static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, GtkWidget *widget)
 {
-  (void) controller;
-  (void) keycode;
   gboolean shift = (modifiers & GDK_SHIFT_MASK) != 0;
   return (keyval == GDK_KEY_Menu || (keyval == GDK_KEY_F10 && shift))
          && qn_context_menu_open (widget);

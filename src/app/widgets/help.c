@@ -42,8 +42,6 @@ qn_help_find_page (GtkWidget *widget)
 static gboolean
 on_key (GtkWidget *window, GVariant *arguments, gpointer data)
 {
-  (void) arguments;
-  (void) data;
   qn_help_show (GTK_WINDOW (window), qn_help_find_page (window));
   return TRUE;
 }

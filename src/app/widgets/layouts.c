@@ -9,7 +9,6 @@
 static GtkSizeRequestMode
 constant_size (GtkWidget *widget)
 {
-  (void) widget;
   return GTK_SIZE_REQUEST_CONSTANT_SIZE;
 }
 
@@ -19,7 +18,6 @@ measure_first_fit (GtkWidget *widget, GtkOrientation orientation, int for_size,
                    int *minimum, int *natural, int *minimum_baseline,
                    int *natural_baseline)
 {
-  (void) for_size;
   *minimum = *natural = 0;
   *minimum_baseline = *natural_baseline = -1;
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
@@ -35,7 +33,6 @@ static void
 allocate_first_fit (GtkWidget *widget, int width, int height, int baseline)
 {
   gboolean placed = FALSE;
-  (void) baseline;
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child)) {
     int least;
@@ -104,7 +101,6 @@ allocate_pair (GtkWidget *widget, int width, int height, int baseline)
   Sizes widths = measure_both (widget, GTK_ORIENTATION_HORIZONTAL);
   Sizes heights = measure_both (widget, GTK_ORIENTATION_VERTICAL);
   GtkAllocation first = { 0, 0, width, height }, second = first;
-  (void) baseline;
   if (fits (&widths, width)) {
     first.width = width - SPACING - widths.usual[1];
     second.x = first.width + SPACING;
@@ -123,7 +119,6 @@ allocate_pair (GtkWidget *widget, int width, int height, int baseline)
 static GtkSizeRequestMode
 height_for_width (GtkWidget *widget)
 {
-  (void) widget;
   return GTK_SIZE_REQUEST_HEIGHT_FOR_WIDTH;
 }
 
@@ -188,8 +183,6 @@ allocate_columns (GtkWidget *widget, int width, int height, int baseline)
 {
   Cells cells = measure_cells (widget);
   int rows = count_rows (&cells, height), i = 0;
-  (void) width;
-  (void) baseline;
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child)) {
     if (!gtk_widget_should_layout (child))
@@ -204,7 +197,6 @@ allocate_columns (GtkWidget *widget, int width, int height, int baseline)
 static GtkSizeRequestMode
 width_for_height (GtkWidget *widget)
 {
-  (void) widget;
   return GTK_SIZE_REQUEST_WIDTH_FOR_HEIGHT;
 }
 

@@ -93,10 +93,6 @@ static void
 on_secondary_press (GtkGestureClick *gesture, int count, double x, double y,
                     QnQuantityEntry *self)
 {
-  (void) gesture;
-  (void) count;
-  (void) x;
-  (void) y;
   offer_to_vary (self);
 }
 
@@ -152,7 +148,6 @@ commit (QnQuantityEntry *self)
 static void
 on_focus_leave (GtkEventControllerFocus *controller, QnQuantityEntry *self)
 {
-  (void) controller;
   commit (self);
 }
 
@@ -160,8 +155,6 @@ static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnQuantityEntry *self)
 {
-  (void) controller;
-  (void) keycode;
   if (keyval == GDK_KEY_Escape)
     show_value (self);
   else if (keyval == GDK_KEY_Menu

@@ -64,7 +64,6 @@ allocate (GtkWidget *widget, int width, int height, int baseline)
   QnRow *self = QN_ROW (widget);
   gboolean mirrored = gtk_widget_get_direction (widget) == GTK_TEXT_DIR_RTL;
   int label, field;
-  (void) baseline;
   split (self, width, &label, &field);
   gtk_widget_size_allocate (
     GTK_WIDGET (self->label),
@@ -76,7 +75,6 @@ allocate (GtkWidget *widget, int width, int height, int baseline)
 static GtkSizeRequestMode
 get_request_mode (GtkWidget *widget)
 {
-  (void) widget;
   return GTK_SIZE_REQUEST_HEIGHT_FOR_WIDTH;
 }
 

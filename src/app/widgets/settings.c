@@ -87,9 +87,6 @@ static void
 on_portal_signal (GDBusProxy *proxy, const char *sender, const char *signal,
                   GVariant *parameters, gpointer data)
 {
-  (void) proxy;
-  (void) sender;
-  (void) data;
   const char *name_space = NULL, *key = NULL;
   g_autoptr (GVariant) value = NULL;
   if (!g_str_equal (signal, "SettingChanged"))
@@ -103,7 +100,6 @@ on_portal_signal (GDBusProxy *proxy, const char *sender, const char *signal,
 static void
 on_color_scheme_read (GObject *source, GAsyncResult *result, gpointer data)
 {
-  (void) data;
   g_autoptr (GVariant) reply =
     g_dbus_proxy_call_finish (G_DBUS_PROXY (source), result, NULL);
   if (reply == NULL)
@@ -117,8 +113,6 @@ on_color_scheme_read (GObject *source, GAsyncResult *result, gpointer data)
 static void
 on_portal_ready (GObject *source, GAsyncResult *result, gpointer data)
 {
-  (void) source;
-  (void) data;
   GDBusProxy *proxy = g_dbus_proxy_new_for_bus_finish (result, NULL);
   if (proxy == NULL)
     return;

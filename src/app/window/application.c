@@ -26,8 +26,6 @@ active_window (gpointer application)
 static void
 on_new_window (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
-  (void) action;
-  (void) parameter;
   QnWindow *window = qn_window_new (GTK_APPLICATION (application));
   gtk_window_present (GTK_WINDOW (window));
 }
@@ -35,24 +33,18 @@ on_new_window (GSimpleAction *action, GVariant *parameter, gpointer application)
 static void
 on_preferences (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
-  (void) action;
-  (void) parameter;
   qn_preferences_show (active_window (application));
 }
 
 static void
 on_about (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
-  (void) action;
-  (void) parameter;
   qn_about_show (active_window (application));
 }
 
 static void
 on_help (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
-  (void) action;
-  (void) parameter;
   GtkWindow *window = active_window (application);
   qn_help_show (
     window, QN_IS_WINDOW (window) ? qn_window_get_help_page (QN_WINDOW (window)) : NULL);
@@ -62,8 +54,6 @@ on_help (GSimpleAction *action, GVariant *parameter, gpointer application)
 static void
 on_quit (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
-  (void) action;
-  (void) parameter;
   GList *windows =
     g_list_copy (gtk_application_get_windows (GTK_APPLICATION (application)));
   for (GList *l = windows; l != NULL; l = l->next)
@@ -104,7 +94,6 @@ static void
 qn_application_open (GApplication *application, GFile **files, int count,
                      const char *hint)
 {
-  (void) hint;
   offer_recovery (QN_APPLICATION (application));
   for (int i = 0; i < count; i++) {
     g_autofree char *path = g_file_get_path (files[i]);

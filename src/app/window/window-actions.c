@@ -35,7 +35,6 @@ qn_window_add_action_table (QnWindow *self, const QnWindowAction *actions, gsize
 static void
 new_drawing (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_window_show_work (self);
   gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "wall");
 }
@@ -43,28 +42,24 @@ new_drawing (QnWindow *self, GVariant *parameter)
 static void
 zoom_in (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_canvas_zoom (self->canvas, ZOOM_FACTOR);
 }
 
 static void
 zoom_out (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_canvas_zoom (self->canvas, 1.0 / ZOOM_FACTOR);
 }
 
 static void
 fit (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_canvas_fit (self->canvas);
 }
 
 static void
 play (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_playback_bar_toggle (self->playback);
 }
 
@@ -85,14 +80,12 @@ go_by_steps (QnWindow *self, int by)
 static void
 next_step (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   go_by_steps (self, 1);
 }
 
 static void
 previous_step (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   go_by_steps (self, -1);
 }
 
@@ -110,7 +103,6 @@ show_panel (QnWindow *self, GVariant *parameter)
 static void
 toggle_fullscreen (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   if (gtk_window_is_fullscreen (GTK_WINDOW (self)))
     gtk_window_unfullscreen (GTK_WINDOW (self));
   else
@@ -139,7 +131,6 @@ on_view (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
   QnView view;
-  (void) action;
   if (!qn_view_parse (g_variant_get_string (value, NULL), &view))
     return;
   if (qn_view_needs_result (view) && qn_document_get_run (self->document) == NULL) {
@@ -335,7 +326,6 @@ static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnWindow *self)
 {
-  (void) keycode;
   GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (self));
   gboolean on_drawing = focus == NULL || focus == GTK_WIDGET (self->canvas);
   if (qn_window_is_blank (self) || GTK_IS_EDITABLE (focus) || GTK_IS_TEXT_VIEW (focus))

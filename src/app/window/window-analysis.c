@@ -127,7 +127,6 @@ start_next (QnWindow *self)
 static void
 run_all (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   QnProcedure own = qn_document_get_model (self->document)->analysis.procedure;
   g_autoptr (GError) error = NULL;
   gtk_info_bar_set_revealed (self->info_bar, FALSE);
@@ -202,7 +201,6 @@ on_job_progress (QnWindow *self)
 static void
 run (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   g_autoptr (GError) error = NULL;
   qn_window_commit_entry (self);
   gtk_info_bar_set_revealed (self->info_bar, FALSE);
@@ -213,14 +211,12 @@ run (QnWindow *self, GVariant *parameter)
 static void
 cancel (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_document_cancel (self->document);
 }
 
 static void
 pause_or_resume (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   QnJob *job = qn_document_get_job (self->document);
   if (job == NULL)
     return;
@@ -260,7 +256,6 @@ run_modes (QnWindow *self, GVariant *parameter)
 static void
 run_stability (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   g_autoptr (GError) error = NULL;
   gtk_info_bar_set_revealed (self->info_bar, FALSE);
   if (!qn_document_find_stability (self->document, &error))

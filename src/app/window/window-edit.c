@@ -98,7 +98,6 @@ edit_fill (QnProject *draft, gpointer data, GError **error)
 static gboolean
 move_opening (QnMasonry *masonry, gpointer data, GError **error)
 {
-  (void) error;
   const OpeningEdit *edit = data;
   const QnLeaf *leaf = &masonry->wall.leaves[0];
   QnOpening *opening = &masonry->wall.openings[edit->opening];
@@ -181,7 +180,6 @@ duplicate_item (QnWindow *self, ItemEdit edit)
 static void
 delete_selected (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   OpeningEdit opening = { 0 };
   ItemEdit item;
   if (selected_item (self, &item)) {
@@ -199,14 +197,12 @@ delete_selected (QnWindow *self, GVariant *parameter)
 static void
 detach (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   edit_parts (self, _ ("Detach Wall"), edit_detach);
 }
 
 static void
 join (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   edit_parts (self, _ ("Join Blocks"), edit_join);
 }
 
@@ -265,7 +261,6 @@ select_added (QnWindow *self, const QnModel *before)
 static void
 duplicate (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   QnVec2 low, high;
   QnModel before;
   ItemEdit item;
@@ -327,14 +322,12 @@ nudge (QnWindow *self, GVariant *parameter)
 static void
 undo (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_document_undo (self->document);
 }
 
 static void
 redo (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_document_redo (self->document);
 }
 
@@ -351,14 +344,12 @@ go_to_step (QnWindow *self, GVariant *parameter)
 static void
 remove_run (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_document_remove_run (self->document, qn_document_get_run (self->document));
 }
 
 static void
 select_all (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_selection_select_all (qn_document_get_selection (self->document),
                            qn_document_get_model (self->document));
 }
@@ -497,7 +488,6 @@ copy_text (QnWindow *self, GVariant *parameter)
 static void
 copy (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   QnBlockSet set = qn_canvas_dup_selected (self->canvas);
   const QnModel *model = qn_document_get_model (self->document);
   GString *text = g_string_new ("quoin-blocks\n");
@@ -673,7 +663,6 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
 static void
 paste (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   gdk_clipboard_read_text_async (gtk_widget_get_clipboard (GTK_WIDGET (self)), NULL,
                                  on_clipboard_text, g_object_ref (self));
 }

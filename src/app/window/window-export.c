@@ -157,7 +157,6 @@ tell (GtkWindow *window, const char *message, gboolean trouble)
 static void
 repeat_export (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   g_autoptr (GError) error = NULL;
   if (self->last_export == NULL)
     return;
@@ -186,14 +185,12 @@ write_figure (GtkWindow *window, const char *path, QnRecipe *recipe)
 static void
 export_figure (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_export_dialog_show (GTK_WINDOW (self), self->state, write_figure, tell);
 }
 
 static void
 show_capacity (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_window_commit_entry (self);
   qn_capacity_window_show (GTK_WINDOW (self), self->document);
 }
@@ -201,7 +198,6 @@ show_capacity (QnWindow *self, GVariant *parameter)
 static void
 show_figures (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_figures_window_show (GTK_WINDOW (self), self->document);
 }
 
@@ -219,7 +215,6 @@ list_others (GtkWindow *self)
 static void
 compare (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_compare_window_show (GTK_WINDOW (self), self->document, list_others);
 }
 
@@ -251,7 +246,6 @@ export_result (QnWindow *self, GVariant *parameter)
 static void
 export_drawing (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   choose_file (self, DRAWING);
 }
 
@@ -301,7 +295,6 @@ open_result (QnWindow *self, GVariant *parameter)
                                       .name = N_ ("Result files"),
                                       .suffixes = suffixes,
                                       .action = "win.open-result-path" };
-  (void) parameter;
   qn_window_choose_file (self, &results);
 }
 

@@ -89,7 +89,6 @@ open_example (QnWindow *self, GVariant *parameter)
 static void
 open_dialog (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_window_choose_file (self, &projects);
 }
 
@@ -157,7 +156,6 @@ on_save_response (GtkNativeDialog *dialog, int response, QnWindow *self)
 static void
 save_as (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   qn_window_commit_entry (self);
   GtkFileChooserNative *chooser =
     qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
@@ -276,7 +274,6 @@ qn_window_may_close (QnWindow *self)
 static void
 close_window (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   gtk_window_close (GTK_WINDOW (self));
 }
 

@@ -37,7 +37,6 @@ picture_path (QnWindow *self, GVariant *parameter)
 static void
 remove_picture (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   g_autoptr (GError) error = NULL;
   if (!qn_document_remove_picture (self->document, &error))
     qn_window_show_error (self, error->message);
@@ -107,7 +106,6 @@ import_drawing (QnWindow *self, GVariant *parameter)
                                          N_ ("Drawings: DXF, SVG, COMPAS, HybriDFEM"),
                                        .suffixes = suffixes,
                                        .action = "win.take-path" };
-  (void) parameter;
   qn_window_choose_file (self, &drawings);
 }
 
@@ -121,7 +119,6 @@ picture (QnWindow *self, GVariant *parameter)
                                        .name = N_ ("Pictures"),
                                        .suffixes = suffixes,
                                        .action = "win.take-path" };
-  (void) parameter;
   qn_window_choose_file (self, &pictures);
 }
 

@@ -99,7 +99,6 @@ static GMenuModel *
 make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
 {
   QnWindow *self = data;
-  (void) widget;
   if (qn_canvas_is_in_gesture (self->canvas)) {
     qn_canvas_cancel_gesture (self->canvas);
     return NULL;

@@ -23,7 +23,6 @@ static void
 on_draw_page (GtkPrintOperation *operation, GtkPrintContext *context, int number,
               QnWindow *self)
 {
-  (void) number;
   cairo_t *cr = gtk_print_context_get_cairo_context (context);
   double points_x = gtk_print_context_get_dpi_x (context) / POINTS_PER_INCH;
   double points_y = gtk_print_context_get_dpi_y (context) / POINTS_PER_INCH;
@@ -76,7 +75,6 @@ print_by (QnWindow *self, GtkPrintOperationAction action, const char *path)
 static void
 print (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   print_by (self, GTK_PRINT_OPERATION_ACTION_PRINT_DIALOG, NULL);
 }
 

@@ -24,7 +24,6 @@ show_study (QnWindow *self, const char *path)
 static void
 study (QnWindow *self, GVariant *parameter)
 {
-  (void) parameter;
   show_study (self, NULL);
 }
 

@@ -234,15 +234,12 @@ on_info_button (QnWindow *self)
 static void
 on_info_response (GtkInfoBar *bar, int response, QnWindow *self)
 {
-  (void) response;
-  (void) self;
   gtk_info_bar_set_revealed (bar, FALSE);
 }
 
 static void
 on_canvas_failed (QnCanvas *canvas, const char *message, QnWindow *self)
 {
-  (void) canvas;
   qn_window_show_error (self, message);
 }
 
@@ -443,8 +440,6 @@ place_message (GtkOverlay *overlay, GtkWidget *message, GdkRectangle *place,
 static void
 on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
 {
-  (void) surface;
-  (void) height;
   int panel = 0;
   gtk_widget_measure (GTK_WIDGET (self->side_stack), GTK_ORIENTATION_HORIZONTAL, -1,
                       &panel, NULL, NULL, NULL);

@@ -20,7 +20,6 @@ qn_document_drop_job (QnDocument *self)
 static void
 on_job_progress (QnJob *job, QnDocument *self)
 {
-  (void) job;
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_PROGRESS);
 }
 

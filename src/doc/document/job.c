@@ -310,8 +310,6 @@ on_tick (gpointer data)
 static void
 on_task_completed (GTask *task, GParamSpec *pspec, QnJob *self)
 {
-  (void) task;
-  (void) pspec;
   self->running = FALSE;
   g_clear_handle_id (&self->tick, g_source_remove);
 }

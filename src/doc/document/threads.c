@@ -74,7 +74,6 @@ run (void *pool, int32_t count, void (*part) (void *data, int32_t i), void *data
 {
   static GOnce once = G_ONCE_INIT;
   Batch batch = { .part = part, .data = data, .count = count };
-  (void) pool;
   g_once (&once, start, NULL);
   pthread_mutex_lock (&mutex);
   batch.other = batches;

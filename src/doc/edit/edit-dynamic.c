@@ -161,7 +161,6 @@ gboolean
 qn_edit_remove_ground_motion (QnModel *model, gsize index, GError **error)
 {
   QnGroundMotion *motion = &model->ground[index];
-  (void) error;
   free (motion->points);
   free (motion->record);
   free (motion->unit);

@@ -85,7 +85,6 @@ qn_edit_set_section_field (QnModel *model, QnId id, QnSectionField field, double
 gboolean
 qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError **error)
 {
-  (void) error;
   QnSection *section = &model->sections[id];
   if (rectangle == is_rectangle (section))
     return TRUE;

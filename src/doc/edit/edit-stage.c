@@ -47,7 +47,6 @@ without_bit (uint32_t bits, int32_t set)
 gboolean
 qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error)
 {
-  (void) error;
   gsize kept = 0;
   for (gsize i = 0; i < model->live_load_count; i++) {
     QnLoad load = model->live_loads[i];
@@ -105,7 +104,6 @@ qn_edit_rename_load_case (QnModel *model, int32_t number, const char *name,
 gboolean
 qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error)
 {
-  (void) error;
   for (int live = 0; live < 2; live++) {
     gsize count;
     QnLoad *loads = qn_model_loads (model, live, &count);
@@ -395,7 +393,6 @@ qn_edit_add_stage (QnModel *model, GError **error)
 gboolean
 qn_edit_delete_stage (QnModel *model, gsize index, GError **error)
 {
-  (void) error;
   free (model->stages[index].name);
   memmove (model->stages + index, model->stages + index + 1,
            (model->stage_count - index - 1) * sizeof *model->stages);
@@ -420,7 +417,6 @@ gboolean
 qn_edit_change_stage (QnModel *model, gsize index, const QnStage *settings,
                       GError **error)
 {
-  (void) error;
   char *name = model->stages[index].name;
   model->stages[index] = *settings;
   model->stages[index].name = name;

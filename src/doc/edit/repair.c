@@ -247,7 +247,6 @@ static QnStatus
 trimmed (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
          QnDiag *diag)
 {
-  (void) gap;
   QnRing subject = { 0 };
   QnRings cutters = { 0 };
   QnStatus status =

@@ -59,7 +59,6 @@ static bool
 on_frame (int done, int total, void *user_data)
 {
   Work *work = user_data;
-  (void) total;
   g_atomic_int_set (&work->done, done);
   return !g_cancellable_is_cancelled (work->cancellable);
 }
@@ -67,8 +66,6 @@ on_frame (int done, int total, void *user_data)
 static void
 write_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
 {
-  (void) source;
-  (void) cancellable;
   Work *work = data;
   const QnAnimationSettings *s = &work->settings;
   QnAnimation animation;
@@ -105,8 +102,6 @@ on_timeout (gpointer data)
 static void
 on_completed (GTask *task, GParamSpec *pspec, gpointer data)
 {
-  (void) pspec;
-  (void) data;
   Work *work = g_task_get_task_data (task);
   g_clear_handle_id (&work->timeout, g_source_remove);
 }

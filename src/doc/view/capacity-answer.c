@@ -219,7 +219,6 @@ static bool
 may_go_on (const QnProgress *progress, void *data)
 {
   const Work *work = data;
-  (void) progress;
   return !g_cancellable_is_cancelled (work->cancellable);
 }
 
@@ -240,8 +239,6 @@ static void
 find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
 {
   Work *work = data;
-  (void) source;
-  (void) cancellable;
   QnCapacityEnd end = find (work);
   g_autofree char *refused =
     end == QN_CAPACITY_REFUSED ? qn_explain_diag (&work->model, &work->diag) : NULL;

@@ -96,7 +96,6 @@ update_underlay (QnViewState *self)
 static void
 on_document_changed (QnDocument *document, QnViewState *self)
 {
-  (void) document;
   update_underlay (self);
   emit_changed (self);
 }
