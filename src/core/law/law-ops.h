@@ -41,7 +41,7 @@ typedef struct QnLawOps {
 #define QN_LAW_PARAMETERS(table)                                                         \
   .parameters = table, .parameter_count = QN_N_ELEMENTS (table)
 
-/* A key of project files, where read_parameters() in io/project/project-read-law.c reads it, with the
+/* A key of project files, where read_parameters() in io/project/project-law.c reads it, with the
  * member of QnLaw that takes it. */
 #define QN_LAW_PARAMETER(name, member, is_required, is_positive)                         \
   {                                                                                      \

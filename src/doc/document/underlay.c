@@ -1,6 +1,7 @@
 #include "doc/document/underlay.h"
 
 #include "io/project/project-extras.h"
+#include "io/project/project-members.h"
 #include "io/text/file-inside.h"
 #include "io/text/json-text.h"
 #include "render/drawing/photo.h"
@@ -14,9 +15,21 @@
 /* Corners may lie outside of the photo, so far at most, in its width and height. */
 #define MOST_PART 10.0
 
-static const char *const keys[] = { "image", "origin",  "width",
-                                    "angle", "opacity", "rectangle" };
-static const char *const rectangle_keys[] = { "corners", "height" };
+static const QnMember members[] = {
+  QN_KNOWN ("image"),
+  QN_TWO ("origin", WRITTEN, QnUnderlay, origin),
+  QN_NUMBER ("width", REQUIRED, POSITIVE, QnUnderlay, width),
+  QN_NUMBER ("angle", WRITTEN, FINITE, QnUnderlay, angle),
+  QN_NUMBER ("opacity", WRITTEN, NOT_NEGATIVE, QnUnderlay, opacity),
+  QN_KNOWN ("rectangle"),
+  { 0 },
+};
+
+static const QnMember rectangle_members[] = {
+  QN_KNOWN ("corners"),
+  QN_NUMBER ("height", REQUIRED, POSITIVE, QnUnderlay, height),
+  { 0 },
+};
 
 static gboolean
 read_rectangle (const QnJsonValue *object, QnUnderlay *underlay)
@@ -26,10 +39,8 @@ read_rectangle (const QnJsonValue *object, QnUnderlay *underlay)
   int count = 0;
   if (rectangle.json == NULL)
     return TRUE;
-  if (!qn_json_value_object (&rectangle)
-      || !qn_member_array (&rectangle, "corners", QN_REQUIRED, &corners)
-      || !qn_member_number (&rectangle, "height", QN_REQUIRED, QN_RANGE_POSITIVE,
-                            &underlay->height))
+  if (!qn_members_read (&rectangle, rectangle_members, NULL, underlay)
+      || !qn_member_array (&rectangle, "corners", QN_REQUIRED, &corners))
     return FALSE;
   while (qn_json_value_next (&corners, &corner)) {
     if (count == 4)
@@ -47,29 +58,20 @@ read_rectangle (const QnJsonValue *object, QnUnderlay *underlay)
         || fabs (underlay->points[i].y) > MOST_PART)
       return qn_json_value_fail (&corners, _ ("is too far outside of the photo"));
   underlay->rectified = true;
-  qn_json_value_warn_unknown (&rectangle, rectangle_keys, G_N_ELEMENTS (rectangle_keys));
   return TRUE;
 }
 
 static gboolean
 read_members (const QnJsonValue *object, const char **image, QnUnderlay *underlay)
 {
-  if (!qn_json_value_object (object)
+  if (!qn_members_read (object, members, NULL, underlay)
       || !qn_member_string (object, "image", QN_REQUIRED, image)
-      || !qn_member_vec2 (object, "origin", QN_OPTIONAL, &underlay->origin)
-      || !qn_member_number (object, "width", QN_REQUIRED, QN_RANGE_POSITIVE,
-                            &underlay->width)
-      || !qn_member_number (object, "angle", QN_OPTIONAL, QN_RANGE_FINITE,
-                            &underlay->angle)
-      || !qn_member_number (object, "opacity", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
-                            &underlay->opacity)
       || !read_rectangle (object, underlay))
     return FALSE;
   if (underlay->opacity > 1) {
     QnJsonValue place = qn_json_value_member (object, "opacity");
     return qn_json_value_fail (&place, _ ("must not be above 1"));
   }
-  qn_json_value_warn_unknown (object, keys, G_N_ELEMENTS (keys));
   return TRUE;
 }
 
@@ -150,32 +152,17 @@ qn_underlay_dup_name (const char *path, const char *folder)
 char *
 qn_underlay_to_json (const char *image, const QnUnderlay *underlay)
 {
-  GString *json = g_string_new ("{\"image\": ");
-  qn_json_append_string (json, image);
-  g_string_append (json, ", \"origin\": [");
-  qn_json_append_number (json, underlay->origin.x);
-  g_string_append (json, ", ");
-  qn_json_append_number (json, underlay->origin.y);
-  g_string_append (json, "], \"width\": ");
-  qn_json_append_number (json, underlay->width);
-  g_string_append (json, ", \"angle\": ");
-  qn_json_append_number (json, underlay->angle);
-  g_string_append (json, ", \"opacity\": ");
-  qn_json_append_number (json, underlay->opacity);
+  GString *json = g_string_new ("{");
+  qn_json_put_string (json, "image", image);
+  qn_members_write (json, members, NULL, underlay, NULL);
   if (underlay->rectified) {
-    g_string_append (json, ", \"rectangle\": {\"corners\": [");
-    for (int i = 0; i < 4; i++) {
-      g_string_append (json, i > 0 ? ", [" : "[");
-      qn_json_append_number (json, underlay->points[i].x);
-      g_string_append (json, ", ");
-      qn_json_append_number (json, underlay->points[i].y);
-      g_string_append_c (json, ']');
-    }
-    g_string_append (json, "], \"height\": ");
-    qn_json_append_number (json, underlay->height);
-    g_string_append_c (json, '}');
+    qn_json_begin_member (json, "rectangle");
+    g_string_append_c (json, '{');
+    qn_json_put_points (json, "corners", underlay->points, 4);
+    qn_members_write (json, rectangle_members, NULL, underlay, NULL);
+    g_string_append (json, " }");
   }
-  g_string_append_c (json, '}');
+  g_string_append (json, " }");
   return g_string_free (json, FALSE);
 }
 

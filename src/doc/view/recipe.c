@@ -3,6 +3,7 @@
 #include "core/base/integer.h"
 #include "doc/document/digest.h"
 #include "io/project/project-extras.h"
+#include "io/project/project-members.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 
@@ -10,11 +11,46 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const keys[] = {
-  "name",    "file",        "view",    "field",        "step",       "scale",
-  "size",    "dpi",         "title",   "caption",      "result",     "ghost",
-  "symbols", "loads",       "legend",  "names",        "dimensions", "monochrome",
-  "titles",  "transparent", "backend", "model_digest", "diagram",    "values",
+/* By QnBackend. */
+static const char *const backend_names[] = {
+  [QN_BACKEND_CAIRO] = "cairo", [QN_BACKEND_GL] = "gl"
+};
+
+/* What is not in these tables is read and written by code. */
+static const QnMember text_members[] = {
+  QN_KNOWN ("name"),
+  QN_KNOWN ("view"),
+  QN_KNOWN ("file"),
+  QN_STRING ("result", OPTIONAL, QnRecipe, result),
+  QN_STRING ("title", OPTIONAL, QnRecipe, title),
+  QN_STRING ("caption", OPTIONAL, QnRecipe, caption),
+  QN_CHOICE ("field", OPTIONAL, qn_field_names, QnRecipe, view.field),
+  QN_CHOICE ("diagram", READ, qn_diagram_names, QnRecipe, view.diagram),
+  QN_KNOWN ("step"),
+  QN_KNOWN ("scale"),
+  { 0 },
+};
+
+static const QnMember switch_members[] = {
+  QN_BOOL ("ghost", OPTIONAL, QnRecipe, view.ghost),
+  QN_BOOL ("symbols", OPTIONAL, QnRecipe, view.symbols),
+  QN_BOOL ("loads", OPTIONAL, QnRecipe, view.loads),
+  QN_BOOL ("dimensions", OPTIONAL, QnRecipe, view.dimensions),
+  QN_BOOL ("names", OPTIONAL, QnRecipe, view.names),
+  QN_BOOL ("values", OPTIONAL, QnRecipe, view.values),
+  QN_BOOL ("legend", OPTIONAL, QnRecipe, view.legend),
+  QN_BOOL ("titles", OPTIONAL, QnRecipe, view.titles),
+  QN_BOOL ("monochrome", OPTIONAL, QnRecipe, view.monochrome),
+  { 0 },
+};
+
+static const QnMember output_members[] = {
+  QN_KNOWN ("size"),
+  QN_NUMBER ("dpi", OPTIONAL, POSITIVE, QnRecipe, output.dpi),
+  QN_BOOL ("transparent", OPTIONAL, QnRecipe, output.transparent),
+  QN_CHOICE ("backend", OPTIONAL, backend_names, QnRecipe, output.backend),
+  QN_STRING ("model_digest", OPTIONAL, QnRecipe, digest),
+  { 0 },
 };
 
 QnRecipe *
@@ -44,11 +80,6 @@ qn_recipe_free (QnRecipe *recipe)
 
 /* ---- reading --------------------------------------------------------------------------- */
 
-/* By QnBackend. */
-static const char *const backend_names[] = {
-  [QN_BACKEND_CAIRO] = "cairo", [QN_BACKEND_GL] = "gl"
-};
-
 /* A member that is a number or one word with a meaning of its own ("last", "auto"). */
 static gboolean
 read_number_or (const QnJsonValue *object, const char *key, const char *word,
@@ -68,53 +99,32 @@ read_number_or (const QnJsonValue *object, const char *key, const char *word,
 }
 
 static gboolean
-read_output (const QnJsonValue *object, QnOutput *output)
+read_size (const QnJsonValue *object, QnOutput *output)
 {
   const char *size = NULL;
-  QnBackend backend = QN_BACKEND_CAIRO;
-  GError *error = NULL;
+  g_autoptr (GError) error = NULL;
   QnPage page;
-  if (!qn_member_string (object, "size", QN_OPTIONAL, &size)
-      || !qn_member_number (object, "dpi", QN_OPTIONAL, QN_RANGE_POSITIVE, &output->dpi)
-      || !qn_member_bool (object, "transparent", QN_OPTIONAL, &output->transparent)
-      || !qn_member_choice (object, "backend", QN_OPTIONAL, backend_names, 2, &backend))
+  if (!qn_member_string (object, "size", QN_OPTIONAL, &size))
     return FALSE;
-  output->backend = backend;
-  if ((size != NULL && !qn_output_parse_size (output, size, &error))
-      || !qn_output_page (output, &page, &error)) {
-    QnJsonValue place = qn_json_value_member (object, size != NULL ? "size" : "dpi");
-    qn_json_value_fail (&place, error->message);
-    g_clear_error (&error);
-    return FALSE;
-  }
-  return TRUE;
+  if ((size == NULL || qn_output_parse_size (output, size, &error))
+      && qn_output_page (output, &page, &error))
+    return TRUE;
+  QnJsonValue place = qn_json_value_member (object, size != NULL ? "size" : "dpi");
+  return qn_json_value_fail (&place, error->message);
 }
 
 static gboolean
-read_view (const QnJsonValue *object, QnViewOptions *view)
+read_step_and_scale (const QnJsonValue *object, QnViewOptions *view)
 {
-  QnField field = QN_FIELD_NONE;
-  QnDiagram diagram = QN_DIAGRAM_MOMENT;
-  double step = QN_STEP_LAST, scale = QN_SCALE_AUTO;
-  if (!qn_member_choice (object, "field", QN_OPTIONAL, qn_field_names, QN_FIELD_COUNT,
-                         &field)
-      || !qn_member_choice (object, "diagram", QN_OPTIONAL, qn_diagram_names,
-                            QN_DIAGRAM_COUNT, &diagram)
-      || !read_number_or (object, "step", "last", &step)
-      || !read_number_or (object, "scale", "auto", &scale))
+  double step = QN_STEP_LAST;
+  view->scale = QN_SCALE_AUTO;
+  if (!read_number_or (object, "step", "last", &step)
+      || !read_number_or (object, "scale", "auto", &view->scale))
     return FALSE;
-  if (step > G_MAXINT32 || step != floor (step)) {
-    QnJsonValue place = qn_json_value_member (object, "step");
+  QnJsonValue place = qn_json_value_member (object, "step");
+  if (step > G_MAXINT32 || step != floor (step))
     return qn_json_value_fail (&place, _ ("must be a whole number"));
-  }
-  view->field = field;
-  view->diagram = diagram;
   view->step = (int32_t) qn_to_integer (step, G_MININT32, G_MAXINT32);
-  view->scale = scale;
-  for (size_t i = 0; qn_view_switches[i] != NULL; i++)
-    if (!qn_member_bool (object, qn_view_switches[i], QN_OPTIONAL,
-                         qn_view_switch (view, qn_view_switches[i])))
-      return FALSE;
   return TRUE;
 }
 
@@ -154,27 +164,21 @@ read_file (const QnJsonValue *object, QnRecipe *recipe)
 static QnRecipe *
 read_recipe (const QnJsonValue *object, GHashTable *known)
 {
-  const char *name, *title = NULL, *caption = NULL, *result = NULL, *digest = NULL;
+  const char *name;
   QnView view = QN_VIEW_MODEL;
-  if (!qn_json_value_object (object)
+  if (!qn_members_check (object, text_members, switch_members, output_members)
       || !qn_member_string (object, "name", QN_REQUIRED, &name)
       || !check_name (object, name, known)
       || !qn_member_choice (object, "view", QN_OPTIONAL, qn_view_names, QN_VIEW_COUNT,
                             &view))
     return NULL;
   g_autoptr (QnRecipe) recipe = qn_recipe_new (name, view);
-  if (!read_file (object, recipe) || !read_view (object, &recipe->view)
-      || !read_output (object, &recipe->output)
-      || !qn_member_string (object, "title", QN_OPTIONAL, &title)
-      || !qn_member_string (object, "caption", QN_OPTIONAL, &caption)
-      || !qn_member_string (object, "result", QN_OPTIONAL, &result)
-      || !qn_member_string (object, "model_digest", QN_OPTIONAL, &digest))
+  if (!read_file (object, recipe) || !qn_members_take (object, text_members, NULL, recipe)
+      || !read_step_and_scale (object, &recipe->view)
+      || !qn_members_take (object, switch_members, NULL, recipe)
+      || !qn_members_take (object, output_members, NULL, recipe)
+      || !read_size (object, &recipe->output))
     return NULL;
-  recipe->title = g_strdup (title);
-  recipe->caption = g_strdup (caption);
-  recipe->result = g_strdup (result);
-  recipe->digest = g_strdup (digest);
-  qn_json_value_warn_unknown (object, keys, G_N_ELEMENTS (keys));
   return g_steal_pointer (&recipe);
 }
 
@@ -204,79 +208,32 @@ qn_recipes_read (const QnProject *project, GPtrArray *warnings, GError **error)
 /* ---- writing --------------------------------------------------------------------------- */
 
 static void
-append_key (GString *json, const char *key)
-{
-  if (json->str[json->len - 1] != '{')
-    g_string_append (json, ", ");
-  qn_json_append_string (json, key);
-  g_string_append (json, ": ");
-}
-
-static void
-append_text (GString *json, const char *key, const char *text)
-{
-  if (text == NULL)
-    return;
-  append_key (json, key);
-  qn_json_append_string (json, text);
-}
-
-static void
-append_number (GString *json, const char *key, double number)
-{
-  append_key (json, key);
-  qn_json_append_number (json, number);
-}
-
-static void
-append_bool (GString *json, const char *key, bool flag)
-{
-  append_key (json, key);
-  g_string_append (json, flag ? "true" : "false");
-}
-
-static void
 append_recipe (GString *json, const QnRecipe *recipe)
 {
-  QnRecipe *plain = qn_recipe_new (recipe->name, recipe->view.view);
+  g_autoptr (QnRecipe) plain = qn_recipe_new (recipe->name, recipe->view.view);
   const QnOutput *output = &recipe->output;
-  QnViewOptions view = recipe->view;
+  const QnViewOptions *view = &recipe->view;
   g_string_append_c (json, '{');
-  append_text (json, "name", recipe->name);
-  append_text (json, "view", qn_view_names[view.view]);
+  qn_json_put_string (json, "name", recipe->name);
+  qn_json_put_string (json, "view", qn_view_names[view->view]);
   if (strcmp (recipe->file, plain->file) != 0)
-    append_text (json, "file", recipe->file);
-  append_text (json, "result", recipe->result);
-  append_text (json, "title", recipe->title);
-  append_text (json, "caption", recipe->caption);
-  if (view.field != QN_FIELD_NONE)
-    append_text (json, "field", qn_field_names[view.field]);
-  if (view.view == QN_VIEW_DIAGRAMS)
-    append_text (json, "diagram", qn_diagram_names[view.diagram]);
-  if (view.step != QN_STEP_LAST)
-    append_number (json, "step", view.step);
-  if (view.scale > 0)
-    append_number (json, "scale", view.scale);
-  for (size_t i = 0; qn_view_switches[i] != NULL; i++) {
-    bool flag = *qn_view_switch (&view, qn_view_switches[i]);
-    if (flag != *qn_view_switch (&plain->view, qn_view_switches[i]))
-      append_bool (json, qn_view_switches[i], flag);
-  }
+    qn_json_put_string (json, "file", recipe->file);
+  qn_members_write (json, text_members, NULL, recipe, plain);
+  if (view->view == QN_VIEW_DIAGRAMS)
+    qn_json_put_string (json, "diagram", qn_diagram_names[view->diagram]);
+  if (view->step != QN_STEP_LAST)
+    qn_json_put_number (json, "step", view->step);
+  if (view->scale > 0)
+    qn_json_put_number (json, "scale", view->scale);
+  qn_members_write (json, switch_members, NULL, recipe, plain);
   char width[G_ASCII_DTOSTR_BUF_SIZE], height[G_ASCII_DTOSTR_BUF_SIZE];
   const char *unit = output->millimetres ? "mm" : "";
   g_ascii_formatd (width, sizeof width, "%.10g", output->width);
   g_ascii_formatd (height, sizeof height, "%.10g", output->height);
   g_autofree char *size = g_strdup_printf ("%s%sx%s%s", width, unit, height, unit);
-  append_text (json, "size", size);
-  if (output->dpi > 0)
-    append_number (json, "dpi", output->dpi);
-  if (output->transparent)
-    append_bool (json, "transparent", true);
-  if (output->backend == QN_BACKEND_GL)
-    append_text (json, "backend", "gl");
-  append_text (json, "model_digest", recipe->digest);
-  g_string_append_c (json, '}');
-  qn_recipe_free (plain);
+  qn_json_put_string (json, "size", size);
+  qn_members_write (json, output_members, NULL, recipe, plain);
+  g_string_append (json, " }");
 }
 
 gboolean

@@ -1,9 +1,21 @@
 #include "doc/view/report-template.h"
 
 #include "io/project/project-extras.h"
+#include "io/project/project-members.h"
 #include "io/text/json-text.h"
 
 #include <glib/gi18n.h>
+
+static const char *const papers[QN_PAPER_COUNT] = { "a4", "letter" };
+
+static const QnMember members[] = {
+  QN_KNOWN ("sections"),
+  QN_CHOICE ("paper", OPTIONAL, papers, QnReportTemplate, paper),
+  QN_BOOL ("every_joint", OPTIONAL, QnReportTemplate, every_joint),
+  QN_STRING ("author", OPTIONAL, QnReportTemplate, author),
+  QN_STRING ("text", OPTIONAL, QnReportTemplate, text),
+  { 0 },
+};
 
 const char *const qn_report_section_names[] = {
   "title",   "model",  "materials",   "loads",      "findings", "contacts",
@@ -34,26 +46,6 @@ read_sections (const QnJsonValue *object, QnReportTemplate *plan)
   return TRUE;
 }
 
-static gboolean
-read_members (const QnJsonValue *place, QnReportTemplate *plan)
-{
-  static const char *const keys[] = { "sections", "paper", "every_joint", "author",
-                                      "text" };
-  static const char *const papers[QN_PAPER_COUNT] = { "a4", "letter" };
-  const char *author = NULL, *text = NULL;
-  if (!qn_json_value_object (place) || !read_sections (place, plan)
-      || !qn_member_choice (place, "paper", QN_OPTIONAL, papers, QN_PAPER_COUNT,
-                            &plan->paper)
-      || !qn_member_bool (place, "every_joint", QN_OPTIONAL, &plan->every_joint)
-      || !qn_member_string (place, "author", QN_OPTIONAL, &author)
-      || !qn_member_string (place, "text", QN_OPTIONAL, &text))
-    return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-  plan->author = g_strdup (author);
-  plan->text = g_strdup (text);
-  return TRUE;
-}
-
 gboolean
 qn_report_template_read (QnReportTemplate *plan, const QnProject *project, GError **error)
 {
@@ -63,7 +55,8 @@ qn_report_template_read (QnReportTemplate *plan, const QnProject *project, GErro
     plan->sections[i] = true;
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
   QnJsonValue place = qn_json_value_member (&root, QN_REPORT_MEMBER);
-  if (place.json == NULL || read_members (&place, plan))
+  if (place.json == NULL
+      || (qn_members_read (&place, members, NULL, plan) && read_sections (&place, plan)))
     return TRUE;
   g_propagate_error (error, reader.error);
   return FALSE;
@@ -72,6 +65,7 @@ qn_report_template_read (QnReportTemplate *plan, const QnProject *project, GErro
 char *
 qn_report_template_to_json (const QnReportTemplate *plan)
 {
+  const QnReportTemplate usual = { .paper = QN_PAPER_A4 };
   GString *json = g_string_new ("{ \"sections\": [");
   for (int i = 0, count = 0; i < QN_REPORT_SECTION_COUNT; i++)
     if (plan->sections[i]) {
@@ -79,14 +73,7 @@ qn_report_template_to_json (const QnReportTemplate *plan)
       qn_json_append_string (json, qn_report_section_names[i]);
     }
   g_string_append_c (json, ']');
-  if (plan->paper == QN_PAPER_LETTER)
-    qn_json_put_string (json, "paper", "letter");
-  if (plan->every_joint)
-    g_string_append (json, ", \"every_joint\": true");
-  if (plan->author != NULL)
-    qn_json_put_string (json, "author", plan->author);
-  if (plan->text != NULL)
-    qn_json_put_string (json, "text", plan->text);
+  qn_members_write (json, members, NULL, plan, &usual);
   g_string_append (json, " }");
   return g_string_free (json, FALSE);
 }

@@ -53,6 +53,8 @@ const char *const qn_flow_names[QN_FLOW_COUNT] = {
   [QN_FLOW_NON_ASSOCIATIVE] = "non-associative",
 };
 
+const char *const qn_follow_names[2] = { "fixed", "follow" };
+
 const char *const qn_dof_names[QN_DOF_COUNT] = {
   [QN_DOF_UX] = "ux",
   [QN_DOF_UY] = "uy",

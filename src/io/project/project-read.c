@@ -3,7 +3,7 @@
 #include "io/json/json-parse.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
-#include "io/project/project-read-parts.h"
+#include "io/project/project-parts.h"
 #include "io/project/project.h"
 #include "io/text/file-read.h"
 #include "io/text/io-error.h"

@@ -1,47 +1,13 @@
-#include "core/model/support.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
-#include "io/project/project-names.h"
-#include "io/project/project-write-parts.h"
+#include "io/project/project-members.h"
+#include "io/project/project-parts.h"
 #include "io/project/project.h"
 #include "io/text/file-writer.h"
 #include "io/text/json-text.h"
 
 #include <cjson/cJSON.h>
 #include <string.h>
-
-/* ---- values ---- */
-
-void
-qn_json_append_numbers (GString *json, const double *numbers, gsize count)
-{
-  g_string_append_c (json, '[');
-  for (gsize i = 0; i < count; i++) {
-    g_string_append (json, i > 0 ? ", " : "");
-    qn_json_append_number (json, numbers[i]);
-  }
-  g_string_append_c (json, ']');
-}
-
-void
-qn_json_put_numbers (GString *json, const char *key, const double *numbers, gsize count)
-{
-  qn_json_begin_member (json, key);
-  qn_json_append_numbers (json, numbers, count);
-}
-
-static void
-append_vec2 (GString *json, QnVec2 vector)
-{
-  qn_json_append_numbers (json, (const double[]){ vector.x, vector.y }, 2);
-}
-
-void
-qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector)
-{
-  qn_json_begin_member (json, key);
-  append_vec2 (json, vector);
-}
 
 void
 qn_json_put_law (GString *json, const QnModel *model, QnId law)
@@ -58,33 +24,6 @@ qn_json_put_weight (GString *json, double unit_weight, double density)
   else
     qn_json_put_number (json, "unit_weight", unit_weight);
 }
-
-void
-qn_json_put_points (GString *json, const char *key, const QnVec2 *points, gsize count)
-{
-  qn_json_begin_member (json, key);
-  for (gsize i = 0; i < count; i++) {
-    g_string_append (json, i > 0 ? ", " : "[");
-    append_vec2 (json, points[i]);
-  }
-  g_string_append (json, count > 0 ? "]" : "[]");
-}
-
-void
-qn_json_put_unusual (GString *json, const char *key, double number, double usual)
-{
-  if (number != usual)
-    qn_json_put_number (json, key, number);
-}
-
-void
-qn_json_put_bool (GString *json, const char *key, bool value)
-{
-  qn_json_begin_member (json, key);
-  g_string_append (json, value ? "true" : "false");
-}
-
-/* ---- structure ---- */
 
 static void
 append_object (GString *json, const QnModel *model, GHashTable *inner, size_t index,
@@ -107,143 +46,6 @@ qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
   }
   if (count > 0)
     g_string_append_printf (json, " %s", tail);
-}
-
-/* Parameters that are left out by default are left out where they have no effect. */
-static int32_t
-append_law (GString *json, const QnModel *model, size_t index)
-{
-  const QnLaw *law = &model->laws[index];
-  size_t count;
-  const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
-  qn_json_put_string (json, "name", law->name);
-  if (law->source != NULL)
-    qn_json_put_string (json, "source", law->source);
-  qn_json_put_string (json, "kind", qn_law_kind_names[law->kind]);
-  qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
-  qn_json_put_number (json, "kn", law->kn);
-  qn_json_put_number (json, "ks", law->ks);
-  qn_json_put_unusual (json, "shear_factor", law->shear_factor, 0);
-  for (size_t i = 0; i < count; i++) {
-    double value = qn_law_get (law, &parameters[i]);
-    if (value != 0 || !parameters[i].positive)
-      qn_json_put_number (json, parameters[i].key, value);
-  }
-  if (law->kind == QN_LAW_CURVE)
-    qn_json_put_points (json, "points", law->points, (gsize) law->point_count);
-  return law->note;
-}
-
-void
-qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
-{
-  if (!qn_support_is_any (support))
-    return;
-  qn_json_begin_member (json, "support");
-  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    g_string_append_printf (json, "%s%s", dof > 0 ? ", " : "[",
-                            support[dof] ? "true" : "false");
-  g_string_append_c (json, ']');
-}
-
-static int32_t
-append_block (GString *json, const QnModel *model, size_t index)
-{
-  const QnBlock *block = &model->blocks[index];
-  qn_json_put_string (json, "name", block->name);
-  qn_json_put_points (json, "vertices", qn_model_block_vertices (model, (QnId) index),
-                      (gsize) block->vertex_count);
-  qn_json_put_number (json, "thickness", block->thickness);
-  qn_json_put_weight (json, block->unit_weight, block->density);
-  qn_json_put_support (json, block->support);
-  qn_json_put_law (json, model, block->law);
-  return block->note;
-}
-
-static int32_t
-append_wall (GString *json, const QnModel *model, size_t index)
-{
-  const QnWall *wall = &model->walls[index];
-  qn_json_put_string (json, "name", wall->name);
-  qn_json_put_vec2 (json, "origin", wall->origin);
-  qn_json_put_vec2 (json, "unit", wall->unit);
-  qn_json_put_number (json, "thickness", wall->thickness);
-  qn_json_put_weight (json, wall->unit_weight, wall->density);
-  qn_json_put_law (json, model, wall->law);
-  g_string_append (json, ",\n      \"courses\": [");
-  int32_t entry = 0;
-  for (int32_t course = 0; course < wall->course_count; course++) {
-    g_string_append (json, course > 0 ? ",\n        " : "\n        ");
-    qn_json_append_numbers (json, wall->lengths + entry,
-                            (gsize) (wall->course_ends[course] - entry));
-    entry = wall->course_ends[course];
-  }
-  g_string_append (json, " ]");
-  return wall->note;
-}
-
-static void
-put_pair_rule (GString *json, const QnPairRule *rule)
-{
-  qn_json_begin_member (json, "pairs");
-  g_string_append_c (json, '{');
-  qn_json_put_string (json, "placement", qn_placement_names[rule->placement]);
-  switch (rule->placement) {
-  case QN_PLACEMENT_ENDS:
-    qn_json_put_number (json, "offset", rule->offset);
-    break;
-  case QN_PLACEMENT_UNIFORM:
-  case QN_PLACEMENT_GAUSS:
-    qn_json_put_number (json, "count", rule->count);
-    break;
-  case QN_PLACEMENT_EXPLICIT:
-    qn_json_put_numbers (json, "positions", rule->positions, (gsize) rule->count);
-    qn_json_put_numbers (json, "weights", rule->weights, (gsize) rule->count);
-    break;
-  case QN_PLACEMENT_COUNT:
-    g_assert_not_reached ();
-  }
-  g_string_append (json, " }");
-}
-
-static int32_t
-append_face (GString *json, const QnModel *model, size_t index)
-{
-  const QnFaceOverride *face = &model->overrides[index];
-  qn_json_begin_member (json, "blocks");
-  g_string_append_c (json, '[');
-  qn_json_append_string (json, model->blocks[face->block_a].name);
-  g_string_append (json, ", ");
-  qn_json_append_string (json, model->blocks[face->block_b].name);
-  g_string_append_c (json, ']');
-  qn_json_put_law (json, model, face->law);
-  if (face->has_pairs)
-    put_pair_rule (json, &face->pairs);
-  return face->note;
-}
-
-static void
-append_contact (GString *json, const QnModel *model, GHashTable *inner)
-{
-  g_string_append (json, "  \"contact\": {");
-  qn_json_put_law (json, model, model->contact.law);
-  qn_json_put_number (json, "tolerance", model->contact.tolerance);
-  put_pair_rule (json, &model->contact.pairs);
-  qn_json_append_inner (json, inner, "contact.pairs");
-  qn_json_append_list (json, model, inner, ",\n    \"faces\": [", 6,
-                       model->override_count, append_face, "]");
-  g_string_append (json, " }");
-}
-
-static int32_t
-append_bar (GString *json, const QnModel *model, size_t index)
-{
-  const QnBar *bar = &model->bars[index];
-  qn_json_put_law (json, model, bar->law);
-  qn_json_put_number (json, "area", bar->area);
-  qn_json_put_vec2 (json, "start", bar->start);
-  qn_json_put_vec2 (json, "end", bar->end);
-  return bar->note;
 }
 
 static gboolean
@@ -332,7 +134,7 @@ append_blocks (GString *json, const QnModel *model, GHashTable *inner,
     first = FALSE;
     places[i][0] = json->len;
     if (!known || !append_same_block (json, model, (QnId) i, &like->model, like_text))
-      append_object (json, model, inner, i, append_block);
+      append_object (json, model, inner, i, qn_project_append_block);
     places[i][1] = json->len;
   }
   g_string_append (json, " ],\n");
@@ -365,19 +167,14 @@ qn_project_write (const QnProject *project, const QnProject *like,
   text->blocks = g_malloc0_n (model->block_count + 1, sizeof *text->blocks);
   append_head (json, model);
   GHashTable *inner = qn_project_index_inner (project);
-  if (model->law_count == 0)
-    g_string_append (json, "  \"laws\": [ ],\n");
-  qn_json_append_list (json, model, inner, "  \"laws\": [", 4, model->law_count,
-                       append_law, "],\n");
+  qn_project_append_laws (json, model, inner);
   append_blocks (json, model, inner, like, like_text, text->blocks);
-  qn_json_append_list (json, model, inner, "  \"walls\": [", 4, model->wall_count,
-                       append_wall, "],\n");
+  qn_project_append_walls (json, model, inner);
   qn_project_append_beams (json, model, inner);
-  append_contact (json, model, inner);
+  qn_project_append_contact (json, model, inner);
   qn_json_append_inner (json, inner, "contact");
   g_string_append (json, ",\n");
-  qn_json_append_list (json, model, inner, "  \"bars\": [", 4, model->bar_count,
-                       append_bar, "],\n");
+  qn_project_append_bars (json, model, inner);
   qn_project_append_loads (json, model, inner);
   qn_json_append_inner (json, inner, "loads");
   g_string_append (json, ",\n");

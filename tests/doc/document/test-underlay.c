@@ -74,8 +74,8 @@ test_reads (void)
   g_assert_cmpfloat (underlay.opacity, ==, 0.25);
   g_autofree char *json = qn_underlay_to_json ("photo.png", &underlay);
   g_assert_cmpstr (json, ==,
-                   "{\"image\": \"photo.png\", \"origin\": [1, -2], \"width\": 8, "
-                   "\"angle\": 0.1, \"opacity\": 0.25}");
+                   "{ \"image\": \"photo.png\", \"origin\": [1, -2], \"width\": 8, "
+                   "\"angle\": 0.1, \"opacity\": 0.25 }");
   cairo_surface_destroy (underlay.image);
   rig_clear (&rig);
 

@@ -251,11 +251,11 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/project-read-loading/contact", test_contact);
-  g_test_add_func ("/project-read-loading/loads", test_loads);
-  g_test_add_func ("/project-read-loading/analysis", test_analysis);
-  g_test_add_func ("/project-read-loading/no-effect", test_no_effect);
-  g_test_add_func ("/project-read-loading/sets-and-stages", test_sets_and_stages);
-  g_test_add_func ("/project-read-loading/edge-loads", test_edge_loads);
+  g_test_add_func ("/project-loads/contact", test_contact);
+  g_test_add_func ("/project-loads/loads", test_loads);
+  g_test_add_func ("/project-loads/analysis", test_analysis);
+  g_test_add_func ("/project-loads/no-effect", test_no_effect);
+  g_test_add_func ("/project-loads/sets-and-stages", test_sets_and_stages);
+  g_test_add_func ("/project-loads/edge-loads", test_edge_loads);
   return g_test_run ();
 }

@@ -156,9 +156,9 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/project-read-structure/laws", test_laws);
-  g_test_add_func ("/project-read-structure/blocks", test_blocks);
-  g_test_add_func ("/project-read-structure/walls", test_walls);
-  g_test_add_func ("/project-read-structure/free-choices", test_choices_that_are_free);
+  g_test_add_func ("/project-structure/laws", test_laws);
+  g_test_add_func ("/project-structure/blocks", test_blocks);
+  g_test_add_func ("/project-structure/walls", test_walls);
+  g_test_add_func ("/project-structure/free-choices", test_choices_that_are_free);
   return g_test_run ();
 }

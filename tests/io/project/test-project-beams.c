@@ -253,10 +253,10 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/project-read-beams/read", test_read);
-  g_test_add_func ("/project-read-beams/round-trip", test_round_trip);
-  g_test_add_func ("/project-read-beams/beams-alone", test_beams_alone);
-  g_test_add_func ("/project-read-beams/faults", test_faults);
-  g_test_add_func ("/project-read-beams/result", test_result);
+  g_test_add_func ("/project-beams/read", test_read);
+  g_test_add_func ("/project-beams/round-trip", test_round_trip);
+  g_test_add_func ("/project-beams/beams-alone", test_beams_alone);
+  g_test_add_func ("/project-beams/faults", test_faults);
+  g_test_add_func ("/project-beams/result", test_result);
   return g_test_run ();
 }

@@ -1,6 +1,8 @@
 /* The laws of a project file. Which numbers a kind has is the law's own knowledge. */
 #include "core/base/memory.h"
-#include "io/project/project-read-parts.h"
+#include "io/project/project-members.h"
+#include "io/project/project-parts.h"
+#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>
@@ -121,25 +123,36 @@ qn_read_laws (const QnJsonValue *root, QnNeed need, QnModel *model)
          || qn_json_value_fail (&laws, _ ("there must be at least one law"));
 }
 
-static gboolean
-read_bar (const QnJsonValue *place, QnModel *model)
+/* Parameters that are left out by default are left out where they have no effect. */
+static int32_t
+append_law (GString *json, const QnModel *model, size_t index)
 {
-  static const char *const keys[] = { "law", "area", "start", "end" };
-  if (!qn_json_value_object (place))
-    return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-
-  QnBar *bar = qn_model_add_bar (model);
-  if (bar == NULL)
-    return qn_json_value_no_memory (place);
-  return qn_read_name (place, "law", QN_REQUIRED, model, QN_NAMED_LAW, &bar->law)
-         && qn_member_number (place, "area", QN_REQUIRED, QN_RANGE_POSITIVE, &bar->area)
-         && qn_member_vec2 (place, "start", QN_REQUIRED, &bar->start)
-         && qn_member_vec2 (place, "end", QN_REQUIRED, &bar->end);
+  const QnLaw *law = &model->laws[index];
+  size_t count;
+  const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+  qn_json_put_string (json, "name", law->name);
+  if (law->source != NULL)
+    qn_json_put_string (json, "source", law->source);
+  qn_json_put_string (json, "kind", qn_law_kind_names[law->kind]);
+  qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
+  qn_json_put_number (json, "kn", law->kn);
+  qn_json_put_number (json, "ks", law->ks);
+  qn_json_put_unusual (json, "shear_factor", law->shear_factor, 0);
+  for (size_t i = 0; i < count; i++) {
+    double value = qn_law_get (law, &parameters[i]);
+    if (value != 0 || !parameters[i].positive)
+      qn_json_put_number (json, parameters[i].key, value);
+  }
+  if (law->kind == QN_LAW_CURVE)
+    qn_json_put_points (json, "points", law->points, (gsize) law->point_count);
+  return law->note;
 }
 
-gboolean
-qn_read_bars (const QnJsonValue *root, QnModel *model)
+void
+qn_project_append_laws (GString *json, const QnModel *model, GHashTable *inner)
 {
-  return qn_read_each (root, "bars", QN_OPTIONAL, read_bar, model);
+  if (model->law_count == 0)
+    g_string_append (json, "  \"laws\": [ ],\n");
+  qn_json_append_list (json, model, inner, "  \"laws\": [", 4, model->law_count,
+                       append_law, "],\n");
 }

@@ -228,11 +228,11 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/project-read-law/round-trip", test_round_trip);
-  g_test_add_func ("/project-read-law/values", test_values);
-  g_test_add_func ("/project-read-law/warnings", test_warnings);
-  g_test_add_func ("/project-read-law/refused", test_refused);
-  g_test_add_func ("/project-read-law/bars-and-pairs", test_bars_and_pairs);
-  g_test_add_func ("/project-read-law/too-many-points", test_too_many_points);
+  g_test_add_func ("/project-law/round-trip", test_round_trip);
+  g_test_add_func ("/project-law/values", test_values);
+  g_test_add_func ("/project-law/warnings", test_warnings);
+  g_test_add_func ("/project-law/refused", test_refused);
+  g_test_add_func ("/project-law/bars-and-pairs", test_bars_and_pairs);
+  g_test_add_func ("/project-law/too-many-points", test_too_many_points);
   return g_test_run ();
 }

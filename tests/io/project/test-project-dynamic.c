@@ -208,9 +208,9 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/project-read-dynamic/round-trip", test_round_trip);
-  g_test_add_func ("/project-read-dynamic/refused", test_refused);
-  g_test_add_func ("/project-read-dynamic/records", test_records);
-  g_test_add_func ("/project-read-dynamic/history", test_history);
+  g_test_add_func ("/project-dynamic/round-trip", test_round_trip);
+  g_test_add_func ("/project-dynamic/refused", test_refused);
+  g_test_add_func ("/project-dynamic/records", test_records);
+  g_test_add_func ("/project-dynamic/history", test_history);
   return g_test_run ();
 }

@@ -1,47 +1,9 @@
-#include "io/project/project-read-parts.h"
+#include "core/model/support.h"
+#include "io/project/project-members.h"
+#include "io/project/project-parts.h"
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
-
-/* "no law has this name: "joint"", so that a typing error is seen without opening the file. */
-static gboolean
-fail_unknown_name (const QnJsonValue *place, QnProblem problem, const char *name)
-{
-  GString *quoted = g_string_new (NULL);
-  qn_json_append_string (quoted, name);
-  qn_json_value_failf (place, "%s: %s", _ (qn_problem_text (problem)), quoted->str);
-  g_string_free (quoted, TRUE);
-  return FALSE;
-}
-
-gboolean
-qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named, QnId *id)
-{
-  static const struct {
-    QnId (*find) (const QnModel *model, const char *name);
-    QnProblem unknown;
-  } kinds[] = {
-    [QN_NAMED_LAW] = { qn_model_find_law, QN_PROBLEM_LAW_UNKNOWN },
-    [QN_NAMED_BLOCK] = { qn_model_find_block, QN_PROBLEM_BLOCK_UNKNOWN },
-    [QN_NAMED_NODE] = { qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN },
-    [QN_NAMED_SECTION] = { qn_model_find_section, QN_PROBLEM_SECTION_UNKNOWN },
-    [QN_NAMED_BEAM] = { qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN },
-  };
-  const char *name = place->json->valuestring;
-  *id = kinds[named].find (model, name);
-  return *id != QN_NONE || fail_unknown_name (place, kinds[named].unknown, name);
-}
-
-gboolean
-qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
-              const QnModel *model, QnNamed named, QnId *id)
-{
-  const char *name = NULL;
-  if (!qn_member_string (object, key, need, &name))
-    return FALSE;
-  QnJsonValue member = qn_json_value_member (object, key);
-  return name == NULL || qn_read_name_of (&member, model, named, id);
-}
 
 gboolean
 qn_read_own_name (const QnJsonValue *place, const char *prefix,
@@ -229,4 +191,59 @@ gboolean
 qn_read_walls (const QnJsonValue *root, QnModel *model)
 {
   return qn_read_each (root, "walls", QN_OPTIONAL, read_wall, model);
+}
+
+void
+qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
+{
+  if (!qn_support_is_any (support))
+    return;
+  qn_json_begin_member (json, "support");
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    g_string_append_printf (json, "%s%s", dof > 0 ? ", " : "[",
+                            support[dof] ? "true" : "false");
+  g_string_append_c (json, ']');
+}
+
+int32_t
+qn_project_append_block (GString *json, const QnModel *model, size_t index)
+{
+  const QnBlock *block = &model->blocks[index];
+  qn_json_put_string (json, "name", block->name);
+  qn_json_put_points (json, "vertices", qn_model_block_vertices (model, (QnId) index),
+                      (gsize) block->vertex_count);
+  qn_json_put_number (json, "thickness", block->thickness);
+  qn_json_put_weight (json, block->unit_weight, block->density);
+  qn_json_put_support (json, block->support);
+  qn_json_put_law (json, model, block->law);
+  return block->note;
+}
+
+static int32_t
+append_wall (GString *json, const QnModel *model, size_t index)
+{
+  const QnWall *wall = &model->walls[index];
+  qn_json_put_string (json, "name", wall->name);
+  qn_json_put_vec2 (json, "origin", wall->origin);
+  qn_json_put_vec2 (json, "unit", wall->unit);
+  qn_json_put_number (json, "thickness", wall->thickness);
+  qn_json_put_weight (json, wall->unit_weight, wall->density);
+  qn_json_put_law (json, model, wall->law);
+  g_string_append (json, ",\n      \"courses\": [");
+  int32_t entry = 0;
+  for (int32_t course = 0; course < wall->course_count; course++) {
+    g_string_append (json, course > 0 ? ",\n        " : "\n        ");
+    qn_json_append_numbers (json, wall->lengths + entry,
+                            (gsize) (wall->course_ends[course] - entry));
+    entry = wall->course_ends[course];
+  }
+  g_string_append (json, " ]");
+  return wall->note;
+}
+
+void
+qn_project_append_walls (GString *json, const QnModel *model, GHashTable *inner)
+{
+  qn_json_append_list (json, model, inner, "  \"walls\": [", 4, model->wall_count,
+                       append_wall, "],\n");
 }

@@ -1,0 +1,209 @@
+/* analysis, with its stages. */
+#include "io/project/project-inner.h"
+#include "io/project/project-members.h"
+#include "io/project/project-names.h"
+#include "io/project/project-parts.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+
+/* What analysis and stages have alike. */
+#define CONTROL_MEMBERS(type)                                                            \
+  {                                                                                      \
+    QN_ENTITY ("node", OPTIONAL, NODE, type, control_node),                              \
+      QN_ENTITY ("block", OPTIONAL, BLOCK, type, control_block),                         \
+      QN_CHOICE ("component", REQUIRED, qn_dof_names, type, control_dof),                \
+      QN_NUMBER ("target", REQUIRED, FINITE, type, control_target), { 0 },               \
+  }
+
+static const QnMember analysis_control[] = CONTROL_MEMBERS (QnAnalysisSettings);
+static const QnMember stage_control[] = CONTROL_MEMBERS (QnStage);
+
+static const QnMember stage_members[] = {
+  QN_STRING ("name", READ, QnStage, name),
+  QN_KNOWN ("loads"),
+  QN_CHOICE ("procedure", WRITTEN, qn_procedure_names, QnStage, procedure),
+  QN_GIVEN ("target", NUMBER, QN_RANGE_FINITE, QnStage, target, has_target),
+  QN_COUNT ("increments", OPTIONAL, G_MAXINT32, QnStage, increments),
+  QN_KNOWN ("control"),
+  { 0 },
+};
+
+static const QnMember analysis_members[] = {
+  QN_CHOICE ("procedure", WRITTEN, qn_procedure_names, QnAnalysisSettings, procedure),
+  QN_CHOICE ("geometry", WRITTEN, qn_geometry_names, QnAnalysisSettings, geometry),
+  QN_COUNT ("increments", WRITTEN, G_MAXINT32, QnAnalysisSettings, increments),
+  QN_NUMBER ("max_multiplier", OPTIONAL, NOT_NEGATIVE, QnAnalysisSettings,
+             max_multiplier),
+  QN_NUMBER ("multiplier_tolerance", OPTIONAL, POSITIVE, QnAnalysisSettings,
+             multiplier_tolerance),
+  QN_NUMBER ("residual_tolerance", OPTIONAL, POSITIVE, QnAnalysisSettings,
+             residual_tolerance),
+  QN_COUNT ("max_factorizations", OPTIONAL, G_MAXINT32, QnAnalysisSettings,
+            max_factorizations),
+  QN_NUMBER ("max_seconds", OPTIONAL, POSITIVE, QnAnalysisSettings, max_seconds),
+  QN_CHOICE ("bound", OPTIONAL, qn_bound_choice_names, QnAnalysisSettings, bound),
+  QN_CHOICE ("snap", OPTIONAL, qn_snap_names, QnAnalysisSettings, snap),
+  QN_CHOICE ("flow", OPTIONAL, qn_flow_names, QnAnalysisSettings, flow),
+  QN_SWITCH ("contacts", OPTIONAL, qn_follow_names, QnAnalysisSettings, follow),
+  QN_KNOWN ("control"),
+  QN_KNOWN ("stages"),
+  QN_KNOWN ("dynamic"),
+  { 0 },
+};
+
+/* ---- reading ---- */
+
+/* Of a block or of a node. */
+static gboolean
+read_control (const QnJsonValue *owner, const QnMember *members, const QnModel *model,
+              gpointer target)
+{
+  QnJsonValue control = qn_json_value_member (owner, "control");
+  if (control.json == NULL)
+    return TRUE;
+  QnJsonValue block = qn_json_value_member (&control, "block");
+  gboolean node = cJSON_HasObjectItem (control.json, "node");
+  if (node && block.json != NULL)
+    return qn_json_value_fail (&block, _ ("block and node exclude each other"));
+  const char *name;
+  return (node || !cJSON_IsObject (control.json)
+          || qn_member_string (&control, "block", QN_REQUIRED, &name))
+         && qn_members_read (&control, members, model, target);
+}
+
+static gboolean
+add_set (const QnJsonValue *place, const QnModel *model, QnStage *stage)
+{
+  if (!cJSON_IsString (place->json))
+    return qn_json_value_fail (place, _ ("expected the name of a load set"));
+  int32_t set = qn_model_find_load_set (model, place->json->valuestring);
+  if (set == QN_NONE)
+    return qn_json_value_fail (place, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNKNOWN)));
+  if ((stage->sets >> set & 1) != 0)
+    return qn_json_value_fail (place, _ ("load set is named twice"));
+  stage->sets |= (uint32_t) 1 << set;
+  return TRUE;
+}
+
+/* The name of a load set, or a list of names. */
+static gboolean
+read_stage_sets (const QnJsonValue *place, const QnModel *model, QnStage *stage)
+{
+  QnJsonValue sets = qn_json_value_member (place, "loads");
+  if (cJSON_IsString (sets.json))
+    return add_set (&sets, model, stage);
+  if (!qn_json_value_array (&sets))
+    return FALSE;
+  QnJsonValue name = { 0 };
+  while (qn_json_value_next (&sets, &name)) {
+    if (!add_set (&name, model, stage))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_stage (const QnJsonValue *place, QnModel *model)
+{
+  QnStage *stage = qn_model_add_stage (model, NULL);
+  if (stage == NULL)
+    return qn_json_value_no_memory (place);
+  return qn_members_read (place, stage_members, model, stage)
+         && read_stage_sets (place, model, stage)
+         && read_control (place, stage_control, model, stage);
+}
+
+/* Warns of load sets that no stage drives. */
+static void
+warn_of_idle_sets (const QnJsonValue *root, const QnModel *model)
+{
+  QnJsonValue loads = qn_json_value_member (root, "loads");
+  QnJsonValue sets = qn_json_value_member (&loads, "sets");
+  uint32_t driven = model->stage_count > 0 ? 0 : 1;
+  for (size_t i = 0; i < model->stage_count; i++)
+    driven |= model->stages[i].sets;
+  for (size_t i = 0; i <= model->load_set_count; i++) {
+    const char *name = qn_model_load_set_name (model, (int32_t) i);
+    QnJsonValue set = qn_json_value_member (i == 0 ? &loads : &sets, name);
+    if ((driven >> i & 1) == 0 && set.json != NULL && set.json->child != NULL)
+      qn_json_value_warn (&set, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNUSED)));
+  }
+}
+
+gboolean
+qn_read_analysis (const QnJsonValue *root, QnModel *model)
+{
+  QnAnalysisSettings *settings = &model->analysis;
+  QnJsonValue place = qn_json_value_member (root, "analysis");
+  if (place.json != NULL
+      && !(qn_members_read (&place, analysis_members, model, settings)
+           && read_control (&place, analysis_control, model, settings)
+           && qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model)
+           && qn_read_dynamic (&place, model)))
+    return FALSE;
+  warn_of_idle_sets (root, model);
+  /* Settings that a stage has for itself say nothing beside stages. */
+  QnJsonValue procedure = qn_json_value_member (&place, "procedure");
+  if (model->stage_count > 0 && procedure.json != NULL
+      && settings->procedure != QN_PROCEDURE_LOAD
+      && settings->procedure != QN_PROCEDURE_LIMIT)
+    qn_json_value_warn (&procedure,
+                        _ ("has no effect beside stages, which have their own"));
+  return TRUE;
+}
+
+/* ---- writing ---- */
+
+static void
+put_control (GString *json, const QnMember *members, const QnModel *model,
+             gconstpointer source)
+{
+  qn_json_begin_member (json, "control");
+  g_string_append_c (json, '{');
+  qn_members_write (json, members, model, source, NULL);
+  g_string_append (json, " }");
+}
+
+static int32_t
+append_stage (GString *json, const QnModel *model, size_t index)
+{
+  const QnStage *stage = &model->stages[index], usual = { 0 };
+  gboolean any = FALSE;
+  if (stage->name != NULL)
+    qn_json_put_string (json, "name", stage->name);
+  qn_json_begin_member (json, "loads");
+  for (size_t set = 0; set <= model->load_set_count; set++) {
+    if ((stage->sets >> set & 1) == 0)
+      continue;
+    g_string_append (json, any ? ", " : "[");
+    qn_json_append_string (json, qn_model_load_set_name (model, (int32_t) set));
+    any = TRUE;
+  }
+  g_string_append (json, any ? "]" : "[]");
+  qn_members_write (json, stage_members, model, stage, &usual);
+  if (stage->control_block != QN_NONE || stage->control_node != QN_NONE)
+    put_control (json, stage_control, model, stage);
+  return stage->note;
+}
+
+/* Values other than the defaults, after three settings that are always written. */
+void
+qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner)
+{
+  QnModel defaults;
+  qn_model_init (&defaults);
+  const QnAnalysisSettings *usual = &defaults.analysis, *analysis = &model->analysis;
+
+  g_string_append (json, "  \"analysis\": {");
+  qn_members_write (json, analysis_members, model, analysis, usual);
+  if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE) {
+    put_control (json, analysis_control, model, analysis);
+    qn_json_append_inner (json, inner, "analysis.control");
+  }
+  qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6, model->stage_count,
+                       append_stage, "]");
+  qn_project_append_dynamic (json, model, &usual->dynamic, inner);
+  g_string_append (json, " }");
+  qn_model_clear (&defaults);
+}

@@ -1,0 +1,243 @@
+/* contact, with its faces, and bars. */
+#include "io/project/project-inner.h"
+#include "io/project/project-members.h"
+#include "io/project/project-names.h"
+#include "io/project/project-parts.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+
+static const QnMember pairs_members[] = {
+  QN_CHOICE ("placement", READ, qn_placement_names, QnPairRule, placement),
+  QN_KNOWN ("offset"),
+  QN_KNOWN ("count"),
+  QN_KNOWN ("positions"),
+  QN_KNOWN ("weights"),
+  { 0 },
+};
+
+static const QnMember face_members[] = {
+  QN_KNOWN ("blocks"),
+  QN_ENTITY ("law", OPTIONAL, LAW, QnFaceOverride, law),
+  QN_KNOWN ("pairs"),
+  { 0 },
+};
+
+static const QnMember contact_members[] = {
+  QN_ENTITY ("law", OPTIONAL, LAW, QnContactSettings, law),
+  QN_NUMBER ("tolerance", WRITTEN, NOT_NEGATIVE, QnContactSettings, tolerance),
+  QN_KNOWN ("pairs"),
+  QN_KNOWN ("faces"),
+  { 0 },
+};
+
+static const QnMember bar_members[] = {
+  QN_ENTITY ("law", REQUIRED, LAW, QnBar, law),
+  QN_NUMBER ("area", REQUIRED, POSITIVE, QnBar, area),
+  QN_TWO ("start", REQUIRED, QnBar, start),
+  QN_TWO ("end", REQUIRED, QnBar, end),
+  { 0 },
+};
+
+/* ---- reading ---- */
+
+/* Numbers of a member that is an array of at most QN_MAX_EXPLICIT_PAIRS. */
+static gboolean
+read_numbers (const QnJsonValue *object, const char *key, double *numbers, int32_t *count)
+{
+  QnJsonValue list, number = { 0 };
+  if (!qn_member_array (object, key, QN_REQUIRED, &list))
+    return FALSE;
+  if (cJSON_GetArraySize (list.json) > QN_MAX_EXPLICIT_PAIRS)
+    return qn_json_value_fail (&list, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
+  *count = 0;
+  while (qn_json_value_next (&list, &number)) {
+    if (!qn_json_value_number (&number, QN_RANGE_NOT_NEGATIVE, &numbers[*count]))
+      return FALSE;
+    ++*count;
+  }
+  return TRUE;
+}
+
+/* Positions, and weights that are equal where none are given. */
+static gboolean
+read_explicit_pairs (const QnJsonValue *place, QnPairRule *rule)
+{
+  int32_t weights;
+  if (!read_numbers (place, "positions", rule->positions, &rule->count))
+    return FALSE;
+  for (int32_t i = 0; i < rule->count; i++)
+    rule->weights[i] = 1.0 / rule->count;
+  if (!cJSON_HasObjectItem (place->json, "weights"))
+    return TRUE;
+  if (!read_numbers (place, "weights", rule->weights, &weights))
+    return FALSE;
+  QnJsonValue member = qn_json_value_member (place, "weights");
+  return weights == rule->count
+         || qn_json_value_fail (&member,
+                                _ ("there must be as many weights as positions"));
+}
+
+/* Left as it is where there is none. */
+static gboolean
+read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
+{
+  /* Which placements a key is for. */
+  static const struct {
+    const char *key;
+    guint placements;
+  } uses[] = {
+    { "offset", 1 << QN_PLACEMENT_ENDS },
+    { "count", 1 << QN_PLACEMENT_UNIFORM | 1 << QN_PLACEMENT_GAUSS },
+    { "positions", 1 << QN_PLACEMENT_EXPLICIT },
+    { "weights", 1 << QN_PLACEMENT_EXPLICIT },
+  };
+  QnJsonValue place = qn_json_value_member (object, "pairs");
+  if (place.json == NULL)
+    return TRUE;
+  if (!qn_members_read (&place, pairs_members, NULL, rule))
+    return FALSE;
+  for (gsize i = 0; i < G_N_ELEMENTS (uses); i++) {
+    QnJsonValue idle = qn_json_value_member (&place, uses[i].key);
+    if (idle.json != NULL && (uses[i].placements & 1u << rule->placement) == 0)
+      qn_json_value_warn (&idle, _ ("has no effect with this placement"));
+  }
+  if (rule->placement == QN_PLACEMENT_EXPLICIT)
+    return read_explicit_pairs (&place, rule);
+  if (rule->placement != QN_PLACEMENT_ENDS)
+    return qn_member_count (&place, "count", QN_REQUIRED, QN_MAX_PAIRS_PER_FACE,
+                            &rule->count);
+  return qn_member_number (&place, "offset", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
+                           &rule->offset);
+}
+
+static gboolean
+read_face_blocks (const QnJsonValue *face, const QnModel *model, QnFaceOverride *override)
+{
+  QnJsonValue names, name = { 0 };
+  QnId *blocks[] = { &override->block_a, &override->block_b };
+  if (!qn_member_array (face, "blocks", QN_REQUIRED, &names))
+    return FALSE;
+  if (cJSON_GetArraySize (names.json) != 2)
+    return qn_json_value_fail (&names, _ ("expected the names of two blocks"));
+  while (qn_json_value_next (&names, &name)) {
+    if (!cJSON_IsString (name.json))
+      return qn_json_value_fail (&name, _ ("expected the name of a block"));
+    *blocks[name.index] = qn_model_find_block (model, name.json->valuestring);
+    if (*blocks[name.index] == QN_NONE)
+      return qn_json_value_fail (&name, _ (qn_problem_text (QN_PROBLEM_BLOCK_UNKNOWN)));
+  }
+  return TRUE;
+}
+
+static gboolean
+read_face (const QnJsonValue *place, QnModel *model)
+{
+  QnFaceOverride *override = qn_model_add_override (model);
+  if (override == NULL)
+    return qn_json_value_no_memory (place);
+  override->has_pairs = cJSON_HasObjectItem (place->json, "pairs");
+  override->pairs = (QnPairRule){ .placement = QN_PLACEMENT_ENDS, .count = 2 };
+  return qn_members_read (place, face_members, model, override)
+         && read_face_blocks (place, model, override)
+         && read_pair_rule (place, &override->pairs);
+}
+
+gboolean
+qn_read_contact (const QnJsonValue *root, QnModel *model)
+{
+  QnContactSettings *contact = &model->contact;
+  QnJsonValue place = qn_json_value_member (root, "contact");
+  const gboolean touching = model->block_count > 0; /* beams alone have no contacts */
+  if (place.json == NULL && !touching)
+    return TRUE;
+  return qn_members_read (&place, contact_members, model, contact)
+         && (!touching
+             || qn_read_name (&place, "law", QN_REQUIRED, model, QN_NAMED_LAW,
+                              &contact->law))
+         && read_pair_rule (&place, &contact->pairs)
+         && qn_read_each (&place, "faces", QN_OPTIONAL, read_face, model);
+}
+
+static gboolean
+read_bar (const QnJsonValue *place, QnModel *model)
+{
+  QnBar *bar = qn_model_add_bar (model);
+  return bar != NULL ? qn_members_read (place, bar_members, model, bar)
+                     : qn_json_value_no_memory (place);
+}
+
+gboolean
+qn_read_bars (const QnJsonValue *root, QnModel *model)
+{
+  return qn_read_each (root, "bars", QN_OPTIONAL, read_bar, model);
+}
+
+/* ---- writing ---- */
+
+static void
+put_pair_rule (GString *json, const QnPairRule *rule)
+{
+  qn_json_begin_member (json, "pairs");
+  g_string_append_c (json, '{');
+  qn_json_put_string (json, "placement", qn_placement_names[rule->placement]);
+  switch (rule->placement) {
+  case QN_PLACEMENT_ENDS:
+    qn_json_put_number (json, "offset", rule->offset);
+    break;
+  case QN_PLACEMENT_UNIFORM:
+  case QN_PLACEMENT_GAUSS:
+    qn_json_put_number (json, "count", rule->count);
+    break;
+  case QN_PLACEMENT_EXPLICIT:
+    qn_json_put_numbers (json, "positions", rule->positions, (gsize) rule->count);
+    qn_json_put_numbers (json, "weights", rule->weights, (gsize) rule->count);
+    break;
+  case QN_PLACEMENT_COUNT:
+    g_assert_not_reached ();
+  }
+  g_string_append (json, " }");
+}
+
+static int32_t
+append_face (GString *json, const QnModel *model, size_t index)
+{
+  const QnFaceOverride *face = &model->overrides[index];
+  const QnId blocks[] = { face->block_a, face->block_b };
+  qn_json_begin_member (json, "blocks");
+  for (int i = 0; i < 2; i++) {
+    g_string_append (json, i == 0 ? "[" : ", ");
+    qn_json_append_string (json, model->blocks[blocks[i]].name);
+  }
+  g_string_append_c (json, ']');
+  qn_members_write (json, face_members, model, face, face);
+  if (face->has_pairs)
+    put_pair_rule (json, &face->pairs);
+  return face->note;
+}
+
+void
+qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inner)
+{
+  g_string_append (json, "  \"contact\": {");
+  qn_members_write (json, contact_members, model, &model->contact, NULL);
+  put_pair_rule (json, &model->contact.pairs);
+  qn_json_append_inner (json, inner, "contact.pairs");
+  qn_json_append_list (json, model, inner, ",\n    \"faces\": [", 6,
+                       model->override_count, append_face, "]");
+  g_string_append (json, " }");
+}
+
+static int32_t
+append_bar (GString *json, const QnModel *model, size_t index)
+{
+  qn_members_write (json, bar_members, model, &model->bars[index], NULL);
+  return model->bars[index].note;
+}
+
+void
+qn_project_append_bars (GString *json, const QnModel *model, GHashTable *inner)
+{
+  qn_json_append_list (json, model, inner, "  \"bars\": [", 4, model->bar_count,
+                       append_bar, "],\n");
+}

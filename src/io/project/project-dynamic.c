@@ -1,0 +1,233 @@
+/* analysis.dynamic: ground motions, initial motion, tracks and the time integration. */
+#include "io/project/project-inner.h"
+#include "io/project/project-members.h"
+#include "io/project/project-names.h"
+#include "io/project/project-parts.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+
+static const QnMember pulse_members[] = {
+  QN_CHOICE ("kind", REQUIRED, qn_pulse_kind_names, QnPulse, kind),
+  QN_NUMBER ("amplitude", REQUIRED, FINITE, QnPulse, amplitude),
+  QN_NUMBER ("duration", REQUIRED, POSITIVE, QnPulse, duration),
+  QN_NUMBER ("start", OPTIONAL, NOT_NEGATIVE, QnPulse, start),
+  { 0 },
+};
+
+static const QnMember ground_members[] = {
+  QN_TWO ("direction", REQUIRED, QnGroundMotion, direction),
+  QN_NUMBER ("scale", OPTIONAL, FINITE, QnGroundMotion, scale),
+  QN_STRING ("record", OPTIONAL, QnGroundMotion, record),
+  QN_STRING ("unit", OPTIONAL, QnGroundMotion, unit),
+  QN_NUMBER ("time_step", OPTIONAL, POSITIVE, QnGroundMotion, time_step),
+  QN_BOOL ("rest", OPTIONAL, QnGroundMotion, rests),
+  QN_KNOWN ("points"),
+  QN_KNOWN ("pulse"),
+  QN_NUMBER ("peak", OPTIONAL, POSITIVE, QnGroundMotion, peak),
+  { 0 },
+};
+
+static const QnMember initial_members[] = {
+  QN_ENTITY ("block", REQUIRED, BLOCK, QnInitialMotion, block),
+  QN_KNOWN ("displacement"),
+  QN_KNOWN ("velocity"),
+  { 0 },
+};
+
+static const QnMember track_members[] = {
+  QN_ENTITY ("block", REQUIRED, BLOCK, QnTrack, block),
+  QN_CHOICE ("component", REQUIRED, qn_dof_names, QnTrack, dof),
+  { 0 },
+};
+
+static const QnMember damping_members[] = {
+  QN_NUMBER ("mass", WRITTEN, NOT_NEGATIVE, QnDynamicSettings, mass_damping),
+  QN_NUMBER ("stiffness", WRITTEN, NOT_NEGATIVE, QnDynamicSettings, joint_damping),
+  QN_CHOICE ("of", WRITTEN, qn_damping_stiffness_names, QnDynamicSettings, of),
+  { 0 },
+};
+
+static const QnMember dynamic_members[] = {
+  QN_NUMBER ("duration", REQUIRED, POSITIVE, QnDynamicSettings, duration),
+  QN_NUMBER ("time_step", REQUIRED, POSITIVE, QnDynamicSettings, time_step),
+  QN_NUMBER ("rho", WRITTEN, NOT_NEGATIVE, QnDynamicSettings, rho),
+  QN_NUMBER ("tolerance", OPTIONAL, POSITIVE, QnDynamicSettings, tolerance),
+  QN_BOOL ("adaptive", OPTIONAL, QnDynamicSettings, adaptive),
+  QN_SWITCH ("contacts", OPTIONAL, qn_follow_names, QnDynamicSettings, follow),
+  QN_BOOL ("fall", OPTIONAL, QnDynamicSettings, fall),
+  QN_NUMBER ("output_interval", OPTIONAL, POSITIVE, QnDynamicSettings, output_interval),
+  QN_KNOWN ("damping"),
+  QN_KNOWN ("ground"),
+  QN_KNOWN ("initial"),
+  QN_KNOWN ("track"),
+  { 0 },
+};
+
+/* ---- reading ---- */
+
+static gboolean
+read_points (const QnJsonValue *points, QnGroundMotion *motion)
+{
+  QnJsonValue element = { 0 };
+  if (!qn_json_value_array (points))
+    return FALSE;
+  while (qn_json_value_next (points, &element)) {
+    QnVec2 point;
+    if (element.index >= QN_MAX_SIGNAL_POINTS)
+      return qn_json_value_fail (points,
+                                 _ (qn_problem_text (QN_PROBLEM_SIGNAL_TOO_LONG)));
+    if (!qn_json_value_vec2 (&element, &point))
+      return FALSE;
+    if (!qn_ground_motion_add_point (motion, point.x, point.y))
+      return qn_json_value_no_memory (&element);
+  }
+  return TRUE;
+}
+
+/* The signal: a record, points or a pulse, one of them. */
+static gboolean
+read_ground (const QnJsonValue *place, QnModel *model)
+{
+  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  if (motion == NULL)
+    return qn_json_value_no_memory (place);
+  if (!qn_members_read (place, ground_members, NULL, motion))
+    return FALSE;
+  QnJsonValue points = qn_json_value_member (place, "points");
+  QnJsonValue pulse = qn_json_value_member (place, "pulse");
+  int given = (motion->record != NULL) + (points.json != NULL) + (pulse.json != NULL);
+  if (given != 1)
+    return qn_json_value_fail (place, _ ("expected one of record, points and pulse"));
+  if (motion->record == NULL
+      && (motion->unit != NULL || motion->time_step > 0 || motion->peak > 0
+          || motion->rests))
+    return qn_json_value_fail (place,
+                               _ ("unit, time_step, peak and rest belong to a record"));
+  if (points.json != NULL)
+    return read_points (&points, motion);
+  motion->kind = pulse.json != NULL ? QN_SIGNAL_PULSE : QN_SIGNAL_RECORD;
+  return pulse.json == NULL
+         || qn_members_read (&pulse, pulse_members, NULL, &motion->pulse);
+}
+
+/* [ux, uy, rz]; left as it is where there is none. */
+static gboolean
+read_triple (const QnJsonValue *owner, const char *key, double triple[QN_DOF_COUNT])
+{
+  QnJsonValue list, number = { 0 };
+  if (!qn_member_array (owner, key, QN_OPTIONAL, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &number))
+    if (number.index < QN_DOF_COUNT
+        && !qn_json_value_number (&number, QN_RANGE_FINITE, &triple[number.index]))
+      return FALSE;
+  return list.json == NULL || number.index == QN_DOF_COUNT
+         || qn_json_value_fail (&list, _ ("expected three numbers: ux, uy, rz"));
+}
+
+static gboolean
+read_initial (const QnJsonValue *place, QnModel *model)
+{
+  QnInitialMotion *motion = qn_model_add_initial_motion (model);
+  if (motion == NULL)
+    return qn_json_value_no_memory (place);
+  return qn_members_read (place, initial_members, model, motion)
+         && read_triple (place, "displacement", motion->displacement)
+         && read_triple (place, "velocity", motion->velocity);
+}
+
+static gboolean
+read_track (const QnJsonValue *place, QnModel *model)
+{
+  QnTrack *track = qn_model_add_track (model);
+  return track != NULL ? qn_members_read (place, track_members, model, track)
+                       : qn_json_value_no_memory (place);
+}
+
+gboolean
+qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
+{
+  QnDynamicSettings *settings = &model->analysis.dynamic;
+  QnJsonValue place = qn_json_value_member (analysis, "dynamic");
+  if (place.json == NULL && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    return qn_json_value_fail (&place,
+                               _ ("an analysis in time needs duration and time_step"));
+  if (place.json == NULL)
+    return TRUE;
+  QnJsonValue damping = qn_json_value_member (&place, "damping");
+  return qn_members_read (&place, dynamic_members, NULL, settings)
+         && (damping.json == NULL
+             || qn_members_read (&damping, damping_members, NULL, settings))
+         && qn_read_each (&place, "ground", QN_OPTIONAL, read_ground, model)
+         && qn_read_each (&place, "initial", QN_OPTIONAL, read_initial, model)
+         && qn_read_each (&place, "track", QN_OPTIONAL, read_track, model);
+}
+
+/* ---- writing ---- */
+
+static int32_t
+append_ground (GString *json, const QnModel *model, size_t index)
+{
+  const QnGroundMotion *motion = &model->ground[index], usual = { .scale = 1 };
+  qn_members_write (json, ground_members, NULL, motion, &usual);
+  if (motion->kind == QN_SIGNAL_POINTS)
+    qn_json_put_points (json, "points", motion->points, motion->point_count);
+  if (motion->kind == QN_SIGNAL_PULSE) {
+    qn_json_begin_member (json, "pulse");
+    g_string_append_c (json, '{');
+    qn_members_write (json, pulse_members, NULL, &motion->pulse, &usual.pulse);
+    g_string_append (json, " }");
+  }
+  return motion->note;
+}
+
+static void
+put_triple (GString *json, const char *key, const double triple[QN_DOF_COUNT])
+{
+  if (triple[0] != 0 || triple[1] != 0 || triple[2] != 0)
+    qn_json_put_numbers (json, key, triple, QN_DOF_COUNT);
+}
+
+static int32_t
+append_initial (GString *json, const QnModel *model, size_t index)
+{
+  const QnInitialMotion *motion = &model->initial[index];
+  qn_members_write (json, initial_members, model, motion, NULL);
+  put_triple (json, "displacement", motion->displacement);
+  put_triple (json, "velocity", motion->velocity);
+  return motion->note;
+}
+
+static int32_t
+append_track (GString *json, const QnModel *model, size_t index)
+{
+  qn_members_write (json, track_members, model, &model->tracks[index], NULL);
+  return model->tracks[index].note;
+}
+
+void
+qn_project_append_dynamic (GString *json, const QnModel *model,
+                           const QnDynamicSettings *usual, GHashTable *inner)
+{
+  const QnDynamicSettings *s = &model->analysis.dynamic;
+  if (s->duration <= 0)
+    return;
+  g_string_append (json, ",\n    \"dynamic\": {");
+  qn_members_write (json, dynamic_members, NULL, s, usual);
+  if (s->mass_damping != 0 || s->joint_damping != 0 || s->of != QN_DAMPING_CURRENT) {
+    qn_json_begin_member (json, "damping");
+    g_string_append_c (json, '{');
+    qn_members_write (json, damping_members, NULL, s, usual);
+    g_string_append (json, " }");
+    qn_json_append_inner (json, inner, "analysis.dynamic.damping");
+  }
+  qn_json_append_list (json, model, inner, ",\n      \"ground\": [", 8,
+                       model->ground_count, append_ground, "]");
+  qn_json_append_list (json, model, inner, ",\n      \"initial\": [", 8,
+                       model->initial_count, append_initial, "]");
+  qn_json_append_list (json, model, inner, ",\n      \"track\": [", 8, model->track_count,
+                       append_track, "]");
+  g_string_append (json, " }");
+  qn_json_append_inner (json, inner, "analysis.dynamic");
+}

@@ -1,0 +1,461 @@
+/* One object of parametric masonry. */
+#include "core/base/integer.h"
+#include "core/base/memory.h"
+#include "io/project/project-masonry.h"
+#include "io/project/project-members.h"
+#include "io/project/project-parts.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+
+#define MAX_COUNT 200000
+
+static const char *const side_names[] = { "left", "right" };
+
+/* ---- members ---- */
+
+/* Of every kind; what is known only here is written between the others. */
+static const QnMember common_members[] = {
+  QN_KNOWN ("kind"),
+  QN_KNOWN ("name"),
+  QN_TWO ("origin", WRITTEN, QnMasonry, origin),
+  QN_NUMBER ("rotation", OPTIONAL, FINITE, QnMasonry, rotation),
+  QN_NUMBER ("thickness", REQUIRED, POSITIVE, QnMasonry, thickness),
+  QN_KNOWN ("unit_weight"),
+  QN_KNOWN ("density"),
+  QN_KNOWN ("law"),
+  QN_KNOWN ("material"),
+  QN_NUMBER ("foundation", READ, NOT_NEGATIVE, QnMasonry, foundation),
+  QN_NUMBER ("perturbation", READ, NOT_NEGATIVE, QnMasonry, perturbation),
+  QN_KNOWN ("perturbation_seed"),
+  { 0 },
+};
+
+static const QnMember leaf_members[] = {
+  QN_NUMBER ("length", READ, POSITIVE, QnLeaf, length),
+  QN_TWO ("unit", WRITTEN, QnLeaf, unit),
+  QN_CHOICE ("bond", WRITTEN, qn_bond_names, QnLeaf, bond),
+  QN_CHOICE ("closers", OPTIONAL, qn_closer_names, QnLeaf, closer),
+  QN_NUMBER ("header", OPTIONAL, NOT_NEGATIVE, QnLeaf, header),
+  QN_NUMBER ("lap", OPTIONAL, NOT_NEGATIVE, QnLeaf, lap),
+  { 0 },
+};
+
+static const QnMember opening_members[] = {
+  QN_STRING ("name", OPTIONAL, QnOpening, name),
+  QN_TWO ("at", REQUIRED, QnOpening, at),
+  QN_NUMBER ("width", REQUIRED, POSITIVE, QnOpening, width),
+  QN_NUMBER ("height", REQUIRED, POSITIVE, QnOpening, height),
+  QN_CHOICE ("head", WRITTEN, qn_head_names, QnOpening, head),
+  QN_NUMBER ("rise", OPTIONAL, POSITIVE, QnOpening, rise),
+  QN_CHOICE ("span", WRITTEN, qn_span_names, QnOpening, span),
+  QN_NUMBER ("depth", OPTIONAL, POSITIVE, QnOpening, depth),
+  QN_NUMBER ("bearing", OPTIONAL, NOT_NEGATIVE, QnOpening, bearing),
+  QN_COUNT ("voussoirs", OPTIONAL, MAX_COUNT, QnOpening, voussoirs),
+  QN_NUMBER ("skew", OPTIONAL, NOT_NEGATIVE, QnOpening, skew),
+  QN_CHOICE ("sides", OPTIONAL, qn_sides_names, QnOpening, sides),
+  QN_TWO ("sill", OPTIONAL, QnOpening, sill_height),
+  { 0 },
+};
+
+/* Those of its leaf besides. */
+static const QnMember wall_members[] = {
+  QN_NUMBER ("height", READ, POSITIVE, QnMasonry, wall.height),
+  QN_KNOWN ("course_heights"),
+  QN_KNOWN ("courses"),
+  QN_KNOWN ("edges"),
+  QN_NUMBER ("minimum_piece", READ, NOT_NEGATIVE, QnMasonry, wall.minimum_piece),
+  QN_KNOWN ("leaves"),
+  QN_KNOWN ("openings"),
+  { 0 },
+};
+
+static const QnMember arch_members[] = {
+  QN_CHOICE ("shape", WRITTEN, qn_arch_shape_names, QnMasonry, arch.shape),
+  QN_NUMBER ("span", REQUIRED, POSITIVE, QnMasonry, arch.span),
+  QN_NUMBER ("rise", REQUIRED, POSITIVE, QnMasonry, arch.rise),
+  QN_NUMBER ("ring", REQUIRED, POSITIVE, QnMasonry, arch.ring),
+  QN_COUNT ("voussoirs", REQUIRED, MAX_COUNT, QnMasonry, arch.voussoirs),
+  QN_CHOICE ("sides", WRITTEN, qn_sides_names, QnMasonry, arch.sides),
+  QN_NUMBER ("springer", OPTIONAL, NOT_NEGATIVE, QnMasonry, arch.springer),
+  { 0 },
+};
+
+/* Of a portal. */
+static const QnMember inner_arch_members[] = {
+  QN_CHOICE ("shape", WRITTEN, qn_arch_shape_names, QnArch, shape),
+  QN_NUMBER ("rise", REQUIRED, POSITIVE, QnArch, rise),
+  QN_NUMBER ("ring", REQUIRED, POSITIVE, QnArch, ring),
+  QN_COUNT ("voussoirs", REQUIRED, MAX_COUNT, QnArch, voussoirs),
+  QN_CHOICE ("sides", WRITTEN, qn_sides_names, QnArch, sides),
+  { 0 },
+};
+
+static const QnMember column_members[] = {
+  QN_NUMBER ("height", REQUIRED, POSITIVE, QnMasonry, column.height),
+  QN_TWO ("width", REQUIRED, QnMasonry, column.bottom),
+  QN_COUNT ("drums", REQUIRED, MAX_COUNT, QnMasonry, column.drums),
+  QN_TWO ("plinth", READ, QnMasonry, column.plinth_width),
+  QN_TWO ("capital", READ, QnMasonry, column.capital_width),
+  { 0 },
+};
+
+static const QnMember buttress_members[] = {
+  QN_NUMBER ("height", REQUIRED, POSITIVE, QnMasonry, buttress.height),
+  QN_TWO ("width", REQUIRED, QnMasonry, buttress.bottom),
+  QN_COUNT ("courses", REQUIRED, MAX_COUNT, QnMasonry, buttress.courses),
+  QN_SWITCH ("side", REQUIRED, side_names, QnMasonry, buttress.leans_right),
+  { 0 },
+};
+
+static const QnMember portal_members[] = {
+  QN_COUNT ("bays", WRITTEN, MAX_COUNT, QnMasonry, portal.bays),
+  QN_NUMBER ("span", REQUIRED, POSITIVE, QnMasonry, portal.span),
+  QN_TWO ("pier", REQUIRED, QnMasonry, portal.pier_width),
+  QN_COUNT ("courses", REQUIRED, MAX_COUNT, QnMasonry, portal.courses),
+  QN_NUMBER ("lintel", OPTIONAL, POSITIVE, QnMasonry, portal.lintel_height),
+  QN_KNOWN ("arch"),
+  { 0 },
+};
+
+static const QnMember rubble_members[] = {
+  QN_TWO ("width", REQUIRED, QnMasonry, rubble.width),
+  QN_NUMBER ("height", REQUIRED, POSITIVE, QnMasonry, rubble.height),
+  QN_NUMBER ("stone", REQUIRED, POSITIVE, QnMasonry, rubble.stone),
+  QN_NUMBER ("irregularity", WRITTEN, NOT_NEGATIVE, QnMasonry, rubble.irregularity),
+  QN_KNOWN ("seed"),
+  { 0 },
+};
+
+static const QnMember *const kind_members[QN_MASONRY_KIND_COUNT] = {
+  [QN_MASONRY_WALL] = wall_members,     [QN_MASONRY_ARCH] = arch_members,
+  [QN_MASONRY_COLUMN] = column_members, [QN_MASONRY_BUTTRESS] = buttress_members,
+  [QN_MASONRY_PORTAL] = portal_members, [QN_MASONRY_RUBBLE] = rubble_members,
+};
+
+/* ---- reading ---- */
+
+/* Whether a member that may be needed is there. */
+static gboolean
+require (const QnJsonValue *place, const char *key, gboolean needed)
+{
+  double number;
+  return !needed || qn_member_number (place, key, QN_REQUIRED, QN_RANGE_FINITE, &number);
+}
+
+/* Length and height of a unit, which may come from the wall. */
+static gboolean
+read_leaf (const QnJsonValue *place, QnLeaf *leaf, gboolean listed)
+{
+  return qn_members_take (place, leaf_members, NULL, leaf)
+         && require (place, "length", !listed && !(leaf->length > 0))
+         && (leaf->unit.x > 0
+             || qn_member_vec2 (place, "unit", QN_REQUIRED, &leaf->unit));
+}
+
+/* Several leaves: each takes what it does not say from the wall. */
+static gboolean
+read_leaves (const QnJsonValue *place, QnMasonry *masonry)
+{
+  QnJsonValue list, element = { 0 };
+  QnLeaf common = masonry->wall.leaves[0];
+  if (!qn_member_array (place, "leaves", QN_OPTIONAL, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &element)) {
+    QnLeaf *leaf =
+      element.index == 0 ? &masonry->wall.leaves[0] : qn_masonry_add_leaf (masonry);
+    if (leaf == NULL)
+      return qn_json_value_no_memory (&element);
+    *leaf = common;
+    if (!qn_members_check (&element, leaf_members, NULL, NULL)
+        || !read_leaf (&element, leaf, FALSE))
+      return FALSE;
+  }
+  return list.json == NULL || list.json->child != NULL
+         || qn_json_value_fail (&list, _ ("there must be at least one leaf"));
+}
+
+static gboolean
+read_opening (const QnJsonValue *place, QnOpening *opening)
+{
+  return qn_members_read (place, opening_members, NULL, opening)
+         && require (place, "rise", opening->head == QN_HEAD_SEGMENTAL)
+         && require (place, "depth", opening->span != QN_SPAN_NONE)
+         && require (place, "voussoirs",
+                     opening->span == QN_SPAN_FLAT_ARCH
+                       || opening->span == QN_SPAN_VOUSSOIRS);
+}
+
+static gboolean
+read_openings (const QnJsonValue *place, QnMasonry *masonry)
+{
+  QnJsonValue list, element = { 0 };
+  if (!qn_member_array (place, "openings", QN_OPTIONAL, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &element)) {
+    QnOpening *opening = qn_masonry_add_opening (masonry);
+    if (opening == NULL)
+      return qn_json_value_no_memory (&element);
+    if (!read_opening (&element, opening))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_course_heights (const QnJsonValue *place, QnMasonryWall *wall)
+{
+  QnJsonValue list, element = { 0 };
+  if (!qn_member_array (place, "course_heights", QN_OPTIONAL, &list) || list.json == NULL)
+    return list.json == NULL;
+  gsize count = (gsize) cJSON_GetArraySize (list.json);
+  wall->course_heights = qn_alloc (count, sizeof *wall->course_heights);
+  if (wall->course_heights == NULL)
+    return qn_json_value_no_memory (&list);
+  while (qn_json_value_next (&list, &element)) {
+    if (!qn_json_value_number (&element, QN_RANGE_POSITIVE,
+                               &wall->course_heights[element.index]))
+      return FALSE;
+  }
+  wall->course_height_count = count;
+  return TRUE;
+}
+
+static gboolean
+read_edges (const QnJsonValue *place, QnMasonryWall *wall)
+{
+  QnJsonValue list, element = { 0 };
+  QnEdge *edges[] = { &wall->left, &wall->right };
+  if (!qn_member_array (place, "edges", QN_OPTIONAL, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &element)) {
+    int edge = 0;
+    while (edge < QN_EDGE_COUNT
+           && (!cJSON_IsString (element.json)
+               || g_strcmp0 (element.json->valuestring, qn_edge_names[edge]) != 0))
+      edge++;
+    if (element.index >= G_N_ELEMENTS (edges) || edge == QN_EDGE_COUNT)
+      return qn_json_value_fail (
+        &element, _ ("expected \"straight\" or \"toothed\" for left and right"));
+    *edges[element.index] = (QnEdge) edge;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_wall (const QnJsonValue *place, QnMasonry *masonry)
+{
+  QnMasonryWall *wall = &masonry->wall;
+  QnLeaf *leaf = &wall->leaves[0];
+  gboolean listed = cJSON_GetObjectItemCaseSensitive (place->json, "courses") != NULL;
+  if (listed) {
+    leaf->bond = QN_BOND_CUSTOM;
+    if (!qn_read_courses (place, &wall->courses))
+      return FALSE;
+  }
+  /* With leaves, these are only what the leaves have in common. */
+  if (cJSON_GetObjectItemCaseSensitive (place->json, "leaves") == NULL
+        ? !read_leaf (place, leaf, listed)
+        : !qn_member_number (place, "length", QN_OPTIONAL, QN_RANGE_POSITIVE,
+                             &leaf->length)
+            || !qn_member_vec2 (place, "unit", QN_OPTIONAL, &leaf->unit))
+    return FALSE;
+  if ((leaf->bond == QN_BOND_CUSTOM) != listed) {
+    QnJsonValue bond = qn_json_value_member (place, "bond");
+    return qn_json_value_fail (&bond, _ ("\"custom\" and courses go together"));
+  }
+  return require (place, "height", !listed) && read_course_heights (place, wall)
+         && read_edges (place, wall) && read_leaves (place, masonry)
+         && read_openings (place, masonry);
+}
+
+static gboolean
+read_portal (const QnJsonValue *place, QnPortal *portal)
+{
+  QnJsonValue arch = qn_json_value_member (place, "arch");
+  if (arch.json == NULL)
+    return require (place, "lintel", TRUE);
+  if (portal->lintel_height > 0)
+    return qn_json_value_fail (&arch, _ ("arch and lintel exclude each other"));
+  return qn_members_read (&arch, inner_arch_members, NULL, &portal->arch);
+}
+
+static gboolean
+read_seed (const QnJsonValue *place, const char *key, uint32_t *seed)
+{
+  double number = 1;
+  if (!qn_member_number (place, key, QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE, &number))
+    return FALSE;
+  if (number > G_MAXUINT32 || number != floor (number)) {
+    QnJsonValue member = qn_json_value_member (place, key);
+    return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
+  }
+  *seed = (uint32_t) qn_to_integer (number, 0, G_MAXUINT32);
+  return TRUE;
+}
+
+static gboolean
+read_object (const QnJsonValue *place, const QnModel *model, QnMasonry *masonry)
+{
+  const QnMasonryKind kind = masonry->kind;
+  masonry->portal.bays = 1;
+  masonry->rubble.irregularity = 0.7;
+  return qn_members_check (place, common_members, kind_members[kind],
+                           kind == QN_MASONRY_WALL ? leaf_members : NULL)
+         && qn_members_take (place, common_members, model, masonry)
+         && qn_read_weight (place, model, &masonry->unit_weight, &masonry->density)
+         && qn_read_own_law (place, model, &masonry->law)
+         && read_seed (place, "perturbation_seed", &masonry->perturbation_seed)
+         && qn_members_take (place, kind_members[kind], model, masonry)
+         && (kind != QN_MASONRY_WALL || read_wall (place, masonry))
+         && (kind != QN_MASONRY_PORTAL || read_portal (place, &masonry->portal))
+         && (kind != QN_MASONRY_RUBBLE
+             || read_seed (place, "seed", &masonry->rubble.seed));
+}
+
+gboolean
+qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
+                        QnMasonry *masonry)
+{
+  char text[QN_NAME_TEXT_SIZE];
+  const char *name;
+  QnMasonryKind kind;
+  *masonry = (QnMasonry){ 0 };
+  if (!qn_json_value_object (place)
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_masonry_kind_names,
+                            QN_MASONRY_KIND_COUNT, &kind)
+      || !qn_read_own_name (place, "m", text, &name))
+    return FALSE;
+  if (qn_masonry_init (masonry, kind, name, NULL) != QN_OK)
+    return qn_json_value_no_memory (place);
+  if (read_object (place, model, masonry))
+    return TRUE;
+  qn_masonry_clear (masonry);
+  return FALSE;
+}
+
+/* ---- writing ---- */
+
+static void
+put_leaf (GString *json, const QnLeaf *leaf)
+{
+  const QnLeaf usual = { .lap = 0.5 };
+  if (leaf->bond != QN_BOND_CUSTOM)
+    qn_json_put_number (json, "length", leaf->length);
+  qn_members_write (json, leaf_members, NULL, leaf, &usual);
+}
+
+/* What has no effect is left out. */
+static void
+append_opening (GString *json, QnOpening o)
+{
+  const gboolean ring = o.span == QN_SPAN_VOUSSOIRS;
+  const QnOpening usual = { .sides = ring ? QN_SIDES_COUNT : o.sides };
+  if (o.head != QN_HEAD_SEGMENTAL)
+    o.rise = 0;
+  if (o.span == QN_SPAN_NONE)
+    o.depth = 0;
+  if (o.span != QN_SPAN_LINTEL)
+    o.bearing = 0;
+  if (o.span != QN_SPAN_FLAT_ARCH)
+    o.skew = 0;
+  if (o.span != QN_SPAN_FLAT_ARCH && !ring)
+    o.voussoirs = 0;
+  if (!(o.sill_height > 0))
+    o.sill_height = o.sill_bearing = 0;
+  g_string_append_c (json, '{');
+  qn_members_write (json, opening_members, NULL, &o, &usual);
+  g_string_append (json, " }");
+}
+
+static void
+put_wall (GString *json, const QnMasonryWall *wall)
+{
+  gboolean listed = wall->leaves[0].bond == QN_BOND_CUSTOM;
+  if (!listed)
+    qn_json_put_number (json, "height", wall->height);
+  if (wall->leaf_count == 1) {
+    put_leaf (json, &wall->leaves[0]);
+  } else {
+    qn_json_begin_member (json, "leaves");
+    for (gsize i = 0; i < wall->leaf_count; i++) {
+      g_string_append (json, i > 0 ? ", {" : "[{");
+      put_leaf (json, &wall->leaves[i]);
+      g_string_append (json, " }");
+    }
+    g_string_append_c (json, ']');
+  }
+  if (wall->course_height_count > 0)
+    qn_json_put_numbers (json, "course_heights", wall->course_heights,
+                         wall->course_height_count);
+  if (listed) {
+    qn_json_begin_member (json, "courses");
+    g_string_append_c (json, '[');
+    int32_t entry = 0;
+    for (int32_t course = 0; course < wall->courses.course_count; course++) {
+      g_string_append (json, course > 0 ? ", " : "");
+      qn_json_append_numbers (json, wall->courses.lengths + entry,
+                              (gsize) (wall->courses.course_ends[course] - entry));
+      entry = wall->courses.course_ends[course];
+    }
+    g_string_append_c (json, ']');
+  }
+  if (wall->left != QN_EDGE_STRAIGHT || wall->right != QN_EDGE_STRAIGHT) {
+    qn_json_begin_member (json, "edges");
+    g_string_append_printf (json, "[\"%s\", \"%s\"]", qn_edge_names[wall->left],
+                            qn_edge_names[wall->right]);
+  }
+  qn_json_put_number (json, "minimum_piece", wall->minimum_piece);
+  if (wall->opening_count == 0)
+    return;
+  qn_json_begin_member (json, "openings");
+  for (gsize i = 0; i < wall->opening_count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    append_opening (json, wall->openings[i]);
+  }
+  g_string_append_c (json, ']');
+}
+
+static void
+put_kind (GString *json, const QnMasonry *masonry)
+{
+  const QnMasonry usual = { 0 };
+  const QnColumn *column = &masonry->column;
+  if (masonry->kind == QN_MASONRY_WALL) {
+    put_wall (json, &masonry->wall);
+    return;
+  }
+  qn_members_write (json, kind_members[masonry->kind], NULL, masonry, &usual);
+  if (masonry->kind == QN_MASONRY_COLUMN && column->plinth_height > 0)
+    qn_json_put_numbers (json, "plinth", &column->plinth_width, 2);
+  if (masonry->kind == QN_MASONRY_COLUMN && column->capital_height > 0)
+    qn_json_put_numbers (json, "capital", &column->capital_width, 2);
+  if (masonry->kind == QN_MASONRY_RUBBLE)
+    qn_json_put_number (json, "seed", masonry->rubble.seed);
+  if (masonry->kind != QN_MASONRY_PORTAL || masonry->portal.lintel_height > 0)
+    return;
+  qn_json_begin_member (json, "arch");
+  g_string_append_c (json, '{');
+  qn_members_write (json, inner_arch_members, NULL, &masonry->portal.arch, NULL);
+  g_string_append (json, " }");
+}
+
+void
+qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *model)
+{
+  const QnMasonry usual = { 0 };
+  g_string_append_c (json, '{');
+  qn_json_put_string (json, "kind", qn_masonry_kind_names[masonry->kind]);
+  qn_json_put_string (json, "name", masonry->name);
+  qn_members_write (json, common_members, model, masonry, &usual);
+  qn_json_put_weight (json, masonry->unit_weight, masonry->density);
+  qn_json_put_law (json, model, masonry->law);
+  qn_json_put_unusual (json, "foundation", masonry->foundation, 0);
+  if (masonry->perturbation > 0) {
+    qn_json_put_number (json, "perturbation", masonry->perturbation);
+    qn_json_put_number (json, "perturbation_seed", masonry->perturbation_seed);
+  }
+  put_kind (json, masonry);
+  g_string_append (json, " }");
+}

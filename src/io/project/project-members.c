@@ -1,0 +1,279 @@
+#include "io/project/project-members.h"
+
+#include "core/base/memory.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+
+/* Most members of one object. */
+#define MOST_MEMBERS 32
+
+/* ---- reading ---- */
+
+/* "no law has this name: "joint"", so that a typing error is seen without opening the file. */
+static gboolean
+fail_unknown_name (const QnJsonValue *place, QnProblem problem, const char *name)
+{
+  g_autoptr (GString) quoted = g_string_new (NULL);
+  qn_json_append_string (quoted, name);
+  return qn_json_value_failf (place, "%s: %s", _ (qn_problem_text (problem)),
+                              quoted->str);
+}
+
+gboolean
+qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named, QnId *id)
+{
+  static const struct {
+    QnId (*find) (const QnModel *model, const char *name);
+    QnProblem unknown;
+  } kinds[] = {
+    [QN_NAMED_LAW] = { qn_model_find_law, QN_PROBLEM_LAW_UNKNOWN },
+    [QN_NAMED_BLOCK] = { qn_model_find_block, QN_PROBLEM_BLOCK_UNKNOWN },
+    [QN_NAMED_NODE] = { qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN },
+    [QN_NAMED_SECTION] = { qn_model_find_section, QN_PROBLEM_SECTION_UNKNOWN },
+    [QN_NAMED_BEAM] = { qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN },
+  };
+  const char *name = place->json->valuestring;
+  *id = kinds[named].find (model, name);
+  return *id != QN_NONE || fail_unknown_name (place, kinds[named].unknown, name);
+}
+
+gboolean
+qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
+              const QnModel *model, QnNamed named, QnId *id)
+{
+  const char *name = NULL;
+  if (!qn_member_string (object, key, need, &name))
+    return FALSE;
+  QnJsonValue member = qn_json_value_member (object, key);
+  return name == NULL || qn_read_name_of (&member, model, named, id);
+}
+
+static gboolean
+read_string (const QnJsonValue *object, const QnMember *member, QnNeed need, char **text)
+{
+  const char *read = NULL;
+  if (!qn_member_string (object, member->key, need, &read))
+    return FALSE;
+  if (read == NULL)
+    return TRUE;
+  free (*text);
+  *text = qn_strdup (read);
+  return *text != NULL || qn_json_value_no_memory (object);
+}
+
+static gboolean
+read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
+             char *target)
+{
+  const QnNeed need = m->use == QN_USE_REQUIRED ? QN_REQUIRED : QN_OPTIONAL;
+  gpointer at = target + m->offset;
+  if (m->given > 0)
+    *(bool *) (target + m->given) = cJSON_HasObjectItem (object->json, m->key);
+  switch (m->kind) {
+  case QN_MEMBER_KNOWN:
+    break;
+  case QN_MEMBER_NUMBER:
+    return qn_member_number (object, m->key, need, (QnRange) m->detail, at);
+  case QN_MEMBER_COUNT:
+    return qn_member_count (object, m->key, need, m->detail, at);
+  case QN_MEMBER_BOOL:
+    return qn_member_bool (object, m->key, need, at);
+  case QN_MEMBER_TWO:
+    return qn_member_vec2 (object, m->key, need, at);
+  case QN_MEMBER_CHOICE:
+    return qn_member_choice (object, m->key, need, m->names, m->detail, at);
+  case QN_MEMBER_SWITCH: {
+    int choice = *(bool *) at;
+    if (!qn_member_choice (object, m->key, need, m->names, m->detail, &choice))
+      return FALSE;
+    *(bool *) at = choice == 1;
+    break;
+  }
+  case QN_MEMBER_STRING:
+    return read_string (object, m, need, at);
+  case QN_MEMBER_ENTITY:
+    return qn_read_name (object, m->key, need, model, (QnNamed) m->detail, at);
+  }
+  return TRUE;
+}
+
+gboolean
+qn_members_check (const QnJsonValue *object, const QnMember *first,
+                  const QnMember *second, const QnMember *third)
+{
+  const QnMember *const tables[] = { first, second, third };
+  const char *keys[MOST_MEMBERS];
+  gsize count = 0;
+  for (gsize i = 0; i < G_N_ELEMENTS (tables); i++)
+    for (const QnMember *m = tables[i]; m != NULL && m->key != NULL; m++)
+      keys[count++] = m->key;
+  if (!qn_json_value_object (object))
+    return FALSE;
+  qn_json_value_warn_unknown (object, keys, count);
+  return TRUE;
+}
+
+gboolean
+qn_members_take (const QnJsonValue *object, const QnMember *members, const QnModel *model,
+                 gpointer target)
+{
+  for (const QnMember *m = members; m->key != NULL; m++)
+    if (!read_member (object, m, model, target))
+      return FALSE;
+  return TRUE;
+}
+
+gboolean
+qn_members_read (const QnJsonValue *object, const QnMember *members, const QnModel *model,
+                 gpointer target)
+{
+  return qn_members_check (object, members, NULL, NULL)
+         && qn_members_take (object, members, model, target);
+}
+
+/* ---- writing ---- */
+
+void
+qn_json_append_numbers (GString *json, const double *numbers, gsize count)
+{
+  g_string_append_c (json, '[');
+  for (gsize i = 0; i < count; i++) {
+    g_string_append (json, i > 0 ? ", " : "");
+    qn_json_append_number (json, numbers[i]);
+  }
+  g_string_append_c (json, ']');
+}
+
+void
+qn_json_put_numbers (GString *json, const char *key, const double *numbers, gsize count)
+{
+  qn_json_begin_member (json, key);
+  qn_json_append_numbers (json, numbers, count);
+}
+
+static void
+append_vec2 (GString *json, QnVec2 vector)
+{
+  qn_json_append_numbers (json, (const double[]){ vector.x, vector.y }, 2);
+}
+
+void
+qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector)
+{
+  qn_json_begin_member (json, key);
+  append_vec2 (json, vector);
+}
+
+void
+qn_json_put_points (GString *json, const char *key, const QnVec2 *points, gsize count)
+{
+  qn_json_begin_member (json, key);
+  for (gsize i = 0; i < count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    append_vec2 (json, points[i]);
+  }
+  g_string_append (json, count > 0 ? "]" : "[]");
+}
+
+void
+qn_json_put_unusual (GString *json, const char *key, double number, double usual)
+{
+  if (number != usual)
+    qn_json_put_number (json, key, number);
+}
+
+static const char *
+name_of (const QnModel *model, QnNamed named, QnId id)
+{
+  switch (named) {
+  case QN_NAMED_LAW:
+    return model->laws[id].name;
+  case QN_NAMED_BLOCK:
+    return model->blocks[id].name;
+  case QN_NAMED_NODE:
+    return model->nodes[id].name;
+  case QN_NAMED_SECTION:
+    return model->sections[id].name;
+  case QN_NAMED_BEAM:
+    return model->beams[id].name;
+  }
+  g_return_val_if_reached ("");
+}
+
+/* No string and no entity is the usual one. */
+static gboolean
+is_usual (QnMemberKind kind, gconstpointer value, gconstpointer usual)
+{
+  const double *number = value, *usual_number = usual;
+  switch (kind) {
+  case QN_MEMBER_KNOWN:
+    return TRUE;
+  case QN_MEMBER_NUMBER:
+    return number[0] == usual_number[0];
+  case QN_MEMBER_TWO:
+    return number[0] == usual_number[0] && number[1] == usual_number[1];
+  case QN_MEMBER_COUNT:
+  case QN_MEMBER_CHOICE:
+    return *(const int *) value == *(const int *) usual;
+  case QN_MEMBER_BOOL:
+  case QN_MEMBER_SWITCH:
+    return *(const bool *) value == *(const bool *) usual;
+  case QN_MEMBER_STRING:
+    return *(char *const *) value == NULL;
+  case QN_MEMBER_ENTITY:
+    return *(const QnId *) value == QN_NONE;
+  }
+  g_return_val_if_reached (TRUE);
+}
+
+static void
+write_member (GString *json, const QnMember *m, const QnModel *model, gconstpointer value)
+{
+  switch (m->kind) {
+  case QN_MEMBER_KNOWN:
+    break;
+  case QN_MEMBER_NUMBER:
+    qn_json_put_number (json, m->key, *(const double *) value);
+    break;
+  case QN_MEMBER_COUNT:
+    qn_json_put_number (json, m->key, *(const int32_t *) value);
+    break;
+  case QN_MEMBER_BOOL:
+    qn_json_begin_member (json, m->key);
+    g_string_append (json, *(const bool *) value ? "true" : "false");
+    break;
+  case QN_MEMBER_TWO:
+    qn_json_put_vec2 (json, m->key, *(const QnVec2 *) value);
+    break;
+  case QN_MEMBER_CHOICE:
+    qn_json_put_string (json, m->key, m->names[*(const int *) value]);
+    break;
+  case QN_MEMBER_SWITCH:
+    qn_json_put_string (json, m->key, m->names[*(const bool *) value ? 1 : 0]);
+    break;
+  case QN_MEMBER_STRING:
+    qn_json_put_string (json, m->key, *(char *const *) value);
+    break;
+  case QN_MEMBER_ENTITY:
+    qn_json_put_string (json, m->key,
+                        name_of (model, (QnNamed) m->detail, *(const QnId *) value));
+    break;
+  }
+}
+
+void
+qn_members_write (GString *json, const QnMember *members, const QnModel *model,
+                  gconstpointer source, gconstpointer usual)
+{
+  const char *from = source, *other = usual != NULL ? usual : source;
+  for (const QnMember *m = members; m->key != NULL; m++) {
+    if (m->kind == QN_MEMBER_KNOWN || m->use == QN_USE_READ)
+      continue;
+    if (m->given > 0 ? *(const bool *) (from + m->given)
+                     : m->use != QN_USE_OPTIONAL
+                         || !is_usual (m->kind, from + m->offset, other + m->offset))
+      write_member (json, m, model, from + m->offset);
+  }
+}

@@ -1,0 +1,119 @@
+/* Members of an object of a project file as a table: which keys are known, how each is read into a
+ * struct and written from it. Tables are read and written in their order, and end with { 0 }.
+ */
+#ifndef QN_IO_PROJECT_MEMBERS_H
+#define QN_IO_PROJECT_MEMBERS_H
+
+#include "core/model/model.h"
+#include "io/json/json-value.h"
+
+#include <stddef.h>
+
+typedef enum {
+  QN_MEMBER_KNOWN,  /* read and written by code */
+  QN_MEMBER_NUMBER, /* double */
+  QN_MEMBER_COUNT,  /* int32_t from 1 on */
+  QN_MEMBER_BOOL,   /* bool */
+  QN_MEMBER_TWO,    /* QnVec2, or two doubles that follow each other */
+  QN_MEMBER_CHOICE, /* an enumeration, by its names */
+  QN_MEMBER_SWITCH, /* bool, by two names: that of false first */
+  QN_MEMBER_STRING, /* char *, owned; NULL: none */
+  QN_MEMBER_ENTITY  /* QnId, by the name of the entity; QN_NONE: none */
+} QnMemberKind;
+
+typedef enum {
+  QN_USE_OPTIONAL, /* written where it is not as usual */
+  QN_USE_WRITTEN,  /* always written, need not be there when read */
+  QN_USE_REQUIRED,
+  QN_USE_READ /* optional; written by code */
+} QnMemberUse;
+
+/* Entities that members name. */
+typedef enum {
+  QN_NAMED_LAW,
+  QN_NAMED_BLOCK,
+  QN_NAMED_NODE,
+  QN_NAMED_SECTION,
+  QN_NAMED_BEAM
+} QnNamed;
+
+typedef struct QnMember {
+  const char *key;
+  QnMemberKind kind;
+  QnMemberUse use;
+  gsize offset;             /* in the struct */
+  int detail;               /* QnRange, largest count, number of names, or QnNamed */
+  const char *const *names; /* of a choice or a switch */
+  gsize given; /* offset of a bool that says whether the member is there; 0: none */
+} QnMember;
+
+#define QN_KNOWN(key)                                                                    \
+  {                                                                                      \
+    key, QN_MEMBER_KNOWN, QN_USE_OPTIONAL, 0, 0, NULL, 0                                 \
+  }
+#define QN_MEMBER(key, kind, use, type, member, detail, names)                           \
+  {                                                                                      \
+    key, QN_MEMBER_##kind, QN_USE_##use, offsetof (type, member), detail, names, 0       \
+  }
+#define QN_NUMBER(key, use, range, type, member)                                         \
+  QN_MEMBER (key, NUMBER, use, type, member, QN_RANGE_##range, NULL)
+#define QN_COUNT(key, use, most, type, member)                                           \
+  QN_MEMBER (key, COUNT, use, type, member, most, NULL)
+#define QN_BOOL(key, use, type, member) QN_MEMBER (key, BOOL, use, type, member, 0, NULL)
+#define QN_TWO(key, use, type, member)  QN_MEMBER (key, TWO, use, type, member, 0, NULL)
+#define QN_CHOICE(key, use, names, type, member)                                         \
+  QN_MEMBER (key, CHOICE, use, type, member, G_N_ELEMENTS (names), names)
+#define QN_SWITCH(key, use, names, type, member)                                         \
+  QN_MEMBER (key, SWITCH, use, type, member, 2, names)
+#define QN_STRING(key, use, type, member)                                                \
+  QN_MEMBER (key, STRING, use, type, member, 0, NULL)
+#define QN_ENTITY(key, use, named, type, member)                                         \
+  QN_MEMBER (key, ENTITY, use, type, member, QN_NAMED_##named, NULL)
+#define QN_GIVEN(key, kind, detail, type, member, given)                                 \
+  {                                                                                      \
+    key, QN_MEMBER_##kind, QN_USE_OPTIONAL, offsetof (type, member), detail, NULL,       \
+      offsetof (type, given)                                                             \
+  }
+
+/* Reads an object; warns of keys that the table does not have. `model` may be NULL where no member
+ * names an entity. FALSE with the reader's error set. */
+gboolean qn_members_read (const QnJsonValue *object, const QnMember *members,
+                          const QnModel *model, gpointer target);
+
+/* The same in two steps, for an object with members of several tables: whether it is an object with
+ * keys of these (the last two may be NULL), and the members of one. */
+gboolean qn_members_check (const QnJsonValue *object, const QnMember *first,
+                           const QnMember *second, const QnMember *third);
+gboolean qn_members_take (const QnJsonValue *object, const QnMember *members,
+                          const QnModel *model, gpointer target);
+
+/* Writes the members behind those that the object has, those left out that are as in `usual`, which
+ * may be NULL where all are required. */
+void qn_members_write (GString *json, const QnMember *members, const QnModel *model,
+                       gconstpointer source, gconstpointer usual);
+
+/* Finds the entity that a value, a string, names; the same of a member, where an optional one that is
+ * not there leaves *id as it is. */
+gboolean qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named,
+                          QnId *id);
+gboolean qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
+                       const QnModel *model, QnNamed named, QnId *id);
+
+/* ---- members that code writes ---- */
+
+/* [x, y] as a member. */
+void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
+
+/* [[x, y], …] as a member. */
+void qn_json_put_points (GString *json, const char *key, const QnVec2 *points,
+                         gsize count);
+
+/* A number, left out where it is the usual one. */
+void qn_json_put_unusual (GString *json, const char *key, double number, double usual);
+
+/* [a, b, …], as a value or as a member. */
+void qn_json_append_numbers (GString *json, const double *numbers, gsize count);
+void qn_json_put_numbers (GString *json, const char *key, const double *numbers,
+                          gsize count);
+
+#endif
