@@ -119,6 +119,28 @@ is_jump (const QnPathTrace *trace, double step, double before)
          && moved > tuning->jump_stays * before;
 }
 
+/* In nonlinear geometry: how far the state just solved is from where the last step leads on to, and how far
+ * may be; where that step tells nothing, the motion. Joints that change their state bend the path, and a
+ * shorter step departs less. Another branch stays as far away, and often is nearer than one step moves. */
+static double
+departure (const QnPathTrace *trace, double step, double *most)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnPathPredictor *known = &trace->predictor;
+  const double *now = eq->committed.u, *last = known->u[0];
+  double *away = eq->trial;
+
+  *most = trace->pace * fabs (step);
+  if (known->count == 0) {
+    *most *= tuning->jump;
+    return qn_equilibrium_motion (eq);
+  }
+  double times = step / known->advance[0];
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    away[i] = eq->u[i] - now[i] - times * (now[i] - last[i]);
+  return qn_assembly_largest (&eq->assembly, away, NULL);
+}
+
 /* In linear geometry. Tries the step, a part of it, and a part of that. A central path that turns back
  * where all but a few pairs are decided may do so however short the step is: then what has slid is
  * committed, and it goes on from there. If nothing is found near by, the structure jumps. */
@@ -213,11 +235,12 @@ solve_nonlinear (QnPathTrace *trace, double *step)
     if (status == QN_SOLVE_CONVERGED)
       status = leave_unstable (trace, &target);
     bool solved = status == QN_SOLVE_CONVERGED;
-    trace->jumped = solved && is_jump (trace, *step, before);
+    double most = 0, away = solved ? departure (trace, *step, &most) : 0;
+    trace->jumped = most > 0 && away > most && away > tuning->jump_stays * before;
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
       return status;
-    before = solved ? qn_equilibrium_motion (eq) : 0;
+    before = away;
     qn_equilibrium_restore (eq);
     if (relaxes || fabs (*step) * tuning->cut >= least_for_newton)
       *step *= tuning->cut;
