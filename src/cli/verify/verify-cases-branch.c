@@ -10,8 +10,8 @@
   }
 
 /* The reference is LMGC90, discrete elements whose contacts are found anew as blocks move; its
- * displacement is that of the top right corner of the wall. At 300 mm, where both codes rise again
- * and Quoin does not, walls 1 and 2 are shown, not judged. */
+ * displacement is that of the top right corner of the wall. At 300 mm, where the damping of both codes
+ * has kept blocks in place that Quoin's have left, walls 1 and 2 are shown, not judged. */
 const QnVerifyCase qn_verify_branches[QN_VERIFY_BRANCH_CASES] = {
   BRANCH (N_ ("Wall 1 at 50 mm"), "wall1", "w.6.5", 0.05, 0.544, 0.06),
   BRANCH (N_ ("Wall 1 at 100 mm"), "wall1", "w.6.5", 0.1, 0.48, 0.06),

@@ -29,6 +29,19 @@ refuse_unstable (const QnPathTrace *trace, QnSolveStatus status)
   return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
 }
 
+/* How far the last step advanced the measure; 0 before the first. */
+static double
+last_advance (const QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnPathMeasure *measure = &trace->measure;
+  double advanced = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    advanced += measure->direction[i] * (eq->committed.u[i] - measure->last_u[i]);
+  return advanced;
+}
+
 /* On as in the last step. In linear geometry the path is straight until a joint changes state: also on
  * the plateau of a mechanism, where the tangent is singular and Newton's method finds nothing. FAILED,
  * and nothing has moved, where it bends. */
@@ -38,13 +51,9 @@ go_straight_on (QnPathTrace *trace, const QnTarget *target)
   QnEquilibrium *eq = &trace->path->equilibrium;
   const double *last = trace->measure.last_u, *now = eq->committed.u;
   QnSolveStatus status = QN_SOLVE_FAILED;
-  double advanced = 0;
+  double advanced = last_advance (trace);
 
-  if (!qn_path_trace_is_linear (trace))
-    return QN_SOLVE_FAILED;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    advanced += target->direction[i] * (now[i] - last[i]);
-  if (advanced == 0)
+  if (!qn_path_trace_is_linear (trace) || advanced == 0)
     return QN_SOLVE_FAILED;
   double times = target->advance / advanced;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
@@ -119,25 +128,24 @@ is_jump (const QnPathTrace *trace, double step, double before)
          && moved > tuning->jump_stays * before;
 }
 
-/* In nonlinear geometry: how far the state just solved is from where the last step leads on to, and how far
- * may be; where that step tells nothing, the motion. Joints that change their state bend the path, and a
- * shorter step departs less. Another branch stays as far away, and often is nearer than one step moves. */
+/* In nonlinear geometry: how far the state just solved is from where the last step, of the measure by `last`,
+ * leads on to, and how far may be; where that step tells nothing (0), the motion. Joints that change their
+ * state bend the path, and a shorter step departs less. Another branch stays as far away, and often is nearer
+ * than one step moves. */
 static double
-departure (const QnPathTrace *trace, double step, double *most)
+departure (const QnPathTrace *trace, double step, double last, double *most)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
-  const QnPathPredictor *known = &trace->predictor;
-  const double *now = eq->committed.u, *last = known->u[0];
+  const double *now = eq->committed.u, *before = trace->measure.last_u;
   double *away = eq->trial;
 
   *most = trace->pace * fabs (step);
-  if (known->count == 0) {
+  if (last == 0) {
     *most *= tuning->jump;
     return qn_equilibrium_motion (eq);
   }
-  double times = step / known->advance[0];
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    away[i] = eq->u[i] - now[i] - times * (now[i] - last[i]);
+    away[i] = eq->u[i] - now[i] - step / last * (now[i] - before[i]);
   return qn_assembly_largest (&eq->assembly, away, NULL);
 }
 
@@ -219,6 +227,8 @@ solve_nonlinear (QnPathTrace *trace, double *step)
   double least_for_newton = trace->means == QN_FOUND_BY_RELAXATION && !trace->load_control
                               ? INFINITY
                               : pow (tuning->cut, tuning->most_cuts) * trace->largest;
+  bool is_smooth = !trace->jumped && trace->means != QN_FOUND_BY_RELAXATION;
+  double last = is_smooth ? last_advance (trace) : 0;
   double before = 0, far = eq->assembly.length;
   bool relaxes = false;
 
@@ -235,7 +245,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
     if (status == QN_SOLVE_CONVERGED)
       status = leave_unstable (trace, &target);
     bool solved = status == QN_SOLVE_CONVERGED;
-    double most = 0, away = solved ? departure (trace, *step, &most) : 0;
+    double most = 0, away = solved ? departure (trace, *step, last, &most) : 0;
     trace->jumped = most > 0 && away > most && away > tuning->jump_stays * before;
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
