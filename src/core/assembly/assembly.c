@@ -488,6 +488,16 @@ qn_assembly_may_jump (const QnAssembly *as)
   return !plastic;
 }
 
+bool
+qn_assembly_may_soften (const QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (qn_spring_softening (&as->springs[p].a) > 0
+        || qn_spring_softening (&as->springs[p].b) > 0)
+      return true;
+  return false;
+}
+
 /* C = A + qa in the frame of the pair,  A = centroid + u_a + arm */
 static QnVec2
 hinge_position (const QnAssembly *as, size_t pair, const double *u)

@@ -178,6 +178,9 @@ bool qn_assembly_is_symmetric (const QnAssembly *assembly);
  * nothing is known. Where it may not, the path of equilibria does not turn back. */
 bool qn_assembly_may_jump (const QnAssembly *assembly);
 
+/* Whether some spring may lose strength: what the structure carries afterwards is less than it carried. */
+bool qn_assembly_may_soften (const QnAssembly *assembly);
+
 /* The mass matrix, written into `mass` with the pattern of K, in kg with rotations scaled like the
  * unknowns: masses of blocks, diagonal at the centroids; of beams consistent with the shape
  * functions, where they lie at the last evaluation. Settling supports have none. Refuses blocks

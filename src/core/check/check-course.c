@@ -205,8 +205,8 @@ find_peak (const QnCheck *check, double *sense)
 }
 
 /* In linear geometry a structure that moves on for good collapses at its last multiplier, unless that has
- * fallen to nothing; in large displacements at the highest. Where its mechanism is not known, either may
- * be told. */
+ * fallen to nothing; in large displacements, and where joints lose strength, at the highest. Where its
+ * mechanism is not known, either may be told. */
 static void
 check_collapse (QnCheck *check)
 {
@@ -221,7 +221,8 @@ check_collapse (QnCheck *check)
   peak = find_peak (check, &sense);
   double last = r->steps[r->step_count - 1].multiplier;
   bool is_last = r->outcome == QN_OUTCOME_COLLAPSE && sense * last > 0
-                 && check->model->analysis.geometry == QN_GEOMETRY_LINEAR;
+                 && check->model->analysis.geometry == QN_GEOMETRY_LINEAR
+                 && !qn_assembly_may_soften (&check->assembly);
   double told = is_last ? last : peak;
   /* A path that gains less than equilibrium may lack does not climb. */
   double gain = sense * (peak - r->collapse_multiplier);

@@ -106,7 +106,14 @@ largest_next_step (const QnPathTrace *trace)
   return fmin (most, fmax (far / trace->pace, is_displacement ? first : 0));
 }
 
-/* Nonlinear geometry: whether a step passes the highest multiplier and may miss more of it than the tolerance.
+/* Whether collapse is at the highest multiplier of the path, not on a plateau beyond it. */
+static bool
+ends_at_peak (const QnPathTrace *trace)
+{
+  return trace->may_soften || !qn_path_trace_is_linear (trace);
+}
+
+/* Whether a step passes the multiplier of collapse and may miss more of it than the tolerance.
  * A path that only bends down lies below its tangents at both ends of the step. Where they meet it may turn: so
  * far the next try goes, and less far where the first tangent is not known. */
 static bool
@@ -118,7 +125,7 @@ passes_peak (QnPathTrace *trace, double step)
   double size = fabs (step), ahead = copysign (1, step);
   double first = ahead * trace->slope, last = ahead * eq->slope;
 
-  if (qn_path_trace_is_linear (trace) || trace->events.below || trace->jumped
+  if (!ends_at_peak (trace) || trace->events.below || trace->jumped
       || size <= tuning->smallest_step * trace->largest || first < 0 || !(last < 0))
     return false;
   double turn = first > 0 ? (after - before - last * size) / (first - last) : 0;
@@ -484,7 +491,7 @@ moves_on (const QnPathTrace *trace)
 {
   const QnResult *result = trace->path->result;
 
-  return result->outcome == QN_OUTCOME_COLLAPSE && qn_path_trace_is_linear (trace)
+  return result->outcome == QN_OUTCOME_COLLAPSE && !ends_at_peak (trace)
          && !result->mechanism_uncertain && trace->stop != QN_STOP_ZERO;
 }
 
@@ -642,6 +649,7 @@ renew_central_path (QnPathTrace *trace)
   if (trace->central != NULL && trace->load_control)
     qn_central_path_keep_together (trace->central);
   trace->may_jump = qn_assembly_may_jump (&eq->assembly);
+  trace->may_soften = qn_assembly_may_soften (&eq->assembly);
   return trace->central != NULL || !has_joints;
 }
 

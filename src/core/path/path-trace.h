@@ -99,9 +99,10 @@ typedef struct QnPathTrace {
   QnFall fall;            /* with the load last held above the highest multiplier */
   QnCentralPath *central; /* NULL where it does not apply */
   bool load_control;
-  bool may_jump; /* some joint is not associative, or not known to be */
-  bool jumped;   /* the last step moved on by a jump */
-  double end;    /* largest multiplier */
+  bool may_jump;   /* some joint is not associative, or not known to be */
+  bool may_soften; /* some joint may lose strength */
+  bool jumped;     /* the last step moved on by a jump */
+  double end;      /* largest multiplier */
   /* Whether no load brings it down (core/check/unlimited.h) and it is followed to no end of its own: then
    * until it has moved as far as it is large, m. */
   bool unlimited;

@@ -339,6 +339,44 @@ test_soft_and_stiff (void)
   g_assert_false (result.mechanism_uncertain);
 }
 
+/* A block that a bar holds down at one side is tipped about the other until the bar breaks: the collapse
+ * multiplier is what the bar carries, by every procedure, not what the block carries afterwards. */
+static void
+test_strength_that_is_lost (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK,
+                                            QN_PROCEDURE_ARC_LENGTH };
+  const double area = 1e-4, strength = 5e7, arm = 1.9, weight = 1e4, tolerance = 1e-4;
+  double expected = (weight * 1 + strength * area * arm) / (weight * 0.25);
+
+  for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    QnModel model;
+    g_auto (QnResult) result;
+    init_block (&model);
+    model.laws[0].friction = 10;
+    QnLaw *steel = qn_model_add_law (&model, "steel");
+    steel->kind = QN_LAW_STEEL;
+    steel->basis = QN_BASIS_MATERIAL;
+    steel->kn = 2e11;
+    steel->ks = 8e10;
+    steel->yield = 4e7;
+    steel->strength = strength;
+    steel->ultimate_strain = 0.05;
+    steel->fracture_energy = 1e6;
+    QnBar *bar = qn_model_add_bar (&model);
+    *bar = (QnBar){
+      .law = 1, .area = area, .start = { 1 - arm, -0.2 }, .end = { 1 - arm, 0.3 }
+    };
+    model.analysis.procedure = procedures[i];
+    model.analysis.multiplier_tolerance = tolerance;
+    run (&model, NULL, NULL, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_false (result.mechanism_uncertain);
+    g_assert_cmpfloat (fabs (result.collapse_multiplier / expected - 1), <=, tolerance);
+    g_assert_cmpfloat (result.mechanism[QN_DOF_COUNT + QN_DOF_RZ], <, 0);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -357,6 +395,7 @@ main (int argc, char **argv)
   g_test_add_func ("/path-load/cancel/keeps", test_cancel_keeps_what_converged);
   g_test_add_func ("/path-load/cancel/anywhere", test_cancel_anywhere);
   g_test_add_func ("/path-load/repeatable", test_repeatable);
+  g_test_add_func ("/path-load/strength-that-is-lost", test_strength_that_is_lost);
   g_test_add_func ("/path-load/forces-of-every-step", test_forces_of_every_step);
   return g_test_run ();
 }
