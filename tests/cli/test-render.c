@@ -211,6 +211,8 @@ test_curve_runs (Solved *solved, gconstpointer data)
   g_assert_nonnull (strstr (table, "(other.json)\",0,"));
   g_assert_nonnull (strstr (table, ",collapse\n"));
 
+  g_autofree char *shaken = cli_example ("40-rocking-in-time.quoin");
+  cli_fails (3, "no axes in common", "curve", first, shaken, "-o", csv, NULL);
   cli_fails (2, "a reference is a number", "curve", first, "--reference", "much", "-o",
              svg, NULL);
   cli_fails (5, NULL, "curve", first, "-o", "/no/such/folder/c.csv", NULL);

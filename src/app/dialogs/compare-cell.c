@@ -148,7 +148,7 @@ qn_compare_cell_dup_caption (const QnRun *run, const char *name)
     qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
   g_autofree char *value =
     run->result.has_collapse_multiplier
-      ? g_strdup_printf ("λ = %.4f", run->result.collapse_multiplier)
+      ? g_strdup_printf ("λ\u00a0=\u00a0%.4f", run->result.collapse_multiplier)
       : g_strdup (qn_explain_outcome_label (&run->result));
   g_autofree char *what = g_strdup_printf (_ ("%s: %s"), run->name, value);
   return g_strdup_printf ("%s\n%s\n%s", name, what, words != NULL ? words : "");

@@ -109,7 +109,7 @@ dup_displacement (const QnRun *run)
   if (qn_run_has_curve (run) && take_curve (&curve, run)) {
     if (!curve.in_time && curve.count > 0)
       text = qn_units_format_full (
-        millimetres, curve.rotation ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH,
+        millimetres, curve.rotation ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
         curve.x[curve.count - 1], 4);
     qn_curve_clear (&curve);
   }
@@ -148,31 +148,53 @@ fill_table (Compare *compare)
   }
 }
 
-static void
-draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+/* Load-displacement curves, or displacements in time: they have no axes in common. */
+static guint
+take_curves (Compare *compare, gboolean in_time, QnCurve *curves, GPtrArray *titles)
 {
-  Compare *compare = data;
   guint count = 0;
-  g_autofree QnCurve *curves = g_new0 (QnCurve, compare->shown->len + 1);
-  g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
   for (guint i = 0; i < compare->shown->len; i++) {
     QnRun *run = compare->shown->pdata[i];
     QnCurve *curve = &curves[count];
     if (!qn_run_has_curve (run) || !take_curve (curve, run))
       continue;
+    if (curve->in_time != in_time) {
+      qn_curve_clear (curve);
+      continue;
+    }
     qn_curve_cut_runaway (curve);
     g_ptr_array_add (titles, dup_title (compare, run));
-    curve->label = titles->pdata[count++];
+    curve->label = titles->pdata[titles->len - 1];
+    count++;
   }
-  if (count > 0) {
-    const QnCurvePlot plot = { .curves = curves, .curve_count = count };
+  return count;
+}
+
+static void
+draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  Compare *compare = data;
+  g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
+  QnCurve *curves[2] = { g_new0 (QnCurve, compare->shown->len + 1),
+                         g_new0 (QnCurve, compare->shown->len + 1) };
+  guint counts[2] = { take_curves (compare, FALSE, curves[0], titles),
+                      take_curves (compare, TRUE, curves[1], titles) };
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+  cairo_paint (cr);
+  double part = counts[0] > 0 && counts[1] > 0 ? 0.5 * height : height, top = 0.0;
+  for (int kind = 0; kind < 2; kind++) {
+    const QnCurvePlot plot = { .curves = curves[kind], .curve_count = counts[kind] };
     const QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
-    qn_curve_plot_draw (&plot, cr, &page, 6.0, 6.0, width - 12.0, height - 12.0);
+    if (counts[kind] == 0)
+      continue;
+    qn_curve_plot_draw (&plot, cr, &page, 6.0, top + 6.0, width - 12.0, part - 12.0);
+    top += part;
   }
-  for (guint i = 0; i < count; i++)
-    qn_curve_clear (&curves[i]);
+  for (int kind = 0; kind < 2; kind++) {
+    for (guint i = 0; i < counts[kind]; i++)
+      qn_curve_clear (&curves[kind][i]);
+    g_free (curves[kind]);
+  }
 }
 
 /* ---- cells ---- */

@@ -313,7 +313,8 @@ show_load (const Form *form, guint field, QnValue *value)
   case DISTANCE:
     value->number = load->value;
     g_object_set (widget, "quantity",
-                  load->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH, NULL);
+                  load->dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
+                  NULL);
     return settles;
   }
 }

@@ -117,7 +117,7 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
     value->number = stage->control_target;
     g_object_set (
       form->base.widgets[DISTANCE], "quantity",
-      stage->control_dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH, NULL);
+      stage->control_dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH, NULL);
     return controlled;
   case CONTROL:
     if (controlled)

@@ -263,7 +263,7 @@ show (gpointer data, guint field, QnValue *value)
     return controlled;
   case TARGET:
     g_object_set (form->widgets[TARGET], "quantity",
-                  a.control_dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH,
+                  a.control_dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
                   NULL);
     return controlled;
   case LOAD:

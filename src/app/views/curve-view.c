@@ -292,7 +292,7 @@ draw_text (QnCurveView *self, cairo_t *cr, const char *text, double x, double y,
 static QnQuantity
 displacement (QnCurveView *self)
 {
-  return self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
+  return self->dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH;
 }
 
 static QnQuantity

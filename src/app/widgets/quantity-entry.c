@@ -35,6 +35,7 @@ quantity_type (void)
     { QN_QUANTITY_NUMBER, "QN_QUANTITY_NUMBER", "number" },
     { QN_QUANTITY_LENGTH, "QN_QUANTITY_LENGTH", "length" },
     { QN_QUANTITY_ANGLE, "QN_QUANTITY_ANGLE", "angle" },
+    { QN_QUANTITY_ROTATION, "QN_QUANTITY_ROTATION", "rotation" },
     { QN_QUANTITY_FORCE, "QN_QUANTITY_FORCE", "force" },
     { QN_QUANTITY_MOMENT, "QN_QUANTITY_MOMENT", "moment" },
     { QN_QUANTITY_STRESS, "QN_QUANTITY_STRESS", "stress" },

@@ -105,6 +105,14 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
   for (gsize i = 0; i < count && code == QN_EXIT_DONE; i++)
     code = take_curve (&curves[i], &items[i], options);
 
+  for (gsize i = 1; i < count && code == QN_EXIT_DONE; i++)
+    if (curves[i].in_time != curves[0].in_time) {
+      qn_cli_error (
+        _ ("%s and %s: a path of loads and an analysis in time have no axes in "
+           "common"),
+        arguments[0], arguments[i]);
+      code = QN_EXIT_INVALID;
+    }
   label_curves (curves, items, arguments, count, labels);
 
   GError *error = NULL;

@@ -26,6 +26,10 @@ static const UnitRow unit_rows[] = {
   { QN_QUANTITY_ANGLE, "°", G_PI / 180.0 },
   { QN_QUANTITY_ANGLE, "deg", G_PI / 180.0 },
   { QN_QUANTITY_ANGLE, "rad", 1.0 },
+  { QN_QUANTITY_ROTATION, "mrad", 1e-3 },
+  { QN_QUANTITY_ROTATION, "rad", 1.0 },
+  { QN_QUANTITY_ROTATION, "°", G_PI / 180.0 },
+  { QN_QUANTITY_ROTATION, "deg", G_PI / 180.0 },
   { QN_QUANTITY_FORCE, "N", 1.0 },
   { QN_QUANTITY_FORCE, "kN", 1e3 },
   { QN_QUANTITY_FORCE, "MN", 1e6 },
@@ -94,6 +98,7 @@ qn_units_symbol (QnUnits units, QnQuantity quantity)
   const char *const symbols[QN_QUANTITY_COUNT] = {
     [QN_QUANTITY_LENGTH] = length_symbols[units.length],
     [QN_QUANTITY_ANGLE] = "°",
+    [QN_QUANTITY_ROTATION] = "mrad",
     [QN_QUANTITY_FORCE] = force_symbols[units.force],
     [QN_QUANTITY_MOMENT] = moment_symbols[units.force],
     [QN_QUANTITY_STRESS] = stress_symbols[units.stress],

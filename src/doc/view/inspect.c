@@ -303,7 +303,7 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
     QnUnits mm = qn_units_of_motion (units);
     add_pair (text, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,
               reading.displacement[QN_DOF_UX], reading.displacement[QN_DOF_UY]);
-    add_value (text, units, _ ("Rotation"), QN_QUANTITY_ANGLE,
+    add_value (text, units, _ ("Rotation"), QN_QUANTITY_ROTATION,
                reading.displacement[QN_DOF_RZ]);
     add_value (text, mm, _ ("Largest displacement"), QN_QUANTITY_LENGTH, reading.largest);
   }

@@ -9,7 +9,7 @@ static const char *const components[QN_DOF_COUNT] = { "ux", "uy", "rz" };
 static QnQuantity
 quantity_of (QnDof dof)
 {
-  return dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
+  return dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH;
 }
 
 static char *

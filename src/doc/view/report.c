@@ -694,6 +694,21 @@ write_certificate (QnPages *pages, const QnReport *report)
   }
 }
 
+/* Those over loads, or those in time: they have no axes in common. */
+static void
+write_curves (QnPages *pages, const QnCurve *curves, size_t count, bool in_time)
+{
+  g_autofree QnCurve *alike = g_new0 (QnCurve, count + 1);
+  QnCurvePlot plot = { .title = in_time ? _ ("Displacement in time")
+                                        : _ ("Load–displacement curves"),
+                       .curves = alike };
+  for (size_t i = 0; i < count; i++)
+    if (curves[i].in_time == in_time)
+      alike[plot.curve_count++] = curves[i];
+  if (plot.curve_count > 1)
+    qn_pages_curve (pages, &plot, 0.45);
+}
+
 static bool
 write_comparison (QnPages *pages, const QnReport *report, GError **error)
 {
@@ -718,11 +733,8 @@ write_comparison (QnPages *pages, const QnReport *report, GError **error)
     count += take_curve (&report->runs[i], &curves[count]);
   }
   write_table (pages, cells, G_N_ELEMENTS (head));
-  const QnCurvePlot plot = { .title = _ ("Load–displacement curves"),
-                             .curves = curves,
-                             .curve_count = count };
-  if (count > 1)
-    qn_pages_curve (pages, &plot, 0.45);
+  write_curves (pages, curves, count, false);
+  write_curves (pages, curves, count, true);
   for (size_t i = 0; i < count; i++)
     qn_curve_clear (&curves[i]);
 

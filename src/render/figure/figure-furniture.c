@@ -216,7 +216,12 @@ draw_color_bar (const QnFurniture *f, cairo_t *cr, double x, double y, double wi
   rectangle_outline (cr, x, top, width, height, 0.5 * u, line);
   double below = top + height + 1.5 * u;
   draw_bar_number (f, cr, bar->min, x, below, 0);
-  draw_bar_number (f, cr, 0.5 * (bar->min + bar->max), x + 0.5 * width, below, 0.5);
+  /* Zero, where colours diverge, or else the middle. */
+  double share = bar->max > bar->min ? -bar->min / (bar->max - bar->min) : 0;
+  if (!bar->diverging || share < 0.25 || share > 0.75)
+    share = 0.5;
+  draw_bar_number (f, cr, bar->min + share * (bar->max - bar->min), x + share * width,
+                   below, 0.5);
   draw_bar_number (f, cr, bar->max, x + width, below, 1);
 }
 

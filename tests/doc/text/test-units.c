@@ -35,6 +35,8 @@ test_parse (void)
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45°", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "1 rad", 1.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_ROTATION, "5", 0.005);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_ROTATION, "45°", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_STIFFNESS, "1e7", 1e7);
   check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "0.4*3+0.01", 1.21);
   check_parse (cm_kn, QN_QUANTITY_LENGTH, "40*3+1", 1.21);
@@ -109,6 +111,7 @@ test_format (void)
   check_format (cm_kn, QN_QUANTITY_LENGTH, 0.4, 6, "40\u00a0cm");
   check_format (cm_kn, QN_QUANTITY_UNIT_WEIGHT, 1e4, 6, "10\u00a0kN/m³");
   check_format (QN_UNITS_SI, QN_QUANTITY_ANGLE, G_PI / 6.0, 6, "30°");
+  check_format (QN_UNITS_SI, QN_QUANTITY_ROTATION, 0.0125, 6, "12.5\u00a0mrad");
   check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, -0.0, 6, "0");
   check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, INFINITY, 6, "∞");
 }
