@@ -536,6 +536,11 @@ expect_legend_free (QnWindow *window)
   QnBox legend = qn_canvas_legend_box (canvas, qn_canvas_get_scene (canvas));
   g_assert_true (legend.max.x <= (double) buttons.origin.x
                  || legend.max.y <= (double) buttons.origin.y);
+  /* It leaves the drawing its room. */
+  double part = (legend.max.x - legend.min.x) * (legend.max.y - legend.min.y)
+                / gtk_widget_get_width (GTK_WIDGET (canvas))
+                / gtk_widget_get_height (GTK_WIDGET (canvas));
+  g_assert_cmpfloat (part, <, 0.25);
 }
 
 /* It fits into 600 x 500, also with results and a message; the side panel folds away and back. */

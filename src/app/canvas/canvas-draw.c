@@ -21,6 +21,10 @@
 #define LEGEND_PAD   4.0
 #define LEGEND_TOP   42.0 /* points: below the choice of view */
 
+/* A legend that would cover more of the canvas than this shows its scales alone: the structure would
+ * be small beside it. */
+#define LEGEND_MOST 0.18
+
 static void
 set_selection_ink (cairo_t *cr, double alpha)
 {
@@ -546,6 +550,11 @@ lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, gboolean placed,
   qn_furniture_init (furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
                      true);
   qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
+  if (furniture->width * furniture->height
+      > LEGEND_MOST * self->camera.width * self->camera.height) {
+    furniture->count = scene->bar.shown ? 2 : 1;
+    qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
+  }
   furniture->x = ruler_px (self) + LEGEND_INSET;
   furniture->y = legend_top (self, furniture);
   if (placed)

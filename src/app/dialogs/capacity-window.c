@@ -8,6 +8,7 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/text-unit.h"
 #include "doc/document/digest.h"
 #include "doc/view/capacity-answer.h"
 #include "doc/view/capacity-settings.h"
@@ -20,8 +21,8 @@
 #include <math.h>
 #include <string.h>
 
-/* px of a point of the plot's text. */
-#define UNIT 1.2
+/* The plot's text over that of the window. */
+#define TEXT_SHARE 0.9
 
 /* "g" of the field of the ground acceleration, m/s2. */
 #define STANDARD_GRAVITY 9.80665
@@ -545,7 +546,8 @@ draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer da
   cairo_set_source_rgb (cr, 1, 1, 1);
   cairo_paint (cr);
   if (form->found)
-    qn_capacity_answer_draw (&form->answer, NULL, cr, width, height, UNIT);
+    qn_capacity_answer_draw (&form->answer, NULL, cr, width, height,
+                             TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
 }
 
 /* Takes up what the project keeps; what it does not say is as at first. */

@@ -10,6 +10,7 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/text-unit.h"
 #include "doc/document/batch.h"
 #include "doc/document/run-text.h"
 #include "doc/text/explain.h"
@@ -17,9 +18,8 @@
 #include "render/figure/curve-plot.h"
 #include <glib/gi18n.h>
 
-#define MOST_RUNS    12
-#define PX_PER_POINT (96.0 / 72.0)
-#define ZOOM_FACTOR  1.25
+#define MOST_RUNS   12
+#define ZOOM_FACTOR 1.25
 
 typedef struct Compare {
   GtkWindow *parent;
@@ -184,7 +184,8 @@ draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer 
   double part = counts[0] > 0 && counts[1] > 0 ? 0.5 * height : height, top = 0.0;
   for (int kind = 0; kind < 2; kind++) {
     const QnCurvePlot plot = { .curves = curves[kind], .curve_count = counts[kind] };
-    const QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
+    const QnPage page = { width, height, qn_text_unit (GTK_WIDGET (area)),
+                          true,  false,  NULL };
     if (counts[kind] == 0)
       continue;
     qn_curve_plot_draw (&plot, cr, &page, 6.0, top + 6.0, width - 12.0, part - 12.0);

@@ -2,14 +2,12 @@
 #include "app/dialogs/study-private.h"
 
 #include "app/widgets/context-menu.h"
+#include "app/widgets/text-unit.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
 /* px: a click this near to a point means it. */
 #define NEAR 12.0
-
-/* px of a point of text on the screen. */
-#define UNIT (96.0 / 72.0)
 
 static int
 column_of (QnStudyWindow *self, GtkDropDown *choice)
@@ -69,8 +67,8 @@ draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer da
                   width, height);
     return;
   }
-  if (!qn_study_figure_draw (&figure, &self->table, cr, width, height, UNIT, &self->place,
-                             &error)) {
+  if (!qn_study_figure_draw (&figure, &self->table, cr, width, height,
+                             qn_text_unit (GTK_WIDGET (area)), &self->place, &error)) {
     draw_message (cr, GTK_WIDGET (area), _ ("No case has this output yet."), width,
                   height);
     return;

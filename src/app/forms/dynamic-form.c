@@ -2,14 +2,15 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/chooser.h"
+#include "app/widgets/text-unit.h"
 #include "doc/edit/edit-dynamic.h"
 #include "doc/view/ground-preview.h"
 #include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
 
-/* px of a point of the plot's text. */
-#define UNIT 1.1
+/* The plot's text over that of the window: the panel is narrow. */
+#define TEXT_SHARE 0.825
 
 typedef struct Form {
   QnBoundForm base;
@@ -368,7 +369,8 @@ draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer da
   Form *form = data;
   cairo_set_source_rgb (cr, 1, 1, 1);
   cairo_paint (cr);
-  qn_ground_preview_draw (&form->sampled, form->preview, cr, width, height, UNIT);
+  qn_ground_preview_draw (&form->sampled, form->preview, cr, width, height,
+                          TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
 }
 
 static void

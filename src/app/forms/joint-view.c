@@ -1,11 +1,10 @@
 #include "app/forms/joint-view.h"
 
 #include "app/widgets/settings.h"
+#include "app/widgets/text-unit.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n.h>
 #include <stdlib.h>
-
-#define PX_PER_POINT (96.0 / 72.0)
 
 typedef struct View {
   QnJointPlot plot;
@@ -42,7 +41,7 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   plot.shear_label = shear;
   plot.along_label = along;
   plot.dark = color.red + color.green + color.blue > 1.5f;
-  qn_joint_plot_draw (&plot, cr, width, height, PX_PER_POINT);
+  qn_joint_plot_draw (&plot, cr, width, height, qn_text_unit (GTK_WIDGET (area)));
 }
 
 void

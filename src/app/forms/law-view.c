@@ -1,8 +1,7 @@
 #include "app/forms/law-view.h"
 
+#include "app/widgets/text-unit.h"
 #include "doc/text/law-trace.h"
-
-#define PX_PER_POINT (96.0 / 72.0)
 
 /* m: of the block's side, where a law speaks of strains. */
 #define TYPICAL_LENGTH 0.1
@@ -31,7 +30,7 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
     QnCurve curve;
     QnCurvePlot plot;
     qn_law_plot (&view->what, view->samples, &curve, &plot);
-    QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
+    QnPage page = { width, height, qn_text_unit (GTK_WIDGET (area)), true, false, NULL };
     qn_curve_plot_draw (&plot, cr, &page, 6.0, 6.0, width - 12.0, height - 12.0);
     qn_curve_clear (&curve);
   }

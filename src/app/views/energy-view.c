@@ -2,6 +2,7 @@
 
 #include "app/forms/form.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/text-unit.h"
 #include "doc/view/energy-plot.h"
 #include "render/drawing/color.h"
 
@@ -10,8 +11,8 @@
 
 #define HEIGHT 180
 
-/* px of a point of the plot's text. */
-#define UNIT 1.1
+/* The plot's text over that of the window: the panel is narrow. */
+#define TEXT_SHARE 0.825
 
 typedef struct View {
   QnViewState *state;
@@ -89,7 +90,8 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   cairo_paint (cr);
   if (run == NULL || run->result.step_count == 0 || view->energies.count == 0)
     return;
-  qn_energy_plot_draw (&view->energies, cr, width, height, UNIT, &view->place);
+  qn_energy_plot_draw (&view->energies, cr, width, height,
+                       TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)), &view->place);
   double x = view->place.x_zero + view->place.x_scale * shown_time (view, run);
   cairo_set_source_rgb (cr, 0.9, 0.35, 0.0);
   cairo_set_line_width (cr, 1.0);

@@ -42,7 +42,20 @@ text_left (const QnFurniture *f, const QnLegendEntry *entry)
   return alone ? 0 : (SAMPLE_WIDTH + SAMPLE_GAP) * f->unit;
 }
 
-/* One that is wider than the limit wraps, and is so much higher. */
+static double
+longest_word (cairo_t *cr, const QnTextStyle *style, const char *text)
+{
+  g_auto (GStrv) words = g_strsplit (text, " ", -1);
+  double longest = 0;
+  for (char **word = words; *word != NULL; word++) {
+    double width, height;
+    qn_text_measure (cr, style, *word, &width, &height);
+    longest = fmax (longest, width);
+  }
+  return longest;
+}
+
+/* One that is wider than the limit wraps between its words, and is so much higher. */
 static void
 measure_entry (QnFurniture *f, size_t item, const QnLegendEntry *entry, cairo_t *cr,
                double limit)
@@ -53,7 +66,8 @@ measure_entry (QnFurniture *f, size_t item, const QnLegendEntry *entry, cairo_t 
   f->widths[item] = left + width;
   if (f->widths[item] <= limit)
     return;
-  style.width = limit - left + 1;
+  f->widths[item] = fmax (limit, left + longest_word (cr, &style, entry->text));
+  style.width = f->widths[item] - left + 1;
   qn_text_measure (cr, &style, entry->text, &width, &height);
   f->heights[item] = fmax (f->heights[item], height + LINE_GAP * f->unit);
 }
@@ -74,14 +88,13 @@ qn_furniture_init (QnFurniture *f, const QnScene *scene, cairo_t *cr, double uni
       measure_entry (f, i, entry, cr, limit);
       break;
     case ITEM_COLORS:
-      f->widths[i] = COLOR_WIDTH * unit;
+      f->widths[i] = fmin (COLOR_WIDTH * unit, limit);
       f->heights[i] = BAR_HEIGHT * unit;
       break;
     case ITEM_SCALE:
-      f->widths[i] = SCALE_WIDTH * unit;
+      f->widths[i] = fmin (SCALE_WIDTH * unit, limit);
       break;
     }
-    f->widths[i] = fmin (f->widths[i], limit);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "render/drawing/text.h"
+#include "render/figure/figure-furniture.h"
 #include "render/figure/figure.h"
 #include "render/fixture.h"
 
@@ -200,6 +201,31 @@ test_label_numbers (void)
   }
 }
 
+/* A legend that is narrow wraps between words: a single word is not broken. */
+static void
+test_narrow_legend (void)
+{
+  g_autoptr (QnScene) scene = qn_scene_new ();
+  const QnColor black = { 0, 0, 0, 255 };
+  QnFurniture furniture;
+  qn_scene_legend (scene, QN_COMMAND_STROKE, black, "undeformed");
+  qn_scene_legend (scene, QN_COMMAND_STROKE, black, "line of thrust");
+  cairo_surface_t *surface = cairo_recording_surface_create (CAIRO_CONTENT_COLOR, NULL);
+  cairo_t *cr = cairo_create (surface);
+  qn_furniture_init (&furniture, scene, cr, 1, 1000, false);
+  double row = furniture.heights[0], width = furniture.widths[0];
+  g_assert_cmpfloat (furniture.heights[1], ==, row);
+  qn_furniture_clear (&furniture);
+  qn_furniture_init (&furniture, scene, cr, 1, 60, false);
+  g_assert_cmpfloat (furniture.heights[0], ==, row);
+  g_assert_cmpfloat_with_epsilon (furniture.widths[0], width, 1e-6);
+  g_assert_cmpfloat (furniture.heights[1], >, row);
+  g_assert_cmpfloat (furniture.widths[1], <=, 60);
+  qn_furniture_clear (&furniture);
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -210,5 +236,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/figure/failed-export", test_failed_export_leaves_nothing);
   g_test_add_func ("/render/figure/label-numbers", test_label_numbers);
   g_test_add_func ("/render/figure/time", test_time);
+  g_test_add_func ("/render/figure/narrow-legend", test_narrow_legend);
   return g_test_run ();
 }
