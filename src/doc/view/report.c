@@ -670,8 +670,9 @@ write_certificate (QnPages *pages, const QnReport *report)
 {
   qn_pages_heading (pages, _ ("Independent Check"));
   qn_pages_paragraph (
-    pages, _ ("Of the forces in the files alone, without the solver: every free block in "
-              "equilibrium, every joint within its strength."));
+    pages,
+    _ ("Of the forces in the files alone, without the solver: free blocks and nodes "
+       "in equilibrium, joints and sections within their strength."));
   for (size_t i = 0; i < report->run_count; i++) {
     const QnReportRun *run = &report->runs[i];
     g_autofree char *text = NULL;

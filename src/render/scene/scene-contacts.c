@@ -134,6 +134,9 @@ qn_build_contacts (QnSceneBuilder *b)
       ngettext ("%zu contact face", "%zu contact faces", contacts->face_count),
       contacts->face_count)
       ->size = QN_WIDTH_FACE;
+    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 0.6f,
+                            qn_builder_ink (b, QN_INK_FACE), "%s",
+                            _ ("normal of a face"));
     qn_scene_legend_marker (
       b->scene, QN_MARKER_DOT, 3.4f, dot,
       ngettext ("%zu contact pair", "%zu contact pairs", contacts->pair_count),

@@ -333,13 +333,34 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
                             name);
 }
 
+/* What shakes the ground has no place in the drawing: the legend names it. */
+static void
+name_ground_motion (QnSceneBuilder *b, const QnGroundMotion *motion)
+{
+  QnColor line = qn_builder_ink (b, QN_INK_LINE);
+  g_autofree char *peak =
+    qn_label_number ("%.4g", motion->scale * motion->pulse.amplitude);
+  if (motion->kind == QN_SIGNAL_PULSE)
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, line,
+                     _ ("ground motion: pulse of %s m/s²"), peak);
+  else if (motion->record != NULL)
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, line, _ ("ground motion: %s"),
+                     motion->record);
+  else
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, line, "%s", _ ("ground motion"));
+}
+
 void
 qn_build_loads (QnSceneBuilder *b)
 {
-  add_loads (b, b->model->dead_loads, b->model->dead_load_count, QN_PICK_DEAD_LOAD,
+  const QnModel *model = b->model;
+  add_loads (b, model->dead_loads, model->dead_load_count, QN_PICK_DEAD_LOAD,
              QN_INK_DEAD_LOAD, _ ("dead load"));
-  add_loads (b, b->model->live_loads, b->model->live_load_count, QN_PICK_LIVE_LOAD,
+  add_loads (b, model->live_loads, model->live_load_count, QN_PICK_LIVE_LOAD,
              QN_INK_LIVE_LOAD, _ ("live load"));
+  for (size_t i = 0;
+       model->analysis.procedure == QN_PROCEDURE_DYNAMIC && i < model->ground_count; i++)
+    name_ground_motion (b, &model->ground[i]);
 }
 
 /* A dimension line from a to b, with ticks, extension lines from the object and its length on the

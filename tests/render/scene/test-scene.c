@@ -411,6 +411,31 @@ test_pressure_label (void)
   }
 }
 
+/* The legend names what is drawn without words, and what shakes the ground, where an analysis in
+ * time does. */
+static void
+test_legend (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_block (&f, 1, 1);
+  g_autoptr (QnScene) contacts = build (&f, QN_VIEW_CONTACTS, &options);
+  g_assert_true (has_legend (contacts, "normal of a face"));
+  QnGroundMotion *motion = qn_model_add_ground_motion (&f.model, NULL);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->scale = 2;
+  motion->pulse = (QnPulse){ .amplitude = 1.5, .duration = 0.25 };
+  qn_view_options_init (&options, QN_VIEW_MODEL);
+  options.loads = true;
+  for (int shaken = 0; shaken < 2; shaken++) {
+    f.model.analysis.procedure = shaken ? QN_PROCEDURE_DYNAMIC : QN_PROCEDURE_LOAD;
+    g_autoptr (QnScene) scene =
+      qn_scene_build (&f.model, &f.contacts, NULL, &options, NULL);
+    g_assert_cmpint (has_legend (scene, "ground motion: pulse of 3 m/s²"), ==, shaken);
+  }
+  fixture_clear (&f);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -423,6 +448,7 @@ main (int argc, char **argv)
   g_test_add_func ("/render/scene/picking", test_picking);
   g_test_add_func ("/render/scene/nonlinear-forces", test_forces_of_nonlinear_geometry);
   g_test_add_func ("/render/scene/found", test_found);
+  g_test_add_func ("/render/scene/legend", test_legend);
   g_test_add_func ("/scene/pressure-label", test_pressure_label);
   return g_test_run ();
 }
