@@ -17,6 +17,7 @@ typedef struct Table Table;
 typedef struct ColumnTitle {
   const char *text;    /* to be translated */
   QnQuantity quantity; /* whose unit stands behind it; QN_QUANTITY_NUMBER: none */
+  gboolean words;      /* not numbers: from the left */
 } ColumnTitle;
 
 enum { MOST_COLUMNS = 6 };
@@ -283,10 +284,13 @@ make_row_menu (GtkWidget *label, QnMenuPlace *place, gpointer data)
 static void
 on_setup_cell (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
 {
+  const Table *table = data;
+  guint column = GPOINTER_TO_UINT (g_object_get_data (G_OBJECT (factory), "qn-column"));
   GtkWidget *label = gtk_label_new (NULL);
   g_object_set_data (G_OBJECT (label), "qn-item", item);
   qn_context_menu_attach (label, make_row_menu, data);
-  gtk_label_set_xalign (GTK_LABEL (label), 1.0f);
+  gtk_label_set_xalign (GTK_LABEL (label),
+                        table->kind->columns[column].words ? 0.0f : 1.0f);
   gtk_widget_add_css_class (label, "numeric");
   gtk_list_item_set_child (item, label);
 }
@@ -299,13 +303,64 @@ on_bind_cell (GObject *factory, GtkListItem *item, const Table *table)
   gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)), text);
 }
 
+/* Where a table lies in the panel that scrolls. */
+typedef struct TablePlace {
+  GtkWidget *table, *panel;
+  double top;
+} TablePlace;
+
+static double
+top_in_panel (const TablePlace *place)
+{
+  double y = place->top;
+  gtk_widget_translate_coordinates (place->table, place->panel, 0.0, 0.0, NULL, &y);
+  return y;
+}
+
+static gboolean
+put_back (gpointer data)
+{
+  const TablePlace *place = data;
+  GtkAdjustment *scroll =
+    gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (place->panel));
+  gtk_adjustment_set_value (scroll, gtk_adjustment_get_value (scroll)
+                                      + top_in_panel (place) - place->top);
+  return G_SOURCE_REMOVE;
+}
+
+static void
+free_place (gpointer data)
+{
+  TablePlace *place = data;
+  g_object_unref (place->table);
+  g_object_unref (place->panel);
+  g_free (place);
+}
+
+/* What a row shows above the table moves it: the panel scrolls by as much, and the next row is still
+ * under the pointer. */
+static void
+keep_place (GtkWidget *table)
+{
+  GtkWidget *panel = gtk_widget_get_ancestor (table, GTK_TYPE_SCROLLED_WINDOW);
+  if (panel == NULL)
+    return;
+  TablePlace *place = g_new0 (TablePlace, 1);
+  place->table = g_object_ref (table);
+  place->panel = g_object_ref (panel);
+  place->top = top_in_panel (place);
+  g_idle_add_full (G_PRIORITY_DEFAULT_IDLE, put_back, place, free_place);
+}
+
 static void
 on_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
 {
   guint row = gtk_single_selection_get_selected (selection);
   const QnRun *run = run_of (table);
-  if (run != NULL && row < table->kind->count_rows (run))
-    table->kind->select (table, run, row);
+  if (run == NULL || row >= table->kind->count_rows (run))
+    return;
+  keep_place (table->widget);
+  table->kind->select (table, run, row);
 }
 
 /* Rows without contents: cells look theirs up. */
@@ -401,12 +456,13 @@ qn_step_table_new (QnViewState *state)
   static const TableKind kind = {
     .title = N_ ("_Steps"),
     .exported = "curve",
-    .columns = { [STEP] = { N_ ("Step"), QN_QUANTITY_NUMBER },
-                 [STAGE] = { N_ ("Stage"), QN_QUANTITY_NUMBER },
-                 [MULTIPLIER] = { N_ ("Multiplier or time"), QN_QUANTITY_NUMBER },
-                 [DISPLACEMENT] = { N_ ("Largest displacement"), QN_QUANTITY_LENGTH },
-                 [ITERATIONS] = { N_ ("Iterations"), QN_QUANTITY_NUMBER },
-                 [EVENT] = { N_ ("Event"), QN_QUANTITY_NUMBER } },
+    .columns = { [STEP] = { N_ ("Step"), QN_QUANTITY_NUMBER, FALSE },
+                 [STAGE] = { N_ ("Stage"), QN_QUANTITY_NUMBER, FALSE },
+                 [MULTIPLIER] = { N_ ("Multiplier or time"), QN_QUANTITY_NUMBER, FALSE },
+                 [DISPLACEMENT] = { N_ ("Largest displacement"), QN_QUANTITY_LENGTH,
+                                    FALSE },
+                 [ITERATIONS] = { N_ ("Iterations"), QN_QUANTITY_NUMBER, FALSE },
+                 [EVENT] = { N_ ("Event"), QN_QUANTITY_NUMBER, TRUE } },
     .column_count = STEP_COLUMNS,
     .count_rows = count_steps,
     .dup_cell = dup_step_cell,
@@ -422,10 +478,10 @@ qn_contact_table_new (QnCanvas *canvas)
   static const TableKind kind = {
     .title = N_ ("_Contacts at the end"),
     .exported = "contacts",
-    .columns = { [BLOCKS] = { N_ ("Blocks"), QN_QUANTITY_NUMBER },
-                 [STATE] = { N_ ("State"), QN_QUANTITY_NUMBER },
-                 [NORMAL] = { "N", QN_QUANTITY_FORCE },
-                 [SHEAR] = { "T", QN_QUANTITY_FORCE } },
+    .columns = { [BLOCKS] = { N_ ("Blocks"), QN_QUANTITY_NUMBER, TRUE },
+                 [STATE] = { N_ ("State"), QN_QUANTITY_NUMBER, TRUE },
+                 [NORMAL] = { "N", QN_QUANTITY_FORCE, FALSE },
+                 [SHEAR] = { "T", QN_QUANTITY_FORCE, FALSE } },
     .column_count = CONTACT_COLUMNS,
     .count_rows = count_contacts,
     .dup_cell = dup_contact_cell,
@@ -440,11 +496,11 @@ qn_beam_table_new (QnCanvas *canvas)
   static const TableKind kind = {
     .title = N_ ("Section _forces of beams"),
     .exported = "beams",
-    .columns = { [BEAM] = { N_ ("Beam"), QN_QUANTITY_NUMBER },
-                 [PLACE] = { "x", QN_QUANTITY_LENGTH },
-                 [BEAM_NORMAL] = { "N", QN_QUANTITY_FORCE },
-                 [BEAM_SHEAR] = { "V", QN_QUANTITY_FORCE },
-                 [BEAM_MOMENT] = { "M", QN_QUANTITY_MOMENT } },
+    .columns = { [BEAM] = { N_ ("Beam"), QN_QUANTITY_NUMBER, TRUE },
+                 [PLACE] = { "x", QN_QUANTITY_LENGTH, FALSE },
+                 [BEAM_NORMAL] = { "N", QN_QUANTITY_FORCE, FALSE },
+                 [BEAM_SHEAR] = { "V", QN_QUANTITY_FORCE, FALSE },
+                 [BEAM_MOMENT] = { "M", QN_QUANTITY_MOMENT, FALSE } },
     .column_count = BEAM_COLUMNS,
     .count_rows = count_ends,
     .dup_cell = dup_end_cell,
