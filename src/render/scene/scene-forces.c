@@ -2,6 +2,7 @@
  * action, and the line of thrust where there is one (thrust.h), with the force and the kern at each
  * of its joints. In nonlinear geometry all of it is drawn where the blocks have moved to, at
  * factor 1. */
+#include "core/base/integer.h"
 #include "render/drawing/text.h"
 #include "render/scene/reading.h"
 #include "render/scene/scene-builder.h"
@@ -167,23 +168,33 @@ along (QnVec2 v)
 }
 
 /* Places a number into the corner between the joint and the line of thrust that points to the
- * right most: neither runs through it. `way` leads along the line of thrust. */
+ * right most: neither runs through it. `way` is that of its pieces
+ * which leads to the right. */
 static void
 set_beside (QnCommand *number, QnVec2 joint, QnVec2 way)
 {
   QnVec2 corner = { 0, 0 };
   for (int i = 0; i < 4; i++) {
-    QnVec2 d = qn_vec2_add (qn_vec2_scale (i % 2 ? -1 : 1, joint),
-                            qn_vec2_scale (i / 2 ? -1 : 1, way));
+    QnVec2 d = along (qn_vec2_add (qn_vec2_scale (i % 2 ? -1 : 1, joint),
+                                   qn_vec2_scale (i / 2 ? -1 : 1, way)));
     if (d.x + 0.1 * d.y > corner.x + 0.1 * corner.y)
       corner = d;
   }
   number->align_x = BESIDE;
-  number->align_y = (float) (0.5 - 0.85 * along (corner).y);
+  number->align_y = (float) (0.5 - 0.85 * corner.y);
+}
+
+/* Three digits that count, zeros too: "1.70" beside "1.37". */
+static char *
+dup_three_digits (double number)
+{
+  int decimals = number > 0 ? (int) qn_to_integer (2 - floor (log10 (number)), 0, 6) : 0;
+  g_autofree char *format = g_strdup_printf ("%%.%df", decimals);
+  return qn_label_number (format, number);
 }
 
 /* A point of the line, with the force there, at a distance from the nearest one; `stride` from the
- * next one of its rank, `way` along the line, of unit length. */
+ * next one of its rank, `way` as above, of unit length. */
 static void
 add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing, int stride, QnVec2 way)
 {
@@ -201,7 +212,7 @@ add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing, int stride, QnVec2
                 cut->eccentricity, cut->place, spacing, color);
     return;
   }
-  g_autofree char *number = qn_label_number ("%.3g", qn_vec2_length (cut->force) / 1000);
+  g_autofree char *number = dup_three_digits (qn_vec2_length (cut->force) / 1000);
   g_autofree char *text = g_strdup_printf (_ ("%s kN"), number);
   command = qn_scene_text (b->scene, QN_LAYER_LABELS, at, 6.5, text, color);
   QnVec2 joint =
@@ -254,13 +265,14 @@ add_thrust (QnSceneBuilder *b, const QnThrust *thrust, CutTally *tally)
       QnVec2 line[2] = { cut_place (b, cut, cut->at), cut_place (b, next, next->at) };
       QnVec2 piece = qn_vec2_sub (line[1], line[0]);
       spacing = fmin (spacing, qn_vec2_length (piece));
-      way = qn_vec2_add_scaled (way, side == 0 ? -1 : 1, along (piece));
+      if (qn_vec2_length (way) == 0 || along (piece).x > way.x)
+        way = along (piece);
       if ((size_t) cut->next[side] > c)
         qn_scene_stroke (b->scene, QN_LAYER_FORCES, line, 2, false, 2.2, color);
     }
     if (!isfinite (spacing))
       continue;
-    add_cut (b, cut, spacing, MAX (strides[c], 1), along (way));
+    add_cut (b, cut, spacing, MAX (strides[c], 1), way);
     tally->any = true;
     tally->places[cut->place] = true;
   }

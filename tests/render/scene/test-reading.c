@@ -233,6 +233,9 @@ test_thrust_numbers (void)
     const QnCommand *command = qn_scene_command (scene, i);
     if (command->kind != QN_COMMAND_TEXT)
       continue;
+    g_autofree char *digits =
+      g_strndup (command->text, strspn (command->text, "0123456789."));
+    g_assert_cmpuint (strlen (digits), ==, strchr (digits, '.') != NULL ? 4 : 3);
     raised += command->align_y < 0.25F || command->align_y > 0.75F;
     least = MIN (least, command->extent);
     most = MAX (most, command->extent);
