@@ -165,6 +165,10 @@ bool qn_equilibrium_go_on (QnEquilibrium *eq);
  * NO_MEMORY. */
 QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
+/* Brings eq->slope, over a measure without weight, to the current state where joints have changed their state
+ * since the last factorisation. False when memory runs out. */
+bool qn_equilibrium_update_slope (QnEquilibrium *eq, const double *direction);
+
 /* Where a motion was when it had first gone farther than a distance (0), than a quarter of it (1), than a
  * quarter of that (2), and so on. */
 #define QN_FALL_STATES 6

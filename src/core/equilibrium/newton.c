@@ -313,6 +313,24 @@ qn_equilibrium_set_runaway (QnEquilibrium *eq)
   return status != QN_FACTOR_NO_MEMORY;
 }
 
+bool
+qn_equilibrium_update_slope (QnEquilibrium *eq, const double *direction)
+{
+  const QnAssembly *as = &eq->assembly;
+  bool same = true;
+  double along_live = 0;
+
+  for (size_t p = 0; p < as->pair_count && same; p++)
+    same = eq->factored_phases[p] == as->responses[p].phase;
+  if (same)
+    return true;
+  QnSolveStatus status = qn_equilibrium_rate (eq, eq->live_step);
+  for (int32_t i = 0; i < as->unknown_count && status == QN_SOLVE_CONVERGED; i++)
+    along_live += direction[i] * eq->live_step[i];
+  eq->slope = along_live != 0 ? 1 / along_live : 0;
+  return status != QN_SOLVE_NO_MEMORY;
+}
+
 QnSolveStatus
 qn_equilibrium_rate (QnEquilibrium *eq, double *rate)
 {

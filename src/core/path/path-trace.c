@@ -384,6 +384,9 @@ advance (QnPathTrace *trace, QnDiag *diag)
     return QN_OK;
   }
 
+  if (ends_at_peak (trace) && !trace->events.below
+      && !qn_equilibrium_update_slope (eq, trace->measure.direction))
+    return qn_diag_no_memory (diag);
   if (passes_peak (trace, step)) {
     qn_equilibrium_restore (eq);
     return QN_OK;
