@@ -165,8 +165,8 @@ test_whole_wall (void)
   g_assert_cmpstr (qn_history_get_name (history, qn_history_get_position (history) - 1),
                    ==, "Move, Wall to Free Blocks");
   guint moved = 0;
-  qn_selection_get_blocks (qn_document_get_selection (qn_window_get_document (window)),
-                           &moved);
+  qn_selection_get (qn_document_get_selection (qn_window_get_document (window)),
+                    QN_PART_BLOCK, &moved);
   g_assert_cmpuint (moved, ==, 1);
   driver_key ("ctrl+z");
   g_assert_cmpuint (count_objects (window), ==, 1);
@@ -472,7 +472,7 @@ test_keyboard (void)
   driver_key ("ctrl+a");
   guint selected = 0;
   QnSelection *selection = qn_canvas_get_selection (qn_window_get_canvas (window));
-  qn_selection_get_blocks (selection, &selected);
+  qn_selection_get (selection, QN_PART_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, model_of (window)->block_count);
   GtkWidget *entry = driver_find_widget (root, is_shown_entry, NULL);
   g_assert_nonnull (entry);
@@ -522,14 +522,14 @@ test_joints (void)
   QnVec2 at = qn_vec2_lerp (contacts->faces[face].start, contacts->faces[face].end, 0.4);
   driver_click (window, at.x, at.y);
   guint count = 0;
-  qn_selection_get_faces (selection, &count);
+  qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 1);
   driver_activate (window, "win.select-faces-like::law");
-  qn_selection_get_faces (selection, &count);
+  qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, rough);
   driver_screenshot (GTK_WIDGET (window), "faces-selected");
   driver_activate (window, "win.select-faces-like::line");
-  qn_selection_get_faces (selection, &count);
+  qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, >, 1);
 
   driver_key ("F5");

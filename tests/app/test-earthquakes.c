@@ -282,7 +282,7 @@ test_initial (void)
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
 
   /* Numbers for what is selected, without a pointer. */
-  qn_selection_set_blocks (qn_document_get_selection (document), &top, 1);
+  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
   gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
   driver_type ("0.02;0;1");
   driver_key ("Return");
@@ -338,7 +338,7 @@ test_initial_fixed (void)
   for (gsize i = 0; i < model->block_count; i++)
     if (model->blocks[i].support[0])
       base = (QnId) i;
-  qn_selection_set_blocks (qn_document_get_selection (document), &base, 1);
+  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &base, 1);
   driver_activate_target (window, "win.tool", g_variant_new_string ("displace"));
   gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
   driver_type ("0.1");
@@ -401,8 +401,8 @@ test_capacity (void)
   for (gsize i = 0; i < model_of (window)->block_count; i++)
     if (!model_of (window)->blocks[i].support[0])
       top = (QnId) i;
-  qn_selection_set_blocks (qn_document_get_selection (qn_window_get_document (window)),
-                           &top, 1);
+  qn_selection_set (qn_document_get_selection (qn_window_get_document (window)),
+                    QN_PART_BLOCK, &top, 1);
   driver_activate (window, "win.nudge((0.01,0.0))");
   driver_wait (has_note, dialog);
 

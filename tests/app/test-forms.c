@@ -171,11 +171,11 @@ test_state (gconstpointer data)
     driver_activate_target (window, "win.tool", g_variant_new_string (state->tool));
   if (state->block >= 0) {
     const QnId id = state->block;
-    qn_selection_set_blocks (selection, &id, 1);
+    qn_selection_set (selection, QN_PART_BLOCK, &id, 1);
   }
   if (state->beam >= 0) {
     const QnId id = state->beam;
-    qn_selection_set_beams (selection, &id, 1);
+    qn_selection_set (selection, QN_PART_BEAM, &id, 1);
   }
   if (state->face >= 0)
     qn_selection_set_face (selection, state->face);
@@ -330,7 +330,7 @@ test_laws (void)
   driver_screenshot (GTK_WIDGET (window), "laws-list");
   qn_selection_clear (selection);
   press (window, "select");
-  const QnId *faces = qn_selection_get_faces (selection, &count);
+  const QnId *faces = qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 1);
   g_assert_cmpint (faces[0], ==, 1);
   press (window, "duplicate");
@@ -399,7 +399,7 @@ test_refusal (void)
   QnWindow *window = driver_open_example ("05-stack.quoin");
   QnDocument *document = qn_window_get_document (window);
   const QnId top = 1;
-  qn_selection_set_blocks (qn_document_get_selection (document), &top, 1);
+  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
   driver_run (100);
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   const QnModel *model = qn_document_get_model (document);
@@ -414,7 +414,7 @@ test_refusal (void)
   gtk_editable_set_text (GTK_EDITABLE (name), "another");
   g_signal_emit_by_name (name, "activate");
   g_assert_cmpstr (qn_document_get_model (document)->blocks[1].name, ==, "another");
-  qn_selection_set_blocks (qn_document_get_selection (document), &top, 1);
+  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
   g_assert_false (gtk_widget_has_css_class (name, "error"));
   g_assert_null (gtk_widget_get_tooltip_text (name));
   driver_discard (window);

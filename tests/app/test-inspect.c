@@ -138,7 +138,7 @@ test_drag_beside_joint (void)
   driver_drag (window, at.x, at.y, at.x + 0.5, at.y);
   g_assert_cmpint (qn_selection_get_face (qn_document_get_selection (document)), ==,
                    QN_NONE);
-  qn_selection_get_blocks (qn_document_get_selection (document), &count);
+  qn_selection_get (qn_document_get_selection (document), QN_PART_BLOCK, &count);
   g_assert_cmpuint (count, ==, 1);
   g_assert_true (qn_history_can_undo (qn_document_get_history (document)));
   driver_discard (window);

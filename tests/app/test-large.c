@@ -16,7 +16,7 @@ test_move (void)
   large_drawing_load (document);
   driver_activate (window, "win.fit");
   const QnId block = LARGE_DRAWING_BLOCK;
-  qn_selection_set_blocks (qn_document_get_selection (document), &block, 1);
+  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &block, 1);
   driver_run (1500);
   double least = G_MAXDOUBLE;
   for (int i = 0; i < 6; i++) {

@@ -101,7 +101,7 @@ test_blocks_first (void)
   QnWindow *window = open_panel ("05-stack.quoin");
   driver_click (window, 0.2, 0.5);
   guint count = 0;
-  qn_selection_get_blocks (selection_of (window), &count);
+  qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
   g_assert_cmpuint (count, ==, 1);
   driver_discard (window);
 }

@@ -171,7 +171,7 @@ test_context_menus (void)
 {
   QnWindow *window = open_blocks ();
   check_menu (window, 4.3, 0.3, "win.support", "menu-block");
-  g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
   check_menu (window, 1.0, 1.0, "win.joint-law", "menu-joint");
   g_assert_cmpint (qn_selection_get_face (selection_of (window)), ==, 0);
   check_menu (window, 3.0, 0.6, "win.paste", "menu-paper");
@@ -184,13 +184,13 @@ test_context_menus (void)
     g_assert_nonnull (open_menu (window));
     driver_key ("Escape");
     driver_run (200);
-    g_assert_true (qn_selection_has_block (selection_of (window), 2));
+    g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
   }
   qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
   driver_activate (window, "win.delete");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 0);
   driver_activate (window, "win.undo");
-  qn_selection_set_blocks (selection_of (window), (QnId[]){ 2 }, 1);
+  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 2 }, 1);
   driver_activate (window, "win.support::pinned");
   g_assert_false (model_of (window)->blocks[2].support[QN_DOF_RZ]);
   driver_discard (window);
@@ -279,11 +279,11 @@ static void
 test_various_values (void)
 {
   QnWindow *window = open_blocks ();
-  qn_selection_set_blocks (selection_of (window), (QnId[]){ 2 }, 1);
+  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 2 }, 1);
   driver_run (100);
   enter (window, "thickness", "0.5");
   driver_activate (window, "win.support::pinned");
-  qn_selection_set_blocks (selection_of (window), (QnId[]){ 1, 2 }, 2);
+  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 1, 2 }, 2);
   driver_run (100);
   driver_screenshot (GTK_WIDGET (window), "numbers-various");
   g_assert_cmpstr (shown_in (window, "thickness"), ==, "");
@@ -311,7 +311,7 @@ static void
 test_typical_stone (void)
 {
   QnWindow *window = open_blocks ();
-  qn_selection_set_blocks (selection_of (window), (QnId[]){ 1, 2 }, 2);
+  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 1, 2 }, 2);
   driver_run (100);
   GtkWidget *stone = driver_find_widget (GTK_WIDGET (window), is_widget_called, "stone");
   GtkWidget *source =
@@ -348,7 +348,7 @@ test_renamed_stays_selected (void)
   driver_click (window, 4.3, 0.3);
   g_assert_true (qn_document_edit (qn_window_get_document (window), "Rename", NULL,
                                    rename_other, "pier", NULL));
-  g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
   driver_discard (window);
 }
 
@@ -401,7 +401,7 @@ test_paste (void)
     driver_key ("ctrl+v");
     driver_run (200);
     guint count = 0;
-    const QnId *ids = qn_selection_get_blocks (selection_of (window), &count);
+    const QnId *ids = qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
     g_assert_cmpuint (count, ==, 1);
     g_assert_cmpuint (model_of (window)->block_count, ==, (guint) (4 + i));
     g_assert_cmpint (ids[0], ==, 3 + i);
@@ -468,7 +468,7 @@ test_keys_after_buttons (void)
                    "select");
   driver_key ("ctrl+a");
   guint count = 0;
-  qn_selection_get_blocks (selection_of (window), &count);
+  qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
   g_assert_cmpuint (count, ==, 3);
   driver_discard (window);
 }

@@ -138,7 +138,8 @@ test_edge_loads (void)
   g_assert_cmpint (model_of (window)->dead_loads[dead + 1].kind, ==, QN_LOAD_SURCHARGE);
 
   /* An edge load needs a block, and is on its top. */
-  qn_selection_set_blocks (qn_document_get_selection (document), (QnId[]){ 2 }, 1);
+  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, (QnId[]){ 2 },
+                    1);
   driver_press (root, "+ Edge Load");
   load = &model_of (window)->dead_loads[dead + 2];
   g_assert_cmpint (load->kind, ==, QN_LOAD_EDGE);

@@ -330,7 +330,7 @@ test_edit (void)
   }
   QnVec2 c = model_of (window)->blocks[top].centroid;
   driver_click (window, c.x, c.y);
-  g_assert_true (qn_selection_has_block (selection, top));
+  g_assert_true (qn_selection_has (selection, QN_PART_BLOCK, top));
   driver_key ("Right");
   g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, >, c.x);
   driver_key ("Right");

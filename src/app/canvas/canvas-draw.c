@@ -227,7 +227,7 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr)
   const QnModel *model = qn_canvas_get_model (self);
   guint count = 0;
   QnSelection *selection = qn_canvas_get_selection (self);
-  const QnId *ids = qn_selection_get_beams (selection, &count);
+  const QnId *ids = qn_selection_get (selection, QN_PART_BEAM, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) ids[i] >= model->beam_count)
       continue;
@@ -270,7 +270,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   if (displaced && motion.model == NULL)
     return;
   guint count = 0;
-  const QnId *blocks = qn_selection_get_blocks (selection, &count);
+  const QnId *blocks = qn_selection_get (selection, QN_PART_BLOCK, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) blocks[i] >= model->block_count)
       continue;
@@ -290,7 +290,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   cairo_set_line_width (cr, 2.0);
   cairo_stroke (cr);
 
-  const QnId *faces = qn_selection_get_faces (selection, &count);
+  const QnId *faces = qn_selection_get (selection, QN_PART_FACE, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) faces[i] >= contacts->face_count)
       continue;

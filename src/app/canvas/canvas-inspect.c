@@ -154,9 +154,10 @@ static gboolean
 is_selected (QnCanvas *self, QnInspected what)
 {
   QnSelection *selection = qn_canvas_get_selection (self);
-  return what.kind == QN_INSPECTED_JOINT   ? qn_selection_get_face (selection) == what.id
-         : what.kind == QN_INSPECTED_BLOCK ? qn_selection_has_block (selection, what.id)
-                                           : FALSE;
+  return what.kind == QN_INSPECTED_JOINT ? qn_selection_get_face (selection) == what.id
+         : what.kind == QN_INSPECTED_BLOCK
+           ? qn_selection_has (selection, QN_PART_BLOCK, what.id)
+           : FALSE;
 }
 
 /* Beside the pointer, where there is room. */

@@ -459,7 +459,7 @@ QnBlockSet
 qn_canvas_get_selected (QnCanvas *self)
 {
   QnBlockSet set = { 0 };
-  set.ids = qn_selection_get_blocks (qn_canvas_get_selection (self), &set.count);
+  set.ids = qn_selection_get (qn_canvas_get_selection (self), QN_PART_BLOCK, &set.count);
   return set;
 }
 
@@ -483,13 +483,13 @@ qn_canvas_get_parts_box (QnCanvas *self, QnVec2 *low, QnVec2 *high)
   QnSelection *selection = qn_canvas_get_selection (self);
   QnBox box = QN_BOX_EMPTY;
   guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
   for (guint i = 0; i < count; i++) {
     const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
     for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++)
       qn_box_add_point (&box, v[k]);
   }
-  ids = qn_selection_get_beams (selection, &count);
+  ids = qn_selection_get (selection, QN_PART_BEAM, &count);
   for (guint i = 0; i < count; i++)
     for (int end = 0; end < 2; end++)
       qn_box_add_point (&box, model->nodes[model->beams[ids[i]].nodes[end]].at);

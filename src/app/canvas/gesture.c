@@ -222,11 +222,12 @@ qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
   guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
+  const QnId *ids =
+    qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BLOCK, &count);
   for (guint i = 0; i < count; i++)
     qn_gesture_trace_block (canvas, cr, ids[i], transform);
   qn_gesture_paint (cr);
-  ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
+  ids = qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BEAM, &count);
   for (guint i = 0; i < count; i++) {
     const QnId *ends = model->beams[ids[i]].nodes;
     QnVec2 line[2] = { qn_transform_apply (transform, model->nodes[ends[0]].at),

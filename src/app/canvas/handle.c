@@ -76,7 +76,8 @@ add_node_grips (QnCanvas *canvas, GArray *grips)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
   guint count = 0;
-  const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
+  const QnId *ids =
+    qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BEAM, &count);
   g_autoptr (GHashTable) known = g_hash_table_new (NULL, NULL);
   for (guint i = 0; i < count && count <= MOST_BEAMS; i++) {
     for (int end = 0; end < 2; end++) {
@@ -105,7 +106,7 @@ collect_all (QnCanvas *canvas)
     return grips;
   }
   guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
   add_turn_grip (canvas, grips);
   add_node_grips (canvas, grips);
   if (count == 0)
@@ -395,7 +396,8 @@ draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
   guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
+  const QnId *ids =
+    qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BLOCK, &count);
   if (count == 0)
     return;
   gsize n = (gsize) model->blocks[ids[0]].vertex_count;

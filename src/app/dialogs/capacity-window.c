@@ -466,7 +466,7 @@ take_selected (Form *form)
 {
   guint count = 0;
   const QnId *ids =
-    qn_selection_get_blocks (qn_document_get_selection (form->document), &count);
+    qn_selection_get (qn_document_get_selection (form->document), QN_PART_BLOCK, &count);
   if (count != 1) {
     say (form, _ ("Select one block in the drawing first"));
     return;

@@ -19,7 +19,7 @@ look (gpointer data)
 {
   const Form *form = data;
   guint beams = 0;
-  qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
+  qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &beams);
   return qn_canvas_get_selected (form->base.canvas).count + beams > 0;
 }
 

@@ -62,27 +62,15 @@ look (gpointer data)
   return TRUE;
 }
 
-static char **
-dup_bars (const QnModel *model)
+/* The coordinate of a bar that a field shows. */
+static QnBound
+bound_of (QnBar *bar, guint field)
 {
-  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
-  for (gsize i = 0; i < model->bar_count; i++) {
-    g_autofree char *line =
-      qn_bar_dup_text (model, &model->bars[i], qn_settings_get_units ());
-    g_strv_builder_add (lines, line);
-  }
-  return g_strv_builder_end (lines);
-}
-
-/* The coordinate of a bar that a field shows, or NULL. */
-static double *
-coordinate_of (QnBar *bar, guint field)
-{
-  double *const all[] = { [START_X] = &bar->start.x,
-                          [START_Y] = &bar->start.y,
-                          [END_X] = &bar->end.x,
-                          [END_Y] = &bar->end.y };
-  return field < G_N_ELEMENTS (all) ? all[field] : NULL;
+  const QnBound all[G_N_ELEMENTS (fields)] = { [START_X] = QN_BOUND (&bar->start.x),
+                                               [START_Y] = QN_BOUND (&bar->start.y),
+                                               [END_X] = QN_BOUND (&bar->end.x),
+                                               [END_Y] = QN_BOUND (&bar->end.y) };
+  return all[field];
 }
 
 static gboolean
@@ -94,7 +82,9 @@ show (gpointer data, guint field, QnValue *value)
   QnBar bar = any ? model->bars[form->selected] : (QnBar){ 0 };
   switch (field) {
   case BARS:
-    value->rows = dup_bars (model);
+    for (gsize i = 0; i < model->bar_count; i++)
+      qn_value_take_row (
+        value, qn_bar_dup_text (model, &model->bars[i], qn_settings_get_units ()));
     value->number = form->selected;
     return model->bar_count > 0;
   case EMPTY:
@@ -116,7 +106,7 @@ show (gpointer data, guint field, QnValue *value)
     value->disabled = !any;
     return TRUE;
   default:
-    value->number = *coordinate_of (&bar, field);
+    qn_value_show (value, bound_of (&bar, field));
     return any;
   }
 }
@@ -148,7 +138,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case REMOVE:
     return qn_edit_remove_bar (model, form->selected, error);
   default:
-    *coordinate_of (&model->bars[form->selected], field) = value->number;
+    qn_value_take (value, bound_of (&model->bars[form->selected], field));
     return TRUE;
   }
 }

@@ -42,7 +42,7 @@ look (gpointer data)
   Form *form = data;
   guint count = 0;
   const QnId *ids =
-    qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &count);
+    qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &count);
   if (count != 1)
     return FALSE;
   form->beam = ids[0];

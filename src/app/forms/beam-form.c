@@ -37,7 +37,8 @@ static QnBeamSet
 selected (const QnBoundForm *form)
 {
   QnBeamSet set = { 0 };
-  set.ids = qn_selection_get_beams (qn_canvas_get_selection (form->canvas), &set.count);
+  set.ids =
+    qn_selection_get (qn_canvas_get_selection (form->canvas), QN_PART_BEAM, &set.count);
   return set;
 }
 

@@ -57,15 +57,6 @@ is_mixed (const QnModel *model, QnBlockSet set, guint field)
   return mixed;
 }
 
-static void
-add_row (QnValue *value, char *row)
-{
-  guint count = value->rows != NULL ? g_strv_length (value->rows) : 0;
-  value->rows = g_renew (char *, value->rows, count + 2);
-  value->rows[count] = row;
-  value->rows[count + 1] = NULL;
-}
-
 /* What has no row among usual or common things has one behind them, which changes nothing. */
 static void
 show_stones (QnValue *value, int stone)
@@ -74,12 +65,13 @@ show_stones (QnValue *value, int stone)
     g_autofree char *weight =
       qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_UNIT_WEIGHT,
                             qn_typical_stones[i].unit_weight, 4);
-    add_row (value, g_strdup_printf ("%s, %s", _ (qn_typical_stones[i].name), weight));
+    qn_value_take_row (value,
+                       g_strdup_printf ("%s, %s", _ (qn_typical_stones[i].name), weight));
   }
   value->number = stone;
   if (stone < 0) {
     value->number = QN_STONE_COUNT;
-    add_row (value, g_strdup (_ ("Other")));
+    qn_value_add_row (value, _ ("Other"));
   }
 }
 
@@ -125,8 +117,8 @@ show (gpointer data, guint field, QnValue *value)
   case LAW:
     qn_value_set_laws (value, model, _ ("As all contacts"), block->law);
     if (is_mixed (model, set, field)) {
-      value->number = g_strv_length (value->rows);
-      add_row (value, g_strdup (_ ("various")));
+      value->number = value->row_count;
+      qn_value_add_row (value, _ ("various"));
     }
     return !masonry;
   case SUPPORTS:

@@ -23,14 +23,50 @@ qn_value_int (const QnValue *value)
 }
 
 void
+qn_value_show (QnValue *value, QnBound bound)
+{
+  if (bound.at != NULL)
+    value->number = bound.size == sizeof (double) ? *(const double *) bound.at
+                    : bound.size == sizeof (bool) ? *(const bool *) bound.at
+                                                  : *(const int *) bound.at;
+}
+
+void
+qn_value_take (const QnValue *value, QnBound bound)
+{
+  if (bound.at == NULL)
+    return;
+  if (bound.size == sizeof (double))
+    *(double *) bound.at = value->number;
+  else if (bound.size == sizeof (bool))
+    *(bool *) bound.at = value->number != 0.0;
+  else
+    *(int *) bound.at = qn_value_int (value);
+}
+
+void
+qn_value_take_row (QnValue *value, char *row)
+{
+  const guint count = value->row_count++;
+  if ((count & (count + 1)) == 0) /* room for twice as many */
+    value->rows = g_renew (char *, value->rows, 2 * count + 2);
+  value->rows[count] = row;
+  value->rows[count + 1] = NULL;
+}
+
+void
+qn_value_add_row (QnValue *value, const char *row)
+{
+  qn_value_take_row (value, g_strdup (row));
+}
+
+void
 qn_value_set_laws (QnValue *value, const QnModel *model, const char *first, QnId law)
 {
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
   if (first != NULL)
-    g_strv_builder_add (names, first);
+    qn_value_add_row (value, first);
   for (gsize i = 0; i < model->law_count; i++)
-    g_strv_builder_add (names, model->laws[i].name);
-  value->rows = g_strv_builder_end (names);
+    qn_value_add_row (value, model->laws[i].name);
   value->number = law == QN_NONE ? 0 : law + (first != NULL ? 1 : 0);
 }
 
@@ -43,10 +79,8 @@ qn_value_get_law (const QnValue *value)
 void
 qn_value_set_sections (QnValue *value, const QnModel *model, QnId section)
 {
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
   for (gsize i = 0; i < model->section_count; i++)
-    g_strv_builder_add (names, model->sections[i].name);
-  value->rows = g_strv_builder_end (names);
+    qn_value_add_row (value, model->sections[i].name);
   value->number = section != QN_NONE ? section : 0;
 }
 

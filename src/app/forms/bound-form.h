@@ -18,15 +18,35 @@
 
 /* What a field shows, or what the user has entered. Zeroed to begin with. */
 typedef struct QnValue {
-  double number;  /* in SI; row of a choice or a list, -1 for none; 1 for on */
-  char *text;     /* owned */
-  char **rows;    /* of a choice or a list, anew; owned; NULL: as they are in the file */
-  gboolean mixed; /* a check or number that is not the same for all that is selected */
+  double number; /* in SI; row of a choice or a list, -1 for none; 1 for on */
+  char *text;    /* owned */
+  char **rows;   /* of a choice or a list, anew; owned; NULL: as they are in the file */
+  guint row_count;
+  gboolean mixed;    /* a check or number that is not the same for all that is selected */
   gboolean disabled; /* shown, but not to be used now */
 } QnValue;
 
 /* The number as a whole one, of 0 or more; as a row, and whether it is on. */
 int qn_value_int (const QnValue *value);
+
+/* What a field shows and changes, told apart by its size: a double, a flag (bool), a whole number or
+ * a choice (int, enumeration); nothing: none. */
+typedef struct QnBound {
+  gpointer at;
+  gsize size;
+} QnBound;
+
+#define QN_BOUND(place)                                                                  \
+  {                                                                                      \
+    (place), sizeof *(place)                                                             \
+  }
+
+void qn_value_show (QnValue *value, QnBound bound);
+void qn_value_take (const QnValue *value, QnBound bound);
+
+/* One more row of a choice or a list; `row` is taken over, or copied. */
+void qn_value_take_row (QnValue *value, char *row);
+void qn_value_add_row (QnValue *value, const char *row);
 
 /* Names of laws as rows, with `first` (nullable) before them for none, and the row of `law`; the law
  * of such a row. */

@@ -30,19 +30,6 @@ look (gpointer data)
   return TRUE;
 }
 
-static char **
-dup_rows (const QnModel *model)
-{
-  g_autoptr (GStrvBuilder) rows = g_strv_builder_new ();
-  for (gsize i = 0; i < model->load_case_count; i++) {
-    g_autofree char *factor =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, model->load_cases[i].factor, 6);
-    g_autofree char *row = g_strdup_printf ("%s × %s", model->load_cases[i].name, factor);
-    g_strv_builder_add (rows, row);
-  }
-  return g_strv_builder_end (rows);
-}
-
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -52,7 +39,12 @@ show (gpointer data, guint field, QnValue *value)
     form->selected >= 0 ? &model->load_cases[form->selected] : NULL;
   switch (field) {
   case CASES:
-    value->rows = dup_rows (model);
+    for (gsize i = 0; i < model->load_case_count; i++) {
+      g_autofree char *factor =
+        qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, model->load_cases[i].factor, 6);
+      qn_value_take_row (value,
+                         g_strdup_printf ("%s × %s", model->load_cases[i].name, factor));
+    }
     value->number = form->selected;
     return TRUE;
   case EMPTY:

@@ -124,26 +124,31 @@ look (gpointer data)
   return TRUE;
 }
 
-/* The number behind a field; NULL where it has none. */
-static double *
-number_of (QnModel *model, int selected, guint field)
+/* What a field shows, of the selected ground motion or of `none`. */
+static QnBound
+bound_of (QnModel *model, int selected, QnGroundMotion *none, guint field)
 {
   QnDynamicSettings *d = &model->analysis.dynamic;
-  QnGroundMotion *m = selected >= 0 ? &model->ground[selected] : NULL;
-  double *const all[] = {
-    [DURATION] = &d->duration,
-    [TIME_STEP] = &d->time_step,
-    [RHO] = &d->rho,
-    [MASS_DAMPING] = &d->mass_damping,
-    [JOINT_DAMPING] = &d->joint_damping,
-    [AMPLITUDE] = m != NULL ? &m->pulse.amplitude : NULL,
-    [LENGTH] = m != NULL ? &m->pulse.duration : NULL,
-    [START] = m != NULL ? &m->pulse.start : NULL,
-    [SCALE] = m != NULL ? &m->scale : NULL,
-    [X] = m != NULL ? &m->direction.x : NULL,
-    [Y] = m != NULL ? &m->direction.y : NULL,
+  QnGroundMotion *m = selected >= 0 ? &model->ground[selected] : none;
+  const QnBound all[G_N_ELEMENTS (fields)] = {
+    [DURATION] = QN_BOUND (&d->duration),
+    [TIME_STEP] = QN_BOUND (&d->time_step),
+    [RHO] = QN_BOUND (&d->rho),
+    [MASS_DAMPING] = QN_BOUND (&d->mass_damping),
+    [JOINT_DAMPING] = QN_BOUND (&d->joint_damping),
+    [OF] = QN_BOUND (&d->of),
+    [FOLLOW] = QN_BOUND (&d->follow),
+    [FALL] = QN_BOUND (&d->fall),
+    [KIND] = QN_BOUND (&m->pulse.kind),
+    [AMPLITUDE] = QN_BOUND (&m->pulse.amplitude),
+    [LENGTH] = QN_BOUND (&m->pulse.duration),
+    [START] = QN_BOUND (&m->pulse.start),
+    [SCALE] = QN_BOUND (&m->scale),
+    [X] = QN_BOUND (&m->direction.x),
+    [Y] = QN_BOUND (&m->direction.y),
+    [RESTS] = QN_BOUND (&m->rests),
   };
-  return field < G_N_ELEMENTS (all) ? all[field] : NULL;
+  return all[field];
 }
 
 /* ---- initial motion ---- */
@@ -190,26 +195,6 @@ take_initial (const Form *form, QnModel *model, guint field, double number,
   return TRUE;
 }
 
-static char **
-dup_motions (const QnModel *model)
-{
-  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
-  for (gsize i = 0; i < model->ground_count; i++) {
-    g_autofree char *line = qn_ground_motion_dup_text (&model->ground[i]);
-    g_strv_builder_add (lines, line);
-  }
-  return g_strv_builder_end (lines);
-}
-
-static char **
-dup_pulses (void)
-{
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  for (int i = 0; i < QN_PULSE_KIND_COUNT; i++)
-    g_strv_builder_add (names, qn_pulse_kind_text ((QnPulseKind) i));
-  return g_strv_builder_end (names);
-}
-
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -218,23 +203,16 @@ show (gpointer data, guint field, QnValue *value)
   const QnGroundMotion *motion =
     form->selected >= 0 ? &model.ground[form->selected] : NULL;
   gboolean pulse = motion != NULL && motion->kind == QN_SIGNAL_PULSE;
-  const double *number = number_of (&model, form->selected, field);
-  if (number != NULL)
-    value->number = *number;
+  QnGroundMotion none = { 0 };
+  qn_value_show (value, bound_of (&model, form->selected, &none, field));
   if (field >= INITIAL_TITLE && field < MOTIONS)
     return show_initial (form, &model, field, value);
   switch (field) {
-  case OF:
-    value->number = model.analysis.dynamic.of;
-    return TRUE;
   case FOLLOW:
-    value->number = model.analysis.dynamic.follow;
     return model.analysis.geometry == QN_GEOMETRY_NONLINEAR;
-  case FALL:
-    value->number = model.analysis.dynamic.fall;
-    return TRUE;
   case MOTIONS:
-    value->rows = dup_motions (&model);
+    for (gsize i = 0; i < model.ground_count; i++)
+      qn_value_take_row (value, qn_ground_motion_dup_text (&model.ground[i]));
     value->number = form->selected;
     return TRUE;
   case PREVIEW:
@@ -247,8 +225,8 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (form->fault);
     return form->fault != NULL;
   case KIND:
-    value->rows = dup_pulses ();
-    value->number = pulse ? motion->pulse.kind : 0;
+    for (int i = 0; i < QN_PULSE_KIND_COUNT; i++)
+      qn_value_add_row (value, qn_pulse_kind_text ((QnPulseKind) i));
     return pulse;
   case AMPLITUDE:
   case LENGTH:
@@ -259,7 +237,6 @@ show (gpointer data, guint field, QnValue *value)
   case Y:
     return motion != NULL;
   case RESTS:
-    value->number = motion != NULL && motion->rests;
     return motion != NULL && motion->record != NULL;
   case REMOVE:
     value->disabled = motion == NULL;
@@ -319,33 +296,17 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   Form *form = data;
-  double *number =
-    draft != NULL ? number_of (&draft->model, form->selected, field) : NULL;
-  if (number != NULL)
-    *number = value->number;
+  QnGroundMotion none;
+  if (draft != NULL)
+    qn_value_take (value, bound_of (&draft->model, form->selected, &none, field));
   if (field >= INITIAL && field < MOTIONS)
     return take_initial (form, &draft->model, field, value->number, error);
   switch (field) {
-  case OF:
-    draft->model.analysis.dynamic.of = (QnDampingStiffness) value->number;
-    return TRUE;
-  case FOLLOW:
-    draft->model.analysis.dynamic.follow = value->number != 0;
-    return TRUE;
-  case FALL:
-    draft->model.analysis.dynamic.fall = value->number != 0;
-    return TRUE;
   case MOTIONS:
     form->selected = (int) value->number;
     return TRUE;
   case PREVIEW:
     form->preview = (QnGroundPreviewKind) value->number;
-    return TRUE;
-  case KIND:
-    draft->model.ground[form->selected].pulse.kind = (QnPulseKind) value->number;
-    return TRUE;
-  case RESTS:
-    draft->model.ground[form->selected].rests = value->number != 0;
     return TRUE;
   case ADD:
     if (!qn_edit_add_pulse (&draft->model, error))

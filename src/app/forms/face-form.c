@@ -33,7 +33,7 @@ static const QnFormField fields[] = {
 static const QnId *
 selected (const QnBoundForm *form, guint *count)
 {
-  return qn_selection_get_faces (qn_canvas_get_selection (form->canvas), count);
+  return qn_selection_get (qn_canvas_get_selection (form->canvas), QN_PART_FACE, count);
 }
 
 static const QnContacts *

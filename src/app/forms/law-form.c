@@ -115,39 +115,13 @@ look (gpointer data)
   return model->law_count > 0;
 }
 
-/* A line for each law. */
-static char **
-dup_laws (const Form *form, const QnModel *model)
-{
-  const QnContacts *contacts =
-    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
-  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
-  for (gsize i = 0; i < model->law_count; i++) {
-    g_autofree char *line =
-      qn_law_dup_text (model, contacts, (QnId) i, qn_settings_get_units ());
-    g_strv_builder_add (lines, line);
-  }
-  return g_strv_builder_end (lines);
-}
-
 /* The typical joints, after a row that asks for a choice. */
-static char **
-dup_joints (const char *first)
+static void
+add_joints (QnValue *value, const char *first)
 {
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, first);
+  qn_value_add_row (value, first);
   for (int i = 0; i < QN_JOINT_COUNT; i++)
-    g_strv_builder_add (names, _ (qn_typical_joints[i].name));
-  return g_strv_builder_end (names);
-}
-
-static char **
-dup_words (const char *const *words, int count)
-{
-  char **rows = g_new0 (char *, count + 1);
-  for (int i = 0; i < count; i++)
-    rows[i] = g_strdup (_ (words[i]));
-  return rows;
+    qn_value_add_row (value, _ (qn_typical_joints[i].name));
 }
 
 static gboolean
@@ -155,6 +129,8 @@ show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const QnContacts *contacts =
+    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   guint blocks, faces;
   QnLaw law = model->laws[form->shown];
@@ -165,7 +141,9 @@ show (gpointer data, guint field, QnValue *value)
     qn_value_set_laws (value, model, _ ("The law of the contacts"), form->by);
     return uses > 0 && model->law_count > 1;
   case LAW:
-    value->rows = dup_laws (form, model);
+    for (gsize i = 0; i < model->law_count; i++)
+      qn_value_take_row (
+        value, qn_law_dup_text (model, contacts, (QnId) i, qn_settings_get_units ()));
     value->number = form->shown;
     return TRUE;
   case SOURCE:
@@ -175,11 +153,13 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (law.name);
     return TRUE;
   case KIND:
-    value->rows = dup_words (qn_law_kind_words, QN_LAW_KIND_COUNT);
+    for (int i = 0; i < QN_LAW_KIND_COUNT; i++)
+      qn_value_add_row (value, _ (qn_law_kind_words[i]));
     value->number = law.kind;
     return TRUE;
   case BASIS:
-    value->rows = dup_words (qn_basis_words, QN_BASIS_COUNT);
+    for (int i = 0; i < QN_BASIS_COUNT; i++)
+      qn_value_add_row (value, _ (qn_basis_words[i]));
     value->number = law.basis;
     return TRUE;
   case POINTS:
@@ -189,14 +169,14 @@ show (gpointer data, guint field, QnValue *value)
     qn_law_view_set_law (form->base.widgets[VIEW], &law);
     return TRUE;
   case JOINT:
-    value->rows = dup_joints (_ ("Choose…"));
+    add_joints (value, _ ("Choose…"));
     return TRUE;
   case ADD:
-    value->rows = dup_joints (_ ("Add…"));
+    add_joints (value, _ ("Add…"));
     return TRUE;
   case APPLY:
-    qn_selection_get_blocks (selection, &blocks);
-    qn_selection_get_faces (selection, &faces);
+    qn_selection_get (selection, QN_PART_BLOCK, &blocks);
+    qn_selection_get (selection, QN_PART_FACE, &faces);
     value->disabled = blocks + faces == 0;
     return TRUE;
   case APPLY_TO_ALL:
@@ -279,8 +259,8 @@ apply (const Form *form, QnModel *model, GError **error)
     qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
   QnBlockSet blocks = { 0 };
   guint count;
-  blocks.ids = qn_selection_get_blocks (selection, &blocks.count);
-  const QnId *ids = qn_selection_get_faces (selection, &count);
+  blocks.ids = qn_selection_get (selection, QN_PART_BLOCK, &blocks.count);
+  const QnId *ids = qn_selection_get (selection, QN_PART_FACE, &count);
   if (blocks.count > 0)
     return qn_edit_set_law (model, blocks, form->shown, error);
   g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
@@ -308,11 +288,11 @@ select_uses (const Form *form)
     if (model->blocks[i].law == form->shown)
       g_array_append_val (blocks, i);
   if (faces->len > 0)
-    qn_selection_set_faces (selection, (const QnId *) (const void *) faces->data,
-                            faces->len);
+    qn_selection_set (selection, QN_PART_FACE, (const QnId *) (const void *) faces->data,
+                      faces->len);
   else
-    qn_selection_set_blocks (selection, (const QnId *) (const void *) blocks->data,
-                             blocks->len);
+    qn_selection_set (selection, QN_PART_BLOCK,
+                      (const QnId *) (const void *) blocks->data, blocks->len);
 }
 
 static gboolean

@@ -175,37 +175,23 @@ look (gpointer data)
 
 /* ---- what is shown ---- */
 
-static char **
-dup_lists (const QnModel *model)
+static void
+add_loads (QnValue *value, const QnModel *model, int32_t list)
 {
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, _ ("Constant"));
-  g_strv_builder_add (names, _ ("Growing"));
-  for (gsize i = 0; i < model->load_set_count; i++)
-    g_strv_builder_add (names, model->load_sets[i]);
-  return g_strv_builder_end (names);
-}
-
-static char **
-dup_loads (const QnModel *model, int32_t list)
-{
-  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
-  gsize count = qn_model_count_loads (model, list);
+  const gsize count = qn_model_count_loads (model, list);
   for (gsize i = 0; i < MIN (count, MOST_SHOWN); i++) {
     const QnLoad *load = qn_model_get_load (model, list, i);
     g_autofree char *what = qn_load_dup_text (model, load, qn_settings_get_units ());
-    g_autofree char *line =
-      load->load_case > 0
-        ? g_strdup_printf ("%s: %s", model->load_cases[load->load_case - 1].name, what)
-        : g_strdup (what);
-    g_strv_builder_add (lines, line);
+    if (load->load_case > 0)
+      qn_value_take_row (
+        value,
+        g_strdup_printf ("%s: %s", model->load_cases[load->load_case - 1].name, what));
+    else
+      qn_value_take_row (value, g_steal_pointer (&what));
   }
-  if (count > MOST_SHOWN) {
-    g_autofree char *rest =
-      g_strdup_printf (_ ("and %u more"), (guint) (count - MOST_SHOWN));
-    g_strv_builder_add (lines, rest);
-  }
-  return g_strv_builder_end (lines);
+  if (count > MOST_SHOWN)
+    qn_value_take_row (value,
+                       g_strdup_printf (_ ("and %u more"), (guint) (count - MOST_SHOWN)));
 }
 
 /* The numbers of loads on edges; NULL for what a load of its kind does not have. */
@@ -237,25 +223,18 @@ edge_number (QnLoad *load, guint field)
   }
 }
 
-static char **
-dup_cases (const QnModel *model)
-{
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, _ ("none"));
-  for (gsize i = 0; i < model->load_case_count; i++)
-    g_strv_builder_add (names, model->load_cases[i].name);
-  return g_strv_builder_end (names);
-}
-
 static gboolean
 show_edge_load (const Form *form, QnLoad load, guint field, QnValue *value)
 {
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
   const gboolean edge = load.kind == QN_LOAD_EDGE, soil = load.kind == QN_LOAD_BACKFILL;
   switch (field) {
   case CASE:
-    value->rows = dup_cases (qn_canvas_get_model (form->base.canvas));
+    qn_value_add_row (value, _ ("none"));
+    for (gsize i = 0; i < model->load_case_count; i++)
+      qn_value_add_row (value, model->load_cases[i].name);
     value->number = load.load_case;
-    return qn_canvas_get_model (form->base.canvas)->load_case_count > 0;
+    return model->load_case_count > 0;
   case WHERE:
     value->number = load.has_side ? load.side : QN_BLOCK_SIDE_COUNT;
     return edge;
@@ -326,7 +305,10 @@ show (gpointer data, guint field, QnValue *value)
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
   switch (field) {
   case LIST:
-    value->rows = dup_lists (model);
+    qn_value_add_row (value, _ ("Constant"));
+    qn_value_add_row (value, _ ("Growing"));
+    for (gsize i = 0; i < model->load_set_count; i++)
+      qn_value_add_row (value, model->load_sets[i]);
     value->number = form->shown + ROW_LIVE;
     return TRUE;
   case NAME:
@@ -337,7 +319,7 @@ show (gpointer data, guint field, QnValue *value)
     value->disabled = form->shown <= 0;
     return TRUE;
   case LOADS:
-    value->rows = dup_loads (model, form->shown);
+    add_loads (value, model, form->shown);
     value->number = form->selected;
     return TRUE;
   case EMPTY:
@@ -393,7 +375,7 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
   guint beams = 0;
   QnBlockSet set = loaded_blocks (form);
   const QnId *beam =
-    qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
+    qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &beams);
   load->vector.y = -qn_canvas_get_tool_settings (form->base.canvas)->force;
   load->kind = set.count > 0 ? QN_LOAD_FORCE : QN_LOAD_NODE;
   if (set.count > 0)
@@ -412,7 +394,7 @@ make_line (const Form *form, QnLoad *load, GError **error)
 {
   guint beams = 0;
   const QnId *beam =
-    qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
+    qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &beams);
   if (beams == 0)
     return qn_edit_refuse_nothing (error, _ ("Select the beam that the load lies on"));
   load->kind = QN_LOAD_LINE;

@@ -23,7 +23,7 @@ selected (const QnBoundForm *form)
 {
   QnSelection *selection = qn_canvas_get_selection (form->canvas);
   QnPartSet set = { qn_canvas_get_selected (form->canvas), { NULL, 0 } };
-  set.beams.ids = qn_selection_get_beams (selection, &set.beams.count);
+  set.beams.ids = qn_selection_get (selection, QN_PART_BEAM, &set.beams.count);
   return set;
 }
 

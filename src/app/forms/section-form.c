@@ -57,8 +57,8 @@ static QnBeamSet
 selected (const Form *form)
 {
   QnBeamSet set = { 0 };
-  set.ids =
-    qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &set.count);
+  set.ids = qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM,
+                              &set.count);
   return set;
 }
 

@@ -65,27 +65,6 @@ look (gpointer data)
 
 /* ---- what is shown ---- */
 
-static char **
-dup_stages (const QnModel *model)
-{
-  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
-  for (gsize i = 0; i < model->stage_count; i++) {
-    g_autofree char *text = qn_stage_dup_text (model, i, qn_settings_get_units ());
-    g_strv_builder_add (lines, text);
-  }
-  return g_strv_builder_end (lines);
-}
-
-static char **
-dup_sets (const QnModel *model)
-{
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, _ ("Growing loads"));
-  for (int32_t set = 1; set <= (int32_t) model->load_set_count; set++)
-    g_strv_builder_add (names, qn_model_load_set_name (model, set));
-  return g_strv_builder_end (names);
-}
-
 static gboolean
 show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
 {
@@ -96,7 +75,9 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
     value->text = g_strdup (stage->name);
     return TRUE;
   case SETS:
-    value->rows = dup_sets (model);
+    qn_value_add_row (value, _ ("Growing loads"));
+    for (int32_t set = 1; set <= (int32_t) model->load_set_count; set++)
+      qn_value_add_row (value, qn_model_load_set_name (model, set));
     value->number = stage->sets;
     return TRUE;
   case PROCEDURE:
@@ -146,7 +127,8 @@ show (gpointer data, guint field, QnValue *value)
                                "settlements are applied, held and taken away in turn."));
     return model->stage_count == 0;
   case STAGES:
-    value->rows = dup_stages (model);
+    for (gsize i = 0; i < model->stage_count; i++)
+      qn_value_take_row (value, qn_stage_dup_text (model, i, qn_settings_get_units ()));
     value->number = form->selected;
     return TRUE;
   case ADD:
@@ -177,7 +159,7 @@ take_control (const Form *form, const QnModel *model, QnStage *stage, GError **e
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
   guint beams = 0;
-  const QnId *beam = qn_selection_get_beams (selection, &beams);
+  const QnId *beam = qn_selection_get (selection, QN_PART_BEAM, &beams);
   if (set.count == 0 && beams == 0)
     return qn_edit_refuse_nothing (
       error, _ ("Select the block or the beam whose displacement ends the stage"));

@@ -124,16 +124,27 @@ look (gpointer data)
   return fields_of (qn_canvas_get_tool (form->canvas)) != 0;
 }
 
-/* Where a number of the settings is kept; NULL for fields that are none. */
-static double *
-number_of (QnToolSettings *settings, guint field)
+/* Where a value of the settings is kept. */
+static QnBound
+bound_of (QnToolSettings *settings, guint field)
 {
   QnMasonryStyle *style = &settings->masonry;
-  double *const all[G_N_ELEMENTS (fields)] = {
-    [UNIT_X] = &style->unit.x,       [UNIT_Y] = &style->unit.y,
-    [RING] = &style->ring,           [TAPER] = &style->top_to_foot,
-    [THICKNESS] = &style->thickness, [WEIGHT] = &style->unit_weight,
-    [FORCE] = &settings->force,      [INTENSITY] = &settings->intensity,
+  const QnBound all[G_N_ELEMENTS (fields)] = {
+    [UNIT_X] = QN_BOUND (&style->unit.x),
+    [UNIT_Y] = QN_BOUND (&style->unit.y),
+    [SHAPE] = QN_BOUND (&style->shape),
+    [RING] = QN_BOUND (&style->ring),
+    [VOUSSOIRS] = QN_BOUND (&style->voussoirs),
+    [TAPER] = QN_BOUND (&style->top_to_foot),
+    [THICKNESS] = QN_BOUND (&style->thickness),
+    [WEIGHT] = QN_BOUND (&style->unit_weight),
+    [FORCE] = QN_BOUND (&settings->force),
+    [INTENSITY] = QN_BOUND (&settings->intensity),
+    [ELEMENTS] = QN_BOUND (&settings->elements),
+    [FIRST_HINGE] = QN_BOUND (&settings->hinges[0]),
+    [SECOND_HINGE] = QN_BOUND (&settings->hinges[1]),
+    [BASE] = QN_BOUND (&style->base),
+    [MIRROR_COPY] = QN_BOUND (&settings->mirror_copy),
   };
   return all[field];
 }
@@ -146,9 +157,7 @@ show (gpointer data, guint field, QnValue *value)
   const QnModel *model = qn_canvas_get_model (form->canvas);
   QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
   const QnMasonryStyle *style = &settings->masonry;
-  const double *number = number_of (settings, field);
-  if (number != NULL)
-    value->number = *number;
+  qn_value_show (value, bound_of (settings, field));
   switch (field) {
   case TITLE:
     value->text = g_strdup (_ (tool->label));
@@ -169,12 +178,6 @@ show (gpointer data, guint field, QnValue *value)
       if (kinds[i] == style->kind)
         value->number = i;
     break;
-  case SHAPE:
-    value->number = style->shape;
-    break;
-  case VOUSSOIRS:
-    value->number = style->voussoirs;
-    break;
   case FORCE_KIND:
     value->number = settings->live ? 0 : 1;
     break;
@@ -189,24 +192,8 @@ show (gpointer data, guint field, QnValue *value)
                            settings->section != NULL
                              ? qn_model_find_section (model, settings->section)
                              : QN_NONE);
-    if (model->section_count == 0) {
-      const char *const new_one[] = { _ ("New section"), NULL };
-      g_strfreev (value->rows);
-      value->rows = g_strdupv ((char **) new_one);
-    }
-    break;
-  case ELEMENTS:
-    value->number = settings->elements;
-    break;
-  case FIRST_HINGE:
-  case SECOND_HINGE:
-    value->number = settings->hinges[field - FIRST_HINGE];
-    break;
-  case BASE:
-    value->number = style->base;
-    break;
-  case MIRROR_COPY:
-    value->number = settings->mirror_copy;
+    if (model->section_count == 0)
+      qn_value_add_row (value, _ ("New section"));
     break;
   default:
     break;
@@ -229,11 +216,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   const QnModel *model = qn_canvas_get_model (form->canvas);
   QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
   QnMasonryStyle *style = &settings->masonry;
-  double *number = number_of (settings, field);
   guint row = (guint) MAX (value->number, 0.0);
-  gboolean on = value->number != 0.0;
-  if (number != NULL)
-    *number = value->number;
+  qn_value_take (value, bound_of (settings, field));
   switch (field) {
   case BOND:
     style->bond = bonds[row].bond;
@@ -246,12 +230,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case KIND:
     style->kind = kinds[row];
     break;
-  case SHAPE:
-    style->shape = (QnArchShape) row;
-    break;
-  case VOUSSOIRS:
-    style->voussoirs = qn_value_int (value);
-    break;
   case FORCE_KIND:
     settings->live = row == 0;
     break;
@@ -261,19 +239,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case SECTION:
     take_name (&settings->section,
                row < model->section_count ? model->sections[row].name : NULL);
-    break;
-  case ELEMENTS:
-    settings->elements = qn_value_int (value);
-    break;
-  case FIRST_HINGE:
-  case SECOND_HINGE:
-    settings->hinges[field - FIRST_HINGE] = on;
-    break;
-  case BASE:
-    style->base = on;
-    break;
-  case MIRROR_COPY:
-    settings->mirror_copy = on;
     break;
   default:
     break;

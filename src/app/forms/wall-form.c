@@ -31,14 +31,14 @@ look (gpointer data)
   return form->wall != QN_NONE;
 }
 
-static double *
-number_of (QnWall *wall, guint field)
+static QnBound
+bound_of (QnWall *wall, guint field)
 {
-  double *numbers[] = { [X] = &wall->origin.x,
-                        [Y] = &wall->origin.y,
-                        [UNIT_X] = &wall->unit.x,
-                        [UNIT_Y] = &wall->unit.y };
-  return numbers[field];
+  const QnBound all[G_N_ELEMENTS (fields)] = { [X] = QN_BOUND (&wall->origin.x),
+                                               [Y] = QN_BOUND (&wall->origin.y),
+                                               [UNIT_X] = QN_BOUND (&wall->unit.x),
+                                               [UNIT_Y] = QN_BOUND (&wall->unit.y) };
+  return all[field];
 }
 
 static gboolean
@@ -48,8 +48,7 @@ show (gpointer data, guint field, QnValue *value)
   QnWall *wall = &qn_canvas_get_model (form->base.canvas)->walls[form->wall];
   if (field == TITLE)
     value->text = g_strdup_printf (_ ("Wall %s"), wall->name);
-  else if (field != CONVERT)
-    value->number = *number_of (wall, field);
+  qn_value_show (value, bound_of (wall, field));
   return TRUE;
 }
 
@@ -59,7 +58,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   const Form *form = data;
   if (field == CONVERT)
     return qn_edit_convert_wall (draft, form->wall, error);
-  *number_of (&draft->model.walls[form->wall], field) = value->number;
+  qn_value_take (value, bound_of (&draft->model.walls[form->wall], field));
   return qn_edit_rebuild (&draft->model, NULL, error);
 }
 

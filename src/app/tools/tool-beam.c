@@ -33,7 +33,7 @@ complete (QnCanvas *canvas)
     /* The new beam is selected, so that its handles and its form are there. */
     const QnModel *model = qn_canvas_get_model (canvas);
     QnId last = (QnId) model->beam_count - 1;
-    qn_selection_set_beams (qn_canvas_get_selection (canvas), &last, 1);
+    qn_selection_set (qn_canvas_get_selection (canvas), QN_PART_BEAM, &last, 1);
   }
 }
 

@@ -114,8 +114,8 @@ press (QnCanvas *canvas, const QnToolEvent *event)
     QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK);
     if (pick.kind != QN_PICK_BLOCK)
       return;
-    if (!qn_selection_has_block (selection, pick.id))
-      qn_selection_set_blocks (selection, &pick.id, 1);
+    if (!qn_selection_has (selection, QN_PART_BLOCK, pick.id))
+      qn_selection_set (selection, QN_PART_BLOCK, &pick.id, 1);
   }
   qn_gesture_press (canvas, event);
 }

@@ -59,7 +59,7 @@ press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
-    qn_selection_toggle_block (selection, block);
+    qn_selection_toggle (selection, QN_PART_BLOCK, block);
     return;
   }
   if (event->press_count > 1) {
@@ -67,8 +67,8 @@ press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
     return;
   }
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_selection_has_block (selection, block))
-    qn_selection_set_blocks (selection, &block, 1);
+  if (!qn_selection_has (selection, QN_PART_BLOCK, block))
+    qn_selection_set (selection, QN_PART_BLOCK, &block, 1);
   if (!shows_undeformed (canvas))
     return;
 
@@ -83,11 +83,11 @@ press_on_beam (QnCanvas *canvas, QnId beam, const QnToolEvent *event)
   QnSelection *selection = qn_canvas_get_selection (canvas);
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
-    qn_selection_toggle_beam (selection, beam);
+    qn_selection_toggle (selection, QN_PART_BEAM, beam);
     return;
   }
-  if (!qn_selection_has_beam (selection, beam))
-    qn_selection_set_beams (selection, &beam, 1);
+  if (!qn_selection_has (selection, QN_PART_BEAM, beam))
+    qn_selection_set (selection, QN_PART_BEAM, &beam, 1);
   if (!shows_undeformed (canvas))
     return;
   gesture->from = gesture->to = event->model;
@@ -125,7 +125,7 @@ select_face (QnCanvas *canvas, QnId face, const QnToolEvent *event)
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK))
-    qn_selection_toggle_face (selection, face);
+    qn_selection_toggle (selection, QN_PART_FACE, face);
   else if (event->press_count > 1)
     qn_selection_select_faces_like (selection, contacts, face,
                                     event->press_count == 2 ? QN_LIKE_LINE
@@ -297,7 +297,7 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
     return;
   QnId face = face_under (canvas, &event);
   if (face != QN_NONE) {
-    const QnId *faces = qn_selection_get_faces (selection, &count);
+    const QnId *faces = qn_selection_get (selection, QN_PART_FACE, &count);
     for (guint i = 0; i < count; i++)
       if (faces[i] == face)
         return;
@@ -307,13 +307,13 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
   QnPick pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
   QnId block = pick.kind == QN_PICK_BLOCK ? to_document (canvas, pick.id) : QN_NONE;
   if (block != QN_NONE) {
-    if (!qn_selection_has_block (selection, block))
-      qn_selection_set_blocks (selection, &block, 1);
+    if (!qn_selection_has (selection, QN_PART_BLOCK, block))
+      qn_selection_set (selection, QN_PART_BLOCK, &block, 1);
     return;
   }
   if (pick.kind == QN_PICK_BEAM && shows_document (canvas)) {
-    if (!qn_selection_has_beam (selection, pick.id))
-      qn_selection_set_beams (selection, &pick.id, 1);
+    if (!qn_selection_has (selection, QN_PART_BEAM, pick.id))
+      qn_selection_set (selection, QN_PART_BEAM, &pick.id, 1);
     return;
   }
   qn_selection_clear (selection);
@@ -355,18 +355,18 @@ finish_band (QnCanvas *canvas)
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
   if (shows_contacts (canvas)) {
     qn_canvas_faces_inside (canvas, gesture->from, gesture->to, ids);
-    qn_selection_add_faces (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
-                            ids->len);
+    qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_FACE,
+                      (const QnId *) ids->data, ids->len);
     return;
   }
   qn_canvas_pick_inside (canvas, qn_canvas_to_screen (canvas, gesture->from),
                          qn_canvas_to_screen (canvas, gesture->to), ids);
-  qn_selection_add_blocks (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
-                           ids->len);
+  qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_BLOCK,
+                    (const QnId *) ids->data, ids->len);
   g_array_set_size (ids, 0);
   qn_canvas_beams_inside (canvas, gesture->from, gesture->to, ids);
-  qn_selection_add_beams (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
-                          ids->len);
+  qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_BEAM,
+                    (const QnId *) ids->data, ids->len);
 }
 
 static void

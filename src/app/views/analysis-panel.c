@@ -130,25 +130,6 @@ procedure_row (const QnAnalysisSettings *analysis)
   return 0;
 }
 
-static char **
-dup_blocks (const QnModel *model)
-{
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, C_ ("block", "None"));
-  for (gsize i = 0; i < model->block_count; i++)
-    g_strv_builder_add (names, model->blocks[i].name);
-  return g_strv_builder_end (names);
-}
-
-static char **
-dup_procedures (void)
-{
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  for (guint i = 0; i < G_N_ELEMENTS (procedures); i++)
-    g_strv_builder_add (names, _ (procedures[i].label));
-  return g_strv_builder_end (names);
-}
-
 static gboolean
 show_contact (const QnModel *model, guint field, QnValue *value)
 {
@@ -170,22 +151,29 @@ show_contact (const QnModel *model, guint field, QnValue *value)
   case WEIGHTS:
     value->text = qn_pair_rule_dup_weights (rule);
     return rule->placement == QN_PLACEMENT_EXPLICIT;
-  case TOLERANCE:
-    value->number = model->contact.tolerance;
-    return TRUE;
   default:
     return TRUE;
   }
 }
 
-static double *
-number_of (QnAnalysisSettings *a, guint field)
+static QnBound
+bound_of (QnModel *model, guint field)
 {
-  double *const all[LOAD] = { [MAX_MULTIPLIER] = &a->max_multiplier,
-                              [MULTIPLIER_TOLERANCE] = &a->multiplier_tolerance,
-                              [RESIDUAL_TOLERANCE] = &a->residual_tolerance,
-                              [TARGET] = &a->control_target };
-  return field < LOAD ? all[field] : NULL;
+  QnAnalysisSettings *a = &model->analysis;
+  const QnBound all[G_N_ELEMENTS (fields)] = {
+    [GRAVITY] = QN_BOUND (&model->gravity),
+    [GEOMETRY] = QN_BOUND (&a->geometry),
+    [FOLLOW] = QN_BOUND (&a->follow),
+    [SNAP] = QN_BOUND (&a->snap),
+    [INCREMENTS] = QN_BOUND (&a->increments),
+    [MAX_MULTIPLIER] = QN_BOUND (&a->max_multiplier),
+    [MULTIPLIER_TOLERANCE] = QN_BOUND (&a->multiplier_tolerance),
+    [RESIDUAL_TOLERANCE] = QN_BOUND (&a->residual_tolerance),
+    [COMPONENT] = QN_BOUND (&a->control_dof),
+    [TARGET] = QN_BOUND (&a->control_target),
+    [TOLERANCE] = QN_BOUND (&model->contact.tolerance),
+  };
+  return all[field];
 }
 
 /* Gravity makes weights of densities; weights that are given as such stay. */
@@ -214,19 +202,17 @@ show (gpointer data, guint field, QnValue *value)
   gboolean path = a.procedure != QN_PROCEDURE_LIMIT && !timed;
   gboolean controlled =
     a.procedure == QN_PROCEDURE_DISPLACEMENT || (path && a.control_block != QN_NONE);
-  const double *number = number_of (&a, field);
   QnVec2 load;
-  if (number != NULL)
-    value->number = *number;
+  qn_value_show (value, bound_of ((QnModel *) model, field));
   switch (field) {
   case TITLE:
     value->text = g_strdup (model->title);
     return TRUE;
   case GRAVITY:
-    value->number = model->gravity;
     return has_density (model);
   case PROCEDURE:
-    value->rows = dup_procedures ();
+    for (guint i = 0; i < G_N_ELEMENTS (procedures); i++)
+      qn_value_add_row (value, _ (procedures[i].label));
     value->number = procedure_row (&a);
     return !staged;
   case EXPLANATION:
@@ -237,29 +223,24 @@ show (gpointer data, guint field, QnValue *value)
                                "and end; the rest holds for all of them."));
     return staged;
   case GEOMETRY:
-    value->number = a.geometry == QN_GEOMETRY_NONLINEAR;
     return path || timed;
   case FOLLOW:
-    value->number = a.follow;
     return path && a.geometry == QN_GEOMETRY_NONLINEAR;
   case SNAP:
-    value->number = a.snap == QN_SNAP_THROUGH_STOP;
-    return path;
   case INCREMENTS:
-    value->number = a.increments;
+  case MULTIPLIER_TOLERANCE:
     return path;
   case MAX_MULTIPLIER:
     return path && !staged;
-  case MULTIPLIER_TOLERANCE:
-    return path;
   case RESIDUAL_TOLERANCE:
     return path || timed;
   case CONTROL_BLOCK:
-    value->rows = dup_blocks (model);
+    qn_value_add_row (value, C_ ("block", "None"));
+    for (gsize i = 0; i < model->block_count; i++)
+      qn_value_add_row (value, model->blocks[i].name);
     value->number = a.control_block + 1;
     return path;
   case COMPONENT:
-    value->number = a.control_dof;
     return controlled;
   case TARGET:
     g_object_set (form->widgets[TARGET], "quantity",
@@ -312,9 +293,7 @@ take_contact (gpointer form, QnModel *model, guint field, const QnValue *value,
               GError **error)
 {
   QnPairRule *rule = &model->contact.pairs;
-  if (field == TOLERANCE)
-    model->contact.tolerance = value->number;
-  else if (field == OFFSET)
+  if (field == OFFSET)
     rule->offset = value->number;
   else if (field == COUNT)
     rule->count = MAX (qn_value_int (value), 1);
@@ -358,20 +337,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   QnModel *model = &draft->model;
   QnAnalysisSettings *a = &model->analysis;
-  double *number = number_of (a, field);
   guint row = (guint) MAX (value->number, 0.0);
   if (field == TITLE)
     return take_title (model, value->text, error);
-  if (field >= PLACEMENT)
+  qn_value_take (value, bound_of (model, field));
+  if (field >= PLACEMENT && field != TOLERANCE)
     return take_contact (data, model, field, value, error);
-  if (field >= LOAD)
+  if (field >= LOAD && field < PLACEMENT)
     return take_load (data, model, field, error);
-  if (number != NULL)
-    *number = value->number;
   switch (field) {
-  case GRAVITY:
-    model->gravity = value->number;
-    break;
   case PROCEDURE:
     if (procedures[row].procedure == QN_PROCEDURE_DYNAMIC)
       return qn_edit_choose_dynamic (model, error);
@@ -379,25 +353,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     if (a->procedure == QN_PROCEDURE_LIMIT)
       a->flow = procedures[row].flow;
     break;
-  case GEOMETRY:
-    a->geometry = row == 1 ? QN_GEOMETRY_NONLINEAR : QN_GEOMETRY_LINEAR;
-    break;
-  case FOLLOW:
-    a->follow = value->number != 0;
-    break;
-  case SNAP:
-    a->snap = row == 1 ? QN_SNAP_THROUGH_STOP : QN_SNAP_THROUGH_JUMP;
-    break;
-  case INCREMENTS:
-    a->increments = qn_value_int (value);
-    break;
   case CONTROL_BLOCK:
     a->control_block = row == 0 || row > model->block_count ? QN_NONE : (QnId) row - 1;
     if (a->control_block != QN_NONE) /* in place of a node of beams */
       a->control_node = QN_NONE;
-    break;
-  case COMPONENT:
-    a->control_dof = (QnDof) row;
     break;
   default:
     break;

@@ -35,8 +35,8 @@ selected_block (Table *table)
 {
   guint count = 0, beams = 0;
   QnSelection *selection = qn_canvas_get_selection (table->canvas);
-  const QnId *ids = qn_selection_get_blocks (selection, &count);
-  qn_selection_get_beams (selection, &beams);
+  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
+  qn_selection_get (selection, QN_PART_BEAM, &beams);
   return count == 1 && beams == 0 ? ids[0] : QN_NONE;
 }
 

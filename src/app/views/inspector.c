@@ -34,8 +34,8 @@ find_selected (Inspector *inspector, QnInspected *what)
 {
   QnSelection *selection = qn_canvas_get_selection (inspector->canvas);
   guint faces = 0, blocks = 0;
-  const QnId *face = qn_selection_get_faces (selection, &faces);
-  const QnId *block = qn_selection_get_blocks (selection, &blocks);
+  const QnId *face = qn_selection_get (selection, QN_PART_FACE, &faces);
+  const QnId *block = qn_selection_get (selection, QN_PART_BLOCK, &blocks);
   if (faces + blocks != 1)
     return FALSE;
   *what = faces == 1 ? (QnInspected){ QN_INSPECTED_JOINT, *face }

@@ -243,7 +243,7 @@ select_beam (const Table *table, const QnRun *run, guint row)
   const char *name = run->model.beams[run->model.elements[row / 2].beam].name;
   QnId beam = qn_model_find_beam (qn_canvas_get_model (table->canvas), name);
   if (beam != QN_NONE)
-    qn_selection_set_beams (qn_canvas_get_selection (table->canvas), &beam, 1);
+    qn_selection_set (qn_canvas_get_selection (table->canvas), QN_PART_BEAM, &beam, 1);
 }
 
 /* ---- cells and rows ---- */

@@ -263,8 +263,8 @@ find_facts (QnWindow *self)
   guint blocks = 0, beams = 0;
   QnId object;
   int number;
-  qn_selection_get_blocks (selection, &blocks);
-  qn_selection_get_beams (selection, &beams);
+  qn_selection_get (selection, QN_PART_BLOCK, &blocks);
+  qn_selection_get (selection, QN_PART_BEAM, &beams);
   gboolean opening = qn_selection_get_opening (selection, &object, &number);
   gboolean item = FALSE;
   for (QnItemKind kind = 0; kind < QN_ITEM_COUNT; kind++)

@@ -22,8 +22,8 @@ show_job_error (QnWindow *self)
     QnId blocks[] = { diag->index, diag->other };
     gboolean two = diag->other >= 0 && (gsize) diag->other < model->block_count;
     qn_view_state_set_view (self->state, QN_VIEW_CONTACTS);
-    qn_selection_set_blocks (qn_document_get_selection (self->document), blocks,
-                             two ? 2 : 1);
+    qn_selection_set (qn_document_get_selection (self->document), QN_PART_BLOCK, blocks,
+                      two ? 2 : 1);
     qn_window_show_error_at (self, error->message, model->blocks[diag->index].centroid);
   } else
     qn_window_show_error (self, error->message);
@@ -63,9 +63,8 @@ show_unstable (QnWindow *self, const QnRun *run)
     return;
   }
   qn_view_state_set_view (self->state, QN_VIEW_MODEL);
-  qn_selection_set_blocks (qn_document_get_selection (self->document),
-                           run->result.unstable_blocks,
-                           (guint) run->result.unstable_count);
+  qn_selection_set (qn_document_get_selection (self->document), QN_PART_BLOCK,
+                    run->result.unstable_blocks, (guint) run->result.unstable_count);
   qn_window_show_error_at (self, message,
                            run->model.blocks[run->result.unstable_blocks[0]].centroid);
 }

@@ -252,8 +252,8 @@ select_added (QnWindow *self, const QnModel *before)
   if (added->len == 0)
     return;
   const QnId *ids = (const QnId *) added->data;
-  qn_selection_set_blocks (selection, ids, blocks);
-  qn_selection_add_beams (selection, ids + blocks, added->len - blocks);
+  qn_selection_set (selection, QN_PART_BLOCK, ids, blocks);
+  qn_selection_add (selection, QN_PART_BEAM, ids + blocks, added->len - blocks);
 }
 
 /* A copy beside the original, selected for the next step; beside it by a part of its height where
@@ -361,7 +361,7 @@ select_like (QnWindow *self, GVariant *parameter)
   QnSelection *selection = qn_document_get_selection (self->document);
   const QnModel *model = qn_document_get_model (self->document);
   guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
   if (count == 0)
     return;
   QnId block = ids[0];
@@ -470,7 +470,7 @@ set_joint_law (QnWindow *self, GVariant *parameter)
 {
   guint count = 0;
   const QnId *ids =
-    qn_selection_get_faces (qn_document_get_selection (self->document), &count);
+    qn_selection_get (qn_document_get_selection (self->document), QN_PART_FACE, &count);
   qn_tool_joint_set_law (self->canvas, ids, count,
                          g_variant_get_string (parameter, NULL));
 }

@@ -26,7 +26,7 @@ page_of_drawing (QnWindow *self)
     return "openings";
   if (qn_selection_get_face (selection) != QN_NONE)
     return "joints";
-  qn_selection_get_beams (selection, &beams);
+  qn_selection_get (selection, QN_PART_BEAM, &beams);
   return beams > 0 ? "frames" : "drawing";
 }
 

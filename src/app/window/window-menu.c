@@ -55,8 +55,8 @@ make_for_selection (QnWindow *self)
   guint blocks = 0, beams = 0;
   QnId object;
   int opening;
-  const QnId *ids = qn_selection_get_blocks (selection, &blocks);
-  qn_selection_get_beams (selection, &beams);
+  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &blocks);
+  qn_selection_get (selection, QN_PART_BEAM, &beams);
   if (qn_selection_get_opening (selection, &object, &opening))
     id = "opening";
   else if (qn_selection_get_item (selection, QN_ITEM_BAR) != QN_NONE)

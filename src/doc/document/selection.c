@@ -9,10 +9,8 @@
 
 struct _QnSelection {
   GObject parent_instance;
-  GArray *blocks; /* of QnId, ascending */
-  GArray *beams;  /* of QnId, ascending */
-  GArray *faces;  /* of QnId, ascending */
-  QnId object;    /* of the opening, or QN_NONE */
+  GArray *parts[QN_PART_COUNT]; /* of QnId, ascending */
+  QnId object;                  /* of the opening, or QN_NONE */
   int opening;
   QnItemKind kind; /* of the item */
   QnId item;       /* or QN_NONE */
@@ -26,9 +24,8 @@ static guint signals[SIGNAL_COUNT];
 static void
 qn_selection_finalize (GObject *object)
 {
-  g_array_unref (QN_SELECTION (object)->blocks);
-  g_array_unref (QN_SELECTION (object)->beams);
-  g_array_unref (QN_SELECTION (object)->faces);
+  for (int i = 0; i < QN_PART_COUNT; i++)
+    g_array_unref (QN_SELECTION (object)->parts[i]);
   G_OBJECT_CLASS (qn_selection_parent_class)->finalize (object);
 }
 
@@ -40,12 +37,17 @@ qn_selection_class_init (QnSelectionClass *klass)
                                           0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
+static GArray *
+new_ids (void)
+{
+  return g_array_new (FALSE, FALSE, sizeof (QnId));
+}
+
 static void
 qn_selection_init (QnSelection *self)
 {
-  self->blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
-  self->beams = g_array_new (FALSE, FALSE, sizeof (QnId));
-  self->faces = g_array_new (FALSE, FALSE, sizeof (QnId));
+  for (int i = 0; i < QN_PART_COUNT; i++)
+    self->parts[i] = new_ids ();
   self->object = self->item = QN_NONE;
 }
 
@@ -53,12 +55,6 @@ QnSelection *
 qn_selection_new (void)
 {
   return g_object_new (QN_TYPE_SELECTION, NULL);
-}
-
-static void
-emit_changed (QnSelection *self)
-{
-  g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
 }
 
 static int
@@ -69,29 +65,31 @@ compare_ids (gconstpointer a, gconstpointer b)
 }
 
 gboolean
-qn_selection_has_block (QnSelection *self, QnId block)
+qn_selection_has (QnSelection *self, QnPartKind kind, QnId id)
 {
-  return g_array_binary_search (self->blocks, &block, compare_ids, NULL);
+  return g_array_binary_search (self->parts[kind], &id, compare_ids, NULL);
 }
 
 const QnId *
-qn_selection_get_blocks (QnSelection *self, guint *count)
+qn_selection_get (QnSelection *self, QnPartKind kind, guint *count)
 {
-  *count = self->blocks->len;
-  return (const QnId *) self->blocks->data;
+  *count = self->parts[kind]->len;
+  return (const QnId *) self->parts[kind]->data;
 }
 
 gboolean
 qn_selection_is_empty (QnSelection *self)
 {
-  return self->blocks->len == 0 && self->beams->len == 0 && self->faces->len == 0
-         && self->object == QN_NONE && self->item == QN_NONE;
+  guint count = 0;
+  for (int i = 0; i < QN_PART_COUNT; i++)
+    count += self->parts[i]->len;
+  return count == 0 && self->object == QN_NONE && self->item == QN_NONE;
 }
 
 void
 qn_selection_clear (QnSelection *self)
 {
-  qn_selection_set_blocks (self, NULL, 0);
+  qn_selection_set (self, QN_PART_BLOCK, NULL, 0);
 }
 
 /* Ascending, each once. */
@@ -117,39 +115,30 @@ same_ids (const GArray *a, const GArray *b)
 
 /* Takes over the lists. */
 static void
-replace_all (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces, QnId object,
+replace_all (QnSelection *self, GArray *const parts[QN_PART_COUNT], QnId object,
              int opening, QnItemKind kind, QnId item)
 {
-  sort_ids (blocks);
-  sort_ids (beams);
-  sort_ids (faces);
-  gboolean same = same_ids (blocks, self->blocks) && same_ids (beams, self->beams)
-                  && same_ids (faces, self->faces) && object == self->object
-                  && opening == self->opening && kind == self->kind && item == self->item;
-  g_array_unref (self->blocks);
-  g_array_unref (self->beams);
-  g_array_unref (self->faces);
-  self->blocks = blocks;
-  self->beams = beams;
-  self->faces = faces;
+  gboolean same = object == self->object && opening == self->opening && kind == self->kind
+                  && item == self->item;
+  for (int i = 0; i < QN_PART_COUNT; i++) {
+    sort_ids (parts[i]);
+    same = same_ids (parts[i], self->parts[i]) && same;
+    g_array_unref (self->parts[i]);
+    self->parts[i] = parts[i];
+  }
   self->object = object;
   self->opening = opening;
   self->kind = kind;
   self->item = item;
   if (!same)
-    emit_changed (self);
+    g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
 }
 
 static void
 replace (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces)
 {
-  replace_all (self, blocks, beams, faces, QN_NONE, 0, QN_ITEM_DEAD_LOAD, QN_NONE);
-}
-
-static GArray *
-new_ids (void)
-{
-  return g_array_new (FALSE, FALSE, sizeof (QnId));
+  GArray *const parts[QN_PART_COUNT] = { blocks, beams, faces };
+  replace_all (self, parts, QN_NONE, 0, QN_ITEM_DEAD_LOAD, QN_NONE);
 }
 
 static GArray *
@@ -173,112 +162,56 @@ ids_toggled (GArray *ids, QnId id)
   return copy;
 }
 
-/* Takes over both lists. */
+/* Takes over the list of one kind. Blocks and beams may be selected together. */
 static void
-replace_bodies (QnSelection *self, GArray *blocks, GArray *beams)
+replace_one (QnSelection *self, QnPartKind kind, GArray *ids, gboolean keep)
 {
-  replace (self, blocks, beams, new_ids ());
-}
-
-static void
-replace_faces (QnSelection *self, GArray *faces)
-{
-  replace (self, new_ids (), new_ids (), faces);
-}
-
-void
-qn_selection_set_blocks (QnSelection *self, const QnId *blocks, guint count)
-{
-  replace_bodies (self, ids_with (new_ids (), blocks, count), new_ids ());
+  GArray *parts[QN_PART_COUNT] = { NULL };
+  keep = keep && kind != QN_PART_FACE;
+  for (int i = 0; i < QN_PART_COUNT; i++)
+    parts[i] = i == (int) kind             ? ids
+               : keep && i != QN_PART_FACE ? g_array_copy (self->parts[i])
+                                           : new_ids ();
+  replace (self, parts[QN_PART_BLOCK], parts[QN_PART_BEAM], parts[QN_PART_FACE]);
 }
 
 void
-qn_selection_add_blocks (QnSelection *self, const QnId *blocks, guint count)
+qn_selection_set (QnSelection *self, QnPartKind kind, const QnId *ids, guint count)
 {
-  replace_bodies (self, ids_with (g_array_copy (self->blocks), blocks, count),
-                  g_array_copy (self->beams));
+  replace_one (self, kind, ids_with (new_ids (), ids, count), FALSE);
 }
 
 void
-qn_selection_toggle_block (QnSelection *self, QnId block)
+qn_selection_add (QnSelection *self, QnPartKind kind, const QnId *ids, guint count)
 {
-  replace_bodies (self, ids_toggled (self->blocks, block), g_array_copy (self->beams));
-}
-
-gboolean
-qn_selection_has_beam (QnSelection *self, QnId beam)
-{
-  return g_array_binary_search (self->beams, &beam, compare_ids, NULL);
-}
-
-const QnId *
-qn_selection_get_beams (QnSelection *self, guint *count)
-{
-  *count = self->beams->len;
-  return (const QnId *) self->beams->data;
+  replace_one (self, kind, ids_with (g_array_copy (self->parts[kind]), ids, count), TRUE);
 }
 
 void
-qn_selection_set_beams (QnSelection *self, const QnId *beams, guint count)
+qn_selection_toggle (QnSelection *self, QnPartKind kind, QnId id)
 {
-  replace_bodies (self, new_ids (), ids_with (new_ids (), beams, count));
-}
-
-void
-qn_selection_add_beams (QnSelection *self, const QnId *beams, guint count)
-{
-  replace_bodies (self, g_array_copy (self->blocks),
-                  ids_with (g_array_copy (self->beams), beams, count));
-}
-
-void
-qn_selection_toggle_beam (QnSelection *self, QnId beam)
-{
-  replace_bodies (self, g_array_copy (self->blocks), ids_toggled (self->beams, beam));
+  replace_one (self, kind, ids_toggled (self->parts[kind], id), TRUE);
 }
 
 void
 qn_selection_set_face (QnSelection *self, QnId face)
 {
-  qn_selection_set_faces (self, &face, face != QN_NONE);
+  qn_selection_set (self, QN_PART_FACE, &face, face != QN_NONE);
 }
 
 QnId
 qn_selection_get_face (QnSelection *self)
 {
-  return self->faces->len > 0 ? g_array_index (self->faces, QnId, 0) : QN_NONE;
-}
-
-const QnId *
-qn_selection_get_faces (QnSelection *self, guint *count)
-{
-  *count = self->faces->len;
-  return (const QnId *) self->faces->data;
-}
-
-void
-qn_selection_set_faces (QnSelection *self, const QnId *faces, guint count)
-{
-  replace_faces (self, ids_with (new_ids (), faces, count));
-}
-
-void
-qn_selection_add_faces (QnSelection *self, const QnId *faces, guint count)
-{
-  replace_faces (self, ids_with (g_array_copy (self->faces), faces, count));
-}
-
-void
-qn_selection_toggle_face (QnSelection *self, QnId face)
-{
-  replace_faces (self, ids_toggled (self->faces, face));
+  const GArray *faces = self->parts[QN_PART_FACE];
+  return faces->len > 0 ? g_array_index (faces, QnId, 0) : QN_NONE;
 }
 
 void
 qn_selection_set_opening (QnSelection *self, QnId object, int opening)
 {
-  replace_all (self, new_ids (), new_ids (), new_ids (), object,
-               object != QN_NONE ? opening : 0, QN_ITEM_DEAD_LOAD, QN_NONE);
+  GArray *const none[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
+  replace_all (self, none, object, object != QN_NONE ? opening : 0, QN_ITEM_DEAD_LOAD,
+               QN_NONE);
 }
 
 gboolean
@@ -292,8 +225,8 @@ qn_selection_get_opening (QnSelection *self, QnId *object, int *opening)
 void
 qn_selection_set_item (QnSelection *self, QnItemKind kind, QnId id)
 {
-  replace_all (self, new_ids (), new_ids (), new_ids (), QN_NONE, 0,
-               id != QN_NONE ? kind : QN_ITEM_DEAD_LOAD, id);
+  GArray *const none[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
+  replace_all (self, none, QN_NONE, 0, id != QN_NONE ? kind : QN_ITEM_DEAD_LOAD, id);
 }
 
 QnId
@@ -314,7 +247,7 @@ select_matching (QnSelection *self, const QnModel *model, QnId block, BlockTest 
     if (test (model, i, block))
       g_array_append_val (blocks, i);
   }
-  replace_bodies (self, blocks, new_ids ());
+  replace_one (self, QN_PART_BLOCK, blocks, FALSE);
 }
 
 void
@@ -325,7 +258,7 @@ qn_selection_select_all (QnSelection *self, const QnModel *model)
     g_array_append_val (blocks, i);
   for (QnId i = 0; i < (QnId) model->beam_count; i++)
     g_array_append_val (beams, i);
-  replace_bodies (self, blocks, beams);
+  replace (self, blocks, beams, new_ids ());
 }
 
 /* Wall blocks are named <wall>.<course>.<position>: those of a course share what precedes the
@@ -400,7 +333,7 @@ qn_selection_select_faces_like (QnSelection *self, const QnContacts *contacts, Q
     if (i == face || are_alike (&contacts->faces[face], &contacts->faces[i], likeness))
       g_array_append_val (faces, i);
   }
-  replace_faces (self, faces);
+  replace_one (self, QN_PART_FACE, faces, FALSE);
 }
 
 /* ---- across edits ---- */
@@ -514,32 +447,23 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
                      const QnContacts *contacts_before, const QnModel *after,
                      const QnContacts *contacts_after)
 {
-  GArray *blocks = new_ids (), *beams = new_ids (), *faces = new_ids ();
-  for (guint i = 0; i < self->beams->len; i++) {
-    QnId old = g_array_index (self->beams, QnId, i);
-    QnId id = (gsize) old < before->beam_count
-                ? qn_model_find_beam (after, before->beams[old].name)
-                : QN_NONE;
-    if (id != QN_NONE)
-      g_array_append_val (beams, id);
-  }
-  for (guint i = 0; i < self->blocks->len; i++) {
-    QnId old = g_array_index (self->blocks, QnId, i);
-    if ((gsize) old >= before->block_count)
-      continue;
-    QnId id = follow_block (before, old, after);
-    if (id != QN_NONE)
-      g_array_append_val (blocks, id);
-  }
-  for (guint i = 0; i < self->faces->len; i++) {
-    QnId old = g_array_index (self->faces, QnId, i);
-    if ((gsize) old >= contacts_before->face_count)
-      continue;
-    QnId id = follow_face (before, &contacts_before->faces[old], after, contacts_after);
-    if (id != QN_NONE)
-      g_array_append_val (faces, id);
-  }
-  replace_all (self, blocks, beams, faces, self->object, self->opening, self->kind,
+  GArray *const parts[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
+  const gsize counts[QN_PART_COUNT] = { before->block_count, before->beam_count,
+                                        contacts_before->face_count };
+  for (int kind = 0; kind < QN_PART_COUNT; kind++)
+    for (guint i = 0; i < self->parts[kind]->len; i++) {
+      const QnId old = g_array_index (self->parts[kind], QnId, i);
+      if ((gsize) old >= counts[kind])
+        continue;
+      const QnId id =
+        kind == QN_PART_BLOCK ? follow_block (before, old, after)
+        : kind == QN_PART_BEAM
+          ? qn_model_find_beam (after, before->beams[old].name)
+          : follow_face (before, &contacts_before->faces[old], after, contacts_after);
+      if (id != QN_NONE)
+        g_array_append_val (parts[kind], id);
+    }
+  replace_all (self, parts, self->object, self->opening, self->kind,
                follow_item (self->kind, self->item, before, after));
 }
 
@@ -547,8 +471,8 @@ QnPartSet
 qn_selection_dup_parts (QnSelection *selection)
 {
   QnPartSet set = { 0 };
-  const QnId *blocks = qn_selection_get_blocks (selection, &set.blocks.count);
-  const QnId *beams = qn_selection_get_beams (selection, &set.beams.count);
+  const QnId *blocks = qn_selection_get (selection, QN_PART_BLOCK, &set.blocks.count);
+  const QnId *beams = qn_selection_get (selection, QN_PART_BEAM, &set.beams.count);
   set.blocks.ids = g_memdup2 (blocks, set.blocks.count * sizeof *blocks);
   set.beams.ids = g_memdup2 (beams, set.beams.count * sizeof *beams);
   return set;

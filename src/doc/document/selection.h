@@ -17,34 +17,26 @@ G_DECLARE_FINAL_TYPE (QnSelection, qn_selection, QN, SELECTION, GObject)
 /* Nothing selected. */
 QnSelection *qn_selection_new (void);
 
-gboolean qn_selection_has_block (QnSelection *selection, QnId block);
-/* Numbers of the selected blocks, ascending; borrowed. */
-const QnId *qn_selection_get_blocks (QnSelection *selection, guint *count);
+/* What is selected part by part. */
+typedef enum { QN_PART_BLOCK, QN_PART_BEAM, QN_PART_FACE, QN_PART_COUNT } QnPartKind;
 
 gboolean qn_selection_is_empty (QnSelection *selection);
 void qn_selection_clear (QnSelection *selection);
-/* These blocks and nothing else. */
-void qn_selection_set_blocks (QnSelection *selection, const QnId *blocks, guint count);
-/* These blocks beside the blocks and beams that are selected. */
-void qn_selection_add_blocks (QnSelection *selection, const QnId *blocks, guint count);
-void qn_selection_toggle_block (QnSelection *selection, QnId block);
-
-/* The same for beams. */
-gboolean qn_selection_has_beam (QnSelection *selection, QnId beam);
-const QnId *qn_selection_get_beams (QnSelection *selection, guint *count);
-void qn_selection_set_beams (QnSelection *selection, const QnId *beams, guint count);
-void qn_selection_add_beams (QnSelection *selection, const QnId *beams, guint count);
-void qn_selection_toggle_beam (QnSelection *selection, QnId beam);
+gboolean qn_selection_has (QnSelection *selection, QnPartKind kind, QnId id);
+/* Numbers of the selected parts, ascending; borrowed. */
+const QnId *qn_selection_get (QnSelection *selection, QnPartKind kind, guint *count);
+/* These parts and nothing else. */
+void qn_selection_set (QnSelection *selection, QnPartKind kind, const QnId *ids,
+                       guint count);
+/* These parts beside what is selected: blocks beside beams, faces beside faces alone. */
+void qn_selection_add (QnSelection *selection, QnPartKind kind, const QnId *ids,
+                       guint count);
+void qn_selection_toggle (QnSelection *selection, QnPartKind kind, QnId id);
 
 /* Selects a face and nothing else; QN_NONE for none. */
 void qn_selection_set_face (QnSelection *selection, QnId face);
 /* The first of the selected faces, or QN_NONE. */
 QnId qn_selection_get_face (QnSelection *selection);
-/* Numbers of the selected faces, ascending; borrowed. */
-const QnId *qn_selection_get_faces (QnSelection *selection, guint *count);
-void qn_selection_set_faces (QnSelection *selection, const QnId *faces, guint count);
-void qn_selection_add_faces (QnSelection *selection, const QnId *faces, guint count);
-void qn_selection_toggle_face (QnSelection *selection, QnId face);
 
 /* Selects an opening of a masonry object and nothing else. Both numbers are those of lists that
  * edits change: whoever asks must check that they still are. */

@@ -242,9 +242,9 @@ test_selection_ends_gesture (void)
   QnSelection *selection = qn_document_get_selection (document);
   QnHistory *history = qn_document_get_history (document);
   const QnId first = 0;
-  qn_selection_set_blocks (selection, &first, 1);
+  qn_selection_set (selection, QN_PART_BLOCK, &first, 1);
   change (document, 0.5, "nudge");
-  qn_selection_set_blocks (selection, &first, 1); /* the same */
+  qn_selection_set (selection, QN_PART_BLOCK, &first, 1); /* the same */
   change (document, 0.4, "nudge");
   g_assert_cmpuint (qn_history_get_count (history), ==, 1);
   qn_selection_clear (selection);

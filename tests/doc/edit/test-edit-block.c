@@ -74,7 +74,7 @@ test_walls_stay_or_detach (void)
                            qn_document_get_model (document));
   guint count = 0;
   const QnId *ids =
-    qn_selection_get_blocks (qn_document_get_selection (document), &count);
+    qn_selection_get (qn_document_get_selection (document), QN_PART_BLOCK, &count);
   g_autofree QnId *all = g_memdup2 (ids, count * sizeof *ids);
   gsize faces = qn_document_get_contacts (document)->face_count;
 

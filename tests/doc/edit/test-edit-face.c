@@ -107,22 +107,22 @@ test_selection (void)
   g_autoptr (QnDocument) document = open_stack ();
   QnSelection *selection = qn_document_get_selection (document);
   const QnId faces[] = { 0, 1 };
-  qn_selection_set_faces (selection, faces, 2);
+  qn_selection_set (selection, QN_PART_FACE, faces, 2);
   apply (document, set_law, (Change){ first_faces (document, 2), 1, NULL });
   guint count = 0;
-  qn_selection_get_faces (selection, &count);
+  qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 2);
   qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
                                   QN_LIKE_LAW);
-  qn_selection_get_faces (selection, &count);
+  qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 2);
   qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
                                   QN_LIKE_LINE);
-  qn_selection_get_faces (selection, &count);
+  qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 1);
   qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
                                   QN_LIKE_DIRECTION);
-  qn_selection_get_faces (selection, &count);
+  qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, qn_document_get_contacts (document)->face_count);
 }
 
