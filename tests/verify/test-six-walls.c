@@ -115,7 +115,7 @@ test_large_displacements (gconstpointer data)
                     solved[0].result.statistics.factorizations);
     g_assert_cmpint (found->outcome, ==, QN_OUTCOME_COLLAPSE);
     g_assert_cmpfloat (fabs (found->collapse_multiplier / held[number - 1] - 1), <, 5e-3);
-    g_assert_cmpint (spent, <, 450);
+    g_assert_cmpint (spent, <, 400);
     verify_clear (&solved[0]);
     verify_clear (&solved[1]);
   }

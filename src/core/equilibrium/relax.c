@@ -27,10 +27,9 @@
 #define LONGER  4
 #define SHORTER 8
 
-/* Factorisations of a step along the central path, after which the next may be so many times as long. Small
- * structures rest or fall within the first steps, which are cheaper by Newton's method alone. */
+/* Factorisations of a step along the central path, and the first step that is taken along it. Small structures
+ * rest or fall within the first steps, which are cheaper by Newton's method alone. */
 #define CENTRAL_BUDGET 60
-#define CENTRAL_LONGER 2
 #define CENTRAL_FROM   10
 
 /* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
@@ -69,7 +68,8 @@ typedef struct {
   double failed;                        /* that of the last step that failed, and */
   int waits;                            /* for how many steps that is not tried again */
   double elapsed;                       /* time since the start */
-  double speed;                         /* of the last step, in the norm of C */
+  double speed;                         /* of the last step, in the norm of C, */
+  double speed_before;                  /* and of the one before */
   double change;                        /* of the velocity in the last step, relative */
   double watched_motion, watched_speed; /* when motion had last doubled */
   int doublings;                        /* since the motion last slowed down */
@@ -96,6 +96,7 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
     norm += as->damping[i] * v * v;
     eq->motion[i] = v;
   }
+  relaxation->speed_before = relaxation->speed;
   relaxation->speed = sqrt (norm);
   relaxation->change = norm > 0 ? sqrt (change / norm) : INFINITY;
 }
@@ -228,7 +229,18 @@ target_in_time (const Relaxation *relaxation, const QnTarget *target)
   return now;
 }
 
-/* How many times as long the next step may be, by how many iterations the last one took. */
+/* How many times as long the next step may be for a motion that gets faster: motion that grows like exp (rate
+ * time) is 1 / (1 - rate step) times as fast after an implicit step, and a step of 1 / rate has no
+ * solution. It may get LONGER times as fast. */
+static double
+growth_of_fall (const Relaxation *relaxation)
+{
+  double before = relaxation->speed_before, now = relaxation->speed;
+
+  return before > 0 && now > before ? (1 - 1.0 / LONGER) / (1 - before / now) : INFINITY;
+}
+
+/* How many times as long the next step may be, by how many iterations the last one of Newton's method took. */
 static double
 growth (Relaxation *relaxation, int iterations)
 {
@@ -319,9 +331,11 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
       return QN_SOLVE_CONVERGED;
     if (far == INFINITY && is_mechanism (eq, &relaxation))
       return QN_SOLVE_MECHANISM;
-    relaxation.viscosity /= by_central
-                              ? CENTRAL_LONGER
-                              : growth (&relaxation, eq->statistics.iterations - before);
+    double longer =
+      by_central ? LONGER : growth (&relaxation, eq->statistics.iterations - before);
+    /* Without central paths a step that fails costs two or three factorisations. */
+    relaxation.viscosity /=
+      central != NULL ? fmin (longer, growth_of_fall (&relaxation)) : longer;
   }
   return QN_SOLVE_FAILED;
 }

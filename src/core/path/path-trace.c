@@ -396,7 +396,7 @@ advance (QnPathTrace *trace, QnDiag *diag)
   if (trace->orientation == 0)
     trace->orientation = eq->orientation;
   choose_next_step (trace, step, easy);
-  if (!linear)
+  if (!linear && !trace->load_control)
     qn_path_predictor_note (&trace->predictor, eq, step,
                             trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped);
   if (!accept (trace))
@@ -612,7 +612,6 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
   if (!accept (trace))
     return qn_diag_no_memory (diag);
   qn_path_measure_keep_last (&trace->measure);
-  qn_path_predictor_note (&trace->predictor, eq, 0, false);
   trace->measure.procedure = QN_PROCEDURE_LOAD;
   trace->step = trace->largest = more;
   trace->pace = 0;

@@ -94,7 +94,7 @@ typedef enum {
 typedef struct QnPathTrace {
   QnPath *path;
   QnPathMeasure measure;
-  QnPathPredictor predictor;
+  QnPathPredictor predictor; /* of large displacements, but not of load control */
   QnPathEvents events;
   QnFall fall;            /* with the load last held above the highest multiplier */
   QnCentralPath *central; /* NULL where it does not apply */

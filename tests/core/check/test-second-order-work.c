@@ -201,7 +201,7 @@ test_after_jump (void)
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
     Case c;
     test_model_init_wall (&c.model, number, 0);
-    c.model.laws[0].kn = c.model.laws[0].ks = 1e8;
+    c.model.laws[0].kn = c.model.laws[0].ks = 1e9;
     begin (&c);
     solve (&c, INFINITY);
     size_t count = c.result.step_count;
