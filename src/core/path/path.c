@@ -244,24 +244,37 @@ relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
   return QN_SOLVE_FAILED;
 }
 
+/* In large displacements viscous relaxation alone, and once more with central paths where it neither rests
+ * nor falls: these follow a fall that Newton's method does not, but may also pass a rest. */
+static QnSolveStatus
+relax_without_turns (QnEquilibrium *eq, QnCentralPath *central)
+{
+  const QnTarget target = qn_target_multiplier (0);
+  QnSolveStatus solve =
+    qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, QN_RELAX_BUDGET);
+
+  if (solve != QN_SOLVE_FAILED || central == NULL)
+    return solve;
+  qn_equilibrium_restore (eq);
+  return qn_equilibrium_relax (eq, central, &target, INFINITY, NULL, QN_RELAX_BUDGET);
+}
+
 /* The equilibrium under dead load, or else that in which relaxation comes to rest. */
 static QnSolveStatus
 find_rest (QnEquilibrium *eq)
 {
-  const QnTarget target = qn_target_multiplier (0);
   bool applies = qn_central_path_applies (&eq->assembly);
-  QnCentralPath *central = applies ? qn_central_path_new (eq) : NULL;
+  bool joints = qn_central_path_has_joints (&eq->assembly);
+  QnCentralPath *central = joints ? qn_central_path_new (eq) : NULL;
 
-  if ((applies && central == NULL) || !qn_equilibrium_set_runaway (eq)) {
+  if ((joints && central == NULL) || !qn_equilibrium_set_runaway (eq)) {
     qn_central_path_free (central);
     return QN_SOLVE_NO_MEMORY;
   }
-  QnSolveStatus solve = find_equilibrium (eq, central);
+  QnSolveStatus solve = find_equilibrium (eq, applies ? central : NULL);
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
-    solve = applies
-              ? relax_in_turns (eq, central)
-              : qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, QN_RELAX_BUDGET);
+    solve = applies ? relax_in_turns (eq, central) : relax_without_turns (eq, central);
   }
   qn_central_path_free (central);
   return solve;
