@@ -101,16 +101,55 @@ qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double s
 /* Lines by which a label may move away from its place. */
 #define FARTHEST_LABEL 5
 
-/* What the labels of a drawing take of the page, in the order in which they were drawn. */
+/* What the labels of a drawing take of the page, in the order in which they were drawn, and the lines
+ * of loads, which they keep clear of. */
 typedef struct Labels {
   const QnCamera *camera;
   GArray *taken; /* of cairo_rectangle_t */
+  GArray *lines; /* of QnVec2, px, two for each */
   bool optional; /* the next one may be left out */
 } Labels;
 
 static bool
+is_crossed (const cairo_rectangle_t *box, QnVec2 a, QnVec2 b)
+{
+  double right = box->x + box->width, below = box->y + box->height;
+  if (fmax (a.x, b.x) < box->x || fmin (a.x, b.x) > right || fmax (a.y, b.y) < box->y
+      || fmin (a.y, b.y) > below)
+    return false;
+  QnVec2 along = qn_vec2_sub (b, a);
+  double low = INFINITY, high = -INFINITY; /* of the corners beside the line */
+  for (int i = 0; i < 4; i++) {
+    QnVec2 corner = { i % 2 == 0 ? box->x : right, i < 2 ? box->y : below };
+    double side = qn_vec2_cross (along, qn_vec2_sub (corner, a));
+    low = fmin (low, side);
+    high = fmax (high, side);
+  }
+  return low <= 0 && high >= 0;
+}
+
+/* Loads in weights lie in the middle of blocks, where names stand, and do not count. */
+static void
+note_lines (Labels *labels, const QnScene *scene, const QnCommand *command)
+{
+  const QnVec2 *points = qn_scene_points (scene, command);
+  if (command->kind != QN_COMMAND_STROKE || command->layer != QN_LAYER_LOADS
+      || command->extent > 0)
+    return;
+  for (uint32_t i = 1; i < command->count; i++)
+    for (uint32_t k = i - 1; k <= i; k++) {
+      QnVec2 end = qn_camera_to_screen (labels->camera, points[k]);
+      g_array_append_val (labels->lines, end);
+    }
+}
+
+static bool
 is_taken (const Labels *labels, const cairo_rectangle_t *box)
 {
+  for (guint i = 0; i < labels->lines->len; i += 2)
+    if (is_crossed (box, g_array_index (labels->lines, QnVec2, i),
+                    g_array_index (labels->lines, QnVec2, i + 1)))
+      return true;
   double blur = LABEL_BLUR * fmin (box->width, box->height);
   for (guint i = 0; i < labels->taken->len; i++) {
     const cairo_rectangle_t *b = &g_array_index (labels->taken, cairo_rectangle_t, i);
@@ -175,7 +214,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   double line_factor = qn_scene_line_factor (scene, camera);
   QnDrawCounts tally = { 0, 0 };
   Labels labels = { camera, g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
-                    false };
+                    g_array_new (FALSE, FALSE, sizeof (QnVec2)), false };
   cairo_save (cr);
   cairo_rectangle (cr, camera->x, camera->y, camera->width, camera->height);
   cairo_clip (cr);
@@ -184,6 +223,8 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
   for (guint i = 0; i < scene->commands->len; i++) {
     const QnCommand *command = qn_scene_command (scene, i);
+    if (layers & 1u << QN_LAYER_LABELS)
+      note_lines (&labels, scene, command);
     if (!(layers & 1u << command->layer))
       continue;
     if (!qn_command_is_visible (command, camera, visible)) {
@@ -218,6 +259,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   }
   cairo_restore (cr);
   g_array_unref (labels.taken);
+  g_array_unref (labels.lines);
   if (counts != NULL)
     *counts = tally;
 }

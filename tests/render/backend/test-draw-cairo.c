@@ -62,11 +62,32 @@ test_upright_labels (void)
   g_assert_cmpfloat (two.height, ==, one.height);
 }
 
+/* A label whose place arrows of a load cross stands above them, but for that of loads in weights, which
+ * lie in blocks as names do. */
+static void
+test_labels_beside_loads (void)
+{
+  for (int in_weights = 0; in_weights < 2; in_weights++) {
+    const QnVec2 from = { 1.9, 1.7 }, to = { 2.1, 1.4 };
+    QnScene *scene = qn_scene_new (), *with_label = create_labels (1, 0, 0);
+    for (int i = 0; i < 2; i++)
+      qn_scene_arrow (i == 0 ? scene : with_label, QN_LAYER_LOADS, from, to, 1, black,
+                      QN_PICK_NOTHING, 0, in_weights);
+    cairo_rectangle_t load = extents_of (scene), both = extents_of (with_label);
+    g_assert_cmpfloat (load.height, >, 20);
+    if (in_weights)
+      g_assert_cmpfloat (both.height, ==, load.height);
+    else
+      g_assert_cmpfloat (both.height, >, load.height + 5);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/draw-cairo/labels", test_labels_keep_clear);
   g_test_add_func ("/render/draw-cairo/upright-labels", test_upright_labels);
+  g_test_add_func ("/render/draw-cairo/labels-beside-loads", test_labels_beside_loads);
   return g_test_run ();
 }
