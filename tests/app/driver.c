@@ -269,10 +269,10 @@ driver_point (QnWindow *window, double x, double y)
   driver_point_at (GTK_WIDGET (canvas), s.x, s.y);
 }
 
-static void
-button (const char *verb)
+void
+driver_hold_button (gboolean down)
 {
-  const char *const arguments[] = { verb, "1", NULL };
+  const char *const arguments[] = { down ? "mousedown" : "mouseup", "1", NULL };
   driver_xdotool (arguments);
 }
 
@@ -280,18 +280,18 @@ void
 driver_drag (QnWindow *window, double x0, double y0, double x1, double y1)
 {
   driver_point (window, x0, y0);
-  button ("mousedown");
+  driver_hold_button (TRUE);
   driver_point (window, 0.5 * (x0 + x1), 0.5 * (y0 + y1));
   driver_point (window, x1, y1);
-  button ("mouseup");
+  driver_hold_button (FALSE);
 }
 
 void
 driver_click (QnWindow *window, double x, double y)
 {
   driver_point (window, x, y);
-  button ("mousedown");
-  button ("mouseup");
+  driver_hold_button (TRUE);
+  driver_hold_button (FALSE);
 }
 
 void
@@ -497,11 +497,14 @@ watch (DriverParts *parts, gpointer object)
   g_ptr_array_add (parts->objects, place);
 }
 
+/* GTK has one tooltip, which it gives to the next window, and may keep a popover that was open. */
 static void
 watch_tree (DriverParts *parts, GtkWidget *widget)
 {
-  if (g_str_has_prefix (G_OBJECT_TYPE_NAME (widget), "Qn"))
-    watch (parts, widget);
+  if (g_str_equal (G_OBJECT_TYPE_NAME (widget), "GtkTooltipWindow")
+      || GTK_IS_POPOVER (widget))
+    return;
+  watch (parts, widget);
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child))
     watch_tree (parts, child);

@@ -45,6 +45,9 @@ void driver_click (QnWindow *window, double x, double y);
 /* Pointer at a place of a widget, px, and any button of it, 4 and 5 for the wheel. */
 void driver_point_at (GtkWidget *widget, double x, double y);
 void driver_press_button (const char *number);
+
+/* The first button goes down or up. */
+void driver_hold_button (gboolean down);
 /* Words of a command line of xdotool, NULL-terminated; waits until it has been heard. */
 void driver_xdotool (const char *const *arguments);
 /* How many buttons and keys have gone down since this was asked last. */
@@ -59,7 +62,7 @@ void driver_activate (QnWindow *window, const char *detailed_action);
 /* Closes without asking, and waits until the window and all that belongs to it are gone. */
 void driver_discard (QnWindow *window);
 
-/* Remembers a window and its dialogs with all widgets of Quoin's own in them, its view state and its document; waits
+/* Remembers a window and its dialogs with all widgets in them, its view state and its document; waits
  * until they are gone, and forgets them. Fails where one of them stays. */
 typedef struct DriverParts DriverParts;
 DriverParts *driver_watch_parts (QnWindow *window);

@@ -88,6 +88,8 @@ walk (GtkWidget *widget, const char *what)
     PangoLayout *layout = gtk_label_get_layout (GTK_LABEL (widget));
     if (pango_layout_is_ellipsized (layout) && gtk_widget_get_width (widget) < 24)
       complain (widget, what, "has no letter left");
+    if (pango_layout_is_ellipsized (layout) && !gtk_widget_get_has_tooltip (widget))
+      complain (widget, what, "is cut short without a tooltip");
   }
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child))

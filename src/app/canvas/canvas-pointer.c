@@ -110,6 +110,9 @@ on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *s
   /* GTK tells of a motion when what lies under a pointer at rest has changed. */
   if (self->keyboard_cursor && x == self->mouse.x && y == self->mouse.y)
     return;
+  /* The button was let go while something else had the pointer, and GTK did not tell. */
+  if (self->pressed && (modifiers_of (controller) & GDK_BUTTON1_MASK) == 0)
+    release (self, self->pointer, modifiers_of (controller), 1);
   if (x != self->mouse.x || y != self->mouse.y)
     qn_canvas_pointer_moved (self);
   self->mouse = qn_vec2 (x, y);

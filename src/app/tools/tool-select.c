@@ -152,10 +152,10 @@ press_on_face (QnCanvas *canvas, const QnToolEvent *event)
 /* px: a bar this near to the pointer is meant. */
 #define BAR_PX 5.0
 
-/* The load or bar under the pointer. Blocks are taken hold of in their middle, where loads in weights
- * have their arrows: `weights` says whether these count. */
+/* The load or bar under the pointer. Loads in weights are chosen in the list: their arrows lie in the
+ * middle of blocks, where these are taken hold of. */
 static gboolean
-select_item (QnCanvas *canvas, QnVec2 screen, gboolean weights)
+select_item (QnCanvas *canvas, QnVec2 screen)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
@@ -166,8 +166,7 @@ select_item (QnCanvas *canvas, QnVec2 screen, gboolean weights)
   if (!shows_undeformed (canvas))
     return FALSE;
   if (pick.kind != QN_PICK_NOTHING && pick.id != QN_NONE
-      && (weights
-          || qn_model_loads (model, live, NULL)[pick.id].kind != QN_LOAD_WEIGHT)) {
+      && qn_model_loads (model, live, NULL)[pick.id].kind != QN_LOAD_WEIGHT) {
     qn_selection_set_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD,
                            pick.id);
     return TRUE;
@@ -185,7 +184,7 @@ click (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnId face = face_under (canvas, event);
   gboolean plain = (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) == 0;
-  if (!plain || event->press_count != 1 || select_item (canvas, event->screen, FALSE))
+  if (!plain || event->press_count != 1 || select_item (canvas, event->screen))
     return;
   if (face != QN_NONE
       && qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_MODEL)
@@ -293,7 +292,7 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
   QnVec2 at = qn_camera_to_model (qn_canvas_get_camera (canvas), screen);
   QnToolEvent event = { .screen = screen, .model = at, .point = at, .press_count = 1 };
   guint count = 0;
-  if (select_item (canvas, screen, TRUE))
+  if (select_item (canvas, screen))
     return;
   QnId face = face_under (canvas, &event);
   if (face != QN_NONE) {

@@ -1,6 +1,7 @@
 #include "app/views/curve-view.h"
 
 #include "app/widgets/settings.h"
+#include "app/widgets/text-unit.h"
 #include "doc/document/run-text.h"
 #include "doc/view/magnet.h"
 #include "io/exchange/table-csv.h"
@@ -11,12 +12,13 @@
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
 
+/* px, with text of the usual size. */
 #define MARGIN_LEFT   56.0
 #define MARGIN_BOTTOM 36.0
 #define MARGIN_TOP    12.0
 #define MARGIN_RIGHT  14.0
 #define TICK_PX       52.0 /* least distance of ticks */
-#define LEAST_HEIGHT  190
+#define LEAST_HEIGHT  190.0
 
 /* Runs drawn over each other, the current one included. */
 #define MOST_CURVES 6
@@ -50,6 +52,13 @@ struct _QnCurveView {
 };
 
 G_DEFINE_FINAL_TYPE (QnCurveView, qn_curve_view, GTK_TYPE_WIDGET)
+
+/* Lengths for text of the usual size grow with the text. */
+static double
+px (QnCurveView *self, double usual)
+{
+  return usual * qn_text_unit (GTK_WIDGET (self)) / QN_TEXT_UNIT;
+}
 
 /* ---- what is shown ---- */
 
@@ -193,15 +202,29 @@ update (QnCurveView *self)
 /* ---- places ---- */
 
 static double
+plot_left (QnCurveView *self)
+{
+  return px (self, MARGIN_LEFT);
+}
+
+static double
+plot_top (QnCurveView *self)
+{
+  return px (self, MARGIN_TOP);
+}
+
+static double
 plot_width (QnCurveView *self)
 {
-  return gtk_widget_get_width (GTK_WIDGET (self)) - MARGIN_LEFT - MARGIN_RIGHT;
+  return gtk_widget_get_width (GTK_WIDGET (self)) - plot_left (self)
+         - px (self, MARGIN_RIGHT);
 }
 
 static double
 plot_height (QnCurveView *self)
 {
-  return gtk_widget_get_height (GTK_WIDGET (self)) - MARGIN_TOP - MARGIN_BOTTOM;
+  return gtk_widget_get_height (GTK_WIDGET (self)) - plot_top (self)
+         - px (self, MARGIN_BOTTOM);
 }
 
 static QnVec2
@@ -210,8 +233,8 @@ to_screen (QnCurveView *self, double x, double y)
   const QnBox *r = &self->range;
   double u = (x - r->min.x) / (r->max.x - r->min.x);
   double v = (y - r->min.y) / (r->max.y - r->min.y);
-  return qn_vec2 (MARGIN_LEFT + u * plot_width (self),
-                  MARGIN_TOP + (1.0 - v) * plot_height (self));
+  return qn_vec2 (plot_left (self) + u * plot_width (self),
+                  plot_top (self) + (1.0 - v) * plot_height (self));
 }
 
 /* Points outside of the range stand at the edge of the frame, but not where the user has chosen the
@@ -222,8 +245,8 @@ to_frame (QnCurveView *self, const QnCurve *curve, gsize i)
   QnVec2 p = to_screen (self, curve->x[i], curve->y[i]);
   if (self->chosen)
     return p;
-  return qn_vec2 (CLAMP (p.x, MARGIN_LEFT, MARGIN_LEFT + plot_width (self)),
-                  CLAMP (p.y, MARGIN_TOP, MARGIN_TOP + plot_height (self)));
+  return qn_vec2 (CLAMP (p.x, plot_left (self), plot_left (self) + plot_width (self)),
+                  CLAMP (p.y, plot_top (self), plot_top (self) + plot_height (self)));
 }
 
 /* The point of a curve that is nearest of those in sight, and how far it is, px; -1: there is none. */
@@ -235,8 +258,8 @@ nearest_point (QnCurveView *self, const QnCurve *curve, QnVec2 at, double *dista
   for (gsize i = 0; i < curve->count; i++) {
     QnVec2 p = to_frame (self, curve, i);
     double d = qn_vec2_length (qn_vec2_sub (p, at));
-    bool shown = p.x >= MARGIN_LEFT && p.x <= MARGIN_LEFT + plot_width (self)
-                 && p.y >= MARGIN_TOP && p.y <= MARGIN_TOP + plot_height (self);
+    bool shown = p.x >= plot_left (self) && p.x <= plot_left (self) + plot_width (self)
+                 && p.y >= plot_top (self) && p.y <= plot_top (self) + plot_height (self);
     if (shown && d < *distance) {
       *distance = d;
       best = (int) i;
@@ -250,8 +273,8 @@ static void
 zoom (QnCurveView *self, double share, QnVec2 at)
 {
   QnBox *r = &self->range;
-  double u = (at.x - MARGIN_LEFT) / plot_width (self);
-  double v = 1.0 - (at.y - MARGIN_TOP) / plot_height (self);
+  double u = (at.x - plot_left (self)) / plot_width (self);
+  double v = 1.0 - (at.y - plot_top (self)) / plot_height (self);
   double width = r->max.x - r->min.x, height = r->max.y - r->min.y;
   if (self->series_count == 0 || !(width * share > 1e-12) || width * share > 1e6)
     return;
@@ -316,9 +339,10 @@ draw_y_ticks (QnCurveView *self, cairo_t *cr)
   QnUnits units = qn_units_of_motion (qn_settings_get_units ());
   QnQuantity quantity = ordinate (self);
   double factor = qn_units_factor (units, quantity);
-  double step = factor
-                * qn_magnet_round_distance ((r->max.y - r->min.y) / factor * TICK_PX * 0.6
-                                            / plot_height (self));
+  double step =
+    factor
+    * qn_magnet_round_distance ((r->max.y - r->min.y) / factor * px (self, TICK_PX) * 0.6
+                                / plot_height (self));
   for (double i = ceil (r->min.y / step); i * step <= r->max.y; i++) {
     QnVec2 p = to_screen (self, r->min.x, i * step);
     g_autofree char *text =
@@ -337,14 +361,14 @@ draw_x_ticks (QnCurveView *self, cairo_t *cr)
   double factor = qn_units_factor (units, quantity);
   const QnBox *r = &self->range;
   double span = (r->max.x - r->min.x) / factor;
-  double step = qn_magnet_round_distance (span * TICK_PX / plot_width (self));
+  double step = qn_magnet_round_distance (span * px (self, TICK_PX) / plot_width (self));
   for (double i = ceil (r->min.x / factor / step); i * step * factor <= r->max.x; i++) {
     QnVec2 p = to_screen (self, i * step * factor, r->min.y);
     g_autofree char *text =
       qn_units_format (units, quantity, i == 0.0 ? 0.0 : i * step * factor, 4);
     cairo_move_to (cr, floor (p.x) + 0.5, p.y);
     cairo_rel_line_to (cr, 0.0, 4.0);
-    draw_text (self, cr, text, p.x, p.y + 11.0, 0.5, FALSE);
+    draw_text (self, cr, text, p.x, p.y + px (self, 11.0), 0.5, FALSE);
   }
 }
 
@@ -365,8 +389,8 @@ dup_displacement_label (QnCurveView *self)
 static void
 draw_x_label (QnCurveView *self, cairo_t *cr)
 {
-  double x = MARGIN_LEFT + 0.5 * plot_width (self);
-  double y = gtk_widget_get_height (GTK_WIDGET (self)) - 7.0;
+  double x = plot_left (self) + 0.5 * plot_width (self);
+  double y = gtk_widget_get_height (GTK_WIDGET (self)) - px (self, 7.0);
   if (is_in_time (self) || self->live) {
     draw_text (self, cr, is_in_time (self) ? _ ("Time (s)") : _ ("Step"), x, y, 0.5,
                FALSE);
@@ -382,7 +406,7 @@ draw_y_label (QnCurveView *self, cairo_t *cr)
 {
   g_autofree char *text = is_in_time (self) ? dup_displacement_label (self) : NULL;
   draw_text (self, cr, text != NULL ? text : _ ("Load multiplier"), 2.0,
-             MARGIN_TOP + 0.5 * plot_height (self), 0.5, TRUE);
+             plot_top (self) + 0.5 * plot_height (self), 0.5, TRUE);
 }
 
 /* On dark ground nearer to white: colours of the paper have little contrast there. */
@@ -437,13 +461,13 @@ draw_runaway (QnCurveView *self, cairo_t *cr, const QnCurve *curve)
   cairo_rel_line_to (cr, 0.0, 8.0);
   cairo_close_path (cr);
   cairo_fill (cr);
-  draw_text (self, cr, text, p.x, p.y + 14.0, way > 0.0 ? 1.0 : 0.0, FALSE);
+  draw_text (self, cr, text, p.x, p.y + px (self, 14.0), way > 0.0 ? 1.0 : 0.0, FALSE);
 }
 
 static void
 clip_to_frame (QnCurveView *self, cairo_t *cr, double more)
 {
-  cairo_rectangle (cr, MARGIN_LEFT, MARGIN_TOP - more, plot_width (self),
+  cairo_rectangle (cr, plot_left (self), plot_top (self) - more, plot_width (self),
                    plot_height (self) + 2.0 * more);
   cairo_clip (cr);
 }
@@ -491,7 +515,7 @@ draw_cursor (QnCurveView *self, cairo_t *cr)
     clip_to_frame (self, cr, 1.0);
   cairo_set_source_rgb (cr, 0.9, 0.35, 0.0);
   cairo_set_line_width (cr, 1.0);
-  cairo_move_to (cr, floor (p.x) + 0.5, MARGIN_TOP);
+  cairo_move_to (cr, floor (p.x) + 0.5, plot_top (self));
   cairo_rel_line_to (cr, 0.0, plot_height (self));
   cairo_stroke (cr);
   cairo_arc (cr, p.x, p.y, 5.0, 0.0, 2.0 * G_PI);
@@ -554,8 +578,8 @@ draw_values (QnCurveView *self, cairo_t *cr, const GdkRGBA *ink)
   pango_layout_set_width (layout, (int) plot_width (self) * PANGO_SCALE);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
-  double x = MARGIN_LEFT + plot_width (self) - width - 4.0;
-  double y = MARGIN_TOP + plot_height (self) - height - 4.0;
+  double x = plot_left (self) + plot_width (self) - width - 4.0;
+  double y = plot_top (self) + plot_height (self) - height - 4.0;
   GdkRGBA paper = *ink;
   paper.red = paper.green = paper.blue = ink->red > 0.5f ? 0.15f : 1.0f;
   paper.alpha = 0.85f;
@@ -710,7 +734,9 @@ qn_curve_view_measure (GtkWidget *widget, GtkOrientation orientation, int for_si
                        int *minimum, int *natural, int *minimum_baseline,
                        int *natural_baseline)
 {
-  *minimum = *natural = orientation == GTK_ORIENTATION_VERTICAL ? LEAST_HEIGHT : 200;
+  *minimum = *natural = orientation == GTK_ORIENTATION_VERTICAL
+                          ? (int) px (QN_CURVE_VIEW (widget), LEAST_HEIGHT)
+                          : 200;
   *minimum_baseline = *natural_baseline = -1;
 }
 

@@ -3,6 +3,7 @@
 #include "app/widgets/layouts.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/shortened.h"
 #include "core/base/integer.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
@@ -271,7 +272,7 @@ build (Bar *bar)
   bar->step_label = gtk_label_new (NULL);
   gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 6);
   gtk_label_set_max_width_chars (GTK_LABEL (bar->step_label), 30);
-  gtk_label_set_ellipsize (GTK_LABEL (bar->step_label), PANGO_ELLIPSIZE_END);
+  qn_shortened_set (GTK_LABEL (bar->step_label), PANGO_ELLIPSIZE_END);
   gtk_label_set_xalign (GTK_LABEL (bar->step_label), 0.0f);
   gtk_widget_add_css_class (bar->step_label, "numeric");
 
@@ -299,7 +300,7 @@ build (Bar *bar)
     GTK_WIDGET (bar->scale),
     _ ("Factor on the displacements drawn; 0: one that fits all steps"));
   GtkWidget *label = gtk_label_new (_ ("Displacements ×"));
-  gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_START);
+  qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_START);
   gtk_label_set_width_chars (GTK_LABEL (label), 2);
   gtk_accessible_update_relation (GTK_ACCESSIBLE (bar->scale),
                                   GTK_ACCESSIBLE_RELATION_LABELLED_BY, label, NULL, -1);

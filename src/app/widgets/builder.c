@@ -2,6 +2,7 @@
 
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
+#include "app/widgets/shortened.h"
 
 GtkBuilder *
 qn_builder_new (const char *name)
@@ -9,7 +10,12 @@ qn_builder_new (const char *name)
   g_autofree char *path = g_strdup_printf ("/io/github/quoin/Quoin/%s.ui", name);
   g_type_ensure (QN_TYPE_ROW);
   g_type_ensure (QN_TYPE_QUANTITY_ENTRY);
-  return gtk_builder_new_from_resource (path);
+  GtkBuilder *builder = gtk_builder_new_from_resource (path);
+  g_autoptr (GSList) objects = gtk_builder_get_objects (builder);
+  for (GSList *each = objects; each != NULL; each = each->next)
+    if (GTK_IS_LABEL (each->data))
+      qn_shortened_tell (each->data);
+  return builder;
 }
 
 GtkWidget *

@@ -1,5 +1,7 @@
 #include "app/widgets/choice-list.h"
 
+#include "app/widgets/shortened.h"
+
 /* Characters of a choice that are shown in any case. */
 #define CHOICE_CHARS 16
 
@@ -9,7 +11,7 @@ on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer 
   GtkWidget *label = gtk_label_new (NULL);
   gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
   if (shortened != NULL) {
-    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
     gtk_label_set_width_chars (GTK_LABEL (label), CHOICE_CHARS);
   }
   gtk_list_item_set_child (item, label);

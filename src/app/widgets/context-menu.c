@@ -52,14 +52,18 @@ on_closed (GtkPopover *popover)
 }
 
 static void
-let_scroll (gpointer viewport)
+let_scroll (gpointer data)
 {
-  gtk_viewport_set_scroll_to_focus (viewport, TRUE);
-  g_object_unref (viewport);
+  GWeakRef *reference = data;
+  g_autoptr (GtkViewport) viewport = g_weak_ref_get (reference);
+  if (viewport != NULL)
+    gtk_viewport_set_scroll_to_focus (viewport, TRUE);
+  g_weak_ref_clear (reference);
+  g_free (reference);
 }
 
 /* What is around the menu does not scroll to the item under the pointer, which would move the menu away
- * from it. */
+ * from it. The menu is a part of what it holds: with a strong reference both would stay for ever. */
 static void
 hold_still (GtkWidget *popover, GtkWidget *widget)
 {
@@ -67,8 +71,10 @@ hold_still (GtkWidget *popover, GtkWidget *widget)
   for (; widget != NULL; widget = gtk_widget_get_parent (widget))
     if (GTK_IS_VIEWPORT (widget)
         && gtk_viewport_get_scroll_to_focus (GTK_VIEWPORT (widget))) {
+      GWeakRef *reference = g_new0 (GWeakRef, 1);
+      g_weak_ref_init (reference, widget);
       gtk_viewport_set_scroll_to_focus (GTK_VIEWPORT (widget), FALSE);
-      g_ptr_array_add (held, g_object_ref (widget));
+      g_ptr_array_add (held, reference);
     }
   g_object_set_data_full (G_OBJECT (popover), HELD, held,
                           (GDestroyNotify) g_ptr_array_unref);

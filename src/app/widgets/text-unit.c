@@ -4,7 +4,6 @@
 
 #define USUAL_POINTS    10.0
 #define POINTS_PER_INCH 72.0
-#define LEAST_UNIT      (96.0 / POINTS_PER_INCH)
 
 double
 qn_text_unit (GtkWidget *widget)
@@ -14,5 +13,5 @@ qn_text_unit (GtkWidget *widget)
   double size = (double) pango_font_description_get_size (font) / PANGO_SCALE;
   if (!pango_font_description_get_size_is_absolute (font))
     size *= pango_cairo_context_get_resolution (context) / POINTS_PER_INCH;
-  return MAX (size / USUAL_POINTS, LEAST_UNIT);
+  return MAX (size / USUAL_POINTS, QN_TEXT_UNIT);
 }

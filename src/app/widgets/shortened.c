@@ -1,0 +1,25 @@
+#include "app/widgets/shortened.h"
+
+static gboolean
+on_query_tooltip (GtkLabel *label, int x, int y, gboolean by_key, GtkTooltip *tooltip)
+{
+  gtk_tooltip_set_text (tooltip, gtk_label_get_text (label));
+  return pango_layout_is_ellipsized (gtk_label_get_layout (label));
+}
+
+void
+qn_shortened_tell (GtkLabel *label)
+{
+  if (gtk_label_get_ellipsize (label) == PANGO_ELLIPSIZE_NONE
+      || gtk_widget_get_has_tooltip (GTK_WIDGET (label)))
+    return;
+  g_signal_connect (label, "query-tooltip", G_CALLBACK (on_query_tooltip), NULL);
+  gtk_widget_set_has_tooltip (GTK_WIDGET (label), TRUE);
+}
+
+void
+qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode)
+{
+  gtk_label_set_ellipsize (label, mode);
+  qn_shortened_tell (label);
+}
