@@ -266,6 +266,14 @@ shows_three (gpointer dialog)
          && driver_find_widget (dialog, is_table_row, "0.6415") != NULL;
 }
 
+#define ROCKING "Rocking block, let go at half its angle of overturning"
+
+static gboolean
+shows_rocking (gpointer dialog)
+{
+  return driver_find_widget (dialog, is_table_row, ROCKING) != NULL;
+}
+
 /* Files are compared without a window of theirs: solved, named by their titles, in an order that keys
  * change; what cannot be read is told. */
 static void
@@ -294,6 +302,19 @@ test_compare_files (void)
   driver_run (100);
   g_assert_cmpint (row_of (dialog, "0.3558"), ==, wall3 + 1);
   g_assert_cmpint (row_of (dialog, "100.0 %"), ==, row_of (dialog, "0.2637"));
+  /* All columns are in sight. A motion is told by how far it went, and its curve has other axes. */
+  GtkWidget *head = driver_find_widget (dialog, is_table_row, "Outcome");
+  GtkAdjustment *across = gtk_scrollable_get_hadjustment (
+    GTK_SCROLLABLE (gtk_widget_get_ancestor (head, GTK_TYPE_VIEWPORT)));
+  g_assert_cmpfloat (gtk_adjustment_get_upper (across), <=,
+                     gtk_adjustment_get_page_size (across) + 1.0);
+  GtkGrid *table = GTK_GRID (gtk_widget_get_parent (head));
+  g_autofree char *rocking = driver_example_path ("40-rocking-in-time.quoin");
+  gtk_widget_activate_action (dialog, "compare.add-path", "s", rocking);
+  driver_wait (shows_rocking, dialog);
+  GtkWidget *moved = gtk_grid_get_child_at (table, 3, row_of (dialog, ROCKING));
+  g_assert_cmpfloat (g_ascii_strtod (gtk_label_get_text (GTK_LABEL (moved)), NULL), >, 1);
+  driver_screenshot (dialog, "compare-in-time");
   driver_discard (window);
 }
 

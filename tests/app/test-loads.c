@@ -48,6 +48,11 @@ test_both_ways (void)
   int first = qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD);
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, first);
   driver_screenshot (root, "load-selected");
+  driver_activate (window, "win.show-panel::properties");
+  driver_run (200);
+  g_assert_nonnull (driver_find_widget (root, driver_says,
+                                        "Numbers of loads and bars are under Analysis."));
+  driver_activate (window, "win.show-panel::analysis");
 
   GtkListBox *rows =
     GTK_LIST_BOX (driver_find_id (driver_find_id (root, "loads_box"), "loads"));
@@ -103,6 +108,18 @@ test_blocks_first (void)
   guint count = 0;
   qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
   g_assert_cmpuint (count, ==, 1);
+  /* So does the right button. */
+  const QnModel *model = model_of (window);
+  g_assert_cmpint (model->live_loads[0].kind, ==, QN_LOAD_WEIGHT);
+  for (QnId block = 1; block <= 2; block++) {
+    QnVec2 middle = model->blocks[block].centroid;
+    driver_point (window, middle.x, middle.y);
+    driver_press_button ("3");
+    driver_run (200);
+    g_assert_true (qn_selection_has_block (selection_of (window), block));
+    driver_key ("Escape");
+    driver_run (200);
+  }
   driver_discard (window);
 }
 

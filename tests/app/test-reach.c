@@ -196,6 +196,32 @@ test_context_menus (void)
   driver_discard (window);
 }
 
+/* A press that something takes from the drawing ends where it was: no block follows the pointer with the
+ * button up. */
+static void
+test_lost_release (void)
+{
+  QnWindow *window = open_blocks ();
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  g_autoptr (GListModel) controllers =
+    gtk_widget_observe_controllers (GTK_WIDGET (canvas));
+  driver_point (window, 4.3, 0.3);
+  driver_hold_button (TRUE);
+  g_assert_true (qn_canvas_is_in_gesture (canvas));
+  for (guint i = 0; i < g_list_model_get_n_items (controllers); i++) {
+    g_autoptr (GtkEventController) each = g_list_model_get_item (controllers, i);
+    if (GTK_IS_GESTURE (each))
+      gtk_event_controller_reset (each);
+  }
+  driver_hold_button (FALSE);
+  driver_point (window, 4.6, 0.5);
+  driver_point (window, 5.6, 1.5);
+  g_assert_false (qn_canvas_is_in_gesture (canvas));
+  g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  check_corner (window, "other", 4.0, 0.0);
+  driver_discard (window);
+}
+
 /* "right; up" with the button up, and held; sums are worked out. */
 static void
 test_typed_moves (void)
@@ -255,6 +281,13 @@ test_numbers_panel (void)
   driver_activate (window, "win.align::top");
   check_corner (window, "other", 4.25, 1.0);
   driver_screenshot (GTK_WIDGET (window), "numbers-several");
+  /* Several have no angle of their own. */
+  g_assert_null (driver_find_widget (GTK_WIDGET (window), is_entry_called, "angle"));
+  QnVec2 was = corner_of (window, "base");
+  enter (window, "turn", "180");
+  g_assert_cmpfloat (corner_of (window, "base").x, >, was.x + 1.0);
+  enter (window, "turn", "180");
+  check_corner (window, "base", was.x, was.y);
   driver_discard (window);
 }
 
@@ -852,6 +885,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/reach/context-menus", test_context_menus);
+  g_test_add_func ("/app/reach/lost-release", test_lost_release);
   g_test_add_func ("/app/reach/typed-moves", test_typed_moves);
   g_test_add_func ("/app/reach/numbers-panel", test_numbers_panel);
   g_test_add_func ("/app/reach/various-values", test_various_values);

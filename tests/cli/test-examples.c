@@ -31,7 +31,7 @@ test_check_free (gconstpointer path)
 {
   CliRun run = cli_run ("check", path, NULL);
   g_assert_nonnull (strstr (run.out, "contact faces: 5"));
-  cli_assert_failed (&run, 3, "no supported block");
+  cli_assert_failed (&run, 3, "no block is supported");
 }
 
 /* Solves, and holds the result against the independent check. */

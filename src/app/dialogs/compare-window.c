@@ -10,6 +10,7 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/shortened.h"
 #include "app/widgets/text-unit.h"
 #include "doc/document/batch.h"
 #include "doc/document/run-text.h"
@@ -84,10 +85,9 @@ put (Compare *compare, int column, int row, const char *text)
   if (row == 0)
     gtk_widget_add_css_class (label, "heading");
   if (row > 0 && column == 0) {
-    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
     gtk_label_set_max_width_chars (GTK_LABEL (label), 28);
     gtk_label_set_width_chars (GTK_LABEL (label), 18);
-    gtk_widget_set_tooltip_text (label, text);
   }
   gtk_grid_attach (GTK_GRID (compare->table), label, column, row, 1, 1);
 }
@@ -99,15 +99,18 @@ take_curve (QnCurve *curve, const QnRun *run)
                                qn_result_curve_motion (&run->model, &run->result));
 }
 
-/* How far the curve's point had moved at the last step. */
+/* How far the curve's point had moved at the last step; in time, how far any block ever went. */
 static char *
 dup_displacement (const QnRun *run)
 {
   const QnUnits millimetres = { .length = QN_LENGTH_MM };
   QnCurve curve = { 0 };
   char *text = NULL;
+  if (qn_run_is_in_time (run))
+    return qn_units_format_full (millimetres, QN_QUANTITY_LENGTH,
+                                 qn_result_peak (&run->result, NULL), 4);
   if (qn_run_has_curve (run) && take_curve (&curve, run)) {
-    if (!curve.in_time && curve.count > 0)
+    if (curve.count > 0)
       text = qn_units_format_full (
         millimetres, curve.rotation ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
         curve.x[curve.count - 1], 4);

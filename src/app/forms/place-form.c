@@ -5,7 +5,7 @@
 #include "doc/edit/edit-place.h"
 #include <glib/gi18n.h>
 
-enum { FACTS = QN_EXTENT_COUNT, ARRANGE };
+enum { TURN = QN_EXTENT_COUNT, FACTS, ARRANGE };
 
 static const QnFormField fields[] = {
   [QN_EXTENT_X] = { .id = "x", .step = N_ ("Move") },
@@ -13,6 +13,7 @@ static const QnFormField fields[] = {
   [QN_EXTENT_WIDTH] = { .id = "width", .step = N_ ("Set Width") },
   [QN_EXTENT_HEIGHT] = { .id = "height", .step = N_ ("Set Height") },
   [QN_EXTENT_ANGLE] = { .id = "angle", .step = N_ ("Rotate") },
+  [TURN] = { .id = "turn", .step = N_ ("Rotate") },
   [FACTS] = { .id = "facts" },
   [ARRANGE] = { .id = "arrange" },
 };
@@ -76,7 +77,9 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case QN_EXTENT_ANGLE:
     value->number = extent.angle;
-    return TRUE;
+    return set.blocks.count == 1 && set.beams.count == 0;
+  case TURN:
+    return set.blocks.count != 1 || set.beams.count > 0;
   case FACTS:
     value->text = dup_facts (&extent);
     return set.blocks.count > 0;
@@ -91,8 +94,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   const QnBoundForm *form = data;
   QnPartSet set = qn_canvas_dup_parts (form->canvas);
-  gboolean done =
-    qn_edit_set_extent (draft, set, (QnExtentField) field, value->number, error);
+  QnExtentField what = field == TURN ? QN_EXTENT_ANGLE : (QnExtentField) field;
+  gboolean done = qn_edit_set_extent (draft, set, what, value->number, error);
   qn_part_set_clear (&set);
   return done;
 }

@@ -40,15 +40,27 @@ set_text (GtkLabel *label, const char *text)
   gtk_widget_set_visible (GTK_WIDGET (label), text != NULL && text[0] != '\0');
 }
 
-/* The multiplier as large as it is important; a run without one says how it ended instead. */
+/* The number that a run answers with: the multiplier; of an analysis in time that nothing overturned in,
+ * how far blocks went. Without one it says how it ended. */
+static char *
+dup_number (const QnRun *run)
+{
+  const QnResult *result = &run->result;
+  if (run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier)
+    return g_strdup_printf ("%.4f", result->collapse_multiplier);
+  double peak = qn_result_peak (result, NULL);
+  if (peak > 0 && result->outcome != QN_OUTCOME_COLLAPSE)
+    return qn_units_format_full (qn_units_of_motion (qn_settings_get_units ()),
+                                 QN_QUANTITY_LENGTH, peak, 3);
+  return g_strdup (qn_explain_outcome_label (result));
+}
+
 static void
 update_number (Card *card, const QnRun *run)
 {
   const QnResult *result = &run->result;
-  const char *outcome = qn_explain_outcome_label (result);
   gboolean given = run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier;
-  g_autofree char *number =
-    given ? g_strdup_printf ("%.4f", result->collapse_multiplier) : g_strdup (outcome);
+  g_autofree char *number = dup_number (run);
   set_text (card->number, number);
   set_text (card->outcome, given ? _ ("Load multiplier at collapse") : NULL);
 }

@@ -4,20 +4,28 @@
 
 typedef struct Panel {
   QnCanvas *canvas;
-  GtkWidget *empty;
+  GtkWidget *hint;
 } Panel;
 
+/* Where nothing is selected that has a form here. */
 static void
 update (Panel *panel)
 {
-  gtk_widget_set_visible (
-    panel->empty, qn_selection_is_empty (qn_canvas_get_selection (panel->canvas)));
+  QnSelection *selection = qn_canvas_get_selection (panel->canvas);
+  gboolean item = FALSE, empty = qn_selection_is_empty (selection);
+  for (int kind = 0; kind < QN_ITEM_COUNT; kind++)
+    item = item || qn_selection_get_item (selection, (QnItemKind) kind) != QN_NONE;
+  gtk_label_set_text (GTK_LABEL (panel->hint),
+                      item ? _ ("Numbers of loads and bars are under Analysis.")
+                           : _ ("Select blocks, beams or an opening, or joints in the "
+                                "contacts view, to change them here."));
+  gtk_widget_set_visible (panel->hint, item || empty);
 }
 
 static GtkWidget *
-new_hint (const char *text)
+new_hint (void)
 {
-  GtkWidget *label = gtk_label_new (text);
+  GtkWidget *label = gtk_label_new (NULL);
   gtk_label_set_wrap (GTK_LABEL (label), TRUE);
   gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
   gtk_label_set_max_width_chars (GTK_LABEL (label), 36);
@@ -34,10 +42,9 @@ qn_properties_panel_new (QnCanvas *canvas)
   Panel *panel = g_new0 (Panel, 1);
   panel->canvas = canvas;
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
-  panel->empty = new_hint (_ ("Select blocks, beams or an opening, or joints in the "
-                              "contacts view, to change them here."));
+  panel->hint = new_hint ();
   GtkWidget *parts[] = {
-    qn_style_form_new (canvas),       panel->empty,
+    qn_style_form_new (canvas),       panel->hint,
     qn_block_form_new (canvas),       qn_place_form_new (canvas),
     qn_corner_table_new (canvas),     qn_wall_form_new (canvas),
     qn_opening_form_new (canvas),     qn_masonry_form_new (canvas),

@@ -43,11 +43,8 @@ static void
 print_history (const char *title, const QnResult *result)
 {
   const QnHistory *history = &result->history;
-  double peak = 0;
-  for (gsize i = 0; i < result->block_count; i++)
-    peak = MAX (peak, history->peaks[i]);
-  printf (_ ("%s: followed to %.4g s, largest displacement %.4g m\n"), title,
-          history->end, peak);
+  printf (_ ("%s: followed to %.4g s, largest displacement %.4g m at %.4g s\n"), title,
+          history->end, qn_result_peak (result, NULL), history->peak_time);
   printf (
     _ ("%d time steps, %d more given up for shorter ones; error of the energy balance "
        "%.1e of the input\n"),

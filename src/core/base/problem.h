@@ -78,8 +78,8 @@
   X (BEAM_WITHOUT_MASS, "beam has no mass to vibrate with") \
   X (BEAMS_WITHOUT_LIMIT, "limit analysis covers rigid blocks only, not beams: use another procedure") \
   X (CONTROL_NODE_RIDES, "controlled node is on a block: control the block") \
-  X (NO_BLOCKS, "model has no blocks: draw or generate some first") \
-  X (NO_SUPPORT, "model has no supported block") \
+  X (NO_BLOCKS, "no blocks: draw or generate some first") \
+  X (NO_SUPPORT, "no block is supported: fix the ground, or the lowest blocks") \
   X (BLOCK_FLOATING, "block is not connected to any support") \
   X (COURSE_EMPTY, "course is empty") \
   X (COURSE_LENGTH_ZERO, "length in a course is zero") \

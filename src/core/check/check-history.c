@@ -54,6 +54,8 @@ check_scalars (QnCheck *check)
   for (size_t i = 1; i < r->step_count; i++)
     residual = fmax (residual, r->steps[i].residual);
   is_true = is_true && residual <= h->largest_residual * (1 + QN_CHECK_EXACT);
+  if (!isnan (h->peak_time))
+    is_true = is_true && h->peak_time >= 0 && h->peak_time <= last + little;
   if (r->outcome == QN_OUTCOME_COLLAPSE) /* what falls may be followed on */
     is_true = is_true && h->collapse_time <= last + little
               && h->collapse_time >= h->shortest_step * (1 - SAME_TIME)

@@ -40,6 +40,7 @@ typedef struct {
   double *distances;     /* scratch, of blocks, m */
   double *row;           /* scratch, of the history */
   QnBeamForces *beam_forces;
+  double peak;                         /* largest displacement so far, m */
   double largest_error, largest_input; /* of the energy balance, J */
   double rest_speed, rest_time;        /* m/s, s */
   double still_since;                  /* s; negative: it moves */
@@ -140,7 +141,12 @@ note_peaks (Run *run)
   for (size_t b = 0; b < run->model->block_count; b++) {
     const double *d = run->displacements + QN_DOF_COUNT * b,
                  *d0 = run->start + QN_DOF_COUNT * b;
-    history->peaks[b] = fmax (history->peaks[b], hypot (d[0] - d0[0], d[1] - d0[1]));
+    double moved = hypot (d[0] - d0[0], d[1] - d0[1]);
+    history->peaks[b] = fmax (history->peaks[b], moved);
+    if (moved > run->peak) {
+      run->peak = moved;
+      history->peak_time = progress->time;
+    }
   }
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairMemory *memory = &now->responses[p].memory;

@@ -37,6 +37,22 @@ qn_result_motion (const QnResult *result, size_t from, size_t to)
   return largest;
 }
 
+double
+qn_result_peak (const QnResult *result, QnId *block)
+{
+  double largest = 0;
+  QnId at = QN_NONE;
+
+  for (size_t b = 0; b < result->block_count && result->history.peaks != NULL; b++)
+    if (at == QN_NONE || result->history.peaks[b] > largest) {
+      at = (QnId) b;
+      largest = result->history.peaks[b];
+    }
+  if (block != NULL)
+    *block = at;
+  return largest;
+}
+
 static bool
 is_settled (double at, double end)
 {

@@ -119,6 +119,7 @@ typedef struct QnHistory {
   size_t capacity;
   double
     *peaks; /* block_count: largest displacement since the dead load of every block, m */
+  double peak_time;        /* s: of the largest of them; NAN: not known */
   double energy_error;     /* largest error of the balance over the largest input */
   double largest_residual; /* of all steps, relative to the forces */
   double
@@ -394,6 +395,9 @@ bool qn_result_add_forces (QnResult *result, bool all);
 bool qn_result_add_found (QnResult *result, QnFound found);
 bool qn_result_add_found_force (QnResult *result, QnFoundForce force);
 bool qn_result_add_left (QnResult *result, QnLeftFace left);
+
+/* The largest displacement of a block in an analysis in time, m; *block (nullable) is that block. */
+double qn_result_peak (const QnResult *result, QnId *block);
 
 /* Appends a row to the history, whose width is set. False when memory runs out. */
 bool qn_result_add_history (QnResult *result, const double *row);

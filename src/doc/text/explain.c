@@ -5,6 +5,7 @@
 #include "render/drawing/text.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
 
 static const char *
 entity_word (QnEntity entity)
@@ -114,12 +115,30 @@ qn_explain_pair_state (QnPairState state)
   return _ (texts[state]);
 }
 
+/* How far blocks went in an analysis in time, and when; NULL where none did. */
+static char *
+dup_peak (const QnModel *model, const QnResult *result)
+{
+  QnId block;
+  double peak = qn_result_peak (result, &block);
+  if (!(peak > 0))
+    return NULL;
+  if (isnan (result->history.peak_time))
+    return g_strdup_printf (_ ("Largest displacement: %.4g m, of block “%s”."), peak,
+                            model->blocks[block].name);
+  return g_strdup_printf (_ ("Largest displacement: %.4g m at %.4g s, of block “%s”."),
+                          peak, result->history.peak_time, model->blocks[block].name);
+}
+
 char *
 qn_explain_outcome (const QnModel *model, const QnResult *result)
 {
-  return result->vibration.mode > 0
-           ? g_strdup (_ ("Small vibrations about an equilibrium."))
-           : qn_outcome_dup_reason (model, result);
+  if (result->vibration.mode > 0)
+    return g_strdup (_ ("Small vibrations about an equilibrium."));
+  g_autofree char *reason = qn_outcome_dup_reason (model, result);
+  g_autofree char *peak = dup_peak (model, result);
+  return peak != NULL ? g_strdup_printf ("%s %s", reason, peak)
+                      : g_steal_pointer (&reason);
 }
 
 /* What the motion is that a result has in place of a mechanism, or NULL where it is one. */

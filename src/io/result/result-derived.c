@@ -123,6 +123,7 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "history.rejected", in_time },
     { "history.time_of_collapse", in_time && result->outcome == QN_OUTCOME_COLLAPSE },
     { "history.peak", in_time },
+    { "history.time_of_peak", in_time && !isnan (result->history.peak_time) },
     { "history.tracks[].values", in_time && model->track_count > 0 },
     { "history.found", in_time && has_idle_contacts (result) },
     { "history.found[].foot", in_time && result->found_count > 0 },

@@ -45,6 +45,8 @@ write_scalars (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_printf (writer, "%s\"%s\": ", i > 0 ? ", " : "\n    ", numbers[i].key);
     qn_file_writer_number (writer, numbers[i].number);
   }
+  if (!isnan (h->peak_time))
+    qn_file_writer_puts_number (writer, ", \"time_of_peak\": ", h->peak_time);
   qn_file_writer_puts (writer, ", \"time_of_collapse\": ");
   if (result->outcome == QN_OUTCOME_COLLAPSE)
     qn_file_writer_number (writer, h->collapse_time);
@@ -348,6 +350,8 @@ qn_result_history_read (QnJsonStream *stream, gpointer target)
   }
   static const QnJsonMember members[] = {
     SCALAR ("end", end, qn_json_stream_number),
+    { "time_of_peak", qn_json_stream_number, offsetof (Reading, history.peak_time),
+      QN_JSON_OPTIONAL },
     SCALAR ("energy_error", energy_error, qn_json_stream_number),
     SCALAR ("largest_residual", largest_residual, qn_json_stream_number),
     SCALAR ("largest_slip", largest_slip, qn_json_stream_number),
@@ -364,7 +368,8 @@ qn_result_history_read (QnJsonStream *stream, gpointer target)
     { "left", read_left, offsetof (Reading, draft), QN_JSON_EACH },
   };
 #undef SCALAR
-  Reading read = { .tracks = g_ptr_array_new_with_free_func (free_list) };
+  Reading read = { .tracks = g_ptr_array_new_with_free_func (free_list),
+                   .history.peak_time = NAN };
   gboolean done = qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read);
   QnHistoryDraft *draft = target;
   read.draft.by_step = draft->by_step;

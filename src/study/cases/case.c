@@ -194,12 +194,7 @@ known (gboolean is_known, double value)
 static double
 peak_displacement (const QnResult *result)
 {
-  double largest = 0;
-  if (result->history.peaks == NULL)
-    return NAN;
-  for (size_t b = 0; b < result->block_count; b++)
-    largest = fmax (largest, result->history.peaks[b]);
-  return largest;
+  return known (result->history.peaks != NULL, qn_result_peak (result, NULL));
 }
 
 static double

@@ -285,6 +285,7 @@ test_rock (void)
   g_assert_cmpfloat (fabs (found / exact - 1), <, 0.01);
   g_assert_cmpfloat (h->energy_error, <, 1e-3);
   g_assert_cmpfloat (h->largest_slip, <, 0.05);
+  g_assert_cmpfloat (h->peak_time, ==, 0); /* it comes back to less each time */
 }
 
 /* Let go just beyond its balance it falls; and at once where it hangs over by far. */
@@ -301,6 +302,7 @@ test_overturn (void)
   g_assert_cmpfloat (h->collapse_time, >, 0.5);
   g_assert_cmpfloat (h->collapse_time, <, 3);
   g_assert_cmpfloat (h->collapse_time, ==, h->end);
+  g_assert_cmpfloat (h->peak_time, ==, h->end);
   g_assert_cmpfloat (h->energy_error, <, 1e-3);
   g_assert_nonnull (c.result.mechanism);
   g_assert_cmpint (c.result.steps[c.result.step_count - 1].event, ==, QN_EVENT_COLLAPSE);

@@ -2,6 +2,7 @@
 
 #include "doc/fixture.h"
 
+#include <math.h>
 #include <string.h>
 
 static void
@@ -115,6 +116,30 @@ test_frame (void)
   g_assert_cmpstr (brief, ==, "Beams fail");
 }
 
+/* A motion is told by how far a block went and when; files of earlier versions do not say when. */
+static void
+test_peak (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  const QnModel *model = qn_document_get_model (document);
+  double peaks[] = { 0, 0.0125 };
+  QnResult result = { .outcome = QN_OUTCOME_REST,
+                      .block_count = model->block_count,
+                      .history = {
+                        .width = QN_HISTORY_TRACK, .peaks = peaks, .end = 2 } };
+  g_assert_cmpuint (model->block_count, ==, 2);
+  result.history.peak_time = 0.75;
+  g_autofree char *text = qn_explain_outcome (model, &result);
+  g_assert_nonnull (strstr (text, "Largest displacement: 0.0125 m at 0.75 s"));
+  g_assert_nonnull (strstr (text, model->blocks[1].name));
+  result.history.peak_time = NAN;
+  g_autofree char *old = qn_explain_outcome (model, &result);
+  g_assert_nonnull (strstr (old, "Largest displacement: 0.0125 m, of block"));
+  peaks[1] = 0;
+  g_autofree char *still = qn_explain_outcome (model, &result);
+  g_assert_null (strstr (still, "displacement"));
+}
+
 /* What did not converge is what was asked for: limit analysis has no dead load to rest under. */
 static void
 test_not_converged (void)
@@ -159,6 +184,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/explain/diag", test_diag);
+  g_test_add_func ("/doc/explain/peak", test_peak);
   g_test_add_func ("/doc/explain/finding", test_finding);
   g_test_add_func ("/doc/explain/outcome", test_outcome);
   g_test_add_func ("/doc/explain/frame", test_frame);

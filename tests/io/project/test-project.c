@@ -83,7 +83,8 @@ test_errors (void)
 
   qn_diag_set_field (&diag, QN_PROBLEM_NO_SUPPORT, QN_ENTITY_MODEL, QN_NONE, "blocks", 0);
   expect_error (&project, &diag, QN_IO_ERROR_INVALID,
-                "wall.quoin:3:13: blocks: model has no supported block");
+                "wall.quoin:3:13: blocks: no block is supported: fix the ground, or the "
+                "lowest blocks");
 
   qn_diag_no_memory (&diag);
   expect_error (&project, &diag, QN_IO_ERROR_NO_MEMORY, "wall.quoin: not enough memory");
@@ -119,7 +120,7 @@ test_without_text (void)
   qn_project_init (&project);
   qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks", 0);
   expect_error (&project, &diag, QN_IO_ERROR_INVALID,
-                "project: blocks: model has no blocks: draw or generate some first");
+                "project: blocks: no blocks: draw or generate some first");
 }
 
 int
