@@ -116,7 +116,7 @@ test_blocks_first (void)
     driver_point (window, middle.x, middle.y);
     driver_press_button ("3");
     driver_run (200);
-    g_assert_true (qn_selection_has_block (selection_of (window), block));
+    g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, block));
     driver_key ("Escape");
     driver_run (200);
   }

@@ -217,7 +217,7 @@ test_lost_release (void)
   driver_point (window, 4.6, 0.5);
   driver_point (window, 5.6, 1.5);
   g_assert_false (qn_canvas_is_in_gesture (canvas));
-  g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
   check_corner (window, "other", 4.0, 0.0);
   driver_discard (window);
 }
