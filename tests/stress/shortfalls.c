@@ -40,6 +40,7 @@ static const StressShortfall shortfalls[] = {
   { "random-403", STRESS_NO_ANSWER, ROUNDING },
   { "random-581", STRESS_LIMIT, STALLS },
   { "random-920", STRESS_LIMIT, STALLS },
+  { "uplift-wall3", STRESS_MECHANISM, WIDE },
   { "random-168", STRESS_MECHANISM, WIDE },
   { "random-813", STRESS_MECHANISM, WIDE },
   { "random-914", STRESS_MECHANISM, WIDE },
