@@ -41,7 +41,8 @@ has_live_history (gpointer window)
 {
   gsize count = 0;
   QnJob *job = qn_document_get_job (qn_window_get_document (window));
-  return job != NULL && qn_job_get_curve (job, &count)[0].x >= 0.0 && count >= 3
+  const QnVec2 *curve = job != NULL ? qn_job_get_curve (job, &count) : NULL;
+  return count >= 3 && curve[0].x >= 0.0
          && driver_find_widget (window, driver_says, " of 5000 s") != NULL
          && driver_find_widget (window, driver_says, " left") != NULL;
 }
