@@ -275,6 +275,7 @@ fixture_clear (Fixture *f)
   free (m->vertices);
   free (m->dead_loads);
   free (m->live_loads);
+  free (m->ground);
   free (f->contacts.faces);
   free (f->contacts.pairs);
   free (f->contacts.findings.items);

@@ -13,8 +13,8 @@ qn_builder_new (const char *name)
   GtkBuilder *builder = gtk_builder_new_from_resource (path);
   g_autoptr (GSList) objects = gtk_builder_get_objects (builder);
   for (GSList *each = objects; each != NULL; each = each->next)
-    if (GTK_IS_LABEL (each->data))
-      qn_shortened_tell (each->data);
+    if (GTK_IS_LABEL (each->data) || GTK_IS_HEADER_BAR (each->data))
+      qn_shortened_tell_within (each->data);
   return builder;
 }
 

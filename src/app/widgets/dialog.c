@@ -1,5 +1,7 @@
 #include "app/widgets/dialog.h"
 
+#include "app/widgets/shortened.h"
+
 #include <glib/gi18n.h>
 
 GtkWidget *
@@ -11,7 +13,9 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   gtk_window_set_modal (GTK_WINDOW (dialog), TRUE);
   gtk_window_set_destroy_with_parent (GTK_WINDOW (dialog), TRUE);
   gtk_window_set_default_size (GTK_WINDOW (dialog), width, height);
-  gtk_window_set_titlebar (GTK_WINDOW (dialog), gtk_header_bar_new ());
+  GtkWidget *header = gtk_header_bar_new ();
+  qn_shortened_tell_within (header);
+  gtk_window_set_titlebar (GTK_WINDOW (dialog), header);
 
   GtkEventController *keys = gtk_shortcut_controller_new ();
   gtk_shortcut_controller_add_shortcut (

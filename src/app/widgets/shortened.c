@@ -18,6 +18,16 @@ qn_shortened_tell (GtkLabel *label)
 }
 
 void
+qn_shortened_tell_within (GtkWidget *widget)
+{
+  if (GTK_IS_LABEL (widget))
+    qn_shortened_tell (GTK_LABEL (widget));
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    qn_shortened_tell_within (child);
+}
+
+void
 qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode)
 {
   gtk_label_set_ellipsize (label, mode);

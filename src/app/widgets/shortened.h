@@ -8,6 +8,9 @@
  * may have another tooltip. */
 void qn_shortened_tell (GtkLabel *label);
 
+/* The same for all labels in a widget, such as the title that a header bar makes. */
+void qn_shortened_tell_within (GtkWidget *widget);
+
 /* Cuts it short there, and tells. */
 void qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode);
 
