@@ -14,7 +14,7 @@ qn_builder_new (const char *name)
   g_autoptr (GSList) objects = gtk_builder_get_objects (builder);
   for (GSList *each = objects; each != NULL; each = each->next)
     if (GTK_IS_LABEL (each->data) || GTK_IS_HEADER_BAR (each->data))
-      qn_shortened_tell_within (each->data);
+      qn_shortened_tell (each->data);
   return builder;
 }
 

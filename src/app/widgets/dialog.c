@@ -14,7 +14,7 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   gtk_window_set_destroy_with_parent (GTK_WINDOW (dialog), TRUE);
   gtk_window_set_default_size (GTK_WINDOW (dialog), width, height);
   GtkWidget *header = gtk_header_bar_new ();
-  qn_shortened_tell_within (header);
+  qn_shortened_tell (header);
   gtk_window_set_titlebar (GTK_WINDOW (dialog), header);
 
   GtkEventController *keys = gtk_shortcut_controller_new ();

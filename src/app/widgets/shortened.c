@@ -7,8 +7,8 @@ on_query_tooltip (GtkLabel *label, int x, int y, gboolean by_key, GtkTooltip *to
   return pango_layout_is_ellipsized (gtk_label_get_layout (label));
 }
 
-void
-qn_shortened_tell (GtkLabel *label)
+static void
+tell (GtkLabel *label)
 {
   if (gtk_label_get_ellipsize (label) == PANGO_ELLIPSIZE_NONE
       || gtk_widget_get_has_tooltip (GTK_WIDGET (label)))
@@ -18,18 +18,18 @@ qn_shortened_tell (GtkLabel *label)
 }
 
 void
-qn_shortened_tell_within (GtkWidget *widget)
+qn_shortened_tell (GtkWidget *widget)
 {
   if (GTK_IS_LABEL (widget))
-    qn_shortened_tell (GTK_LABEL (widget));
+    tell (GTK_LABEL (widget));
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child))
-    qn_shortened_tell_within (child);
+    qn_shortened_tell (child);
 }
 
 void
 qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode)
 {
   gtk_label_set_ellipsize (label, mode);
-  qn_shortened_tell (label);
+  tell (label);
 }

@@ -4,14 +4,11 @@
 
 #include <gtk/gtk.h>
 
-/* A label that may be cut short tells its whole text in a tooltip as long as it is; what is around it
- * may have another tooltip. */
-void qn_shortened_tell (GtkLabel *label);
+/* Every label in a widget that may be cut short, such as the title that a header bar makes, tells its
+ * whole text in a tooltip as long as it is; what is around it may have another tooltip. */
+void qn_shortened_tell (GtkWidget *widget);
 
-/* The same for all labels in a widget, such as the title that a header bar makes. */
-void qn_shortened_tell_within (GtkWidget *widget);
-
-/* Cuts it short there, and tells. */
+/* Cuts a label short there, and tells. */
 void qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode);
 
 #endif

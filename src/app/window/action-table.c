@@ -1,7 +1,6 @@
 #include "app/window/action-table.h"
 
 #include "app/tools/tools.h"
-#include "app/widgets/shortened.h"
 #include <glib/gi18n.h>
 
 #define SOLVABLE (QN_NEEDS_WORK | QN_NEEDS_MODEL | QN_NEEDS_IDLE)
@@ -324,8 +323,6 @@ qn_action_complete_tooltips (GtkWidget *widget)
     g_autofree char *whole = qn_action_dup_tooltip (text, detailed);
     gtk_widget_set_tooltip_text (widget, whole);
   }
-  if (GTK_IS_LABEL (widget))
-    qn_shortened_tell (GTK_LABEL (widget));
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child))
     qn_action_complete_tooltips (child);

@@ -51,9 +51,9 @@ go_straight_on (QnPathTrace *trace, const QnTarget *target)
   QnEquilibrium *eq = &trace->path->equilibrium;
   const double *last = trace->measure.last_u, *now = eq->committed.u;
   QnSolveStatus status = QN_SOLVE_FAILED;
-  double advanced = last_advance (trace);
+  double advanced = qn_path_trace_is_linear (trace) ? last_advance (trace) : 0;
 
-  if (!qn_path_trace_is_linear (trace) || advanced == 0)
+  if (advanced == 0)
     return QN_SOLVE_FAILED;
   double times = target->advance / advanced;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
@@ -117,15 +117,20 @@ jump (QnPathTrace *trace, const QnTarget *target)
   return qn_equilibrium_relax (eq, NULL, target, INFINITY, NULL, QN_RELAX_BUDGET);
 }
 
-/* Whether a step that was solved went much farther than the steps before it, and not much less far
- * than a longer one did (`before`; 0: unknown): that is a jump. */
+/* Whether a step that was solved came farther than it may (`most`; 0: unknown), and not much less far than a
+ * longer one did (`before`; 0: unknown): that is a jump. */
+static bool
+is_too_far (double moved, double most, double before)
+{
+  return most > 0 && moved > most && moved > tuning->jump_stays * before;
+}
+
+/* The same of a step that went much farther than the steps before it. */
 static bool
 is_jump (const QnPathTrace *trace, double step, double before)
 {
-  double moved = qn_equilibrium_motion (&trace->path->equilibrium);
-
-  return trace->pace > 0 && moved > tuning->jump * trace->pace * fabs (step)
-         && moved > tuning->jump_stays * before;
+  return is_too_far (qn_equilibrium_motion (&trace->path->equilibrium),
+                     tuning->jump * trace->pace * fabs (step), before);
 }
 
 /* In nonlinear geometry: how far the state just solved is from where the last step, of the measure by `last`,
@@ -246,7 +251,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       status = leave_unstable (trace, &target);
     bool solved = status == QN_SOLVE_CONVERGED;
     double most = 0, away = solved ? departure (trace, *step, last, &most) : 0;
-    trace->jumped = most > 0 && away > most && away > tuning->jump_stays * before;
+    trace->jumped = is_too_far (away, most, before);
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
       return status;

@@ -135,9 +135,8 @@ replace_all (QnSelection *self, GArray *const parts[QN_PART_COUNT], QnId object,
 }
 
 static void
-replace (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces)
+replace (QnSelection *self, GArray *const parts[QN_PART_COUNT])
 {
-  GArray *const parts[QN_PART_COUNT] = { blocks, beams, faces };
   replace_all (self, parts, QN_NONE, 0, QN_ITEM_DEAD_LOAD, QN_NONE);
 }
 
@@ -166,13 +165,13 @@ ids_toggled (GArray *ids, QnId id)
 static void
 replace_one (QnSelection *self, QnPartKind kind, GArray *ids, gboolean keep)
 {
-  GArray *parts[QN_PART_COUNT] = { NULL };
+  GArray *parts[QN_PART_COUNT];
   keep = keep && kind != QN_PART_FACE;
   for (int i = 0; i < QN_PART_COUNT; i++)
     parts[i] = i == (int) kind             ? ids
                : keep && i != QN_PART_FACE ? g_array_copy (self->parts[i])
                                            : new_ids ();
-  replace (self, parts[QN_PART_BLOCK], parts[QN_PART_BEAM], parts[QN_PART_FACE]);
+  replace (self, parts);
 }
 
 void
@@ -253,12 +252,12 @@ select_matching (QnSelection *self, const QnModel *model, QnId block, BlockTest 
 void
 qn_selection_select_all (QnSelection *self, const QnModel *model)
 {
-  GArray *blocks = new_ids (), *beams = new_ids ();
+  GArray *const parts[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
   for (QnId i = 0; i < (QnId) model->block_count; i++)
-    g_array_append_val (blocks, i);
+    g_array_append_val (parts[QN_PART_BLOCK], i);
   for (QnId i = 0; i < (QnId) model->beam_count; i++)
-    g_array_append_val (beams, i);
-  replace (self, blocks, beams, new_ids ());
+    g_array_append_val (parts[QN_PART_BEAM], i);
+  replace (self, parts);
 }
 
 /* Wall blocks are named <wall>.<course>.<position>: those of a course share what precedes the

@@ -155,16 +155,6 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
 
 /* ---- writing ---- */
 
-static void
-put_control (GString *json, const QnMember *members, const QnModel *model,
-             gconstpointer source)
-{
-  qn_json_begin_member (json, "control");
-  g_string_append_c (json, '{');
-  qn_members_write (json, members, model, source, NULL);
-  g_string_append (json, " }");
-}
-
 static int32_t
 append_stage (GString *json, const QnModel *model, size_t index)
 {
@@ -183,7 +173,7 @@ append_stage (GString *json, const QnModel *model, size_t index)
   g_string_append (json, any ? "]" : "[]");
   qn_members_write (json, stage_members, model, stage, &usual);
   if (stage->control_block != QN_NONE || stage->control_node != QN_NONE)
-    put_control (json, stage_control, model, stage);
+    qn_members_put (json, "control", stage_control, model, stage, NULL);
   return stage->note;
 }
 
@@ -198,7 +188,7 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
   g_string_append (json, "  \"analysis\": {");
   qn_members_write (json, analysis_members, model, analysis, usual);
   if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE) {
-    put_control (json, analysis_control, model, analysis);
+    qn_members_put (json, "control", analysis_control, model, analysis, NULL);
     qn_json_append_inner (json, inner, "analysis.control");
   }
   qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6, model->stage_count,

@@ -173,12 +173,8 @@ append_ground (GString *json, const QnModel *model, size_t index)
   qn_members_write (json, ground_members, NULL, motion, &usual);
   if (motion->kind == QN_SIGNAL_POINTS)
     qn_json_put_points (json, "points", motion->points, motion->point_count);
-  if (motion->kind == QN_SIGNAL_PULSE) {
-    qn_json_begin_member (json, "pulse");
-    g_string_append_c (json, '{');
-    qn_members_write (json, pulse_members, NULL, &motion->pulse, &usual.pulse);
-    g_string_append (json, " }");
-  }
+  if (motion->kind == QN_SIGNAL_PULSE)
+    qn_members_put (json, "pulse", pulse_members, NULL, &motion->pulse, &usual.pulse);
   return motion->note;
 }
 
@@ -216,10 +212,7 @@ qn_project_append_dynamic (GString *json, const QnModel *model,
   g_string_append (json, ",\n    \"dynamic\": {");
   qn_members_write (json, dynamic_members, NULL, s, usual);
   if (s->mass_damping != 0 || s->joint_damping != 0 || s->of != QN_DAMPING_CURRENT) {
-    qn_json_begin_member (json, "damping");
-    g_string_append_c (json, '{');
-    qn_members_write (json, damping_members, NULL, s, usual);
-    g_string_append (json, " }");
+    qn_members_put (json, "damping", damping_members, NULL, s, usual);
     qn_json_append_inner (json, inner, "analysis.dynamic.damping");
   }
   qn_json_append_list (json, model, inner, ",\n      \"ground\": [", 8,

@@ -433,12 +433,8 @@ put_kind (GString *json, const QnMasonry *masonry)
     qn_json_put_numbers (json, "capital", &column->capital_width, 2);
   if (masonry->kind == QN_MASONRY_RUBBLE)
     qn_json_put_number (json, "seed", masonry->rubble.seed);
-  if (masonry->kind != QN_MASONRY_PORTAL || masonry->portal.lintel_height > 0)
-    return;
-  qn_json_begin_member (json, "arch");
-  g_string_append_c (json, '{');
-  qn_members_write (json, inner_arch_members, NULL, &masonry->portal.arch, NULL);
-  g_string_append (json, " }");
+  if (masonry->kind == QN_MASONRY_PORTAL && !(masonry->portal.lintel_height > 0))
+    qn_members_put (json, "arch", inner_arch_members, NULL, &masonry->portal.arch, NULL);
 }
 
 void

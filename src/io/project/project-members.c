@@ -107,8 +107,10 @@ qn_members_check (const QnJsonValue *object, const QnMember *first,
   const char *keys[MOST_MEMBERS];
   gsize count = 0;
   for (gsize i = 0; i < G_N_ELEMENTS (tables); i++)
-    for (const QnMember *m = tables[i]; m != NULL && m->key != NULL; m++)
+    for (const QnMember *m = tables[i]; m != NULL && m->key != NULL; m++) {
+      g_assert (count < MOST_MEMBERS);
       keys[count++] = m->key;
+    }
   if (!qn_json_value_object (object))
     return FALSE;
   qn_json_value_warn_unknown (object, keys, count);
@@ -276,4 +278,14 @@ qn_members_write (GString *json, const QnMember *members, const QnModel *model,
                          || !is_usual (m->kind, from + m->offset, other + m->offset))
       write_member (json, m, model, from + m->offset);
   }
+}
+
+void
+qn_members_put (GString *json, const char *key, const QnMember *members,
+                const QnModel *model, gconstpointer source, gconstpointer usual)
+{
+  qn_json_begin_member (json, key);
+  g_string_append_c (json, '{');
+  qn_members_write (json, members, model, source, usual);
+  g_string_append (json, " }");
 }

@@ -92,6 +92,10 @@ gboolean qn_members_take (const QnJsonValue *object, const QnMember *members,
 void qn_members_write (GString *json, const QnMember *members, const QnModel *model,
                        gconstpointer source, gconstpointer usual);
 
+/* The same as an object, the member `key`. */
+void qn_members_put (GString *json, const char *key, const QnMember *members,
+                     const QnModel *model, gconstpointer source, gconstpointer usual);
+
 /* Finds the entity that a value, a string, names; the same of a member, where an optional one that is
  * not there leaves *id as it is. */
 gboolean qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named,

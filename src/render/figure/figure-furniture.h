@@ -22,8 +22,8 @@ typedef struct QnFurniture {
   double x, y, width, height; /* px, where it goes */
 } QnFurniture;
 
-/* Measures the items; none is wider than `limit` px, unless one of its words is. A scale bar is part of it where
- * asked for. */
+/* Measures the items; none is wider than `limit` px, unless one of its words is. A scale bar is
+ * part of it where asked for. */
 void qn_furniture_init (QnFurniture *furniture, const QnScene *scene, cairo_t *cr,
                         double unit, double limit, bool scale_bar);
 void qn_furniture_clear (QnFurniture *furniture);

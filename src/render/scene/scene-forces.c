@@ -168,8 +168,7 @@ along (QnVec2 v)
 }
 
 /* Places a number into the corner between the joint and the line of thrust that points to the
- * right most: neither runs through it. `way` is that of its pieces
- * which leads to the right. */
+ * right most: neither runs through it. `way` is that of its pieces which leads to the right. */
 static void
 set_beside (QnCommand *number, QnVec2 joint, QnVec2 way)
 {
