@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+/* What holds a body carries at least this part of its load. */
+#define HOLDS 0.01
+
 /* v of one degree of freedom of a body, less `base` and times `weights` unless these are NULL; 0 where
  * it is fixed. */
 static double
@@ -44,6 +47,50 @@ double
 qn_assembly_largest (const QnAssembly *as, const double *v, const double *base)
 {
   return largest_of_bodies (as, v, base, NULL);
+}
+
+/* Bodies with a support, and those at the ends of members, are held; `loose` is every other one. */
+static void
+find_supported (const QnAssembly *as, bool *loose)
+{
+  const QnModel *model = as->model;
+
+  for (size_t body = 0; body < qn_model_body_count (model); body++) {
+    const int32_t *unknowns = as->unknown + QN_DOF_COUNT * body;
+    loose[body] = true;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      if (unknowns[dof] == QN_NONE || as->settles[unknowns[dof]])
+        loose[body] = false;
+  }
+  for (size_t e = 0; e < model->element_count; e++)
+    for (int end = 0; end < 2; end++)
+      loose[qn_model_node_body (model, model->elements[e].nodes[end])] = false;
+}
+
+double
+qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
+{
+  bool *loose = as->stale, found = true;
+  double largest = 0;
+
+  find_supported (as, loose);
+  while (found) {
+    found = false;
+    for (size_t p = 0; p < as->pair_count; p++) {
+      const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
+      const double *force = as->responses[p].force;
+      size_t next = (size_t) (loose[face->a] ? face->a : face->b);
+      double load = sqrt (size_squared (as, next, as->dead, NULL, NULL));
+      if (loose[face->a] == loose[face->b] || hypot (force[0], force[1]) <= HOLDS * load)
+        continue;
+      loose[face->a] = loose[face->b] = false;
+      found = true;
+    }
+  }
+  for (size_t body = 0; body < qn_model_body_count (as->model); body++)
+    if (loose[body])
+      largest = fmax (largest, size_squared (as, body, v, base, NULL));
+  return sqrt (largest);
 }
 
 double

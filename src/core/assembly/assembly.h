@@ -225,6 +225,12 @@ double qn_assembly_total (const QnAssembly *assembly, const double *v);
 double qn_assembly_elastic_displacements (const QnAssembly *assembly, const double *v,
                                           const double *base);
 
+/* The same as qn_assembly_largest() of the bodies that nothing holds at the last evaluation: no chain of
+ * members, or of joints, leads from them to a support; each joint with at least a hundredth of the dead load
+ * on the next body. */
+double qn_assembly_largest_loose (QnAssembly *assembly, const double *v,
+                                  const double *base);
+
 /* Displacements of bodies (body_count x 3: m, m, rad) from unknowns. */
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,
                          double *displacements);

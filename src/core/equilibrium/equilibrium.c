@@ -59,6 +59,13 @@ qn_equilibrium_commit (QnEquilibrium *eq)
 }
 
 void
+qn_equilibrium_record (QnEquilibrium *eq)
+{
+  qn_equilibrium_commit (eq);
+  qn_equilibrium_save (eq, &eq->recorded);
+}
+
+void
 qn_equilibrium_restore (QnEquilibrium *eq)
 {
   qn_equilibrium_set_state (eq, &eq->committed);
@@ -93,6 +100,7 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
     ok &= *vectors[i] != NULL;
   }
   if (!ok || !qn_equilibrium_state_init (&eq->committed, as)
+      || !qn_equilibrium_state_init (&eq->recorded, as)
       || !qn_equilibrium_state_init (&eq->anchor, as)) {
     qn_equilibrium_clear (eq);
     return qn_diag_no_memory (diag);
@@ -101,6 +109,7 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
     eq->linsys, (model->analysis.no_shortcuts & QN_SHORTCUT_PARTIAL_ELIMINATION) != 0);
   qn_assembly_evaluate (&eq->assembly, eq->u);
   qn_equilibrium_save (eq, &eq->committed);
+  qn_equilibrium_save (eq, &eq->recorded);
   return QN_OK;
 }
 
@@ -115,7 +124,7 @@ qn_equilibrium_renew (QnEquilibrium *eq)
     if (!as->inactive[p] && as->responses[p].phase == QN_PHASE_OPEN)
       qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                         &as->responses[p]);
-  qn_equilibrium_commit (eq);
+  qn_equilibrium_record (eq);
   eq->factored = false;
 }
 
@@ -131,6 +140,7 @@ qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnLinsys **lin
 
   if (next.gaps == NULL || next.factored_phases == NULL
       || !qn_equilibrium_state_init (&next.committed, assembly)
+      || !qn_equilibrium_state_init (&next.recorded, assembly)
       || !qn_equilibrium_state_init (&next.anchor, assembly)) {
     qn_equilibrium_clear (&next);
     return qn_diag_no_memory (diag);
@@ -139,10 +149,12 @@ qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnLinsys **lin
   free (eq->gaps);
   free (eq->factored_phases);
   qn_equilibrium_state_clear (&eq->committed);
+  qn_equilibrium_state_clear (&eq->recorded);
   qn_equilibrium_state_clear (&eq->anchor);
   eq->gaps = next.gaps;
   eq->factored_phases = next.factored_phases;
   eq->committed = next.committed;
+  eq->recorded = next.recorded;
   eq->anchor = next.anchor;
   eq->assembly = *assembly;
   eq->linsys = *linsys;
@@ -165,6 +177,7 @@ qn_equilibrium_clear (QnEquilibrium *eq)
   free (eq->motion);
   free (eq->factored_phases);
   qn_equilibrium_state_clear (&eq->committed);
+  qn_equilibrium_state_clear (&eq->recorded);
   qn_equilibrium_state_clear (&eq->anchor);
   qn_assembly_clear (&eq->assembly);
   *eq = (QnEquilibrium){ 0 };

@@ -75,6 +75,7 @@ typedef struct QnEquilibrium {
   double runaway; /* elastic displacements from which on the structure has run away */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
+  QnEquilibriumState recorded;  /* the last one that the result tells */
   QnEquilibriumState anchor;    /* where the viscous step started */
 
   int
@@ -220,6 +221,7 @@ void qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *stat
 
 /* Accepts the current state as an equilibrium, or goes back to the last accepted one. */
 void qn_equilibrium_commit (QnEquilibrium *eq);
+void qn_equilibrium_record (QnEquilibrium *eq); /* and the result tells it */
 void qn_equilibrium_restore (QnEquilibrium *eq);
 
 #endif

@@ -58,6 +58,9 @@
 #define FALL_DOUBLINGS 4
 #define FALL_LENGTHS   1e3
 
+/* How far from a rest its neighbour may be that is reached straight, as a part of the way. */
+#define NEXT_TO 0.1
+
 /* How far a state that is kept of a fall has gone, as a part of the one after it. */
 #define FALL_PART 0.25
 
@@ -164,14 +167,17 @@ will_be_stopped (const QnEquilibrium *eq, const Relaxation *relaxation, double t
 }
 
 /* In nonlinear geometry the velocity of a mechanism changes as it moves: a structure falls if
- * it covers twice the way again and again without slowing down. */
+ * it covers twice the way again and again without slowing down. So do blocks that nothing holds any more
+ * and that have moved farther than a block is long: what they were in contact with is behind them. */
 static bool
-is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
+is_falling (QnEquilibrium *eq, Relaxation *relaxation)
 {
   double moved = qn_equilibrium_motion (eq), way = moved - relaxation->watched_motion;
-  double far = FALL_LENGTHS * eq->assembly.length;
+  double length = eq->assembly.length, far = FALL_LENGTHS * length;
 
-  if (moved > far)
+  if (moved > far
+      || (moved > length
+          && qn_assembly_largest_loose (&eq->assembly, eq->u, eq->committed.u) > length))
     return true;
   if (qn_equilibrium_elastic_displacements (eq) >= FALL_BEGINS
       && moved >= 2 * relaxation->watched_motion) {
@@ -186,7 +192,7 @@ is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
 
 /* Whether the structure moves on for good after a converged step. */
 static bool
-is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
+is_mechanism (QnEquilibrium *eq, Relaxation *relaxation)
 {
   double time_step = 1 / relaxation->viscosity;
 
@@ -282,6 +288,43 @@ note_fall (const QnEquilibrium *eq, QnFall *fall, double far)
             (size_t) eq->assembly.unknown_count * sizeof *eq->u);
 }
 
+/* Whether normal forces tell of the way that a spring has come: not those of friction without dilatancy. */
+static bool
+remembers_way (const QnSpring *spring)
+{
+  return qn_law_is_plastic (spring->kind) ? spring->dilatancy > 0
+                                          : spring->kind != QN_LAW_ELASTIC;
+}
+
+/* A structure has come to rest, and its joints may have been strained farther on the way than they are in the
+ * end. The damping that let them is none of the structure's. The same rest is reached straight from the last
+ * equilibrium that is recorded, as in every other step, where there is one next to it: then displacements tell
+ * all forces. */
+static QnSolveStatus
+come_straight (QnEquilibrium *eq, const QnTarget *target)
+{
+  QnAssembly *as = &eq->assembly;
+  bool remembers = as->beams.count > 0;
+
+  for (size_t p = 0; p < as->pair_count; p++)
+    remembers |= remembers_way (&as->springs[p].a) || remembers_way (&as->springs[p].b);
+  if (!remembers)
+    return QN_SOLVE_CONVERGED;
+  qn_equilibrium_save (eq, &eq->anchor);
+  memcpy (as->committed, eq->recorded.memory, as->pair_count * sizeof *as->committed);
+  qn_beam_state_set (&eq->recorded.beams, &as->beams);
+  QnSolveStatus status = qn_assembly_evaluate (as, eq->u)
+                           ? qn_equilibrium_newton (eq, target, 0, NEWTON_BUDGET)
+                           : QN_SOLVE_FAILED;
+  double away = qn_assembly_largest (as, eq->u, eq->anchor.u);
+  if (status == QN_SOLVE_CONVERGED && away <= NEXT_TO * qn_equilibrium_motion (eq))
+    return status;
+  if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
+    return status;
+  qn_equilibrium_set_state (eq, &eq->anchor);
+  return QN_SOLVE_CONVERGED;
+}
+
 QnSolveStatus
 qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget *target,
                       double far, QnFall *fall, int budget)
@@ -328,7 +371,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     if (eq->assembly.nonlinear && qn_equilibrium_motion (eq) > far)
       return QN_SOLVE_MECHANISM;
     if (eq->out_of_balance <= eq->tolerance && relaxation.elapsed >= relaxation.duration)
-      return QN_SOLVE_CONVERGED;
+      return come_straight (eq, target);
     if (far == INFINITY && is_mechanism (eq, &relaxation))
       return QN_SOLVE_MECHANISM;
     double longer =

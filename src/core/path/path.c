@@ -87,7 +87,7 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
                     eq->keeps_forces || eq->assembly.commits != path->commits_at_step };
 
   eq->multiplier = multiplier;
-  qn_equilibrium_commit (eq);
+  qn_equilibrium_record (eq);
   path->iterations_at_step = eq->statistics.iterations;
   path->commits_at_step = eq->assembly.commits;
   eq->keeps_forces = false;

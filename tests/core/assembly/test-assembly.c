@@ -214,6 +214,36 @@ test_largest (void)
   solver_clear (&solver);
 }
 
+/* Of a stack of three blocks that have been moved apart below the second, the upper two are loose; pressed
+ * together by less than a hundredth of a weight they still are, and by more they are held. */
+static void
+test_largest_loose (void)
+{
+  static const struct {
+    double part; /* of a weight that presses on the second joint's pairs */
+    bool held;
+  } cases[] = { { -1, false }, { 0.005, false }, { 0.05, true } };
+
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnModel model;
+    Solver solver;
+    test_model_init_stack (&model, 3, 1, 0.5);
+    test_model_add_weight_loads (&model, 1);
+    model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    solver_init (&solver, &model);
+    QnAssembly *as = &solver.equilibrium.assembly;
+    double u[9] = { 0 }, pressed = model.blocks[1].weight / (model.laws[0].kn / 2);
+    g_assert_cmpint (as->unknown_count, ==, 9);
+    u[1] = -pressed;                       /* the first stands on the ground, */
+    u[4] = u[1] - cases[i].part * pressed; /* the second has come up or not, */
+    u[7] = u[4] - pressed;                 /* and the third stands on it */
+    g_assert_true (qn_assembly_evaluate (as, u));
+    double largest = qn_assembly_largest_loose (as, u, NULL);
+    g_assert_cmpfloat (largest, ==, cases[i].held ? 0 : fmax (fabs (u[4]), fabs (u[7])));
+    solver_clear (&solver);
+  }
+}
+
 static void
 test_elastic_displacements (void)
 {
@@ -271,6 +301,7 @@ main (int argc, char **argv)
   g_test_add_func ("/assembly/tangent/nonlinear", test_tangent_nonlinear);
   g_test_add_func ("/assembly/rigid-motion", test_rigid_motion);
   g_test_add_func ("/assembly/largest", test_largest);
+  g_test_add_func ("/assembly/largest-loose", test_largest_loose);
   g_test_add_func ("/assembly/elastic-displacements", test_elastic_displacements);
   g_test_add_func ("/assembly/evaluation-has-no-memory", test_evaluation_has_no_memory);
   g_test_add_func ("/assembly/may-jump", test_may_jump);

@@ -93,6 +93,8 @@ test_leaning_stack (void)
   static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLACEMENT,
                                             QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
   static const int increments[] = { 10, 100, 1000 };
+  /* Softer ones bend far and fall as a whole; of the others blocks come down one by one. */
+  static const double soft[] = { 1e5, 3e5, 5e5, 7e5, 8e5, 1e6, 2e6, 3e6, 4e6, 5e6 };
   static const struct {
     double kn, turns;
   } stiff[] = { { 1e7, 0.406734 }, { 1e8, 0.451034 }, { 1e9, 0.455524 } };
@@ -102,8 +104,8 @@ test_leaning_stack (void)
     int count = increments[i % G_N_ELEMENTS (increments)];
     bool held = procedure == QN_PROCEDURE_DISPLACEMENT;
     QnResult result;
-    for (double kn = 1e5; kn < 6e5; kn += 2e5) {
-      solve_stack (kn, procedure, count, &result);
+    for (gsize k = 0; k < G_N_ELEMENTS (soft); k++) {
+      solve_stack (soft[k], procedure, count, &result);
       g_assert_cmpint (result.outcome, ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
       g_assert_cmpuint (result.unstable_count, >=, 10);
       g_assert_cmpuint (result.step_count, ==, 0);
