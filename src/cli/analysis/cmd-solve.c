@@ -40,7 +40,7 @@ dup_unstable_names (const QnModel *model, const QnResult *result)
 
 /* How far an analysis in time went, and what its numbers are worth. */
 static void
-print_history (const char *title, const QnResult *result)
+print_history (const char *title, const QnProject *project, const QnResult *result)
 {
   const QnHistory *history = &result->history;
   printf (_ ("%s: followed to %.4g s, largest displacement %.4g m at %.4g s\n"), title,
@@ -49,7 +49,7 @@ print_history (const char *title, const QnResult *result)
     _ ("%d time steps, %d more given up for shorter ones; error of the energy balance "
        "%.1e of the input\n"),
     history->steps, history->rejected, history->energy_error);
-  if (history->largest_slip > FAR_SLIP)
+  if (history->largest_slip > FAR_SLIP && !project->model.analysis.follow)
     printf (
       _ ("a joint has slid by %.0f %% of its length: contacts stay where they were on "
          "their blocks, so that forces are less certain from then on\n"),
@@ -63,9 +63,9 @@ print_summary (const QnProject *project, const QnResult *result)
   const char *title = project->model.title != NULL ? project->model.title : project->name;
 
   if (result->history.width > 0)
-    print_history (title, result);
+    print_history (title, project, result);
   else if (result->outcome == QN_OUTCOME_UNBOUNDED)
-    printf (_ ("%s: the joints carry any multiple of the live load\n"), title);
+    printf (_ ("%s: no collapse found\n"), title);
   else if (result->limit.given)
     qn_cmd_limit_print (title, result);
   else if (result->outcome == QN_OUTCOME_COLLAPSE)
@@ -79,7 +79,7 @@ print_summary (const QnProject *project, const QnResult *result)
             result->steps[result->step_count - 1].multiplier);
   if (result->outcome == QN_OUTCOME_COLLAPSE && result->has_first_limit_multiplier
       && result->first_limit_multiplier < result->collapse_multiplier)
-    printf (_ ("first limit point at %.5f: a real structure would jump there\n"),
+    printf (_ ("first limit point at %.5f: the path jumps to another equilibrium\n"),
             result->first_limit_multiplier);
   g_autofree char *interval = qn_outcome_dup_interval (result);
   if (interval != NULL)

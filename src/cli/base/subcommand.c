@@ -21,8 +21,10 @@ check_count (const QnSubcommand *self, int count, int least, int most)
 {
   if (count >= least && count <= most)
     return TRUE;
-  qn_cli_usage_error (self->name, count < least ? _ ("an argument is missing")
-                                                : _ ("too many arguments"));
+  qn_cli_usage_error (self->name,
+                      count < least ? _ ("an argument is missing: expected %s")
+                                    : _ ("too many arguments: expected %s"),
+                      self->arguments);
   return FALSE;
 }
 

@@ -181,7 +181,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
     if (options.output == NULL)
-      qn_cli_usage_error (self->name, _ ("--output is missing"));
+      qn_cli_usage_error (self->name, _ ("-o is missing"));
     else
       code = make (self, &options, argv[1]);
   }

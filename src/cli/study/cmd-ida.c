@@ -248,7 +248,7 @@ print (const Ida *ida)
           "%s: overturns first at %.4g times the record, peak %.4g m/s2, after %.3g s\n"),
         curve->name, curve->scales[first], curve->peaks[first], curve->times[first]);
     else
-      printf (_ ("%s: does not overturn\n"), curve->name);
+      printf (_ ("%s: does not overturn at any of these factors\n"), curve->name);
     if (stands > 0)
       printf (_ ("%s: stands again at %zu larger factors\n"), curve->name, stands);
     if (failed > 0)

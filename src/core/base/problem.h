@@ -70,7 +70,7 @@
   X (NODE_SUPPORTED_BY_BLOCK, "a node on a block has no support of its own") \
   X (NODE_MOMENT, "moment acts on a node where every beam is hinged") \
   X (POISSON_RATIO, "Poisson's ratio must be above -1 and at most 0.5") \
-  X (YIELD_SHAPELESS, "a section yields by its stress if it is a rectangle; give the plastic moment") \
+  X (YIELD_SHAPELESS, "only a rectangle yields by a stress: give the plastic moment") \
   X (BEAM_SHORT, "beam has no length") \
   X (BEAM_ON_ONE_BLOCK, "both ends of the beam are on the same block") \
   X (TOO_MANY_NODES, "more nodes than the program handles") \
@@ -98,8 +98,8 @@
   X (LOAD_CASE_UNKNOWN, "no load case has this name") \
   X (EDGE_UNKNOWN, "block has no such edge") \
   X (LOADED_PART, "loaded part must begin before it ends") \
-  X (EARTH_ANGLE, "friction angle of a soil lies from 0 to below pi/2") \
-  X (EARTH_SIDE, "soil lies to the left or to the right") \
+  X (EARTH_ANGLE, "friction angle of a soil must be at least 0 and below pi/2 (rad)") \
+  X (EARTH_SIDE, "soil must lie to the left or to the right") \
   X (TOO_MANY_EDGE_FORCES, "loads act on more edges than the program handles") \
   X (LOAD_MEETS_NOTHING, "load meets no edge of a block") \
   X (LOAD_SET_UNUSED, "no stage applies this load set") \

@@ -40,7 +40,7 @@ typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT }
 /* What happens on a path under a load that keeps growing. */
 typedef enum {
   QN_EVENT_KIND_LOCAL, /* a jump of less than 5 % of the displacement: a joint or two settle */
-  QN_EVENT_KIND_SNAP,     /* a larger one: a real structure would jump there */
+  QN_EVENT_KIND_SNAP,     /* a larger one */
   QN_EVENT_KIND_COLLAPSE, /* the path does not climb above this multiplier again */
   QN_EVENT_KIND_COUNT
 } QnEventKind;

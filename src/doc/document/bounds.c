@@ -12,35 +12,27 @@
 static const struct {
   const char *label, *guarantee;
 } words[QN_BOUND_KIND_COUNT] = {
-  [QN_BOUND_PATH] = { N_ ("HybriDFEM, last equilibrium of the path"),
-                      N_ (
-                        "Equilibria were followed up to here; beyond it the blocks keep "
-                        "accelerating. With dilatancy below friction the answer is not "
-                        "unique: "
-                        "another path may end elsewhere.") },
+  [QN_BOUND_PATH] = { N_ ("HybriDFEM, collapse multiplier of the path"),
+                      N_ ("Equilibria were followed up to here. With dilatancy below "
+                          "friction the answer is not unique: another path may end "
+                          "elsewhere.") },
   [QN_BOUND_FIRST_LIMIT] = { N_ ("HybriDFEM, first limit point"),
-                             N_ ("Here the path first loses stability: a real wall would "
-                                 "jump to "
-                                 "another equilibrium, or fall.") },
+                             N_ ("Here the path first jumps to another equilibrium.") },
   [QN_BOUND_LOWER] = { N_ ("Limit analysis, lower bound (static)"),
                        N_ ("Forces within the strength of every joint balance the load "
-                           "up to here. "
-                           "With dilatancy = friction the structure stands; with less it "
-                           "may have "
-                           "failed before.") },
+                           "up to here. With dilatancy = friction the structure stands; "
+                           "with less it may have failed before.") },
   [QN_BOUND_UPPER] = { N_ ("Limit analysis, upper bound (kinematic)"),
-                       N_ ("A mechanism proves that no equilibrium exists above, "
-                           "whatever the "
-                           "dilatancy.") },
+                       N_ (
+                         "A mechanism proves that no equilibrium of rigid blocks exists "
+                         "above, whatever the dilatancy.") },
   [QN_BOUND_LEAST] = { N_ ("Limit analysis with the laws' dilatancy, least value found"),
                        N_ ("Forces and mechanism are consistent here. It is no bound: a "
-                           "path may "
-                           "end below.") },
+                           "path may end below.") },
   [QN_BOUND_GREATEST] = { N_ ("Limit analysis with the laws' dilatancy, greatest value "
                               "found"),
                           N_ ("Forces and mechanism are consistent here too. Never above "
-                              "the "
-                              "associative upper bound.") },
+                              "the associative upper bound.") },
 };
 
 static void
@@ -138,19 +130,18 @@ qn_bounds_dup_verdict (const GArray *bounds)
   double share = (upper - path) / fabs (upper);
   if (share < -ALIKE)
     return g_strdup_printf (
-      _ ("The path ends %.1f %% above the upper bound of rigid blocks: the joints of the "
-         "model are not those of limit analysis, or the increments of the path are too "
+      _ ("The path ends %.1f %% above the upper bound of rigid blocks: its joints or "
+         "displacements are not those of limit analysis, or its increments are too "
          "large."),
       -100.0 * share);
   if (share <= ALIKE)
-    return g_strdup (_ ("The path reaches the bound of limit analysis: no other path can "
-                        "carry more."));
+    return g_strdup (_ ("The path reaches the bound of limit analysis to 1 %."));
   if (!isnan (least)) {
     g_autofree char *place = place_in_interval (path, least, greatest);
     return g_strdup_printf (_ ("The path ends %.1f %% below the associative bound. %s"),
                             100.0 * share, place);
   }
-  return g_strdup_printf (_ ("The path ends %.1f %% below the associative bound: an "
-                             "effect of dilatancy below friction."),
+  return g_strdup_printf (_ ("The path ends %.1f %% below the associative bound. "
+                             "Dilatancy below friction can be the cause."),
                           100.0 * share);
 }

@@ -462,8 +462,9 @@ start_element (GMarkupParseContext *context, const char *element, const char **k
   guint first = paths->len;
   Pen pen = { .importer = importer, .layer = own->layer, .line = (guint) line };
   if (!read_shape (&pen, element, keys, values)) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, _ ("%s:%d: %s: bad data"),
-                 importer->name, line, element);
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:%d: %s: its coordinates cannot be read"), importer->name, line,
+                 element);
     return;
   }
   for (guint i = first; i < paths->len; i++) {

@@ -73,18 +73,17 @@ dup_path (const QnJsonValue *place)
   return g_string_free (path, FALSE);
 }
 
-/* The override that put the value at `path` there, or NULL. */
+/* The override that put the value at `path` there, the last of those that did; or NULL. */
 static const char *
 find_override (const QnReader *reader, const char *path)
 {
+  const char *found = NULL;
   for (gsize i = 0; reader->overrides != NULL && reader->overrides[i] != NULL; i++) {
-    char *set = qn_json_override_dup_path (reader->overrides[i]);
-    gboolean found = set != NULL && qn_json_path_is_within (path, set);
-    g_free (set);
-    if (found)
-      return reader->overrides[i];
+    g_autofree char *set = qn_json_override_dup_path (reader->overrides[i]);
+    if (set != NULL && qn_json_path_is_within (path, set))
+      found = reader->overrides[i];
   }
-  return NULL;
+  return found;
 }
 
 char *

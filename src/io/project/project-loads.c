@@ -251,8 +251,8 @@ read_load_sets (const QnJsonValue *loads, QnModel *model)
     if (strcmp (item->string, "live") == 0 || strcmp (item->string, "dead") == 0)
       return qn_json_value_fail (&list, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
     if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
-      return qn_json_value_failf (&list, _ ("there may be %d load sets with names"),
-                                  QN_MAX_LOAD_SETS - 1);
+      return qn_json_value_failf (
+        &list, _ ("there may be at most %d load sets with names"), QN_MAX_LOAD_SETS - 1);
     int32_t set = qn_model_add_load_set (model, item->string);
     if (set == QN_NONE)
       return qn_json_value_no_memory (&list);
@@ -274,7 +274,7 @@ read_load_cases (const QnJsonValue *loads, QnModel *model)
   for (const cJSON *item = cases.json->child; item != NULL; item = item->next) {
     QnJsonValue place = qn_json_value_child (&cases, item);
     if (model->load_case_count >= QN_MAX_LOAD_CASES)
-      return qn_json_value_failf (&place, _ ("there may be %d load cases"),
+      return qn_json_value_failf (&place, _ ("there may be at most %d load cases"),
                                   QN_MAX_LOAD_CASES);
     int32_t added = qn_model_add_load_case (model, item->string);
     if (added == QN_NONE)

@@ -7,28 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FORMAT_VERSION 1
-
-static gboolean
-check_head (QnJsonStream *stream, QnResultDraft *draft)
-{
-  QnResult *result = &draft->file.result;
-  if (strcmp (draft->format, "quoin-result") != 0)
-    return qn_json_stream_fail_at (stream, "format",
-                                   _ ("this is not a result: expected \"quoin-result\""));
-  if (draft->version != FORMAT_VERSION)
-    return qn_json_stream_fail_at (
-      stream, "version", _ ("this program reads another version of the format"));
-  for (int outcome = 0; outcome < QN_OUTCOME_COUNT; outcome++) {
-    if (strcmp (draft->outcome, qn_outcome_names[outcome]) == 0) {
-      result->outcome = (QnOutcome) outcome;
-      return TRUE;
-    }
-  }
-  return qn_json_stream_fail_at (stream, "outcome",
-                                 _ ("this is not an outcome of an analysis"));
-}
-
 static gboolean
 same_number (double a, double b)
 {
@@ -210,16 +188,14 @@ qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
   result->has_associative_bound = draft->associative_bound.given;
   result->associative_bound = draft->associative_bound.number;
   result->beyond_linear_multiplier = draft->beyond_linear.number;
-  return check_head (stream, draft) && check_counts (stream, draft)
-         && take_arrays (stream, draft) && take_solutions (stream, draft)
+  return check_counts (stream, draft) && take_arrays (stream, draft)
+         && take_solutions (stream, draft)
          && qn_result_history_take (&draft->history, stream, &draft->file.result);
 }
 
 void
 qn_result_draft_clear (QnResultDraft *draft)
 {
-  g_free (draft->format);
-  g_free (draft->outcome);
   g_clear_pointer (&draft->blocks.items, g_ptr_array_unref);
   g_clear_pointer (&draft->overrides.items, g_ptr_array_unref);
   free (draft->unstable.items);

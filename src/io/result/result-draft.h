@@ -32,9 +32,6 @@ typedef struct QnOptionalNumber {
 /* What is read before it is known to fit together. */
 typedef struct QnResultDraft {
   QnResultFile file;
-  char *format;
-  gint32 version;
-  char *outcome;
   QnResultNames blocks, overrides, nodes;
   QnOptionalNumber collapse, first_limit, associative_bound, beyond_linear;
   QnResultIds unstable, supports;

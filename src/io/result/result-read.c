@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FORMAT_VERSION 1
+
 /* Room for one more item; FALSE with an error where memory runs out. */
 static gboolean
 grow (QnJsonStream *stream, gpointer array, size_t count, size_t *capacity, size_t size)
@@ -90,6 +92,13 @@ read_word (QnJsonStream *stream, const char *const *names, int count, const char
         return TRUE;
       }
   return qn_json_stream_fail (stream, refusal);
+}
+
+static gboolean
+read_outcome (QnJsonStream *stream, gpointer target)
+{
+  return read_word (stream, qn_outcome_names, QN_OUTCOME_COUNT,
+                    _ ("this is not an outcome of an analysis"), target);
 }
 
 static gboolean
@@ -468,19 +477,44 @@ read_statistics (QnJsonStream *stream, gpointer target)
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
 }
 
+/* What is not a result is told so at its first line, before its members are. */
+static gboolean
+read_format (QnJsonStream *stream, gpointer target)
+{
+  (void) target;
+  return (stream->scanner.token == QN_JSON_STRING
+          && qn_json_string_is (&stream->scanner, "quoin-result"))
+         || qn_json_stream_fail (stream,
+                                 _ ("this is not a result: expected \"quoin-result\""));
+}
+
+static gboolean
+read_version (QnJsonStream *stream, gpointer target)
+{
+  gint32 version;
+  (void) target;
+  if (!qn_json_stream_int32 (stream, &version))
+    return FALSE;
+  if (version == FORMAT_VERSION)
+    return TRUE;
+  g_autofree char *reason = g_strdup_printf (
+    _ ("this program reads version %d of the format only"), FORMAT_VERSION);
+  return qn_json_stream_fail (stream, reason);
+}
+
 static gboolean
 read_document (QnJsonStream *stream, gpointer target)
 {
 #define OF(member)     offsetof (QnResultDraft, member)
 #define RESULT(member) offsetof (QnResultDraft, file.result.member)
   static const QnJsonMember members[] = {
-    { "format", qn_json_stream_string, OF (format), QN_JSON_REQUIRED },
-    { "version", qn_json_stream_int32, OF (version), QN_JSON_REQUIRED },
+    { "format", read_format, 0, QN_JSON_REQUIRED },
+    { "version", read_version, 0, QN_JSON_REQUIRED },
     { "generator", qn_json_stream_string, OF (file.generator), QN_JSON_OPTIONAL },
     { "model", qn_json_stream_string, OF (file.model), QN_JSON_OPTIONAL },
     { "model_sha256", qn_json_stream_string, OF (file.model_sha256), QN_JSON_OPTIONAL },
     { "overrides", read_names, OF (overrides), QN_JSON_OPTIONAL },
-    { "outcome", qn_json_stream_string, OF (outcome), QN_JSON_REQUIRED },
+    { "outcome", read_outcome, RESULT (outcome), QN_JSON_REQUIRED },
     { "collapse_multiplier", read_optional, OF (collapse), QN_JSON_OPTIONAL },
     { "first_limit_multiplier", read_optional, OF (first_limit), QN_JSON_OPTIONAL },
     { "events", read_events, OF (file.result), QN_JSON_OPTIONAL },

@@ -139,10 +139,10 @@ collapse_sentence (const QnResult *result)
   double before = copysign (1, collapse) * result->first_limit_multiplier;
   /* A plateau may lie below an earlier jump: beyond that no equilibrium is known. */
   if (result->has_first_limit_multiplier && before < (1 - 1e-3) * fabs (collapse))
-    return g_strdup_printf (
-      _ ("Collapse at a load multiplier of %.4g. The path first loses stability at %.4g, "
-         "where a real wall would jump; equilibria exist beyond."),
-      result->collapse_multiplier, result->first_limit_multiplier);
+    return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g. Before, at %.4g, "
+                               "the path jumps to another "
+                               "equilibrium."),
+                            result->collapse_multiplier, result->first_limit_multiplier);
   return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g."),
                           result->collapse_multiplier);
 }
@@ -237,11 +237,12 @@ explain_linearity (const QnResult *result)
     return NULL;
   if (result->history.width > 0)
     return g_strdup (
-      _ ("Blocks move by more than a tenth of their least width, where linear geometry "
-         "is not valid: solve in large displacements (analysis.geometry=nonlinear)."));
+      _ ("Blocks move by more than a tenth of their least width, so that linear geometry "
+         "may not hold: solve in large displacements (analysis.geometry=nonlinear)."));
   return g_strdup_printf (
-    _ ("Linear geometry is valid up to a load multiplier of %.4g only, where a block has "
-       "moved by a tenth of the least width of the blocks: solve in large displacements "
+    _ ("At a load multiplier of %.4g a block has moved by a tenth of the least width of "
+       "the "
+       "blocks; linear geometry may not hold beyond: solve in large displacements "
        "(analysis.geometry=nonlinear)."),
     result->beyond_linear_multiplier);
 }
@@ -337,7 +338,7 @@ explain_failure (const Task *task, const QnResult *result)
   if (task->procedure == QN_PROCEDURE_LOAD)
     return g_strdup_printf (
       _ ("Beyond a load multiplier of %.4g neither an equilibrium nor a mechanism was "
-         "found. Try more increments or a coarser tolerance."),
+         "found. Try displacement control or a coarser tolerance."),
       last->multiplier);
   if (result->stop == QN_STOP_STEPS)
     return g_strdup_printf (
@@ -425,9 +426,8 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
         reached);
     if (task->procedure != QN_PROCEDURE_LIMIT)
       return g_strdup_printf (
-        _ ("No collapse up to a load multiplier of %.4g: the structure carries any "
-           "multiple of the live load. Check its direction, or limit the strength of the "
-           "joints."),
+        _ ("No collapse up to a load multiplier of %.4g, where the path ends. Check the "
+           "direction of the live load, or limit the strength of the joints."),
         reached);
     return g_strdup (_ (
       "The joints can carry any multiple of the live load: rigid blocks "

@@ -329,10 +329,11 @@ qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
   /* What an analysis that was not let to its end says is no answer. */
   QnStop stop = current->result.stop;
   if (error == NULL && (stop == QN_STOP_FACTORIZATIONS || stop == QN_STOP_TIME))
-    g_set_error_literal (&error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                         stop == QN_STOP_TIME
-                           ? _ ("the analysis took longer than max_seconds allows")
-                           : _ ("the analysis reached its limit of factorizations"));
+    g_set_error_literal (
+      &error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+      stop == QN_STOP_TIME
+        ? _ ("the analysis took longer than max_seconds allows")
+        : _ ("the analysis took more factorisations than max_factorizations allows"));
   if (error == NULL && keep != NULL)
     qn_result_file_write (keep, &current->project, &current->contacts, &current->result,
                           &error);

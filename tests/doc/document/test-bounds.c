@@ -90,7 +90,7 @@ test_interval (void)
     { 0.298, 0.300, 0.350, "0.7 % below the least value" },
     { 0.200, 0.300, 0.350, "33.3 % below the least value" },
     { 0.352, 0.300, 0.350, "0.6 % above the greatest value" },
-    { 0.300, NAN, NAN, "an effect of dilatancy" },
+    { 0.300, NAN, NAN, "can be the cause" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     const QnBound all[] = { { QN_BOUND_PATH, "path", cases[i].path, "" },

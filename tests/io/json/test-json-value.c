@@ -150,12 +150,12 @@ static void
 test_override_named (Fixture *fixture, gconstpointer data)
 {
   (void) data;
-  static const char *const overrides[] = { "c=4", "v=[5, 6]", NULL };
+  static const char *const overrides[] = { "c=4", "v=[5, 6]", "v[1]=7", "v[0]=8", NULL };
   fixture->reader.overrides = overrides;
   QnJsonValue list = qn_json_value_member (&fixture->root, "v");
   QnJsonValue element = qn_json_value_element (&list, 1, list.json->child->next);
   g_assert_false (qn_json_value_fail (&element, "is wrong"));
-  expect_error (fixture, "f: v[1]: is wrong (set by \"v=[5, 6]\")");
+  expect_error (fixture, "f: v[1]: is wrong (set by \"v[1]=7\")");
 }
 
 int

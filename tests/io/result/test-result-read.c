@@ -74,7 +74,7 @@ static const Case cases[] = {
   { "\"quoin-result\"", "\"quoin\"",
     "r.json:2:13: format: this is not a result: expected \"quoin-result\"" },
   { "\"version\": 1", "\"version\": 2",
-    "r.json:2:40: version: this program reads another version of the format" },
+    "r.json:2:40: version: this program reads version 1 of the format only" },
   { "\"outcome\": \"collapse\"", "\"outcome\": \"glory\"",
     "r.json:6:14: outcome: this is not an outcome of an analysis" },
   { "\"collapse_multiplier\": 0.2", "\"collapse_multiplier\": \"0.2\"",
@@ -171,6 +171,20 @@ test_order_and_unknown (void)
   g_assert_false (file.result.has_collapse_multiplier);
   g_assert_null (file.result.mechanism);
   g_assert_cmpfloat (qn_result_step_displacements (&file.result, 0)[2], ==, 3);
+}
+
+/* A file of another kind is told so, not by the first of its members that differs. */
+static void
+test_other_format (void)
+{
+  static const char text[] =
+    "{ \"format\": \"quoin\", \"version\": 1, \"blocks\": [{ \"name\": \"b\" }] }";
+  QnResultFile file;
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
+  g_assert_cmpstr (
+    error->message, ==,
+    "r.json:1:13: format: this is not a result: expected \"quoin-result\"");
 }
 
 /* What limit analysis, stages and beams add. */
@@ -270,6 +284,7 @@ main (int argc, char **argv)
   RESULT_FIXTURE_ADD ("/result-read/truncated", test_truncated);
   RESULT_FIXTURE_ADD ("/result-read/file", test_file);
   g_test_add_func ("/result-read/order-and-unknown", test_order_and_unknown);
+  g_test_add_func ("/result-read/other-formatother-format", test_other_format);
   g_test_add_func ("/result-read/further", test_further);
   g_test_add_func ("/result-read/further-errors", test_further_errors);
   return g_test_run ();
