@@ -105,7 +105,7 @@ choose_control (const Search *search)
     *search->reason = dup_fault (model, &result);
     if (*search->reason == NULL)
       *search->reason =
-        g_strdup (_ ("limit analysis found no mechanism: name a block of control"));
+        g_strdup (_ ("limit analysis found no mechanism: name a control block"));
   }
   qn_result_clear (&result);
   if (farthest == 0)
