@@ -53,7 +53,7 @@ update_live_label (QnWindow *self)
   gtk_widget_set_visible (GTK_WIDGET (self->live_label), text != NULL);
 }
 
-/* Dead load cannot stand: the blocks that move are selected and shown. */
+/* The dead load does not stand: the blocks that move are selected and shown. */
 static void
 show_unstable (QnWindow *self, const QnRun *run)
 {
