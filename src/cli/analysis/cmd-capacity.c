@@ -423,7 +423,7 @@ const QnSubcommand qn_cmd_capacity = {
   .help =
     N_ ("The live load is weight times a horizontal direction. The path in large "
         "displacements is followed until its multiplier is zero again, and turned into "
-        "the curve of a single mass. docs/method/capacity.md has every formula, and says "
-        "what the checks do not cover."),
+        "the curve of a single mass. The page on capacity curves in the manual has every "
+        "formula, and says what the checks do not cover."),
   .run = run,
 };
