@@ -17,7 +17,7 @@ test_refused (void)
     const char *model, *set, *expected;
   } cases[] = {
     { "16-load-stages.quoin", "analysis.stages=[{\"loads\":\"wind\",\"target\":1}]",
-      "no load set has this name" },
+      "no load set has this name: \"wind\"" },
     { "16-load-stages.quoin", "analysis.stages=[{\"loads\":[],\"target\":1}]",
       "stage applies no load set" },
     { "16-load-stages.quoin",

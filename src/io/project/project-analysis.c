@@ -77,9 +77,9 @@ add_set (const QnJsonValue *place, const QnModel *model, QnStage *stage)
 {
   if (!cJSON_IsString (place->json))
     return qn_json_value_fail (place, _ ("expected the name of a load set"));
-  int32_t set = qn_model_find_load_set (model, place->json->valuestring);
-  if (set == QN_NONE)
-    return qn_json_value_fail (place, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNKNOWN)));
+  QnId set;
+  if (!qn_read_name_of (place, model, QN_NAMED_LOAD_SET, &set))
+    return FALSE;
   if ((stage->sets >> set & 1) != 0)
     return qn_json_value_fail (place, _ ("load set is named twice"));
   stage->sets |= (uint32_t) 1 << set;

@@ -123,9 +123,8 @@ read_face_blocks (const QnJsonValue *face, const QnModel *model, QnFaceOverride 
   while (qn_json_value_next (&names, &name)) {
     if (!cJSON_IsString (name.json))
       return qn_json_value_fail (&name, _ ("expected the name of a block"));
-    *blocks[name.index] = qn_model_find_block (model, name.json->valuestring);
-    if (*blocks[name.index] == QN_NONE)
-      return qn_json_value_fail (&name, _ (qn_problem_text (QN_PROBLEM_BLOCK_UNKNOWN)));
+    if (!qn_read_name_of (&name, model, QN_NAMED_BLOCK, blocks[name.index]))
+      return FALSE;
   }
   return TRUE;
 }

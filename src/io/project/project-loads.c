@@ -189,10 +189,8 @@ read_case (const QnJsonValue *place, const QnModel *model, int32_t *load_case)
   QnJsonValue member = qn_json_value_member (place, "case");
   if (!qn_member_string (place, "case", QN_OPTIONAL, &name))
     return FALSE;
-  *load_case = name != NULL ? qn_model_find_load_case (model, name) : 0;
-  return *load_case != QN_NONE
-         || qn_json_value_fail (&member,
-                                _ (qn_problem_text (QN_PROBLEM_LOAD_CASE_UNKNOWN)));
+  *load_case = 0;
+  return name == NULL || qn_read_name_of (&member, model, QN_NAMED_LOAD_CASE, load_case);
 }
 
 static gboolean

@@ -33,6 +33,8 @@ qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named, 
     [QN_NAMED_NODE] = { qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN },
     [QN_NAMED_SECTION] = { qn_model_find_section, QN_PROBLEM_SECTION_UNKNOWN },
     [QN_NAMED_BEAM] = { qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN },
+    [QN_NAMED_LOAD_SET] = { qn_model_find_load_set, QN_PROBLEM_LOAD_SET_UNKNOWN },
+    [QN_NAMED_LOAD_CASE] = { qn_model_find_load_case, QN_PROBLEM_LOAD_CASE_UNKNOWN },
   };
   const char *name = place->json->valuestring;
   *id = kinds[named].find (model, name);
@@ -200,6 +202,10 @@ name_of (const QnModel *model, QnNamed named, QnId id)
     return model->sections[id].name;
   case QN_NAMED_BEAM:
     return model->beams[id].name;
+  case QN_NAMED_LOAD_SET:
+    return qn_model_load_set_name (model, id);
+  case QN_NAMED_LOAD_CASE:
+    return model->load_cases[id - 1].name;
   }
   g_return_val_if_reached ("");
 }

@@ -34,7 +34,9 @@ typedef enum {
   QN_NAMED_BLOCK,
   QN_NAMED_NODE,
   QN_NAMED_SECTION,
-  QN_NAMED_BEAM
+  QN_NAMED_BEAM,
+  QN_NAMED_LOAD_SET,
+  QN_NAMED_LOAD_CASE
 } QnNamed;
 
 typedef struct QnMember {

@@ -46,7 +46,7 @@ test_contact (void)
       "8:54: contact.faces[0].blocks: expected the names of two blocks" },
     { "\"contact\": { \"law\": \"joint\", \"faces\": [{ \"blocks\": [\"base\", \"x\"] }] "
       "}",
-      "8:63: contact.faces[0].blocks[1]: no block has this name" },
+      "8:63: contact.faces[0].blocks[1]: no block has this name: \"x\"" },
     { "\"contact\": { \"law\": \"joint\", \"faces\": [{ \"blocks\": [\"base\", 1] }] }",
       "8:63: contact.faces[0].blocks[1]: expected the name of a block" },
     { "\"contact\": { \"law\": \"joint\", \"faces\": [{ \"blocks\": [\"top\", \"top\"] "
