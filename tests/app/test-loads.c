@@ -208,6 +208,9 @@ test_draw_bar (void)
   g_assert_cmpint (selected_row (window, "laws_box", "bars"), ==, 1);
   driver_run (300);
   driver_screenshot (root, "bars-drawn");
+  /* Diameters are in mm, whatever lengths are in. */
+  GtkWidget *diameter = driver_find_id (root, "diameter");
+  g_assert_cmpstr (gtk_editable_get_text (GTK_EDITABLE (diameter)), ==, "16\u00a0mm");
   driver_activate (window, "win.tool::select");
   driver_click (window, 1.3, 0.9);
   g_assert_true (qn_selection_is_empty (selection_of (window)));

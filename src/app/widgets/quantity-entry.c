@@ -34,6 +34,7 @@ quantity_type (void)
   static const GEnumValue values[] = {
     { QN_QUANTITY_NUMBER, "QN_QUANTITY_NUMBER", "number" },
     { QN_QUANTITY_LENGTH, "QN_QUANTITY_LENGTH", "length" },
+    { QN_QUANTITY_DIAMETER, "QN_QUANTITY_DIAMETER", "diameter" },
     { QN_QUANTITY_ANGLE, "QN_QUANTITY_ANGLE", "angle" },
     { QN_QUANTITY_ROTATION, "QN_QUANTITY_ROTATION", "rotation" },
     { QN_QUANTITY_FORCE, "QN_QUANTITY_FORCE", "force" },

@@ -12,18 +12,6 @@
 /* From the edge of the blocks to the end of a bar, in parts of the shorter side of their box. */
 #define COVER 0.05
 
-double
-qn_bar_get_diameter (double area)
-{
-  return sqrt (4.0 * area / G_PI);
-}
-
-double
-qn_bar_get_area (double diameter)
-{
-  return 0.25 * G_PI * diameter * diameter;
-}
-
 static gboolean
 find_metal (QnModel *model, QnId *law, GError **error)
 {
@@ -171,8 +159,8 @@ dup_place (QnUnits units, QnVec2 at)
 char *
 qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units)
 {
-  g_autofree char *diameter =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, qn_bar_get_diameter (bar->area), 3);
+  g_autofree char *diameter = qn_units_format_full (units, QN_QUANTITY_DIAMETER,
+                                                    qn_bar_get_diameter (bar->area), 3);
   g_autofree char *start = dup_place (units, bar->start);
   g_autofree char *end = dup_place (units, bar->end);
   return g_strdup_printf ("%s, Ø %s: %s – %s", model->laws[bar->law].name, diameter,

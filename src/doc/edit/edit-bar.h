@@ -4,6 +4,7 @@
 #ifndef QN_DOC_EDIT_BAR_H
 #define QN_DOC_EDIT_BAR_H
 
+#include "core/model/bar.h"
 #include "doc/edit/edit.h"
 #include "doc/text/units.h"
 
@@ -20,10 +21,6 @@ gboolean qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error);
 
 /* The bar nearest to a point, within `reach`, m; or QN_NONE. */
 QnId qn_model_find_bar (const QnModel *model, QnVec2 at, double reach);
-
-/* Diameter of one round bar of the area, m, m2; and the other way round. */
-double qn_bar_get_diameter (double area);
-double qn_bar_get_area (double diameter);
 
 /* "steel, Ø 16 mm: 0; 0.2 m – 2.9; 0.2 m"; the caller frees it. */
 char *qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units);

@@ -23,6 +23,10 @@ static const UnitRow unit_rows[] = {
   { QN_QUANTITY_LENGTH, "mm", 1e-3 },
   { QN_QUANTITY_LENGTH, "in", 0.0254 },
   { QN_QUANTITY_LENGTH, "ft", 0.3048 },
+  { QN_QUANTITY_DIAMETER, "mm", 1e-3 },
+  { QN_QUANTITY_DIAMETER, "cm", 1e-2 },
+  { QN_QUANTITY_DIAMETER, "m", 1.0 },
+  { QN_QUANTITY_DIAMETER, "in", 0.0254 },
   { QN_QUANTITY_ANGLE, "°", G_PI / 180.0 },
   { QN_QUANTITY_ANGLE, "deg", G_PI / 180.0 },
   { QN_QUANTITY_ANGLE, "rad", 1.0 },
@@ -97,6 +101,7 @@ qn_units_symbol (QnUnits units, QnQuantity quantity)
 {
   const char *const symbols[QN_QUANTITY_COUNT] = {
     [QN_QUANTITY_LENGTH] = length_symbols[units.length],
+    [QN_QUANTITY_DIAMETER] = "mm",
     [QN_QUANTITY_ANGLE] = "°",
     [QN_QUANTITY_ROTATION] = "mrad",
     [QN_QUANTITY_FORCE] = force_symbols[units.force],

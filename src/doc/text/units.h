@@ -12,6 +12,7 @@
 typedef enum {
   QN_QUANTITY_NUMBER,            /* no unit */
   QN_QUANTITY_LENGTH,            /* m */
+  QN_QUANTITY_DIAMETER,          /* m; of reinforcing bars, shown in mm */
   QN_QUANTITY_ANGLE,             /* rad; shown in degrees */
   QN_QUANTITY_ROTATION,          /* rad; of what moves, shown in mrad */
   QN_QUANTITY_FORCE,             /* N */

@@ -1,6 +1,7 @@
 #include "doc/view/report.h"
 
 #include "core/base/integer.h"
+#include "core/model/bar.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "doc/text/law-text.h"
@@ -231,6 +232,7 @@ write_bars (QnPages *pages, const QnReport *report)
   if (model->bar_count == 0)
     return;
   add_cell (cells, g_strdup (_ ("Reinforcing bars")));
+  add_cell (cells, g_strdup (_ ("Diameter (mm)")));
   add_cell (cells, g_strdup (_ ("Area (mm²)")));
   add_cell (cells, g_strdup_printf (_ ("Length (%s)"),
                                     qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
@@ -239,11 +241,12 @@ write_bars (QnPages *pages, const QnReport *report)
     const QnBar *bar = &model->bars[i];
     double length = qn_vec2_length (qn_vec2_sub (bar->end, bar->start));
     add_cell (cells, g_strdup_printf ("%zu", i + 1));
+    add_number (cells, "%.4g", 1e3 * qn_bar_get_diameter (bar->area));
     add_number (cells, "%.5g", 1e6 * bar->area);
     add_cell (cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, length, 5));
     add_cell (cells, g_strdup (model->laws[bar->law].name));
   }
-  write_table (pages, cells, 4);
+  write_table (pages, cells, 5);
 }
 
 static gboolean

@@ -1,5 +1,6 @@
 /* Reinforcing bars: lines from end to end that follow the blocks they lie in. Under a field of
  * stresses each piece has the colour of the stress where it crosses the nearest joint. */
+#include "core/model/bar.h"
 #include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
 
@@ -89,6 +90,23 @@ add_bars (QnSceneBuilder *b, const GArray *crossings, double width, QnColor colo
   }
 }
 
+/* One bar, or many from the thinnest to the thickest. */
+static char *
+dup_label (const QnModel *model)
+{
+  double least = INFINITY, most = 0.0;
+  for (size_t i = 0; i < model->bar_count; i++) {
+    const double diameter = 1e3 * qn_bar_get_diameter (model->bars[i].area);
+    least = fmin (least, diameter);
+    most = fmax (most, diameter);
+  }
+  g_autofree char *thin = qn_label_number ("%.3g", least);
+  g_autofree char *thick = qn_label_number ("%.3g", most);
+  return g_str_equal (thin, thick)
+           ? g_strdup_printf (_ ("reinforcing bar, Ø %s mm"), thin)
+           : g_strdup_printf (_ ("reinforcing bars, Ø %s–%s mm"), thin, thick);
+}
+
 void
 qn_build_bars (QnSceneBuilder *b)
 {
@@ -115,8 +133,9 @@ qn_build_bars (QnSceneBuilder *b)
               qn_color_bar_color (&range, stress, b->options->monochrome));
   }
   if (!range.shown) {
+    g_autofree char *label = dup_label (b->model);
     qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_BAR), "%s",
-                     _ ("reinforcing bar"))
+                     label)
       ->size = (float) WIDTH_BAR;
     return;
   }

@@ -32,6 +32,8 @@ test_parse (void)
   check_parse (cm_kn, QN_QUANTITY_STRESS, "3 N/mm²", 3e6);
   check_parse (cm_kn, QN_QUANTITY_PRESSURE, "5", 5e3); /* of loads: kPa */
   check_parse (QN_UNITS_SI, QN_QUANTITY_PRESSURE, "5 kPa", 5e3);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_DIAMETER, "16", 0.016);
+  check_parse (cm_kn, QN_QUANTITY_DIAMETER, "1.6 cm", 0.016);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45°", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "1 rad", 1.0);
@@ -110,6 +112,8 @@ test_format (void)
   check_format (QN_UNITS_SI, QN_QUANTITY_LENGTH, 0.4, 6, "0.4\u00a0m");
   check_format (cm_kn, QN_QUANTITY_LENGTH, 0.4, 6, "40\u00a0cm");
   check_format (cm_kn, QN_QUANTITY_UNIT_WEIGHT, 1e4, 6, "10\u00a0kN/m³");
+  check_format (QN_UNITS_SI, QN_QUANTITY_DIAMETER, 0.016, 6, "16\u00a0mm");
+  check_format (cm_kn, QN_QUANTITY_DIAMETER, 0.016, 6, "16\u00a0mm");
   check_format (QN_UNITS_SI, QN_QUANTITY_ANGLE, G_PI / 6.0, 6, "30°");
   check_format (QN_UNITS_SI, QN_QUANTITY_ROTATION, 0.0125, 6, "12.5\u00a0mrad");
   check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, -0.0, 6, "0");

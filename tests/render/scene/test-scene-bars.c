@@ -98,7 +98,7 @@ test_follows (void)
     g_assert_cmpfloat_with_epsilon (p[i].x, x[i], 1e-12);
     g_assert_cmpfloat_with_epsilon (p[i].y, 0.5, 1e-12);
   }
-  g_assert_true (has_legend (rest, "reinforcing bar"));
+  g_assert_true (has_legend (rest, "reinforcing bar, Ø 11.3 mm"));
 
   g_autoptr (QnScene) moved = build (&row, QN_VIEW_DEFORMED, QN_FIELD_NONE);
   line = find_line (moved, qn_ink (QN_INK_BAR, false), 0);
@@ -111,6 +111,19 @@ test_follows (void)
   const double shift[] = { third, third, second, second, 0, 0 };
   for (int i = 0; i < 6; i++)
     g_assert_cmpfloat_with_epsilon (p[i].x, x[i] + shift[i], 1e-12);
+}
+
+/* Bars of several diameters stand in one row of the legend. */
+static void
+test_diameters (void)
+{
+  g_auto (TestRun) row = { 0 };
+  row_init (&row);
+  QnBar *thick = qn_model_add_bar (&row.model);
+  *thick = row.model.bars[0];
+  thick->area = 4.0 * AREA;
+  g_autoptr (QnScene) scene = build (&row, QN_VIEW_MODEL, QN_FIELD_NONE);
+  g_assert_true (has_legend (scene, "reinforcing bars, Ø 11.3–22.6 mm"));
 }
 
 /* Bar and joint share the load like their stiffnesses; the legend tells the stress of the bar. */
@@ -137,6 +150,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/scene-bars/follows", test_follows);
+  g_test_add_func ("/render/scene-bars/diameters", test_diameters);
   g_test_add_func ("/render/scene-bars/stress", test_stress);
   return g_test_run ();
 }
