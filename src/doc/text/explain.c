@@ -124,10 +124,11 @@ dup_peak (const QnModel *model, const QnResult *result)
   if (!(peak > 0))
     return NULL;
   if (isnan (result->history.peak_time))
-    return g_strdup_printf (_ ("Largest displacement: %.4g m, of block “%s”."), peak,
-                            model->blocks[block].name);
-  return g_strdup_printf (_ ("Largest displacement: %.4g m at %.4g s, of block “%s”."),
-                          peak, result->history.peak_time, model->blocks[block].name);
+    return g_strdup_printf (_ ("Largest displacement: %.4g mm, of block “%s”."),
+                            1e3 * peak, model->blocks[block].name);
+  return g_strdup_printf (_ ("Largest displacement: %.4g mm at %.4g s, of block “%s”."),
+                          1e3 * peak, result->history.peak_time,
+                          model->blocks[block].name);
 }
 
 char *

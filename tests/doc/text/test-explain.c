@@ -130,11 +130,11 @@ test_peak (void)
   g_assert_cmpuint (model->block_count, ==, 2);
   result.history.peak_time = 0.75;
   g_autofree char *text = qn_explain_outcome (model, &result);
-  g_assert_nonnull (strstr (text, "Largest displacement: 0.0125 m at 0.75 s"));
+  g_assert_nonnull (strstr (text, "Largest displacement: 12.5 mm at 0.75 s"));
   g_assert_nonnull (strstr (text, model->blocks[1].name));
   result.history.peak_time = NAN;
   g_autofree char *old = qn_explain_outcome (model, &result);
-  g_assert_nonnull (strstr (old, "Largest displacement: 0.0125 m, of block"));
+  g_assert_nonnull (strstr (old, "Largest displacement: 12.5 mm, of block"));
   peaks[1] = 0;
   g_autofree char *still = qn_explain_outcome (model, &result);
   g_assert_null (strstr (still, "displacement"));
