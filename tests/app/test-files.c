@@ -470,6 +470,13 @@ test_choosers (void)
   QnWindow *opened = qn_window_find_path (driver_application (), path);
   g_assert_nonnull (opened);
   g_assert_cmpuint (model_of (opened)->block_count, >, 0);
+  /* The next one begins beside it. */
+  chooser = begin_choosing (opened, choosers[0][0], choosers[0][1], choosers[0][2]);
+  g_autoptr (GFile) beside = gtk_file_chooser_get_current_folder (chooser);
+  g_autoptr (GFile) folder = g_file_get_parent (file);
+  g_assert_nonnull (beside);
+  g_assert_true (g_file_equal (beside, folder));
+  respond (opened, GTK_RESPONSE_CANCEL);
   driver_discard (opened);
   driver_discard (window);
 }

@@ -2,6 +2,29 @@
 
 #include <glib/gi18n.h>
 
+/* Where the next chooser begins, or NULL. */
+static GFile *folder;
+
+void
+qn_chooser_begin_beside (const char *path)
+{
+  g_autoptr (GFile) file = g_file_new_for_path (path);
+  g_clear_object (&folder);
+  folder = g_file_get_parent (file);
+}
+
+static void
+on_response (GtkNativeDialog *chooser, int response, gpointer data)
+{
+  GFile *chosen = response == GTK_RESPONSE_ACCEPT
+                    ? gtk_file_chooser_get_current_folder (GTK_FILE_CHOOSER (chooser))
+                    : NULL;
+  if (chosen != NULL) {
+    g_clear_object (&folder);
+    folder = chosen;
+  }
+}
+
 GtkFileChooserNative *
 qn_chooser_begin (GtkWindow *parent, GObject **kept, GtkFileChooserAction action,
                   const char *title, const char *accept)
@@ -9,6 +32,9 @@ qn_chooser_begin (GtkWindow *parent, GObject **kept, GtkFileChooserAction action
   GtkFileChooserNative *chooser =
     gtk_file_chooser_native_new (title, parent, action, accept, NULL);
   gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
+  if (folder != NULL)
+    gtk_file_chooser_set_current_folder (GTK_FILE_CHOOSER (chooser), folder, NULL);
+  g_signal_connect (chooser, "response", G_CALLBACK (on_response), NULL);
   g_set_object (kept, G_OBJECT (chooser));
   g_object_unref (chooser);
   return chooser;

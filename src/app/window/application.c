@@ -142,6 +142,8 @@ qn_application_startup (GApplication *application)
   g_action_map_add_action_entries (G_ACTION_MAP (application), actions,
                                    G_N_ELEMENTS (actions), application);
   gtk_window_set_default_icon_name ("io.github.quoin.Quoin");
+  /* Choosers of files have title bars like the windows. */
+  g_object_set (gtk_settings_get_default (), "gtk-dialogs-use-header", TRUE, NULL);
   qn_settings_apply_style ();
   g_autoptr (GtkCssProvider) provider = gtk_css_provider_new ();
   gtk_css_provider_load_from_resource (provider, "/io/github/quoin/Quoin/style.css");

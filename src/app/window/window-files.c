@@ -96,6 +96,7 @@ void
 qn_window_remember_recent (const char *path)
 {
   g_autofree char *uri = g_filename_to_uri (path, NULL, NULL);
+  qn_chooser_begin_beside (path);
   if (uri == NULL)
     return;
   GtkRecentData data = { .mime_type = (char *) "application/x-quoin",
