@@ -238,6 +238,7 @@ redraw (gpointer data)
 }
 
 static void let_move (Compare *compare, GtkWidget *cell);
+static void remove_run (Compare *compare, guint at);
 
 static void
 fill (Compare *compare)
@@ -264,6 +265,17 @@ fill (Compare *compare)
 
 /* ---- order ---- */
 
+/* The cell of the run at a place, or of the last one. */
+static void
+focus_cell (Compare *compare, guint at)
+{
+  GtkWidget *cell = gtk_widget_get_first_child (compare->grid), *next;
+  while (at-- > 0 && cell != NULL && (next = gtk_widget_get_next_sibling (cell)) != NULL)
+    cell = next;
+  if (cell != NULL)
+    gtk_widget_grab_focus (cell);
+}
+
 /* Puts a run at a place of the order. */
 static void
 move_run (Compare *compare, QnRun *run, guint to)
@@ -276,10 +288,7 @@ move_run (Compare *compare, QnRun *run, guint to)
   g_ptr_array_remove_index (compare->shown, from);
   g_ptr_array_insert (compare->shown, (int) to, qn_run_ref (kept));
   fill (compare);
-  for (GtkWidget *cell = gtk_widget_get_first_child (compare->grid); cell != NULL;
-       cell = gtk_widget_get_next_sibling (cell))
-    if (qn_compare_cell_get_run (cell) == kept)
-      gtk_widget_grab_focus (cell);
+  focus_cell (compare, to);
 }
 
 static GdkContentProvider *
@@ -307,6 +316,11 @@ on_cell_key (GtkEventControllerKey *controller, guint key, guint code,
   GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (controller));
   QnRun *run = qn_compare_cell_get_run (cell);
   guint at;
+  if ((key == GDK_KEY_Delete || key == GDK_KEY_KP_Delete)
+      && g_ptr_array_find (compare->shown, run, &at)) {
+    remove_run (compare, at);
+    return TRUE;
+  }
   if (!(state & GDK_ALT_MASK) || (key != GDK_KEY_Left && key != GDK_KEY_Right)
       || !g_ptr_array_find (compare->shown, run, &at))
     return FALSE;
@@ -454,15 +468,20 @@ on_runs_changed (Compare *compare)
 }
 
 static void
-remove_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
+remove_run (Compare *compare, guint at)
 {
-  Compare *compare = data;
-  guint at = g_variant_get_uint32 (parameter);
   if (at >= compare->shown->len)
     return;
   g_ptr_array_remove_index (compare->shown, at);
   fill (compare);
   list_runs (compare);
+  focus_cell (compare, at);
+}
+
+static void
+remove_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  remove_run (data, g_variant_get_uint32 (parameter));
 }
 
 /* ---- files ---- */
