@@ -293,6 +293,73 @@ press (QnWindow *window, const char *id)
   g_signal_emit_by_name (button, "clicked");
 }
 
+static GtkWidget *
+row_at (GtkWidget *list, int index)
+{
+  return GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), index));
+}
+
+static int
+width_of (GtkWidget *root, const char *id)
+{
+  return gtk_widget_get_width (driver_find_widget (root, is_called, id));
+}
+
+/* A case tells how many loads it has; F2 and a double click go to its name, Delete removes it. Fields
+ * that were folded away are as wide as each other. */
+static void
+test_cases (void)
+{
+  QnWindow *window = driver_open_example ("05-stack.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "loads_box");
+  driver_unfold (box);
+  driver_run (200);
+  GtkWidget *list = driver_find_widget (box, is_called, "cases");
+  GtkWidget *cases = gtk_widget_get_ancestor (list, GTK_TYPE_EXPANDER);
+  GtkWidget *add = driver_find_widget (cases, is_called, "add");
+  g_signal_emit_by_name (add, "clicked");
+  g_signal_emit_by_name (add, "clicked");
+  driver_run (200);
+  g_assert_cmpint (width_of (cases, "name"), ==, width_of (cases, "factor"));
+  g_assert_nonnull (driver_find_widget (row_at (list, 1), driver_says, "for 0 loads"));
+  GtkWidget *loads = driver_find_widget (box, is_called, "loads");
+  gtk_list_box_select_row (GTK_LIST_BOX (loads), GTK_LIST_BOX_ROW (row_at (loads, 0)));
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (driver_find_widget (box, is_called, "case")),
+                              2);
+  driver_run (100);
+  g_assert_nonnull (driver_find_widget (row_at (list, 1), driver_says, "for 1 load"));
+
+  GtkWidget *name = driver_find_widget (cases, is_called, "name");
+  for (int way = 0; way < 2; way++) {
+    gtk_list_box_select_row (GTK_LIST_BOX (list), GTK_LIST_BOX_ROW (row_at (list, way)));
+    gtk_widget_grab_focus (row_at (list, way));
+    driver_run (100);
+    if (way == 0)
+      driver_key ("F2");
+    else
+      g_signal_emit_by_name (row_at (list, 1), "activate");
+    driver_run (200);
+    g_assert_true (
+      gtk_widget_has_focus (name)
+      || gtk_widget_is_ancestor (gtk_window_get_focus (GTK_WINDOW (window)), name));
+    driver_type (way == 0 ? "wind" : "snow");
+    driver_key ("Return");
+    driver_run (200);
+  }
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpstr (model->load_cases[0].name, ==, "wind");
+  g_assert_cmpstr (model->load_cases[1].name, ==, "snow");
+  gtk_list_box_select_row (GTK_LIST_BOX (list), GTK_LIST_BOX_ROW (row_at (list, 0)));
+  gtk_widget_grab_focus (row_at (list, 0));
+  driver_key ("KP_Delete");
+  driver_run (200);
+  g_assert_cmpuint (model_of (window)->load_case_count, ==, 1);
+  g_assert_cmpstr (model_of (window)->load_cases[0].name, ==, "snow");
+  driver_discard (window);
+}
+
 /* Added with its source, applied to joints and to all others, found again, duplicated, and removed with
  * another one in its place; each is a step. */
 static void
@@ -433,6 +500,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/forms/study", test_study);
   g_test_add_func ("/app/forms/joint", test_joint);
   g_test_add_func ("/app/forms/laws", test_laws);
+  g_test_add_func ("/app/forms/cases", test_cases);
   g_test_add_func ("/app/forms/project", test_project);
   g_test_add_func ("/app/forms/refusal", test_refusal);
   return g_test_run ();

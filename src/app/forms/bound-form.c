@@ -469,20 +469,39 @@ on_row_selected (GtkWidget *widget, GtkListBoxRow *row, QnBoundForm *form)
   on_entered (widget, form);
 }
 
-/* Delete removes what is selected in a list, as the button that is called "remove" does. */
+/* The widget of that id, where the form has one that can be used now. */
+static GtkWidget *
+find_usable (const QnBoundForm *form, const char *id)
+{
+  for (guint field = 0; field < form->kind->field_count; field++)
+    if (g_str_equal (form->kind->fields[field].id, id)
+        && gtk_widget_get_visible (form->widgets[field])
+        && gtk_widget_get_sensitive (form->widgets[field]))
+      return form->widgets[field];
+  return NULL;
+}
+
+/* A double click or Enter goes to the name of what is selected in a list. */
+static void
+on_row_activated (GtkListBox *list, GtkListBoxRow *row, QnBoundForm *form)
+{
+  GtkWidget *name = find_usable (form, "name");
+  if (name != NULL)
+    gtk_widget_grab_focus (name);
+}
+
+/* F2 does so, too; Delete removes it, as the button that is called "remove" does. */
 static gboolean
 on_list_key (GtkEventControllerKey *keys, guint key, guint code, GdkModifierType state,
              QnBoundForm *form)
 {
-  (void) keys, (void) code, (void) state;
-  for (guint field = 0; key == GDK_KEY_Delete && field < form->kind->field_count; field++)
-    if (g_str_equal (form->kind->fields[field].id, "remove")
-        && gtk_widget_get_visible (form->widgets[field])
-        && gtk_widget_get_sensitive (form->widgets[field])) {
-      g_signal_emit_by_name (form->widgets[field], "clicked");
-      return TRUE;
-    }
-  return FALSE;
+  gboolean removes = key == GDK_KEY_Delete || key == GDK_KEY_KP_Delete;
+  GtkWidget *wanted = removes             ? find_usable (form, "remove")
+                      : key == GDK_KEY_F2 ? find_usable (form, "name")
+                                          : NULL;
+  if (wanted != NULL && removes)
+    g_signal_emit_by_name (wanted, "clicked");
+  return wanted != NULL && (removes || gtk_widget_grab_focus (wanted));
 }
 
 static void
@@ -523,6 +542,8 @@ connect (QnBoundForm *form, GtkWidget *widget)
     GtkEventController *keys = gtk_event_controller_key_new ();
     g_signal_connect (keys, "key-pressed", G_CALLBACK (on_list_key), form);
     gtk_widget_add_controller (widget, keys);
+    gtk_list_box_set_activate_on_single_click (GTK_LIST_BOX (widget), FALSE);
+    g_signal_connect (widget, "row-activated", G_CALLBACK (on_row_activated), form);
   }
   if (QN_IS_QUANTITY_ENTRY (widget))
     qn_quantity_entry_set_path_func (QN_QUANTITY_ENTRY (widget), find_path, form);
@@ -612,6 +633,9 @@ align_rows (GtkWidget *widget, GtkSizeGroup *labels, GtkSizeGroup *fields)
     gtk_size_group_add_widget (labels, qn_row_get_label (QN_ROW (widget)));
     gtk_size_group_add_widget (fields, qn_row_get_field (QN_ROW (widget)));
   }
+  /* What is folded is no part of the tree. */
+  if (GTK_IS_EXPANDER (widget))
+    align_rows (gtk_expander_get_child (GTK_EXPANDER (widget)), labels, fields);
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child))
     align_rows (child, labels, fields);

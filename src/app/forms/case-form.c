@@ -30,6 +30,17 @@ look (gpointer data)
   return TRUE;
 }
 
+static guint
+count_loads (const QnModel *model, int32_t load_case)
+{
+  guint count = 0;
+  for (gsize i = 0; i < model->dead_load_count; i++)
+    count += model->dead_loads[i].load_case == load_case;
+  for (gsize i = 0; i < model->live_load_count; i++)
+    count += model->live_loads[i].load_case == load_case;
+  return count;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -42,8 +53,11 @@ show (gpointer data, guint field, QnValue *value)
     for (gsize i = 0; i < model->load_case_count; i++) {
       g_autofree char *factor =
         qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, model->load_cases[i].factor, 6);
+      guint loads = count_loads (model, (int32_t) i + 1);
       qn_value_take_row (value,
-                         g_strdup_printf ("%s × %s", model->load_cases[i].name, factor));
+                         g_strdup_printf (ngettext ("%s × %s, for %u load",
+                                                    "%s × %s, for %u loads", loads),
+                                          model->load_cases[i].name, factor, loads));
     }
     value->number = form->selected;
     return TRUE;

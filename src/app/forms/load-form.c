@@ -76,7 +76,7 @@ enum {
 
 static const QnFormField fields[] = {
   [LIST] = { .id = "list" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Set of Loads") },
+  [NAME] = { .id = "set_name", .step = N_ ("Rename Set of Loads") },
   [ADD_SET] = { .id = "add_set", .step = N_ ("Add Set of Loads") },
   [REMOVE_SET] = { .id = "remove_set", .step = N_ ("Remove Set of Loads") },
   [LOADS] = { .id = "loads" },
