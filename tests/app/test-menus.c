@@ -181,6 +181,33 @@ test_tables (void)
   driver_discard (window);
 }
 
+/* A menu that is open when its window closes, here over a history in time, goes with it, and the next
+ * window hears the pointer. */
+static void
+test_open_at_end (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example ("40-rocking-in-time.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_run (200);
+  GtkWidget *button = driver_find_id (GTK_WIDGET (window), "field_button");
+  GtkPopover *menu = gtk_menu_button_get_popover (GTK_MENU_BUTTON (button));
+  driver_point_at (button, 0.5 * gtk_widget_get_width (button),
+                   0.5 * gtk_widget_get_height (button));
+  driver_press_button ("1");
+  driver_run (400);
+  g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (menu)));
+  driver_discard (window);
+
+  guint count = 0;
+  window = driver_open_example ("05-stack.quoin");
+  driver_click (window, 0.2, 0.5);
+  qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+  g_assert_cmpuint (count, ==, 1);
+  driver_discard (window);
+}
+
 /* ---- comparison ---- */
 
 static guint
@@ -234,6 +261,10 @@ test_comparison (void)
   first = driver_find_widget (dialog, driver_is_cell, NULL);
   g_autofree char *left = dup_words (first);
   g_assert_cmpstr (left, ==, words);
+  /* The picture that stayed has the focus. */
+  driver_key ("Delete");
+  driver_run (200);
+  g_assert_null (driver_find_widget (dialog, driver_is_cell, NULL));
   driver_discard (window);
 }
 
@@ -473,6 +504,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/menus/loads", test_loads);
   g_test_add_func ("/app/menus/laws", test_laws);
   g_test_add_func ("/app/menus/tables", test_tables);
+  g_test_add_func ("/app/menus/open-at-end", test_open_at_end);
   g_test_add_func ("/app/menus/comparison", test_comparison);
   g_test_add_func ("/app/menus/drag-caption", test_drag_caption);
   g_test_add_func ("/app/menus/drop-files", test_drop_files);

@@ -1,5 +1,6 @@
 #include "app/widgets/dialog.h"
 
+#include "app/widgets/popovers.h"
 #include "app/widgets/shortened.h"
 
 #include <glib/gi18n.h>
@@ -16,6 +17,7 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   GtkWidget *header = gtk_header_bar_new ();
   qn_shortened_tell (header);
   gtk_window_set_titlebar (GTK_WINDOW (dialog), header);
+  qn_popovers_close_with (dialog);
 
   GtkEventController *keys = gtk_shortcut_controller_new ();
   gtk_shortcut_controller_add_shortcut (

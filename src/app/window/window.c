@@ -4,6 +4,7 @@
 #include "app/tools/tools.h"
 #include "app/views/start-page.h"
 #include "app/widgets/layouts.h"
+#include "app/widgets/popovers.h"
 #include "app/widgets/settings.h"
 #include "app/widgets/shortened.h"
 #include "app/window/action-table.h"
@@ -505,6 +506,7 @@ qn_window_init (QnWindow *self)
   qn_layout_first_fit (gtk_widget_get_parent (GTK_WIDGET (self->view_switcher)));
   qn_action_complete_tooltips (GTK_WIDGET (self));
   qn_shortened_tell (GTK_WIDGET (self));
+  qn_popovers_close_with (GTK_WIDGET (self));
   self->document = qn_document_new ();
   self->state = qn_view_state_new (self->document);
   self->tool_settings = first_settings;
