@@ -5,6 +5,7 @@
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "core/path/analysis.h"
+#include "core/result/first-limit.h"
 #include "io/exchange/table-csv.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
@@ -77,7 +78,7 @@ print_summary (const QnProject *project, const QnResult *result)
   else if (result->step_count > 0)
     printf (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
             result->steps[result->step_count - 1].multiplier);
-  if (result->outcome == QN_OUTCOME_COLLAPSE && result->has_first_limit_multiplier
+  if (result->outcome == QN_OUTCOME_COLLAPSE && qn_result_has_felt_limit (result)
       && result->first_limit_multiplier < result->collapse_multiplier)
     printf (_ ("first limit point at %.5f: the path jumps to another equilibrium\n"),
             result->first_limit_multiplier);

@@ -1,5 +1,6 @@
 #include "doc/document/bounds.h"
 
+#include "core/result/first-limit.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -46,7 +47,7 @@ take (double *values, const QnRun *run)
     values[QN_BOUND_PATH] =
       result->has_collapse_multiplier ? result->collapse_multiplier : NAN;
     gboolean apart =
-      result->has_first_limit_multiplier && result->has_collapse_multiplier
+      qn_result_has_felt_limit (result) && result->has_collapse_multiplier
       && fabs (result->first_limit_multiplier - result->collapse_multiplier)
            > 1e-3 * fabs (result->collapse_multiplier);
     values[QN_BOUND_FIRST_LIMIT] = apart ? result->first_limit_multiplier : NAN;

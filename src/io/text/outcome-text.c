@@ -1,6 +1,7 @@
 #include "io/text/outcome-text.h"
 #include "core/model/support.h"
 #include "core/path/path.h"
+#include "core/result/first-limit.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -138,7 +139,7 @@ collapse_sentence (const QnResult *result)
   double collapse = result->collapse_multiplier;
   double before = copysign (1, collapse) * result->first_limit_multiplier;
   /* A plateau may lie below an earlier jump: beyond that no equilibrium is known. */
-  if (result->has_first_limit_multiplier && before < (1 - 1e-3) * fabs (collapse))
+  if (qn_result_has_felt_limit (result) && before < (1 - 1e-3) * fabs (collapse))
     return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g. Before, at %.4g, "
                                "the path jumps to another "
                                "equilibrium."),

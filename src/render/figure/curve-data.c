@@ -1,4 +1,5 @@
 /* Curves read off results. */
+#include "core/result/first-limit.h"
 #include "render/figure/curve-plot.h"
 
 #include <glib.h>
@@ -12,7 +13,7 @@ find_limit_point (const QnResult *result)
 {
   double limit = result->first_limit_multiplier, blur = 1e-9 * fabs (limit) + 1e-12;
 
-  if (!result->has_first_limit_multiplier)
+  if (!qn_result_has_felt_limit (result))
     return -1;
   for (size_t s = 0; s < result->step_count; s++)
     if (result->steps[s].multiplier >= limit - blur)

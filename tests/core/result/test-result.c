@@ -1,3 +1,4 @@
+#include "core/result/first-limit.h"
 #include "core/result/result.h"
 #include "support/auto-clear.h"
 
@@ -82,6 +83,20 @@ test_names (void)
   g_assert_cmpstr (qn_pair_state_names[QN_PAIR_OPEN], ==, "open");
 }
 
+/* A first limit point is told of from a thousandth of the collapse multiplier on. */
+static void
+test_felt_limit (void)
+{
+  QnResult result = { .first_limit_multiplier = 1e-5, .collapse_multiplier = -0.4 };
+  g_assert_false (qn_result_has_felt_limit (&result));
+  result.has_first_limit_multiplier = true;
+  g_assert_true (qn_result_has_felt_limit (&result)); /* of what, is not known */
+  result.has_collapse_multiplier = true;
+  g_assert_false (qn_result_has_felt_limit (&result));
+  result.first_limit_multiplier = -0.001;
+  g_assert_true (qn_result_has_felt_limit (&result));
+}
+
 int
 main (int argc, char **argv)
 {
@@ -89,6 +104,7 @@ main (int argc, char **argv)
   g_test_add_func ("/result/steps", test_steps_are_kept);
   g_test_add_func ("/result/mechanism-scale", test_mechanism_scale);
   g_test_add_func ("/result/names", test_names);
+  g_test_add_func ("/result/felt-limit", test_felt_limit);
   g_test_add_func ("/result/force-budget", test_force_budget);
   return g_test_run ();
 }

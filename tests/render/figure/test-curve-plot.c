@@ -109,6 +109,15 @@ test_limit_of_descending_curve (void)
                                        qn_result_curve_motion (&f.model, &f.result)));
   g_assert_cmpint (curve.limit_point, ==, 1);
   qn_curve_clear (&curve);
+
+  /* Joints that settle as the load begins are none. */
+  f.result.has_collapse_multiplier = true;
+  f.result.collapse_multiplier = 0.5;
+  f.result.first_limit_multiplier = 1e-5;
+  g_assert_true (qn_curve_from_result (&curve, &f.result,
+                                       qn_result_curve_motion (&f.model, &f.result)));
+  g_assert_cmpint (curve.limit_point, ==, -1);
+  qn_curve_clear (&curve);
   fixture_clear (&f);
 }
 

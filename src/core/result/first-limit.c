@@ -1,0 +1,14 @@
+#include "core/result/first-limit.h"
+
+#include <math.h>
+
+#define FELT 1e-3 /* of the collapse multiplier */
+
+bool
+qn_result_has_felt_limit (const QnResult *result)
+{
+  return result->has_first_limit_multiplier
+         && !(result->has_collapse_multiplier
+              && fabs (result->first_limit_multiplier)
+                   < FELT * fabs (result->collapse_multiplier));
+}

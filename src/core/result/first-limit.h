@@ -1,0 +1,12 @@
+/* Which first limit point people are told of. */
+#ifndef QN_CORE_FIRST_LIMIT_H
+#define QN_CORE_FIRST_LIMIT_H
+
+#include "core/result/result.h"
+
+/* Whether a path has a first limit point under a load that is felt. Below a thousandth of the
+ * collapse multiplier joints settle as the load begins: the displacement is so small there that any
+ * jump is a large part of it. */
+bool qn_result_has_felt_limit (const QnResult *result);
+
+#endif
