@@ -318,6 +318,32 @@ test_compare_files (void)
   driver_discard (window);
 }
 
+static gboolean
+shows_wall4 (gpointer dialog)
+{
+  return driver_find_widget (dialog, is_table_row, "0.2637") != NULL;
+}
+
+/* A file that a window has solved already is not shown twice, as where its folder is added. */
+static void
+test_compare_own_file (void)
+{
+  static const char *const names[] = { "ferris-tin-loi/wall3.quoin",
+                                       "ferris-tin-loi/wall4.quoin" };
+  QnWindow *window = driver_open_example (names[0]);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.compare");
+  GtkWidget *dialog = driver_find_dialog ("Compare");
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
+    g_autofree char *path = driver_example_path (names[i]);
+    gtk_widget_activate_action (dialog, "compare.add-path", "s", path);
+  }
+  driver_wait (shows_wall4, dialog);
+  g_assert_cmpint (row_of (dialog, "0.2637"), ==, row_of (dialog, "0.3558") + 1);
+  driver_discard (window);
+}
+
 /* Modes and the buckling load stand in the list of runs, each with its shape; beside them the path
  * keeps its place in the table of bounds. */
 static void
@@ -397,6 +423,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/analysis/ground-preview", test_ground_preview);
   g_test_add_func ("/app/analysis/bounds", test_bounds);
   g_test_add_func ("/app/analysis/compare-files", test_compare_files);
+  g_test_add_func ("/app/analysis/compare-own-file", test_compare_own_file);
   g_test_add_func ("/app/analysis/modes-and-stability", test_modes_and_stability);
   return g_test_run ();
 }

@@ -493,6 +493,21 @@ tell (Compare *compare, const char *text)
   gtk_widget_set_visible (GTK_WIDGET (compare->message), *text != '\0');
 }
 
+/* Whether a window has the file as it is on disk, with a result: that one is shown. */
+static gboolean
+is_solved_in_window (Compare *compare, QnDocument *file)
+{
+  g_autoptr (GPtrArray) documents = compare->list_others (compare->parent);
+  g_ptr_array_add (documents, compare->document);
+  for (guint i = 0; i < documents->len; i++) {
+    QnDocument *open = documents->pdata[i];
+    if (g_strcmp0 (qn_document_get_path (open), qn_document_get_path (file)) == 0
+        && !qn_document_is_modified (open) && qn_document_get_run (open) != NULL)
+      return TRUE;
+  }
+  return FALSE;
+}
+
 /* New runs of files are put on show; what goes on and what went wrong is told. */
 static void
 on_batch_changed (Compare *compare)
@@ -510,7 +525,8 @@ on_batch_changed (Compare *compare)
       continue;
     g_hash_table_add (compare->known, qn_run_ref (run));
     any = TRUE;
-    if (compare->shown->len < MOST_RUNS)
+    if (compare->shown->len < MOST_RUNS
+        && !is_solved_in_window (compare, documents->pdata[i]))
       g_ptr_array_add (compare->shown, qn_run_ref (run));
   }
   for (guint i = 0; i < messages->len; i++)
