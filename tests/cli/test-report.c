@@ -241,7 +241,7 @@ static void
 test_refused (void)
 {
   g_autofree char *model = cli_example ("06-arch.quoin");
-  cli_fails (2, "--output", "report", model, NULL);
+  cli_fails (2, "-o is missing", "report", model, NULL);
   cli_fails (2, "a3", "report", model, "-o", "x.pdf", "--paper", "a3", NULL);
   cli_fails (2, "poem", "report", model, "-o", "x.pdf", "--sections", "title,poem", NULL);
   cli_fails (5, "nowhere.quoin", "report", "nowhere.quoin", "-o", "x.pdf", NULL);
