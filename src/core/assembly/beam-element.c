@@ -174,7 +174,7 @@ void
 qn_beam_evaluate (const QnBeamProperties *p, const QnBeamMemory *committed,
                   const double deformation[3], QnBeamResponse *response)
 {
-  double k[2][2], trial[2], moment[2], slip[2];
+  double k[2][2], trial[2], moment[2] = { 0 }, slip[2] = { 0 };
   int sense[2] = { 0, 0 };
 
   bending_stiffness (p, k);
