@@ -409,10 +409,9 @@ measure (QnTimeStep *step, double h, QnVec2 ground)
   }
   qn_assembly_multiply (as, step->mass, step->mean_motion, step->product);
   for (int32_t i = 0; i < as->unknown_count; i++) {
-    scale = fmax (scale, fabs (step->product[i]));
-    double inertia =
-      step->product[i] + step->inertia[0][i] * ground.x + step->inertia[1][i] * ground.y;
-    r[i] += (s->alpha_f * start->residual[i] - inertia) / weight;
+    double drag = step->inertia[0][i] * ground.x + step->inertia[1][i] * ground.y;
+    scale = fmax (scale, fmax (fabs (step->product[i]), fabs (drag)));
+    r[i] += (s->alpha_f * start->residual[i] - step->product[i] - drag) / weight;
   }
   if (damps_beams) {
     for (int32_t i = 0; i < as->unknown_count; i++)

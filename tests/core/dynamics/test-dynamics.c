@@ -218,6 +218,31 @@ test_slide_sine (void)
   test_run_clear (&c);
 }
 
+/* A wall without loads, on ground that is accelerated upwards until the wall rests upon it: what is
+ * balanced then are forces of its weight, and motion that dies away is measured by them. */
+static void
+test_rising_ground (void)
+{
+  g_auto (TestRun) c = { 0 };
+  test_model_init_wall (&c.model, 1, 0);
+  c.model.dead_load_count = c.model.live_load_count = 0;
+  c.model.laws[0].kn = c.model.laws[0].ks = 1e9;
+  c.model.analysis.procedure = QN_PROCEDURE_DYNAMIC;
+  QnDynamicSettings *dynamic = &c.model.analysis.dynamic;
+  dynamic->duration = 2;
+  dynamic->time_step = 0.01;
+  dynamic->mass_damping = 5;
+  dynamic->joint_damping = 2e-4;
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion->direction = qn_vec2 (0, 1);
+  qn_ground_motion_add_point (motion, 0, 0);
+  qn_ground_motion_add_point (motion, 1, G);
+  qn_ground_motion_add_point (motion, 3, G);
+  test_run_solve (&c);
+  g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (c.result.history.rejected, ==, 0);
+}
+
 /* --- The rocking block -------------------------------------------------------------------- */
 
 #define WIDTH  0.2
@@ -471,6 +496,7 @@ main (int argc, char **argv)
   g_test_add_func ("/dynamics/spring", test_spring);
   g_test_add_func ("/dynamics/slide-rectangle", test_slide_rectangle);
   g_test_add_func ("/dynamics/slide-sine", test_slide_sine);
+  g_test_add_func ("/dynamics/rising-ground", test_rising_ground);
   g_test_add_func ("/dynamics/factorizations", test_factorizations);
   g_test_add_func ("/dynamics/rock", test_rock);
   g_test_add_func ("/dynamics/overturn", test_overturn);
