@@ -188,9 +188,8 @@ qn_path_slips (const QnAssembly *as)
   return false;
 }
 
-/* By Newton's method, or along the central path. Where joints slip without dilatancy there are
- * many equilibria, and Newton's method may end in one that the least of load makes jump; the
- * central path ends amid them. */
+/* By Newton's method, or along the central path. Where joints slip without dilatancy there are many
+ * equilibria, and only a motion from rest tells which of them the structure comes to, if any: FAILED. */
 static QnSolveStatus
 find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
 {
@@ -199,16 +198,12 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
 
   if (central == NULL)
     return solve;
-  if (solve == QN_SOLVE_FAILED)
-    return qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
-  if (solve != QN_SOLVE_CONVERGED || !qn_assembly_may_jump (&eq->assembly)
-      || !qn_path_slips (&eq->assembly))
-    return solve;
-  solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
-  if (solve != QN_SOLVE_FAILED)
-    return solve;
-  qn_equilibrium_restore (eq);
-  return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+  if (!qn_assembly_may_jump (&eq->assembly))
+    return solve == QN_SOLVE_FAILED
+             ? qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET)
+             : solve;
+  bool slips = solve == QN_SOLVE_CONVERGED && qn_path_slips (&eq->assembly);
+  return slips ? QN_SOLVE_FAILED : solve;
 }
 
 /* Since it was at rest, all turns of relaxation together. */
