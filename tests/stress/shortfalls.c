@@ -24,6 +24,7 @@ static const StressShortfall shortfalls[] = {
   { "friction=1e-06-*", STRESS_LIMIT,
     "Shear forces of a millionth of the loads, the program being solved to 1e-8 of "
     "them." },
+  { "aspect=1e-4", STRESS_MECHANISM, WIDE },
   { "aspect=1e-?", STRESS_NO_ANSWER, WEDGES },
   { "friction=4-wall2", STRESS_NO_ANSWER, WEDGES },
   { "friction=4-wall6", STRESS_NO_ANSWER, WEDGES },
