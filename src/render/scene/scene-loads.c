@@ -64,6 +64,18 @@ add_quantity (QnSceneBuilder *b, QnVec2 at, const char *format, double number,
   return qn_scene_text (b->scene, QN_LAYER_LABELS, at, QN_SIZE_LABEL, text, color);
 }
 
+/* How large a load is, and the factor of its case where that is not 1. */
+static QnCommand *
+add_size (QnSceneBuilder *b, const QnLoad *load, QnVec2 at, double size, const char *unit,
+          QnColor color)
+{
+  const double factor = qn_model_load_factor (b->model, load);
+  g_autofree char *times = qn_label_number ("%.4g", factor);
+  g_autofree char *suffix =
+    factor != 1 ? g_strconcat (unit, " × ", times, NULL) : g_strdup (unit);
+  return add_quantity (b, at, "%.4g", size, suffix, color);
+}
+
 static double
 largest_force (const QnLoad *loads, size_t count)
 {
@@ -90,7 +102,7 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
     double length = FORCE_ARROW * b->block_size * fmax (force / largest, 0.2);
     QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
     qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, at, 1.4, color, pick, index, 0);
-    QnCommand *label = add_quantity (b, from, "%.4g", force / 1000, " kN", color);
+    QnCommand *label = add_size (b, load, from, force / 1000, " kN", color);
     label->align_x = load->vector.x > 0.3 * force    ? 1
                      : load->vector.x < -0.3 * force ? 0
                                                      : 0.5f;
@@ -144,8 +156,7 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
                     index, 0);
   }
   add_tails (b, tails, pick, index, color);
-  add_quantity (b, qn_vec2_lerp (tails[0], tails[1], 0.5), "%.4g", force / 1000, " kN/m",
-                color)
+  add_size (b, load, qn_vec2_lerp (tails[0], tails[1], 0.5), force / 1000, " kN/m", color)
     ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
 }
 
@@ -218,7 +229,8 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
                QnId index, QnColor color)
 {
   const QnModel *model = b->model;
-  const bool pressure = qn_model_load (model, source)->kind != QN_LOAD_EDGE;
+  const QnLoad *load = qn_model_load (model, source);
+  const bool pressure = load->kind != QN_LOAD_EDGE;
   double scale = EDGE_ARROW * b->block_size / largest, most = 0, shown = 0;
   double crowd = INFINITY, rise = 0;
   QnVec2 at = { 0, 0 }, direction = { 0, 0 };
@@ -242,8 +254,8 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
   }
   if (!(most > 0))
     return;
-  QnCommand *label = add_quantity (b, qn_vec2_add_scaled (at, -scale, direction), "%.4g",
-                                   shown / 1000, pressure ? " kPa" : " kN/m", color);
+  QnCommand *label = add_size (b, load, qn_vec2_add_scaled (at, -scale, direction),
+                               shown / 1000, pressure ? " kPa" : " kN/m", color);
   label->align_x = direction.x > 0.3 * most    ? 1.1f
                    : direction.x < -0.3 * most ? -0.1f
                                                : 0.5f;

@@ -119,6 +119,31 @@ test_labels (void)
 }
 
 /* Diagrams of a result without beams are refused with one sentence. */
+static bool
+has_text (const QnScene *scene, const char *text)
+{
+  for (size_t i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->kind == QN_COMMAND_TEXT && strcmp (command->text, text) == 0)
+      return true;
+  }
+  return false;
+}
+
+/* A load of a case is written with the factor that it is multiplied by. */
+static void
+test_load_case (void)
+{
+  g_auto (TestRun) p;
+  portal_init (&p);
+  int32_t wind = qn_model_add_load_case (&p.model, "wind");
+  p.model.load_cases[wind - 1].factor = 1.5;
+  p.model.live_loads[0].load_case = wind;
+  g_autoptr (QnScene) scene = build (&p, QN_VIEW_MODEL, QN_DIAGRAM_MOMENT);
+  g_assert_true (has_text (scene, "12 kN/m × 1.5"));
+  g_assert_true (has_text (scene, "9 kN"));
+}
+
 static void
 test_refused (void)
 {
@@ -227,6 +252,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/scene-beams/picking", test_picking);
   g_test_add_func ("/scene-beams/labels", test_labels);
+  g_test_add_func ("/scene-beams/load-case", test_load_case);
   g_test_add_func ("/scene-beams/refused", test_refused);
   g_test_add_func ("/scene-beams/mechanism", test_mechanism);
   g_test_add_func ("/scene-beams/dimensions", test_dimensions);
