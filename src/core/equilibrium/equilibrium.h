@@ -171,8 +171,9 @@ QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 bool qn_equilibrium_update_slope (QnEquilibrium *eq, const double *direction);
 
 /* Where a motion was when it had first gone farther than a distance (0), than a quarter of it (1), than a
- * quarter of that (2), and so on. */
-#define QN_FALL_STATES 6
+ * quarter of that (2), and so on: to far less than an elastic displacement, as stiff joints bend the motion
+ * early. */
+#define QN_FALL_STATES 12
 typedef struct QnFall {
   double *u[QN_FALL_STATES]; /* displacements, unknown_count each, */
   int first;                 /* from this one on */
