@@ -11,10 +11,6 @@
 /* Iterations without a better iterate after which the method stops. */
 #define STALL_ITERATIONS 12
 
-/* … and after which it does so where the best is this good already: what is left is rounding. */
-#define GOOD_MEASURE    1e-6
-#define GOOD_ITERATIONS 2
-
 /* Regularisation of the linear systems, and the relative residual above which a direction is
  * computed again with more of it. */
 #define LEAST_REGULARIZATION 1e-10
@@ -28,6 +24,7 @@
 struct QnInteriorPointWork {
   const QnIpProblem *problem; /* borrowed */
   QnIpSettings settings;
+  double tolerance; /* that of the settings, or a finer one */
   QnIpKkt kkt;
   double *w;                /* z / s */
   double *ry, *rv, *rz;     /* residuals of the iterate, minus the left-hand sides */
@@ -557,6 +554,7 @@ begin (QnInteriorPoint *ip)
   ip->work->kkt.schur.seconds = 0.0;
   ip->work->since_best = 0;
   ip->work->best_merit = INFINITY;
+  ip->work->tolerance = ip->work->settings.tolerance;
 }
 
 static void
@@ -637,7 +635,7 @@ judge (QnInteriorPoint *ip)
   const QnIpMeasures *m = &ip->measures;
   double merit = fmax (m->primal_residual, fmax (m->dual_residual, m->gap));
 
-  if (merit <= work->settings.tolerance) {
+  if (merit <= work->tolerance) {
     ip->state = QN_IP_OPTIMAL;
     return;
   }
@@ -653,10 +651,17 @@ judge (QnInteriorPoint *ip)
     work->best_merit = merit;
     work->since_best = 0;
     vector_copy (&work->best, &ip->at, work->problem);
-  } else if (++work->since_best
-             >= (work->best_merit < GOOD_MEASURE ? GOOD_ITERATIONS : STALL_ITERATIONS)) {
+  } else if (++work->since_best >= STALL_ITERATIONS) {
     ip->state = QN_IP_STALLED;
   }
+}
+
+void
+qn_interior_point_refine (QnInteriorPoint *ip, double tolerance)
+{
+  ip->state = QN_IP_RUNNING;
+  ip->work->tolerance = tolerance;
+  judge (ip);
 }
 
 /* A direction that solves its equations. Where rounding prevents that, the regularisation grows,

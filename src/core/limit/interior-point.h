@@ -137,6 +137,9 @@ QnStatus qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag);
  * multipliers of bounds that are not reached are too small to grow again. */
 void qn_interior_point_start_from (QnInteriorPoint *ip, const QnIpVector *iterate);
 
+/* From an optimum on to a finer tolerance, until the next start. */
+void qn_interior_point_refine (QnInteriorPoint *ip, double tolerance);
+
 /* Copies the iterate; `copy` is zeroed before the first time, and freed by _clear(). */
 QnStatus qn_interior_point_keep (const QnInteriorPoint *ip, QnIpVector *copy,
                                  QnDiag *diag);

@@ -18,6 +18,9 @@
 #define LEAST_MARGIN 1e-5
 #define MOST_MARGIN  1e-2
 
+/* A multiplier that is small beside the loads is found to WANTED_GAP of itself, as far as rounding lets. */
+#define FINEST 1e-12
+
 /* Without an optimum to full accuracy, an iterate this good is still an answer. */
 #define ACCEPTED_GAP      1e-6
 #define ACCEPTED_RESIDUAL 1e-7
@@ -145,6 +148,19 @@ take_certificate (Run *run, QnDiag *diag)
   return status;
 }
 
+/* Whether the optimum proves that the dead load is not carried: the largest multiplier is negative, and on
+ * its mechanism the dead load does more than the joints dissipate. So it is decided a millionth from the verge,
+ * where an infeasible program differs from a feasible one by no more than rounding. */
+static bool
+falls (Run *run)
+{
+  const QnInteriorPoint *ip = run->ip;
+
+  return qn_limit_upper_bound (run->limit, ip->at.v, ip->at.y, ip->at.tau, run->rates,
+                               &run->solution->check)
+         < -QN_LIMIT_TOLERANCE;
+}
+
 /* Draws the forces run->y, which carry the scaled multiplier lambda, to forces within the
  * strength; keeps them as run->drawn where more is carried than *lower. */
 static void
@@ -232,6 +248,27 @@ take_optimum (Run *run, QnDiag *diag)
   return QN_OK;
 }
 
+/* The whole program, from a start or from nothing. */
+static QnStatus
+find_optimum (Run *run, const QnIpVector *start, QnDiag *diag)
+{
+  QnInteriorPoint *ip = run->ip;
+  bool refined = false;
+  QnStatus status = begin (run, start, diag);
+
+  while (!status && ip->state == QN_IP_RUNNING && !run->cancelled) {
+    status = iterate_once (run, diag);
+    if (status || ip->state != QN_IP_OPTIMAL || refined)
+      continue;
+    double fine = WANTED_GAP * fabs (ip->at.lambda / ip->at.tau);
+    refined = fine < QN_LIMIT_TOLERANCE;
+    if (refined)
+      qn_interior_point_refine (ip, fmax (fine, FINEST));
+  }
+  count_effort (run);
+  return status;
+}
+
 /* The dead load first, from where an earlier solution leads and else from nothing; then as much of the
  * live load as there is. */
 static QnStatus
@@ -255,19 +292,13 @@ solve (Run *run, bool from_dead_load, QnDiag *diag)
       return take_certificate (run, diag);
   }
 
-  if (!status && !run->cancelled
-      && (!from_dead_load || run->anchored || is_answer (ip))) {
+  if (!status && !run->cancelled) {
     const QnIpVector *starts[] = { start != NULL ? &start->whole : NULL, NULL };
     for (int i = start == NULL; i < 2 && !status; i++) {
-      status = begin (run, starts[i], diag);
-      while (!status && ip->state == QN_IP_RUNNING && !run->cancelled)
-        status = iterate_once (run, diag);
-      count_effort (run);
+      status = find_optimum (run, starts[i], diag);
       if (ip->state != QN_IP_STALLED || is_answer (ip) || run->cancelled)
         break;
     }
-  } else {
-    ip->state = QN_IP_STALLED;
   }
 
   if (status)
@@ -283,7 +314,9 @@ solve (Run *run, bool from_dead_load, QnDiag *diag)
                              qn_limit_problem_multiplier (limit, ip->at.lambda),
                              solution->forces);
   } else if (is_answer (ip))
-    status = take_optimum (run, diag);
+    status = from_dead_load && !run->anchored && falls (run)
+               ? take_certificate (run, diag)
+               : take_optimum (run, diag);
   return status;
 }
 

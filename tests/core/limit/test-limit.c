@@ -242,6 +242,47 @@ test_dead_load_unstable (void)
   g_assert_cmpfloat (hypot (good[0], good[1]), <, 1e-3 * fabs (bad[1]));
 }
 
+/* A wall whose dead load is a millionth above what it carries falls; a millionth below it carries a
+ * millionth more. */
+static void
+test_verge (void)
+{
+  for (int number = 1; number <= TEST_WALL_COUNT; number++) {
+    double most = test_walls[number - 1].associative;
+    QnModel model;
+    test_model_init_wall (&model, number, 0);
+    model.dead_loads[0].vector.x = (1 + 1e-6) * most;
+    assert_outcome (&model, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
+    test_model_init_wall (&model, number, 0);
+    model.dead_loads[0].vector.x = (1 - 1e-6) * most;
+    g_auto (QnLimitSolution) left = solve (&model);
+    g_assert_cmpint (left.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (left.lower_bound, 1e-6 * most, 2e-8);
+    g_assert_cmpfloat_with_epsilon (left.upper_bound, left.lower_bound,
+                                    1e-5 * left.lower_bound);
+  }
+}
+
+/* With a friction of a millionth the multiplier is that, in all its digits. Strengths of a millionth say little
+ * of normal forces: a joint may be pulled by a hundred-millionth of a weight. */
+static void
+test_little_friction (void)
+{
+  for (int number = 1; number <= TEST_WALL_COUNT; number++) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    g_auto (QnLimitSolution) solution;
+    test_model_init_wall (&model, number, 0);
+    model.laws[0].friction = 1e-6;
+    detect (&model, &contacts);
+    g_assert_cmpint (
+      qn_limit_associative (&model, &contacts, NULL, NULL, &solution, NULL), ==, QN_OK);
+    g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (solution.lower_bound, 1e-6, 1e-11);
+    g_assert_cmpfloat_with_epsilon (solution.upper_bound, 1e-6, 1e-11);
+  }
+}
+
 /* Equilibrium under some live load but not without: no state to start from. */
 static void
 test_only_with_live_load (void)
@@ -439,6 +480,8 @@ main (int argc, char **argv)
   g_test_add_func ("/limit/other-laws", test_other_laws);
   g_test_add_func ("/limit/unbounded", test_unbounded);
   g_test_add_func ("/limit/dead-load-unstable", test_dead_load_unstable);
+  g_test_add_func ("/limit/verge", test_verge);
+  g_test_add_func ("/limit/little-friction", test_little_friction);
   g_test_add_func ("/limit/only-with-live-load", test_only_with_live_load);
   g_test_add_func ("/limit/no-joint", test_no_joint);
   g_test_add_func ("/limit/no-live-load", test_no_live_load);
