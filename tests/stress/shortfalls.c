@@ -22,7 +22,6 @@ static const StressShortfall shortfalls[] = {
   { "contrast=1e+06-wall6", STRESS_NO_ANSWER | STRESS_UNCERTAIN, STIFFNESSES },
   { "contrast=1e+0?-*", STRESS_NO_ANSWER, STIFFNESSES },
   { "ks/kn=10000-*", STRESS_NO_ANSWER, STIFFNESSES },
-  { "aspect=1e-4", STRESS_MECHANISM, WIDE },
   { "aspect=1e-?", STRESS_NO_ANSWER, WEDGES },
   { "friction=4-wall2", STRESS_NO_ANSWER, WEDGES },
   { "friction=4-wall6", STRESS_NO_ANSWER, WEDGES },

@@ -61,10 +61,9 @@ typedef struct QnCheck {
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
   double *elongations;       /* 2 per pair: at the step before */
-  bool *risen;        /* by pair: open since a relaxed step, risen by slip nobody knows */
-  double *mass;       /* in time: in the pattern of the tangent */
-  double *begun;      /* in time: unknowns where the motion begins */
-  QnInertia *inertia; /* of the tangent, where stability is stated */
+  double *mass;              /* in time: in the pattern of the tangent */
+  double *begun;             /* in time: unknowns where the motion begins */
+  QnInertia *inertia;        /* of the tangent, where stability is stated */
 } QnCheck;
 
 /* Notes a claim that is not true, unless one of its kind has been found before. */

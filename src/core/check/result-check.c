@@ -143,18 +143,6 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
-static bool
-dilates (const QnPairSprings *springs)
-{
-  return springs->a.dilatancy > 0 || (!springs->equal && springs->b.dilatancy > 0);
-}
-
-static bool
-is_at_cap (const QnCheck *check, const QnPairSprings *springs, const double force[2])
-{
-  return force[0] >= springs->a.cap - QN_CHECK_FORCES * check->scale;
-}
-
 /* The slip and opening that leave a joint with this force at elongation q. Of two springs all that is
  * new counts as the first one's: which of them slid makes no difference to both together. False for
  * what is not elastic and perfectly plastic. */
@@ -175,15 +163,17 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
   memory->a.slip = q[1] - stuck[1] - force[1] / s->ks;
   if (!qn_law_is_plastic (s->kind))
     return false;
+  bool dilates = s->dilatancy > 0 || (other != NULL && other->dilatancy > 0);
   bool crushes = s->kind == QN_LAW_MOHR_COULOMB
                  || (other != NULL && other->kind == QN_LAW_MOHR_COULOMB);
   double opening = q[0] - stuck[0] - force[0] / s->kn;
+  bool at_cap = force[0] >= s->cap - QN_CHECK_FORCES * check->scale;
   /* A joint that opens remembers what it has risen by sliding alone. */
   double risen =
     before->a.opening + s->dilatancy * fabs (memory->a.slip - before->a.slip);
-  if (is_at_cap (check, springs, force) && check->relaxed)
+  if (at_cap && check->relaxed)
     memory->a.opening = fmin (opening, risen);
-  else if (check->relaxed || (force[0] < s->cap && (dilates (springs) || crushes)))
+  else if (check->relaxed || (force[0] < s->cap && (dilates || crushes)))
     memory->a.opening = opening;
   for (int i = 0; i < 2; i++) {
     memory->qa[i] = q[i] - stuck[i];
@@ -312,7 +302,7 @@ check_forces (QnCheck *check, size_t step)
       }
       bool explained =
         taken
-        && (free_to_slide || begins (check, p) || check->risen[p]
+        && (free_to_slide || begins (check, p)
             || (check->relaxed
                 && obeys_flow (check, springs, &as->committed[p], &memory, force)))
         && qn_pair_evaluate (springs, &memory, q, response)
@@ -323,8 +313,6 @@ check_forces (QnCheck *check, size_t step)
                             replayed.force[worse]);
       jumped = jumped || explained;
     }
-    check->risen[p] = (told->relaxed || check->risen[p]) && dilates (springs)
-                      && is_at_cap (check, springs, force);
     /* What follows is checked with the forces as they are stated. */
     memcpy (response->force, force, sizeof force);
   }
@@ -652,10 +640,9 @@ init (QnCheck *check, QnDiag *diag)
   check->forces = qn_alloc (2 * pairs, sizeof *check->forces);
   check->beam_forces = qn_alloc (model->element_count, sizeof *check->beam_forces);
   check->elongations = qn_alloc (2 * pairs, sizeof *check->elongations);
-  check->risen = qn_alloc (pairs, sizeof *check->risen);
   check->velocity = qn_alloc (unknowns, sizeof *check->velocity);
-  return check->velocity && check->elongations && check->risen && check->u
-         && check->residual && check->rows && check->forces && check->beam_forces;
+  return check->velocity && check->elongations && check->u && check->residual
+         && check->rows && check->forces && check->beam_forces;
 }
 
 QnStatus
@@ -713,7 +700,6 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   free (check.beam_forces);
   free (check.velocity);
   free (check.elongations);
-  free (check.risen);
   free (check.mass);
   free (check.begun);
   return status;

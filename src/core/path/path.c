@@ -189,21 +189,34 @@ qn_path_slips (const QnAssembly *as)
 }
 
 /* By Newton's method, or along the central path. Where joints slip without dilatancy there are many
- * equilibria, and only a motion from rest tells which of them the structure comes to, if any: FAILED. */
+ * equilibria. Newton's method may end in one that the least of load makes jump, the central path amid
+ * them, but also where blocks are pressed together that no motion would press: so motion comes first,
+ * and tells of what falls. */
 static QnSolveStatus
 find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
 {
   const QnTarget target = qn_target_multiplier (0);
   QnSolveStatus solve = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+  bool may_jump = qn_assembly_may_jump (&eq->assembly);
 
-  if (central == NULL)
+  if (central == NULL || solve == QN_SOLVE_CANCELLED || solve == QN_SOLVE_NO_MEMORY
+      || (solve == QN_SOLVE_CONVERGED && !(may_jump && qn_path_slips (&eq->assembly))))
     return solve;
-  if (!qn_assembly_may_jump (&eq->assembly))
-    return solve == QN_SOLVE_FAILED
-             ? qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET)
-             : solve;
-  bool slips = solve == QN_SOLVE_CONVERGED && qn_path_slips (&eq->assembly);
-  return slips ? QN_SOLVE_FAILED : solve;
+  bool stands = solve == QN_SOLVE_CONVERGED;
+  if (may_jump) {
+    int64_t commits = eq->assembly.commits;
+    qn_equilibrium_restore (eq);
+    solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, FIRST_TURN);
+    if (solve != QN_SOLVE_CONVERGED && solve != QN_SOLVE_FAILED)
+      return solve;
+    qn_equilibrium_restore (eq);
+    eq->assembly.commits = commits; /* undone */
+  }
+  solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+  if (solve != QN_SOLVE_FAILED || !stands)
+    return solve;
+  qn_equilibrium_restore (eq);
+  return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
 }
 
 /* Since it was at rest, all turns of relaxation together. */
