@@ -55,6 +55,21 @@ test_standard_output (void)
   g_assert_cmpfloat_with_epsilon (number_of (json, "collapse_multiplier"), 0.4, 1e-3);
 }
 
+/* Blocks over a door without a lintel: in both geometries they fall, as they do in time. Equilibria in which
+ * their neighbours press them together exist, but no motion leads there. */
+static void
+test_door_without_lintel (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "door.quoin", NULL);
+  cli_do ("generate", "wall", "length=2.94", "height=1.49", "bond=flemish",
+          "unit=0.4x0.2",
+          "openings=[{ \"at\": [0.45, 0], \"width\": 0.97, \"height\": 0.75 }]",
+          "--friction=0.5", "-o", path, NULL);
+  cli_fails (4, "wall.4.4", "solve", path, "--set=analysis.geometry=linear", NULL);
+  cli_fails (4, "wall.4.4", "solve", path, "--set=analysis.geometry=nonlinear", NULL);
+}
+
 /* Of the sliding block 1 by friction; of limit analysis with associative flow alone. */
 static void
 test_sensitivity (void)
@@ -345,6 +360,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/limit/sensitivity", test_sensitivity);
   g_test_add_func ("/cli/solve/standard-output", test_standard_output);
+  g_test_add_func ("/cli/solve/door-without-lintel", test_door_without_lintel);
   g_test_add_func ("/cli/solve/set", test_set);
   g_test_add_func ("/cli/solve/set-is-repeatable", test_set_is_repeatable);
   g_test_add_func ("/cli/solve/ends-at-target", test_ends_at_target);
