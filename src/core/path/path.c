@@ -190,8 +190,8 @@ qn_path_slips (const QnAssembly *as)
 
 /* By Newton's method, or along the central path. Where joints slip without dilatancy there are many
  * equilibria. Newton's method may end in one that the least of load makes jump, the central path amid
- * them, but also where blocks are pressed together that no motion would press: so motion comes first,
- * and tells of what falls. */
+ * them, but where Newton's method finds none also where no motion leads, blocks pressed together by
+ * nothing: so motion comes first then, and tells of what falls. */
 static QnSolveStatus
 find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
 {
@@ -203,7 +203,7 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
       || (solve == QN_SOLVE_CONVERGED && !(may_jump && qn_path_slips (&eq->assembly))))
     return solve;
   bool stands = solve == QN_SOLVE_CONVERGED;
-  if (may_jump) {
+  if (may_jump && !stands) {
     int64_t commits = eq->assembly.commits;
     qn_equilibrium_restore (eq);
     solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, FIRST_TURN);
