@@ -1,6 +1,8 @@
 /* Analysis and plan of a study, the number of its cases, and the outputs that are kept. */
 #include "app/dialogs/study-private.h"
 
+#include "study/report/output-text.h"
+
 static void
 on_output (GtkCheckButton *check, QnStudyWindow *self)
 {
@@ -51,7 +53,7 @@ qn_study_window_show_plan (QnStudyWindow *self)
     QnStudyOutput output = (QnStudyOutput) i;
     if (!qn_study_run_gives (qn_draft_get_run (self->draft), output))
       continue;
-    GtkWidget *check = gtk_check_button_new_with_label (qn_study_output_names[i]);
+    GtkWidget *check = gtk_check_button_new_with_label (qn_study_output_text (output));
     gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
                                  qn_draft_has_output (self->draft, output));
     g_object_set_data (G_OBJECT (check), "qn-output", GINT_TO_POINTER (i));

@@ -3,6 +3,7 @@
 
 #include "app/widgets/context-menu.h"
 #include "app/widgets/text-unit.h"
+#include "study/report/output-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -13,8 +14,12 @@ static int
 column_of (QnStudyWindow *self, GtkDropDown *choice)
 {
   GtkStringObject *item = gtk_drop_down_get_selected_item (choice);
-  return item != NULL ? qn_table_find (&self->table, gtk_string_object_get_string (item))
-                      : -1;
+  for (gsize i = 0; item != NULL && i < self->table.width; i++)
+    if (strcmp (qn_table_column_text (&self->table, i),
+                gtk_string_object_get_string (item))
+        == 0)
+      return (int) i;
+  return -1;
 }
 
 gboolean
@@ -109,10 +114,10 @@ choose (QnStudyWindow *self, gint64 row)
     g_string_append_printf (text, " · %s", found->reason);
   else
     g_string_append_printf (
-      text, " · %s %.4g%s%s", qn_table_column_name (&self->table, (gsize) figure.column),
+      text, " · %s %.4g%s%s", qn_table_column_text (&self->table, (gsize) figure.column),
       qn_table_number (&self->table, (gsize) row, (gsize) figure.column),
       found->mechanism != NULL ? " · " : "",
-      found->mechanism != NULL ? found->mechanism : "");
+      found->mechanism != NULL ? qn_study_mechanism_text (found->mechanism) : "");
   qn_study_window_tell (self, text->str);
   gtk_widget_queue_draw (self->plot);
 }

@@ -1,6 +1,8 @@
 /* What has been computed of a study, and what comes in while it runs. */
 #include "app/dialogs/study-private.h"
 
+#include "study/report/output-text.h"
+
 char *
 qn_study_window_dup_folder (const QnStudy *study, const char *path)
 {
@@ -30,7 +32,7 @@ fill (GtkDropDown *choice, const QnStudy *study, gboolean outputs)
     g_strv_builder_add (names, qn_study_parameter (study, i)->name);
   for (guint i = 0; outputs && i < study->outputs->len; i++)
     if (qn_study_output_is_number (qn_study_output (study, i)))
-      g_strv_builder_add (names, qn_study_output_names[qn_study_output (study, i)]);
+      g_strv_builder_add (names, qn_study_output_text (qn_study_output (study, i)));
   g_auto (GStrv) strings = g_strv_builder_end (names);
   g_autoptr (GtkStringList) list = gtk_string_list_new ((const char *const *) strings);
   gtk_drop_down_set_model (choice, G_LIST_MODEL (list));

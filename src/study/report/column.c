@@ -1,5 +1,7 @@
 #include "study/report/column.h"
 
+#include "study/report/output-text.h"
+
 #include <glib/gi18n-lib.h>
 #include <gsl/gsl_sort.h>
 #include <math.h>
@@ -160,11 +162,12 @@ describe_group (const QnTable *table, const QnRow *like, int column)
 char *
 qn_mechanism_share_dup_name (const QnMechanismShare *share)
 {
+  const char *kind = qn_study_mechanism_text (share->kind);
   if (share->shape == 0)
-    return g_strdup (share->kind);
-  if (share->kind == NULL)
+    return g_strdup (kind);
+  if (kind == NULL)
     return g_strdup_printf (_ ("shape %u"), share->shape);
-  return g_strdup_printf (_ ("shape %u, %s"), share->shape, share->kind);
+  return g_strdup_printf (_ ("shape %u, %s"), share->shape, kind);
 }
 
 GArray *

@@ -68,7 +68,7 @@ export_plot (const Page *page, QnDataPlot plot, const QnMarks *marks, size_t cou
 static const char *
 name_of (const Page *page, int column)
 {
-  return qn_table_column_name (page->table, (gsize) column);
+  return qn_table_column_text (page->table, (gsize) column);
 }
 
 static gboolean
@@ -170,13 +170,15 @@ draw_cumulative (const Page *page)
   };
   gboolean sample = qn_table_is_sample (page->table);
   const char *name = name_of (page, page->figure->column);
-  return export_plot (page,
-                      (QnDataPlot){ .x_label = name,
-                                    .y_label = g_str_has_suffix (name, "_multiplier")
-                                                 ? _ ("Share that has collapsed")
-                                                 : _ ("Share up to this value"),
-                                    .y_from_zero = true },
-                      sample ? marks : marks + 1, sample ? 2 : 1);
+  return export_plot (
+    page,
+    (QnDataPlot){ .x_label = name,
+                  .y_label =
+                    qn_table_is_multiplier (page->table, (gsize) page->figure->column)
+                      ? _ ("Share that has collapsed")
+                      : _ ("Share up to this value"),
+                  .y_from_zero = true },
+    sample ? marks : marks + 1, sample ? 2 : 1);
 }
 
 /* Rows of a tornado, the longest on top. */
@@ -298,7 +300,7 @@ draw_sobol (const Page *page, GArray *bars)
     g_array_append_val (bars, bar);
   }
   g_autofree char *label =
-    g_strdup_printf (_ ("Sobol index of %s"), name_of (page, page->figure->column));
+    g_strdup_printf (_ ("Sobol index: %s"), name_of (page, page->figure->column));
   return draw_bars (page, bars, label, _ ("first order"), _ ("total"), NAN);
 }
 
@@ -329,8 +331,8 @@ draw_tornado (const Page *page)
   }
   if (bars->len == 0)
     return fail (page, _ ("no case has this output yet"));
-  g_autofree char *correlation = g_strdup_printf (_ ("Rank correlation with %s"),
-                                                  name_of (page, page->figure->column));
+  g_autofree char *correlation =
+    g_strdup_printf (_ ("Rank correlation: %s"), name_of (page, page->figure->column));
   return draw_bars (page, bars,
                     single ? name_of (page, page->figure->column) : correlation, NULL,
                     NULL, base);

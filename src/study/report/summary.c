@@ -112,7 +112,9 @@ append_output (GString *text, const QnTable *table, gsize column)
 {
   gsize count;
   g_autofree double *sorted = qn_table_dup_sorted (table, column, &count);
-  const char *name = qn_table_column_name (table, column);
+  g_autofree char *name =
+    g_strdup_printf ("%s (%s)", qn_table_column_text (table, column),
+                     qn_table_column_name (table, column));
   g_string_append_printf (
     text, g_dngettext (GETTEXT_PACKAGE, "%s: %zu value\n", "%s: %zu values\n", count),
     name, count);
@@ -125,7 +127,7 @@ append_output (GString *text, const QnTable *table, gsize column)
     return;
   }
   append_sample (text, sorted, count);
-  if (g_str_has_suffix (name, "_multiplier"))
+  if (qn_table_is_multiplier (table, column))
     append_fragility (text, sorted, count);
   append_correlations (text, table, column);
   g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);

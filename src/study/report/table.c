@@ -3,6 +3,7 @@
 #include "io/text/file-writer.h"
 #include "study/cases/folder.h"
 #include "study/cases/shape.h"
+#include "study/report/output-text.h"
 
 #include <math.h>
 #include <string.h>
@@ -130,6 +131,21 @@ qn_table_column_name (const QnTable *table, gsize column)
   return column < table->parameters ? qn_study_parameter (table->study, column)->name
                                     : qn_study_output_names[(int) qn_study_output (
                                       table->study, column - table->parameters)];
+}
+
+const char *
+qn_table_column_text (const QnTable *table, gsize column)
+{
+  return column < table->parameters ? qn_table_column_name (table, column)
+                                    : qn_study_output_text (qn_study_output (
+                                      table->study, column - table->parameters));
+}
+
+gboolean
+qn_table_is_multiplier (const QnTable *table, gsize column)
+{
+  return column >= table->parameters
+         && g_str_has_suffix (qn_table_column_name (table, column), "_multiplier");
 }
 
 int

@@ -33,8 +33,15 @@ void qn_table_clear (QnTable *table);
  * which is no number, too. */
 int qn_table_find (const QnTable *table, const char *name);
 
-/* Name of a column. */
+/* Name of a column in files. */
 const char *qn_table_column_name (const QnTable *table, gsize column);
+
+/* Name of a column for readers: as the study names a parameter, of an output translated with its
+ * unit. */
+const char *qn_table_column_text (const QnTable *table, gsize column);
+
+/* Whether a column is a load multiplier. */
+gboolean qn_table_is_multiplier (const QnTable *table, gsize column);
 
 static inline double
 qn_table_number (const QnTable *table, gsize row, gsize column)

@@ -146,12 +146,14 @@ test_mechanisms_and_summary (void)
   g_assert_true (typical >= first->range.low && typical <= first->range.high);
 
   g_autofree char *summary = qn_summary_dup_text (&bench.table);
-  static const char *const parts[] = { "Sliding\n40 of 40 cases are computed, 0 failed",
-                                       "collapse_multiplier: 40 values",
-                                       "fragility",
-                                       "rank correlation",
-                                       "rocking",
-                                       "75.00 %" };
+  static const char *const parts[] = {
+    "Sliding\n40 of 40 cases are computed, 0 failed",
+    "Collapse multiplier λ (collapse_multiplier): 40 values",
+    "fragility",
+    "rank correlation",
+    "rocking",
+    "75.00 %"
+  };
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
     if (strstr (summary, parts[i]) == NULL)
       g_test_fail_printf ("'%s' lacks '%s'", summary, parts[i]);

@@ -1,0 +1,46 @@
+#include "study/report/output-text.h"
+
+#include "core/result/mechanism.h"
+#include "render/scene/motion.h"
+
+#include <glib/gi18n-lib.h>
+
+const char *
+qn_study_output_text (QnStudyOutput output)
+{
+  static const char *const texts[QN_STUDY_OUTPUT_COUNT] = {
+    [QN_STUDY_COLLAPSE_MULTIPLIER] = N_ ("Collapse multiplier λ"),
+    [QN_STUDY_ASSOCIATIVE_MULTIPLIER] = N_ ("Associative bound of λ"),
+    [QN_STUDY_FIRST_LIMIT_MULTIPLIER] = N_ ("Multiplier λ at the first jump"),
+    [QN_STUDY_LOWER_BOUND] = N_ ("Lower bound of λ"),
+    [QN_STUDY_UPPER_BOUND] = N_ ("Upper bound of λ"),
+    [QN_STUDY_MECHANISM_KIND] = N_ ("Kind of mechanism"),
+    [QN_STUDY_MECHANISM_SHAPE] = N_ ("Shape of mechanism"),
+    [QN_STUDY_LAST_MULTIPLIER] = N_ ("Multiplier λ of the last step"),
+    [QN_STUDY_LARGEST_DISPLACEMENT] = N_ ("Largest displacement (m)"),
+    [QN_STUDY_STEPS] = N_ ("Number of steps"),
+    [QN_STUDY_ITERATIONS] = N_ ("Number of iterations"),
+    [QN_STUDY_COLLAPSED] = N_ ("Collapsed (1: yes, 0: no)"),
+    [QN_STUDY_TIME_OF_COLLAPSE] = N_ ("Time of collapse (s)"),
+    [QN_STUDY_PEAK_DISPLACEMENT] = N_ ("Peak displacement (m)"),
+    [QN_STUDY_FRICTION_ENERGY] = N_ ("Energy lost by friction (J)"),
+    [QN_STUDY_LARGEST_SLIP] = N_ ("Largest slip, over the length of its joint"),
+    [QN_STUDY_ENERGY_ERROR] = N_ ("Error of the energy balance, over the input"),
+    [QN_STUDY_FREQUENCY_1] = N_ ("1st frequency (Hz)"),
+    [QN_STUDY_FREQUENCY_2] = N_ ("2nd frequency (Hz)"),
+    [QN_STUDY_FREQUENCY_3] = N_ ("3rd frequency (Hz)"),
+    [QN_STUDY_FREQUENCY_4] = N_ ("4th frequency (Hz)"),
+    [QN_STUDY_FREQUENCY_5] = N_ ("5th frequency (Hz)"),
+    [QN_STUDY_FREQUENCY_6] = N_ ("6th frequency (Hz)"),
+  };
+  return _ (texts[output]);
+}
+
+const char *
+qn_study_mechanism_text (const char *kind)
+{
+  for (int i = 0; i < QN_MECHANISM_KIND_COUNT; i++)
+    if (g_strcmp0 (kind, qn_mechanism_kind_names[i]) == 0)
+      return qn_mechanism_kind_text ((QnMechanismKind) i);
+  return kind;
+}
