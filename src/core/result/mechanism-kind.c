@@ -234,8 +234,9 @@ qn_mechanism_classify (const QnMechanism *m, const QnModel *model,
     return QN_MECHANISM_KIND_FALLING;
   if (hinges > 0 && (turning >= PREVAILING || !slides_foremost (m)))
     return classify_turning (m, model, contacts, moving);
+  /* Friction on beds alone resists what goes straight on: of beds on one level or on several, however
+   * many head joints part behind it, the multiplier is the same. */
   if (turning <= 1.0 - PREVAILING && m->sliding_count > 0)
-    return is_stepped (m, model, contacts) ? QN_MECHANISM_KIND_STEPPED
-                                           : QN_MECHANISM_KIND_SLIDING;
+    return QN_MECHANISM_KIND_SLIDING;
   return QN_MECHANISM_KIND_MIXED;
 }

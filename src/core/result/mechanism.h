@@ -46,8 +46,8 @@ typedef enum {
   QN_MECHANISM_KIND_NONE,        /* nothing moves */
   QN_MECHANISM_KIND_OVERTURNING, /* one body turns about hinges at its foot */
   QN_MECHANISM_KIND_ROCKING, /* several bodies rock on hinges, piers above each other */
-  QN_MECHANISM_KIND_SLIDING, /* a body slides along one course of joints */
-  QN_MECHANISM_KIND_STEPPED, /* a body separates along a staircase of joints */
+  QN_MECHANISM_KIND_SLIDING, /* bodies slide along beds, on one level or several */
+  QN_MECHANISM_KIND_STEPPED, /* a body turns off a staircase: beds and head joints open */
   QN_MECHANISM_KIND_ARCH,    /* a chain of bodies folds at alternating hinges */
   QN_MECHANISM_KIND_FALLING, /* bodies lose contact: they fall, or are lifted */
   QN_MECHANISM_KIND_MIXED,   /* hinges and sliding joints together, none prevailing */
