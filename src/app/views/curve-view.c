@@ -287,14 +287,20 @@ zoom (QnCurveView *self, double share, QnVec2 at)
 
 /* ---- drawing ---- */
 
+static PangoLayout *
+create_layout (QnCurveView *self, const char *text)
+{
+  PangoLayout *layout = gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
+  g_autofree char *small = g_markup_printf_escaped ("<small>%s</small>", text);
+  pango_layout_set_markup (layout, small, -1);
+  return layout;
+}
+
 static void
 draw_text (QnCurveView *self, cairo_t *cr, const char *text, double x, double y,
            double align_x, gboolean upright)
 {
-  g_autoptr (PangoLayout) layout =
-    gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
-  g_autofree char *small = g_markup_printf_escaped ("<small>%s</small>", text);
-  pango_layout_set_markup (layout, small, -1);
+  g_autoptr (PangoLayout) layout = create_layout (self, text);
   int width, height, most = gtk_widget_get_height (GTK_WIDGET (self));
   pango_layout_get_pixel_size (layout, &width, &height);
   if (upright && width > most) { /* its unit, at the end, stays */
@@ -372,18 +378,26 @@ draw_x_ticks (QnCurveView *self, cairo_t *cr)
   }
 }
 
-/* "ux since the dead load, block (mm)"; NULL where no block is followed. */
+/* "ux since the dead load, block (mm)", where that is longer than its room "ux (mm)"; NULL where no block
+ * is followed. */
 static char *
-dup_displacement_label (QnCurveView *self)
+dup_displacement_label (QnCurveView *self, double room)
 {
   static const char *const components[] = { "ux", "uy", "rz" };
   if (self->series_count == 0 || self->block == QN_NONE)
     return NULL;
-  return g_strdup_printf (
+  const char *component = components[self->dof];
+  const char *unit =
+    qn_units_symbol (qn_units_of_motion (qn_settings_get_units ()), displacement (self));
+  g_autofree char *full = g_strdup_printf (
     self->series[0].curve.since_dead ? _ ("%s since the dead load, %s (%s)")
                                      : "%s, %s (%s)",
-    components[self->dof], qn_result_body_name (self->model, self->block),
-    qn_units_symbol (qn_units_of_motion (qn_settings_get_units ()), displacement (self)));
+    component, qn_result_body_name (self->model, self->block), unit);
+  int width;
+  g_autoptr (PangoLayout) layout = create_layout (self, full);
+  pango_layout_get_pixel_size (layout, &width, NULL);
+  return width <= room ? g_steal_pointer (&full)
+                       : g_strdup_printf ("%s (%s)", component, unit);
 }
 
 static void
@@ -396,7 +410,8 @@ draw_x_label (QnCurveView *self, cairo_t *cr)
                FALSE);
     return;
   }
-  g_autofree char *text = dup_displacement_label (self);
+  g_autofree char *text =
+    dup_displacement_label (self, 2.0 * (gtk_widget_get_width (GTK_WIDGET (self)) - x));
   if (text != NULL)
     draw_text (self, cr, text, x, y, 0.5, FALSE);
 }
@@ -404,7 +419,10 @@ draw_x_label (QnCurveView *self, cairo_t *cr)
 static void
 draw_y_label (QnCurveView *self, cairo_t *cr)
 {
-  g_autofree char *text = is_in_time (self) ? dup_displacement_label (self) : NULL;
+  g_autofree char *text =
+    is_in_time (self)
+      ? dup_displacement_label (self, gtk_widget_get_height (GTK_WIDGET (self)))
+      : NULL;
   draw_text (self, cr, text != NULL ? text : _ ("Load multiplier"), 2.0,
              plot_top (self) + 0.5 * plot_height (self), 0.5, TRUE);
 }
@@ -571,10 +589,7 @@ draw_values (QnCurveView *self, cairo_t *cr, const GdkRGBA *ink)
                  : NULL;
   if (text == NULL)
     return;
-  g_autoptr (PangoLayout) layout =
-    gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
-  g_autofree char *small = g_markup_printf_escaped ("<small>%s</small>", text);
-  pango_layout_set_markup (layout, small, -1);
+  g_autoptr (PangoLayout) layout = create_layout (self, text);
   pango_layout_set_width (layout, (int) plot_width (self) * PANGO_SCALE);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);

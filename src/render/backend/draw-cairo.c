@@ -101,13 +101,21 @@ qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double s
 /* Lines by which a label may move away from its place. */
 #define FARTHEST_LABEL 5
 
+/* Strokes of this width, pt, and thinner ones may run through labels of forces: those of pairs. */
+#define THIN_FORCE 0.55
+
+/* Between a label and a line through its place, pt. */
+#define LINE_GAP 1.0
+
 /* What the labels of a drawing take of the page, in the order in which they were drawn, and the lines
- * of loads, which they keep clear of. */
+ * of loads and forces, which they keep clear of. */
 typedef struct Labels {
   const QnCamera *camera;
   GArray *taken; /* of cairo_rectangle_t */
   GArray *lines; /* of QnVec2, px, two for each */
   bool optional; /* the next one may be left out */
+  bool beside;   /* and stands beside its place: */
+  QnVec2 at;     /* px */
 } Labels;
 
 static bool
@@ -128,13 +136,16 @@ is_crossed (const cairo_rectangle_t *box, QnVec2 a, QnVec2 b)
   return low <= 0 && high >= 0;
 }
 
-/* Loads in weights lie in the middle of blocks, where names stand, and do not count. */
+/* Loads in weights are as many as blocks, and names of blocks are placed beside them: they do not
+ * count. */
 static void
-note_lines (Labels *labels, const QnScene *scene, const QnCommand *command)
+note_lines (Labels *labels, const QnScene *scene, const QnCommand *command, QnBox visible)
 {
   const QnVec2 *points = qn_scene_points (scene, command);
-  if (command->kind != QN_COMMAND_STROKE || command->layer != QN_LAYER_LOADS
-      || command->extent > 0)
+  bool load = command->layer == QN_LAYER_LOADS && !(command->extent > 0);
+  bool force = command->layer == QN_LAYER_FORCES && command->size > THIN_FORCE;
+  if (command->kind != QN_COMMAND_STROKE || !(load || force)
+      || !qn_command_is_visible (command, labels->camera, visible))
     return;
   for (uint32_t i = 1; i < command->count; i++)
     for (uint32_t k = i - 1; k <= i; k++) {
@@ -160,11 +171,31 @@ is_taken (const Labels *labels, const cairo_rectangle_t *box)
   return false;
 }
 
+/* A label that the drawing was made to fit lies at its edge, to a rounding error or so. */
 static bool
 is_inside (const QnCamera *camera, const cairo_rectangle_t *box)
 {
-  return box->x >= camera->x && box->x + box->width <= camera->x + camera->width
-         && box->y >= camera->y && box->y + box->height <= camera->y + camera->height;
+  double x = box->x - camera->x, y = box->y - camera->y, edge = 0.5 * camera->unit;
+  return x >= -edge && x + box->width <= camera->width + edge && y >= -edge
+         && y + box->height <= camera->height + edge;
+}
+
+/* Right or left of its place, in the middle, above or below: where the label stands free. */
+static bool
+place_beside (const Labels *labels, cairo_rectangle_t *box)
+{
+  const double xs[2] = { box->x, 2 * labels->at.x - box->x - box->width };
+  const double gap = LINE_GAP * labels->camera->unit;
+  const double ys[3] = { box->y, labels->at.y - gap - box->height, labels->at.y + gap };
+  for (int i = 0; i < 6; i++) {
+    cairo_rectangle_t place = { xs[i / 3], ys[i % 3], box->width, box->height };
+    if (is_taken (labels, &place) || (i > 0 && !is_inside (labels->camera, &place)))
+      continue;
+    *box = place;
+    g_array_append_val (labels->taken, place);
+    return true;
+  }
+  return false;
 }
 
 /* The nearest free place above or below, of upright text beside. What has room elsewhere after
@@ -173,6 +204,8 @@ static bool
 place_label (void *data, cairo_rectangle_t *box)
 {
   Labels *labels = data;
+  if (labels->optional && labels->beside)
+    return place_beside (labels, box);
   const bool level = box->width >= box->height;
   const double step = (1 - LABEL_BLUR) * (level ? box->height : box->width);
   for (int i = 0; i <= 2 * FARTHEST_LABEL; i++) {
@@ -197,6 +230,8 @@ draw_text (cairo_t *cr, const QnCommand *command, QnVec2 at, Labels *labels)
   const bool label = command->layer == QN_LAYER_LABELS;
   const double unit = labels->camera->unit;
   labels->optional = command->extent > 0;
+  labels->beside = command->align_x < 0 || command->align_x > 1;
+  labels->at = at;
   qn_text_draw (cr,
                 &(QnTextStyle){ .size = command->size * unit,
                                 .halo = label ? LABEL_HALO * unit : 0,
@@ -213,8 +248,12 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   QnBox visible = qn_camera_visible_box (camera);
   double line_factor = qn_scene_line_factor (scene, camera);
   QnDrawCounts tally = { 0, 0 };
-  Labels labels = { camera, g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
-                    g_array_new (FALSE, FALSE, sizeof (QnVec2)), false };
+  Labels labels = { camera,
+                    g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
+                    g_array_new (FALSE, FALSE, sizeof (QnVec2)),
+                    false,
+                    false,
+                    { 0, 0 } };
   cairo_save (cr);
   cairo_rectangle (cr, camera->x, camera->y, camera->width, camera->height);
   cairo_clip (cr);
@@ -224,7 +263,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   for (guint i = 0; i < scene->commands->len; i++) {
     const QnCommand *command = qn_scene_command (scene, i);
     if (layers & 1u << QN_LAYER_LABELS)
-      note_lines (&labels, scene, command);
+      note_lines (&labels, scene, command, visible);
     if (!(layers & 1u << command->layer))
       continue;
     if (!qn_command_is_visible (command, camera, visible)) {

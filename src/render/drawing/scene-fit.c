@@ -22,7 +22,7 @@ measure_overhang (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
     double left = 0.6 * c->size * camera->unit, right = left, up = left, down = left;
     if (c->kind == QN_COMMAND_FILL || c->kind == QN_COMMAND_IMAGE)
       continue;
-    if (c->extent > 0 && c->extent * camera->scale < c->least * camera->unit)
+    if (!qn_command_has_size (c, camera))
       continue;
     QnVec2 a = qn_camera_to_screen (camera, c->box.min);
     QnVec2 b = qn_camera_to_screen (camera, c->box.max);

@@ -96,6 +96,13 @@ qn_scene_text (QnScene *scene, QnLayer layer, QnVec2 at, double size, const char
   return command;
 }
 
+/* Part of an arrow that its head takes at most, and half the width of a head over its length. */
+#define HEAD_SHARE 0.6
+#define HEAD_WIDTH 0.36
+
+/* Below this length, pt, an arrow is a speck. */
+#define LEAST_ARROW 3
+
 void
 qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double width,
                 QnColor color, QnPickKind pick, QnId id, double extent)
@@ -104,11 +111,24 @@ qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double wi
   double angle = atan2 (to.y - from.y, to.x - from.x);
   QnCommand *shaft = qn_scene_stroke (scene, layer, line, 2, false, width, color);
   qn_command_set_pick (shaft, pick, id);
-  qn_command_set_extent (shaft, extent, 3);
-  QnCommand *head = qn_scene_marker (scene, layer, QN_MARKER_ARROW_HEAD, to,
-                                     3 + 2.5 * width, angle, color);
+  qn_command_set_extent (shaft, extent, LEAST_ARROW);
+  /* As long as for all arrows of this width where it fits, else in proportion. */
+  double size = 3 + 2.5 * width, length = qn_vec2_length (qn_vec2_sub (to, from));
+  QnCommand *head =
+    qn_scene_marker (scene, layer, QN_MARKER_ARROW_HEAD, to, size, angle, color);
   qn_command_set_pick (head, pick, id);
-  qn_command_set_extent (head, extent, 3 + 2.5f * (float) width);
+  qn_command_set_extent (head, length, (float) (size / HEAD_SHARE));
+  if (!(length > 0))
+    return;
+  QnVec2 back = qn_vec2_lerp (to, from, HEAD_SHARE);
+  QnVec2 side =
+    qn_vec2_scale (HEAD_SHARE * HEAD_WIDTH, qn_vec2_perp (qn_vec2_sub (to, from)));
+  QnVec2 corners[3] = { to, qn_vec2_add (back, side), qn_vec2_sub (back, side) };
+  head = qn_scene_fill (scene, layer, corners, 3, color);
+  qn_command_set_pick (head, pick, id);
+  qn_command_set_extent (head, length,
+                         extent > 0 ? (float) (LEAST_ARROW * length / extent) : 0);
+  head->most = (float) (size / HEAD_SHARE);
 }
 
 G_GNUC_PRINTF (3, 0)
@@ -185,8 +205,7 @@ qn_scene_finish (QnScene *scene)
 bool
 qn_command_is_visible (const QnCommand *command, const QnCamera *camera, QnBox visible)
 {
-  if (command->extent > 0
-      && command->extent * camera->scale < command->least * camera->unit)
+  if (!qn_command_has_size (command, camera))
     return false;
 
   /* Sizes in points reach beyond the box of the places. A line of text is taken to be no

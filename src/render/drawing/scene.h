@@ -80,6 +80,7 @@ typedef struct QnCommand {
     align_y;    /* text: 0 = the point is left/bottom, 0.5 middle, 1 right/top */
   float extent; /* m: size of what this annotates; left out below `least` px. 0: always */
   float least;  /* pt */
+  float most;   /* pt: left out where `extent` is as large or larger. 0: never */
   uint32_t first, count; /* into QnScene.points */
   const char *text;      /* TEXT: owned by the scene */
   QnBox box;             /* m, of the points */
@@ -135,7 +136,8 @@ QnCommand *qn_scene_marker (QnScene *scene, QnLayer layer, QnMarker marker, QnVe
                             double size, double angle, QnColor color);
 QnCommand *qn_scene_text (QnScene *scene, QnLayer layer, QnVec2 at, double size,
                           const char *text, QnColor color);
-/* A line with an arrow head at `to`. */
+/* A line with an arrow head at `to`, which takes most of a short arrow and never all of it. `extent`:
+ * size below which all of it is left out, m, or 0. */
 void qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double width,
                      QnColor color, QnPickKind pick, QnId id, double extent);
 
@@ -153,6 +155,15 @@ qn_command_set_extent (QnCommand *command, double extent, double least)
 {
   command->extent = (float) extent;
   command->least = (float) least;
+}
+
+/* Whether what a command annotates has the size for it. */
+static inline bool
+qn_command_has_size (const QnCommand *command, const QnCamera *camera)
+{
+  double size = command->extent * camera->scale / camera->unit;
+  return !(command->extent > 0)
+         || (size >= command->least && !(command->most > 0 && size >= command->most));
 }
 
 /* Adds a line to the legend; valid until the next addition. */

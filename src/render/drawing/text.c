@@ -43,6 +43,8 @@ qn_label_power (char *number)
   return g_string_free (text, FALSE);
 }
 
+#define MOST_LINES 4
+
 /* A layout whose lines do not depend on the surface: no hinting, no rounding to pixels. */
 static PangoLayout *
 create_layout (cairo_t *cr, const QnTextStyle *style, const char *text)
@@ -70,7 +72,7 @@ create_layout (cairo_t *cr, const QnTextStyle *style, const char *text)
   if (style->width > 0) {
     pango_layout_set_width (
       layout, (int) qn_to_integer (style->width * PANGO_SCALE, 0, G_MAXINT));
-    pango_layout_set_height (layout, -2);
+    pango_layout_set_height (layout, -MOST_LINES);
     pango_layout_set_wrap (layout, PANGO_WRAP_WORD_CHAR);
     pango_layout_set_ellipsize (layout, PANGO_ELLIPSIZE_END);
   }

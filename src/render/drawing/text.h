@@ -15,7 +15,7 @@ typedef struct QnTextStyle {
   double size; /* px, height of the font's em */
   bool bold;
   double halo;       /* px: rim of white that sets the text off its ground; 0: none */
-  double width;      /* px: wraps to at most two lines, then shortens; 0: one line */
+  double width;      /* px: wraps to at most four lines, then shortens; 0: one line */
   QnTextPlace place; /* asked where the text stands level or upright; or NULL */
   void *place_data;
 } QnTextStyle;

@@ -101,7 +101,9 @@ append_multiplier (GString *text, const QnFigure *figure, bool brief)
   if (brief || figure->options.view == QN_VIEW_MECHANISM || result->step_count == 0)
     return;
   size_t step = shown_step (figure);
-  if (result->steps[step].event == QN_EVENT_COLLAPSE)
+  if (result->outcome == QN_OUTCOME_UNBOUNDED && step + 1 == result->step_count)
+    append_part (text, _ ("any multiple of the live load is carried"));
+  else if (result->steps[step].event == QN_EVENT_COLLAPSE)
     append_part (text, _ ("last equilibrium before collapse"));
   else if (result->steps[step].event == QN_EVENT_SNAP)
     append_part (text, _ ("after a jump"));
@@ -125,7 +127,9 @@ append_mechanism (GString *text, const QnFigure *figure, const QnScene *scene)
   append_part (text, figure->result->stability == QN_STABILITY_LOST
                        ? _ ("buckling mode")
                        : qn_mechanism_kind_text (scene->mechanism));
-  if (figure->result->mechanism_uncertain)
+  if (figure->result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    append_part (text, _ ("no equilibrium under the dead load"));
+  else if (figure->result->mechanism_uncertain)
     append_part (text, _ ("last motion"));
 }
 

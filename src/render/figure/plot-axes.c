@@ -156,14 +156,32 @@ qn_axis_text_width (const QnAxis *axis, cairo_t *cr, double unit)
   return widest;
 }
 
+/* The name of an axis beside its middle, where the page has room for all of it; smaller where it has not,
+ * then in two lines, which take the room of a usual one. */
+#define SMALLER  0.75
+#define SMALLEST 0.6
+
+static void
+draw_name (cairo_t *cr, const char *name, double unit, double x, double y, double align_y,
+           double angle, double room, QnColor ink)
+{
+  double width, height;
+  QnTextStyle style = { .size = QN_TYPE_LABEL * unit };
+  qn_text_measure (cr, &style, name, &width, &height);
+  if (width > room)
+    style.size *= room > SMALLER * width ? room / width : SMALLEST;
+  if (room < SMALLER * width)
+    style.width = room;
+  qn_text_draw (cr, &style, name, x, y, 0.5, align_y, angle, ink);
+}
+
 void
 qn_axes_draw_names (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit,
                     const char *x_name, const char *y_name, double left, double bottom,
                     bool monochrome)
 {
-  QnTextStyle style = { .size = QN_TYPE_LABEL * unit };
   QnColor ink = qn_ink (QN_INK_LINE, monochrome);
-  qn_text_draw (cr, &style, x_name, 0.5 * (x->start + x->end), bottom, 0.5, 1, 0, ink);
-  qn_text_draw (cr, &style, y_name, left, 0.5 * (y->start + y->end), 0.5, 0, G_PI / 2,
-                ink);
+  double across = fabs (x->end - x->start), upright = fabs (bottom - y->end);
+  draw_name (cr, x_name, unit, 0.5 * (x->start + x->end), bottom, 1, 0, across, ink);
+  draw_name (cr, y_name, unit, left, 0.5 * (y->end + bottom), 0, G_PI / 2, upright, ink);
 }

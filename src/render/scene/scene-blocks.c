@@ -152,9 +152,12 @@ qn_build_onion (QnSceneBuilder *b)
   entry->dashed = true;
 }
 
+/* In the middle; above an arrow of a load there that lies, beside one that stands. Shown where the block
+ * is wide and tall enough. */
 void
 qn_build_names (QnSceneBuilder *b)
 {
+  QnVec2 arrow = b->weight_arrow;
   for (size_t i = 0; i < b->model->block_count; i++) {
     const QnBlock *block = &b->model->blocks[i];
     if (block->name == NULL || *block->name == '\0')
@@ -164,11 +167,15 @@ qn_build_names (QnSceneBuilder *b)
                                         block->name, qn_builder_ink (b, QN_INK_LINE));
     QnBox box = qn_box_of_points (qn_model_block_vertices (b->model, (QnId) i),
                                   (size_t) block->vertex_count);
-    /* Shown where the block is wide and tall enough for its name. */
+    bool marked = !qn_support_is_full (block->support);
+    bool beside = marked && fabs (arrow.y) > fabs (arrow.x);
+    bool above = marked && !beside && arrow.x != 0;
     double letters = (double) g_utf8_strlen (block->name, -1);
-    double width = (box.max.x - box.min.x) / (0.62 * letters + 1);
-    qn_command_set_extent (command, fmin (width, (box.max.y - box.min.y) / 1.3),
-                           QN_SIZE_LABEL);
+    double width = (box.max.x - box.min.x) / ((beside ? 2 : 1) * (0.62 * letters + 1));
+    double height = (box.max.y - box.min.y) / (above ? 3 : 1.3);
+    command->align_x = beside ? -0.1f : 0.5f;
+    command->align_y = above ? -0.2f : 0.5f;
+    qn_command_set_extent (command, fmin (width, height), QN_SIZE_LABEL);
     qn_command_set_pick (command, QN_PICK_BLOCK, (QnId) i);
   }
 }

@@ -28,7 +28,9 @@ typedef struct QnSceneBuilder {
   QnJoint *joints;  /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
   QnTouch *touches; /* contacts found on the way that carry something at the step */
   size_t touch_count;
-  bool *left; /* which faces their blocks have left by the step; NULL: none */
+  QnVec2
+    weight_arrow; /* drawn in the middle of blocks: the largest load in weights, or 0 */
+  bool *left;     /* which faces their blocks have left by the step; NULL: none */
 } QnSceneBuilder;
 
 static inline QnColor

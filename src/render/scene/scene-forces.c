@@ -25,6 +25,9 @@
 #define VALUE_SIZE   5.5
 #define VALUES_LEAST 30
 
+/* Part of a force, and of the length of its joint, below which numbers are rounding errors. */
+#define NOTHING 1e-6
+
 /* Of a number, so that it begins to the right of its place. */
 #define BESIDE (-0.2F)
 
@@ -139,11 +142,24 @@ place_size (QnPressurePlace place)
   return place == QN_PLACE_INSIDE ? 3.6F : place == QN_PLACE_EDGE ? 3.4F : 3.0F;
 }
 
-/* N, T, M and eccentricity beside a place, where there is room for them. */
+/* A number that rounding has left where 0 is meant is 0. */
+static double
+legible (double value, double scale)
+{
+  return fabs (value) < NOTHING * scale ? 0 : value;
+}
+
+/* N, T, M and eccentricity beside a place, where there is room for them: of a joint of this length. */
 static void
 add_values (QnSceneBuilder *b, QnVec2 at, double normal, double shear, double moment,
-            double eccentricity, QnPressurePlace place, double room, QnColor color)
+            double eccentricity, double length, QnPressurePlace place, double room,
+            QnColor color)
 {
+  double force = hypot (normal, shear);
+  normal = legible (normal, force);
+  shear = legible (shear, force);
+  moment = legible (moment, force * length);
+  eccentricity = legible (eccentricity, length);
   g_autofree char *n = qn_label_number ("%.3g", normal / 1000);
   g_autofree char *t = qn_label_number ("%.3g", shear / 1000);
   g_autofree char *m = qn_label_number ("%.3g", moment / 1000);
@@ -208,7 +224,7 @@ add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing, int stride, QnVec2
   if (b->options->values) {
     add_values (b, at, qn_vec2_dot (cut->force, cut->normal),
                 qn_vec2_dot (cut->force, qn_vec2_perp (cut->normal)), cut->moment,
-                cut->eccentricity, cut->place, spacing, color);
+                cut->eccentricity, cut->length, cut->place, spacing, color);
     return;
   }
   g_autofree char *number = dup_three_digits (qn_vec2_length (cut->force) / 1000);
@@ -294,14 +310,14 @@ add_face_values (QnSceneBuilder *b, const QnThrust *thrust, double least)
         && (fabs (r.normal) > least || fabs (r.shear) > least
             || fabs (r.moment) > least * face->length))
       add_values (b, qn_builder_place_joint (b, face, r.at), r.normal, r.shear, r.moment,
-                  r.eccentricity, r.place, face->length,
+                  r.eccentricity, face->length, r.place, face->length,
                   qn_builder_ink (b, QN_INK_FORCE));
   }
   for (size_t i = 0; i < b->touch_count; i++) {
     const QnTouch *touch = &b->touches[i];
     if (!has_next (&thrust->cuts[thrust->cut_of[b->contacts->face_count + i]]))
       add_values (b, qn_builder_place (b, touch->block[0], touch->at[0]), touch->force,
-                  touch->shear, 0, 0, QN_PLACE_NOWHERE, b->block_size,
+                  touch->shear, 0, 0, 0, QN_PLACE_NOWHERE, b->block_size,
                   qn_builder_ink (b, QN_INK_FORCE));
   }
   qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",

@@ -39,6 +39,8 @@ add_weight_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId in
       heaviest = fmax (heaviest, model->blocks[i].weight);
   if (!(norm > 0) || !(heaviest > 0) || model->block_count > MAX_WEIGHT_ARROWS)
     return;
+  if (norm > qn_vec2_length (b->weight_arrow))
+    b->weight_arrow = load->vector;
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
     if (qn_support_is_full (block->support) || !(block->weight > 0))
@@ -103,8 +105,8 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
     QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
     qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, at, 1.4, color, pick, index, 0);
     QnCommand *label = add_size (b, load, from, force / 1000, " kN", color);
-    label->align_x = load->vector.x > 0.3 * force    ? 1
-                     : load->vector.x < -0.3 * force ? 0
+    label->align_x = load->vector.x > 0.3 * force    ? 1.1f
+                     : load->vector.x < -0.3 * force ? -0.1f
                                                      : 0.5f;
     label->align_y = load->vector.y < -0.3 * force  ? -0.2f
                      : load->vector.y > 0.3 * force ? 1.2f
@@ -403,16 +405,31 @@ add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
   label->align_y = above ? -0.25f : 1.25f;
 }
 
-/* By how much loads stand out of the structure at each side, m. */
+/* Room for the words of a load, in diagonals of the structure: what they take on a page of a report. */
+#define LABEL_LENGTH 0.09
+#define LABEL_HEIGHT 0.03
+
+/* By how much loads with their labels, and the depth of beams, stand out of the structure at each
+ * side, m. */
 static void
 measure_loads (const QnSceneBuilder *b, QnVec2 *low, QnVec2 *high)
 {
   QnBox box = b->box;
+  double diagonal = qn_box_diagonal (box);
+  const QnVec2 room = { LABEL_LENGTH * diagonal, LABEL_HEIGHT * diagonal };
   for (guint i = 0; i < b->scene->commands->len; i++) {
     const QnCommand *command = qn_scene_command (b->scene, i);
     const QnVec2 *points = qn_scene_points (b->scene, command);
-    for (uint32_t k = 0; command->layer == QN_LAYER_LOADS && k < command->count; k++)
+    bool counts = command->layer == QN_LAYER_LOADS || command->layer == QN_LAYER_BLOCKS;
+    for (uint32_t k = 0; counts && k < command->count; k++)
       qn_box_add_point (&box, points[k]);
+    if (command->kind != QN_COMMAND_TEXT || command->layer != QN_LAYER_LABELS
+        || command->extent > 0)
+      continue;
+    QnVec2 corner = { points->x - command->align_x * room.x,
+                      points->y - command->align_y * room.y };
+    qn_box_add_point (&box, corner);
+    qn_box_add_point (&box, qn_vec2_add (corner, room));
   }
   *low = qn_vec2_sub (b->box.min, box.min);
   *high = qn_vec2_sub (box.max, b->box.max);

@@ -82,6 +82,46 @@ test_labels_beside_loads (void)
   }
 }
 
+/* A label beside a place through which a line of force runs stands in a quarter that it leaves free;
+ * without one it is left out. Thin lines do not matter. */
+static void
+test_labels_beside_forces (void)
+{
+  const QnVec2 at = { 2.0, 1.5 };
+  static const struct {
+    QnVec2 lines[3]; /* from the place to there and as far to the other side */
+    double width;
+    int side,
+      above; /* where the label stands: 1 right, above; -1; 0 between; 2: nowhere */
+  } cases[] = {
+    { { { 0 } }, 1.5, 1, 0 },       { { { 0, 1 } }, 1.5, 1, 0 },
+    { { { 1, 0 } }, 1.5, 1, 1 },    { { { 1, 0 } }, 0.5, 1, 0 },
+    { { { 1, 0.3 } }, 1.5, 1, -1 }, { { { 1, 0.3 }, { 1, -0.3 } }, 1.5, 2, 2 },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnScene *scene = qn_scene_new ();
+    for (int k = 0; k < 2; k++) {
+      const QnVec2 d = cases[i].lines[k];
+      const QnVec2 line[2] = { qn_vec2_add (at, d), qn_vec2_sub (at, d) };
+      if (qn_vec2_length (d) > 0) /* without colour: the label alone is measured */
+        qn_scene_stroke (scene, QN_LAYER_FORCES, line, 2, false, cases[i].width,
+                         (QnColor){ 0, 0, 0, 0 });
+    }
+    QnCommand *label = qn_scene_text (scene, QN_LAYER_LABELS, at, 10, "2.45 kN", black);
+    label->align_x = -0.2F;
+    label->extent = 1;
+    cairo_rectangle_t box = extents_of (scene);
+    if (cases[i].side == 2) {
+      g_assert_cmpfloat (box.width, ==, 0);
+      continue;
+    }
+    g_assert_cmpfloat (box.width, >, 20);
+    double x = box.x + box.width / 2 - 200, y = 150 - (box.y + box.height / 2);
+    g_assert_cmpint (x > 0 ? 1 : -1, ==, cases[i].side);
+    g_assert_cmpint (y > 3 ? 1 : y < -3 ? -1 : 0, ==, cases[i].above);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -89,5 +129,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/draw-cairo/labels", test_labels_keep_clear);
   g_test_add_func ("/render/draw-cairo/upright-labels", test_upright_labels);
   g_test_add_func ("/render/draw-cairo/labels-beside-loads", test_labels_beside_loads);
+  g_test_add_func ("/render/draw-cairo/labels-beside-forces", test_labels_beside_forces);
   return g_test_run ();
 }

@@ -297,6 +297,46 @@ test_runaway (void)
   }
 }
 
+/* The names of the axes of a small plot stay on its page. */
+static void
+test_small (void)
+{
+  const double x[2] = { 0, 1 }, y[2] = { 0, 1 };
+  const QnCurve curve = { .label = NULL,
+                          .count = 2,
+                          .x = (double *) x,
+                          .y = (double *) y,
+                          .limit_point = -1,
+                          .collapse_point = -1,
+                          .dot = -1 };
+  const QnCurvePlot plot = {
+    .curves = &curve,
+    .curve_count = 1,
+    .x_label = "Displacement of the crown since the dead load",
+    .x_unit = "mm",
+    .y_label = "Share of all cases that have collapsed before this value",
+  };
+  for (double height = 60; height < 400; height *= 1.2) {
+    const double width = 1.3 * height;
+    cairo_rectangle_t ink;
+    cairo_surface_t *surface =
+      cairo_recording_surface_create (CAIRO_CONTENT_COLOR_ALPHA, NULL);
+    cairo_t *cr = cairo_create (surface);
+    const QnPage page = {
+      .width = width, .height = height, .unit = 1, .antialias = true
+    };
+    qn_curve_plot_draw (&plot, cr, &page, 0, 0, width, height);
+    cairo_recording_surface_ink_extents (surface, &ink.x, &ink.y, &ink.width,
+                                         &ink.height);
+    g_assert_cmpfloat (ink.x, >=, -1);
+    g_assert_cmpfloat (ink.y, >=, -1);
+    g_assert_cmpfloat (ink.x + ink.width, <=, width + 1);
+    g_assert_cmpfloat (ink.y + ink.height, <=, height + 1);
+    cairo_destroy (cr);
+    cairo_surface_destroy (surface);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -310,5 +350,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/curve-plot/odd-data", test_odd_data);
   g_test_add_func ("/render/curve-plot/decades", test_decades);
   g_test_add_func ("/render/curve-plot/history", test_history);
+  g_test_add_func ("/render/curve-plot/small", test_small);
   return g_test_run ();
 }

@@ -112,6 +112,30 @@ test_multiplier (void)
   fixture_clear (&f);
 }
 
+/* What a result without a collapse multiplier means stands beside its picture. */
+static void
+test_without_collapse (void)
+{
+  Fixture f;
+  QnFigure figure;
+  fixture_init_wall (&f, 4, 4);
+  qn_figure_init (&figure, &f.model, &f.contacts, &f.result, QN_VIEW_MECHANISM);
+  g_autoptr (QnScene) scene =
+    qn_scene_build (&f.model, &f.contacts, &f.result, &figure.options, NULL);
+  f.result.outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  g_autofree char *unstable = qn_figure_dup_caption (&figure, scene, true);
+  g_assert_true (g_str_has_suffix (unstable, " · no equilibrium under the dead load"));
+  f.result.outcome = QN_OUTCOME_UNBOUNDED;
+  figure.options.view = QN_VIEW_FORCES;
+  g_autofree char *unbounded = qn_figure_dup_caption (&figure, scene, false);
+  g_assert_true (
+    g_str_has_suffix (unbounded, "any multiple of the live load is carried"));
+  figure.options.step = 0;
+  g_autofree char *first = qn_figure_dup_caption (&figure, scene, false);
+  g_assert_null (strstr (first, "any multiple"));
+  fixture_clear (&f);
+}
+
 /* A mechanism that was not settled is told from one that was. */
 static void
 test_uncertain (void)
@@ -210,6 +234,7 @@ test_narrow_legend (void)
   QnFurniture furniture;
   qn_scene_legend (scene, QN_COMMAND_STROKE, black, "undeformed");
   qn_scene_legend (scene, QN_COMMAND_STROKE, black, "line of thrust");
+  qn_scene_legend (scene, QN_COMMAND_STROKE, black, "live load: weight × (1, 0)");
   cairo_surface_t *surface = cairo_recording_surface_create (CAIRO_CONTENT_COLOR, NULL);
   cairo_t *cr = cairo_create (surface);
   qn_furniture_init (&furniture, scene, cr, 1, 1000, false);
@@ -221,6 +246,8 @@ test_narrow_legend (void)
   g_assert_cmpfloat_with_epsilon (furniture.widths[0], width, 1e-6);
   g_assert_cmpfloat (furniture.heights[1], >, row);
   g_assert_cmpfloat (furniture.widths[1], <=, 60);
+  /* Three lines, none of them cut. */
+  g_assert_cmpfloat (furniture.heights[2], >, 1.3 * furniture.heights[1]);
   qn_furniture_clear (&furniture);
   cairo_destroy (cr);
   cairo_surface_destroy (surface);
@@ -232,6 +259,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/figure/nothing-clipped", test_nothing_clipped);
   g_test_add_func ("/render/figure/multiplier", test_multiplier);
+  g_test_add_func ("/render/figure/without-collapse", test_without_collapse);
   g_test_add_func ("/render/figure/uncertain", test_uncertain);
   g_test_add_func ("/render/figure/failed-export", test_failed_export_leaves_nothing);
   g_test_add_func ("/render/figure/label-numbers", test_label_numbers);

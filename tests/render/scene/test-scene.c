@@ -155,6 +155,7 @@ test_culling (void)
   cairo_t *cr = cairo_create (surface);
   QnCamera camera = { .width = 300, .height = 200, .unit = 1, .scale = 1 };
   QnDrawCounts all, near, far;
+  guint other_heads = 0; /* of the two heads of an arrow, one fits */
 
   qn_camera_fit (&camera, scene->box, 0);
   camera.scale = 400;
@@ -167,7 +168,9 @@ test_culling (void)
   camera.height = 2000;
   qn_camera_fit (&camera, scene->box, 0);
   qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &all);
-  g_assert_cmpuint (all.skipped, ==, 0);
+  for (guint i = 0; i < scene->commands->len; i++)
+    other_heads += !qn_command_has_size (qn_scene_command (scene, i), &camera);
+  g_assert_cmpuint (all.skipped, ==, other_heads);
 
   camera.scale = 1;
   qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &far);
@@ -411,6 +414,74 @@ test_pressure_label (void)
   }
 }
 
+/* An arrow has its head as long as it is drawn, one of the two, and the head is never all of it. */
+static void
+test_arrow_heads (void)
+{
+  const QnColor black = { 0, 0, 0, 255 };
+  const double length = 0.1, width = 1;
+  g_autoptr (QnScene) scene = qn_scene_new ();
+  qn_scene_arrow (scene, QN_LAYER_LOADS, qn_vec2 (0, 0), qn_vec2 (length, 0), width,
+                  black, QN_PICK_NOTHING, QN_NONE, length);
+  for (double scale = 1; scale < 2000; scale *= 1.1) {
+    const QnCamera camera = { .width = 100, .height = 100, .unit = 1, .scale = scale };
+    double head = 0;
+    guint heads = 0, shafts = 0;
+    for (guint i = 0; i < scene->commands->len; i++) {
+      const QnCommand *command = qn_scene_command (scene, i);
+      if (!qn_command_has_size (command, &camera))
+        continue;
+      shafts += command->kind == QN_COMMAND_STROKE;
+      heads += command->kind != QN_COMMAND_STROKE;
+      if (command->kind == QN_COMMAND_MARKER)
+        head = command->size;
+      if (command->kind == QN_COMMAND_FILL)
+        head = scale * (command->box.max.x - command->box.min.x);
+    }
+    g_assert_cmpuint (heads, ==, shafts);
+    g_assert_cmpuint (shafts, ==, scale * length >= 3);
+    g_assert_cmpfloat (head, <=, 0.61 * scale * length);
+    g_assert_cmpfloat (head, <=, 3 + 2.5 * width + 1e-6);
+  }
+}
+
+/* Names of blocks stand above or beside the arrow in the middle, those of supports in it. */
+static void
+test_names_beside_loads (void)
+{
+  static const struct {
+    QnVec2 load;
+    float x, y;
+  } cases[] = {
+    { { 0, 0 }, 0.5f, 0.5f },
+    { { 1, 0 }, 0.5f, -0.2f },
+    { { 0.5, -0.6 }, -0.1f, 0.5f },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    Fixture f;
+    QnViewOptions options;
+    fixture_init_block (&f, 2, 1);
+    f.model.live_load_count = 0;
+    QnLoad *load = qn_model_add_live_load (&f.model);
+    load->kind = QN_LOAD_WEIGHT;
+    load->vector = cases[i].load;
+    qn_view_options_init (&options, QN_VIEW_MODEL);
+    options.loads = options.names = true;
+    g_autoptr (QnScene) scene = qn_scene_build (&f.model, NULL, NULL, &options, NULL);
+    guint names = 0;
+    for (guint k = 0; k < scene->commands->len; k++) {
+      const QnCommand *command = qn_scene_command (scene, k);
+      if (command->text == NULL || command->pick != QN_PICK_BLOCK)
+        continue;
+      g_assert_cmpfloat (command->align_x, ==, command->id == 0 ? 0.5f : cases[i].x);
+      g_assert_cmpfloat (command->align_y, ==, command->id == 0 ? 0.5f : cases[i].y);
+      names++;
+    }
+    g_assert_cmpuint (names, ==, 2);
+    fixture_clear (&f);
+  }
+}
+
 /* The legend names what is drawn without words, and what shakes the ground, where an analysis in
  * time does. */
 static void
@@ -449,6 +520,8 @@ main (int argc, char **argv)
   g_test_add_func ("/render/scene/nonlinear-forces", test_forces_of_nonlinear_geometry);
   g_test_add_func ("/render/scene/found", test_found);
   g_test_add_func ("/render/scene/legend", test_legend);
+  g_test_add_func ("/render/scene/arrow-heads", test_arrow_heads);
+  g_test_add_func ("/render/scene/names-beside-loads", test_names_beside_loads);
   g_test_add_func ("/scene/pressure-label", test_pressure_label);
   return g_test_run ();
 }
