@@ -18,10 +18,17 @@
 QnVec2
 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
 {
+  QnVec2 c = motion->model->blocks[block].centroid;
+  if (motion->base != NULL) {
+    const double *u = motion->base + (size_t) block * QN_DOF_COUNT;
+    QnVec2 turned =
+      qn_vec2_rotate (qn_vec2_sub (p, c), cos (u[QN_DOF_RZ]), sin (u[QN_DOF_RZ]));
+    c = qn_vec2_add (c, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]));
+    p = qn_vec2_add (c, turned);
+  }
   if (motion->displacements == NULL)
     return p;
   const double *u = motion->displacements + (size_t) block * QN_DOF_COUNT;
-  QnVec2 c = motion->model->blocks[block].centroid;
   QnVec2 arm = qn_vec2_sub (p, c);
   double angle = scale * u[QN_DOF_RZ];
   QnVec2 turned = motion->linear ? qn_vec2_add_scaled (arm, angle, qn_vec2_perp (arm))
@@ -30,13 +37,22 @@ qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
                   c.y + turned.y + scale * u[QN_DOF_UY]);
 }
 
+static QnMotion
+moves_of (const QnMotion *motion)
+{
+  QnMotion own = *motion;
+  own.base = NULL;
+  return own;
+}
+
 double
 qn_motion_of_block (const QnMotion *motion, QnId block)
 {
   const QnVec2 *v = qn_model_block_vertices (motion->model, block);
+  const QnMotion own = moves_of (motion);
   double largest = 0;
   for (QnId i = 0; i < motion->model->blocks[block].vertex_count; i++) {
-    QnVec2 moved = qn_motion_place (motion, block, v[i], 1);
+    QnVec2 moved = qn_motion_place (&own, block, v[i], 1);
     largest = fmax (largest, qn_vec2_length (qn_vec2_sub (moved, v[i])));
   }
   return largest;
@@ -125,9 +141,10 @@ qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
   }
   QnVec2 ends[2] = { face->start, face->end };
   QnVec2 jump[2];
+  const QnMotion own = moves_of (motion);
   for (int i = 0; i < 2; i++)
-    jump[i] = qn_vec2_sub (qn_motion_place (motion, face->b, ends[i], 1),
-                           qn_motion_place (motion, face->a, ends[i], 1));
+    jump[i] = qn_vec2_sub (qn_motion_place (&own, face->b, ends[i], 1),
+                           qn_motion_place (&own, face->a, ends[i], 1));
   return (QnJoint){
     .opening_start = qn_vec2_dot (jump[0], normal),
     .opening_end = qn_vec2_dot (jump[1], normal),

@@ -12,6 +12,9 @@ typedef struct QnMotion {
   const double
     *displacements; /* a row (m, m, rad) for every block, then for every node of
                                   beams; NULL: nothing moves */
+  /* Where blocks are before they move, as displacements, with finite rotations and never multiplied, of
+   * blocks alone; NULL: as the model has them. Matters for places, not for what moves. */
+  const double *base;
   bool linear; /* rotations act linearly, as in the analysis; closed joints stay closed */
   double scale; /* displacements and rotations are drawn multiplied by this */
 } QnMotion;

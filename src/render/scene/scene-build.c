@@ -125,6 +125,16 @@ forces_act_displaced (const QnModel *model, const QnResult *result,
          && !result->limit.given && model->analysis.geometry != QN_GEOMETRY_LINEAR;
 }
 
+/* Whether a mechanism begins where the blocks have moved to, in large displacements: modes of vibration
+ * and of buckling need not. Beams are drawn from where they were. */
+static bool
+moves_displaced (const QnModel *model, const QnResult *result)
+{
+  return model->analysis.geometry != QN_GEOMETRY_LINEAR && model->beam_count == 0
+         && result->step_count > 0 && !result->limit.given && result->vibration.mode == 0
+         && result->stability != QN_STABILITY_LOST && result->history.width == 0;
+}
+
 /* The displacements that a view shows, without their factor. */
 static QnMotion
 find_motion (const QnModel *model, const QnResult *result, const QnViewOptions *options,
@@ -133,6 +143,8 @@ find_motion (const QnModel *model, const QnResult *result, const QnViewOptions *
   QnMotion motion = { .model = model, .linear = true, .scale = 0 };
   if (options->view == QN_VIEW_MECHANISM) {
     motion.displacements = result->mechanism;
+    if (moves_displaced (model, result))
+      motion.base = qn_result_step_displacements (result, result->step_count - 1);
   } else if (options->view == QN_VIEW_DEFORMED
              || forces_act_displaced (model, result, options)) {
     motion.displacements = qn_result_step_displacements (result, step);

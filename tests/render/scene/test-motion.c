@@ -32,6 +32,53 @@ test_exact_rotation_keeps_lengths (void)
   fixture_clear (&f);
 }
 
+/* A block moves on from where it is: its base is turned exactly and not enlarged, and is no part of what
+ * its joint does. */
+static void
+test_base (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 2);
+  const double base[6] = { 0, 0, 0, 0.5, 0.25, G_PI_2 };
+  double u[6] = { 0, 0, 0, 0.1, 0.2, 0.01 };
+  const QnMotion motion = {
+    .model = &f.model, .displacements = u, .base = base, .linear = true, .scale = 1
+  };
+  QnMotion own = motion;
+  own.base = NULL;
+  QnVec2 p = qn_motion_place (&motion, 1, qn_vec2 (1, 2), 10);
+  g_assert_cmpfloat_with_epsilon (p.x, 0.5 + 0.5 - 1 + 10 * 0.1 - 0.1 * 0.5, 1e-12);
+  g_assert_cmpfloat_with_epsilon (p.y, 1 + 0.25 + 0.5 + 10 * 0.2 - 0.1 * 1, 1e-12);
+  QnJoint with = qn_motion_joint (&motion, &f.contacts.faces[0]);
+  QnJoint without = qn_motion_joint (&own, &f.contacts.faces[0]);
+  g_assert_cmpfloat (with.slip, ==, without.slip);
+  g_assert_cmpfloat (with.opening_end, ==, without.opening_end);
+  g_assert_cmpfloat (qn_motion_largest (&motion), ==, qn_motion_largest (&own));
+  fixture_clear (&f);
+}
+
+/* In large displacements a mechanism begins at the last equilibrium. */
+static void
+test_mechanism_begins (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_block (&f, 1, 2);
+  qn_view_options_init (&options, QN_VIEW_MECHANISM);
+  options.step = QN_STEP_LAST;
+  for (int large = 0; large < 2; large++) {
+    f.model.analysis.geometry = large ? QN_GEOMETRY_NONLINEAR : QN_GEOMETRY_LINEAR;
+    g_autoptr (QnScene) scene =
+      qn_scene_build (&f.model, &f.contacts, &f.result, &options, NULL);
+    QnMotion motion = qn_scene_motion (scene, &f.model, &f.result, &options);
+    const double *last =
+      qn_result_step_displacements (&f.result, f.result.step_count - 1);
+    g_assert_true (motion.base == (large ? last : NULL));
+    g_assert_true (motion.displacements == f.result.mechanism);
+  }
+  fixture_clear (&f);
+}
+
 /* The block turns about its lower right corner: one hinge there, an open joint, no sliding. */
 static void
 test_overturning_block (void)
@@ -190,6 +237,8 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/motion/base", test_base);
+  g_test_add_func ("/render/motion/mechanism-begins", test_mechanism_begins);
   g_test_add_func ("/render/motion/linear", test_linear_rotation);
   g_test_add_func ("/render/motion/exact", test_exact_rotation_keeps_lengths);
   g_test_add_func ("/render/motion/overturning", test_overturning_block);
