@@ -38,7 +38,6 @@ static const StressShortfall shortfalls[] = {
   { "random-581", STRESS_LIMIT, STALLS },
   { "uplift-wall3", STRESS_MECHANISM, WIDE },
   { "random-168", STRESS_MECHANISM, WIDE },
-  { "random-280", STRESS_MECHANISM, WIDE },
   { "random-813", STRESS_MECHANISM, WIDE },
   { "random-914", STRESS_MECHANISM, WIDE },
   { "residual=1e-12-*", STRESS_NO_ANSWER, "Forces cannot be summed up to 1e-12." },
