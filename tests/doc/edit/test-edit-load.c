@@ -394,7 +394,7 @@ test_bars (void)
     g_assert_cmpfloat_with_epsilon (qn_bar_get_diameter (model->bars[last].area), 0.016,
                                     1e-12);
     g_autofree char *text = qn_bar_dup_text (model, &model->bars[last], QN_UNITS_SI);
-    g_assert_nonnull (strstr (text, "16 mm"));
+    g_assert_nonnull (strstr (text, "Ø 16"));
     refuse (document, turn_bar, &last);
     refuse (document, duplicate_bar, &unknown);
     const QnBar bar = model->bars[last];
