@@ -18,6 +18,8 @@
 QnVec2
 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
 {
+  if (motion->displacements == NULL && motion->base == NULL)
+    return p;
   QnVec2 c = motion->model->blocks[block].centroid;
   if (motion->base != NULL) {
     const double *u = motion->base + (size_t) block * QN_DOF_COUNT;

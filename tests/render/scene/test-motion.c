@@ -32,6 +32,16 @@ test_exact_rotation_keeps_lengths (void)
   fixture_clear (&f);
 }
 
+/* Without a motion all is where it is, and no model is asked. */
+static void
+test_at_rest (void)
+{
+  const QnMotion rest = { 0 };
+  QnVec2 p = qn_motion_place (&rest, 7, qn_vec2 (1, 2), 10);
+  g_assert_cmpfloat (p.x, ==, 1);
+  g_assert_cmpfloat (p.y, ==, 2);
+}
+
 /* A block moves on from where it is: its base is turned exactly and not enlarged, and is no part of what
  * its joint does. */
 static void
@@ -237,6 +247,7 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/motion/at-rest", test_at_rest);
   g_test_add_func ("/render/motion/base", test_base);
   g_test_add_func ("/render/motion/mechanism-begins", test_mechanism_begins);
   g_test_add_func ("/render/motion/linear", test_linear_rotation);
