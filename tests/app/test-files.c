@@ -443,6 +443,19 @@ respond (QnWindow *window, int response)
   g_assert_null (window->chooser);
 }
 
+typedef struct Choice {
+  GtkFileChooser *chooser;
+  GFile *file;
+} Choice;
+
+static gboolean
+is_chosen (gpointer data)
+{
+  const Choice *choice = data;
+  g_autoptr (GFile) file = gtk_file_chooser_get_file (choice->chooser);
+  return file != NULL && g_file_equal (file, choice->file);
+}
+
 /* Each chooser shows files of its kind; none is left behind, and what was chosen is opened. */
 static void
 test_choosers (void)
@@ -465,7 +478,7 @@ test_choosers (void)
   GtkFileChooser *chooser =
     begin_choosing (window, choosers[0][0], choosers[0][1], choosers[0][2]);
   gtk_file_chooser_set_file (chooser, file, NULL);
-  driver_run (500);
+  driver_wait (is_chosen, &(Choice){ chooser, file });
   respond (window, GTK_RESPONSE_ACCEPT);
   QnWindow *opened = qn_window_find_path (driver_application (), path);
   g_assert_nonnull (opened);
