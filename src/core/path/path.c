@@ -188,30 +188,20 @@ qn_path_slips (const QnAssembly *as)
   return false;
 }
 
-/* By Newton's method, or along the central path. Where joints slip without dilatancy there are many
- * equilibria. Newton's method may end in one that the least of load makes jump, the central path amid
- * them, but where Newton's method finds none also where no motion leads, blocks pressed together by
- * nothing: so motion comes first then, and tells of what falls. */
+/* By Newton's method; along the central path where that finds none, and where joints slip without
+ * dilatancy: there are many equilibria then, and Newton's method may end in one that the least of load makes
+ * jump, the central path amid them. If Newton's method finds none of many, motion comes first. */
 static QnSolveStatus
 find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
 {
   const QnTarget target = qn_target_multiplier (0);
   QnSolveStatus solve = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
-  bool may_jump = qn_assembly_may_jump (&eq->assembly);
-
-  if (central == NULL || solve == QN_SOLVE_CANCELLED || solve == QN_SOLVE_NO_MEMORY
-      || (solve == QN_SOLVE_CONVERGED && !(may_jump && qn_path_slips (&eq->assembly))))
-    return solve;
   bool stands = solve == QN_SOLVE_CONVERGED;
-  if (may_jump && !stands) {
-    int64_t commits = eq->assembly.commits;
-    qn_equilibrium_restore (eq);
-    solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, FIRST_TURN);
-    if (solve != QN_SOLVE_CONVERGED && solve != QN_SOLVE_FAILED)
-      return solve;
-    qn_equilibrium_restore (eq);
-    eq->assembly.commits = commits; /* undone */
-  }
+
+  if (central == NULL
+      || (qn_assembly_may_jump (&eq->assembly) ? !stands || !qn_path_slips (&eq->assembly)
+                                               : solve != QN_SOLVE_FAILED))
+    return solve;
   solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
   if (solve != QN_SOLVE_FAILED || !stands)
     return solve;
@@ -228,23 +218,41 @@ has_run_away (const QnEquilibrium *eq)
 
 /* Viscous relaxation and relaxation along central paths in turns, from where the last left off. The
  * first creeps, but knows what falls; the others slide as far as they like from far away, and from
- * nearer by reach a rest at once. That it falls is not for them to say. */
+ * nearer by reach a rest at once. That it falls is not for them to say.
+ *
+ * Without dilatancy the central path from no load may find blocks pressed together by nothing, where no motion
+ * leads. So it waits until the first motion has told of what falls; what stands is best begun with amid all
+ * equilibria, not at the verge of sliding, where a motion rests. */
 static QnSolveStatus
 relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
 {
   const QnTarget target = qn_target_multiplier (0);
-  QnSolveStatus solve;
+  int64_t commits = eq->assembly.commits;
+  bool waits = qn_assembly_may_jump (&eq->assembly);
 
-  for (int steps = FIRST_TURN; steps <= LAST_TURN; steps *= 2) {
-    solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, steps);
-    if (solve != QN_SOLVE_FAILED)
+  for (int steps = FIRST_TURN; steps <= LAST_TURN; steps *= 2, waits = false) {
+    QnSolveStatus solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, steps);
+    bool rests = solve == QN_SOLVE_CONVERGED;
+    if (!rests && solve != QN_SOLVE_FAILED)
       return solve;
+    if (rests)
+      qn_equilibrium_save (eq, &eq->anchor);
+    if (waits) {
+      qn_equilibrium_restore (eq);
+      solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+      if (solve != QN_SOLVE_FAILED) {
+        eq->assembly.commits = commits; /* the motion is undone */
+        return solve;
+      }
+    }
     qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
+    if (rests)
+      return QN_SOLVE_CONVERGED;
     qn_equilibrium_commit (eq);
     if (has_run_away (eq))
       return QN_SOLVE_MECHANISM;
     solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
-    bool rests = solve == QN_SOLVE_CONVERGED && !has_run_away (eq);
+    rests = solve == QN_SOLVE_CONVERGED && !has_run_away (eq);
     if (rests || solve == QN_SOLVE_CANCELLED || solve == QN_SOLVE_NO_MEMORY)
       return solve;
     qn_equilibrium_restore (eq);
