@@ -34,10 +34,8 @@ static guint
 count_loads (const QnModel *model, int32_t load_case)
 {
   guint count = 0;
-  for (gsize i = 0; i < model->dead_load_count; i++)
-    count += model->dead_loads[i].load_case == load_case;
-  for (gsize i = 0; i < model->live_load_count; i++)
-    count += model->live_loads[i].load_case == load_case;
+  for (gsize i = 0; i < qn_model_load_count (model); i++)
+    count += qn_model_load (model, i)->load_case == load_case;
   return count;
 }
 

@@ -21,8 +21,9 @@ void qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind)
 /* The next chooser begins in the folder of this file: that of the project. */
 void qn_chooser_begin_beside (const char *path);
 
-/* A chooser over `parent`, in the folder that was chosen from last, that is still to be told what happens on its response, and to be shown.
- * *kept holds it from now on, in place of what it held; the response is to clear *kept. */
+/* A chooser over `parent`, in the folder that was chosen from last, that is still to be told what happens
+ * on its response, and to be shown. *kept holds it from now on, in place of what it held; the response is
+ * to clear *kept. */
 GtkFileChooserNative *qn_chooser_begin (GtkWindow *parent, GObject **kept,
                                         GtkFileChooserAction action, const char *title,
                                         const char *accept);

@@ -70,7 +70,8 @@ find_supported (const QnAssembly *as, bool *loose)
 double
 qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
 {
-  bool *loose = as->stale, found = true;
+  bool *loose = as->stale;
+  bool found = true;
   double largest = 0;
 
   find_supported (as, loose);

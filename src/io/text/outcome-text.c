@@ -141,8 +141,7 @@ collapse_sentence (const QnResult *result)
   /* A plateau may lie below an earlier jump: beyond that no equilibrium is known. */
   if (qn_result_has_felt_limit (result) && before < (1 - 1e-3) * fabs (collapse))
     return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g. Before, at %.4g, "
-                               "the path jumps to another "
-                               "equilibrium."),
+                               "the path jumps to another equilibrium."),
                             result->collapse_multiplier, result->first_limit_multiplier);
   return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g."),
                           result->collapse_multiplier);
@@ -242,8 +241,7 @@ explain_linearity (const QnResult *result)
          "may not hold: solve in large displacements (analysis.geometry=nonlinear)."));
   return g_strdup_printf (
     _ ("At a load multiplier of %.4g a block has moved by a tenth of the least width of "
-       "the "
-       "blocks; linear geometry may not hold beyond: solve in large displacements "
+       "the blocks; linear geometry may not hold beyond: solve in large displacements "
        "(analysis.geometry=nonlinear)."),
     result->beyond_linear_multiplier);
 }

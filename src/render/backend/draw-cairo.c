@@ -248,12 +248,9 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   QnBox visible = qn_camera_visible_box (camera);
   double line_factor = qn_scene_line_factor (scene, camera);
   QnDrawCounts tally = { 0, 0 };
-  Labels labels = { camera,
-                    g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
-                    g_array_new (FALSE, FALSE, sizeof (QnVec2)),
-                    false,
-                    false,
-                    { 0, 0 } };
+  Labels labels = { .camera = camera,
+                    .taken = g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
+                    .lines = g_array_new (FALSE, FALSE, sizeof (QnVec2)) };
   cairo_save (cr);
   cairo_rectangle (cr, camera->x, camera->y, camera->width, camera->height);
   cairo_clip (cr);

@@ -15,28 +15,32 @@
  * diagonal is drawn of that displacement, of the joint a four-hundredth. */
 #define SEEN_SHARE 0.03
 
+/* A point that moves with a body about its centroid *c, which moves too. */
+static QnVec2
+displace (QnVec2 *c, QnVec2 p, const double *u, double scale, bool linear)
+{
+  QnVec2 arm = qn_vec2_sub (p, *c);
+  double angle = scale * u[QN_DOF_RZ];
+  QnVec2 turned = linear ? qn_vec2_add_scaled (arm, angle, qn_vec2_perp (arm))
+                         : qn_vec2_rotate (arm, cos (angle), sin (angle));
+  QnVec2 way = qn_vec2 (scale * u[QN_DOF_UX], scale * u[QN_DOF_UY]);
+  QnVec2 moved = qn_vec2_add (qn_vec2_add (*c, turned), way);
+  *c = qn_vec2_add (*c, way);
+  return moved;
+}
+
 QnVec2
 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
 {
+  const size_t row = (size_t) block * QN_DOF_COUNT;
   if (motion->displacements == NULL && motion->base == NULL)
     return p;
   QnVec2 c = motion->model->blocks[block].centroid;
-  if (motion->base != NULL) {
-    const double *u = motion->base + (size_t) block * QN_DOF_COUNT;
-    QnVec2 turned =
-      qn_vec2_rotate (qn_vec2_sub (p, c), cos (u[QN_DOF_RZ]), sin (u[QN_DOF_RZ]));
-    c = qn_vec2_add (c, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]));
-    p = qn_vec2_add (c, turned);
-  }
-  if (motion->displacements == NULL)
-    return p;
-  const double *u = motion->displacements + (size_t) block * QN_DOF_COUNT;
-  QnVec2 arm = qn_vec2_sub (p, c);
-  double angle = scale * u[QN_DOF_RZ];
-  QnVec2 turned = motion->linear ? qn_vec2_add_scaled (arm, angle, qn_vec2_perp (arm))
-                                 : qn_vec2_rotate (arm, cos (angle), sin (angle));
-  return qn_vec2 (c.x + turned.x + scale * u[QN_DOF_UX],
-                  c.y + turned.y + scale * u[QN_DOF_UY]);
+  if (motion->base != NULL)
+    p = displace (&c, p, motion->base + row, 1, false);
+  if (motion->displacements != NULL)
+    p = displace (&c, p, motion->displacements + row, scale, motion->linear);
+  return p;
 }
 
 static QnMotion
