@@ -575,6 +575,11 @@ test_moving_load (void)
   g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
   export_to (dialog, "table", table);
   g_assert_cmpuint (count_lines (table), ==, 42);
+  /* What Solve gives, with its bound. */
+  g_autofree char *rows = NULL;
+  g_assert_true (g_file_get_contents (table, &rows, NULL, NULL));
+  g_assert_true (
+    g_str_has_prefix (rows, "case,place,collapse_multiplier,associative_multiplier,"));
   driver_discard (window);
 }
 

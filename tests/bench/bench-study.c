@@ -101,7 +101,7 @@ write_study (const char *kind, int cases)
   g_assert_cmpint (g_string_replace (study, "../ferris-tin-loi/wall3.quoin", project, 1),
                    ==, 1);
   g_assert_cmpint (g_string_replace (study, "\"count\": 1000,", count, 1), ==, 1);
-  g_assert_cmpint (g_string_replace (study, "\"run\": \"limit\"", run, 1), ==, 1);
+  g_assert_cmpint (g_string_replace (study, "\"run\": \"solve\"", run, 1), ==, 1);
   char *written = g_build_filename (folder, name, NULL);
   g_file_set_contents (written, study->str, -1, &error);
   g_assert_no_error (error);

@@ -14,7 +14,7 @@ write_study (const char *folder, const char *plan)
   g_free (cli_write (folder, "block.quoin", cli_sliding_block));
   g_autofree char *text = g_strdup_printf (
     "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"block.quoin\",\n"
-    "  \"run\": \"limit\", \"parameters\": [\n"
+    "  \"run\": \"solve\", \"parameters\": [\n"
     "    { \"name\": \"friction\", \"path\": \"laws[0].friction\", \"levels\": 5,\n"
     "      \"distribution\": { \"kind\": \"uniform\", \"min\": 0.2, \"max\": 0.4 } } ],\n"
     "  \"plan\": %s, \"outputs\": [\"collapse_multiplier\", \"mechanism_kind\",\n"
@@ -499,7 +499,7 @@ test_gap (void)
       "  \"run\": \"limit\", \"parameters\": [ { \"name\": \"push\",\n"
       "    \"path\": \"loads.live[0].direction[0]\", \"values\": [-2, -1, %s, 1, 2] } "
       "],\n"
-      "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }\n",
+      "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"associative_multiplier\"] }\n",
       middles[i]);
     g_autofree char *study = cli_write (folder, "s.quoin-study", text);
     g_autofree char *results = g_build_filename (folder, middles[i], NULL);

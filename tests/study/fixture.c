@@ -5,7 +5,7 @@ fixture_study_text (const char *plan, const char *more)
 {
   return g_strdup_printf (
     "{ \"format\": \"quoin-study\", \"version\": 1, \"title\": \"Sliding\",\n"
-    "  \"model\": \"%s/01-sliding-block.quoin\", \"run\": \"limit\",\n"
+    "  \"model\": \"%s/01-sliding-block.quoin\", \"run\": \"solve\",\n"
     "  \"parameters\": [\n"
     "    { \"name\": \"friction\", \"path\": \"laws[0].friction\",\n"
     "      \"distribution\": { \"kind\": \"uniform\", \"min\": 0.2, \"max\": 0.8 },\n"

@@ -39,6 +39,7 @@ void
 qn_study_window_show_plan (QnStudyWindow *self)
 {
   int count;
+  const QnModel *model = qn_document_get_model (self->parent.document);
   QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
   gtk_drop_down_set_selected (self->plan, plan);
   gtk_drop_down_set_selected (self->analysis, qn_draft_get_run (self->draft));
@@ -51,7 +52,7 @@ qn_study_window_show_plan (QnStudyWindow *self)
     gtk_box_remove (GTK_BOX (self->outputs), child);
   for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++) {
     QnStudyOutput output = (QnStudyOutput) i;
-    if (!qn_study_run_gives (qn_draft_get_run (self->draft), output))
+    if (!qn_study_run_gives (qn_draft_get_run (self->draft), &model->analysis, output))
       continue;
     GtkWidget *check = gtk_check_button_new_with_label (qn_study_output_text (output));
     gtk_check_button_set_active (GTK_CHECK_BUTTON (check),

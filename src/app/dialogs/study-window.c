@@ -11,6 +11,9 @@
 /* Places of a moving load along its way. */
 #define STEPS_OF_LOAD 41
 
+/* Beyond so many blocks a new study has the bound of limit analysis: the path takes too long. */
+#define SLOW_BLOCKS 1000
+
 void
 qn_study_window_tell (QnStudyWindow *self, const char *text)
 {
@@ -269,8 +272,10 @@ qn_study_window_show (const QnStudyParent *parent, const char *path, GError **er
     gtk_window_destroy (present);
   }
   g_autofree char *model = g_path_get_basename (project);
+  const QnModel *structure = qn_document_get_model (parent->document);
+  QnStudyRun run = structure->block_count > SLOW_BLOCKS ? QN_STUDY_LIMIT : QN_STUDY_SOLVE;
   QnDraft *draft = g_file_test (own, G_FILE_TEST_EXISTS) ? qn_draft_load (own, error)
-                                                         : qn_draft_new (own, model);
+                                                         : qn_draft_new (own, model, run);
   if (draft == NULL)
     return NULL;
   QnStudyWindow *self = new_window (parent, draft);

@@ -86,32 +86,35 @@ draft_of (const char *path, cJSON *tree)
 static void
 usual_outputs (QnDraft *draft, QnStudyRun run)
 {
+  static const QnAnalysisSettings settings = { .flow = QN_FLOW_ASSOCIATIVE };
   static const QnStudyOutput usual[] = {
-    QN_STUDY_COLLAPSE_MULTIPLIER, QN_STUDY_COLLAPSED,       QN_STUDY_PEAK_DISPLACEMENT,
-    QN_STUDY_MECHANISM_KIND,      QN_STUDY_MECHANISM_SHAPE, QN_STUDY_FREQUENCY_1
+    QN_STUDY_COLLAPSE_MULTIPLIER, QN_STUDY_ASSOCIATIVE_MULTIPLIER,
+    QN_STUDY_COLLAPSED,           QN_STUDY_PEAK_DISPLACEMENT,
+    QN_STUDY_MECHANISM_KIND,      QN_STUDY_MECHANISM_SHAPE,
+    QN_STUDY_FREQUENCY_1
   };
   cJSON *outputs = cJSON_CreateArray ();
   for (gsize i = 0; i < G_N_ELEMENTS (usual); i++)
-    if (qn_study_run_gives (run, usual[i]))
+    if (qn_study_run_gives (run, &settings, usual[i]))
       cJSON_AddItemToArray (outputs,
                             cJSON_CreateString (qn_study_output_names[usual[i]]));
   set (draft->tree, "outputs", outputs);
 }
 
 QnDraft *
-qn_draft_new (const char *path, const char *model)
+qn_draft_new (const char *path, const char *model, QnStudyRun run)
 {
   cJSON *tree = cJSON_CreateObject ();
   set (tree, "format", cJSON_CreateString ("quoin-study"));
   set (tree, "version", cJSON_CreateNumber (1));
   set (tree, "model", cJSON_CreateString (model));
-  set (tree, "run", cJSON_CreateString (qn_study_run_names[QN_STUDY_LIMIT]));
+  set (tree, "run", cJSON_CreateString (qn_study_run_names[run]));
   QnDraft *draft = draft_of (path, tree);
   cJSON *plan = member (draft, "plan");
   set (plan, "kind", cJSON_CreateString (qn_plan_kind_names[QN_PLAN_LATIN_HYPERCUBE]));
   set (plan, "count", cJSON_CreateNumber (USUAL_COUNT));
   set (plan, "seed", cJSON_CreateNumber (1));
-  usual_outputs (draft, QN_STUDY_LIMIT);
+  usual_outputs (draft, run);
   record (draft);
   return draft;
 }
@@ -462,7 +465,7 @@ qn_draft_get_run (const QnDraft *draft)
   for (int run = 0; run < QN_STUDY_RUN_COUNT; run++)
     if (g_strcmp0 (name, qn_study_run_names[run]) == 0)
       return (QnStudyRun) run;
-  return QN_STUDY_LIMIT;
+  return QN_STUDY_SOLVE;
 }
 
 void

@@ -30,7 +30,7 @@ typedef struct QnDraftParameter {
 } QnDraftParameter;
 
 /* A new draft for the project file `model`, to be kept as `path`; nothing is written yet. */
-QnDraft *qn_draft_new (const char *path, const char *model);
+QnDraft *qn_draft_new (const char *path, const char *model, QnStudyRun run);
 
 /* Reads one that is there. Errors: QN_IO_ERROR. */
 QnDraft *qn_draft_load (const char *path, GError **error);

@@ -572,6 +572,8 @@ read_plan (const QnJsonValue *root, QnStudy *study)
 static gboolean
 read_outputs (const QnJsonValue *root, QnStudy *study)
 {
+  const QnAnalysisSettings *analysis = &study->project.model.analysis;
+  gboolean bounds = qn_study_run_bounds (study->run, analysis);
   QnJsonValue list = qn_json_value_member (root, "outputs");
   gsize index = 0;
   if (!qn_json_value_array (&list))
@@ -583,15 +585,28 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
            && (!cJSON_IsString (item)
                || strcmp (item->valuestring, qn_study_output_names[output]) != 0))
       output++;
+    /* What it gives is kept under the name of what it is. */
+    gboolean renamed = bounds && output == QN_STUDY_COLLAPSE_MULTIPLIER;
+    if (renamed) {
+      qn_json_value_warn (
+        &element,
+        _ ("limit analysis with associative flow bounds the collapse multiplier "
+           "from above: kept as associative_multiplier; the run \"solve\" "
+           "gives the collapse multiplier"));
+      output = QN_STUDY_ASSOCIATIVE_MULTIPLIER;
+    }
     if (output == QN_STUDY_OUTPUT_COUNT
-        || !qn_study_run_gives (study->run, (QnStudyOutput) output))
+        || !qn_study_run_gives (study->run, analysis, (QnStudyOutput) output))
       return qn_json_value_failf (&element, _ ("a run \"%s\" has no such output"),
                                   qn_study_run_names[study->run]);
-    for (guint i = 0; i < study->outputs->len; i++)
-      if ((int) qn_study_output (study, i) == output)
-        return qn_json_value_fail (&element, _ ("this output is given twice"));
     QnStudyOutput value = (QnStudyOutput) output;
-    g_array_append_val (study->outputs, value);
+    guint same = 0;
+    while (same < study->outputs->len && qn_study_output (study, same) != value)
+      same++;
+    if (same == study->outputs->len)
+      g_array_append_val (study->outputs, value);
+    else if (!bounds || value != QN_STUDY_ASSOCIATIVE_MULTIPLIER)
+      return qn_json_value_fail (&element, _ ("this output is given twice"));
   }
   return study->outputs->len > 0
          || qn_json_value_fail (&list, _ ("expected at least one output"));

@@ -50,7 +50,16 @@ const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
 };
 
 gboolean
-qn_study_run_gives (QnStudyRun run, QnStudyOutput output)
+qn_study_run_bounds (QnStudyRun run, const QnAnalysisSettings *analysis)
+{
+  return (run == QN_STUDY_LIMIT
+          || (run == QN_STUDY_SOLVE && analysis->procedure == QN_PROCEDURE_LIMIT))
+         && analysis->flow == QN_FLOW_ASSOCIATIVE;
+}
+
+gboolean
+qn_study_run_gives (QnStudyRun run, const QnAnalysisSettings *analysis,
+                    QnStudyOutput output)
 {
   gboolean modal = output >= QN_STUDY_FREQUENCY_1 && output <= QN_STUDY_FREQUENCY_6;
   gboolean timed = output >= QN_STUDY_COLLAPSED && output <= QN_STUDY_ENERGY_ERROR;
@@ -59,6 +68,8 @@ qn_study_run_gives (QnStudyRun run, QnStudyOutput output)
     || output == QN_STUDY_LARGEST_DISPLACEMENT || output == QN_STUDY_ITERATIONS;
   if (run == QN_STUDY_MODAL)
     return modal;
+  if (output == QN_STUDY_COLLAPSE_MULTIPLIER && qn_study_run_bounds (run, analysis))
+    return FALSE;
   return !modal && (neutral || timed == (run == QN_STUDY_DYNAMIC));
 }
 

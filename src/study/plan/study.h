@@ -109,8 +109,13 @@ extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
 /* What a kind of run overrides in the project; NULL: nothing. */
 const char *qn_study_run_override (QnStudyRun run);
 
-/* Whether a kind of run knows an output. */
-gboolean qn_study_run_gives (QnStudyRun run, QnStudyOutput output);
+/* Whether a kind of run of a project gives a bound from above in place of a collapse multiplier: limit
+ * analysis with associative flow. */
+gboolean qn_study_run_bounds (QnStudyRun run, const QnAnalysisSettings *analysis);
+
+/* Whether a kind of run of a project knows an output. */
+gboolean qn_study_run_gives (QnStudyRun run, const QnAnalysisSettings *analysis,
+                             QnStudyOutput output);
 
 /* Whether an output is a number with a distribution: not those of mechanisms. */
 gboolean qn_study_output_is_number (QnStudyOutput output);

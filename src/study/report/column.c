@@ -153,6 +153,7 @@ describe_group (const QnTable *table, const QnRow *like, int column)
     .shape = like->shape,
     .kind = row_of (table, typical)->mechanism,
     .count = cases->len,
+    .column = column,
     .range = { known > 0 ? first[0].multiplier : NAN,
                known > 0 ? first[known - 1].multiplier : NAN },
     .row = typical,
@@ -177,6 +178,9 @@ qn_table_dup_mechanisms (const QnTable *table, gsize *whole)
   g_autoptr (GHashTable) kinds = g_hash_table_new (g_str_hash, g_str_equal);
   g_autoptr (GHashTable) shapes = g_hash_table_new (NULL, NULL);
   int column = qn_table_find (table, qn_study_output_names[QN_STUDY_COLLAPSE_MULTIPLIER]);
+  if (column < 0)
+    column =
+      qn_table_find (table, qn_study_output_names[QN_STUDY_ASSOCIATIVE_MULTIPLIER]);
   *whole = 0;
   for (gsize i = 0; i < table->rows->len; i++) {
     const QnRow *row = row_of (table, i);

@@ -33,7 +33,8 @@ typedef struct QnMechanismShare {
     *kind; /* of all of them, or of the typical case; NULL: not known. Borrowed from the
                        table */
   gsize count;
-  QnInterval range; /* of the collapse multiplier, NaN where it is not known */
+  int column;       /* the collapse multiplier, else its associative bound; -1: neither */
+  QnInterval range; /* of it, NaN where it is not known */
   gsize row;        /* a typical case: the middle one by multiplier */
 } QnMechanismShare;
 

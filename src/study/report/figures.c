@@ -169,16 +169,15 @@ draw_cumulative (const Page *page)
       .count = steps },
   };
   gboolean sample = qn_table_is_sample (page->table);
-  const char *name = name_of (page, page->figure->column);
-  return export_plot (
-    page,
-    (QnDataPlot){ .x_label = name,
-                  .y_label =
-                    qn_table_is_multiplier (page->table, (gsize) page->figure->column)
-                      ? _ ("Share that has collapsed")
-                      : _ ("Share up to this value"),
-                  .y_from_zero = true },
-    sample ? marks : marks + 1, sample ? 2 : 1);
+  const char *share_text =
+    qn_table_fragility_text (page->table, (gsize) page->figure->column);
+  return export_plot (page,
+                      (QnDataPlot){ .x_label = name_of (page, page->figure->column),
+                                    .y_label = share_text != NULL
+                                                 ? share_text
+                                                 : _ ("Share up to this value"),
+                                    .y_from_zero = true },
+                      sample ? marks : marks + 1, sample ? 2 : 1);
 }
 
 /* Rows of a tornado, the longest on top. */
@@ -500,14 +499,16 @@ draw_envelope (const Page *page)
 }
 
 static char *
-dup_caption (const QnMechanismShare *share, gsize whole)
+dup_caption (const QnTable *table, const QnMechanismShare *share, gsize whole)
 {
   double percent = 100.0 * (double) share->count / (double) whole;
   g_autofree char *name = qn_mechanism_share_dup_name (share);
   if (isnan (share->range.low))
     return g_strdup_printf (_ ("%s: %zu cases (%.1f %%)"), name, share->count, percent);
-  return g_strdup_printf (_ ("%s: %zu cases (%.1f %%), λ %.3f … %.3f"), name,
-                          share->count, percent, share->range.low, share->range.high);
+  return g_strdup_printf (_ ("%s: %zu cases (%.1f %%), %s %.3f … %.3f"), name,
+                          share->count, percent,
+                          qn_table_column_text (table, (gsize) share->column),
+                          share->range.low, share->range.high);
 }
 
 /* The typical case of every kind is analysed again: the same numbers give the same mechanism. */
@@ -544,7 +545,7 @@ draw_mechanisms (const Page *page)
       _ ("Case %zu"), g_array_index (table->rows, QnRow, share->row).index + 1);
     g_ptr_array_add (captions, g_steal_pointer (&title));
     figure->title = g_ptr_array_index (captions, captions->len - 1);
-    g_ptr_array_add (captions, dup_caption (share, whole));
+    g_ptr_array_add (captions, dup_caption (table, share, whole));
     figure->caption = g_ptr_array_index (captions, captions->len - 1);
   }
   gboolean ok = qn_compare_sheet_export (&sheet, page->path, page->output, page->metadata,

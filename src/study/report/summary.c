@@ -58,7 +58,7 @@ append_sample (GString *text, const double *sorted, gsize count)
 /* Share of the cases that do not reach a multiplier, at ten round ones. */
 /* Where nearly all values are one, lines that the printed digits distinguish. */
 static void
-append_fragility (GString *text, const double *sorted, gsize count)
+append_fragility (GString *text, const char *share, const double *sorted, gsize count)
 {
   double low = sorted[0], high = sorted[count - 1];
   double least = fmax (5e-5 * fmax (fabs (low), fabs (high)), 1e-300);
@@ -67,7 +67,7 @@ append_fragility (GString *text, const double *sorted, gsize count)
     step *= 2;
   if (!(high > low))
     return;
-  g_string_append (text, _ ("  share that has collapsed at a multiplier (fragility)\n"));
+  g_string_append_printf (text, _ ("  %s at a multiplier (fragility)\n"), share);
   for (double x = ceil (low / step) * step; x < high + step; x += step) {
     gsize part = qn_count_up_to (sorted, count, x);
     QnInterval interval = qn_share_interval (part, count);
@@ -127,8 +127,9 @@ append_output (GString *text, const QnTable *table, gsize column)
     return;
   }
   append_sample (text, sorted, count);
-  if (qn_table_is_multiplier (table, column))
-    append_fragility (text, sorted, count);
+  const char *share = qn_table_fragility_text (table, column);
+  if (share != NULL)
+    append_fragility (text, share, sorted, count);
   append_correlations (text, table, column);
   g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
   if (!qn_table_sobol (table, column, indices))
@@ -154,8 +155,9 @@ append_mechanisms (GString *text, const QnTable *table)
     g_string_append_printf (text, "  %-22s %6zu  %6.2f %%", name, share->count,
                             100.0 * (double) share->count / (double) whole);
     if (!isnan (share->range.low))
-      g_string_append_printf (text, _ ("  multiplier %.6g … %.6g"), share->range.low,
-                              share->range.high);
+      g_string_append_printf (text, "  %s %.6g … %.6g",
+                              qn_table_column_text (table, (gsize) share->column),
+                              share->range.low, share->range.high);
     g_string_append_c (text, '\n');
   }
 }

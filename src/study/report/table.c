@@ -5,6 +5,7 @@
 #include "study/cases/shape.h"
 #include "study/report/output-text.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -141,11 +142,16 @@ qn_table_column_text (const QnTable *table, gsize column)
                                       table->study, column - table->parameters));
 }
 
-gboolean
-qn_table_is_multiplier (const QnTable *table, gsize column)
+const char *
+qn_table_fragility_text (const QnTable *table, gsize column)
 {
-  return column >= table->parameters
-         && g_str_has_suffix (qn_table_column_name (table, column), "_multiplier");
+  QnStudyOutput output = column >= table->parameters
+                           ? qn_study_output (table->study, column - table->parameters)
+                           : QN_STUDY_OUTPUT_COUNT;
+  return output == QN_STUDY_COLLAPSE_MULTIPLIER ? _ ("Share that has collapsed")
+         : output == QN_STUDY_ASSOCIATIVE_MULTIPLIER
+           ? _ ("Least share that has collapsed")
+           : NULL;
 }
 
 int

@@ -40,8 +40,9 @@ const char *qn_table_column_name (const QnTable *table, gsize column);
  * unit. */
 const char *qn_table_column_text (const QnTable *table, gsize column);
 
-/* Whether a column is a load multiplier. */
-gboolean qn_table_is_multiplier (const QnTable *table, gsize column);
+/* What the share of cases up to a value of a column says of collapse, translated: of a bound it is the
+ * least share; NULL where the column says nothing of it. */
+const char *qn_table_fragility_text (const QnTable *table, gsize column);
 
 static inline double
 qn_table_number (const QnTable *table, gsize row, gsize column)

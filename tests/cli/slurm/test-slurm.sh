@@ -32,7 +32,7 @@ source "$work/slurm/environment"
 
 cat >"$work/wall.quoin-study" <<EOF
 { "format": "quoin-study", "version": 1, "model": "$examples/ferris-tin-loi/wall3.quoin",
-  "run": "limit",
+  "run": "solve",
   "parameters": [ { "name": "friction", "path": "laws[0].friction",
     "distribution": { "kind": "lognormal", "mean": 0.65, "cov": 0.1 } } ],
   "plan": { "kind": "latin-hypercube", "count": 200, "seed": 2 },

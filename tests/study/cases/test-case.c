@@ -82,7 +82,7 @@ check_case (QnCaseSolver *solver, const char *model, const char *path, double va
     == QN_OK);
   /* It starts from another iterate: the same to the gap of the bounds (limit.h). */
   g_assert_cmpfloat (
-    fabs (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] - solution.lower_bound), <,
+    fabs (result.numbers[QN_STUDY_LOWER_BOUND] - solution.lower_bound), <,
     1e-7 * (1 + solution.upper_bound));
   *multiplier = solution.lower_bound;
 }
@@ -98,7 +98,7 @@ test_geometry (gconstpointer data)
     "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s\", \"run\": "
     "\"limit\", \"parameters\": [ { \"name\": \"x\", \"path\": \"%s\", "
     "\"values\": [%g, %g] } ], "
-    "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }",
+    "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"lower_bound\"] }",
     model, geometries[i].path, geometries[i].values[0], geometries[i].values[1]);
   test_autoscratch char *folder = test_scratch_new ();
   double multipliers[2];

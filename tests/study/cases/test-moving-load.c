@@ -19,7 +19,7 @@
 
 #define STUDY                                                                            \
   "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"m.quoin\", \"run\": "     \
-  "\"limit\", \"parameters\": [ { \"name\": \"way\", \"path\": [\"loads.live[0]\", "     \
+  "\"solve\", \"parameters\": [ { \"name\": \"way\", \"path\": [\"loads.live[0]\", "     \
   "\"loads.live[1]\"], \"offsets\": [0, 0.75], \"along\": [[0.25, 1.5], [1.25, 1.5], "   \
   "[1.25, 0.5]], \"steps\": 5 } ], \"plan\": { \"kind\": \"grid\" }, \"outputs\": "      \
   "[\"collapse_multiplier\"] }"

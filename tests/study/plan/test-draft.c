@@ -13,7 +13,7 @@ test_new (void)
   g_autofree char *model =
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
   g_autoptr (GError) error = NULL;
-  QnDraft *draft = qn_draft_new (path, model);
+  QnDraft *draft = qn_draft_new (path, model, QN_STUDY_SOLVE);
   QnStudy study;
   int count;
   g_assert_true (qn_draft_vary (draft, "laws[0].friction", 0.5, FALSE));
@@ -92,7 +92,7 @@ test_whole (void)
   g_autofree char *model =
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
   g_autoptr (GError) error = NULL;
-  QnDraft *draft = qn_draft_new (path, model);
+  QnDraft *draft = qn_draft_new (path, model, QN_STUDY_SOLVE);
   g_auto (QnStudy) study;
   g_assert_true (qn_draft_vary (draft, "analysis.increments", 10, TRUE));
   QnDraftParameter counted = qn_draft_parameter (draft, 0);

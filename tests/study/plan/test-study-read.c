@@ -23,7 +23,7 @@ test_sound (void)
   g_auto (QnStudy) study;
   fixture_study (&study, "{ \"kind\": \"latin-hypercube\", \"count\": 100, \"seed\": 7 }",
                  ", \"correlation\": [[\"friction\", \"weight\", -0.3]]");
-  g_assert_cmpint (study.run, ==, QN_STUDY_LIMIT);
+  g_assert_cmpint (study.run, ==, QN_STUDY_SOLVE);
   g_assert_cmpuint (study.parameters->len, ==, 2);
   g_assert_cmpstr (qn_study_parameter (&study, 0)->paths[0], ==, "laws[0].friction");
   g_assert_cmpuint (study.seed, ==, 7);
@@ -32,6 +32,43 @@ test_sound (void)
   g_assert_cmpuint (study.outputs->len, ==, 2);
   g_assert_cmpuint (study.warnings->len, ==, 0);
   g_assert_false (isnan (qn_study_parameter (&study, 0)->base));
+}
+
+/* What bounds the collapse multiplier is not called by its name, whoever asks for it. */
+static void
+test_bound_is_named (void)
+{
+  static const struct {
+    const char *run, *flow;
+    QnStudyOutput output;
+  } cases[] = {
+    { "solve", "non-associative", QN_STUDY_COLLAPSE_MULTIPLIER },
+    { "limit", "associative", QN_STUDY_ASSOCIATIVE_MULTIPLIER },
+    { "limit", "non-associative", QN_STUDY_COLLAPSE_MULTIPLIER },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    test_autoscratch char *folder = test_scratch_new ();
+    g_autofree char *example =
+      g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
+    g_autofree char *flow =
+      g_strdup_printf ("\"analysis\": { \"flow\": \"%s\",", cases[i].flow);
+    g_autofree char *sound = fixture_study_text (PLAN, "");
+    g_autofree char *run = g_strdup_printf ("\"run\": \"%s\"", cases[i].run);
+    g_autofree char *text = replace (sound, "\"run\": \"solve\"", run);
+    g_autoptr (GError) error = NULL;
+    g_auto (QnStudy) study;
+    g_autofree char *given = NULL;
+    g_assert_true (g_file_get_contents (example, &given, NULL, &error));
+    g_autofree char *project = replace (given, "\"analysis\": {", flow);
+    g_autofree char *model = g_build_filename (folder, "m.quoin", NULL);
+    g_autofree char *path = g_build_filename (folder, "s.quoin-study", NULL);
+    g_assert_true (g_file_set_contents (model, project, -1, NULL));
+    g_assert_true (g_file_set_contents (path, text, -1, NULL));
+    g_assert_true (qn_study_read (path, model, &study, &error));
+    g_assert_no_error (error);
+    g_assert_cmpint (qn_study_output (&study, 0), ==, cases[i].output);
+    g_assert_cmpuint (study.warnings->len, ==, i == 1 ? 1 : 0);
+  }
 }
 
 static void
@@ -61,8 +98,8 @@ test_bad_input (void)
   expect_error ("quoin-study\",", "quoin\",",
                 "s.quoin-study:1:13: format: ", "not a study");
   expect_error ("\"version\": 1", "\"version\": 2", ":1:39: version: ", "version 1");
-  expect_error ("\"limit\"", "\"guess\"", "run: ", "solve, limit, modal, dynamic");
-  expect_error ("\"limit\"", "\"dynamic\"", ":2:", "duration");
+  expect_error ("\"solve\"", "\"guess\"", "run: ", "solve, limit, modal, dynamic");
+  expect_error ("\"solve\"", "\"dynamic\"", ":2:", "duration");
   expect_error ("laws[0].friction", "laws[3].friction",
                 ":4:35: parameters[0].path: ", "no such place");
   expect_error ("laws[0].friction", "laws[0].frictoin",
@@ -159,6 +196,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/read/sound", test_sound);
   g_test_add_func ("/study/read/bad-input", test_bad_input);
+  g_test_add_func ("/study/read/bound-is-named", test_bound_is_named);
   g_test_add_func ("/study/read/impossible-correlation", test_impossible_correlation);
   g_test_add_func ("/study/read/missing-model", test_missing_model);
   g_test_add_func ("/study/read/warnings", test_warnings);

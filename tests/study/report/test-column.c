@@ -75,7 +75,7 @@ test_ishigami (void)
   g_autoptr (GString) text = g_string_new (NULL);
   g_string_printf (text,
                    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": "
-                   "\"%s/01-sliding-block.quoin\", \"run\": \"limit\", \"parameters\": [",
+                   "\"%s/01-sliding-block.quoin\", \"run\": \"solve\", \"parameters\": [",
                    g_getenv ("QUOIN_EXAMPLES"));
   for (int i = 0; i < 3; i++)
     g_string_append_printf (text,
