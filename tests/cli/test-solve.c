@@ -123,9 +123,31 @@ test_bad_set (void)
 {
   g_autofree char *model = cli_example ("01-sliding-block.quoin");
   cli_fails (2, "nonsense", "solve", model, "--set", "nonsense", NULL);
+  cli_fails (2, "\"friction\"", "limit", model, "-q", "--set", "laws[0].frictoin=1",
+             NULL);
+  cli_fails (2, "laws has 1 element", "check", model, "--set", "laws[1].kn=1", NULL);
+  cli_fails (2, "laws[0].friction", "solve", model, "--set", "laws[j].friction=1", NULL);
   cli_fails (3, "laws[0].friction", "solve", model, "--set", "laws[0].friction=-1", NULL);
   cli_fails (3, "analysis.increments", "solve", model, "--set",
              "analysis.increments=many", NULL);
+}
+
+/* A loop over a script reads exit codes and errors: what -q leaves out is no warning. */
+static void
+test_quiet_warns (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *text =
+    cli_replace (cli_sliding_block, "\"kn\"", "\"frictoin\": 0.2, \"kn\"");
+  g_autofree char *model = cli_write (folder, "m.quoin", text);
+  static const char *const commands[] = { "solve", "limit", "modal", "stability" };
+  for (gsize i = 0; i < G_N_ELEMENTS (commands); i++) {
+    g_auto (CliRun) run = cli_run (commands[i], model, "-q", NULL);
+    const char *warning = strstr (run.err, "warning: ");
+    g_assert_nonnull (warning);
+    g_assert_nonnull (strstr (warning, "nearest known one is \"friction\""));
+    g_assert_null (strstr (warning + 1, "warning: "));
+  }
 }
 
 static void
@@ -365,6 +387,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/solve/set-is-repeatable", test_set_is_repeatable);
   g_test_add_func ("/cli/solve/ends-at-target", test_ends_at_target);
   g_test_add_func ("/cli/solve/bad-set", test_bad_set);
+  g_test_add_func ("/cli/solve/quiet-warns", test_quiet_warns);
   g_test_add_func ("/cli/solve/outputs", test_outputs);
   g_test_add_func ("/cli/solve/same-bytes", test_same_bytes);
   g_test_add_func ("/cli/solve/locale", test_locale);

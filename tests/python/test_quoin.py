@@ -56,6 +56,16 @@ def test_overrides_leave_the_model():
     assert less.limit().bounds[1] < lower
 
 
+def test_a_misspelt_key_is_no_answer():
+    model = quoin.open(WALLS / "wall1.quoin")
+    for key in ("laws[0].frictoin", "laws[1].friction", "analysis.incrments", "laws[0].yield"):
+        with pytest.raises(quoin.UsageError) as caught:
+            model.set({key: 0.5})
+        assert key in str(caught.value)
+        with pytest.raises(quoin.UsageError):
+            quoin.open(WALLS / "wall1.quoin", {key: 0.5})
+
+
 def test_loads_on_edges_and_factors_of_cases():
     path = EXAMPLES / "27-retaining-wall.quoin"
     for factor in (0, 1.5):

@@ -394,7 +394,7 @@ run (const QnSubcommand *self, int argc, char **argv)
              ? qn_picture_output (self, &options.picture, &output)
              : QN_EXIT_DONE;
   if (code == QN_EXIT_DONE)
-    code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+    code = qn_input_load (&input, argv[1], options.overrides);
   if (code == QN_EXIT_DONE && !take_kept (&options, &input.project, &error))
     code = qn_cli_fail (error);
   if (code == QN_EXIT_DONE)

@@ -152,7 +152,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     if (options.count < 1 || options.mode < 1)
       qn_cli_usage_error (self->name, _ ("--count and --mode count from 1"));
     else
-      code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+      code = qn_input_load (&input, argv[1], options.overrides);
   }
   if (code == QN_EXIT_DONE)
     code = solve (&options, &input);

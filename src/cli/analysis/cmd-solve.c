@@ -290,11 +290,11 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
       && parse_detail (self, &options)) {
     add_override (&options.overrides, override);
     qn_cli_set_own_override (override, self->name);
-    code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+    code = qn_input_load (&input, argv[1], options.overrides);
   } else
     memset (&input, 0, sizeof input);
   if (code == QN_EXIT_DONE)
-    code = qn_input_read_records (&input, options.allow_outside, options.quiet);
+    code = qn_input_read_records (&input, options.allow_outside);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)

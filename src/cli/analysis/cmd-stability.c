@@ -103,7 +103,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   QnExit code = QN_EXIT_USAGE;
 
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+    code = qn_input_load (&input, argv[1], options.overrides);
   if (code == QN_EXIT_DONE)
     code = require_nonlinear (&input);
   if (code == QN_EXIT_DONE)

@@ -28,17 +28,26 @@ detect_contacts (QnInput *input)
   return qn_input_refuse (&input->project, &diag);
 }
 
+/* A command that reads a project several times tells each warning once. */
+static void
+tell_warnings (const QnProject *project)
+{
+  static GHashTable *told;
+  if (told == NULL)
+    told = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  for (guint i = 0; i < project->warnings->len; i++)
+    if (g_hash_table_add (told, g_strdup (g_ptr_array_index (project->warnings, i))))
+      qn_cli_warning ("%s", (char *) g_ptr_array_index (project->warnings, i));
+}
+
 QnExit
-qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quiet)
+qn_input_read (QnInput *input, const char *path, char **overrides)
 {
   GError *error = NULL;
   memset (input, 0, sizeof *input);
   if (!qn_project_load (path, (const char *const *) overrides, &input->project, &error))
     return qn_cli_fail (error);
   input->project.model.analysis.workers = qn_threads_get ();
-
-  for (guint i = 0; !quiet && i < input->project.warnings->len; i++)
-    qn_cli_warning ("%s", (char *) g_ptr_array_index (input->project.warnings, i));
 
   QnExit code = detect_contacts (input);
   if (code != QN_EXIT_DONE)
@@ -47,17 +56,24 @@ qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quie
 }
 
 QnExit
-qn_input_read_records (QnInput *input, gboolean allow_outside, gboolean quiet)
+qn_input_load (QnInput *input, const char *path, char **overrides)
+{
+  QnExit code = qn_input_read (input, path, overrides);
+  if (code == QN_EXIT_DONE)
+    tell_warnings (&input->project);
+  return code;
+}
+
+QnExit
+qn_input_read_records (QnInput *input, gboolean allow_outside)
 {
   QnProject *project = &input->project;
-  guint known = project->warnings->len;
   GError *error = NULL;
   if (project->model.analysis.procedure != QN_PROCEDURE_DYNAMIC)
     return QN_EXIT_DONE;
   if (!qn_project_read_records (project, NULL, allow_outside, &error))
     return qn_cli_fail (error);
-  for (guint i = known; !quiet && i < project->warnings->len; i++)
-    qn_cli_warning ("%s", (const char *) g_ptr_array_index (project->warnings, i));
+  tell_warnings (project);
   return QN_EXIT_DONE;
 }
 
@@ -109,22 +125,22 @@ join_overrides (char **first, char **second)
 
 QnExit
 qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
-                           const char *result_path, char **overrides, gboolean quiet)
+                           const char *result_path, char **overrides)
 {
   GError *error = NULL;
   memset (input, 0, sizeof *input);
   if (!qn_result_file_read (result_path, file, &error))
     return qn_cli_fail (error);
-  return qn_input_load_for_result (input, file, path, result_path, overrides, quiet);
+  return qn_input_load_for_result (input, file, path, result_path, overrides);
 }
 
 QnExit
 qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
-                          const char *result_path, char **overrides, gboolean quiet)
+                          const char *result_path, char **overrides)
 {
   GError *error = NULL;
   g_autofree char **joined = join_overrides (file->overrides, overrides);
-  QnExit code = qn_input_load (input, path, joined, quiet);
+  QnExit code = qn_input_load (input, path, joined);
   if (code != QN_EXIT_DONE) {
     qn_result_file_clear (file);
     return code;
@@ -137,7 +153,7 @@ qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
     qn_result_file_clear (file);
     return qn_cli_fail (error);
   }
-  if (!same_bytes && !quiet)
+  if (!same_bytes)
     qn_cli_warning (_ ("%s has changed since %s was computed"), path, result_path);
   return QN_EXIT_DONE;
 }

@@ -29,7 +29,8 @@
   }
 #define QN_INPUT_QUIET_ENTRY(variable)                                                   \
   {                                                                                      \
-    "quiet", 'q', 0, G_OPTION_ARG_NONE, (variable), N_ ("Print errors only"), NULL       \
+    "quiet", 'q', 0, G_OPTION_ARG_NONE, (variable),                                      \
+      N_ ("Print errors and warnings only"), NULL                                        \
   }
 
 typedef struct QnInput {
@@ -37,14 +38,17 @@ typedef struct QnInput {
   QnContacts contacts;
 } QnInput;
 
-/* Reads the project and detects its contacts. Warnings about the file go to standard error
- * unless `quiet`. On failure the user has been told, *input is empty and the exit code is
- * returned; QN_EXIT_DONE otherwise. */
-QnExit qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quiet);
+/* Reads the project and detects its contacts. Warnings about the file go to standard error.
+ * On failure the user has been told, *input is empty and the exit code is returned;
+ * QN_EXIT_DONE otherwise. */
+QnExit qn_input_load (QnInput *input, const char *path, char **overrides);
+
+/* The same without a word about warnings. */
+QnExit qn_input_read (QnInput *input, const char *path, char **overrides);
 
 /* Reads the ground motions that a project for analysis in time names, and says what is to be known of
- * them unless `quiet`. On failure the user has been told. */
-QnExit qn_input_read_records (QnInput *input, gboolean allow_outside, gboolean quiet);
+ * them. On failure the user has been told. */
+QnExit qn_input_read_records (QnInput *input, gboolean allow_outside);
 
 /* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user. */
 QnExit qn_input_require_sound (const QnInput *input);
@@ -62,13 +66,11 @@ QnExit qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *di
 /* Reads a result file and the project with the overrides that the result was computed with;
  * `overrides` (nullable) come after those. Refuses a result that is not of this project. */
 QnExit qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
-                                  const char *result_path, char **overrides,
-                                  gboolean quiet);
+                                  const char *result_path, char **overrides);
 
 /* The same of a result that has been read already; where it is refused, it is cleared. */
 QnExit qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
-                                 const char *result_path, char **overrides,
-                                 gboolean quiet);
+                                 const char *result_path, char **overrides);
 
 void qn_input_clear (QnInput *input);
 

@@ -102,8 +102,8 @@ animate (const Options *options, const QnOutput *output, double scale, const cha
 {
   QnInput input;
   QnResultFile file;
-  QnExit code = qn_input_load_with_result (&input, &file, path, options->result,
-                                           options->overrides, FALSE);
+  QnExit code =
+    qn_input_load_with_result (&input, &file, path, options->result, options->overrides);
   if (code != QN_EXIT_DONE)
     return code;
 

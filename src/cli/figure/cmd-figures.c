@@ -62,7 +62,7 @@ draw_with_file (const QnRecipe *recipe, const Workshop *shop, const char *path)
     qn_file_inside (shop->result_folder, recipe->result, shop->allow_outside, &error);
   if (result == NULL)
     return fail (recipe, error);
-  QnExit code = qn_input_load_with_result (&input, &file, shop->path, result, NULL, TRUE);
+  QnExit code = qn_input_load_with_result (&input, &file, shop->path, result, NULL);
   if (code != QN_EXIT_DONE)
     return code;
   code = draw (recipe, &input, &file.result, shop, path);
@@ -158,7 +158,7 @@ run_with (const Options *options, const char *path)
                     .result_folder = g_path_get_dirname (path),
                     .allow_outside = options->allow_outside };
   shop.folder = g_strdup (options->folder != NULL ? options->folder : shop.result_folder);
-  QnExit code = qn_input_load (&shop.solved.input, path, NULL, FALSE);
+  QnExit code = qn_input_load (&shop.solved.input, path, NULL);
   if (code == QN_EXIT_DONE) {
     GError *error = NULL;
     g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);

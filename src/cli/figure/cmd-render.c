@@ -124,8 +124,7 @@ draw_onion (const Options *options, const QnViewOptions *view, const QnOutput *o
 {
   QnInput other;
   QnResultFile file;
-  QnExit code =
-    qn_input_load_with_result (&other, &file, path, options->onion, NULL, TRUE);
+  QnExit code = qn_input_load_with_result (&other, &file, path, options->onion, NULL);
   if (code != QN_EXIT_DONE)
     return code;
   code = draw (options, view, output, input, result, &file.result);
@@ -142,8 +141,8 @@ render (const Options *options, const QnViewOptions *view, const QnOutput *outpu
   QnResultFile file = { 0 };
   QnExit code = options->result != NULL
                   ? qn_input_load_with_result (&input, &file, path, options->result,
-                                               options->overrides, FALSE)
-                  : qn_input_load (&input, path, options->overrides, FALSE);
+                                               options->overrides)
+                  : qn_input_load (&input, path, options->overrides);
   if (code != QN_EXIT_DONE)
     return code;
 

@@ -48,8 +48,8 @@ choose_sections (const QnSubcommand *self, const char *list, bool *sections)
 static QnExit
 load_item (Item *item, const char *model, const char *result)
 {
-  QnExit code = qn_input_load_with_result (&item->input, &item->report.file, model,
-                                           result, NULL, TRUE);
+  QnExit code =
+    qn_input_load_with_result (&item->input, &item->report.file, model, result, NULL);
   if (code != QN_EXIT_DONE)
     return code;
   item->report.name = g_path_get_basename (result);
@@ -66,7 +66,7 @@ solve (Item *item, const char *model)
   QnSheetItem solved;
   GError *error = NULL;
   memset (&solved, 0, sizeof solved);
-  QnExit code = qn_input_load (&solved.input, model, NULL, TRUE);
+  QnExit code = qn_input_load (&solved.input, model, NULL);
   if (code != QN_EXIT_DONE)
     return code;
   qn_interrupt_install ();
@@ -140,7 +140,7 @@ make (const QnSubcommand *self, const Options *options, const char *model)
   g_autofree Item *items = g_new0 (Item, given + 1);
   gsize count = 0;
   QnInput input;
-  QnExit code = qn_input_load (&input, model, NULL, FALSE);
+  QnExit code = qn_input_load (&input, model, NULL);
   if (code != QN_EXIT_DONE)
     return code;
   code = plan_report (self, options, &input.project, &report.plan);

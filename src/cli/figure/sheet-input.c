@@ -11,7 +11,7 @@ qn_sheet_item_solve (QnSheetItem *item)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  QnExit code = qn_input_read_records (&item->input, FALSE, FALSE);
+  QnExit code = qn_input_read_records (&item->input, FALSE);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&item->input);
   if (code != QN_EXIT_DONE)
@@ -37,11 +37,10 @@ load_item (QnSheetItem *item, const char *argument)
   memset (item, 0, sizeof *item);
   if (equals != NULL && !g_file_test (argument, G_FILE_TEST_EXISTS)) {
     g_autofree char *model = g_strndup (argument, (gsize) (equals - argument));
-    return qn_input_load_with_result (&item->input, &item->file, model, equals + 1, NULL,
-                                      FALSE);
+    return qn_input_load_with_result (&item->input, &item->file, model, equals + 1, NULL);
   }
 
-  QnExit code = qn_input_load (&item->input, argument, NULL, FALSE);
+  QnExit code = qn_input_load (&item->input, argument, NULL);
   if (code != QN_EXIT_DONE)
     return code;
   code = qn_sheet_item_solve (item);

@@ -30,7 +30,7 @@ static QnExit
 check_model (const Options *options, const char *path)
 {
   QnInput input;
-  QnExit code = qn_input_load (&input, path, options->overrides, TRUE);
+  QnExit code = qn_input_read (&input, path, options->overrides);
   if (code != QN_EXIT_DONE)
     return code;
 
@@ -87,8 +87,8 @@ check_result (const Options *options, const char *path)
   if (text == NULL
       || !qn_result_file_parse (text, length, options->result, &file, &error))
     return qn_cli_fail (error);
-  QnExit code = qn_input_load_for_result (&input, &file, path, options->result,
-                                          options->overrides, TRUE);
+  QnExit code =
+    qn_input_load_for_result (&input, &file, path, options->result, options->overrides);
   if (code != QN_EXIT_DONE)
     return code;
 

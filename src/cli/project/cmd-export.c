@@ -52,8 +52,8 @@ load_and_export (const Options *options, Format format, const char *path)
   QnResultFile file;
   gboolean with_result = options->result != NULL;
   QnExit code = with_result ? qn_input_load_with_result (
-                  &input, &file, path, options->result, options->overrides, FALSE)
-                            : qn_input_load (&input, path, options->overrides, FALSE);
+                  &input, &file, path, options->result, options->overrides)
+                            : qn_input_load (&input, path, options->overrides);
   if (code != QN_EXIT_DONE)
     return code;
   const QnResult *result = with_result ? &file.result : NULL;

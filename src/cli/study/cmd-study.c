@@ -138,9 +138,9 @@ run_study (const QnSubcommand *self, RunOptions *options, const char *path)
     return qn_cli_fail (error);
   if (again)
     options->folder = g_strdup (path);
-  for (guint i = 0; !options->quiet && i < study.warnings->len; i++)
+  for (guint i = 0; i < study.warnings->len; i++)
     qn_cli_warning ("%s", (char *) g_ptr_array_index (study.warnings, i));
-  for (guint i = 0; !options->quiet && i < study.project.warnings->len; i++)
+  for (guint i = 0; i < study.project.warnings->len; i++)
     qn_cli_warning ("%s", (char *) g_ptr_array_index (study.project.warnings, i));
   QnExit code = QN_EXIT_DONE;
   if (!options->prepare)
@@ -171,8 +171,8 @@ run_run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Compute cases that failed once more"), NULL },
     { "prepare", 0, 0, G_OPTION_ARG_NONE, &options.prepare,
       N_ ("Make the folder and compute nothing yet"), NULL },
-    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
-      NULL },
+    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet,
+      N_ ("Print errors and warnings only"), NULL },
     G_OPTION_ENTRY_NULL,
   };
   QnExit code = QN_EXIT_USAGE;

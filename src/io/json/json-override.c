@@ -4,6 +4,7 @@
 #include "io/json/json-path.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
+#include "io/text/nearest-word.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>
@@ -26,13 +27,45 @@ parse_path (const char *override, const char **value)
   return NULL;
 }
 
-/* Whether a step can lead into `container` at all. */
-static gboolean
-has_place (const cJSON *container, const QnJsonStep *step)
+/* The key of `parent` that is nearest to one that has just been added. */
+static char *
+dup_nearest (const cJSON *parent, const char *added)
 {
-  if (step->key != NULL)
-    return cJSON_IsObject (container);
-  return cJSON_IsArray (container) && (int) step->index < cJSON_GetArraySize (container);
+  g_autoptr (GPtrArray) keys = g_ptr_array_new ();
+  const cJSON *member;
+  cJSON_ArrayForEach (member, parent)
+  {
+    if (member->string != added)
+      g_ptr_array_add (keys, member->string);
+  }
+  return g_strdup (qn_nearest_word (added, (const char *const *) keys->pdata, keys->len));
+}
+
+/* What keeps a step from leading into `container`, an element of `parent`; NULL where nothing does.
+ * `before` leads there. */
+static char *
+dup_obstacle (const cJSON *parent, const cJSON *container, const QnJsonStep *step,
+              const char *before)
+{
+  const int count = cJSON_GetArraySize (container);
+  if (step->key != NULL ? cJSON_IsObject (container)
+                        : cJSON_IsArray (container) && (int) step->index < count)
+    return NULL;
+  if (cJSON_IsArray (container) && step->key != NULL)
+    return g_strdup_printf (_ ("%s is a list, whose elements are %s[0], …"), before,
+                            before);
+  if (cJSON_IsArray (container))
+    return g_strdup_printf (ngettext ("%s has %d element, counted from 0",
+                                      "%s has %d elements, counted from 0", count),
+                            before, count);
+  if (!cJSON_IsObject (container))
+    return g_strdup_printf (_ ("%s has no members"), before);
+  if (count > 0)
+    return g_strdup_printf (_ ("%s is not a list"), before);
+  g_autofree char *near = dup_nearest (parent, container->string);
+  return near != NULL ? g_strdup_printf (
+           _ ("there is no list %s; the nearest known key is \"%s\""), before, near)
+                      : g_strdup_printf (_ ("there is no list %s"), before);
 }
 
 /* The value that a step leads to; an object that is missing is added. NULL when out of memory. */
@@ -84,25 +117,36 @@ fail (GError **error, int code, const char *override, const char *message)
   return FALSE;
 }
 
-/* Follows the path and sets the value; returns the code of what went wrong, or -1. */
-static int
-apply (cJSON *root, const GArray *path, const char *text)
+/* Follows the path and sets the value. */
+static gboolean
+apply (cJSON *root, const GArray *path, const char *override, const char *text,
+       GError **error)
 {
-  cJSON *container = root;
-  for (guint i = 0; i < path->len; i++) {
+  cJSON *container = root, *parent = NULL;
+  g_autoptr (GString) before = g_string_new (NULL);
+  for (guint i = 0; container != NULL && i < path->len; i++) {
     const QnJsonStep *step = &g_array_index (path, QnJsonStep, i);
-    if (!has_place (container, step))
-      return QN_IO_ERROR_INVALID;
-    if (i + 1 < path->len) {
-      container = descend (container, step);
-    } else {
-      cJSON *value = parse_value (text);
-      return value != NULL && place (container, step, value) ? -1 : QN_IO_ERROR_NO_MEMORY;
+    g_autofree char *obstacle = dup_obstacle (parent, container, step, before->str);
+    if (obstacle != NULL) {
+      g_autofree char *message =
+        g_strconcat (_ ("the project has no such place"), ": ", obstacle, NULL);
+      return fail (error, QN_IO_ERROR_OVERRIDE, override, message);
     }
-    if (container == NULL)
-      return QN_IO_ERROR_NO_MEMORY;
+    if (i + 1 < path->len) {
+      parent = container;
+      container = descend (parent, step);
+      if (step->key != NULL)
+        qn_json_path_append_key (before, step->key);
+      else
+        qn_json_path_append_index (before, step->index);
+      continue;
+    }
+    cJSON *value = parse_value (text);
+    if (value != NULL && place (container, step, value))
+      return TRUE;
+    container = NULL;
   }
-  g_assert_not_reached ();
+  return fail (error, QN_IO_ERROR_NO_MEMORY, override, _ ("not enough memory"));
 }
 
 gboolean
@@ -113,13 +157,13 @@ qn_json_override (cJSON *root, const char *override, GError **error)
     g_utf8_validate (override, -1, NULL) ? parse_path (override, &text) : NULL;
   if (path == NULL)
     return fail (error, QN_IO_ERROR_OVERRIDE, override,
-                 _ ("an override has the form path=value"));
-  int code = apply (root, path, text);
+                 strchr (override, '=') == NULL
+                   ? _ ("an override has the form path=value")
+                   : _ ("the path has keys parted by points, and numbers of elements in "
+                        "brackets, as laws[0].friction"));
+  gboolean done = apply (root, path, override, text, error);
   g_array_unref (path);
-
-  if (code == QN_IO_ERROR_NO_MEMORY)
-    return fail (error, code, override, _ ("not enough memory"));
-  return code < 0 || fail (error, code, override, _ ("the project has no such place"));
+  return done;
 }
 
 char *

@@ -6,6 +6,7 @@
 #include "io/json/json-path.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
+#include "io/text/nearest-word.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdarg.h>
@@ -73,17 +74,28 @@ dup_path (const QnJsonValue *place)
   return g_string_free (path, FALSE);
 }
 
-/* The override that put the value at `path` there, the last of those that did; or NULL. */
+/* The override that put the value at `path` there, the last of those that did; or NULL. One that
+ * set something inside that value counts where `inside`. */
 static const char *
-find_override (const QnReader *reader, const char *path)
+find_override (const QnReader *reader, const char *path, gboolean inside)
 {
   const char *found = NULL;
   for (gsize i = 0; reader->overrides != NULL && reader->overrides[i] != NULL; i++) {
     g_autofree char *set = qn_json_override_dup_path (reader->overrides[i]);
-    if (set != NULL && qn_json_path_is_within (path, set))
+    if (set != NULL
+        && (qn_json_path_is_within (path, set)
+            || (inside && qn_json_path_is_within (set, path))))
       found = reader->overrides[i];
   }
   return found;
+}
+
+static void
+append_origin (GString *line, const char *override)
+{
+  g_string_append (line, _ (" (set by "));
+  qn_json_append_string (line, override);
+  g_string_append_c (line, ')');
 }
 
 char *
@@ -102,7 +114,7 @@ qn_reader_dup_line_at (const QnReader *reader, const char *path, const QnJsonPla
                        const char *message)
 {
   GString *line = g_string_new (reader->name);
-  const char *override = find_override (reader, path);
+  const char *override = find_override (reader, path, FALSE);
   if (override == NULL && place != NULL)
     g_string_append_printf (line, ":%" G_GSIZE_FORMAT ":%" G_GSIZE_FORMAT, place->line,
                             place->column);
@@ -115,11 +127,8 @@ qn_reader_dup_line_at (const QnReader *reader, const char *path, const QnJsonPla
       g_string_append_printf (line, "\\u%04x", *at);
     else
       g_string_append_c (line, *at);
-  if (override != NULL) {
-    g_string_append (line, _ (" (set by "));
-    qn_json_append_string (line, override);
-    g_string_append_c (line, ')');
-  }
+  if (override != NULL)
+    append_origin (line, override);
   return g_string_free (line, FALSE);
 }
 
@@ -158,11 +167,17 @@ qn_json_value_no_memory (const QnJsonValue *place)
   return FALSE;
 }
 
+static gboolean
+takes_warnings (const QnReader *reader)
+{
+  return reader->warnings != NULL && reader->warnings->len < QN_READER_MAX_WARNINGS;
+}
+
 void
 qn_json_value_warn (const QnJsonValue *place, const char *message)
 {
   QnReader *reader = place->reader;
-  if (reader->warnings == NULL || reader->warnings->len >= QN_READER_MAX_WARNINGS) {
+  if (!takes_warnings (reader)) {
     reader->dropped_warnings++;
     return;
   }
@@ -193,9 +208,42 @@ qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member)
   g_free (path);
 }
 
-void
-qn_json_value_warn_unknown (const QnJsonValue *object, const char *const *keys,
-                            gsize count)
+gboolean
+qn_json_value_idle (const QnJsonValue *place, const char *message)
+{
+  QnReader *reader = place->reader;
+  g_autofree char *path = reader->overrides != NULL ? dup_path (place) : NULL;
+  const char *override = path != NULL ? find_override (reader, path, TRUE) : NULL;
+  if (override == NULL) {
+    qn_json_value_warn (place, message);
+    return TRUE;
+  }
+  if (reader->error != NULL)
+    return FALSE;
+  g_autoptr (GString) line = g_string_new (message);
+  if (find_override (reader, path, FALSE) == NULL)
+    append_origin (line, override);
+  qn_json_value_fail (place, line->str);
+  reader->error->code = QN_IO_ERROR_OVERRIDE;
+  return FALSE;
+}
+
+gboolean
+qn_json_value_unknown (const QnJsonValue *member, const char *const *keys, gsize count)
+{
+  if (!takes_warnings (member->reader) && member->reader->overrides == NULL) {
+    member->reader->dropped_warnings++;
+    return TRUE;
+  }
+  const char *near = qn_nearest_word (member->key, keys, count);
+  g_autoptr (GString) message = g_string_new (_ ("unknown key"));
+  if (near != NULL)
+    g_string_append_printf (message, _ ("; the nearest known one is \"%s\""), near);
+  return qn_json_value_idle (member, message->str);
+}
+
+gboolean
+qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys, gsize count)
 {
   for (const cJSON *child = object->json->child; child != NULL; child = child->next) {
     gsize i = 0;
@@ -204,9 +252,11 @@ qn_json_value_warn_unknown (const QnJsonValue *object, const char *const *keys,
     if (i < count)
       continue;
     QnJsonValue member = qn_json_value_child (object, child);
-    qn_json_value_warn (&member, _ ("unknown key"));
+    if (!qn_json_value_unknown (&member, keys, count))
+      return FALSE;
     qn_json_value_keep_unknown (object, child);
   }
+  return TRUE;
 }
 
 /* What a value is, for a message; translated. */

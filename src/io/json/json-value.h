@@ -71,10 +71,17 @@ gboolean qn_json_value_no_memory (const QnJsonValue *place);
 /* Adds a warning of a place to those of the reader. */
 void qn_json_value_warn (const QnJsonValue *place, const char *message);
 
-/* A warning for every member of an object that is not among `keys`; it is kept in the reader's
- * `unknown`. */
-void qn_json_value_warn_unknown (const QnJsonValue *object, const char *const *keys,
-                                 gsize count);
+/* Tells of a value that changes nothing: a warning, or, where an override put it there, an error
+ * (QN_IO_ERROR_OVERRIDE, FALSE): who has just typed a key must not get the answer of a project without
+ * it. The second form is for a member whose key is none of `keys`, and names the nearest of them. */
+gboolean qn_json_value_idle (const QnJsonValue *place, const char *message);
+gboolean qn_json_value_unknown (const QnJsonValue *member, const char *const *keys,
+                                gsize count);
+
+/* The same for every member of an object that is not among `keys`; what is warned of is kept in the
+ * reader's `unknown`. */
+gboolean qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys,
+                                   gsize count);
 
 /* Puts a copy of one member aside in the reader's `unknown`. */
 void qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member);

@@ -67,9 +67,9 @@ read_control (const QnJsonValue *owner, const QnMember *members, const QnModel *
   if (node && block.json != NULL)
     return qn_json_value_fail (&block, _ ("block and node exclude each other"));
   const char *name;
-  return (node || !cJSON_IsObject (control.json)
-          || qn_member_string (&control, "block", QN_REQUIRED, &name))
-         && qn_members_read (&control, members, model, target);
+  return qn_members_check (&control, members, NULL, NULL)
+         && (node || qn_member_string (&control, "block", QN_REQUIRED, &name))
+         && qn_members_take (&control, members, model, target);
 }
 
 static gboolean

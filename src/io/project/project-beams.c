@@ -54,9 +54,9 @@ read_section (const QnJsonValue *place, QnModel *model)
     "unit_weight", "density", "plastic_moment",
   };
   const char *name;
-  if (!read_entity_name (place, &name))
+  if (!read_entity_name (place, &name)
+      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
     return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   QnSection *section = qn_model_add_section (model, name);
   if (section == NULL)
     return qn_json_value_no_memory (place);
@@ -104,9 +104,9 @@ read_node (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "name", "at", "block", "side", "support" };
   const char *name;
-  if (!read_entity_name (place, &name))
+  if (!read_entity_name (place, &name)
+      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
     return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
     return qn_json_value_no_memory (place);
@@ -157,9 +157,9 @@ read_beam (const QnJsonValue *place, QnModel *model)
   static const char *const keys[] = { "name",   "nodes",    "section",
                                       "hinges", "elements", "kind" };
   const char *name;
-  if (!read_entity_name (place, &name))
+  if (!read_entity_name (place, &name)
+      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
     return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   QnBeam *beam = qn_model_add_beam (model, name);
   if (beam == NULL)
     return qn_json_value_no_memory (place);

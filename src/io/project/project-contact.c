@@ -99,8 +99,9 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
     return FALSE;
   for (gsize i = 0; i < G_N_ELEMENTS (uses); i++) {
     QnJsonValue idle = qn_json_value_member (&place, uses[i].key);
-    if (idle.json != NULL && (uses[i].placements & 1u << rule->placement) == 0)
-      qn_json_value_warn (&idle, _ ("has no effect with this placement"));
+    if (idle.json != NULL && (uses[i].placements & 1u << rule->placement) == 0
+        && !qn_json_value_idle (&idle, _ ("has no effect with this placement")))
+      return FALSE;
   }
   if (rule->placement == QN_PLACEMENT_EXPLICIT)
     return read_explicit_pairs (&place, rule);

@@ -7,42 +7,39 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-static gboolean
-has_parameter (QnLawKind kind, const char *key)
+static void
+add_keys (GPtrArray *keys, QnLawKind kind)
 {
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (kind, &count);
   for (size_t i = 0; i < count; i++)
-    if (strcmp (parameters[i].key, key) == 0)
-      return TRUE;
-  return kind == QN_LAW_CURVE && strcmp (key, "points") == 0;
-}
-
-static gboolean
-is_of_any_kind (const char *key)
-{
-  for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++)
-    if (has_parameter ((QnLawKind) kind, key))
-      return TRUE;
-  return FALSE;
+    g_ptr_array_add (keys, (gpointer) parameters[i].key);
+  if (kind == QN_LAW_CURVE)
+    g_ptr_array_add (keys, (gpointer) "points");
 }
 
 /* Keys of other kinds mean nothing to this one, keys of no kind nothing at all. */
-static void
-warn_of_keys (const QnJsonValue *place, QnLawKind kind)
+static gboolean
+check_keys (const QnJsonValue *place, QnLawKind kind)
 {
-  static const char *const common[] = { "name", "source", "kind",         "basis",
-                                        "kn",   "ks",     "shear_factor", NULL };
+  static const char *const common[] = { "name", "source", "kind",        "basis",
+                                        "kn",   "ks",     "shear_factor" };
+  g_autoptr (GPtrArray) keys = g_ptr_array_new ();
+  for (gsize i = 0; i < G_N_ELEMENTS (common); i++)
+    g_ptr_array_add (keys, (gpointer) common[i]);
+  add_keys (keys, kind);
+  const guint own = keys->len;
+  for (int other = 0; other < QN_LAW_KIND_COUNT; other++)
+    add_keys (keys, (QnLawKind) other);
   for (const cJSON *child = place->json->child; child != NULL; child = child->next) {
-    if (g_strv_contains (common, child->string) || has_parameter (kind, child->string))
-      continue;
+    guint index = 0;
     QnJsonValue member = qn_json_value_child (place, child);
-    qn_json_value_warn (&member, is_of_any_kind (child->string)
-                                   ? _ ("has no effect for this kind of law")
-                                   : _ ("unknown key"));
-    if (!is_of_any_kind (child->string))
-      qn_json_value_keep_unknown (place, child);
+    if (g_ptr_array_find_with_equal_func (keys, child->string, g_str_equal, &index)
+        && index >= own
+        && !qn_json_value_idle (&member, _ ("has no effect for this kind of law")))
+      return FALSE;
   }
+  return qn_json_value_check_keys (place, (const char *const *) keys->pdata, keys->len);
 }
 
 static gboolean
@@ -90,9 +87,9 @@ read_law (const QnJsonValue *place, QnModel *model)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_law_kind_names,
                             QN_LAW_KIND_COUNT, &kind)
       || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_basis_names, QN_BASIS_COUNT,
-                            &basis))
+                            &basis)
+      || !check_keys (place, kind))
     return FALSE;
-  warn_of_keys (place, kind);
 
   if (name[0] == '\0') {
     QnJsonValue member = qn_json_value_member (place, "name");

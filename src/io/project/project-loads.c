@@ -291,10 +291,9 @@ qn_read_loads (const QnJsonValue *root, QnModel *model)
   QnJsonValue loads = qn_json_value_member (root, "loads");
   if (loads.json == NULL)
     return TRUE;
-  if (!qn_json_value_object (&loads))
-    return FALSE;
-  qn_json_value_warn_unknown (&loads, keys, G_N_ELEMENTS (keys));
-  return read_load_cases (&loads, model)
+  return qn_json_value_object (&loads)
+         && qn_json_value_check_keys (&loads, keys, G_N_ELEMENTS (keys))
+         && read_load_cases (&loads, model)
          && read_load_list (&loads, "dead", 0, model, qn_model_add_dead_load)
          && read_load_list (&loads, "live", 0, model, qn_model_add_live_load)
          && read_load_sets (&loads, model);

@@ -113,10 +113,7 @@ qn_members_check (const QnJsonValue *object, const QnMember *first,
       g_assert (count < MOST_MEMBERS);
       keys[count++] = m->key;
     }
-  if (!qn_json_value_object (object))
-    return FALSE;
-  qn_json_value_warn_unknown (object, keys, count);
-  return TRUE;
+  return qn_json_value_object (object) && qn_json_value_check_keys (object, keys, count);
 }
 
 gboolean

@@ -13,25 +13,15 @@
 
 #define FORMAT_VERSION 1
 
-/* Members of the document that become part of the model. */
-static const char *const model_keys[] = { "format", "version", "title",    "gravity",
-                                          "laws",   "blocks",  "walls",    "contact",
-                                          "loads",  "bars",    "analysis", "sections",
-                                          "nodes",  "beams" };
-
-/* Members that the model does not hold: kept and written back as they are. */
-static const char *const upper_keys[] = { "view",     "figures",        "guides",
-                                          "underlay", "history",        "capacity",
-                                          "report",   QN_MASONRY_MEMBER };
-
-static gboolean
-is_among (const char *key, const char *const *keys, gsize count)
-{
-  for (gsize i = 0; i < count; i++)
-    if (strcmp (key, keys[i]) == 0)
-      return TRUE;
-  return FALSE;
-}
+/* Members of the document: those that become part of the model, and behind them those that it does
+ * not hold, which are kept and written back as they are. */
+#define MODEL_KEYS 14
+static const char *const keys[] = { "format", "version",        "title",    "gravity",
+                                    "laws",   "blocks",         "walls",    "contact",
+                                    "loads",  "bars",           "analysis", "sections",
+                                    "nodes",  "beams",          "view",     "figures",
+                                    "guides", "underlay",       "history",  "capacity",
+                                    "report", QN_MASONRY_MEMBER };
 
 static gboolean
 check_format (const QnJsonValue *root)
@@ -76,12 +66,14 @@ keep_extras (const QnJsonValue *root, cJSON *document, QnProject *project)
   cJSON *next;
   for (cJSON *child = document->child; child != NULL; child = next) {
     next = child->next;
-    if (is_among (child->string, model_keys, G_N_ELEMENTS (model_keys)))
+    gsize key = 0;
+    while (key < G_N_ELEMENTS (keys) && strcmp (child->string, keys[key]) != 0)
+      key++;
+    if (key < MODEL_KEYS)
       continue;
-    if (!is_among (child->string, upper_keys, G_N_ELEMENTS (upper_keys))) {
-      QnJsonValue place = qn_json_value_child (root, child);
-      qn_json_value_warn (&place, _ ("unknown key"));
-    }
+    QnJsonValue place = qn_json_value_child (root, child);
+    if (key == G_N_ELEMENTS (keys) && !qn_json_value_unknown (&place, keys, key))
+      return FALSE;
     if (project->extras == NULL)
       project->extras = cJSON_CreateObject ();
     cJSON_DetachItemViaPointer (document, child);
@@ -143,8 +135,7 @@ parse_text (QnReader *reader)
   for (gsize i = 0; document != NULL && reader->overrides != NULL && reader->overrides[i];
        i++) {
     if (!qn_json_override (document, reader->overrides[i], &reader->error)) {
-      if (reader->error->code != QN_IO_ERROR_OVERRIDE)
-        g_prefix_error (&reader->error, "%s: ", reader->name);
+      g_prefix_error (&reader->error, "%s: ", reader->name);
       g_clear_pointer (&document, cJSON_Delete);
     }
   }

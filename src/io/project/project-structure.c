@@ -105,9 +105,9 @@ read_block (const QnJsonValue *place, QnModel *model)
                                       "density", "support",  "law",       "material" };
   char text[QN_NAME_TEXT_SIZE];
   const char *name;
-  if (!qn_json_value_object (place) || !qn_read_own_name (place, "b", text, &name))
+  if (!qn_json_value_object (place) || !qn_read_own_name (place, "b", text, &name)
+      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
     return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
   GArray *vertices = g_array_sized_new (FALSE, FALSE, sizeof (QnVec2), 8);
   gboolean done = read_vertices (place, vertices);
@@ -172,9 +172,9 @@ read_wall (const QnJsonValue *place, QnModel *model)
                                       "courses",   "law",         "material" };
   char text[QN_NAME_TEXT_SIZE];
   const char *name;
-  if (!qn_json_value_object (place) || !qn_read_own_name (place, "w", text, &name))
+  if (!qn_json_value_object (place) || !qn_read_own_name (place, "w", text, &name)
+      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
     return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
   QnWall *wall = qn_model_add_wall (model, name);
   if (wall == NULL)

@@ -16,7 +16,7 @@
 typedef enum {
   QN_IO_ERROR_INVALID,   /* the content breaks a rule of its format */
   QN_IO_ERROR_FILE,      /* the file cannot be opened, read or written */
-  QN_IO_ERROR_OVERRIDE,  /* an override is not of the form path=value: wrong usage */
+  QN_IO_ERROR_OVERRIDE,  /* an override leads nowhere or to no known key: wrong usage */
   QN_IO_ERROR_NO_MEMORY, /* an allocation failed */
   QN_IO_ERROR_OUTSIDE    /* a project names a file outside its folder */
 } QnIoError;

@@ -39,8 +39,7 @@ check_format (const QnJsonValue *root)
   if (version != FORMAT_VERSION)
     return qn_json_value_failf (
       &place, _ ("this program reads version %d of the format only"), FORMAT_VERSION);
-  qn_json_value_warn_unknown (root, keys, G_N_ELEMENTS (keys));
-  return TRUE;
+  return qn_json_value_check_keys (root, keys, G_N_ELEMENTS (keys));
 }
 
 /* Numbers of an array, at least one. */
@@ -159,7 +158,7 @@ read_distribution (const QnJsonValue *place, QnDistribution *d)
     return FALSE;
   while (keys[kind][count] != NULL)
     count++;
-  qn_json_value_warn_unknown (place, keys[kind], count);
+  qn_json_value_check_keys (place, keys[kind], count);
   if (kind == QN_DISTRIBUTION_DISCRETE) {
     QnJsonValue values = qn_json_value_member (place, "values");
     QnJsonValue weights = qn_json_value_member (place, "weights");
@@ -211,8 +210,7 @@ find_number (const cJSON *value, const char *path, double *number)
   return value == NULL || cJSON_IsNumber (value);
 }
 
-/* Whether a path leads to a number of the project: the project must read with one there, without a
- * new warning of an unknown key. */
+/* Whether a path leads to a number of the project, which must read with one there. */
 static gboolean
 check_path (const QnJsonValue *place, const char *path, const QnStudy *study,
             const cJSON *document, const QnParameter *parameter, double *base)
@@ -240,10 +238,8 @@ check_path (const QnJsonValue *place, const char *path, const QnStudy *study,
     g_error_free (error);
     return FALSE;
   }
-  guint warnings = probe.warnings->len;
   qn_project_clear (&probe);
-  return warnings <= project->warnings->len
-         || qn_json_value_failf (place, _ ("%s has no key %s"), project->name, path);
+  return TRUE;
 }
 
 /* Of two values for one place the last would count, and the other parameter seem to do nothing. */
@@ -359,10 +355,9 @@ check_axles (const QnJsonValue *place, const QnStudy *study, QnParameter *parame
     gboolean force = strstr (parameter->paths[i], "loads.") == parameter->paths[i]
                      && qn_project_parse (project->text, project->text_length,
                                           project->name, overrides, &probe, NULL);
-    gboolean known = force && probe.warnings->len <= project->warnings->len;
     if (force)
       qn_project_clear (&probe);
-    if (!known)
+    else
       return qn_json_value_failf (&member, _ ("%s: no force on a block stands at %s"),
                                   project->name, parameter->paths[i]);
   }
@@ -387,7 +382,7 @@ read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_REQUIRED, &name))
     return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys));
 
   g_array_set_size (study->parameters, study->parameters->len + 1);
   QnParameter *parameter =
@@ -547,7 +542,7 @@ read_plan (const QnJsonValue *root, QnStudy *study)
       || !qn_member_choice (&plan, "kind", QN_REQUIRED, qn_plan_kind_names, QN_PLAN_COUNT,
                             &kind))
     return FALSE;
-  qn_json_value_warn_unknown (&plan, keys, G_N_ELEMENTS (keys));
+  qn_json_value_check_keys (&plan, keys, G_N_ELEMENTS (keys));
   gboolean levels = kind == QN_PLAN_GRID || kind == QN_PLAN_ONE_AT_A_TIME;
   study->plan = kind;
   if (!qn_member_count (&plan, "count", levels ? QN_OPTIONAL : QN_REQUIRED,
@@ -626,7 +621,7 @@ read_limits (const QnJsonValue *root, QnStudy *study)
       || !qn_member_count (&limits, "factorizations", QN_OPTIONAL, G_MAXINT32,
                            &factorizations))
     return FALSE;
-  qn_json_value_warn_unknown (&limits, keys, G_N_ELEMENTS (keys));
+  qn_json_value_check_keys (&limits, keys, G_N_ELEMENTS (keys));
   study->factorizations = factorizations;
   return TRUE;
 }

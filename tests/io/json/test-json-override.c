@@ -49,31 +49,35 @@ test_strings (void)
 }
 
 static void
-expect_error (const char *override, int code)
+expect_error (const char *override, const char *reason)
 {
   cJSON *root = cJSON_Parse (document);
   g_autoptr (GError) error = NULL;
   g_assert_false (qn_json_override (root, override, &error));
-  g_assert_error (error, QN_IO_ERROR, code);
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
   g_autoptr (GString) quoted = g_string_new (NULL);
   qn_json_append_string (quoted, override);
   g_assert_true (g_str_has_prefix (error->message, quoted->str));
+  g_assert_true (g_str_has_suffix (error->message, reason));
   cJSON_Delete (root);
 }
 
 static void
 test_errors (void)
 {
-  expect_error ("", QN_IO_ERROR_OVERRIDE);
-  expect_error ("a.b", QN_IO_ERROR_OVERRIDE);
-  expect_error ("=1", QN_IO_ERROR_OVERRIDE);
-  expect_error ("a..b=1", QN_IO_ERROR_OVERRIDE);
-  expect_error ("l[2]=1", QN_IO_ERROR_INVALID);
-  expect_error ("l[0][0]=1", QN_IO_ERROR_INVALID);
-  expect_error ("l.x=1", QN_IO_ERROR_INVALID);
-  expect_error ("a.b.c=1", QN_IO_ERROR_INVALID);
-  expect_error ("a[0]=1", QN_IO_ERROR_INVALID);
-  expect_error ("l[1].x=1", QN_IO_ERROR_INVALID);
+  expect_error ("", "path=value");
+  expect_error ("a.b", "path=value");
+  expect_error ("=1", "as laws[0].friction");
+  expect_error ("a..b=1", "as laws[0].friction");
+  expect_error ("l[2]=1", "l has 2 elements, counted from 0");
+  expect_error ("l[0][0]=1", "l[0] is not a list");
+  expect_error ("l.x=1", "l is a list, whose elements are l[0], …");
+  expect_error ("a.b.c=1", "a.b has no members");
+  expect_error ("a[0]=1", "a is not a list");
+  expect_error ("l[1].x=1", "l[1] has no members");
+  expect_error ("l[j].k=1", "as laws[0].friction");
+  expect_error ("ll[0].k=1", "there is no list ll; the nearest known key is \"l\"");
+  expect_error ("other[0].k=1", "there is no list other");
 }
 
 static void

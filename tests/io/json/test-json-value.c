@@ -135,7 +135,7 @@ test_warnings (Fixture *fixture, gconstpointer data)
 {
   (void) data;
   static const char *const known[] = { "n", "c", "h", "s", "b", "v", "w", "x" };
-  qn_json_value_warn_unknown (&fixture->root, known, G_N_ELEMENTS (known));
+  g_assert_true (qn_json_value_check_keys (&fixture->root, known, G_N_ELEMENTS (known)));
   g_assert_cmpuint (fixture->reader.warnings->len, ==, 1);
   g_assert_cmpstr (g_ptr_array_index (fixture->reader.warnings, 0), ==,
                    "f:2:48: inf: unknown key");

@@ -111,8 +111,9 @@ test_warnings (void)
   g_assert_cmpuint (project.warnings->len, ==, 2);
   g_assert_true (g_str_has_suffix (g_ptr_array_index (project.warnings, 0),
                                    "laws[0].yield: has no effect for this kind of law"));
-  g_assert_true (g_str_has_suffix (g_ptr_array_index (project.warnings, 1),
-                                   "laws[0].yeld: unknown key"));
+  g_assert_true (
+    g_str_has_suffix (g_ptr_array_index (project.warnings, 1),
+                      "laws[0].yeld: unknown key; the nearest known one is \"yield\""));
 }
 
 static void

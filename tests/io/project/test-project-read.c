@@ -179,6 +179,39 @@ expect_override_error (const char *override, const char *message)
   g_assert_cmpstr (found, ==, message);
 }
 
+/* A key that changes nothing, set by an override: no answer of a project without it. In the file the
+ * same key is a warning. */
+static void
+test_idle_overrides (void)
+{
+  static const char *const rows[][2] = {
+    { "analysis.incrments=3", "unknown key; the nearest known one is \"increments\"" },
+    { "anlysis.increments=3", "unknown key; the nearest known one is \"analysis\"" },
+    { "laws[0].frictoin=1", "unknown key; the nearest known one is \"friction\"" },
+    { "laws[0].yield=1", "has no effect for this kind of law" },
+    { "contact.pairs={\"offst\": 1}", "the nearest known one is \"offset\"" },
+    { "contact.pairs.count=3", "has no effect with this placement" },
+    { "loads.live[0].factor=2", "unknown key" },
+    { "blocks[0].widht=1", "unknown key" },
+    { "analysis.control.componet=ux", "the nearest known one is \"component\"" },
+    { "analysis.dynamic={\"durration\": 1}", "the nearest known one is \"duration\"" },
+    { "masonry=[{\"kind\": \"arch\", \"spam\": 1}]",
+      "the nearest known one is \"span\"" },
+    { "colour=3", "unknown key" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
+    const char *const overrides[] = { rows[i][0], NULL };
+    QnProject project;
+    g_autoptr (GError) error = NULL;
+    g_assert_false (qn_project_parse (test_project_text, strlen (test_project_text),
+                                      "wall.quoin", overrides, &project, &error));
+    g_test_message ("%s", error->message);
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
+    g_assert_nonnull (strstr (error->message, rows[i][1]));
+    g_assert_nonnull (strstr (error->message, "(set by "));
+  }
+}
+
 static void
 test_override_errors (void)
 {
@@ -192,7 +225,8 @@ test_override_errors (void)
                          " analysis.increments: expected a number, found a string "
                          "(set by \"analysis.increments=many\")");
   expect_override_error ("laws[7].kn=1",
-                         " \"laws[7].kn=1\": the project has no such place");
+                         " \"laws[7].kn=1\": the project has no such place: laws has 1 "
+                         "element, counted from 0");
 
   static const char *const malformed[] = { "analysis", NULL };
   QnProject project;
@@ -312,6 +346,7 @@ main (int argc, char **argv)
   g_test_add_func ("/project-read/shortcuts", test_shortcuts_of_older_files);
   g_test_add_func ("/project-read/overrides", test_overrides);
   g_test_add_func ("/project-read/override-errors", test_override_errors);
+  g_test_add_func ("/project-read/idle-overrides", test_idle_overrides);
   g_test_add_func ("/project-read/no-project", test_no_project);
   g_test_add_func ("/project-read/truncated", test_truncated);
   g_test_add_func ("/project-read/deep-nesting", test_deep_nesting);

@@ -102,8 +102,8 @@ test_bad_input (void)
   expect_error ("\"solve\"", "\"dynamic\"", ":2:", "duration");
   expect_error ("laws[0].friction", "laws[3].friction",
                 ":4:35: parameters[0].path: ", "no such place");
-  expect_error ("laws[0].friction", "laws[0].frictoin",
-                "parameters[0].path: ", "no key laws[0].frictoin");
+  expect_error ("laws[0].friction", "laws[0].frictoin", "parameters[0].path: ",
+                "laws[0].frictoin: unknown key; the nearest known one is \"friction\"");
   expect_error ("laws[0].friction", "laws[0].name",
                 "parameters[0].path: ", "no number stands at");
   expect_error ("laws[0].friction", "laws[0", "parameters[0].path: ", "no number stands");
