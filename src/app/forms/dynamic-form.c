@@ -82,6 +82,14 @@ static const QnFormField fields[] = {
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Ground Motion") },
 };
 
+/* Whether a record's unit may be wrong. */
+static char *
+dup_doubt (const QnGroundMotion *motion)
+{
+  return qn_record_dup_doubt (
+    &(QnRecord){ .points = motion->points, .count = motion->point_count });
+}
+
 /* Records are read from their files where no analysis has done so yet, however long they are. */
 static void
 sample (Form *form)
@@ -98,15 +106,17 @@ sample (Form *form)
   gsize index = (gsize) form->selected;
   if (motion->record == NULL || motion->point_count > 0) {
     qn_ground_preview_init (&form->sampled, model, index, form->preview);
+    form->fault = dup_doubt (motion);
     return;
   }
   if (!qn_project_copy (qn_document_get_project (document), &read, NULL))
     return;
   read.model.ground[index].rests = true;
   if (qn_project_read_record (&read, index, qn_document_get_folder (document), FALSE,
-                              &error))
+                              &error)) {
     qn_ground_preview_init (&form->sampled, &read.model, index, form->preview);
-  else
+    form->fault = dup_doubt (&read.model.ground[index]);
+  } else
     form->fault = g_strdup (error->message);
   qn_project_clear (&read);
 }

@@ -178,6 +178,9 @@ make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **
   if (!qn_record_read (path, ida->options->unit, ida->options->time_step, &record, error))
     return FALSE;
   QnRecordFacts facts = qn_record_facts (&record);
+  g_autofree char *doubt = qn_record_dup_doubt (&record);
+  if (doubt != NULL)
+    qn_cli_warning ("%s: %s", path, doubt);
   curve->name = g_path_get_basename (path);
   curve->peak = facts.peak;
   gboolean ok = qn_record_write (record_path, &record, error);

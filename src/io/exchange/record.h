@@ -1,16 +1,19 @@
 /* Records of ground motion: accelerations in time, from the files that seismologists publish.
  *
- *   CSV         a header line, then time and acceleration separated by commas, semicolons or
- *               blanks; the header may tell the unit: "time [s], acceleration [m/s2]"
- *   two columns the same without a header
- *   AT2         of PEER/NGA: four lines of heading, the fourth with NPTS= and DT=, then
- *               accelerations in g, any number a line
- *   ESM/Itaca   ASCII: a heading of "KEY: value" lines with SAMPLING_INTERVAL_S, NDATA and UNITS,
- *               then one acceleration a line
+ *   table       columns separated by commas, semicolons, tabs or blanks; the first is the time. The
+ *               last line of the heading may name columns and units: "time [s], acceleration
+ *               [m/s2]"; of more than two the one of acceleration is taken. A decimal comma is
+ *               recognised. Lines that begin with # % ! * | or // are comments, and may state the
+ *               unit: "# units: m/s2"
+ *   samples     accelerations alone, any number a line, under a heading that may state unit, time
+ *               step and number: PEER (AT2, older ones too), ESM/Itaca, COSMOS and CSMIP (V2),
+ *               K-NET and KiK-net, AFAD with one component
  *
- * The kind is told from the contents. Units are m/s2, cm/s2 (also gal), mm/s2 and g = 9.80665 m/s2.
- * Where a file does not state its unit or its time step, they must be given. It is an error to give
- * another one than the file states.
+ * The kind is told from the contents, encoded in UTF-8, UTF-16 or Windows-1252. Units are m/s2, cm/s2
+ * (also gal), mm/s2, ft/s2, in/s2 and g = 9.80665 m/s2, however spelt. Where a file does not state
+ * its unit or its time step, they must be given. It is an error to give another one than the file
+ * states. Records of velocity and of displacement are refused. Raw data of K-NET have an offset, which
+ * goes where the largest acceleration that their heading states is one without it.
  */
 #ifndef QN_IO_RECORD_H
 #define QN_IO_RECORD_H
@@ -20,6 +23,7 @@
 typedef struct QnRecord {
   QnVec2 *points; /* s, m/s2; free with g_free() */
   gsize count;
+  double offset; /* m/s2, taken off raw data */
 } QnRecord;
 
 /* Reads a record. unit (nullable) and time_step (0: not given) are those that the file does not say.
@@ -45,6 +49,9 @@ typedef struct QnRecordFacts {
 } QnRecordFacts;
 
 QnRecordFacts qn_record_facts (const QnRecord *record);
+
+/* What the user must look at: a peak above 3 g, an offset. NULL where there is nothing. */
+char *qn_record_dup_doubt (const QnRecord *record);
 
 /* Writes time and acceleration as CSV that says its unit. */
 gboolean qn_record_write (const char *path, const QnRecord *record, GError **error);

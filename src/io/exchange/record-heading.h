@@ -1,0 +1,49 @@
+/* What the heading of a record of ground motion says: quantity, unit, time step, how many samples.
+ * Private to reading records (record-read.c). All of it is read whoever wrote the file: PEER, ESM,
+ * COSMOS, CSMIP, K-NET, AFAD, or a person in a table's first line or a comment. */
+#ifndef QN_IO_RECORD_HEADING_H
+#define QN_IO_RECORD_HEADING_H
+
+#include <glib.h>
+
+/* Standard gravity, m/s2: what AT2 files and "g" mean, whatever the project's gravity. */
+#define QN_STANDARD_GRAVITY 9.80665
+
+typedef enum {
+  QN_RECORD_UNKNOWN,
+  QN_RECORD_ACCELERATION,
+  QN_RECORD_VELOCITY,
+  QN_RECORD_DISPLACEMENT,
+  QN_RECORD_TIME
+} QnRecordQuantity;
+
+typedef struct QnRecordUnit {
+  QnRecordQuantity quantity; /* UNKNOWN where the text is no unit */
+  double factor;             /* SI units per unit */
+} QnRecordUnit;
+
+typedef struct QnRecordHeading {
+  QnRecordUnit unit;         /* as the heading states it */
+  double scale;              /* of the file's numbers, to be in that unit */
+  QnRecordQuantity quantity; /* in words */
+  gsize unit_line;           /* from 1; 0: none */
+  double time_step;          /* s; 0: not stated */
+  double count;              /* samples; 0: not stated */
+  double largest; /* m/s2, without the offset of raw data (K-NET); 0: not stated */
+} QnRecordHeading;
+
+/* "m/s2", "cm/sec^2", "m s-2", "gal", "G", "CM/S" …; blanks, powers and case do not matter. */
+QnRecordUnit qn_record_unit (const char *text);
+
+/* The unit in brackets or behind "in" in the name of a column, and the quantity that unit or words
+ * say: "Beschleunigung [m/s2]", "vel", "acc in g". */
+QnRecordUnit qn_record_unit_of_name (const char *name);
+QnRecordQuantity qn_record_quantity_of_name (const char *name);
+
+/* Whether the line says how many samples follow it, as those of COSMOS and CSMIP do. */
+gboolean qn_record_is_descriptor (const char *line);
+
+/* Reads the lines before `end`. */
+void qn_record_heading_read (QnRecordHeading *heading, char *const *lines, gsize end);
+
+#endif
