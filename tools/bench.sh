@@ -28,5 +28,5 @@ rm -rf build/bench-results
 meson test -C build --no-rebuild --benchmark --verbose "$@" || failed=$?
 
 echo
-build/tests/bench/bench-compare "${partial[@]}" "$baseline" build/bench-results || failed=$?
+tests/bench/tables.py compare "${partial[@]}" "$baseline" build/bench-results || failed=$?
 exit "$failed"

@@ -50,7 +50,7 @@ packages=(
   # the manual
   yelp-tools yelp-xsl python3-markdown-it
   # checks and tests
-  "$format" binutils valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
+  "$format" binutils ccache valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
   poppler-utils
   adwaita-icon-theme librsvg2-common slurm-wlm munge fish zsh abigail-tools
   "$@"

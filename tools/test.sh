@@ -1,21 +1,32 @@
 #!/bin/bash
-# Builds Quoin with warnings as errors and runs every test, then runs the quick ones and those of
-# the window again under the address and undefined-behaviour sanitizers, those with threads under
-# the thread sanitizer and some of the core under valgrind; then builds Quoin in other ways
-# (tools/build-matrix.sh). Sets the machine up first where something is missing. The last lines name
-# the programs that failed, in which build and at which cases, and the very last one says how many
-# tests passed and failed.
+# Builds Quoin with warnings as errors and tests it. The last lines name the programs that failed, in
+# which build and at which cases, and the very last one says how many tests passed and failed.
+#
+#   tools/test.sh --quick   the quick tests, for a change in progress
+#   tools/test.sh           what every change must pass: quick tests and the window under the address
+#                           and undefined-behaviour sanitizers; with clang, optimised, the tests of
+#                           core, files and stress, those that count work and the long ones; the
+#                           programs with gcc, optimised, and without anything optional
+#   tools/test.sh --all     before a release: also storms of faults, benchmarks, random actions in the
+#                           window, the thread sanitizer, valgrind, and all other ways to build
+#
+# tests/README.md says what is in each, and how long it takes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
+case ${1-} in
+  "" | --quick | --all) mode=${1-} ;;
+  *) sed -n '2,/^set/s/^# \{0,1\}//p' "$0" && exit 2 ;;
+esac
 
-# clang and its C++ compiler, for the other builds.
+# clang and its C++ compiler, for the second build.
 tools/setup.sh clang
 
-# Several hundred programs are linked: gold takes a quarter of the time.
+# gold takes a quarter of the time. What is compiled is kept, whatever the folder is called.
 if command -v ld.gold >/dev/null; then
   export CC_LD=gold CXX_LD=gold
 fi
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 
 passed=0
 failed=0
@@ -123,53 +134,76 @@ check () {
   name_failures "$folder"
 }
 
+# tell NAME COMMAND...: runs what has one result of its own for each line after "-- matrix".
+tell () {
+  local name=$1 cell word
+  shift
+  "$@" | tee "$said" || true
+  while read -r cell word _; do
+    case $word in
+      good) passed=$((passed + 1)) ;;
+      FAILED)
+        failures+=("tools/build-matrix.sh $cell")
+        failed=$((failed + 1))
+        ;;
+    esac
+  done < <(sed -n '/^-- matrix$/,$p' "$said" | tail -n +2)
+  if ! grep -q '^-- matrix$' "$said"; then
+    failures+=("$name: ended without a table")
+    failed=$((failed + 1))
+  fi
+}
+
 # What a test leaves in the temporary folder is found at the end.
 TMPDIR=$(mktemp -d)
 export TMPDIR
 
-echo "== tests"
-check build-test -- --timeout-multiplier 3 --no-suite app --no-suite monkey
-
 # These wait for the display half of their time.
 waiting=$((2 * $(nproc)))
-echo "== the window"
-check build-test -- --timeout-multiplier 3 --num-processes $waiting --suite app
-
-echo "== tests under sanitizers"
 export ASAN_OPTIONS=detect_leaks=1:abort_on_error=1
 export LSAN_OPTIONS="suppressions=$PWD/tests/sanitize/leaks.supp:print_suppressions=0"
 export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
-check build-sanitize -Db_sanitize=address,undefined -Db_lundef=false -- \
-  --timeout-multiplier 6 --no-suite slow
-
-echo "== the window under sanitizers"
-check build-sanitize -- --timeout-multiplier 6 --num-processes $waiting --suite app
-
-echo "== threads under the thread sanitizer"
 export TSAN_OPTIONS="suppressions=$PWD/tests/sanitize/thread.supp:halt_on_error=1"
-targets="tests/faults/test-faults-parallel tests/doc/test-doc-job tests/doc/test-doc-threads"
-check build-thread -Db_sanitize=thread -Db_lundef=false -Dapp=disabled -- \
-  --timeout-multiplier 10 parallel doc-job doc-threads
-targets=
 
-echo "== the core under valgrind"
-check build-test -- --setup valgrind newton lanczos stability interior-point path-stages \
-  central-path weld polygon-ops io-json-parse whole-file
+if [ "$mode" = --quick ]; then
+  echo "== quick tests"
+  check build-test -- --timeout-multiplier 3 --no-suite slow --no-suite all
+else
+  echo "== quick tests under sanitizers"
+  check build-sanitize -Doptimization=1 -Ddebug=false -Dc_args=-g1 -Dcpp_args=-g1 \
+    -Db_sanitize=address,undefined -Db_lundef=false -- \
+    --timeout-multiplier 6 --no-suite slow --no-suite all --no-suite stress
 
-echo "== other builds"
-tools/build-matrix.sh | tee "$said" || true
-while read -r cell word _; do
-  case $word in
-    good) passed=$((passed + 1)) ;;
-    FAILED)
-      failures+=("tools/build-matrix.sh $cell")
-      failed=$((failed + 1))
-      ;;
-  esac
-done < <(sed -n '/^-- matrix$/,$p' "$said" | tail -n +2)
-if ! grep -q '^-- matrix$' "$said"; then
-  failures+=("tools/build-matrix.sh: ended without a table")
-  failed=$((failed + 1))
+  echo "== the window under sanitizers"
+  check build-sanitize -- --timeout-multiplier 6 --num-processes $waiting --suite app --no-suite all
+
+  echo "== clang, optimised"
+  CC=clang CXX=clang++ check build-clang --buildtype=release -- --timeout-multiplier 3 \
+    --no-suite app --no-suite all --suite core --suite io --suite stress --suite slow
+
+  echo "== gcc, optimised, and without anything optional"
+  tell gcc-release tools/build-matrix.sh gcc-release
+fi
+
+if [ "$mode" = --all ]; then
+  echo "== before a release"
+  check build-test -- --timeout-multiplier 3 --suite all --no-suite app
+  check build-test -- --timeout-multiplier 3 --num-processes $waiting --suite app
+
+  echo "== faults under sanitizers"
+  check build-sanitize -- --timeout-multiplier 6 --suite faults
+
+  echo "== threads under the thread sanitizer"
+  targets="tests/faults/test-faults tests/doc/test-doc-document"
+  check build-thread -Db_sanitize=thread -Db_lundef=false -Dapp=disabled -- \
+    --timeout-multiplier 10 faults doc-document
+  targets=
+
+  echo "== the core under valgrind"
+  check build-test -- --setup valgrind core-equilibrium core-linalg core-limit stereotomy io-json disk
+
+  echo "== other builds"
+  tell matrix tools/build-matrix.sh all
 fi
 
 for left in "$TMPDIR"/quoin*; do

@@ -5,6 +5,7 @@
 #include "app/widgets/settings.h"
 #include "doc/document/bounds.h"
 #include "doc/edit/edit.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -410,10 +411,8 @@ test_ground_preview (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/analysis/live", test_live);
   g_test_add_func ("/app/analysis/failures", test_failures);
@@ -425,5 +424,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/analysis/compare-files", test_compare_files);
   g_test_add_func ("/app/analysis/compare-own-file", test_compare_own_file);
   g_test_add_func ("/app/analysis/modes-and-stability", test_modes_and_stability);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Beams in the window: drawn, selected, changed in the panel, moved by pointer and keys, undone;
  * their section forces in the drawing, in the panel and in a table. */
 #include "driver.h"
+#include "support/room.h"
 
 static guint
 selected_beams (QnWindow *window)
@@ -156,13 +157,10 @@ test_diagrams (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/beams/draw", test_draw);
   g_test_add_func ("/app/beams/form", test_form);
   g_test_add_func ("/app/beams/diagrams", test_diagrams);
-  return g_test_run ();
 }

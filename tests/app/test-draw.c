@@ -7,6 +7,7 @@
 #include "doc/text/law-preset.h"
 #include "io/project/project-masonry.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -574,10 +575,8 @@ test_findings (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/draw/opening", test_opening);
   g_test_add_func ("/app/draw/opening-tool-handles", test_opening_tool_handles);
@@ -592,5 +591,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/draw/keyboard", test_keyboard);
   g_test_add_func ("/app/draw/joints", test_joints);
   g_test_add_func ("/app/draw/findings", test_findings);
-  return g_test_run ();
 }

@@ -7,6 +7,7 @@
 #include "app/widgets/settings.h"
 #include "doc/view/capacity-settings.h"
 #include "io/project/project-extras.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -627,10 +628,8 @@ test_buttons (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/earthquakes/live-history", test_live_history);
   g_test_add_func ("/app/earthquakes/end", test_end_of_history);
@@ -643,5 +642,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/earthquakes/capacity", test_capacity);
   g_test_add_func ("/app/earthquakes/capacity-undo", test_capacity_undo);
   g_test_add_func ("/app/earthquakes/capacity-closed", test_capacity_closed);
-  return g_test_run ();
 }

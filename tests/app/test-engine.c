@@ -5,6 +5,7 @@
 #include "app/canvas/gl-layer.h"
 #include "app/widgets/settings.h"
 #include "driver.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <time.h>
@@ -139,12 +140,9 @@ test_automatic (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/engine/same-picture", test_same_picture);
   g_test_add_func ("/app/engine/automatic", test_automatic);
-  return g_test_run ();
 }

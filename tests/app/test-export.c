@@ -5,6 +5,7 @@
 #include "app/dialogs/dialogs.h"
 #include "app/window/window-private.h"
 #include "doc/view/figures.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -406,10 +407,8 @@ test_report (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/export/figures", test_figures);
   g_test_add_func ("/app/export/print", test_print);
@@ -418,5 +417,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/export/files", test_files);
   g_test_add_func ("/app/export/report", test_report);
   g_test_add_func ("/app/export/report-template", test_report_template);
-  return g_test_run ();
 }

@@ -8,6 +8,7 @@
 #include "doc/document/picture.h"
 #include "doc/document/recovery.h"
 #include "io/project/project-extras.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -534,10 +535,8 @@ test_endings (void)
   g_rmdir (folder);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/files/import", test_import);
   g_test_add_func ("/app/files/mortar", test_mortar);
@@ -551,5 +550,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/files/choosers", test_choosers);
   g_test_add_func ("/app/files/save-fails", test_save_fails);
   g_test_add_func ("/app/files/endings", test_endings);
-  return g_test_run ();
 }

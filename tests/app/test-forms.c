@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "io/project/typical-joint.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -487,10 +488,8 @@ test_refusal (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   for (gsize i = 0; i < G_N_ELEMENTS (states); i++) {
     g_autofree char *path = g_strdup_printf ("/app/forms/%s", states[i].name);
@@ -503,5 +502,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/forms/cases", test_cases);
   g_test_add_func ("/app/forms/project", test_project);
   g_test_add_func ("/app/forms/refusal", test_refusal);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "driver.h"
 
 #include "app/widgets/help.h"
+#include "support/room.h"
 
 static void
 expect_page (QnWindow *window, const char *page)
@@ -114,12 +115,9 @@ test_dialogs (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/help/context", test_context);
   g_test_add_func ("/app/help/dialogs", test_dialogs);
-  return g_test_run ();
 }

@@ -4,6 +4,7 @@
 
 #include "app/views/curve-view.h"
 #include "doc/view/inspect.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -317,10 +318,8 @@ test_fields_and_loads (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/inspect/click-joint", test_click_joint);
   g_test_add_func ("/app/inspect/small-joints", test_small_joints);
@@ -329,5 +328,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/inspect/stale-result", test_stale_result);
   g_test_add_func ("/app/inspect/fields-and-loads", test_fields_and_loads);
   g_test_add_func ("/app/inspect/found-rows", test_found_rows);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "doc/large-drawing.h"
+#include "support/room.h"
 
 /* s of processor time */
 #define MOST_UNTIL_DRAWN (0.2 * LARGE_DRAWING_SLOWER)
@@ -31,11 +32,8 @@ test_move (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/large/move", test_move);
-  return g_test_run ();
 }

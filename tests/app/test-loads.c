@@ -1,6 +1,7 @@
 /* Loads and reinforcing bars in the list and in the drawing: chosen in either, drawn by pointer and by
  * keys, changed, undone. */
 #include "driver.h"
+#include "support/room.h"
 
 static GtkExpander *
 find_expander (QnWindow *window, const char *label)
@@ -227,14 +228,11 @@ test_draw_bar (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/loads/both-ways", test_both_ways);
   g_test_add_func ("/app/loads/blocks-first", test_blocks_first);
   g_test_add_func ("/app/loads/draw-edge-load", test_draw_edge_load);
   g_test_add_func ("/app/loads/draw-bar", test_draw_bar);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "doc/edit/edit-stage.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 /* An item of a menu, by its label without underlines. */
@@ -494,10 +495,8 @@ test_study (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/menus/bars", test_bars);
   g_test_add_func ("/app/menus/stages", test_stages);
@@ -509,5 +508,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/menus/drag-caption", test_drag_caption);
   g_test_add_func ("/app/menus/drop-files", test_drop_files);
   g_test_add_func ("/app/menus/study", test_study);
-  return g_test_run ();
 }

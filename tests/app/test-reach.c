@@ -7,6 +7,7 @@
 #include "app/widgets/quantity-entry.h"
 #include "app/window/action-table.h"
 #include "io/project/typical-stone.h"
+#include "support/room.h"
 
 static const char two_blocks[] =
   "{ \"format\": \"quoin\", \"version\": 1,"
@@ -879,10 +880,8 @@ test_keys_from_anywhere (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/reach/context-menus", test_context_menus);
   g_test_add_func ("/app/reach/lost-release", test_lost_release);
@@ -903,5 +902,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/reach/keys-from-anywhere", test_keys_from_anywhere);
   g_test_add_func ("/app/reach/history-menu", test_history_menu);
   g_test_add_func ("/app/reach/runs-menu", test_runs_menu);
-  return g_test_run ();
 }

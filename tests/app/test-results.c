@@ -4,6 +4,7 @@
 
 #include "app/views/bounds-bar.h"
 #include "app/views/curve-view.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -189,15 +190,12 @@ test_answer (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/results/curve-of-sliding", test_curve_of_sliding);
   g_test_add_func ("/app/results/curve", test_curve);
   g_test_add_func ("/app/results/factor", test_factor);
   g_test_add_func ("/app/results/runs", test_runs);
   g_test_add_func ("/app/results/answer", test_answer);
-  return g_test_run ();
 }

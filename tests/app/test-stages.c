@@ -2,6 +2,7 @@
 #include "driver.h"
 
 #include "app/widgets/quantity-entry.h"
+#include "support/room.h"
 
 static void
 open_expander (GtkWidget *root, const char *label)
@@ -207,14 +208,11 @@ test_close_while_typing (void)
   driver_wait_until_gone (parts);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/stages/settle-and-push", test_settle_and_push);
   g_test_add_func ("/app/stages/edge-loads", test_edge_loads);
   g_test_add_func ("/app/stages/close-with-selected", test_close_with_selected);
   g_test_add_func ("/app/stages/close-while-typing", test_close_while_typing);
-  return g_test_run ();
 }

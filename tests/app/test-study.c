@@ -5,6 +5,7 @@
 
 #include "app/widgets/quantity-entry.h"
 #include "study/plan/study.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -583,15 +584,12 @@ test_moving_load (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/study/vary", test_vary);
   g_test_add_func ("/app/study/every-number", test_every_number);
   g_test_add_func ("/app/study/edit", test_edit);
   g_test_add_func ("/app/study/surface", test_surface);
   g_test_add_func ("/app/study/moving-load", test_moving_load);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
  * which are GTK's or the desktop's, are not counted. */
 #include "driver.h"
 
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -191,14 +192,11 @@ test_dropped_files (void)
   driver_discard (window);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/tasks/wall", test_wall);
   g_test_add_func ("/app/tasks/mortar", test_mortar);
   g_test_add_func ("/app/tasks/comparison", test_comparison);
   g_test_add_func ("/app/tasks/dropped-files", test_dropped_files);
-  return g_test_run ();
 }

@@ -7,6 +7,7 @@
 #include "app/window/action-table.h"
 #include "doc/long-analysis.h"
 #include "doc/view/figure-export.h"
+#include "support/room.h"
 
 #include <dlfcn.h>
 #include <glib/gstdio.h>
@@ -738,10 +739,8 @@ test_icons (void)
   g_assert_true (asked.dli_fbase != library.dli_fbase);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/window/start", test_start);
   g_test_add_func ("/app/window/startup", test_startup);
@@ -761,5 +760,4 @@ main (int argc, char **argv)
   g_test_add_func ("/app/window/invalid-actions", test_invalid_actions);
   g_test_add_func ("/app/window/figure-without-result", test_figure_without_result);
   g_test_add_func ("/app/window/appearance", test_appearance);
-  return g_test_run ();
 }

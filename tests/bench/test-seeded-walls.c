@@ -3,6 +3,7 @@
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -148,15 +149,12 @@ test_least_collapse (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/bench/seeded-walls/same-seed", test_same_seed);
   g_test_add_func ("/bench/seeded-walls/sizes", test_sizes);
   g_test_add_func ("/bench/seeded-walls/saved", test_saved);
   g_test_add_func ("/bench/seeded-walls/stands", test_stands);
   g_test_add_func ("/bench/seeded-walls/least-collapse", test_least_collapse);
   g_test_add_func ("/bench/seeded-walls/creeps", test_creeps);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Every action that menus, buttons, sources and tests name stands in the table of actions. */
 #include "source-tree.h"
+#include "support/room.h"
 
 /* Names of actions in a text, without their parameters, each after a character that no name has. */
 static void
@@ -72,11 +73,8 @@ test_check_can_fail (void)
   assert_no_complaints (complaints);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/checks/actions/known", test_actions);
   g_test_add_func ("/checks/actions/can-fail", test_check_can_fail);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
  * that give integers. Casts of variables are found by clang's float-cast-overflow as they run, and
  * conversions without a cast by -Wfloat-conversion. */
 #include "source-tree.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -60,11 +61,8 @@ test_check_can_fail (void)
   assert_no_complaints (complaints);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/checks/conversions/sources", test_sources);
   g_test_add_func ("/checks/conversions/can-fail", test_check_can_fail);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Documents: lines that fit a page, links that lead somewhere, and plain English, which comments of
  * the source are held to as well. */
 #include "source-tree.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -244,12 +245,9 @@ test_check_can_fail (void)
   g_assert_cmpstr (comments, ==, " one  .  two\n * three  . ");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/checks/documents/tree", test_documents);
   g_test_add_func ("/checks/documents/comments", test_comments);
   g_test_add_func ("/checks/documents/can-fail", test_check_can_fail);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Every header of src/ compiles alone: whoever includes it needs nothing before it. */
 #include "source-tree.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 
@@ -62,11 +63,8 @@ test_check_can_fail (void)
   g_unlink (path);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/checks/headers/alone", test_headers);
   g_test_add_func ("/checks/headers/can-fail", test_check_can_fail);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* The layers are strictly one way: what each folder of src/ may include. */
 #include "source-tree.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -248,13 +249,10 @@ test_subdir_check_can_fail (void)
   assert_complaint (complaints, "does not build core");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/checks/includes/layers", test_layers);
   g_test_add_func ("/checks/includes/can-fail", test_check_can_fail);
   g_test_add_func ("/checks/includes/subdir-order", test_subdir_order);
   g_test_add_func ("/checks/includes/subdir-can-fail", test_subdir_check_can_fail);
-  return g_test_run ();
 }

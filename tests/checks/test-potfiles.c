@@ -1,5 +1,6 @@
 /* po/POTFILES.in names every file with a string to translate, and no file without. */
 #include "source-tree.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -79,11 +80,8 @@ test_check_can_fail (void)
   assert_no_complaints (complaints);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/checks/potfiles/tree", test_potfiles);
   g_test_add_func ("/checks/potfiles/can-fail", test_check_can_fail);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Nothing is left for later. Long files and functions are listed as hints and do not fail: one page
  * that tells one algorithm is better than many parts that are each called once. */
 #include "source-tree.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -108,11 +109,8 @@ test_check_can_fail (void)
           "unfinished", NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/checks/sizes/tree", test_sizes);
   g_test_add_func ("/checks/sizes/can-fail", test_check_can_fail);
-  return g_test_run ();
 }

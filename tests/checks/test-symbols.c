@@ -2,6 +2,7 @@
  * what is called. No GLib, no output, no environment, no way out of the process, and no data
  * that can change between two calls. */
 #include "source-tree.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -121,12 +122,9 @@ test_check_can_fail (void)
   expect ("table", ".data.rel.ro.local", FALSE);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   if (g_getenv ("QUOIN_CORE_ARCHIVE") != NULL)
     g_test_add_func ("/checks/symbols/core-archive", test_core_archive);
   g_test_add_func ("/checks/symbols/can-fail", test_check_can_fail);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Input that cannot be used: one line that names the place, the right exit code, and nothing
  * written. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -208,10 +209,8 @@ test_unknown_key_is_a_warning (void)
   cli_run_clear (&run);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (bad_inputs); i++) {
     g_autofree char *path = g_strconcat ("/cli/bad-input/", bad_inputs[i].name, NULL);
     g_test_add_data_func (path, &bad_inputs[i], test_bad_input);
@@ -224,5 +223,4 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/bad-input/folder", test_folder_as_model);
   g_test_add_func ("/cli/bad-input/unreadable", test_unreadable);
   g_test_add_func ("/cli/bad-input/unknown-key", test_unknown_key_is_a_warning);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* quoin-cli capacity: numbers, files, and what is refused. */
 #include "cli-run.h"
 
+#include "support/room.h"
 #include "support/table.h"
 
 #include <cJSON.h>
@@ -195,14 +196,11 @@ test_ends (void)
   cli_run_clear (&run);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/capacity/block", test_block);
   g_test_add_func ("/capacity/kept", test_kept);
   g_test_add_func ("/capacity/read back", test_read_back);
   g_test_add_func ("/capacity/ends", test_ends);
   g_test_add_func ("/capacity/refused", test_refused);
-  return g_test_run ();
 }

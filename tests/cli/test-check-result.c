@@ -1,5 +1,6 @@
 /* quoin-cli check --result: every result of the program passes, and none of these changed ones. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <cJSON.h>
 #include <string.h>
@@ -470,11 +471,18 @@ test_beams_without_forces (void)
   cJSON_Delete (root);
 }
 
-int
-main (int argc, char **argv)
+static void
+forget (void)
 {
-  g_test_init (&argc, &argv, NULL);
+  for (int i = 0; i < RESULT_COUNT; i++)
+    g_free (results[i]);
+  test_scratch_free (folder);
+}
+
+QN_TESTS
+{
   folder = test_scratch_new ();
+  atexit (forget);
   for (gsize i = 0; i < G_N_ELEMENTS (forgeries); i++) {
     g_autofree char *path = g_strdup_printf ("/cli/check-result/%s", forgeries[i].name);
     g_test_add_data_func (path, &forgeries[i], test_forgery);
@@ -485,9 +493,4 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/check-result/drawn far", test_drawn_far);
   g_test_add_func ("/cli/check-result/unproved", test_unproved);
   g_test_add_func ("/cli/check-result/beams without forces", test_beams_without_forces);
-  int code = g_test_run ();
-  for (int i = 0; i < RESULT_COUNT; i++)
-    g_free (results[i]);
-  test_scratch_free (folder);
-  return code;
 }

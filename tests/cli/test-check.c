@@ -1,5 +1,6 @@
 /* quoin-cli check: what it lists, and the independent check of a result. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -121,14 +122,11 @@ test_result (void)
   cli_fails (3, NULL, "check", other, "--result", result, NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/check/counts", test_counts);
   g_test_add_func ("/cli/check/json", test_json);
   g_test_add_func ("/cli/check/unsound", test_unsound);
   g_test_add_func ("/cli/check/gap", test_gap);
   g_test_add_func ("/cli/check/result", test_result);
-  return g_test_run ();
 }

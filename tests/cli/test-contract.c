@@ -1,5 +1,6 @@
 /* The command line's contract: help, version, usage errors and exit codes. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -195,10 +196,8 @@ test_numbers (void)
              "--dpi", "nan", "-o", "a.png", NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/contract/help", test_help);
   g_test_add_func ("/cli/contract/help-of-each", test_help_of_each);
   g_test_add_func ("/cli/contract/version", test_version);
@@ -210,5 +209,4 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/contract/same-file", test_same_file);
   g_test_add_func ("/cli/contract/numbers", test_numbers);
   g_test_add_func ("/cli/contract/no-timings", test_no_timings);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Every example can be checked, and solved where that is quick. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -58,10 +59,8 @@ is_free (const char *name)
   return strcmp (name, "25-four-bricks.quoin") == 0;
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
   collect (g_getenv ("QUOIN_EXAMPLES"), paths);
   g_assert_cmpuint (paths->len, >=, 12);
@@ -74,5 +73,4 @@ main (int argc, char **argv)
     g_test_add_data_func (check, path, is_free (base) ? test_check_free : test_check);
     g_test_add_data_func (solve, path, is_free (base) ? test_modes : test_solve);
   }
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* generate, import and export: models in and out. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -112,15 +113,12 @@ test_bad_import (void)
   cli_fails (2, "--unit", "import", bad, "--unit", "parsec", "-o", output, NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/exchange/generate", test_generate);
   g_test_add_func ("/cli/exchange/generate-keys", test_generate_keys);
   g_test_add_func ("/cli/exchange/round-trip", test_round_trip);
   g_test_add_func ("/cli/exchange/mortar", test_mortar);
   g_test_add_func ("/cli/exchange/export-results", test_export_results);
   g_test_add_func ("/cli/exchange/bad-import", test_bad_import);
-  return g_test_run ();
 }

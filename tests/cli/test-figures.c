@@ -1,5 +1,6 @@
 /* quoin-cli figures and animate: the files they make, and what they refuse. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -187,15 +188,12 @@ test_speed (void)
              "a.gif", NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/figures/made", test_figures);
   g_test_add_func ("/cli/figures/outside", test_outside);
   g_test_add_func ("/cli/figures/changed-model", test_changed_model_is_said);
   g_test_add_func ("/cli/figures/wrong-recipe", test_wrong_recipe);
   g_test_add_func ("/cli/animate", test_animate);
   g_test_add_func ("/cli/animate/speed", test_speed);
-  return g_test_run ();
 }

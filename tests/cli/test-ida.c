@@ -1,6 +1,7 @@
 /* quoin-cli ida: curves, going on after an interruption, and what is refused. */
 #include "cli-run.h"
 
+#include "support/room.h"
 #include "support/table.h"
 
 #include <string.h>
@@ -100,11 +101,8 @@ test_refused (void)
   g_assert_false (g_file_test (results, G_FILE_TEST_IS_REGULAR));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/ida/curves", test_curves);
   g_test_add_func ("/ida/refused", test_refused);
-  return g_test_run ();
 }

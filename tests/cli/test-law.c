@@ -1,5 +1,6 @@
 /* quoin-cli law: tables, pictures, and what is refused. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -114,15 +115,12 @@ test_no_limit (void)
   cli_fails (3, "laws[0].kind: limit analysis", "limit", example, NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/law/kinds", test_kinds);
   g_test_add_func ("/cli/law/numbers", test_numbers);
   g_test_add_func ("/cli/law/of-project", test_of_project);
   g_test_add_func ("/cli/law/refused", test_refused);
   g_test_add_func ("/cli/law/detail", test_detail);
   g_test_add_func ("/cli/law/no-limit", test_no_limit);
-  return g_test_run ();
 }

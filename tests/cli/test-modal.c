@@ -1,5 +1,6 @@
 /* quoin-cli modal: table, files, and what is refused. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -71,14 +72,11 @@ test_budget (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/modal/table", test_table);
   g_test_add_func ("/cli/modal/refused", test_refused);
   g_test_add_func ("/cli/modal/unstable", test_unstable);
   g_test_add_func ("/cli/modal/slipping", test_slipping);
   g_test_add_func ("/cli/modal/budget", test_budget);
-  return g_test_run ();
 }

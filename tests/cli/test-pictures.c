@@ -1,6 +1,7 @@
 /* Every view of every kind of result, coloured by every field, with every decoration: drawn where
  * the result has what the picture needs, refused in one line where it has not. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -233,14 +234,11 @@ test_kind (gconstpointer data)
   test_scratch_free (g_steal_pointer (&folder));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/pictures/known", test_known);
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *path = g_strconcat ("/cli/pictures/", kinds[i].name, NULL);
     g_test_add_data_func (path, &kinds[i], test_kind);
   }
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* quoin-cli render, compare and curve: the files they make, and what they refuse. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -218,10 +219,8 @@ test_curve_runs (Solved *solved, gconstpointer data)
   cli_fails (5, NULL, "curve", first, "-o", "/no/such/folder/c.csv", NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
 #define ADD(path, function)                                                              \
   g_test_add ("/cli/render/" path, Solved, NULL, set_up, function, tear_down)
   ADD ("views-and-formats", test_views_and_formats);
@@ -235,5 +234,4 @@ main (int argc, char **argv)
   ADD ("columns", test_columns);
   ADD ("curve-runs", test_curve_runs);
 #undef ADD
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* quoin-cli report: pages, text that can be selected, sections, and what is refused. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -248,10 +249,8 @@ test_refused (void)
   cli_fails (5, NULL, "report", model, "-o", "/nowhere/x.pdf", NULL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/report/whole", test_whole);
   g_test_add_func ("/cli/report/pages", test_pages);
   g_test_add_func ("/cli/report/sections", test_sections);
@@ -262,5 +261,4 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/report/record", test_record);
   g_test_add_func ("/cli/report/template", test_template);
   g_test_add_func ("/cli/report/refused", test_refused);
-  return g_test_run ();
 }

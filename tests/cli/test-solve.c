@@ -1,5 +1,6 @@
 /* quoin-cli solve: outputs, overrides, repeatability, what stays when it fails. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <signal.h>
 #include <string.h>
@@ -376,10 +377,8 @@ test_interrupt (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/limit/sensitivity", test_sensitivity);
   g_test_add_func ("/cli/solve/standard-output", test_standard_output);
   g_test_add_func ("/cli/solve/door-without-lintel", test_door_without_lintel);
@@ -400,5 +399,4 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/solve/block-on-an-edge", test_block_on_an_edge);
   g_test_add_func ("/cli/solve/rocking-sill", test_rocking_sill);
   g_test_add_func ("/cli/solve/interrupt", test_interrupt);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Load stages, settlements and reasons on the command line. */
 #include "cli-run.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -195,10 +196,8 @@ test_verify_uncertain (void)
   cli_run_clear (&run);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/stages/refused", test_refused);
   g_test_add_func ("/cli/stages/wrong-sign", test_wrong_sign);
   g_test_add_func ("/cli/stages/tables", test_tables);
@@ -207,5 +206,4 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/stages/stability-linear", test_stability_linear);
   g_test_add_func ("/cli/stages/verify", test_verify);
   g_test_add_func ("/cli/stages/verify-uncertain", test_verify_uncertain);
-  return g_test_run ();
 }

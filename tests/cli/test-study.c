@@ -1,5 +1,6 @@
 /* quoin-cli study: cases on several processes, what remains after a kill, what is refused. */
 #include "cli-run.h"
+#include "support/room.h"
 #include "support/table.h"
 
 #include <signal.h>
@@ -550,10 +551,8 @@ test_figures (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/study/any-number-of-workers", test_any_number_of_workers);
   g_test_add_func ("/cli/study/goes-on", test_goes_on);
   g_test_add_func ("/cli/study/outcomes", test_outcomes);
@@ -570,5 +569,4 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/study/one-value", test_one_value);
   g_test_add_func ("/cli/study/gap", test_gap);
   g_test_add_func ("/cli/study/figures", test_figures);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
  * the machine is, and memory is limited for the program. */
 #include "cli/cli-run.h"
 #include "support/instructions.h"
+#include "support/room.h"
 
 #include <errno.h>
 #include <glib/gstdio.h>
@@ -402,11 +403,16 @@ test_growth (gconstpointer data)
   g_assert_cmpfloat (growth, <=, MOST_GROWTH);
 }
 
-int
-main (int argc, char **argv)
+static void
+forget (void)
 {
-  g_test_init (&argc, &argv, NULL);
+  test_scratch_free (folder);
+}
+
+QN_TESTS
+{
   folder = test_scratch_new ();
+  atexit (forget);
   for (gsize i = 0; i < G_N_ELEMENTS (inputs); i++) {
     g_autofree char *memory = g_strconcat ("/cli/work/memory/", inputs[i].name, NULL);
     g_autofree char *work = g_strconcat ("/cli/work/instructions/", inputs[i].name, NULL);
@@ -417,7 +423,4 @@ main (int argc, char **argv)
     g_autofree char *path = g_strconcat ("/cli/work/growth/", growing[i].name, NULL);
     g_test_add_data_func (path, &growing[i], test_growth);
   }
-  int failed = g_test_run ();
-  test_scratch_free (folder);
-  return failed;
 }

@@ -1,6 +1,7 @@
 #include "disk/file-group.h"
 
 #include "disk/whole-file.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <errno.h>
@@ -96,13 +97,10 @@ test_refused (void)
   test_scratch_free (folder);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/disk/file-group/commit", test_commit);
   g_test_add_func ("/disk/file-group/discard", test_discard);
   g_test_add_func ("/disk/file-group/undone", test_undone);
   g_test_add_func ("/disk/file-group/refused", test_refused);
-  return g_test_run ();
 }

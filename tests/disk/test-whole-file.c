@@ -1,6 +1,7 @@
 #define _GNU_SOURCE /* O_TMPFILE */
 #include "disk/whole-file.h"
 
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <errno.h>
@@ -148,10 +149,8 @@ test_kill (TestScratchFile *fixture, gconstpointer data)
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   static const struct {
     const char *path;
     void (*function) (TestScratchFile *fixture, gconstpointer data);
@@ -167,5 +166,4 @@ main (int argc, char **argv)
   for (size_t i = 0; i < G_N_ELEMENTS (tests); i++)
     g_test_add (tests[i].path, TestScratchFile, NULL, test_scratch_file_set_up,
                 tests[i].function, test_scratch_file_tear_down);
-  return g_test_run ();
 }

@@ -4,6 +4,7 @@
 #include "faults/fault-case.h"
 #include "io/result/result-file.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <time.h>
@@ -137,13 +138,10 @@ test_case (gconstpointer data)
   fault_answer_clear (&again);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < fault_case_count; i++) {
     g_autofree char *path = g_strdup_printf ("/faults/cancel/%s", fault_cases[i].name);
     g_test_add_data_func (path, &fault_cases[i], test_case);
   }
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
  * beside it. And a kill at each of these calls: what bears a name is the old file or the new one,
  * whole, and the next run writes all of it. */
 #include "cli/cli-run.h"
+#include "support/room.h"
 
 #include <errno.h>
 #include <glib/gstdio.h>
@@ -586,10 +587,8 @@ test_full_standard_output (void)
   cli_assert_failed (&run, 5, "standard output");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (writings); i++) {
     static const struct {
       const char *name;
@@ -621,5 +620,4 @@ main (int argc, char **argv)
     g_test_add_data_func (full, &long_runs[i], test_long_run_full);
   }
   g_test_add_func ("/faults/disk/standard-output", test_full_standard_output);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 #include "cli/cli-run.h"
 #include "io/project/project.h"
 #include "io/result/result-file.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <signal.h>
@@ -189,12 +190,10 @@ test_interrupt_animation (gconstpointer data)
   g_assert_cmpint (cancelled, >, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
   static const Interruption once = { SIGINT, 1 }, twice = { SIGINT, 2 };
   static const Interruption end = { SIGTERM, 1 };
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/faults/kill/while-saving", test_kill_while_saving);
   g_test_add_data_func ("/faults/kill/interrupt-solve", &once, test_interrupt_solve);
   g_test_add_data_func ("/faults/kill/interrupt-solve-twice", &twice,
@@ -204,5 +203,4 @@ main (int argc, char **argv)
   g_test_add_data_func ("/faults/kill/interrupt-frames", "a/", test_interrupt_animation);
   g_test_add_data_func ("/faults/kill/interrupt-webm", "a.webm",
                         test_interrupt_animation);
-  return g_test_run ();
 }

@@ -6,6 +6,7 @@
 #include "io/text/io-error.h"
 #include "render/figure/figure.h"
 #include "support/failing-memory.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <unistd.h>
@@ -225,10 +226,8 @@ test_picture (gconstpointer data)
   qn_project_clear (&drawing.project);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < fault_case_count; i++) {
     g_autofree char *path = g_strdup_printf ("/faults/memory/%s", fault_cases[i].name);
     g_test_add_data_func (path, &fault_cases[i], test_analysis);
@@ -242,5 +241,4 @@ main (int argc, char **argv)
                         GINT_TO_POINTER (QN_BACKEND_CAIRO), test_picture);
   g_test_add_data_func ("/faults/memory/picture/gl", GINT_TO_POINTER (QN_BACKEND_GL),
                         test_picture);
-  return g_test_run ();
 }

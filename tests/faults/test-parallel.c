@@ -3,6 +3,7 @@
  * each thread's own. The thread sanitizer has its say on this program. */
 #include "faults/fault-case.h"
 #include "render/figure/figure.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <unistd.h>
@@ -153,11 +154,8 @@ test_parallel (gconstpointer draws)
   g_free (shared.projects);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_data_func ("/faults/parallel/analyses", NULL, test_parallel);
   g_test_add_data_func ("/faults/parallel/analyses-and-pictures", "", test_parallel);
-  return g_test_run ();
 }

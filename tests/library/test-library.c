@@ -1,4 +1,5 @@
 /* libquoin as a program sees it that links to nothing else of Quoin. */
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <glib.h>
@@ -393,10 +394,8 @@ test_threads (void)
   quoin_model_unref (model);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/library/model", test_model);
   g_test_add_func ("/library/error-names-the-place", test_error_names_the_place);
   g_test_add_func ("/library/edge-loads", test_edge_loads);
@@ -408,5 +407,4 @@ main (int argc, char **argv)
   g_test_add_func ("/library/modes", test_modes);
   g_test_add_func ("/library/figure", test_figure);
   g_test_add_func ("/library/threads", test_threads);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "stereotomy/arch-ring.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -127,13 +128,10 @@ test_ellipse_even (void)
     g_assert_cmpfloat_with_epsilon (lengths[i], mean, 2e-5 * mean);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/arch-ring/semicircle", test_semicircle);
   g_test_add_func ("/arch-ring/shared-joints", test_shared_joints);
   g_test_add_func ("/arch-ring/pointed-crown", test_pointed_crown);
   g_test_add_func ("/arch-ring/ellipse-even", test_ellipse_even);
-  return g_test_run ();
 }

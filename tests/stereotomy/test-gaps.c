@@ -4,6 +4,7 @@
 #include "stereotomy/masonry.h"
 #include "stereotomy/sound.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -369,14 +370,11 @@ test_fill (void)
   qn_gaps_clear (&gaps);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/gaps/walls", test_walls);
   g_test_add_func ("/gaps/others", test_others);
   g_test_add_func ("/gaps/clean-stays", test_clean_stays);
   g_test_add_func ("/gaps/slate", test_slate);
   g_test_add_func ("/gaps/fill", test_fill);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "stereotomy/linework.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -103,14 +104,11 @@ test_large (void)
   g_assert_cmpfloat (polygonize (&segments, 1e-3, 220 * 220), ==, 220 * 220);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/linework/courses", test_courses);
   g_test_add_func ("/linework/dirty", test_dirty);
   g_test_add_func ("/linework/nothing-enclosed", test_nothing_enclosed);
   g_test_add_func ("/linework/hole", test_hole);
   g_test_add_func ("/linework/large", test_large);
-  return g_test_run ();
 }

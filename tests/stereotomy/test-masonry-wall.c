@@ -2,6 +2,7 @@
 #include "stereotomy/polygon-ops.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -298,10 +299,8 @@ test_names_survive (void)
   qn_masonry_clear (&masonry);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/masonry-wall/six-walls", test_six_walls);
   g_test_add_func ("/masonry-wall/running-is-wall-1", test_running_is_wall_1);
   g_test_add_func ("/masonry-wall/bonds", test_bonds);
@@ -311,5 +310,4 @@ main (int argc, char **argv)
   g_test_add_func ("/masonry-wall/leaves", test_leaves);
   g_test_add_func ("/masonry-wall/rotation", test_rotation);
   g_test_add_func ("/masonry-wall/names-survive", test_names_survive);
-  return g_test_run ();
 }

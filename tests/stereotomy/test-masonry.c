@@ -4,6 +4,7 @@
 #include "stereotomy/sound.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -283,10 +284,8 @@ test_refuses (void)
   qn_masonry_clear (&masonry);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/masonry/arch", test_arch);
   g_test_add_func ("/masonry/column", test_column);
   g_test_add_func ("/masonry/buttress", test_buttress);
@@ -294,5 +293,4 @@ main (int argc, char **argv)
   g_test_add_func ("/masonry/rubble", test_rubble);
   g_test_add_func ("/masonry/nonsense", test_nonsense);
   g_test_add_func ("/masonry/refuses", test_refuses);
-  return g_test_run ();
 }

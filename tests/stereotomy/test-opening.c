@@ -2,6 +2,7 @@
 #include "stereotomy/sound.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -257,13 +258,10 @@ test_random (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/opening/kinds", test_kinds);
   g_test_add_func ("/opening/refuses", test_refuses);
   g_test_add_func ("/opening/neighbours", test_neighbours);
   g_test_add_func ("/opening/random", test_random);
-  return g_test_run ();
 }

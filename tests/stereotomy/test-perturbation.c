@@ -7,6 +7,7 @@
 #include "stereotomy/sound.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -178,10 +179,8 @@ test_refused (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (int kind = 0; kind < QN_MASONRY_KIND_COUNT; kind++) {
     g_autofree char *path =
       g_strdup_printf ("/perturbation/topology/%s", qn_masonry_kind_names[kind]);
@@ -189,5 +188,4 @@ main (int argc, char **argv)
   }
   g_test_add_func ("/perturbation/seed", test_seed);
   g_test_add_func ("/perturbation/refused", test_refused);
-  return g_test_run ();
 }

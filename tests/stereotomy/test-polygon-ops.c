@@ -1,5 +1,6 @@
 #include "stereotomy/polygon-ops.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <stdlib.h>
@@ -143,13 +144,10 @@ test_refuses (void)
   qn_ring_clear (&unit);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/polygon-ops/difference", test_difference);
   g_test_add_func ("/polygon-ops/union", test_union);
   g_test_add_func ("/polygon-ops/cut", test_cut);
   g_test_add_func ("/polygon-ops/refuses", test_refuses);
-  return g_test_run ();
 }

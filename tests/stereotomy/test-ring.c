@@ -1,5 +1,6 @@
 #include "stereotomy/ring.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -73,13 +74,10 @@ test_list (void)
   g_assert_cmpfloat (qn_box_size (qn_rings_bounds (&rings)), ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/ring/measures", test_measures);
   g_test_add_func ("/ring/orient-and-normalize", test_orient_and_normalize);
   g_test_add_func ("/ring/simplify", test_simplify);
   g_test_add_func ("/ring/list", test_list);
-  return g_test_run ();
 }

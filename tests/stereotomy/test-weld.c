@@ -1,5 +1,6 @@
 #include "stereotomy/weld.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -89,14 +90,11 @@ test_collapse (void)
   g_assert_cmpuint (rings.count, ==, 1);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/weld/majority-wins", test_majority_wins);
   g_test_add_func ("/weld/clean-stays", test_clean_stays);
   g_test_add_func ("/weld/gap-closes", test_gap_closes);
   g_test_add_func ("/weld/edge-meets-vertex", test_edge_meets_vertex);
   g_test_add_func ("/weld/collapse", test_collapse);
-  return g_test_run ();
 }

@@ -8,6 +8,7 @@
 #include "core/path/analysis.h"
 #include "support/contacts.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <signal.h>
@@ -230,8 +231,7 @@ test_report (void)
   g_assert_nonnull (strstr (text->str, "| crash | 0 |  |  |  | crashed. "));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
   static const struct {
     const char *name;
@@ -240,7 +240,6 @@ main (int argc, char **argv)
                 { "strength", test_strength }, { "mechanism", test_mechanism },
                 { "path", test_path },         { "limit", test_limit } };
 
-  g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (tests); i++) {
     g_autofree char *path = g_strconcat ("/stress/checks/", tests[i].name, NULL);
     g_test_add (path, Fixture, NULL, set_up, tests[i].test, tear_down);
@@ -249,5 +248,4 @@ main (int argc, char **argv)
   g_test_add_func ("/stress/random", test_random);
   g_test_add_func ("/stress/names", test_names);
   g_test_add_func ("/stress/report", test_report);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "support/contacts.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -35,10 +36,7 @@ test_arch (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/generate-arch/semicircle-and-segments", test_arch);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "support/contacts.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -18,10 +19,7 @@ test_column (void)
   g_assert_cmpfloat_with_epsilon (contacts.faces[3].length, 0.9, 1e-14);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/generate-column/tapered", test_column);
-  return g_test_run ();
 }

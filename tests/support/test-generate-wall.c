@@ -1,5 +1,6 @@
 #include "support/contacts.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -65,12 +66,9 @@ test_same_seed_same_wall (void)
     qn_model_clear (&models[i]);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/generate-wall/plain", test_plain_wall);
   g_test_add_func ("/generate-wall/openings", test_openings);
   g_test_add_func ("/generate-wall/same-seed", test_same_seed_same_wall);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "support/auto-clear.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -94,11 +95,8 @@ test_refuses (void)
                  QN_PROBLEM_NOT_POSITIVE, "top_width", &model);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/generate/material-and-loads", test_material_and_loads);
   g_test_add_func ("/generate/refuses", test_refuses);
-  return g_test_run ();
 }

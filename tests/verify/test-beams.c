@@ -2,6 +2,7 @@
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -292,10 +293,8 @@ test_mast (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/beams/frame-collapse", test_frame_collapse);
   g_test_add_func ("/verify/beams/propped-cantilever", test_propped_cantilever);
   g_test_add_func ("/verify/beams/elastica", test_elastica);
@@ -303,5 +302,4 @@ main (int argc, char **argv)
   g_test_add_func ("/verify/beams/vibration", test_vibration);
   g_test_add_func ("/verify/beams/block-on-beam", test_block_on_beam);
   g_test_add_func ("/verify/beams/mast", test_mast);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Textbook statics, linear geometry: the collapse multiplier to 1e-6. */
 #include "solve.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -143,10 +144,8 @@ test_leaning (void)
   assert_multiplier (collapse (&model), expected);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/closed-forms/sliding", test_sliding);
   g_test_add_func ("/verify/closed-forms/overturning", test_overturning);
   g_test_add_func ("/verify/closed-forms/stack", test_stack);
@@ -154,5 +153,4 @@ main (int argc, char **argv)
   g_test_add_func ("/verify/closed-forms/slope", test_slope);
   g_test_add_func ("/verify/closed-forms/chain", test_chain);
   g_test_add_func ("/verify/closed-forms/leaning", test_leaning);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
  * they are drawn and with contacts that follow the blocks. */
 #include "support/auto-clear.h"
 #include "support/earthquakes.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -69,8 +70,7 @@ test_arch (gconstpointer follow)
   g_assert_cmpfloat (result.history.energy_error, <, 1e-3);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
   static const struct {
     const char *name;
@@ -78,12 +78,10 @@ main (int argc, char **argv)
   } tests[] = { { "overturning-boundary", test_overturning_boundary },
                 { "column", test_column },
                 { "arch", test_arch } };
-  g_test_init (&argc, &argv, NULL);
   for (gsize i = 0; i < G_N_ELEMENTS (tests); i++) {
     g_autofree char *fixed = g_strdup_printf ("/earthquakes/%s/fixed", tests[i].name);
     g_autofree char *follow = g_strdup_printf ("/earthquakes/%s/follow", tests[i].name);
     g_test_add_data_func (fixed, NULL, tests[i].test);
     g_test_add_data_func (follow, "", tests[i].test);
   }
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
  * dilatancy = friction, where the multiplier is unique. */
 #include "solve.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -99,10 +100,8 @@ test_associative (gconstpointer data)
   compare (GPOINTER_TO_INT (data), 0.65, 0.001);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
     g_autofree char *non =
       g_strdup_printf ("/verify/invariance/%d/non-associative", number);
@@ -111,5 +110,4 @@ main (int argc, char **argv)
     g_test_add_data_func (non, GINT_TO_POINTER (number), test_non_associative);
     g_test_add_data_func (associative, GINT_TO_POINTER (number), test_associative);
   }
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
  * block turned over, and the balance of energy along an elastic path. */
 #include "core/path/stability.h"
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -269,10 +270,8 @@ test_overturning (void)
   test_run_clear (&run);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/large-displacements/euler-loads", test_euler_loads);
   g_test_add_func ("/verify/large-displacements/columns-converge", test_columns_converge);
   g_test_add_func ("/verify/large-displacements/elastica", test_elastica);
@@ -280,5 +279,4 @@ main (int argc, char **argv)
                    test_slender_member_swings);
   g_test_add_func ("/verify/large-displacements/energy-balance", test_energy_balance);
   g_test_add_func ("/verify/large-displacements/overturning", test_overturning);
-  return g_test_run ();
 }

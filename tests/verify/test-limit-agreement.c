@@ -6,6 +6,7 @@
 #include "core/limit/limit.h"
 #include "support/auto-clear.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -141,10 +142,8 @@ test_crushed (gconstpointer data)
   g_assert_cmpfloat (path, <=, bound * (1 + allowed));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (int number = 0; number < 2 * COUNT; number++) {
     g_autofree char *path = g_strdup_printf ("/verify/limit-agreement/%d", number + 1);
     g_autofree char *crushed =
@@ -152,5 +151,4 @@ main (int argc, char **argv)
     g_test_add_data_func (path, GINT_TO_POINTER (number), test_wall);
     g_test_add_data_func (crushed, GINT_TO_POINTER (number), test_crushed);
   }
-  return g_test_run ();
 }

@@ -4,6 +4,7 @@
 #include "support/auto-clear.h"
 #include "support/certificate.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -30,10 +31,7 @@ test_ten_thousand (void)
   test_assert_certified (&model, &contacts, &solution);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/limit-large/ten-thousand", test_ten_thousand);
-  return g_test_run ();
 }

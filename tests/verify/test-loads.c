@@ -1,6 +1,7 @@
 /* Retaining walls under earth pressure, against closed forms. */
 #include "support/earthquakes.h"
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -210,14 +211,11 @@ test_in_time (void)
     g_assert_cmpfloat_with_epsilon (found[0][dof], found[1][dof], 1e-9);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/loads/limit", test_limit);
   g_test_add_func ("/verify/loads/path", test_path);
   g_test_add_func ("/verify/loads/many-forces", test_many_forces);
   g_test_add_func ("/verify/loads/turned", test_turned);
   g_test_add_func ("/verify/loads/in-time", test_in_time);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Continuous members in linear geometry against closed forms of textbook mechanics. */
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -294,10 +295,8 @@ test_soft_on_stiff (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/members/cantilever", test_cantilever);
   g_test_add_func ("/verify/members/second-order", test_second_order);
   g_test_add_func ("/verify/members/uniform-pairs", test_uniform_pairs);
@@ -305,5 +304,4 @@ main (int argc, char **argv)
   g_test_add_func ("/verify/members/plastic-load", test_plastic_load);
   g_test_add_func ("/verify/members/reinforced", test_reinforced);
   g_test_add_func ("/verify/members/soft-on-stiff", test_soft_on_stiff);
-  return g_test_run ();
 }

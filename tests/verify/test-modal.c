@@ -1,6 +1,7 @@
 /* Frequencies against closed forms. */
 #include "core/modal/modal.h"
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -127,12 +128,9 @@ test_wallet (void)
   g_assert_cmpfloat (modes.omega[3], >, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/modal/simply-supported", test_simply_supported);
   g_test_add_func ("/verify/modal/one-block", test_one_block);
   g_test_add_func ("/verify/modal/wallet", test_wallet);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
  * displacements, beside two discrete element codes. Each wall is a test of its own. */
 #include "solve.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -186,10 +187,8 @@ test_sharp_corners (void)
   verify_clear (&solved);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (int number = 1; number <= (int) G_N_ELEMENTS (walls); number++) {
     g_autofree char *wall = g_strdup_printf ("/verify/rounded/%d/", number);
     g_autofree char *branch = g_strconcat (wall, "branch", NULL);
@@ -199,5 +198,4 @@ main (int argc, char **argv)
   }
   g_test_add_func ("/verify/rounded/1/one-branch", test_one_branch);
   g_test_add_func ("/verify/rounded/1/sharp-corners", test_sharp_corners);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Settling supports, against closed forms and limit analysis. */
 #include "core/limit/limit.h"
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -177,12 +178,9 @@ test_least_thrust (void)
   qn_model_clear (&run.model);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/settlements/clamped-beam", test_clamped_beam);
   g_test_add_func ("/verify/settlements/middle-support", test_middle_support);
   g_test_add_func ("/verify/settlements/least-thrust", test_least_thrust);
-  return g_test_run ();
 }

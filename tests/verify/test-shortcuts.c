@@ -3,6 +3,7 @@
 #include "solve.h"
 #include "support/generate.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -121,10 +122,8 @@ test_random_walls (void)
     check (make_random_wall, number, number % 2 != 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (int wall = 1; wall <= TEST_WALL_COUNT; wall++) {
     g_autofree char *associative = g_strdup_printf ("/verify/shortcuts/%d", wall);
     g_autofree char *sliding = g_strdup_printf ("/verify/shortcuts/%d/sliding", wall);
@@ -132,5 +131,4 @@ main (int argc, char **argv)
     g_test_add_data_func (sliding, GINT_TO_POINTER (wall), test_wall_without_dilatancy);
   }
   g_test_add_func ("/verify/shortcuts/random", test_random_walls);
-  return g_test_run ();
 }

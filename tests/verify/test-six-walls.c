@@ -2,6 +2,7 @@
  * change, beside the effort they take. Each wall is a test of its own. */
 #include "solve.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -140,10 +141,8 @@ test_no_snap_of_wall_3 (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
     g_autofree char *paths = g_strdup_printf ("/verify/walls/%d/", number);
     g_autofree char *non = g_strconcat (paths, "non-associative", NULL);
@@ -156,5 +155,4 @@ main (int argc, char **argv)
     g_test_add_data_func (effort, GINT_TO_POINTER (number), test_effort);
   }
   g_test_add_func ("/verify/walls/3/no-snap", test_no_snap_of_wall_3);
-  return g_test_run ();
 }

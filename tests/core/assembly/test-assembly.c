@@ -1,4 +1,5 @@
 #include "core/solver.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -292,10 +293,8 @@ test_may_jump (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/assembly/tangent/non-associative", test_tangent_non_associative);
   g_test_add_func ("/assembly/tangent/associative", test_tangent_associative);
   g_test_add_func ("/assembly/tangent/nonlinear", test_tangent_nonlinear);
@@ -305,5 +304,4 @@ main (int argc, char **argv)
   g_test_add_func ("/assembly/elastic-displacements", test_elastic_displacements);
   g_test_add_func ("/assembly/evaluation-has-no-memory", test_evaluation_has_no_memory);
   g_test_add_func ("/assembly/may-jump", test_may_jump);
-  return g_test_run ();
 }

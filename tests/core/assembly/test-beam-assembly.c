@@ -2,6 +2,7 @@
 
 #include "core/path/analysis.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -342,10 +343,8 @@ test_floating (void)
   g_assert_cmpint (diag.index, ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/beam-assembly/tangent/linear", test_tangent_linear);
   g_test_add_func ("/beam-assembly/tangent/nonlinear", test_tangent_nonlinear);
   g_test_add_func ("/beam-assembly/line-load", test_line_load);
@@ -353,5 +352,4 @@ main (int argc, char **argv)
   g_test_add_func ("/beam-assembly/truss", test_truss);
   g_test_add_func ("/beam-assembly/rigid-link", test_rigid_link);
   g_test_add_func ("/beam-assembly/floating", test_floating);
-  return g_test_run ();
 }

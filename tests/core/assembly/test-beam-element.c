@@ -1,4 +1,5 @@
 #include "core/assembly/beam-element.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -248,10 +249,8 @@ test_deflection (void)
   g_assert_cmpfloat_with_epsilon (qn_beam_deflection (&p, one, q, 1), 0, 1e-15);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/beam-element/tangent", test_tangent);
   g_test_add_func ("/beam-element/stiffness", test_stiffness);
   g_test_add_func ("/beam-element/rigid-motion", test_rigid_motion);
@@ -260,5 +259,4 @@ main (int argc, char **argv)
   g_test_add_func ("/beam-element/fixed-end-moments", test_fixed_end_moments);
   g_test_add_func ("/beam-element/mass", test_mass);
   g_test_add_func ("/beam-element/deflection", test_deflection);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/base/box-tree.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -112,13 +113,10 @@ test_touching_counts (void)
     qn_box_meets (qn_box_grow (box, 0.001), (QnBox){ { 1.001, 0 }, { 2, 1 } }));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/box-tree/all-sizes", test_all_sizes);
   g_test_add_func ("/box-tree/equal-boxes", test_equal_boxes);
   g_test_add_func ("/box-tree/empty", test_empty);
   g_test_add_func ("/box-tree/touching-counts", test_touching_counts);
-  return g_test_run ();
 }

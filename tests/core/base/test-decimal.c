@@ -1,4 +1,5 @@
 #include "core/base/decimal.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -15,10 +16,7 @@ test_write (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/decimal/write", test_write);
-  return g_test_run ();
 }

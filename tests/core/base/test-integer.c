@@ -1,4 +1,5 @@
 #include "core/base/integer.h"
+#include "support/room.h"
 
 #include <float.h>
 #include <glib.h>
@@ -36,10 +37,7 @@ test_bounds (void)
                      cases[i].expected);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/integer/bounds", test_bounds);
-  return g_test_run ();
 }

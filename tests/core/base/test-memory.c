@@ -1,4 +1,5 @@
 #include "core/base/memory.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <stdlib.h>
@@ -73,14 +74,11 @@ test_strdup (void)
   g_assert_null (qn_strdup (NULL));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/memory/grow/keeps-and-zeroes", test_grow_keeps_and_zeroes);
   g_test_add_func ("/memory/grow/refuses-overflow", test_grow_refuses_overflow);
   g_test_add_func ("/memory/push", test_push);
   g_test_add_func ("/memory/lines", test_lines);
   g_test_add_func ("/memory/strdup", test_strdup);
-  return g_test_run ();
 }

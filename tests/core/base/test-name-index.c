@@ -1,4 +1,5 @@
 #include "core/base/name-index.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -48,11 +49,8 @@ test_first_of_equals (void)
   qn_name_index_clear (&index);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/name-index/many-names", test_many_names);
   g_test_add_func ("/name-index/first-of-equals", test_first_of_equals);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/base/polygon.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -85,15 +86,12 @@ test_inner_point (void)
                      0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/polygon/properties/rectangle", test_rectangle);
   g_test_add_func ("/polygon/properties/l-shape", test_l_shape);
   g_test_add_func ("/polygon/properties/translation", test_translation_costs_nothing);
   g_test_add_func ("/polygon/reverse", test_reverse);
   g_test_add_func ("/polygon/depth", test_depth);
   g_test_add_func ("/polygon/inner-point", test_inner_point);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/base/union-find.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -43,11 +44,8 @@ test_orders (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/union-find/remainders", test_remainders);
   g_test_add_func ("/union-find/orders", test_orders);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* The examples by hand of docs/method/capacity.md. */
 #include "core/capacity/capacity.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -151,12 +152,9 @@ test_refuse (void)
                    QN_PROBLEM_CAPACITY_MOTION);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/capacity/rigid-block", test_rigid_block);
   g_test_add_func ("/capacity/two-blocks", test_two_blocks);
   g_test_add_func ("/capacity/refuse", test_refuse);
-  return g_test_run ();
 }

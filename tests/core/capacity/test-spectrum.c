@@ -1,5 +1,6 @@
 /* Spectra beside values computed by hand from the tables of EN 1998-1. */
 #include "core/capacity/spectrum.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -65,12 +66,9 @@ test_points (void)
                qn_spectrum_displacement (&f, 0.4));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/spectrum/type-1", test_type_1);
   g_test_add_func ("/spectrum/type-2", test_type_2);
   g_test_add_func ("/spectrum/points", test_points);
-  return g_test_run ();
 }

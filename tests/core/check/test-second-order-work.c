@@ -2,6 +2,7 @@
 #include "core/check/result-check.h"
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -226,14 +227,11 @@ test_after_jump (void)
   g_assert_cmpint (jumps, >, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/second-order-work/rocking-block", test_rocking_block);
   g_test_add_func ("/second-order-work/walls", test_leaning_walls);
   g_test_add_func ("/second-order-work/column", test_column);
   g_test_add_func ("/second-order-work/hardening", test_hardening);
   g_test_add_func ("/second-order-work/after-jump", test_after_jump);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "core/contact/contacts.h"
 #include "support/contacts.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -94,11 +95,8 @@ test_refused (void)
   expect_refusal (&model, QN_PROBLEM_NOT_FINITE);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contact-bars/crossing", test_crossing);
   g_test_add_func ("/contact-bars/refused", test_refused);
-  return g_test_run ();
 }

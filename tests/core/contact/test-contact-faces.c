@@ -1,5 +1,6 @@
 #include "support/contacts.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -285,10 +286,8 @@ test_thickness_is_the_smaller (void)
   g_assert_cmpfloat (contacts.faces[0].thickness, ==, 0.25);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contact-faces/overlap-at-every-angle", test_overlap_at_every_angle);
   g_test_add_func ("/contact-faces/ends-are-vertices", test_ends_are_vertices);
   g_test_add_func ("/contact-faces/t-joints", test_t_joints);
@@ -304,5 +303,4 @@ main (int argc, char **argv)
   g_test_add_func ("/contact-faces/filled-gap", test_filled_gap);
   g_test_add_func ("/contact-faces/sizes-far-apart", test_sizes_far_apart);
   g_test_add_func ("/contact-faces/thickness", test_thickness_is_the_smaller);
-  return g_test_run ();
 }

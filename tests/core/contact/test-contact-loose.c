@@ -1,5 +1,6 @@
 #include "support/contacts.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -185,10 +186,8 @@ test_lonely_support (void)
   g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, NULL), ==, QN_OK);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contact-loose/ordinary-corners", test_ordinary_corners);
   g_test_add_func ("/contact-loose/corner-on-corner", test_corner_on_corner);
   g_test_add_func ("/contact-loose/corner-on-edge", test_corner_on_edge);
@@ -198,5 +197,4 @@ main (int argc, char **argv)
   g_test_add_func ("/contact-loose/any-support-holds", test_any_support_holds);
   g_test_add_func ("/contact-loose/no-support", test_no_support);
   g_test_add_func ("/contact-loose/lonely-support", test_lonely_support);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "support/contacts.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -274,10 +275,8 @@ test_place_of_ties (void)
   g_assert_cmpfloat (places[0].y, ==, places[1].y);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *path = g_strconcat ("/contact-overlaps/", cases[i].name, NULL);
     g_test_add_data_func (path, &cases[i], test_case);
@@ -286,5 +285,4 @@ main (int argc, char **argv)
   g_test_add_func ("/contact-overlaps/rough-ground", test_rough_ground);
   g_test_add_func ("/contact-overlaps/place-of-ties", test_place_of_ties);
   g_test_add_func ("/contact-overlaps/against-sampling", test_against_sampling);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 #include "core/contact/pair-series.h"
 
 #include "core/base/tolerance.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -331,10 +332,8 @@ test_snap_back (void)
   g_assert_true (qn_pair_springs_snap_back (&springs));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contact-pair/equal", test_equal);
   g_test_add_func ("/contact-pair/series-formula", test_series_formula);
   g_test_add_func ("/contact-pair/lengths", test_lengths);
@@ -346,5 +345,4 @@ main (int argc, char **argv)
   g_test_add_func ("/contact-pair/straight-branches", test_straight_branches);
   g_test_add_func ("/contact-pair/one-crack", test_one_crack);
   g_test_add_func ("/contact-pair/snap-back", test_snap_back);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/contact/contact-search.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -64,12 +65,9 @@ test_convexity (void)
   qn_contact_search_clear (&search);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contact-search/tolerance/relative", test_tolerance_is_relative);
   g_test_add_func ("/contact-search/tolerance/floor", test_tolerance_has_a_floor);
   g_test_add_func ("/contact-search/convexity", test_convexity);
-  return g_test_run ();
 }

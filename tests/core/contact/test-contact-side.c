@@ -1,5 +1,6 @@
 #include "core/contact/contact-side.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -120,14 +121,11 @@ test_shallow_corner (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contact-side/rectangle", test_rectangle);
   g_test_add_func ("/contact-side/collinear-run", test_collinear_run);
   g_test_add_func ("/contact-side/arc-stays-round", test_arc_stays_round);
   g_test_add_func ("/contact-side/long-run", test_long_run);
   g_test_add_func ("/contact-side/shallow-corner", test_shallow_corner);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "support/contacts.h"
 #include "support/generate.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -205,12 +206,9 @@ test_settings_count (void)
   g_assert_cmpuint (test_count_findings (&found, QN_PROBLEM_NO_SUPPORT), ==, 1);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contacts-update/equals-detection", test_equals_detection);
   g_test_add_func ("/contacts-update/large-changes", test_large_changes);
   g_test_add_func ("/contacts-update/settings-count", test_settings_count);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "support/contacts.h"
 #include "support/generate.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -322,10 +323,8 @@ test_hundred_thousand_blocks (void)
   g_assert_cmpuint (contacts.face_count, ==, perpends + beds);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contacts/published-walls", test_published_walls);
   g_test_add_func ("/contacts/invariance", test_invariance);
   g_test_add_func ("/contacts/all-boundaries", test_faces_account_for_all_boundaries);
@@ -334,5 +333,4 @@ main (int argc, char **argv)
   g_test_add_func ("/contacts/empty-model", test_empty_model);
   g_test_add_func ("/contacts/require-sound-order", test_require_sound_order);
   g_test_add_func ("/contacts/hundred-thousand-blocks", test_hundred_thousand_blocks);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/contact/finding.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -22,10 +23,7 @@ test_add_keeps_order (void)
   qn_findings_clear (&findings);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/finding/add-keeps-order", test_add_keeps_order);
-  return g_test_run ();
 }

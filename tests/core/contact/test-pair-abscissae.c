@@ -1,4 +1,5 @@
 #include "core/contact/pair-abscissae.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -122,15 +123,12 @@ test_explicit (void)
   g_assert_cmpfloat_with_epsilon (moment (&rule, 2) * 12, 1, 1e-15); /* Simpson */
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/pair-abscissae/ends", test_ends);
   g_test_add_func ("/pair-abscissae/uniform", test_uniform);
   g_test_add_func ("/pair-abscissae/maclaurin", test_maclaurin);
   g_test_add_func ("/pair-abscissae/gauss", test_gauss);
   g_test_add_func ("/pair-abscissae/legendre", test_legendre);
   g_test_add_func ("/pair-abscissae/explicit", test_explicit);
-  return g_test_run ();
 }

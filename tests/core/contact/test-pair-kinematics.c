@@ -1,4 +1,5 @@
 #include "core/contact/pair-kinematics.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -116,12 +117,9 @@ test_small_displacements (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/pair-kinematics/derivatives", test_derivatives);
   g_test_add_func ("/pair-kinematics/objectivity", test_objectivity);
   g_test_add_func ("/pair-kinematics/small-displacements", test_small_displacements);
-  return g_test_run ();
 }

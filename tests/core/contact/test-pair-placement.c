@@ -1,5 +1,6 @@
 #include "support/contacts.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -142,15 +143,12 @@ test_offset_too_large (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/pair-placement/ends", test_ends);
   g_test_add_func ("/pair-placement/ends-at-corners", test_ends_at_corners);
   g_test_add_func ("/pair-placement/uniform", test_uniform);
   g_test_add_func ("/pair-placement/laws", test_laws);
   g_test_add_func ("/pair-placement/exceptions", test_exceptions);
   g_test_add_func ("/pair-placement/offset-too-large", test_offset_too_large);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* What is refused of the springs of a face: different bases, too little fracture energy. */
 #include "core/contact/contacts.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -67,11 +68,8 @@ test_fracture_energy (void)
   g_assert_cmpint (problem_of (&model), ==, QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/pair-springs/bases", test_bases);
   g_test_add_func ("/pair-springs/fracture-energy", test_fracture_energy);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Closed forms of single bodies in time. */
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -489,10 +490,8 @@ test_refuse (void)
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_INITIAL_FIXED);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/dynamics/spring", test_spring);
   g_test_add_func ("/dynamics/slide-rectangle", test_slide_rectangle);
   g_test_add_func ("/dynamics/slide-sine", test_slide_sine);
@@ -503,5 +502,4 @@ main (int argc, char **argv)
   g_test_add_func ("/dynamics/beam", test_beam);
   g_test_add_func ("/dynamics/cancel", test_cancel);
   g_test_add_func ("/dynamics/refuse", test_refuse);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/dynamics/ground.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -80,12 +81,9 @@ test_jump (void)
   qn_ground_clear (&ground);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/ground/pulses", test_pulses);
   g_test_add_func ("/ground/points", test_points);
   g_test_add_func ("/ground/jump", test_jump);
-  return g_test_run ();
 }

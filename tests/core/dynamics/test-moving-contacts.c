@@ -1,5 +1,6 @@
 /* Contacts that follow the blocks: closed forms of blocks that slide off, fall and lie. */
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -294,15 +295,12 @@ test_tampered (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/moving-contacts/lie", test_lie);
   g_test_add_func ("/moving-contacts/lifted", test_lifted);
   g_test_add_func ("/moving-contacts/edge", test_edge);
   g_test_add_func ("/moving-contacts/dominoes", test_dominoes);
   g_test_add_func ("/moving-contacts/arch", test_arch);
   g_test_add_func ("/moving-contacts/tampered", test_tampered);
-  return g_test_run ();
 }

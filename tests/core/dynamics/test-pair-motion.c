@@ -1,5 +1,6 @@
 /* The forces of a pair within a step: their energy and their tangent. */
 #include "core/dynamics/pair-motion.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -157,13 +158,10 @@ test_dashpot (void)
   g_assert_cmpfloat (fabs (forces.dashpot[1]), <, 0.7 * sticks);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/pair-motion/energy", test_energy);
   g_test_add_func ("/pair-motion/impact", test_impact);
   g_test_add_func ("/pair-motion/tangent", test_tangent);
   g_test_add_func ("/pair-motion/dashpot", test_dashpot);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/dynamics/response-spectrum.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -67,12 +68,9 @@ test_ends (void)
   g_assert_cmpfloat (found[1], <, 1e-2);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/core/response-spectrum/half-sine", test_half_sine);
   g_test_add_func ("/core/response-spectrum/step", test_step);
   g_test_add_func ("/core/response-spectrum/ends", test_ends);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/equilibrium/central-pack.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -186,11 +187,8 @@ test_direction (void)
   assert_near (products + 0.3 * c.reach.first + 0.09 * c.reach.second, after);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/central-pack/processors", test_processors);
   g_test_add_func ("/central-pack/direction", test_direction);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "core/solver.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -264,10 +265,8 @@ test_applies (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (int number = 1; number <= TEST_WALL_COUNT; number++) {
     g_autofree char *name = g_strdup_printf ("/central-path/one-increment/%d", number);
     g_test_add_data_func (name, GINT_TO_POINTER (number), test_one_increment);
@@ -280,5 +279,4 @@ main (int argc, char **argv)
   g_test_add_func ("/central-path/frictionless", test_frictionless);
   g_test_add_func ("/central-path/cancel", test_cancel);
   g_test_add_func ("/central-path/applies", test_applies);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/solver.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -200,15 +201,12 @@ test_cancel (void)
   solver_clear (&solver);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/newton/linear-problem", test_linear_problem_takes_one_iteration);
   g_test_add_func ("/newton/no-equilibrium", test_no_equilibrium_fails);
   g_test_add_func ("/newton/tangent-of-a-measure", test_tangent_of_a_measure);
   g_test_add_func ("/newton/cancel", test_cancel);
   g_test_add_func ("/newton/runaway", test_runaway);
   g_test_add_func ("/newton/runaway-without-settlement", test_runaway_without_settlement);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/solver.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -100,14 +101,11 @@ test_restore (void)
   solver_clear (&solver);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/relax/sliding", test_sliding_mechanism);
   g_test_add_func ("/relax/overturning", test_overturning_mechanism);
   g_test_add_func ("/relax/settles", test_settles);
   g_test_add_func ("/relax/soft-joints-hold", test_soft_joints_hold);
   g_test_add_func ("/relax/restore", test_restore);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Kinematic hardening: kn = 100, yield 10, r = 0.2, so that first yield is at 0.1 and the
  * elastic range is 0.2 wide. */
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -78,14 +79,11 @@ test_phases (void)
   g_assert_false (probe_look (&p, 0.11, 0).varies);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-bilinear/cycle", test_cycle);
   g_test_add_func ("/law-bilinear/closed-cycle", test_closed_cycle);
   g_test_add_func ("/law-bilinear/steps", test_steps);
   g_test_add_func ("/law-bilinear/shear", test_shear);
   g_test_add_func ("/law-bilinear/phases", test_phases);
-  return g_test_run ();
 }

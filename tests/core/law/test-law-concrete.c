@@ -1,5 +1,6 @@
 /* Concrete: kn = 100, fc = 10, so that the parabola ends at 0.2; ft = 1, Gf = 0.05: a crack
  * opens from 0.01 to 0.1. */
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -130,14 +131,11 @@ test_softening (void)
   g_assert_cmpfloat_with_epsilon (qn_spring_softening (&p.spring), 50, 1e-9);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-concrete/compression", test_compression);
   g_test_add_func ("/law-concrete/crushing", test_crushing);
   g_test_add_func ("/law-concrete/crack", test_crack);
   g_test_add_func ("/law-concrete/mesh-objective", test_mesh_objective);
   g_test_add_func ("/law-concrete/softening", test_softening);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 /* Friction: kn = 2, ks = 1, mu = 0.5, so that every number can be checked in the head. */
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -176,10 +177,8 @@ test_continuous (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-coulomb/stick", test_stick);
   g_test_add_func ("/law-coulomb/slip-and-return", test_slip_and_return);
   g_test_add_func ("/law-coulomb/looking", test_looking_does_not_commit);
@@ -189,5 +188,4 @@ main (int argc, char **argv)
   g_test_add_func ("/law-coulomb/cut-off", test_cut_off);
   g_test_add_func ("/law-coulomb/apex", test_apex);
   g_test_add_func ("/law-coulomb/continuous", test_continuous);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* A curve: kn = 100, to 10 at 0.1, 14 at 0.3, down to 4 at 0.5; in compression to -20 at -0.2
  * and -20 at -1. */
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -132,15 +133,12 @@ test_mesh_objective (void)
   g_assert_true (isinf (qn_spring_softening (&p.spring)));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-curve/envelope", test_envelope);
   g_test_add_func ("/law-curve/cycle", test_cycle);
   g_test_add_func ("/law-curve/phases", test_phases);
   g_test_add_func ("/law-curve/one-sided", test_one_sided);
   g_test_add_func ("/law-curve/energy", test_energy);
   g_test_add_func ("/law-curve/mesh-objective", test_mesh_objective);
-  return g_test_run ();
 }

@@ -1,3 +1,4 @@
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -18,10 +19,7 @@ test_cycle (void)
   probe_assert_history (&p, rows, G_N_ELEMENTS (rows));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-elastic-plastic/cycle", test_cycle);
-  return g_test_run ();
 }

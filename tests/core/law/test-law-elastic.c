@@ -1,3 +1,4 @@
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -17,10 +18,7 @@ test_linear (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-elastic/linear", test_linear);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Friction with crushing: kn = 2, ks = 1, mu = 0.5, fc = 8, so that numbers can be checked in the
  * head. */
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -110,14 +111,11 @@ test_continuous (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-mohr-coulomb/below", test_below);
   g_test_add_func ("/law-mohr-coulomb/crush-and-return", test_crush_and_return);
   g_test_add_func ("/law-mohr-coulomb/corner", test_corner);
   g_test_add_func ("/law-mohr-coulomb/dilatancy-crushes", test_dilatancy_crushes);
   g_test_add_func ("/law-mohr-coulomb/continuous", test_continuous);
-  return g_test_run ();
 }

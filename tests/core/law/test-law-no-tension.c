@@ -1,3 +1,4 @@
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -44,12 +45,9 @@ test_opens_and_closes (void)
   probe_assert_force (&r, -4, 0.5);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-no-tension/closed", test_closed);
   g_test_add_func ("/law-no-tension/lets-go", test_lets_go);
   g_test_add_func ("/law-no-tension/opens-and-closes", test_opens_and_closes);
-  return g_test_run ();
 }

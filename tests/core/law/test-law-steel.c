@@ -1,4 +1,5 @@
 /* Steel: kn = 100, yield 10, strength 14 at 0.5, so that r = 0.1; breaking work 1.4. */
+#include "support/room.h"
 #include "support/spring-probe.h"
 
 #include <glib.h>
@@ -99,13 +100,10 @@ test_softening (void)
   g_assert_cmpfloat (qn_spring_softening (&p.spring), ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-steel/cycle", test_cycle);
   g_test_add_func ("/law-steel/breaks", test_breaks);
   g_test_add_func ("/law-steel/breaking-work", test_breaking_work);
   g_test_add_func ("/law-steel/softening", test_softening);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/law/law.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -167,14 +168,11 @@ test_curves (void)
   assert_refused (&law, QN_PROBLEM_FRACTURE_ENERGY_MISSING, "crushing_energy");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law/names", test_names);
   g_test_add_func ("/law/sound", test_sound);
   g_test_add_func ("/law/numbers", test_numbers);
   g_test_add_func ("/law/rules", test_rules);
   g_test_add_func ("/law/curves", test_curves);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/law/spring.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -190,14 +191,11 @@ test_strength (void)
   g_assert_cmpint (plastic, >, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/spring/bases", test_bases);
   g_test_add_func ("/spring/lengths", test_lengths);
   g_test_add_func ("/spring/similar", test_similar);
   g_test_add_func ("/spring/join-curve", test_join_curve);
   g_test_add_func ("/spring/strength", test_strength);
-  return g_test_run ();
 }

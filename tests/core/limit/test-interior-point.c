@@ -1,5 +1,6 @@
 /* The engine on programs whose answers are known by hand, bodies being single rows here. */
 #include "core/limit/interior-point.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -261,10 +262,8 @@ test_repeat (void)
   qn_interior_point_clear (&b);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/interior-point/optimum", test_optimum);
   g_test_add_func ("/interior-point/infeasible", test_infeasible);
   g_test_add_func ("/interior-point/unbounded", test_unbounded);
@@ -274,5 +273,4 @@ main (int argc, char **argv)
   g_test_add_func ("/interior-point/redundant-row", test_redundant_row);
   g_test_add_func ("/interior-point/project", test_project);
   g_test_add_func ("/interior-point/repeat", test_repeat);
-  return g_test_run ();
 }

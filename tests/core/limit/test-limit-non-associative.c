@@ -1,5 +1,6 @@
 #include "core/limit/limit.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -110,13 +111,10 @@ test_dead_load (void)
   qn_limit_interval_clear (&interval);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/limit-non-associative/published", test_published);
   g_test_add_func ("/limit-non-associative/associative-law", test_associative_law);
   g_test_add_func ("/limit-non-associative/block", test_block);
   g_test_add_func ("/limit-non-associative/dead-load", test_dead_load);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -125,14 +126,11 @@ test_non_associative (void)
   g_assert_cmpint (result.solution_count, >=, 2);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/limit-run/collapse", test_collapse);
   g_test_add_func ("/limit-run/pair-states", test_pair_states);
   g_test_add_func ("/limit-run/unstable", test_unstable);
   g_test_add_func ("/limit-run/unbounded", test_unbounded);
   g_test_add_func ("/limit-run/non-associative", test_non_associative);
-  return g_test_run ();
 }

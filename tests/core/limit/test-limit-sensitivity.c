@@ -4,6 +4,7 @@
 
 #include "core/limit/limit.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -143,12 +144,9 @@ test_closed_form (void)
   qn_limit_sensitivity_clear (&s);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/limit-sensitivity/differences", test_differences);
   g_test_add_func ("/limit-sensitivity/compression", test_compression);
   g_test_add_func ("/limit-sensitivity/closed-form", test_closed_form);
-  return g_test_run ();
 }

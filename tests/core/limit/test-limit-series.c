@@ -1,5 +1,6 @@
 #include "core/limit/limit-series.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -134,12 +135,9 @@ test_other_outcomes (void)
   qn_limit_series_clear (&series);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/core/limit-series/same-answers", test_same_answers);
   g_test_add_func ("/core/limit-series/order", test_order_does_not_matter);
   g_test_add_func ("/core/limit-series/other-outcomes", test_other_outcomes);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "support/certificate.h"
 #include "support/generate.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -467,10 +468,8 @@ test_cancel (void)
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_CANCELLED);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/limit/walls", test_six_walls);
   g_test_add_func ("/limit/invariance", test_invariance);
   g_test_add_func ("/limit/block", test_block);
@@ -491,5 +490,4 @@ main (int argc, char **argv)
   g_test_add_func ("/limit/arch", test_arch);
   g_test_add_func ("/limit/fine-arch", test_fine_arch);
   g_test_add_func ("/limit/cancel", test_cancel);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "core/linalg/block-lu.h"
 
 #include "core/linalg/sparse.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -258,15 +259,12 @@ test_parts (void)
   qn_block_lu_free (other);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/block-lu/solution", test_solution);
   g_test_add_func ("/block-lu/refactorisation", test_refactorisation);
   g_test_add_func ("/block-lu/vanishing-pivot", test_vanishing_pivot);
   g_test_add_func ("/block-lu/single-body", test_single_body);
   g_test_add_func ("/block-lu/empty", test_empty);
   g_test_add_func ("/block-lu/parts", test_parts);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/linalg/dense-front.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -167,12 +168,9 @@ test_singular (void)
   g_assert_false (loops->eliminate (&front.dense, &range));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/dense-front/elimination", test_elimination);
   g_test_add_func ("/dense-front/assembly", test_assembly);
   g_test_add_func ("/dense-front/singular", test_singular);
-  return g_test_run ();
 }

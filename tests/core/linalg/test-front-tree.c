@@ -1,6 +1,7 @@
 #include "core/linalg/front-tree.h"
 
 #include "core/linalg/sparse.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -198,12 +199,9 @@ test_empty (void)
   qn_front_tree_clear (&tree);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/front-tree/random", test_random);
   g_test_add_func ("/front-tree/dissection", test_dissection);
   g_test_add_func ("/front-tree/empty", test_empty);
-  return g_test_run ();
 }

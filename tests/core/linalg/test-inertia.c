@@ -2,6 +2,7 @@
 
 #include "core/assembly/assembly.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -222,14 +223,11 @@ test_tangents (void)
   g_assert_cmpint (indefinite, >, 3);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/inertia/chain", test_chain);
   g_test_add_func ("/inertia/solve", test_solve);
   g_test_add_func ("/inertia/random", test_random);
   g_test_add_func ("/inertia/exchanges", test_exchanges);
   g_test_add_func ("/inertia/tangents", test_tangents);
-  return g_test_run ();
 }

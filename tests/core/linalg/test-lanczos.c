@@ -1,4 +1,5 @@
 #include "core/linalg/lanczos.h"
+#include "support/room.h"
 
 #include <float.h>
 #include <glib.h>
@@ -184,15 +185,12 @@ test_cancel (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/lanczos/simple", test_simple);
   g_test_add_func ("/lanczos/multiple", test_multiple);
   g_test_add_func ("/lanczos/all", test_all);
   g_test_add_func ("/lanczos/without-mass", test_without_mass);
   g_test_add_func ("/lanczos/far-apart", test_far_apart);
   g_test_add_func ("/lanczos/cancel", test_cancel);
-  return g_test_run ();
 }

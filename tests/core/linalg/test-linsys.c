@@ -1,4 +1,5 @@
 #include "core/linalg/linsys.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -191,14 +192,11 @@ test_free_unknown (void)
   qn_linsys_free (system);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/linsys/refactorisation", test_refactorisation);
   g_test_add_func ("/linsys/at-once", test_at_once);
   g_test_add_func ("/linsys/singular", test_singular);
   g_test_add_func ("/linsys/free-unknown", test_free_unknown);
   g_test_add_func ("/linsys/sign", test_sign);
-  return g_test_run ();
 }

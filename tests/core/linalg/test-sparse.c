@@ -1,4 +1,5 @@
 #include "core/linalg/sparse.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <stdlib.h>
@@ -66,11 +67,8 @@ test_random_pattern (void)
   free (ai);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/sparse/cliques", test_cliques);
   g_test_add_func ("/sparse/random-pattern", test_random_pattern);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/linalg/vectors.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -17,10 +18,7 @@ test_processor (void)
   g_assert_cmpint (qn_vectors (8), ==, avx512);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/vectors/processor", test_processor);
-  return g_test_run ();
 }

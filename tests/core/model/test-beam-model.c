@@ -1,5 +1,6 @@
 #include "core/model/model.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -170,12 +171,9 @@ test_rules (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/beam-model/expansion", test_expansion);
   g_test_add_func ("/beam-model/split-side", test_split_side);
   g_test_add_func ("/beam-model/rules", test_rules);
-  return g_test_run ();
 }

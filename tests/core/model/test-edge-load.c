@@ -1,6 +1,7 @@
 /* Loads on the edges of blocks, against sums by hand. */
 #include "core/model/outline.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -299,10 +300,8 @@ test_refused (void)
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_EDGE_UNKNOWN);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/edge-load/trapezoid", test_trapezoid);
   g_test_add_func ("/edge-load/couple", test_couple);
   g_test_add_func ("/edge-load/chain", test_chain);
@@ -314,5 +313,4 @@ main (int argc, char **argv)
   g_test_add_func ("/edge-load/cases", test_cases);
   g_test_add_func ("/edge-load/seen", test_seen);
   g_test_add_func ("/edge-load/refused", test_refused);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/model/model.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -34,10 +35,7 @@ test_weights_and_forces (void)
   g_assert_cmpfloat_with_epsilon (forces[5], 7 + 1 * 20 - 0.5 * 100, 1e-12);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/load/weights-and-forces", test_weights_and_forces);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/model/model.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -238,10 +239,8 @@ test_wall_is_blamed (void)
   g_assert_cmpstr (diag.field, ==, "thickness");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/model-check/sound", test_sound);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *path = g_strconcat ("/model-check/refused/", cases[i].name, NULL);
@@ -251,5 +250,4 @@ main (int argc, char **argv)
   g_test_add_func ("/model-check/law-name-taken", test_law_name_taken);
   g_test_add_func ("/model-check/block-laws-suffice", test_block_laws_suffice);
   g_test_add_func ("/model-check/wall-is-blamed", test_wall_is_blamed);
-  return g_test_run ();
 }

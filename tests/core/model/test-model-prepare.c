@@ -1,5 +1,6 @@
 #include "core/model/model.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -66,13 +67,10 @@ test_weight_overflows (void)
   g_assert_cmpstr (diag.field, ==, "unit_weight");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/model-prepare/derives", test_derives);
   g_test_add_func ("/model-prepare/twice-is-once", test_twice_is_once);
   g_test_add_func ("/model-prepare/no-blocks", test_no_blocks);
   g_test_add_func ("/model-prepare/weight-overflows", test_weight_overflows);
-  return g_test_run ();
 }

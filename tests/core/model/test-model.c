@@ -1,5 +1,6 @@
 #include "core/model/model.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -86,14 +87,11 @@ test_many_blocks (void)
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/model/defaults", test_defaults);
   g_test_add_func ("/model/find", test_find);
   g_test_add_func ("/model/copy/deep", test_copy_is_deep);
   g_test_add_func ("/model/copy/empty", test_copy_of_empty);
   g_test_add_func ("/model/many-blocks", test_many_blocks);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "core/base/polygon.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -89,15 +90,12 @@ test_many_vertices (void)
   g_assert_cmpint (qn_polygon_check (v, COUNT).problem, !=, QN_PROBLEM_NONE);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *path = g_strconcat ("/polygon-check/", cases[i].name, NULL);
     g_test_add_data_func (path, &cases[i], test_flaw);
   }
   g_test_add_func ("/polygon-check/names-vertices", test_flaw_names_vertices);
   g_test_add_func ("/polygon-check/many-vertices", test_many_vertices);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/model/model.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -189,10 +190,8 @@ test_same_name_twice (void)
   g_assert_cmpint (diag.index, ==, 1);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/wall/names-and-places", test_names_and_places);
   g_test_add_func ("/wall/expand-first", test_expand_first);
   g_test_add_func ("/wall/large-numbers-in-names", test_large_numbers_in_names);
@@ -203,5 +202,4 @@ main (int argc, char **argv)
   g_test_add_func ("/wall/too-many-blocks", test_too_many_blocks);
   g_test_add_func ("/wall/bad-wall", test_bad_wall);
   g_test_add_func ("/wall/same-name-twice", test_same_name_twice);
-  return g_test_run ();
 }

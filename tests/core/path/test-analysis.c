@@ -3,6 +3,7 @@
 #include "core/path/analysis.h"
 
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -362,10 +363,8 @@ test_limited (void)
   g_assert_false (is_unlimited (&model));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/analysis/factorizations", test_factorizations);
   g_test_add_func ("/analysis/seconds", test_seconds);
   g_test_add_func ("/analysis/unbounded", test_unbounded);
@@ -377,5 +376,4 @@ main (int argc, char **argv)
   g_test_add_func ("/analysis/settled", test_settled);
   g_test_add_func ("/analysis/interval", test_interval);
   g_test_add_func ("/analysis/linearity", test_linearity);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Contacts that follow the blocks along a path of equilibria: closed forms of blocks that slide far. */
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -195,13 +196,10 @@ test_tampered (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/path-follow/slide", test_slide);
   g_test_add_func ("/path-follow/edge", test_edge);
   g_test_add_func ("/path-follow/meet", test_meet);
   g_test_add_func ("/path-follow/tampered", test_tampered);
-  return g_test_run ();
 }

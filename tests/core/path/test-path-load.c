@@ -1,5 +1,6 @@
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <float.h>
 #include <glib.h>
@@ -377,10 +378,8 @@ test_strength_that_is_lost (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/path-load/target", test_target);
   g_test_add_func ("/path-load/increments", test_collapse_does_not_depend_on_increments);
   g_test_add_func ("/path-load/steps", test_steps_do_not_depend_on_increments);
@@ -397,5 +396,4 @@ main (int argc, char **argv)
   g_test_add_func ("/path-load/repeatable", test_repeatable);
   g_test_add_func ("/path-load/strength-that-is-lost", test_strength_that_is_lost);
   g_test_add_func ("/path-load/forces-of-every-step", test_forces_of_every_step);
-  return g_test_run ();
 }

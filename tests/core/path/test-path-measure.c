@@ -1,5 +1,6 @@
 #include "core/path/path-measure.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -122,12 +123,9 @@ test_follow (void)
   tear_down (&fixture);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/path-measure/displacement", test_displacement);
   g_test_add_func ("/path-measure/first-steps", test_first_steps);
   g_test_add_func ("/path-measure/follow", test_follow);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "core/path/path-predictor.h"
 
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -92,10 +93,7 @@ test_polynomial (void)
   tear_down (&fixture);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/core/path-predictor/polynomial", test_polynomial);
-  return g_test_run ();
 }

@@ -4,6 +4,7 @@
  */
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -125,11 +126,8 @@ test_leaning_stack (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/path-rest/upright", test_upright);
   g_test_add_func ("/path-rest/leaning-stack", test_leaning_stack);
-  return g_test_run ();
 }

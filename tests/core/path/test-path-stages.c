@@ -1,4 +1,5 @@
 #include "support/models.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -337,10 +338,8 @@ test_wrong_sign (void)
   g_assert_cmpstr (diag.field, ==, "control.target");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_data_func ("/core/path-stages/cycle-of-loads",
                         GINT_TO_POINTER (QN_PROCEDURE_LOAD), test_cycle_of_loads);
   g_test_add_data_func ("/core/path-stages/cycle-of-work",
@@ -361,5 +360,4 @@ main (int argc, char **argv)
   g_test_add_func ("/core/path-stages/settlement-stage", test_settlement_stage);
   g_test_add_func ("/core/path-stages/energy", test_energy);
   g_test_add_func ("/core/path-stages/wrong-sign", test_wrong_sign);
-  return g_test_run ();
 }

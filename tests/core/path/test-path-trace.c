@@ -1,5 +1,6 @@
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -794,10 +795,8 @@ test_turned (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/path-control/overturning", test_overturning_in_large_displacements);
   g_test_add_func ("/path-control/overturning-until-nothing-is-left",
                    test_overturning_until_nothing_is_left);
@@ -818,5 +817,4 @@ main (int argc, char **argv)
   g_test_add_func ("/path-control/no-tension-arch", test_no_tension_arch);
   g_test_add_func ("/path-control/peaks-between-steps", test_peaks_between_steps);
   g_test_add_func ("/path-control/turned", test_turned);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/path/stability.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -142,14 +143,11 @@ test_leaning_stack (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/stability/pendulum", test_pendulum);
   g_test_add_func ("/stability/stable", test_stable);
   g_test_add_func ("/stability/linear", test_linear);
   g_test_add_func ("/stability/refused", test_refused);
   g_test_add_func ("/stability/leaning-stack", test_leaning_stack);
-  return g_test_run ();
 }

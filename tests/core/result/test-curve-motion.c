@@ -1,6 +1,7 @@
 #include "core/result/curve-motion.h"
 
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -76,12 +77,9 @@ test_nothing (void)
   clear (&model, &result);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/core/curve-motion/since-dead-load", test_moves_since_dead_load);
   g_test_add_func ("/core/curve-motion/controlled", test_controlled);
   g_test_add_func ("/core/curve-motion/nothing", test_nothing);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "core/result/mechanism.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -43,11 +44,8 @@ test_cluster (void)
   g_assert_cmpint (qn_mechanism_cluster (&model, fields, 0, 0.9, groups), ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/mechanism-compare/cosine", test_cosine);
   g_test_add_func ("/mechanism-compare/cluster", test_cluster);
-  return g_test_run ();
 }

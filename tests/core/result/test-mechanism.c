@@ -3,6 +3,7 @@
 #include "core/limit/limit.h"
 #include "support/generate.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -455,10 +456,8 @@ test_spelling (void)
   g_assert_cmpstr (qn_joint_kind_names[QN_JOINT_HINGE_END], ==, "hinge-end");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/mechanism/rest", test_rest);
   g_test_add_func ("/mechanism/sliding", test_sliding);
   g_test_add_func ("/mechanism/dilating", test_dilating);
@@ -468,5 +467,4 @@ main (int argc, char **argv)
   g_test_add_func ("/mechanism/names", test_names);
   g_test_add_func ("/mechanism/drawn", test_drawn);
   g_test_add_func ("/mechanism/spelling", test_spelling);
-  return g_test_run ();
 }

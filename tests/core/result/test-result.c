@@ -1,6 +1,7 @@
 #include "core/result/first-limit.h"
 #include "core/result/result.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -97,14 +98,11 @@ test_felt_limit (void)
   g_assert_true (qn_result_has_felt_limit (&result));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/result/steps", test_steps_are_kept);
   g_test_add_func ("/result/mechanism-scale", test_mechanism_scale);
   g_test_add_func ("/result/names", test_names);
   g_test_add_func ("/result/felt-limit", test_felt_limit);
   g_test_add_func ("/result/force-budget", test_force_budget);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "doc/document/batch.h"
 
 #include "doc/document/run-file.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -106,10 +107,7 @@ test_folder (void)
   g_rmdir (folder);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/batch/folder", test_folder);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "doc/document/run-text.h"
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -134,13 +135,10 @@ test_events (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/bounds/wall", test_wall);
   g_test_add_func ("/doc/bounds/agreement", test_agreement);
   g_test_add_func ("/doc/bounds/interval", test_interval);
   g_test_add_func ("/doc/bounds/events", test_events);
-  return g_test_run ();
 }

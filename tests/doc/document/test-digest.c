@@ -1,5 +1,6 @@
 /* What makes a result outdated, and what does not. */
 #include "doc/document/digest.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -44,10 +45,7 @@ test_digest (void)
   g_assert_cmpstr (masonry, !=, first);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/digest/digest", test_digest);
-  return g_test_run ();
 }

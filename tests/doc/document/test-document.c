@@ -3,6 +3,7 @@
 
 #include "doc/fixture.h"
 #include "doc/long-analysis.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <malloc.h>
@@ -405,10 +406,8 @@ test_memory (void)
   g_assert_cmpuint (end, <=, after_warm_up + 65536);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/document/empty", test_empty);
   g_test_add_func ("/doc/document/save-and-load", test_save_and_load);
   g_test_add_func ("/doc/document/refused-edit", test_refused_edit);
@@ -423,5 +422,4 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/document/drop-while-running", test_drop_while_running);
   g_test_add_func ("/doc/document/explained-failure", test_explained_failure);
   g_test_add_func ("/doc/document/memory", test_memory);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "doc/document/history.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -115,12 +116,9 @@ test_document (void)
   g_rmdir (folder);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/history-file/round-trip", test_round_trip);
   g_test_add_func ("/doc/history-file/refused", test_refused);
   g_test_add_func ("/doc/history-file/document", test_document);
-  return g_test_run ();
 }

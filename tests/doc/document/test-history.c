@@ -1,4 +1,5 @@
 #include "doc/document/history.h"
+#include "support/room.h"
 
 /* Takes a step and moves on to the new text. */
 static void
@@ -183,15 +184,12 @@ test_size (void)
   qn_history_free (history);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/history/texts-come-back", test_texts_come_back);
   g_test_add_func ("/doc/history/random-edits", test_random_edits);
   g_test_add_func ("/doc/history/new-step-forgets", test_new_step_forgets_undone_ones);
   g_test_add_func ("/doc/history/gesture", test_gesture_is_one_step);
   g_test_add_func ("/doc/history/clean", test_clean_state);
   g_test_add_func ("/doc/history/size", test_size);
-  return g_test_run ();
 }

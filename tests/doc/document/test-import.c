@@ -2,6 +2,7 @@
 
 #include "doc/fixture.h"
 #include "io/exchange/drawing-import.h"
+#include "support/room.h"
 
 static void
 read_drawing (const char *name, QnProject *project)
@@ -69,12 +70,9 @@ test_kinds (void)
   g_assert_false (qn_import_is_picture ("x.svg"));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/import/into-empty", test_into_empty);
   g_test_add_func ("/doc/import/into-drawing", test_into_drawing);
   g_test_add_func ("/doc/import/kinds", test_kinds);
-  return g_test_run ();
 }

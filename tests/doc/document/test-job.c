@@ -3,6 +3,7 @@
 
 #include "doc/fixture.h"
 #include "doc/long-analysis.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -268,10 +269,8 @@ test_stability (void)
   g_assert_nonnull (strstr (title, "2470."));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/job/finish", test_finish);
   g_test_add_func ("/doc/job/repeatable", test_repeatable);
   g_test_add_func ("/doc/job/pause", test_pause);
@@ -280,5 +279,4 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/job/unsound", test_unsound);
   g_test_add_func ("/doc/job/modes", test_modes);
   g_test_add_func ("/doc/job/stability", test_stability);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "doc/fixture.h"
 #include "io/result/result-file.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -165,10 +166,8 @@ test_refuses (Place *place, gconstpointer data)
   g_assert_nonnull (error);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   static const struct {
     const char *name;
     void (*test) (Place *place, gconstpointer data);
@@ -178,5 +177,4 @@ main (int argc, char **argv)
                 { "/doc/run-file/refuses", test_refuses } };
   for (gsize i = 0; i < G_N_ELEMENTS (tests); i++)
     g_test_add (tests[i].name, Place, NULL, place_set_up, tests[i].test, place_tear_down);
-  return g_test_run ();
 }

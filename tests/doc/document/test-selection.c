@@ -1,4 +1,5 @@
 #include "doc/document/document.h"
+#include "support/room.h"
 
 static void
 on_changed (gpointer counter)
@@ -55,11 +56,8 @@ test_like (void)
   g_assert_cmpuint (count, ==, model->block_count);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/selection/sets", test_sets);
   g_test_add_func ("/doc/selection/like", test_like);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "core/linalg/block-lu.h"
 #include "core/linalg/sparse.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -75,11 +76,8 @@ test_factorisation (void)
   free (ai);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/threads/callers", test_callers);
   g_test_add_func ("/threads/factorisation", test_factorisation);
-  return g_test_run ();
 }

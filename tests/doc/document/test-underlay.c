@@ -1,5 +1,6 @@
 #include "doc/document/underlay.h"
 #include "render/drawing/rectify.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -201,13 +202,10 @@ test_rectify (void)
   rig_clear (&rig);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/underlay/reads", test_reads);
   g_test_add_func ("/doc/underlay/refusals", test_refusals);
   g_test_add_func ("/doc/underlay/match", test_match);
   g_test_add_func ("/doc/underlay/rectify", test_rectify);
-  return g_test_run ();
 }

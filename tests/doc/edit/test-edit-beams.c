@@ -2,6 +2,7 @@
 #include "doc/edit/edit.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 
@@ -96,12 +97,9 @@ test_survive (void)
   g_rmdir (folder);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/edit-beams/move", test_move);
   g_test_add_func ("/edit-beams/delete", test_delete);
   g_test_add_func ("/edit-beams/survive", test_survive);
-  return g_test_run ();
 }

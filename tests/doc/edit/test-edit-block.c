@@ -1,6 +1,7 @@
 #include "doc/edit/edit.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -160,15 +161,12 @@ test_nothing_selected (void)
   g_assert_false (qn_history_can_undo (qn_document_get_history (document)));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-block/transforms", test_transforms);
   g_test_add_func ("/doc/edit-block/walls-stay-or-detach", test_walls_stay_or_detach);
   g_test_add_func ("/doc/edit-block/delete", test_delete);
   g_test_add_func ("/doc/edit-block/array", test_array);
   g_test_add_func ("/doc/edit-block/support", test_support);
   g_test_add_func ("/doc/edit-block/nothing-selected", test_nothing_selected);
-  return g_test_run ();
 }

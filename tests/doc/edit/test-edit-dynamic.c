@@ -2,6 +2,7 @@
 #include "doc/edit/edit-dynamic.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -90,11 +91,8 @@ test_motions (void)
   g_remove (folder);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/edit-dynamic/choose", test_choose);
   g_test_add_func ("/edit-dynamic/motions", test_motions);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "doc/edit/edit-face.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 typedef struct Change {
   QnFaceSet set;
@@ -126,12 +127,9 @@ test_selection (void)
   g_assert_cmpuint (count, ==, qn_document_get_contacts (document)->face_count);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-face/law", test_law);
   g_test_add_func ("/doc/edit-face/pairs", test_pairs);
   g_test_add_func ("/doc/edit-face/selection", test_selection);
-  return g_test_run ();
 }

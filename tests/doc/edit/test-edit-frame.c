@@ -3,6 +3,7 @@
 #include "doc/text/beam-summary.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 /* Two stones side by side on the ground, and room around them. */
 static const char text[] =
@@ -376,10 +377,8 @@ test_line_load (void)
   g_assert_cmpuint (model->dead_load_count, ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-frame/add", test_add);
   g_test_add_func ("/doc/edit-frame/delete", test_delete);
   g_test_add_func ("/doc/edit-frame/elements", test_elements);
@@ -389,5 +388,4 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/edit-frame/copy", test_copy);
   g_test_add_func ("/doc/edit-frame/section", test_section);
   g_test_add_func ("/doc/edit-frame/line-load", test_line_load);
-  return g_test_run ();
 }

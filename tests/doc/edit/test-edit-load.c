@@ -2,6 +2,7 @@
 #include "doc/edit/edit-shape.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 #include <string.h>
 
 static gboolean
@@ -414,10 +415,8 @@ test_bars (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-load/forces", test_forces);
   g_test_add_func ("/doc/edit-load/weight", test_weight);
   g_test_add_func ("/doc/edit-load/laws", test_laws);
@@ -427,5 +426,4 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/edit-load/edges-dissolved", test_edges_dissolved);
   g_test_add_func ("/doc/edit-load/find-edge", test_find_edge);
   g_test_add_func ("/doc/edit-load/bars", test_bars);
-  return g_test_run ();
 }

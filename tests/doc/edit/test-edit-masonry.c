@@ -1,6 +1,7 @@
 #include "doc/document/document.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/masonry/masonry-shape.h"
+#include "support/room.h"
 
 #include <malloc.h>
 #include <string.h>
@@ -297,14 +298,11 @@ test_no_growth (void)
   g_assert_cmpuint (mallinfo2 ().uordblks, <=, after_hundred + 64 * 1024);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-masonry/parameters", test_parameters);
   g_test_add_func ("/doc/edit-masonry/refused", test_refused);
   g_test_add_func ("/doc/edit-masonry/loads-follow", test_loads_follow);
   g_test_add_func ("/doc/edit-masonry/transform", test_transform);
   g_test_add_func ("/doc/edit-masonry/no-growth", test_no_growth);
-  return g_test_run ();
 }

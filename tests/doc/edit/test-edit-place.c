@@ -3,6 +3,7 @@
 #include "doc/edit/edit-masonry.h"
 #include "doc/fixture.h"
 #include "doc/masonry/masonry-plan.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -236,15 +237,12 @@ test_names (void)
   g_assert_false (qn_spread_parse ("", &spread_how));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-place/extents", test_extents);
   g_test_add_func ("/doc/edit-place/numbers", test_numbers);
   g_test_add_func ("/doc/edit-place/align", test_align);
   g_test_add_func ("/doc/edit-place/spread", test_spread);
   g_test_add_func ("/doc/edit-place/walls", test_walls);
   g_test_add_func ("/doc/edit-place/names", test_names);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "doc/edit/edit-shape.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -118,13 +119,10 @@ test_corner (void)
   g_assert_cmpfloat_with_epsilon (contacts->faces[0].length, hypot (0.2, 1.1), 1e-12);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-shape/cut", test_cut);
   g_test_add_func ("/doc/edit-shape/crossing", test_crossing);
   g_test_add_func ("/doc/edit-shape/join", test_join);
   g_test_add_func ("/doc/edit-shape/corner", test_corner);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 #include "doc/view/load-text.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -335,14 +336,11 @@ test_order (void)
   refuse (document, change_stage, &(Settings){ 1, stage });
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-stage/loads", test_loads);
   g_test_add_func ("/doc/edit-stage/load-order", test_load_order);
   g_test_add_func ("/doc/edit-stage/unknown-members", test_unknown_members);
   g_test_add_func ("/doc/edit-stage/stages", test_stages);
   g_test_add_func ("/doc/edit-stage/order", test_order);
-  return g_test_run ();
 }

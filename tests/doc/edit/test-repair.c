@@ -3,6 +3,7 @@
 #include "doc/edit/edit-gaps.h"
 #include "doc/fixture.h"
 #include "io/text/width-text.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -217,10 +218,8 @@ test_mortar (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/repair/gap", test_gap);
   g_test_add_func ("/doc/repair/overlap", test_overlap);
   g_test_add_func ("/doc/repair/loose", test_loose);
@@ -228,5 +227,4 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/repair/all", test_all);
   g_test_add_func ("/doc/repair/mortar", test_mortar);
   g_test_add_func ("/doc/repair/widths", test_widths);
-  return g_test_run ();
 }

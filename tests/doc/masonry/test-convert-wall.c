@@ -2,6 +2,7 @@
 #include "io/project/project-masonry.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -82,11 +83,8 @@ test_openings (void)
   g_assert_cmpuint (qn_document_get_model (document)->wall_count, ==, 1);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/convert-wall/same-blocks", test_same_blocks);
   g_test_add_func ("/doc/convert-wall/openings", test_openings);
-  return g_test_run ();
 }

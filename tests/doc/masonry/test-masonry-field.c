@@ -1,5 +1,6 @@
 #include "doc/masonry/masonry-field.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 /* Every field of every kind of object comes back as it was set and touches no other, but for those
  * that must follow. */
@@ -67,12 +68,9 @@ test_opening (void)
   g_assert_true (qn_opening_has_field (&opening, QN_OPENING_RISE));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/masonry-field/fields", test_fields);
   g_test_add_func ("/doc/masonry-field/listed-wall", test_listed_wall);
   g_test_add_func ("/doc/masonry-field/opening", test_opening);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "doc/masonry/masonry-plan.h"
 #include "doc/masonry/masonry-shape.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 static const QnMasonryStyle style = { .unit = { 0.4, 0.2 },
                                       .bond = QN_BOND_RUNNING,
@@ -123,13 +124,10 @@ test_in_box (void)
     }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/masonry-plan/wall", test_wall);
   g_test_add_func ("/doc/masonry-plan/opening", test_opening);
   g_test_add_func ("/doc/masonry-plan/arch", test_arch);
   g_test_add_func ("/doc/masonry-plan/in-box", test_in_box);
-  return g_test_run ();
 }

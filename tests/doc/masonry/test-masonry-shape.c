@@ -1,6 +1,7 @@
 #include "doc/masonry/masonry-shape.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 static QnMasonry
 make_wall (void)
@@ -145,15 +146,12 @@ test_set_bond (void)
   assert_point (qn_masonry_wall_size (&wall), size.x, size.y);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/masonry-shape/frame", test_frame);
   g_test_add_func ("/doc/masonry-shape/opening-box", test_opening_box);
   g_test_add_func ("/doc/masonry-shape/drag-opening", test_drag_opening);
   g_test_add_func ("/doc/masonry-shape/heads", test_heads);
   g_test_add_func ("/doc/masonry-shape/drag-objects", test_drag_objects);
   g_test_add_func ("/doc/masonry-shape/set-bond", test_set_bond);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "doc/text/count-text.h"
+#include "support/room.h"
 
 static void
 test_plurals (void)
@@ -33,11 +34,8 @@ test_several (void)
   g_assert_cmpstr (none, ==, "");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/count-text/plurals", test_plurals);
   g_test_add_func ("/doc/count-text/several", test_several);
-  return g_test_run ();
 }

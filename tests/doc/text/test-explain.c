@@ -1,6 +1,7 @@
 #include "doc/text/explain.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -179,10 +180,8 @@ test_modes (void)
   g_assert_cmpstr (buckling, ==, "Buckling mode, of no given size.");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/explain/diag", test_diag);
   g_test_add_func ("/doc/explain/peak", test_peak);
   g_test_add_func ("/doc/explain/finding", test_finding);
@@ -190,5 +189,4 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/explain/frame", test_frame);
   g_test_add_func ("/doc/explain/not-converged", test_not_converged);
   g_test_add_func ("/explain/modes", test_modes);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "doc/text/law-points.h"
 
 #include "support/locale.h"
+#include "support/room.h"
 
 static void
 test_parse (void)
@@ -38,11 +39,8 @@ test_refused (void)
   g_assert_false (qn_law_points_parse (text->str, points, &count));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-points/parse", test_parse);
   g_test_add_func ("/law-points/refused", test_refused);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "doc/text/law-trace.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -49,11 +50,8 @@ test_change_kind (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/law-trace/scaled", test_scaled);
   g_test_add_func ("/doc/law-trace/change-kind", test_change_kind);
-  return g_test_run ();
 }

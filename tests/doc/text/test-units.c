@@ -1,6 +1,7 @@
 #include "doc/text/units.h"
 
 #include "support/locale.h"
+#include "support/room.h"
 #include <math.h>
 
 static const QnUnits cm_kn = { QN_LENGTH_CM, QN_FORCE_KN, QN_STRESS_MPA };
@@ -136,13 +137,10 @@ test_round_trip (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/units/parse", test_parse);
   g_test_add_func ("/doc/units/refuse", test_refuse);
   g_test_add_func ("/doc/units/format", test_format);
   g_test_add_func ("/doc/units/round-trip", test_round_trip);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 
 #include "doc/view/view-state.h"
 #include "fixture.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -133,11 +134,8 @@ test_elsewhere (void)
   g_assert_nonnull (strstr (json, rig.from));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/carry-files/copy", test_copy);
   g_test_add_func ("/doc/carry-files/elsewhere", test_elsewhere);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "doc/view/figure-export.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -86,12 +87,9 @@ test_refused (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/figure-export/metadata", test_metadata);
   g_test_add_func ("/doc/figure-export/needs-result", test_needs_result);
   g_test_add_func ("/doc/figure-export/refused", test_refused);
-  return g_test_run ();
 }

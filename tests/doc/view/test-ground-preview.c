@@ -1,5 +1,6 @@
 #include "doc/view/ground-preview.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 static void
 init_pulse (QnModel *model)
@@ -53,10 +54,7 @@ test_rectangle (void)
   g_assert_cmpuint (preview.count, ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/ground-preview/rectangle", test_rectangle);
-  return g_test_run ();
 }

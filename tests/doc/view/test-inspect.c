@@ -1,6 +1,7 @@
 #include "doc/view/inspect.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 #include <string.h>
 
 /* A shear force that is small beside the others of its step is told; one that rounding leaves is 0. */
@@ -26,10 +27,7 @@ test_noise (void)
   qn_step_view_clear (&view);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/inspect/noise", test_noise);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "doc/view/magnet.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -63,12 +64,9 @@ test_round_distance (void)
                                     1e-9 * cases[i][1]);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/magnet/order", test_order);
   g_test_add_func ("/doc/magnet/skip", test_skip);
   g_test_add_func ("/doc/magnet/round-distance", test_round_distance);
-  return g_test_run ();
 }

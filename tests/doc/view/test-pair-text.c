@@ -2,6 +2,7 @@
 
 #include "doc/edit/edit.h"
 #include "support/locale.h"
+#include "support/room.h"
 
 static void
 test_parse (void)
@@ -58,11 +59,8 @@ test_refused (void)
   g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/pair-text/parse", test_parse);
   g_test_add_func ("/doc/pair-text/refused", test_refused);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "doc/view/view-state.h"
 
 #include "doc/fixture.h"
+#include "support/room.h"
 
 static void
 on_changed (gpointer counter)
@@ -97,12 +98,9 @@ test_steps (void)
   g_assert_null (qn_view_state_get_onion (state));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/view-state/without-result", test_without_result);
   g_test_add_func ("/doc/view-state/switches", test_switches);
   g_test_add_func ("/doc/view-state/steps", test_steps);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"
 #include "io/exchange/vtu.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <math.h>
@@ -138,12 +139,9 @@ test_dxf (Fixture *f, gconstpointer data)
   f->project.model.element_count = elements;
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add ("/io/beam-exports/csv", Fixture, NULL, setup, test_csv, teardown);
   g_test_add ("/io/beam-exports/vtu", Fixture, NULL, setup, test_vtu, teardown);
   g_test_add ("/io/beam-exports/dxf", Fixture, NULL, setup, test_dxf, teardown);
-  return g_test_run ();
 }

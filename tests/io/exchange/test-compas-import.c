@@ -1,5 +1,6 @@
 #include "io/exchange/compas-import.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -84,11 +85,8 @@ test_bad_files (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/compas-import/both-forms", test_both_forms);
   g_test_add_func ("/compas-import/bad-files", test_bad_files);
-  return g_test_run ();
 }

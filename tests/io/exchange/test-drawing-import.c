@@ -2,6 +2,7 @@
 #include "io/exchange/drawing-import.h"
 #include "io/text/io-error.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -205,14 +206,11 @@ test_refuses (void)
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/drawing-import/variants", test_variants);
   g_test_add_func ("/drawing-import/report", test_report);
   g_test_add_func ("/drawing-import/supports-inferred", test_supports_inferred);
   g_test_add_func ("/drawing-import/names", test_names);
   g_test_add_func ("/drawing-import/refuses", test_refuses);
-  return g_test_run ();
 }

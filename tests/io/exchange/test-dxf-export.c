@@ -2,6 +2,7 @@
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/dxf-import.h"
 #include "support/models.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 /* Out and in again: the same coordinates, bit for bit, in metres; to the digits of the file in
@@ -90,12 +91,9 @@ test_layers (void)
   test_scratch_free (folder);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/dxf-export/metres", test_metres);
   g_test_add_func ("/dxf-export/millimetres", test_millimetres);
   g_test_add_func ("/dxf-export/layers", test_layers);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "io/exchange/dxf-import.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -185,10 +186,8 @@ test_names (void)
   g_assert_true (path_at (&drawing, 0)->layer == path_at (&drawing, 1)->layer);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/dxf-import/line-and-layer", test_line_and_layer);
   g_test_add_func ("/dxf-import/bulge", test_bulge);
   g_test_add_func ("/dxf-import/curves", test_curves);
@@ -197,5 +196,4 @@ main (int argc, char **argv)
   g_test_add_func ("/dxf-import/bad-files", test_bad_files);
   g_test_add_func ("/dxf-import/large", test_large);
   g_test_add_func ("/dxf-import/names", test_names);
-  return g_test_run ();
 }

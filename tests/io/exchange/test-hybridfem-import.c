@@ -1,5 +1,6 @@
 #include "io/exchange/hybridfem-import.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -41,11 +42,8 @@ test_bad_files (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/hybridfem-import/boxes", test_boxes);
   g_test_add_func ("/hybridfem-import/bad-files", test_bad_files);
-  return g_test_run ();
 }

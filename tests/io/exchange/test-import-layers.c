@@ -1,5 +1,6 @@
 #include "io/exchange/import-work.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 static void
 test_names (void)
@@ -69,12 +70,9 @@ test_refuses (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/import-layers/names", test_names);
   g_test_add_func ("/import-layers/table", test_table);
   g_test_add_func ("/import-layers/refuses", test_refuses);
-  return g_test_run ();
 }

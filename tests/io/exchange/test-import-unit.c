@@ -1,4 +1,5 @@
 #include "io/exchange/import-work.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -105,13 +106,10 @@ test_digits (void)
   g_assert_cmpfloat (p.y, ==, -0.3048);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/import-unit/names", test_names);
   g_test_add_func ("/import-unit/choice", test_choice);
   g_test_add_func ("/import-unit/block-size", test_block_size);
   g_test_add_func ("/import-unit/digits", test_digits);
-  return g_test_run ();
 }

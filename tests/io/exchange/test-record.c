@@ -1,5 +1,6 @@
 /* Records of ground motion: kinds of files, what they must say, and what is wrong with them. */
 #include "io/exchange/record.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -290,10 +291,8 @@ test_facts (void)
   qn_record_clear (&record);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/record/tables", test_tables);
   g_test_add_func ("/record/at2", test_at2);
   g_test_add_func ("/record/esm", test_esm);
@@ -304,5 +303,4 @@ main (int argc, char **argv)
   g_test_add_func ("/record/doubts", test_doubts);
   g_test_add_func ("/record/refused", test_refused);
   g_test_add_func ("/record/facts", test_facts);
-  return g_test_run ();
 }

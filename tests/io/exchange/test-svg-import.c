@@ -1,5 +1,6 @@
 #include "io/exchange/svg-import.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -126,13 +127,10 @@ test_extreme_numbers (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/svg-import/shapes", test_shapes);
   g_test_add_func ("/svg-import/path-commands", test_path_commands);
   g_test_add_func ("/svg-import/extreme-numbers", test_extreme_numbers);
   g_test_add_func ("/svg-import/bad-files", test_bad_files);
-  return g_test_run ();
 }

@@ -4,6 +4,7 @@
 
 #include "io/result-fixture.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 typedef gboolean (*WriteFunc) (const char *path, const ResultFixture *fixture,
@@ -110,14 +111,11 @@ test_contacts (ResultFixture *fixture, gconstpointer data)
     "1,0,base,top,0.5,0,0,1,-4000,-1000,stick\n");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   RESULT_FIXTURE_ADD ("/table-csv/curve", test_curve);
   RESULT_FIXTURE_ADD ("/table-csv/control-block", test_control_block);
   RESULT_FIXTURE_ADD ("/table-csv/no-steps", test_no_steps);
   RESULT_FIXTURE_ADD ("/table-csv/displacements", test_displacements);
   RESULT_FIXTURE_ADD ("/table-csv/contacts", test_contacts);
-  return g_test_run ();
 }

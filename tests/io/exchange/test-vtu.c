@@ -1,5 +1,6 @@
 #include "io/exchange/vtu.h"
 #include "io/result-fixture.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -177,10 +178,8 @@ test_vtk_reads (ResultFixture *fixture, gconstpointer data)
     g_assert_cmpint (status, ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add ("/vtu/steps", ResultFixture, NULL, result_fixture_set_up, test_steps,
               result_fixture_tear_down);
   g_test_add ("/vtu/forces", ResultFixture, NULL, result_fixture_set_up, test_forces,
@@ -189,5 +188,4 @@ main (int argc, char **argv)
               test_without_result, result_fixture_tear_down);
   g_test_add ("/vtu/vtk-reads", ResultFixture, NULL, result_fixture_set_up,
               test_vtk_reads, result_fixture_tear_down);
-  return g_test_run ();
 }

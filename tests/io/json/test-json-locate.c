@@ -1,4 +1,5 @@
 #include "io/json/json-locate.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -79,13 +80,10 @@ test_elements (void)
   g_assert_cmpuint (missing->len, ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/json-locate/locate", test_locate);
   g_test_add_func ("/json-locate/missing", test_missing);
   g_test_add_func ("/json-locate/position", test_position);
   g_test_add_func ("/json-locate/elements", test_elements);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
+#include "support/room.h"
 
 static const char document[] = "{\"a\":{\"b\":1},\"l\":[{\"k\":2},3]}";
 
@@ -92,14 +93,11 @@ test_path (void)
   g_assert_null (qn_json_override_dup_path ("nothing"));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/json-override/replace", test_replace);
   g_test_add_func ("/json-override/add", test_add);
   g_test_add_func ("/json-override/strings", test_strings);
   g_test_add_func ("/json-override/errors", test_errors);
   g_test_add_func ("/json-override/path", test_path);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -85,13 +86,10 @@ test_duplicate_keys (void)
   g_free (problem.path);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/json-parse/tree", test_tree);
   g_test_add_func ("/json-parse/infinite", test_infinite);
   g_test_add_func ("/json-parse/errors", test_errors);
   g_test_add_func ("/json-parse/duplicate-keys", test_duplicate_keys);
-  return g_test_run ();
 }

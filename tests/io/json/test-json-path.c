@@ -1,4 +1,5 @@
 #include "io/json/json-path.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -62,12 +63,9 @@ test_is_within (void)
   g_assert_false (qn_json_path_is_within ("lawsuit", "laws"));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/json-path/paths", test_paths);
   g_test_add_func ("/json-path/not-a-path", test_not_a_path);
   g_test_add_func ("/json-path/is-within", test_is_within);
-  return g_test_run ();
 }

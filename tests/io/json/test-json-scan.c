@@ -1,4 +1,5 @@
 #include "io/json/json-scan.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -171,15 +172,12 @@ test_skip (void)
   g_assert_cmpint (qn_json_next (&scanner), ==, QN_JSON_END_ARRAY);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/json-scan/tokens", test_tokens);
   g_test_add_func ("/json-scan/errors", test_errors);
   g_test_add_func ("/json-scan/nul-byte", test_nul_byte);
   g_test_add_func ("/json-scan/deep-nesting", test_deep_nesting);
   g_test_add_func ("/json-scan/values", test_values);
   g_test_add_func ("/json-scan/skip", test_skip);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "io/json/json-stream.h"
 
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -118,12 +119,9 @@ test_fail_at (void)
   g_error_free (stream.error);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/json-stream/record", test_record);
   g_test_add_func ("/json-stream/errors", test_errors);
   g_test_add_func ("/json-stream/fail-at", test_fail_at);
-  return g_test_run ();
 }

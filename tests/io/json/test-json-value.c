@@ -1,6 +1,7 @@
 #include "io/json/json-value.h"
 
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -158,10 +159,8 @@ test_override_named (Fixture *fixture, gconstpointer data)
   expect_error (fixture, "f: v[1]: is wrong (set by \"v[1]=7\")");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
 #define ADD(path, test) g_test_add (path, Fixture, NULL, set_up, test, tear_down)
   ADD ("/json-value/values", test_values);
   ADD ("/json-value/optional", test_optional);
@@ -170,5 +169,4 @@ main (int argc, char **argv)
   ADD ("/json-value/warnings", test_warnings);
   ADD ("/json-value/override-named", test_override_named);
 #undef ADD
-  return g_test_run ();
 }

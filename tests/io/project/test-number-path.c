@@ -1,4 +1,5 @@
 #include "io/project/number-path.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -35,13 +36,10 @@ test_find (gconstpointer data)
                    || (isnan (number) && isnan (cases[i].number)));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *name = g_strconcat ("/io/number-path/", cases[i].name, NULL);
     g_test_add_data_func (name, GSIZE_TO_POINTER (i), test_find);
   }
-  return g_test_run ();
 }

@@ -4,6 +4,7 @@
 #include "io/project-text.h"
 #include "io/result/result-check.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -249,14 +250,11 @@ test_result (void)
   check_result ("nonlinear");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-beams/read", test_read);
   g_test_add_func ("/project-beams/round-trip", test_round_trip);
   g_test_add_func ("/project-beams/beams-alone", test_beams_alone);
   g_test_add_func ("/project-beams/faults", test_faults);
   g_test_add_func ("/project-beams/result", test_result);
-  return g_test_run ();
 }

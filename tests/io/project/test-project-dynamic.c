@@ -5,6 +5,7 @@
 #include "io/project-text.h"
 #include "io/result/result-file.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -204,13 +205,10 @@ test_history (void)
   g_clear_error (&error);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-dynamic/round-trip", test_round_trip);
   g_test_add_func ("/project-dynamic/refused", test_refused);
   g_test_add_func ("/project-dynamic/records", test_records);
   g_test_add_func ("/project-dynamic/history", test_history);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "io/project-text.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <cjson/cJSON.h>
 #include <string.h>
@@ -56,11 +57,8 @@ test_not_json (void)
   g_assert_cmpstr (error->message, ==, "view:1:2: text ends inside an object");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-extras/members", test_members);
   g_test_add_func ("/project-extras/not-json", test_not_json);
-  return g_test_run ();
 }

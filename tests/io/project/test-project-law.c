@@ -1,5 +1,6 @@
 /* Laws and bars: every kind read, written and read again; what is refused, with its place. */
 #include "io/project-text.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -225,15 +226,12 @@ test_too_many_points (void)
     g_error ("%s", message);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-law/round-trip", test_round_trip);
   g_test_add_func ("/project-law/values", test_values);
   g_test_add_func ("/project-law/warnings", test_warnings);
   g_test_add_func ("/project-law/refused", test_refused);
   g_test_add_func ("/project-law/bars-and-pairs", test_bars_and_pairs);
   g_test_add_func ("/project-law/too-many-points", test_too_many_points);
-  return g_test_run ();
 }

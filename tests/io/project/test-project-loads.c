@@ -1,5 +1,6 @@
 /* Contact, loads and analysis: what is refused, with its place. */
 #include "io/project-text.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -247,15 +248,12 @@ test_no_effect (void)
   g_free (text);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-loads/contact", test_contact);
   g_test_add_func ("/project-loads/loads", test_loads);
   g_test_add_func ("/project-loads/analysis", test_analysis);
   g_test_add_func ("/project-loads/no-effect", test_no_effect);
   g_test_add_func ("/project-loads/sets-and-stages", test_sets_and_stages);
   g_test_add_func ("/project-loads/edge-loads", test_edge_loads);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "io/project/project-masonry.h"
 #include "io/text/io-error.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -191,14 +192,11 @@ test_names_resolve (void)
   g_assert_cmpstr (path, ==, "masonry[0]");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-masonry/round-trip", test_round_trip);
   g_test_add_func ("/project-masonry/struct-round-trip", test_struct_round_trip);
   g_test_add_func ("/project-masonry/detach", test_detach);
   g_test_add_func ("/project-masonry/refuses", test_refuses);
   g_test_add_func ("/project-masonry/names-resolve", test_names_resolve);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "io/project-text.h"
 #include "io/project/project.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <cjson/cJSON.h>
@@ -336,10 +337,8 @@ test_large (void)
   g_assert_cmpuint (project.model.block_count, ==, BLOCKS + 2);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-read/every-key", test_every_key);
   g_test_add_func ("/project-read/defaults", test_defaults);
   g_test_add_func ("/project-read/unknown-keys", test_unknown_keys);
@@ -352,5 +351,4 @@ main (int argc, char **argv)
   g_test_add_func ("/project-read/deep-nesting", test_deep_nesting);
   g_test_add_func ("/project-read/files", test_files);
   g_test_add_func ("/project-read/large", test_large);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Laws, blocks and walls: what is refused, with its place. */
 #include "io/project-text.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -152,13 +153,10 @@ test_choices_that_are_free (void)
   g_free (text);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-structure/laws", test_laws);
   g_test_add_func ("/project-structure/blocks", test_blocks);
   g_test_add_func ("/project-structure/walls", test_walls);
   g_test_add_func ("/project-structure/free-choices", test_choices_that_are_free);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 #include "io/project-text.h"
 #include "io/text/io-error.h"
 #include "support/models.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <cjson/cJSON.h>
@@ -542,10 +543,8 @@ test_stages (void)
   g_free (text);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-write/small", test_small);
   g_test_add_func ("/project-write/like", test_like);
   g_test_add_func ("/project-write/everything", test_everything);
@@ -557,5 +556,4 @@ main (int argc, char **argv)
   g_test_add_func ("/project-write/inner-members", test_inner_members);
   g_test_add_func ("/project-write/note-members", test_note_members);
   g_test_add_func ("/project-write/stages", test_stages);
-  return g_test_run ();
 }

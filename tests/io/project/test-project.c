@@ -3,6 +3,7 @@
 
 #include "io/project-text.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -123,13 +124,10 @@ test_without_text (void)
                 "project: blocks: no blocks: draw or generate some first");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project/key-paths", test_key_paths);
   g_test_add_func ("/project/errors", test_errors);
   g_test_add_func ("/project/findings", test_findings);
   g_test_add_func ("/project/without-text", test_without_text);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 /* Typical joints are sound laws with a source, and new projects begin with one. */
 #include "io/project/project.h"
 #include "io/project/typical-joint.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <stdlib.h>
@@ -74,12 +75,9 @@ test_begin (void)
   g_assert_cmpstr (second, ==, text);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/io/typical-joint/laws", test_laws);
   g_test_add_func ("/io/typical-joint/own-source", test_own_source);
   g_test_add_func ("/io/typical-joint/begin", test_begin);
-  return g_test_run ();
 }

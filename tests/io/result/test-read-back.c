@@ -10,6 +10,7 @@
 #include "io/text/fault-text.h"
 #include "io/text/outcome-text.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 #include "support/scratch.h"
 #include "support/table.h"
 
@@ -318,13 +319,10 @@ test_row (gconstpointer data)
   check_tables (folder, &project, &contacts, &result);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
     g_autofree char *path = g_strdup_printf ("/result/read-back/%s", rows[i].name);
     g_test_add_data_func (path, &rows[i], test_row);
   }
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "io/result-fixture.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -249,10 +250,8 @@ test_refused (ResultFixture *fixture, gconstpointer data)
   g_clear_error (&error);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   RESULT_FIXTURE_ADD ("/result-check/sound", test_sound);
   RESULT_FIXTURE_ADD ("/result-check/out-of-balance", test_out_of_balance);
   RESULT_FIXTURE_ADD ("/result-check/moment", test_moment);
@@ -264,5 +263,4 @@ main (int argc, char **argv)
   RESULT_FIXTURE_ADD ("/result-check/nonlinear", test_nonlinear);
   RESULT_FIXTURE_ADD ("/result-check/turned-load", test_turned_load);
   RESULT_FIXTURE_ADD ("/result-check/refused", test_refused);
-  return g_test_run ();
 }

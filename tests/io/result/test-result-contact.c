@@ -1,6 +1,7 @@
 #include "io/result/result-contact.h"
 
 #include "io/result-fixture.h"
+#include "support/room.h"
 
 /* The right pair of the fixture, in either order of the pairs. */
 static size_t
@@ -54,12 +55,9 @@ test_moved (ResultFixture *fixture, gconstpointer data)
   g_assert_cmpfloat_with_epsilon (normal.y, sqrt (0.5), 1e-12);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   RESULT_FIXTURE_ADD ("/result-contact/deformation", test_deformation);
   RESULT_FIXTURE_ADD ("/result-contact/at-rest", test_at_rest);
   RESULT_FIXTURE_ADD ("/result-contact/moved", test_moved);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 
 #include "io/result-fixture.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -66,11 +67,8 @@ test_mismatch (ResultFixture *fixture, gconstpointer data)
   file.result.block_count = 2;
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   RESULT_FIXTURE_ADD ("/result-file/match", test_match);
   RESULT_FIXTURE_ADD ("/result-file/mismatch", test_mismatch);
-  return g_test_run ();
 }

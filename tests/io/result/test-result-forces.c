@@ -2,6 +2,7 @@
 #include "io/result-fixture.h"
 #include "io/result/result-file.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -80,15 +81,12 @@ test_refusals (ResultFixture *fixture, gconstpointer data)
   expect_refusal (text, "\"forces\": [0,", "\"forces\": [\"0\",", "forces[0]");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add ("/io/result-forces/round-trip", ResultFixture, NULL, result_fixture_set_up,
               test_round_trip, result_fixture_tear_down);
   g_test_add ("/io/result-forces/without", ResultFixture, NULL, result_fixture_set_up,
               test_without, result_fixture_tear_down);
   g_test_add ("/io/result-forces/refusals", ResultFixture, NULL, result_fixture_set_up,
               test_refusals, result_fixture_tear_down);
-  return g_test_run ();
 }

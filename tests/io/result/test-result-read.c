@@ -2,6 +2,7 @@
 #include "io/result-fixture.h"
 #include "io/result/result-file.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -275,10 +276,8 @@ test_file (ResultFixture *fixture, gconstpointer data)
   g_assert_no_error (error);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   RESULT_FIXTURE_ADD ("/result-read/round-trip", test_round_trip);
   RESULT_FIXTURE_ADD ("/result-read/errors", test_errors);
   RESULT_FIXTURE_ADD ("/result-read/truncated", test_truncated);
@@ -287,5 +286,4 @@ main (int argc, char **argv)
   g_test_add_func ("/result-read/other-formatother-format", test_other_format);
   g_test_add_func ("/result-read/further", test_further);
   g_test_add_func ("/result-read/further-errors", test_further_errors);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "io/result-fixture.h"
 #include "io/result/result-file.h"
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <locale.h>
 #include <string.h>
@@ -128,14 +129,11 @@ test_disk_full (ResultFixture *fixture, gconstpointer data)
                    "/dev/full: cannot be written: No space left on device");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   RESULT_FIXTURE_ADD ("/result-write/text", test_text);
   RESULT_FIXTURE_ADD ("/result-write/unstable", test_unstable);
   RESULT_FIXTURE_ADD ("/result-write/uncertain-mechanism", test_uncertain_mechanism);
   RESULT_FIXTURE_ADD ("/result-write/overrides", test_overrides);
   RESULT_FIXTURE_ADD ("/result-write/disk-full", test_disk_full);
-  return g_test_run ();
 }

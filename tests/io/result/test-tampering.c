@@ -4,13 +4,14 @@
  * out, elements of lists doubled and exchanged with the next one.
  *
  * What survives must be a member that the check itself lists as not proved, or in `allowed`, which says
- * why. Quick runs change the last element of every list; `-m slow` the first, the middle, the last and the
- * largest. */
+ * why. Quick runs try one of ten changes of the last element of every list; `-m slow` all changes of the
+ * first, the middle, the last and the largest. */
 #include "core/path/analysis.h"
 #include "io/result/result-check.h"
 #include "io/result/result-claims.h"
 #include "io/result/result-derived.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -229,8 +230,9 @@ static void
 try_change (Case *c, const cJSON *root, const char *path, const char *how)
 {
   g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
+  if (c->changed++ % 10 != 0 && !g_test_slow ())
+    return;
   char *text = cJSON_PrintUnformatted (root);
-  c->changed++;
   if (passes (c, text, unproved, NULL)) {
     g_autofree char *member = dup_member (path);
     c->survived++;
@@ -473,15 +475,12 @@ test_source (gconstpointer data)
   case_clear (&c);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_set_nonfatal_assertions ();
   for (gsize i = 0; i < G_N_ELEMENTS (sources); i++) {
     g_autofree char *path = g_strdup_printf ("/io/tampering/%s", sources[i].name);
     if (g_test_slow () || !sources[i].slow)
       g_test_add_data_func (path, &sources[i], test_source);
   }
-  return g_test_run ();
 }

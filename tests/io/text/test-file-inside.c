@@ -1,6 +1,7 @@
 #include "io/text/file-inside.h"
 
 #include "io/text/io-error.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <glib/gstdio.h>
@@ -81,11 +82,8 @@ test_outside (void)
   test_scratch_free (root);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/file-inside/inside", test_inside);
   g_test_add_func ("/file-inside/outside", test_outside);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "io/text/file-read.h"
 
 #include "io/text/io-error.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <glib/gstdio.h>
@@ -77,12 +78,9 @@ test_refused (void)
     expect_error (path, "ermission");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/file-read/bytes", test_bytes);
   g_test_add_func ("/file-read/pipe", test_pipe);
   g_test_add_func ("/file-read/refused", test_refused);
-  return g_test_run ();
 }

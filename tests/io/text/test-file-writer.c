@@ -1,6 +1,7 @@
 #include "io/text/file-writer.h"
 
 #include "io/text/io-error.h"
+#include "support/room.h"
 #include "support/scratch.h"
 
 #include <glib/gstdio.h>
@@ -120,10 +121,8 @@ test_device (TestScratchFile *fixture, gconstpointer data)
   g_assert_true (S_ISCHR (status.st_mode));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
 #define ADD(path, test)                                                                  \
   g_test_add (path, TestScratchFile, NULL, test_scratch_file_set_up, test,               \
               test_scratch_file_tear_down)
@@ -134,5 +133,4 @@ main (int argc, char **argv)
   ADD ("/file-writer/refused", test_refused);
   ADD ("/file-writer/device", test_device);
 #undef ADD
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "io/text/hinge-text.h"
 
 #include "io/project/project.h"
+#include "support/room.h"
 
 /* A beam of three elements, clamped at both ends, with two nodes between. */
 static const char text[] =
@@ -69,11 +70,8 @@ test_unknown (void)
   g_assert_null (qn_hinges_dup_text (&project.model, &result));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/io/hinge-text/places", test_places);
   g_test_add_func ("/io/hinge-text/unknown", test_unknown);
-  return g_test_run ();
 }

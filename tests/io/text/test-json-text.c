@@ -1,4 +1,5 @@
 #include "io/text/json-text.h"
+#include "support/room.h"
 
 #include <cjson/cJSON.h>
 #include <glib.h>
@@ -54,12 +55,9 @@ test_long_value (void)
                 "0123456789012345678901234567890123456789\"\n  }");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/json-text/string", test_string);
   g_test_add_func ("/json-text/value", test_value);
   g_test_add_func ("/json-text/long-value", test_long_value);
-  return g_test_run ();
 }

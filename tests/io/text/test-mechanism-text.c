@@ -1,6 +1,7 @@
 #include "core/path/analysis.h"
 #include "io/text/mechanism-text.h"
 #include "support/models.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -129,14 +130,11 @@ test_mirrored_wall (void)
   assert_words (&model, "Rocking to the left", words);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/mechanism-text/overturning", test_overturning);
   g_test_add_func ("/mechanism-text/sliding", test_sliding);
   g_test_add_func ("/mechanism-text/direction", test_direction);
   g_test_add_func ("/mechanism-text/walls", test_every_wall);
   g_test_add_func ("/mechanism-text/mirrored-wall", test_mirrored_wall);
-  return g_test_run ();
 }

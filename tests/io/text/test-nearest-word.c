@@ -1,4 +1,5 @@
 #include "io/text/nearest-word.h"
+#include "support/room.h"
 
 /* One slip of each kind, the nearer of two, and words that are near none. */
 static void
@@ -26,10 +27,7 @@ test_nearest (void)
   g_assert_null (qn_nearest_word (long_word, words, G_N_ELEMENTS (words)));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/io/nearest-word/nearest", test_nearest);
-  return g_test_run ();
 }

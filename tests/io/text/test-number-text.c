@@ -1,4 +1,5 @@
 #include "io/text/number-text.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -82,13 +83,10 @@ test_typed_numbers (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/number-text/shortest", test_shortest);
   g_test_add_func ("/number-text/not-finite", test_not_finite);
   g_test_add_func ("/number-text/round-trip", test_round_trip);
   g_test_add_func ("/number-text/typed-numbers", test_typed_numbers);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "render/backend/draw-cairo.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -122,13 +123,10 @@ test_labels_beside_forces (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/draw-cairo/labels", test_labels_keep_clear);
   g_test_add_func ("/render/draw-cairo/upright-labels", test_upright_labels);
   g_test_add_func ("/render/draw-cairo/labels-beside-loads", test_labels_beside_loads);
   g_test_add_func ("/render/draw-cairo/labels-beside-forces", test_labels_beside_forces);
-  return g_test_run ();
 }

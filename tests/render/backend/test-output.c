@@ -1,6 +1,7 @@
 #include "render/backend/output.h"
 
 #include "render/drawing/text.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -227,10 +228,8 @@ test_writing (void)
   g_assert_cmpint (g_rmdir (folder), ==, 0); /* nothing else was left */
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/output/sizes", test_sizes);
   g_test_add_func ("/render/output/sizes-refused", test_sizes_refused);
   g_test_add_func ("/render/output/metadata", test_metadata);
@@ -239,5 +238,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/output/transparent", test_transparent_ground);
   g_test_add_func ("/render/output/endings", test_endings);
   g_test_add_func ("/render/output/writing", test_writing);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "render/drawing/camera.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -57,12 +58,9 @@ test_zoom_keeps_the_point (void)
   assert_point (qn_camera_to_screen (&camera, before), s.x + 5, s.y - 7);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/camera/fit", test_fit);
   g_test_add_func ("/render/camera/there-and-back", test_there_and_back);
   g_test_add_func ("/render/camera/zoom", test_zoom_keeps_the_point);
-  return g_test_run ();
 }

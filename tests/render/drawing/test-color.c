@@ -1,4 +1,5 @@
 #include "render/drawing/color.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -90,14 +91,11 @@ test_monochrome_is_grey (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/color/sequential-even", test_sequential_is_even);
   g_test_add_func ("/render/color/colour-blind", test_maps_survive_colour_blindness);
   g_test_add_func ("/render/color/diverging", test_diverging_is_light_at_zero);
   g_test_add_func ("/render/color/clamp", test_clamps);
   g_test_add_func ("/render/color/monochrome", test_monochrome_is_grey);
-  return g_test_run ();
 }

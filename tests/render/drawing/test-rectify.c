@@ -1,5 +1,6 @@
 /* Photos of a plane, made by a camera whose place is known, seen from the front again. */
 #include "render/drawing/rectify.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -95,11 +96,8 @@ test_picture (void)
   cairo_surface_destroy (photo);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/rectify/camera", test_camera);
   g_test_add_func ("/render/rectify/picture", test_picture);
-  return g_test_run ();
 }

@@ -1,4 +1,5 @@
 #include "render/drawing/text.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <libintl.h>
@@ -43,11 +44,8 @@ test_french (void)
   expect ("%.1f", -0.04, "0,0");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/text/numbers", test_numbers);
   g_test_add_func ("/text/french", test_french);
-  return g_test_run ();
 }

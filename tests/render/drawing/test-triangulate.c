@@ -1,4 +1,5 @@
 #include "render/drawing/triangulate.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -50,11 +51,8 @@ test_degenerate (void)
   g_assert_cmpuint (qn_triangulate (collinear, 5, indices, order), >=, 6);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/triangulate/shapes", test_shapes);
   g_test_add_func ("/render/triangulate/degenerate", test_degenerate);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "render/figure/compare-sheet.h"
 #include "render/fixture.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -96,12 +97,9 @@ test_groups (void)
     fixture_clear (&f[i]);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/compare-sheet/formats", test_formats);
   g_test_add_func ("/render/compare-sheet/groups", test_groups);
   g_test_add_func ("/render/compare-sheet/refusals", test_refusals);
-  return g_test_run ();
 }

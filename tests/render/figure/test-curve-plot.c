@@ -1,5 +1,6 @@
 #include "render/figure/curve-plot.h"
 #include "render/fixture.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -337,10 +338,8 @@ test_small (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
   g_test_add_func ("/render/curve-plot/since-dead-load", test_since_dead_load);
   g_test_add_func ("/render/curve-plot/limit-of-descending-curve",
@@ -351,5 +350,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/curve-plot/decades", test_decades);
   g_test_add_func ("/render/curve-plot/history", test_history);
   g_test_add_func ("/render/curve-plot/small", test_small);
-  return g_test_run ();
 }

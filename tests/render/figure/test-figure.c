@@ -2,6 +2,7 @@
 #include "render/figure/figure-furniture.h"
 #include "render/figure/figure.h"
 #include "render/fixture.h"
+#include "support/room.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -253,10 +254,8 @@ test_narrow_legend (void)
   cairo_surface_destroy (surface);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/figure/nothing-clipped", test_nothing_clipped);
   g_test_add_func ("/render/figure/multiplier", test_multiplier);
   g_test_add_func ("/render/figure/without-collapse", test_without_collapse);
@@ -265,5 +264,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/figure/label-numbers", test_label_numbers);
   g_test_add_func ("/render/figure/time", test_time);
   g_test_add_func ("/render/figure/narrow-legend", test_narrow_legend);
-  return g_test_run ();
 }

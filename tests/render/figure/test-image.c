@@ -6,6 +6,7 @@
 #include "render/fixture.h"
 #include "render/image-compare.h"
 #include "render/scene/scene-build.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -326,10 +327,8 @@ test_clipped (void)
   fixture_clear (&f);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/image/golden", test_golden);
   g_test_add_func ("/render/image/golden-zoomed", test_golden_zoomed);
   g_test_add_func ("/render/image/gl-egl", test_gl_egl);
@@ -339,5 +338,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/image/mirrored", test_mirrored);
   g_test_add_func ("/render/image/rotated", test_rotated);
   g_test_add_func ("/render/image/clipped", test_clipped);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "render/figure/joint-plot.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <math.h>
@@ -101,11 +102,8 @@ test_draw (void)
   free (plot.points);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/joint-plot/fill", test_fill);
   g_test_add_func ("/render/joint-plot/draw", test_draw);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "render/backend/gl-painter.h"
 #include "render/fixture.h"
 #include "render/movie/animation.h"
+#include "support/room.h"
 
 #include <gif_lib.h>
 #include <glib/gstdio.h>
@@ -215,10 +216,8 @@ test_refusals (void)
   g_clear_error (&error);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/animation/gif", test_gif);
   g_test_add_func ("/render/animation/repeatable", test_gif_is_repeatable);
   g_test_add_func ("/render/animation/frames", test_frames);
@@ -226,5 +225,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/animation/cancel", test_cancel_leaves_nothing);
   g_test_add_func ("/render/animation/webm", test_webm);
   g_test_add_func ("/render/animation/refusals", test_refusals);
-  return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "render/fixture.h"
 #include "render/scene/motion.h"
 #include "render/scene/scene-build.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -243,10 +244,8 @@ test_scale_in_legend (void)
   fixture_clear (&f);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/motion/at-rest", test_at_rest);
   g_test_add_func ("/render/motion/base", test_base);
   g_test_add_func ("/render/motion/mechanism-begins", test_mechanism_begins);
@@ -259,5 +258,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/motion/one-scale", test_one_scale_for_all_steps);
   g_test_add_func ("/render/motion/scale-in-legend", test_scale_in_legend);
   g_test_add_func ("/render/motion/small", test_small_motion_is_not_shown);
-  return g_test_run ();
 }

@@ -4,6 +4,7 @@
 #include "render/scene/reading.h"
 #include "render/scene/scene-build.h"
 #include "render/scene/thrust.h"
+#include "support/room.h"
 
 #include <glib.h>
 #include <string.h>
@@ -379,10 +380,8 @@ test_values (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/reading/equilibrium", test_equilibrium);
   g_test_add_func ("/render/reading/blocks", test_blocks);
   g_test_add_func ("/render/reading/places", test_places);
@@ -392,5 +391,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/thrust/needs-pressure", test_thrust_needs_pressure);
   g_test_add_func ("/render/thrust/numbers", test_thrust_numbers);
   g_test_add_func ("/render/thrust/balances", test_thrust_balances);
-  return g_test_run ();
 }

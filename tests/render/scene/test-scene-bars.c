@@ -1,5 +1,6 @@
 /* Pictures of reinforcing bars: they follow their blocks, in every view, and show their stress. */
 #include "render/scene/scene-build.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -145,12 +146,9 @@ test_stress (void)
   g_assert_false (has_legend (scene, "reinforcing bar"));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/scene-bars/follows", test_follows);
   g_test_add_func ("/render/scene-bars/diameters", test_diameters);
   g_test_add_func ("/render/scene-bars/stress", test_stress);
-  return g_test_run ();
 }

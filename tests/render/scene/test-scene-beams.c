@@ -2,6 +2,7 @@
 #include "render/backend/draw-cairo.h"
 #include "render/image-compare.h"
 #include "render/scene/scene-build.h"
+#include "support/room.h"
 #include "support/run.h"
 
 #include <glib.h>
@@ -246,10 +247,8 @@ test_golden (void)
   }
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/scene-beams/picking", test_picking);
   g_test_add_func ("/scene-beams/labels", test_labels);
   g_test_add_func ("/scene-beams/load-case", test_load_case);
@@ -257,5 +256,4 @@ main (int argc, char **argv)
   g_test_add_func ("/scene-beams/mechanism", test_mechanism);
   g_test_add_func ("/scene-beams/dimensions", test_dimensions);
   g_test_add_func ("/scene-beams/golden", test_golden);
-  return g_test_run ();
 }

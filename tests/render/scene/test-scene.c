@@ -4,6 +4,7 @@
 #include "render/fixture.h"
 #include "render/scene/reading.h"
 #include "render/scene/scene-build.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -507,10 +508,8 @@ test_legend (void)
   fixture_clear (&f);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/scene/sorted", test_sorted_with_boxes);
   g_test_add_func ("/render/scene/contacts", test_contacts_are_all_there);
   g_test_add_func ("/render/scene/refusals", test_refusals);
@@ -523,5 +522,4 @@ main (int argc, char **argv)
   g_test_add_func ("/render/scene/arrow-heads", test_arrow_heads);
   g_test_add_func ("/render/scene/names-beside-loads", test_names_beside_loads);
   g_test_add_func ("/scene/pressure-label", test_pressure_label);
-  return g_test_run ();
 }

@@ -6,6 +6,7 @@
 #include "io/text/number-text.h"
 #include "study/fixture.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -184,10 +185,8 @@ test_work (void)
   qn_case_solver_clear (&solver);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/case/outputs", test_outputs);
   g_test_add_func ("/study/case/failed", test_failed);
   for (gsize i = 0; i < G_N_ELEMENTS (geometries); i++) {
@@ -197,5 +196,4 @@ main (int argc, char **argv)
   }
   g_test_add_func ("/study/case/dynamic", test_dynamic);
   g_test_add_func ("/study/case/work", test_work);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 
 #include "study/cases/case.h"
 #include "study/fixture.h"
+#include "support/room.h"
 
 #define MODEL                                                                            \
   "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"j\", \"kind\": "   \
@@ -115,12 +116,9 @@ test_bad_input (void)
   expect_error ("\"grid\"", "\"one-at-a-time\"", "parameters[0]: ", "gives none here");
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/moving-load/places", test_places);
   g_test_add_func ("/study/moving-load/case", test_case);
   g_test_add_func ("/study/moving-load/bad-input", test_bad_input);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 
 #include "core/model/model.h"
 #include "support/auto-clear.h"
+#include "support/room.h"
 #include <string.h>
 
 /* A stack of `count` blocks, 1 m wide and 2 m high. */
@@ -58,11 +59,8 @@ test_none (void)
   g_assert_cmpfloat (qn_shape_cosine (some, "AB"), ==, 0);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/shape/alike", test_alike);
   g_test_add_func ("/study/shape/none", test_none);
-  return g_test_run ();
 }

@@ -3,6 +3,7 @@
 
 #include "io/text/io-error.h"
 #include "study/fixture.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -168,14 +169,11 @@ test_others (Bench *bench, gconstpointer data)
   g_clear_error (&bench->error);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
 #define ADD(name, function)                                                              \
   g_test_add ("/study/store/" name, Bench, NULL, set_up, function, tear_down)
   ADD ("rows", test_rows);
   ADD ("merge", test_merge);
   ADD ("others", test_others);
-  return g_test_run ();
 }

@@ -2,6 +2,7 @@
 #include "study/cluster/slurm.h"
 
 #include "study/fixture.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -60,11 +61,8 @@ test_script (void)
   qn_submission_clear (&submission);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/slurm/ranges", test_ranges);
   g_test_add_func ("/study/slurm/script", test_script);
-  return g_test_run ();
 }

@@ -1,5 +1,6 @@
 /* Distributions: quantiles against closed forms, truncation in both tails. */
 #include "study/plan/distribution.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -131,10 +132,8 @@ test_discrete (void)
   qn_distribution_clear (&d);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/distribution/normal", test_normal);
   g_test_add_func ("/study/distribution/lognormal", test_lognormal);
   g_test_add_func ("/study/distribution/bounded", test_bounded);
@@ -142,5 +141,4 @@ main (int argc, char **argv)
   g_test_add_func ("/study/distribution/overflow", test_overflow);
   g_test_add_func ("/study/distribution/truncation", test_truncation);
   g_test_add_func ("/study/distribution/discrete", test_discrete);
-  return g_test_run ();
 }

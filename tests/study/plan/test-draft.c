@@ -2,6 +2,7 @@
 #include "study/plan/draft.h"
 
 #include "study/fixture.h"
+#include "support/room.h"
 
 #include <string.h>
 
@@ -108,12 +109,9 @@ test_whole (void)
   qn_draft_free (draft);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/draft/new", test_new);
   g_test_add_func ("/study/draft/whole", test_whole);
   g_test_add_func ("/study/draft/load", test_load);
-  return g_test_run ();
 }

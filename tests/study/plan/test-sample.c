@@ -3,6 +3,7 @@
 #include "study/fixture.h"
 #include "study/plan/correlation.h"
 #include "study/plan/sample.h"
+#include "support/room.h"
 
 #include <gsl/gsl_statistics.h>
 #include <math.h>
@@ -169,10 +170,8 @@ test_whole (void)
                        rint (qn_sample_case (&sample, i)[0]));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/sample/grid", test_grid);
   g_test_add_func ("/study/sample/one-at-a-time", test_one_at_a_time);
   g_test_add_func ("/study/sample/layers", test_layers);
@@ -180,5 +179,4 @@ main (int argc, char **argv)
   g_test_add_func ("/study/sample/saltelli", test_saltelli);
   g_test_add_func ("/study/sample/known-numbers", test_known_numbers);
   g_test_add_func ("/study/sample/whole", test_whole);
-  return g_test_run ();
 }

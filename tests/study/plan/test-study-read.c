@@ -2,6 +2,7 @@
 #include "study/fixture.h"
 
 #include "io/text/io-error.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -190,15 +191,12 @@ test_warnings (void)
     strstr (g_ptr_array_index (study.warnings, 0), "colour: unknown key"));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/read/sound", test_sound);
   g_test_add_func ("/study/read/bad-input", test_bad_input);
   g_test_add_func ("/study/read/bound-is-named", test_bound_is_named);
   g_test_add_func ("/study/read/impossible-correlation", test_impossible_correlation);
   g_test_add_func ("/study/read/missing-model", test_missing_model);
   g_test_add_func ("/study/read/warnings", test_warnings);
-  return g_test_run ();
 }

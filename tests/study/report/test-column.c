@@ -5,6 +5,7 @@
 #include "study/cases/folder.h"
 #include "study/fixture.h"
 #include "study/report/summary.h"
+#include "support/room.h"
 
 #include <math.h>
 #include <string.h>
@@ -159,12 +160,9 @@ test_mechanisms_and_summary (void)
       g_test_fail_printf ("'%s' lacks '%s'", summary, parts[i]);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/column/ishigami", test_ishigami);
   g_test_add_func ("/study/column/effects", test_effects);
   g_test_add_func ("/study/column/mechanisms-and-summary", test_mechanisms_and_summary);
-  return g_test_run ();
 }

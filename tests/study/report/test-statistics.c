@@ -1,5 +1,6 @@
 /* Statistics against closed forms and published values. */
 #include "study/report/statistics.h"
+#include "support/room.h"
 
 #include <math.h>
 
@@ -79,14 +80,11 @@ test_sobol_holes (void)
   g_assert_false (qn_sobol_indices (values, 7, 2, indices));
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/statistics/moments", test_moments);
   g_test_add_func ("/study/statistics/quantiles", test_quantiles);
   g_test_add_func ("/study/statistics/shares", test_shares);
   g_test_add_func ("/study/statistics/rank-correlation", test_rank_correlation);
   g_test_add_func ("/study/statistics/sobol-holes", test_sobol_holes);
-  return g_test_run ();
 }

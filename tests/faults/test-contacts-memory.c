@@ -2,6 +2,7 @@
 #include "core/contact/contacts.h"
 #include "support/failing-memory.h"
 #include "support/generate.h"
+#include "support/room.h"
 
 #include <glib.h>
 
@@ -116,13 +117,10 @@ test_every_allocation (const void *data)
   g_assert_cmpint (number, >, 40);
 }
 
-int
-main (int argc, char **argv)
+QN_TESTS
 {
-  g_test_init (&argc, &argv, NULL);
   g_test_add_data_func ("/contacts-memory/single", GINT_TO_POINTER (false),
                         test_every_allocation);
   g_test_add_data_func ("/contacts-memory/onwards", GINT_TO_POINTER (true),
                         test_every_allocation);
-  return g_test_run ();
 }
