@@ -71,6 +71,7 @@ quoin_model_import (const char *path, double unit, double thickness, double unit
   };
   if (!qn_import_file (path, &settings, &project, &report, &cause)) {
     quoin_library_take_error (error, path, cause);
+    qn_import_report_clear (&report);
     return NULL;
   }
   QuoinModel *model = quoin_library_model_take (&project, error);

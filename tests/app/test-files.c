@@ -7,6 +7,7 @@
 #include "app/window/window-private.h"
 #include "doc/document/picture.h"
 #include "doc/document/recovery.h"
+#include "io/exchange/drawing-import.h"
 #include "io/project/project-extras.h"
 #include "support/room.h"
 
@@ -88,6 +89,39 @@ test_mortar (void)
   driver_screenshot (GTK_WIDGET (window), "findings-closed");
   driver_activate (window, "win.undo");
   g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  driver_discard (window);
+}
+
+static gboolean
+is_role_choice (GtkWidget *widget, gconstpointer data)
+{
+  GListModel *model =
+    GTK_IS_DROP_DOWN (widget) ? gtk_drop_down_get_model (GTK_DROP_DOWN (widget)) : NULL;
+  (void) data;
+  return model != NULL && g_list_model_get_n_items (model) == 4;
+}
+
+/* The layers of a drawing are listed with what their names propose; what the user says instead counts
+ * at once. */
+static void
+test_layers (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  g_autofree char *path = driver_example_path ("dxf/wall-clean.dxf");
+  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
+  GtkWidget *dialog = driver_find_dialog ("Import");
+  GtkWidget *choice = driver_find_widget (dialog, is_role_choice, NULL);
+  g_assert_nonnull (choice);
+  driver_screenshot (dialog, "import-layers");
+  guint role = gtk_drop_down_get_selected (GTK_DROP_DOWN (choice));
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), QN_ROLE_IGNORED);
+  driver_run (100);
+  g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==,
+                    QN_ROLE_IGNORED);
+  driver_press (dialog, "Import");
+  /* The wall without its base. */
+  g_assert_cmpuint (role, ==, QN_ROLE_SUPPORT);
+  g_assert_cmpuint (model_of (window)->block_count, ==, 46);
   driver_discard (window);
 }
 
@@ -539,6 +573,7 @@ QN_TESTS
 {
   gtk_init ();
   g_test_add_func ("/app/files/import", test_import);
+  g_test_add_func ("/app/files/layers", test_layers);
   g_test_add_func ("/app/files/mortar", test_mortar);
   g_test_add_func ("/app/files/picture", test_picture);
   g_test_add_func ("/app/files/kept-history", test_kept_history);

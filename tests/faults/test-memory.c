@@ -131,9 +131,10 @@ import (gconstpointer path)
   QnProject project;
   QnImportReport report;
   GError *error = NULL;
-  if (!qn_import_file (path, &QN_IMPORT_DEFAULTS, &project, &report, &error))
-    return refusal (error);
+  gboolean done = qn_import_file (path, &QN_IMPORT_DEFAULTS, &project, &report, &error);
   qn_import_report_clear (&report);
+  if (!done)
+    return refusal (error);
   return digest_of_project (&project);
 }
 

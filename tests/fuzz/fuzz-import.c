@@ -25,10 +25,10 @@ check_import (const char *text, size_t size, QnGapTreatment gaps)
   }
   if (qn_drawing_to_project (&drawing, "fuzz", &settings, &project, &report, &error)) {
     qn_project_clear (&project);
-    qn_import_report_clear (&report);
   } else {
     fuzz_check_error (error);
   }
+  qn_import_report_clear (&report);
   qn_drawing_clear (&drawing);
 }
 

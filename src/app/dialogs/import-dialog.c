@@ -25,12 +25,15 @@ typedef struct Dialog {
   guint unit; /* row */
   QnImportSettings settings;
   QnProject project;
-  QnGaps gaps; /* as drawn */
+  QnImportReport report;
+  guint layer; /* row */
   gboolean has_project;
 } Dialog;
 
 enum {
   UNIT,
+  LAYER,
+  ROLE,
   EXTENTS,
   TOLERANCE,
   GAP_WIDTH,
@@ -45,7 +48,8 @@ enum {
 };
 
 static const QnFormField fields[] = {
-  [UNIT] = { .id = "unit" },           [EXTENTS] = { .id = "extents" },
+  [UNIT] = { .id = "unit" },           [LAYER] = { .id = "layer" },
+  [ROLE] = { .id = "role" },           [EXTENTS] = { .id = "extents" },
   [TOLERANCE] = { .id = "tolerance" }, [GAP_WIDTH] = { .id = "gap_width" },
   [THICKNESS] = { .id = "thickness" }, [UNIT_WEIGHT] = { .id = "unit_weight" },
   [FRICTION] = { .id = "friction" },   [GAPS] = { .id = "gaps" },
@@ -58,7 +62,7 @@ clear_project (Dialog *dialog)
 {
   if (dialog->has_project)
     qn_project_clear (&dialog->project);
-  qn_gaps_clear (&dialog->gaps);
+  qn_import_report_clear (&dialog->report);
   dialog->has_project = FALSE;
 }
 
@@ -67,6 +71,7 @@ clear (gpointer data)
 {
   Dialog *dialog = data;
   clear_project (dialog);
+  g_strfreev (dialog->settings.layers);
   g_free (dialog->path);
 }
 
@@ -103,25 +108,20 @@ dup_extents (const QnModel *model)
 static void
 try_import (Dialog *dialog)
 {
-  QnImportReport report = { 0 };
+  const QnImportReport *report = &dialog->report;
   g_autoptr (GError) error = NULL;
   GString *text = g_string_new (NULL);
   clear_project (dialog);
-  dialog->has_project =
-    qn_import_file (dialog->path, &dialog->settings, &dialog->project, &report, &error);
+  dialog->has_project = qn_import_file (dialog->path, &dialog->settings, &dialog->project,
+                                        &dialog->report, &error);
   if (!dialog->has_project)
-    g_string_append (text, error->message);
-  for (guint i = 0; dialog->has_project && i < report.warnings->len; i++)
-    g_string_append_printf (text, "⚠ %s\n", (char *) report.warnings->pdata[i]);
-  for (guint i = 0; dialog->has_project && i < report.lines->len; i++) {
-    const char *line = report.lines->pdata[i];
-    if (!g_ptr_array_find_with_equal_func (report.warnings, line, g_str_equal, NULL))
+    g_string_append_printf (text, "⚠ %s\n", error->message);
+  for (guint i = 0; report->lines != NULL && i < report->warnings->len; i++)
+    g_string_append_printf (text, "⚠ %s\n", (char *) report->warnings->pdata[i]);
+  for (guint i = 0; report->lines != NULL && i < report->lines->len; i++) {
+    const char *line = report->lines->pdata[i];
+    if (!g_ptr_array_find_with_equal_func (report->warnings, line, g_str_equal, NULL))
       g_string_append_printf (text, "%s\n", line);
-  }
-  if (dialog->has_project) {
-    dialog->gaps = report.gaps;
-    report.gaps = (QnGaps){ 0 };
-    qn_import_report_clear (&report);
   }
   gtk_text_buffer_set_text (
     gtk_text_view_get_buffer (GTK_TEXT_VIEW (dialog->base.widgets[REPORT])), text->str,
@@ -149,7 +149,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   QnCamera camera = { .width = width, .height = height, .scale = 1.0, .unit = 1.0 };
   qn_camera_fit (&camera, scene->box, PREVIEW_MARGIN_PX);
   qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
-  qn_gap_marks_draw (&dialog->gaps, &camera, cr);
+  qn_gap_marks_draw (&dialog->report.gaps, &camera, cr);
   qn_scene_free (scene);
 }
 
@@ -166,18 +166,60 @@ number_of (Dialog *dialog, guint field)
   return field <= FRICTION ? all[field] : NULL;
 }
 
+/* Of the selected layer; NULL where there is none. */
+static const QnImportLayer *
+layer_of (const Dialog *dialog)
+{
+  const GArray *layers = dialog->report.layers;
+  return layers != NULL && dialog->layer < layers->len
+           ? &g_array_index (layers, QnImportLayer, dialog->layer)
+           : NULL;
+}
+
+static void
+show_layers (const Dialog *dialog, QnValue *value)
+{
+  const GArray *layers = dialog->report.layers;
+  for (guint i = 0; layers != NULL && i < layers->len; i++) {
+    const QnImportLayer *layer = &g_array_index (layers, QnImportLayer, i);
+    qn_value_take_row (value, g_strdup_printf ("%s (%u)", layer->name, layer->count));
+  }
+  value->number = dialog->layer;
+}
+
+/* What was said of the layer before no longer counts. */
+static void
+take_role (Dialog *dialog, QnRole role)
+{
+  static const char *const roles[] = { "block", "support", "opening", "ignored" };
+  const QnImportLayer *layer = layer_of (dialog);
+  g_autoptr (GStrvBuilder) entries = g_strv_builder_new ();
+  g_autofree char *entry = g_strdup_printf ("%s=%s", layer->name, roles[role]);
+  g_strv_builder_add (entries, entry);
+  if (dialog->settings.layers != NULL)
+    g_strv_builder_addv (entries, (const char **) dialog->settings.layers);
+  g_strfreev (dialog->settings.layers);
+  dialog->settings.layers = g_strv_builder_end (entries);
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   Dialog *dialog = data;
   const double *number = number_of (dialog, field);
   gboolean about_gaps = field == GAPS || field == GAP_WIDTH;
-  if (about_gaps && dialog->gaps.count == 0 && !(dialog->settings.gap_width > 0))
+  if (about_gaps && dialog->report.gaps.count == 0 && !(dialog->settings.gap_width > 0))
+    return FALSE;
+  if ((field == LAYER || field == ROLE) && layer_of (dialog) == NULL)
     return FALSE;
   if (number != NULL)
     value->number = *number;
   else if (field == UNIT)
     value->number = dialog->unit;
+  else if (field == LAYER)
+    show_layers (dialog, value);
+  else if (field == ROLE)
+    value->number = layer_of (dialog)->role;
   else if (field == GAPS)
     value->number = dialog->settings.gaps;
   else if (field == EXTENTS && dialog->has_project)
@@ -200,6 +242,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
   if (number != NULL)
     *number = value->number;
+  else if (field == LAYER)
+    dialog->layer = (guint) qn_value_int (value);
+  else if (field == ROLE)
+    take_role (dialog, (QnRole) qn_value_int (value));
   else if (field == GAPS)
     dialog->settings.gaps = (QnGapTreatment) value->number;
   else {
@@ -207,7 +253,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     dialog->settings.unit =
       dialog->unit > 0 ? qn_import_unit (units[dialog->unit]) : QN_IMPORT_DEFAULTS.unit;
   }
-  try_import (dialog);
+  if (field != LAYER)
+    try_import (dialog);
   return TRUE;
 }
 
@@ -235,7 +282,7 @@ qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
   qn_help_set_page (dialog->base.root, "import");
   try_import (dialog);
   /* What is drawn with mortar is meant to stand: closed unless the user says otherwise. */
-  if (dialog->gaps.count > 0) {
+  if (dialog->report.gaps.count > 0) {
     dialog->settings.gaps = QN_GAPS_CLOSED;
     try_import (dialog);
   }

@@ -19,6 +19,8 @@ static void
 tell (const Options *options, const QnImportReport *report)
 {
   gboolean to_stdout = g_strcmp0 (options->output, "-") != 0;
+  if (report->lines == NULL) /* the file could not be read */
+    return;
   if (options->report) {
     for (guint i = 0; i < report->lines->len; i++)
       fprintf (to_stdout ? stdout : stderr, "%s\n", (char *) report->lines->pdata[i]);
@@ -34,12 +36,10 @@ import_file (const Options *options, const char *path)
   QnProject project;
   QnImportReport report;
   GError *error = NULL;
-  if (!qn_import_file (path, &options->settings, &project, &report, &error))
-    return qn_cli_fail (error);
+  gboolean done = qn_import_file (path, &options->settings, &project, &report, &error);
   tell (options, &report);
-  QnExit code = QN_EXIT_DONE;
-  if (!qn_project_save (&project, options->output, &error))
-    code = qn_cli_fail (error);
+  done = done && qn_project_save (&project, options->output, &error);
+  QnExit code = done ? QN_EXIT_DONE : qn_cli_fail (error);
   qn_project_clear (&project);
   qn_import_report_clear (&report);
   return code;
@@ -87,7 +87,8 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "report", 0, 0, G_OPTION_ARG_NONE, &options.report,
       N_ ("List everything that was repaired or left out"), NULL },
     { "layer", 0, 0, G_OPTION_ARG_STRING_ARRAY, &settings->layers,
-      N_ ("What a layer holds: block, support, opening or ignored"), N_ ("NAME=ROLE") },
+      N_ ("What a layer holds: block, support, opening or ignored; * and ? in NAME"),
+      N_ ("NAME=ROLE") },
     { "tolerance", 0, 0, G_OPTION_ARG_DOUBLE, &settings->tolerance,
       /* xgettext:no-c-format */
       N_ ("Gaps up to this are closed, m (0.2 % of a block)"), N_ ("LENGTH") },

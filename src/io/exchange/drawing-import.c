@@ -15,6 +15,51 @@
  * draws to a thousandth. */
 #define SAME_ROW 0.05
 
+/* An outline of the lowest row. */
+typedef struct Foot {
+  QnOutline *outline;
+  QnBox box;
+  gboolean tapers; /* towards its foot, as a voussoir of a flat arch does */
+} Foot;
+
+static int
+compare_feet (gconstpointer a, gconstpointer b)
+{
+  double x = ((const Foot *) a)->box.min.x, y = ((const Foot *) b)->box.min.x;
+  return (x > y) - (x < y);
+}
+
+/* Width of an outline at the level of its foot or its head. */
+static double
+width_at (const QnRing *ring, double y, double margin)
+{
+  QnBox box = QN_BOX_EMPTY;
+  for (gsize i = 0; i < ring->count; i++)
+    if (fabs (ring->points[i].y - y) <= margin)
+      qn_box_add_point (&box, ring->points[i]);
+  return box.max.x - box.min.x;
+}
+
+/* Blocks side by side that all taper downwards, but for the ends, hold each other: they are a flat arch
+ * that stands on its ends. Fixes those alone, and all of other rows. Returns how many it left. */
+static gsize
+fix_row (Foot *feet, guint count, double gap)
+{
+  gsize left = 0;
+  for (guint first = 0, end; first < count; first = end) {
+    gboolean wedges = TRUE;
+    for (end = first + 1;
+         end < count && feet[end].box.min.x <= feet[end - 1].box.max.x + gap; end++)
+      wedges = wedges && (end == first + 1 || feet[end - 1].tapers);
+    for (guint i = first; i < end; i++)
+      if (wedges && end - first >= 3 && i > first && i + 1 < end)
+        left++;
+      else
+        feet[i].outline->role = QN_ROLE_SUPPORT;
+  }
+  return left;
+}
+
 /* Fixes the lowest row where no layer says what is fixed. */
 static void
 infer_supports (QnImportWork *work)
@@ -35,13 +80,25 @@ infer_supports (QnImportWork *work)
   }
   double margin =
     fmax (SAME_ROW * least_height, fmax (work->tolerance, 1e-9 * fabs (lowest)));
+  g_autoptr (GArray) feet = g_array_new (FALSE, FALSE, sizeof (Foot));
   for (guint i = 0; i < work->outlines->len; i++) {
     QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
-    if (qn_ring_bounds (&outline->ring).min.y <= lowest + margin) {
-      outline->role = QN_ROLE_SUPPORT;
-      supports++;
-    }
+    Foot foot = { .outline = outline, .box = qn_ring_bounds (&outline->ring) };
+    if (foot.box.min.y > lowest + margin)
+      continue;
+    foot.tapers = width_at (&outline->ring, foot.box.max.y, margin)
+                  > width_at (&outline->ring, foot.box.min.y, margin) + margin;
+    g_array_append_val (feet, foot);
   }
+  g_array_sort (feet, compare_feet);
+  gsize held = fix_row ((Foot *) (void *) feet->data, feet->len, 0.1 * least_height);
+  supports = feet->len - held;
+  if (held > 0)
+    qn_import_tell (
+      work, TRUE,
+      _ ("blocks of the lowest row that are the voussoirs of a flat arch, and "
+         "not fixed: %zu"),
+      held);
   qn_import_tell (
     work, TRUE,
     g_dngettext (GETTEXT_PACKAGE,
@@ -107,11 +164,13 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
   for (guint i = 0; i < work->drawing->notes->len; i++) {
     const QnDrawingNote *note = work->drawing->notes->pdata[i];
     if (note->line > 0)
-      qn_import_tell (work, FALSE, _ ("%s: %u, first at line %u"), note->text,
+      qn_import_tell (work, !note->minor, _ ("%s: %u, first at line %u"), note->text,
                       note->count, note->line);
     else
-      qn_import_tell (work, FALSE, "%s: %u", note->text, note->count);
+      qn_import_tell (work, !note->minor, "%s: %u", note->text, note->count);
   }
+  if (!qn_import_find_layers (work, error))
+    return FALSE;
   qn_import_choose_unit (work);
   work->tolerance =
     work->settings->tolerance > 0
@@ -160,22 +219,24 @@ qn_drawing_to_project (QnDrawing *drawing, const char *name,
 {
   *project = (QnProject){ 0 };
   qn_drawing_drop_unbounded (drawing);
-  *report = (QnImportReport){ .lines = g_ptr_array_new_with_free_func (g_free),
-                              .warnings = g_ptr_array_new_with_free_func (g_free) };
+  *report =
+    (QnImportReport){ .lines = g_ptr_array_new_with_free_func (g_free),
+                      .warnings = g_ptr_array_new_with_free_func (g_free),
+                      .layers = g_array_new (FALSE, FALSE, sizeof (QnImportLayer)) };
   QnImportWork work = { .drawing = drawing,
                         .settings = settings,
                         .name = name,
                         .report = report,
+                        .layers = g_hash_table_new (NULL, NULL),
                         .outlines = g_array_new (FALSE, FALSE, sizeof (QnOutline)) };
   gboolean done =
     qn_import_check_layers (settings, error) && run_import (&work, project, error);
   for (guint i = 0; i < work.outlines->len; i++)
     qn_ring_clear (&g_array_index (work.outlines, QnOutline, i).ring);
   g_array_unref (work.outlines);
+  g_hash_table_unref (work.layers);
   for (int role = 0; role < QN_ROLE_COUNT; role++)
     qn_segments_clear (&work.soups[role]);
-  if (!done)
-    qn_import_report_clear (report);
   return done;
 }
 
@@ -184,5 +245,8 @@ qn_import_report_clear (QnImportReport *report)
 {
   g_clear_pointer (&report->lines, g_ptr_array_unref);
   g_clear_pointer (&report->warnings, g_ptr_array_unref);
+  for (guint i = 0; report->layers != NULL && i < report->layers->len; i++)
+    g_free (g_array_index (report->layers, QnImportLayer, i).name);
+  g_clear_pointer (&report->layers, g_array_unref);
   qn_gaps_clear (&report->gaps);
 }

@@ -1,10 +1,13 @@
 /* From a drawing to a project: unit, layers, healing, supports.
  *
- * Layers have roles. By name, unless the settings say otherwise (case does not matter):
+ * Layers have roles. By whole words of their name, in four languages, unless the settings say
+ * otherwise (case does not matter; a layer of the settings that is not there is an error):
  *   SUPPORT, BASE, GROUND, FOUNDATION, FIXED …   fixed blocks
  *   OPENING, VOID, HOLE, WINDOW, DOOR            cut out of the blocks
- *   DIM, TEXT, AXIS, HATCH, DEFPOINTS, CONTACTS, DEFORMED, GRID    ignored
+ *   DIM, TEXT, AXIS, HATCH, DEFPOINTS, CONTACTS, DEFORMED, GRID    left out
  *   every other                                  blocks
+ * Of several such words the last one counts, and WALL, STONE, FLOOR … mean blocks: GROUND FLOOR,
+ * DIMENSION STONE, WINDOW ARCH. The report lists all layers, and warns where words contradict.
  *
  * Healing, in this order, each step told in the report: outlines that end on or overrun their
  * first vertex are closed; repeated and collinear vertices go; outlines without area or that
@@ -13,7 +16,8 @@
  * to each other; joints of mortar, drawn as gaps between blocks, are told of and closed, filled or
  * left as the settings say; openings are cut out.
  *
- * Without a layer of supports the blocks of the lowest row are fixed.
+ * Without a layer of supports the blocks of the lowest row are fixed; of a flat arch, whose voussoirs
+ * all begin at one height, only those at its ends.
  */
 #ifndef QN_IO_DRAWING_IMPORT_H
 #define QN_IO_DRAWING_IMPORT_H
@@ -46,17 +50,27 @@ typedef struct QnImportSettings {
   double friction;    /* >= 0 */
   QnGapTreatment gaps;
   double gap_width; /* m: wider ones are no joints; 0: qn_gaps_usual_width() */
-  char **layers;    /* nullable: "NAME=block|support|opening|ignored" */
+  char **layers; /* nullable: "NAME=block|support|opening|ignored", * and ? in the name */
 } QnImportSettings;
 
 #define QN_IMPORT_DEFAULTS                                                               \
   ((QnImportSettings){ .thickness = 1, .unit_weight = 20000, .friction = 0.65 })
+
+/* A layer of the drawing. */
+typedef struct QnImportLayer {
+  char *name;
+  guint count; /* shapes */
+  QnRole role;
+  gboolean asked;    /* by the settings; else proposed by its name */
+  gboolean doubtful; /* the name says other things too */
+} QnImportLayer;
 
 /* What was done; every line is translated. */
 typedef struct QnImportReport {
   GPtrArray *lines;    /* char *: all of it, in order */
   GPtrArray *warnings; /* char *: what the user must look at, also among the lines */
 
+  GArray *layers;    /* QnImportLayer, in the order of the file */
   QnGaps gaps;       /* joints of mortar as they were drawn, m */
   double widest_gap; /* m; 0 where there is none */
 } QnImportReport;
@@ -67,12 +81,12 @@ double qn_import_unit (const char *name);
 /* Makes a project: one block per outline, dry joints, own weight as dead load and a horizontal
  * live load. Takes unbounded paths out of the drawing and nothing else. `project` and `report` are
  * overwritten without being cleared; FALSE with an error (domain QN_IO_ERROR) where there is
- * nothing to make blocks of or a setting is wrong (QN_IO_ERROR_OVERRIDE). */
+ * nothing to make blocks of or a setting is wrong (QN_IO_ERROR_OVERRIDE). The report says what was
+ * found then, too. */
 gboolean qn_drawing_to_project (QnDrawing *drawing, const char *name,
                                 const QnImportSettings *settings, QnProject *project,
                                 QnImportReport *report, GError **error);
 
-/* Only needed where the import succeeded: a failed one leaves an empty report. */
 void qn_import_report_clear (QnImportReport *report);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnImportReport, qn_import_report_clear)
 

@@ -58,19 +58,20 @@ qn_drawing_path_add (QnDrawingPath *path, QnVec2 point)
   path->points[path->count++] = point;
 }
 
-void
+QnDrawingNote *
 qn_drawing_note (QnDrawing *drawing, const char *text, guint line, QnVec2 at)
 {
   for (guint i = 0; i < drawing->notes->len; i++) {
     QnDrawingNote *note = drawing->notes->pdata[i];
     if (strcmp (note->text, text) == 0) {
       note->count++;
-      return;
+      return note;
     }
   }
   QnDrawingNote *note = g_new (QnDrawingNote, 1);
-  *note = (QnDrawingNote){ g_strdup (text), 1, line, at };
+  *note = (QnDrawingNote){ g_strdup (text), 1, line, at, FALSE };
   g_ptr_array_add (drawing->notes, note);
+  return note;
 }
 
 static gboolean

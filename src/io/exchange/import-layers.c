@@ -4,28 +4,62 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
+/* Words of English, German, French and Italian, in lower case and without accents. */
 static const struct {
-  const char *word;
   QnRole role;
-} role_words[] = {
-  { "SUPPORT", QN_ROLE_SUPPORT }, { "BASE", QN_ROLE_SUPPORT },
-  { "GROUND", QN_ROLE_SUPPORT },  { "FOUND", QN_ROLE_SUPPORT },
-  { "FIXED", QN_ROLE_SUPPORT },   { "OPENING", QN_ROLE_OPENING },
-  { "VOID", QN_ROLE_OPENING },    { "HOLE", QN_ROLE_OPENING },
-  { "WINDOW", QN_ROLE_OPENING },  { "DOOR", QN_ROLE_OPENING },
-  { "DIM", QN_ROLE_IGNORED },     { "TEXT", QN_ROLE_IGNORED },
-  { "AXIS", QN_ROLE_IGNORED },    { "AXES", QN_ROLE_IGNORED },
-  { "HATCH", QN_ROLE_IGNORED },   { "DEFPOINT", QN_ROLE_IGNORED },
-  { "CONTACT", QN_ROLE_IGNORED }, { "DEFORMED", QN_ROLE_IGNORED },
-  { "GRID", QN_ROLE_IGNORED },
+  const char *words;
+} known[] = {
+  { QN_ROLE_SUPPORT,
+    " support supports fixed base bases ground foundation foundations found footing "
+    "footings"
+    " auflager fundament fundamente sockel baugrund"
+    " appui appuis fixe fixes fondation fondations socle"
+    " appoggio appoggi fisso fissi fondazione fondazioni vincolo vincoli basamento " },
+  { QN_ROLE_OPENING,
+    " opening openings void voids hole holes window windows door doors"
+    " offnung offnungen oeffnung oeffnungen aussparung aussparungen fenster tur turen "
+    "tuer tueren"
+    " ouverture ouvertures fenetre fenetres porte portes vide vides baie baies trou trous"
+    " apertura aperture finestra finestre porta vuoto vuoti foro fori " },
+  { QN_ROLE_IGNORED,
+    " dim dims dimension dimensions text texts axis axes hatch hatches hatching defpoint"
+    " defpoints contact contacts deformed grid grids anno annotation annotations"
+    " bemassung texte achse achsen schraffur schraffuren raster beschriftung"
+    " cote cotes cotation cotations textes axe hachure hachures"
+    " quota quote quotatura testo testi asse assi retino tratteggio griglia " },
+  /* What is built, whatever else the name says. */
+  { QN_ROLE_BLOCK,
+    " block blocks stone stones brick bricks masonry wall walls arch arches vault "
+    "voussoir"
+    " voussoirs pier piers column columns lintel lintels sill sills jamb jambs frame "
+    "frames"
+    " surround beam beams slab course courses floor floors storey storeys story stories"
+    " stein steine ziegel wand wande waende mauer mauern mauerwerk bogen pfeiler saule "
+    "saulen"
+    " sturz geschoss"
+    " pierre pierres brique briques maconnerie mur murs arc arcs voute voutes pilier "
+    "piliers"
+    " linteau linteaux etage"
+    " pietra pietre mattone mattoni muratura muro muri arco archi concio conci pilastro"
+    " pilastri piano " },
 };
+
+/* Of these one is enough, wherever it stands: "fixed blocks". */
+static const char sure_supports[] = " support supports fixed auflager appui appuis fixe "
+                                    "fixes appoggio appoggi fisso fissi ";
+
+/* Words that say nothing. */
+static const char neutral[] = " layer ebene calque livello quoin left right north south "
+                              "east west top bottom new line lines"
+                              " of the de du des la le les di del della von der die das ";
+
+static const char *const role_names[] = { "block", "support", "opening", "ignored" };
 
 static gboolean
 find_role (const char *word, QnRole *role)
 {
-  static const char *const names[] = { "block", "support", "opening", "ignored" };
   for (int i = 0; i < QN_ROLE_COUNT; i++)
-    if (strcmp (names[i], word) == 0) {
+    if (strcmp (role_names[i], word) == 0) {
       *role = (QnRole) i;
       return TRUE;
     }
@@ -47,20 +81,137 @@ qn_import_check_layers (const QnImportSettings *settings, GError **error)
   return TRUE;
 }
 
+/* Whether an entry of the table of layers means this one: by its whole name, or by a pattern with *
+ * and ?; case does not matter. */
+static gboolean
+means_layer (const char *entry, const char *layer, gboolean pattern)
+{
+  g_autofree char *name = g_strndup (entry, (gsize) (strrchr (entry, '=') - entry));
+  g_autofree char *wanted = g_utf8_casefold (name, -1);
+  g_autofree char *folded = g_utf8_casefold (layer, -1);
+  return pattern ? g_pattern_match_simple (wanted, folded) : strcmp (wanted, folded) == 0;
+}
+
+/* The entry for a layer; NULL where there is none. */
+static const char *
+entry_of (const QnImportSettings *settings, const char *layer)
+{
+  for (int pattern = 0; pattern < 2; pattern++)
+    for (char **entry = settings->layers; entry != NULL && *entry != NULL; entry++)
+      if (means_layer (*entry, layer, pattern == 1))
+        return *entry;
+  return NULL;
+}
+
+static gboolean
+is_among (const char *word, const char *words)
+{
+  g_autofree char *between = g_strdup_printf (" %s ", word);
+  return strstr (words, between) != NULL;
+}
+
+/* The role that a name proposes: that of its last word that is known, the one which the others
+ * describe (GROUND FLOOR is a floor). *doubtful where other words speak against it or are unknown. */
+static QnRole
+guess_role (const char *layer, gboolean *doubtful)
+{
+  g_autofree char *ascii = g_str_to_ascii (layer, "C");
+  g_autofree char *lower = g_ascii_strdown (ascii, -1);
+  QnRole role = QN_ROLE_BLOCK;
+  gboolean any = FALSE, support = FALSE, unknown = FALSE;
+  *doubtful = FALSE;
+  for (char *word = lower; *word != '\0';) {
+    gsize length = 0;
+    while (g_ascii_isalpha (word[length]))
+      length++;
+    char *next = word + length + (word[length] != '\0');
+    word[length] = '\0';
+    gsize i = 0;
+    while (i < G_N_ELEMENTS (known) && !is_among (word, known[i].words))
+      i++;
+    if (i < G_N_ELEMENTS (known)) {
+      *doubtful = *doubtful || (any && known[i].role != role);
+      any = TRUE;
+      role = known[i].role;
+      support = support || is_among (word, sure_supports);
+    } else if (length > 1 && !is_among (word, neutral)) {
+      unknown = TRUE;
+    }
+    word = next;
+  }
+  *doubtful = *doubtful || (any && unknown && role != QN_ROLE_BLOCK);
+  return support ? QN_ROLE_SUPPORT : role;
+}
+
 QnRole
-qn_import_role_of_layer (const QnImportSettings *settings, const char *layer)
+qn_import_propose_role (const QnImportSettings *settings, const char *layer,
+                        gboolean *doubtful)
 {
   QnRole role = QN_ROLE_BLOCK;
-  for (char **given = settings->layers; given != NULL && *given != NULL; given++) {
-    const char *equals = strrchr (*given, '=');
-    gsize length = (gsize) (equals - *given);
-    if (strlen (layer) == length && g_ascii_strncasecmp (*given, layer, length) == 0
-        && find_role (equals + 1, &role))
-      return role;
+  const char *entry = entry_of (settings, layer);
+  *doubtful = FALSE;
+  if (entry == NULL)
+    return guess_role (layer, doubtful);
+  find_role (strrchr (entry, '=') + 1, &role);
+  return role;
+}
+
+static void
+tell_layer (QnImportWork *work, const QnImportLayer *layer)
+{
+  static const char *const guessed[] = { N_ ("blocks"), N_ ("supports by its name"),
+                                         N_ ("openings by its name"),
+                                         N_ ("left out by its name") };
+  static const char *const asked[] = { N_ ("blocks as asked"), N_ ("supports as asked"),
+                                       N_ ("openings as asked"),
+                                       N_ ("left out as asked") };
+  const char *role = _ (layer->asked ? asked[layer->role] : guessed[layer->role]);
+  if (layer->doubtful)
+    qn_import_tell (
+      work, TRUE, _ ("layer \"%s\": shapes: %u; %s, which is a guess (--layer decides)"),
+      layer->name, layer->count, role);
+  else
+    qn_import_tell (work, FALSE, _ ("layer \"%s\": shapes: %u; %s"), layer->name,
+                    layer->count, role);
+}
+
+gboolean
+qn_import_find_layers (QnImportWork *work, GError **error)
+{
+  const QnImportSettings *settings = work->settings;
+  GArray *layers = work->report->layers;
+  for (guint i = 0; i < work->drawing->paths->len; i++) {
+    const QnDrawingPath *path = &g_array_index (work->drawing->paths, QnDrawingPath, i);
+    /* Equal names are one string. */
+    guint number = GPOINTER_TO_UINT (g_hash_table_lookup (work->layers, path->layer));
+    if (number == 0) {
+      QnImportLayer layer = { .name = g_strdup (path->layer),
+                              .asked = entry_of (settings, path->layer) != NULL };
+      layer.role = qn_import_propose_role (settings, path->layer, &layer.doubtful);
+      g_array_append_val (layers, layer);
+      number = layers->len;
+      g_hash_table_insert (work->layers, (char *) path->layer, GUINT_TO_POINTER (number));
+    }
+    g_array_index (layers, QnImportLayer, number - 1).count++;
   }
-  g_autofree char *upper = g_ascii_strup (layer, -1);
-  for (gsize i = 0; i < G_N_ELEMENTS (role_words); i++)
-    if (strstr (upper, role_words[i].word) != NULL)
-      return role_words[i].role;
-  return QN_ROLE_BLOCK;
+  for (guint i = 0; i < layers->len; i++)
+    tell_layer (work, &g_array_index (layers, QnImportLayer, i));
+  for (char **entry = settings->layers; entry != NULL && *entry != NULL; entry++) {
+    gboolean found = FALSE;
+    for (guint i = 0; i < layers->len && !found; i++)
+      found =
+        means_layer (*entry, g_array_index (layers, QnImportLayer, i).name, FALSE)
+        || means_layer (*entry, g_array_index (layers, QnImportLayer, i).name, TRUE);
+    if (found)
+      continue;
+    g_autoptr (GString) names = g_string_new (NULL);
+    for (guint i = 0; i < layers->len; i++)
+      g_string_append_printf (names, "%s%s", i > 0 ? ", " : "",
+                              g_array_index (layers, QnImportLayer, i).name);
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
+                 _ ("%s: there is no such layer; those of the drawing: %s"), *entry,
+                 names->str);
+    return FALSE;
+  }
+  return TRUE;
 }

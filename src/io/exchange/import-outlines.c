@@ -41,15 +41,15 @@ close_ring (QnImportWork *work, QnRing *ring, gboolean closed, gsize *ends,
 void
 qn_import_sort_paths (QnImportWork *work)
 {
-  gsize ends = 0, overruns = 0, collinear = 0, open = 0, ignored = 0;
+  gsize ends = 0, overruns = 0, collinear = 0, open = 0;
   for (guint i = 0; i < work->drawing->paths->len; i++) {
     const QnDrawingPath *path = &g_array_index (work->drawing->paths, QnDrawingPath, i);
-    QnRole role = path->support ? QN_ROLE_SUPPORT
-                                : qn_import_role_of_layer (work->settings, path->layer);
-    if (role == QN_ROLE_IGNORED) {
-      ignored++;
+    guint layer = GPOINTER_TO_UINT (g_hash_table_lookup (work->layers, path->layer));
+    QnRole role = path->support
+                    ? QN_ROLE_SUPPORT
+                    : g_array_index (work->report->layers, QnImportLayer, layer - 1).role;
+    if (role == QN_ROLE_IGNORED)
       continue;
-    }
     QnRing ring;
     if (!qn_ring_init (&ring, path->points, path->count)) {
       work->no_memory = TRUE;
@@ -67,8 +67,6 @@ qn_import_sort_paths (QnImportWork *work)
     }
     qn_ring_clear (&ring);
   }
-  if (ignored > 0)
-    qn_import_tell (work, FALSE, _ ("on ignored layers: %zu"), ignored);
   if (ends > 0)
     qn_import_tell (work, FALSE, _ ("outlines closed that end where they began: %zu"),
                     ends);

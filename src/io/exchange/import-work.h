@@ -22,8 +22,10 @@ typedef struct QnImportWork {
   const QnImportSettings *settings;
   const char *name; /* of the file, for messages */
   QnImportReport *report;
-  double unit;                     /* m per unit of the drawing */
-  double tolerance;                /* m */
+  double unit;      /* m per unit of the drawing */
+  double tolerance; /* m */
+  GHashTable
+    *layers; /* name, as the drawing keeps it, -> number from 1 in the report's list */
   GArray *outlines;                /* QnOutline */
   QnSegments soups[QN_ROLE_COUNT]; /* open lines, m, by what their faces become */
   gboolean has_mortar;             /* gaps became blocks */
@@ -61,9 +63,14 @@ double qn_import_median (GArray *values);
 /* ---- the steps ---- */
 
 /* import-layers.c. Whether every entry of the settings' table of layers is of the form NAME=role;
- * else FALSE with QN_IO_ERROR_OVERRIDE. The role of a layer needs a table that was checked. */
+ * else FALSE with QN_IO_ERROR_OVERRIDE. The others need a table that was checked. */
 gboolean qn_import_check_layers (const QnImportSettings *settings, GError **error);
-QnRole qn_import_role_of_layer (const QnImportSettings *settings, const char *layer);
+QnRole qn_import_propose_role (const QnImportSettings *settings, const char *layer,
+                               gboolean *doubtful);
+
+/* Lists the layers of the drawing with their roles in the report. FALSE with QN_IO_ERROR_OVERRIDE
+ * where the table names one that is not there. */
+gboolean qn_import_find_layers (QnImportWork *work, GError **error);
 
 /* import-unit.c. The unit given, else the declared one if blocks have a plausible size in it, else
  * a guess. */

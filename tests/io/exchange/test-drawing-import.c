@@ -151,8 +151,8 @@ test_supports_inferred (void)
   qn_import_report_clear (&report);
   qn_project_clear (&project);
 
-  /* A table of layers overrules the names. */
-  char *layers[] = { (char *) "A=ignored", NULL };
+  /* A table of layers overrules the names; what is not there is told. */
+  char *layers[] = { (char *) "A=ignored", NULL, NULL };
   settings.layers = layers;
   add_box (&drawing, "BASE", 0, -1, 2, 0);
   g_assert_true (
@@ -160,6 +160,37 @@ test_supports_inferred (void)
   g_assert_cmpuint (project.model.block_count, ==, 1);
   qn_import_report_clear (&report);
   qn_project_clear (&project);
+}
+
+/* The voussoirs of a flat arch all begin at one height: it stands on those at its ends. A row of blocks
+ * whose joints are upright stands on all. */
+static void
+test_flat_arch (void)
+{
+  for (int slanting = 0; slanting < 2; slanting++) {
+    g_auto (QnDrawing) drawing;
+    g_auto (QnProject) project;
+    g_auto (QnImportReport) report;
+    qn_drawing_init (&drawing);
+    for (int i = -3; i <= 3; i++) {
+      QnDrawingPath *path = qn_drawing_add_path (&drawing, "A", 1);
+      double left = i - 0.5, right = i + 0.5, lean = slanting ? 1.2 : 1;
+      qn_drawing_path_add (path, qn_vec2 (0.3 * left, 0));
+      qn_drawing_path_add (path, qn_vec2 (0.3 * right, 0));
+      qn_drawing_path_add (path, qn_vec2 (0.3 * lean * right, 0.5));
+      qn_drawing_path_add (path, qn_vec2 (0.3 * lean * left, 0.5));
+      path->closed = TRUE;
+    }
+    g_assert_true (qn_drawing_to_project (&drawing, "test", &QN_IMPORT_DEFAULTS, &project,
+                                          &report, NULL));
+    g_assert_cmpuint (project.model.block_count, ==, 7);
+    for (int i = 0; i < 7; i++)
+      g_assert_cmpint (project.model.blocks[i].support[0], ==,
+                       !slanting || i == 0 || i == 6);
+    g_assert_cmpint (
+      tells (report.warnings, "voussoirs of a flat arch, and not fixed: 5"), ==,
+      slanting);
+  }
 }
 
 /* A drawing may name some of its blocks as others are numbered, or several alike. */
@@ -199,11 +230,30 @@ test_refuses (void)
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_true (g_str_has_prefix (error->message, "empty.dxf:1: "));
   g_clear_error (&error);
+  qn_import_report_clear (&report);
+  /* What was left out is told all the same. */
+  qn_drawing_note (&drawing, "meshes left out", 3, qn_vec2 (0, 0));
+  g_assert_false (
+    qn_drawing_to_project (&drawing, "empty.dxf", &settings, &project, &report, &error));
+  g_assert_true (tells (report.warnings, "meshes left out: 1, first at line 3"));
+  qn_import_report_clear (&report);
+  g_clear_error (&error);
+  char *absent[] = { (char *) "WALL=block", NULL };
+  settings.layers = absent;
+  add_box (&drawing, "stones", 0, 0, 1, 1);
+  g_assert_false (
+    qn_drawing_to_project (&drawing, "empty.dxf", &settings, &project, &report, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
+  g_assert_nonnull (
+    strstr (error->message, "no such layer; those of the drawing: stones"));
+  qn_import_report_clear (&report);
+  g_clear_error (&error);
   char *layers[] = { (char *) "A=wall", NULL };
   settings.layers = layers;
   g_assert_false (
     qn_drawing_to_project (&drawing, "empty.dxf", &settings, &project, &report, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
+  qn_import_report_clear (&report);
 }
 
 QN_TESTS
@@ -211,6 +261,7 @@ QN_TESTS
   g_test_add_func ("/drawing-import/variants", test_variants);
   g_test_add_func ("/drawing-import/report", test_report);
   g_test_add_func ("/drawing-import/supports-inferred", test_supports_inferred);
+  g_test_add_func ("/drawing-import/flat-arch", test_flat_arch);
   g_test_add_func ("/drawing-import/names", test_names);
   g_test_add_func ("/drawing-import/refuses", test_refuses);
 }
