@@ -34,9 +34,8 @@ whole=no # all quick tests
 
 # configure FOLDER COMPILER OPTION...
 configure () {
-  local folder=$1 cpp=g++
-  [ "$2" != clang ] || cpp=clang++
-  [ -f "$folder/build.ninja" ] || CC=$2 CXX=$cpp meson setup "$folder" -Dwerror=true "${@:3}" \
+  local folder=$1
+  [ -f "$folder/build.ninja" ] || CC=$2 meson setup "$folder" -Dwerror=true "${@:3}" \
     >"$folder.log" || { tail -n 5 "$folder.log"; return 1; }
 }
 

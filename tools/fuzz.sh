@@ -30,10 +30,10 @@ export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
 build () {
   local folder=$1 flags=$2
   shift 2
-  [ -f "$folder/build.ninja" ] || CC=clang CXX=clang++ meson setup "$folder" -Dfuzzers=true \
+  [ -f "$folder/build.ninja" ] || CC=clang meson setup "$folder" -Dfuzzers=true \
     -Dapp=disabled -Dgstreamer=disabled -Dosmesa=disabled -Degl=disabled -Dpython=disabled \
-    -Db_lundef=false "-Dc_args=$flags" "-Dcpp_args=$flags" "-Dc_link_args=$flags" \
-    "-Dcpp_link_args=$flags" "$@"
+    -Db_lundef=false "-Dc_args=$flags" "-Dc_link_args=$flags" \
+    "$@"
   ninja -C "$folder" "${targets[@]/#/tests/fuzz/libfuzzer-}"
 }
 

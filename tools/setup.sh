@@ -6,8 +6,8 @@ set -euo pipefail
 
 # What to install where there is no apt: building, the window, the manual; tests need more.
 fedora=(
-  gcc gcc-c++ pkgconf-pkg-config meson ninja-build gettext glib2-devel cjson-devel suitesparse-devel
-  lapack-devel geos-devel dxflib-devel cairo-devel pango-devel libpng-devel giflib-devel
+  gcc pkgconf-pkg-config meson ninja-build gettext glib2-devel cjson-devel suitesparse-devel
+  lapack-devel geos-devel cairo-devel pango-devel libpng-devel giflib-devel
   gdk-pixbuf2-devel dejavu-sans-fonts mesa-libEGL-devel mesa-dri-drivers gstreamer1-devel
   gstreamer1-plugins-base-devel gstreamer1-plugins-good gsl-devel sqlite-devel gtk4-devel
   python3-cffi python3-numpy python3-markdown-it-py yelp-tools yelp-xsl desktop-file-utils appstream
@@ -21,8 +21,7 @@ if ! command -v apt-get >/dev/null; then
   id=$(. /etc/os-release 2>/dev/null && echo "${ID-} ${ID_LIKE-}")
   case " $id " in
   *" fedora "*) echo "setup: install by hand: sudo dnf install ${fedora[*]} $*" >&2 ;;
-  *" arch "*) echo "setup: install by hand: sudo pacman -S --needed ${arch[*]} $*" \
-    "(and dxflib from the AUR)" >&2 ;;
+  *" arch "*) echo "setup: install by hand: sudo pacman -S --needed ${arch[*]} $*" >&2 ;;
   *) echo "setup: this is neither Debian nor Ubuntu; README.md of src/ lists what is needed" >&2 ;;
   esac
   exit 1
@@ -34,9 +33,9 @@ apt-cache show "$format" >/dev/null 2>&1 || format=binutils
 
 packages=(
   # building
-  gcc g++ libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
+  gcc libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
   # files, mechanics, geometry
-  libglib2.0-dev libcjson-dev libsuitesparse-dev liblapack-dev libgeos-dev libdxflib-dev
+  libglib2.0-dev libcjson-dev libsuitesparse-dev liblapack-dev libgeos-dev
   # pictures and animations, with OpenGL where there is no display
   libcairo2-dev libpango1.0-dev libpng-dev libgif-dev libgdk-pixbuf-2.0-dev fonts-dejavu-core
   libosmesa6-dev libegl-dev libgl1-mesa-dri

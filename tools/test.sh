@@ -170,7 +170,7 @@ if [ "$mode" = --quick ]; then
   check build-test -- --timeout-multiplier 3 --no-suite slow --no-suite all
 else
   echo "== quick tests under sanitizers"
-  check build-sanitize -Doptimization=1 -Ddebug=false -Dc_args=-g1 -Dcpp_args=-g1 \
+  check build-sanitize -Doptimization=1 -Ddebug=false -Dc_args=-g1 \
     -Db_sanitize=address,undefined -Db_lundef=false -- \
     --timeout-multiplier 6 --no-suite slow --no-suite all --no-suite stress
 

@@ -29,7 +29,7 @@ check_text (const char *path, char **lines, GString *complaints)
 static void
 test_sources (void)
 {
-  static const char *const suffixes[] = { ".c", ".h", ".cpp", NULL };
+  static const char *const suffixes[] = { ".c", ".h", NULL };
   GString *complaints = g_string_new (NULL);
   g_autoptr (GPtrArray) files = source_tree_files ("src", suffixes);
   g_assert_cmpuint (files->len, >, 100);

@@ -191,7 +191,7 @@ test_documents (void)
 static void
 test_comments (void)
 {
-  static const char *const suffixes[] = { ".c", ".h", ".cpp", NULL };
+  static const char *const suffixes[] = { ".c", ".h", NULL };
   static const char *const folders[] = { "src", "tests" };
   GString *complaints = g_string_new (NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (folders); i++) {

@@ -33,7 +33,7 @@ check_format (GPtrArray *paths, GString *complaints)
 static void
 test_format (void)
 {
-  static const char *const suffixes[] = { ".c", ".h", ".cpp", NULL };
+  static const char *const suffixes[] = { ".c", ".h", NULL };
   static const char *const folders[] = { "src", "tests" };
   GString *complaints = g_string_new (NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (folders); i++) {

@@ -42,7 +42,7 @@ check_file (char **listed, const char *path, const char *text, GString *complain
 static void
 test_potfiles (void)
 {
-  static const char *const suffixes[] = { ".c", ".h", ".cpp", ".ui", NULL };
+  static const char *const suffixes[] = { ".c", ".h", ".ui", NULL };
   static const char *const folders[] = { "src", "ui" };
   g_auto (GStrv) listed = source_tree_lines ("po/POTFILES.in");
   GString *complaints = g_string_new (NULL);

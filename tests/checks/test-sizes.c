@@ -12,8 +12,7 @@ static const char *const unfinished[][2] = { { "TO", "DO" },
                                              { "FIX", "ME" },
                                              { "XX", "X:" } };
 
-/* Counts from the opening to the closing brace in the first column, both left out. A class in
- * C++, which closes with a semicolon, is no function. */
+/* Counts from the opening to the closing brace in the first column, both left out. */
 static void
 list_functions (const char *path, char **lines, GString *hints)
 {
@@ -50,7 +49,7 @@ check_file (const char *path, char **lines, GString *complaints, GString *hints)
 static void
 test_sizes (void)
 {
-  static const char *const suffixes[] = { ".c", ".h", ".cpp", NULL };
+  static const char *const suffixes[] = { ".c", ".h", NULL };
   static const char *const folders[] = { "src", "tests" };
   GString *complaints = g_string_new (NULL), *hints = g_string_new (NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (folders); i++) {

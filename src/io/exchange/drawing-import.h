@@ -59,7 +59,7 @@ typedef struct QnImportSettings {
 /* A layer of the drawing. */
 typedef struct QnImportLayer {
   char *name;
-  guint count; /* shapes */
+  guint count, hidden; /* shapes; of them on hidden layers */
   QnRole role;
   gboolean asked;    /* by the settings; else proposed by its name */
   gboolean doubtful; /* the name says other things too */

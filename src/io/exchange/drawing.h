@@ -21,6 +21,7 @@ typedef struct QnDrawingPath {
   gsize count;
   gboolean closed;   /* as the file says */
   gboolean support;  /* the file itself calls it a support */
+  gboolean hidden;   /* on a layer that the file does not show */
   const char *layer; /* kept by the drawing */
   const char *name;  /* likewise; NULL where the file has none */
   guint line;        /* of the file, from 1; 0 unknown */

@@ -1,8 +1,8 @@
 #include "io/exchange/dxf-import.h"
 #include "core/base/integer.h"
 #include "io/exchange/dxf-scan.h"
-#include "io/exchange/dxf-shim.h"
 #include "io/text/io-error.h"
+#include "io/text/text-decode.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>
@@ -12,138 +12,116 @@
 #define MAX_PATHS    1000000
 #define MAX_INSERTED 4000000
 
-/* x' = xx x + xy y + x0 and so on. */
-typedef struct Transform {
-  double xx, xy, yx, yy, x0, y0;
-} Transform;
+/* A direction in which a drawing has less than this part of its size is none of its plane. */
+#define FLAT 1e-6
 
-typedef struct Entity {
-  QnDxfEntity data; /* points and knots owned, strings kept by the drawing */
-  QnDxfSource source;
-} Entity;
-
-typedef struct Definition {
-  QnVec2 base;
-  guint first, end; /* entities */
-} Definition;
+/* Columns: where the axes of the inner coordinates point, and where their origin lies. */
+typedef struct Place {
+  double axes[3][3], origin[3];
+} Place;
 
 typedef struct Importer {
   QnDrawing *drawing;
   const QnDxfScan *scan;
-  GArray *entities;        /* Entity, those of blocks included */
-  GHashTable *definitions; /* name -> Definition */
-  Definition *open;
-  GArray *top;  /* guint: entities outside of blocks */
-  guint budget; /* of entities of inserts, drawn or not */
+  GArray *points; /* Point: of all paths, one after the other, in the world */
+  guint budget;   /* of entities of inserts, drawn or not */
 } Importer;
 
-static const Transform identity = { 1, 0, 0, 1, 0, 0 };
+typedef struct Point {
+  double at[3];
+} Point;
 
-static QnVec2
-apply (const Transform *t, QnVec2 p)
+static const Place world = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 0, 0, 0 } };
+
+static Point
+apply (const Place *place, double x, double y, double z)
 {
-  return qn_vec2 (t->xx * p.x + t->xy * p.y + t->x0, t->yx * p.x + t->yy * p.y + t->y0);
+  Point p;
+  for (int i = 0; i < 3; i++)
+    p.at[i] = place->origin[i] + x * place->axes[0][i] + y * place->axes[1][i]
+              + z * place->axes[2][i];
+  return p;
 }
 
 /* First `inner`, then `outer`. */
-static Transform
-compose (const Transform *outer, const Transform *inner)
+static Place
+compose (const Place *outer, const Place *inner)
 {
-  QnVec2 origin = apply (outer, qn_vec2 (inner->x0, inner->y0));
-  return (Transform){ outer->xx * inner->xx + outer->xy * inner->yx,
-                      outer->xx * inner->xy + outer->xy * inner->yy,
-                      outer->yx * inner->xx + outer->yy * inner->yx,
-                      outer->yx * inner->xy + outer->yy * inner->yy,
-                      origin.x,
-                      origin.y };
-}
-
-static QnDxfSource
-source_of (const Importer *importer, const char *layer)
-{
-  guint64 index = g_ascii_strtoull (layer != NULL ? layer : "", NULL, 10);
-  if (index < importer->scan->sources->len)
-    return g_array_index (importer->scan->sources, QnDxfSource, index);
-  return (QnDxfSource){ "0", 0 };
-}
-
-/* Keeps what the shim hands over. */
-static void
-take_entity (const QnDxfEntity *entity, void *data)
-{
-  Importer *importer = data;
-  if (entity->kind == QN_DXF_BLOCK) {
-    importer->open = g_new (Definition, 1);
-    *importer->open = (Definition){ qn_vec2 (entity->numbers[0], entity->numbers[1]),
-                                    importer->entities->len, importer->entities->len };
-    g_hash_table_replace (importer->definitions, g_strdup (entity->name), importer->open);
-    return;
+  Place all;
+  Point origin = apply (outer, inner->origin[0], inner->origin[1], inner->origin[2]);
+  for (int k = 0; k < 3; k++) {
+    const double *axis = inner->axes[k];
+    Point end = apply (outer, axis[0], axis[1], axis[2]);
+    for (int i = 0; i < 3; i++)
+      all.axes[k][i] = end.at[i] - outer->origin[i];
+    all.origin[k] = origin.at[k];
   }
-  if (entity->kind == QN_DXF_BLOCK_END) {
-    importer->open = NULL;
-    return;
-  }
-  Entity own = { *entity, source_of (importer, entity->layer) };
-  own.data.layer = NULL;
-  own.data.name = entity->name != NULL
-                    ? qn_drawing_keep_string (importer->drawing, entity->name)
-                    : NULL;
-  own.data.points = g_memdup2 (entity->points, 3 * entity->point_count * sizeof (double));
-  own.data.knots = g_memdup2 (entity->knots, entity->knot_count * sizeof (double));
-  guint index = importer->entities->len;
-  g_array_append_val (importer->entities, own);
-  if (importer->open != NULL)
-    importer->open->end = importer->entities->len;
-  else
-    g_array_append_val (importer->top, index);
+  return all;
 }
 
 static void
-add_polyline (QnDrawingPath *path, const QnDxfEntity *entity)
+cross (const double *a, const double *b, double *c)
+{
+  for (int i = 0; i < 3; i++)
+    c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static gboolean
+normalise (double *v)
+{
+  double length = hypot (hypot (v[0], v[1]), v[2]);
+  for (int i = 0; i < 3; i++)
+    v[i] /= length;
+  return length > 0 && isfinite (length);
+}
+
+/* The coordinates of a plane with this normal ("arbitrary axis algorithm" of the DXF reference). */
+static Place
+plane_of (const double *normal)
+{
+  Place plane = world;
+  double n[3] = { normal[0], normal[1], normal[2] };
+  if (!normalise (n))
+    return plane;
+  gboolean steep = fabs (n[0]) < 1.0 / 64 && fabs (n[1]) < 1.0 / 64;
+  cross (steep ? world.axes[1] : world.axes[2], n, plane.axes[0]);
+  normalise (plane.axes[0]);
+  cross (n, plane.axes[0], plane.axes[1]);
+  memcpy (plane.axes[2], n, sizeof n);
+  return plane;
+}
+
+static const QnDxfPoint *
+points_of (const Importer *importer, const QnDxfEntity *entity)
+{
+  return &g_array_index (importer->scan->points, QnDxfPoint, entity->first_point);
+}
+
+static void
+add_polyline (QnDrawingPath *path, const QnDxfEntity *entity, const QnDxfPoint *p)
 {
   gsize n = entity->point_count;
-  gboolean closed = (entity->flags & 1) != 0;
-  for (gsize i = 0; i < n; i++) {
-    const double *p = entity->points + 3 * i;
-    if (i == 0)
-      qn_drawing_path_add (path, qn_vec2 (p[0], p[1]));
+  gboolean curved = entity->in_plane;
+  for (gsize i = 0; i < n; i++)
+    if (i == 0 || !curved)
+      qn_drawing_path_add (path, qn_vec2 (p[i].x, p[i].y));
     else
-      qn_drawing_path_add_bulge (path, qn_vec2 (p[0], p[1]), p[-1]);
-  }
-  if (closed && n > 1 && entity->points[3 * n - 1] != 0) {
-    qn_drawing_path_add_bulge (path, qn_vec2 (entity->points[0], entity->points[1]),
-                               entity->points[3 * n - 1]);
+      qn_drawing_path_add_bulge (path, qn_vec2 (p[i].x, p[i].y), p[i - 1].extra);
+  if (entity->closed && curved && n > 1 && p[n - 1].extra != 0) {
+    qn_drawing_path_add_bulge (path, qn_vec2 (p[0].x, p[0].y), p[n - 1].extra);
     path->count--;
   }
-  path->closed = closed;
 }
 
+/* From one angle to another, rad, anticlockwise; the whole of it where they are the same. */
 static void
-add_arc (QnDrawingPath *path, const QnDxfEntity *entity)
+add_round (QnDrawingPath *path, QnVec2 centre, QnVec2 major, QnVec2 minor, double from,
+           double to)
 {
-  const double *n = entity->numbers;
-  double from = n[3] * G_PI / 180, to = n[4] * G_PI / 180;
   while (to <= from)
     to += 2 * G_PI;
-  gboolean circle = to - from >= 2 * G_PI - 1e-12;
-  qn_drawing_path_add_ellipse (path, qn_vec2 (n[0], n[1]), qn_vec2 (n[2], 0),
-                               qn_vec2 (0, n[2]), from, circle ? from + 2 * G_PI : to);
-  if (circle)
-    path->count--;
-  path->closed = circle;
-}
-
-static void
-add_ellipse (QnDrawingPath *path, const QnDxfEntity *entity)
-{
-  const double *n = entity->numbers;
-  double from = n[5], to = n[6];
-  if (to <= from)
-    to += 2 * G_PI;
   gboolean whole = to - from >= 2 * G_PI - 1e-9;
-  QnVec2 major = { n[2], n[3] };
-  qn_drawing_path_add_ellipse (path, qn_vec2 (n[0], n[1]), major,
-                               qn_vec2_scale (n[4], qn_vec2_perp (major)), from,
+  qn_drawing_path_add_ellipse (path, centre, major, minor, from,
                                whole ? from + 2 * G_PI : to);
   if (whole)
     path->count--;
@@ -151,176 +129,257 @@ add_ellipse (QnDrawingPath *path, const QnDxfEntity *entity)
 }
 
 static gboolean
-add_spline (QnDrawingPath *path, const QnDxfEntity *entity)
+add_spline (QnDrawingPath *path, const Importer *importer, const QnDxfEntity *entity,
+            const QnDxfPoint *p)
 {
   gsize n = entity->point_count;
   g_autofree QnVec2 *points = g_new (QnVec2, n);
   g_autofree double *weights = g_new (double, n);
   for (gsize i = 0; i < n; i++) {
-    points[i] = qn_vec2 (entity->points[3 * i], entity->points[3 * i + 1]);
-    weights[i] = entity->points[3 * i + 2] != 0 ? entity->points[3 * i + 2] : 1;
+    points[i] = qn_vec2 (p[i].x, p[i].y);
+    weights[i] = p[i].extra;
   }
-  path->closed = (entity->flags & 1) != 0;
-  guint degree = (guint) qn_to_integer (entity->numbers[0], 0, G_MAXINT);
-  return qn_drawing_path_add_spline (path, degree, entity->knots, entity->knot_count,
-                                     points, weights, n);
+  return qn_drawing_path_add_spline (
+    path, (guint) qn_to_integer (entity->numbers[0], 0, G_MAXINT),
+    &g_array_index (importer->scan->knots, double, entity->first_knot),
+    entity->knot_count, points, weights, n);
 }
 
-/* The entity's own points; FALSE for a curve that makes no sense. */
+/* The entity's own points, in the coordinates that `own` places; FALSE for a curve that makes no
+ * sense. */
 static gboolean
-add_points (QnDrawingPath *path, const QnDxfEntity *entity)
+add_points (const Importer *importer, QnDrawingPath *path, const QnDxfEntity *entity,
+            Place *own)
 {
   const double *n = entity->numbers;
+  const QnDxfPoint *p = points_of (importer, entity);
+  path->closed = entity->closed;
   switch (entity->kind) {
   case QN_DXF_LINE:
-    qn_drawing_path_add (path, qn_vec2 (n[0], n[1]));
-    qn_drawing_path_add (path, qn_vec2 (n[2], n[3]));
-    return TRUE;
-  case QN_DXF_ARC:
-    if (!(n[2] > 0) || !isfinite (n[3]) || !isfinite (n[4]) || fabs (n[3]) > 1e6
-        || fabs (n[4]) > 1e6)
-      return FALSE;
-    add_arc (path, entity);
-    return TRUE;
-  case QN_DXF_ELLIPSE:
-    if (fabs (n[5]) > 1e4 || fabs (n[6]) > 1e4)
-      return FALSE;
-    add_ellipse (path, entity);
-    return TRUE;
-  case QN_DXF_POLYLINE:
-    add_polyline (path, entity);
-    return entity->point_count > 0;
-  case QN_DXF_SPLINE:
-    return add_spline (path, entity);
   case QN_DXF_FACE:
-    for (int i = 0; i < 4; i++)
-      qn_drawing_path_add (path, qn_vec2 (n[2 * i], n[2 * i + 1]));
-    path->closed = TRUE;
+  case QN_DXF_POLYLINE:
+  case QN_DXF_HATCH:
+    add_polyline (path, entity, p);
+    return entity->point_count > 0;
+  case QN_DXF_ARC:
+    if (!(n[0] > 0) || !(fabs (n[1]) <= 1e6) || !(fabs (n[2]) <= 1e6))
+      return FALSE;
+    add_round (path, qn_vec2 (p->x, p->y), qn_vec2 (n[0], 0), qn_vec2 (0, n[0]),
+               n[1] * G_PI / 180, n[2] * G_PI / 180);
     return TRUE;
-  case QN_DXF_BLOCK:
-  case QN_DXF_BLOCK_END:
+  case QN_DXF_ELLIPSE: {
+    double major[3] = { p[1].x, p[1].y, p[1].z }, normal[3], minor[3];
+    memcpy (normal, entity->normal, sizeof normal);
+    if (!(fabs (n[1]) <= 1e4) || !(fabs (n[2]) <= 1e4) || !normalise (normal))
+      return FALSE;
+    cross (normal, major, minor);
+    for (int i = 0; i < 3; i++) {
+      own->axes[0][i] = major[i];
+      own->axes[1][i] = n[0] * minor[i];
+    }
+    *own = (Place){ { { major[0], major[1], major[2] },
+                      { n[0] * minor[0], n[0] * minor[1], n[0] * minor[2] },
+                      { 0, 0, 0 } },
+                    { p->x, p->y, p->z } };
+    add_round (path, qn_vec2 (0, 0), qn_vec2 (1, 0), qn_vec2 (0, 1), n[1], n[2]);
+    return TRUE;
+  }
+  case QN_DXF_SPLINE:
+    return add_spline (path, importer, entity, p);
   case QN_DXF_INSERT:
     break;
   }
   return FALSE;
 }
 
-/* Lines, ellipses and splines are in world coordinates whatever their extrusion. */
-static gboolean
-is_mirrored (const QnDxfEntity *entity)
-{
-  return entity->extrusion_z < 0 && entity->kind != QN_DXF_LINE
-         && entity->kind != QN_DXF_ELLIPSE && entity->kind != QN_DXF_SPLINE;
-}
-
-static void add_entity (Importer *importer, const Entity *entity,
-                        const Transform *transform, const char *layer, int depth);
+static void add_entity (Importer *importer, const QnDxfEntity *entity, const Place *place,
+                        const char *layer, int depth);
 
 /* One element of the insert's array. */
-static Transform
-insert_transform (const QnDxfEntity *insert, QnVec2 base, int column, int row)
+static Place
+insert_place (const QnDxfEntity *insert, const QnDxfPoint *at, const double *base,
+              double column, double row)
 {
   const double *n = insert->numbers;
-  double angle = n[4] * G_PI / 180, c = cos (angle), s = sin (angle);
-  double dx = column * n[7], dy = row * n[8];
-  Transform t = { c * n[2],
-                  -s * n[3],
-                  s * n[2],
-                  c * n[3],
-                  n[0] + c * dx - s * dy,
-                  n[1] + s * dx + c * dy };
-  QnVec2 shift = apply (&(Transform){ t.xx, t.xy, t.yx, t.yy, 0, 0 }, base);
-  t.x0 -= shift.x;
-  t.y0 -= shift.y;
-  if (insert->extrusion_z < 0) {
-    t.xx = -t.xx;
-    t.xy = -t.xy;
-    t.x0 = -t.x0;
-  }
-  return t;
+  double angle = n[3] * G_PI / 180, c = cos (angle), s = sin (angle);
+  double dx = column * n[6], dy = row * n[7];
+  Place own = { { { c * n[0], s * n[0], 0 }, { -s * n[1], c * n[1], 0 }, { 0, 0, n[2] } },
+                { at->x + c * dx - s * dy, at->y + s * dx + c * dy, at->z } };
+  Point shift = apply (&own, base[0], base[1], base[2]);
+  for (int i = 0; i < 3; i++)
+    own.origin[i] -= shift.at[i] - own.origin[i];
+  Place plane = plane_of (insert->normal);
+  return compose (&plane, &own);
 }
 
 static void
-add_insert (Importer *importer, const Entity *entity, const Transform *transform,
+add_insert (Importer *importer, const QnDxfEntity *insert, const Place *place,
             const char *layer, int depth)
 {
-  const QnDxfEntity *insert = &entity->data;
-  const Definition *definition =
-    insert->name != NULL ? g_hash_table_lookup (importer->definitions, insert->name)
-                         : NULL;
-  QnVec2 at = apply (transform, qn_vec2 (insert->numbers[0], insert->numbers[1]));
-  if (definition == NULL || depth >= MAX_DEPTH) {
+  const QnDxfBlock *block = insert->name != NULL
+                              ? g_hash_table_lookup (importer->scan->blocks, insert->name)
+                              : NULL;
+  const QnDxfPoint *at = points_of (importer, insert);
+  if (block == NULL || depth >= MAX_DEPTH) {
     qn_drawing_note (importer->drawing,
-                     definition == NULL ? _ ("inserts of unknown blocks left out")
-                                        : _ ("inserts nested too deeply left out"),
-                     entity->source.line, at);
+                     block == NULL ? _ ("inserts of unknown blocks left out")
+                                   : _ ("inserts nested too deeply left out"),
+                     insert->line, qn_vec2 (at->x, at->y));
     return;
   }
-  int columns = (int) qn_to_integer (insert->numbers[5], 1, MAX_PATHS);
-  int rows = (int) qn_to_integer (insert->numbers[6], 1, MAX_PATHS);
+  int columns = (int) qn_to_integer (insert->numbers[4], 1, MAX_PATHS);
+  int rows = (int) qn_to_integer (insert->numbers[5], 1, MAX_PATHS);
   for (int row = 0; row < rows; row++)
     for (int column = 0; column < columns; column++) {
-      Transform own = insert_transform (insert, definition->base, column, row);
-      Transform all = compose (transform, &own);
-      for (guint i = definition->first; i < definition->end; i++) {
+      Place own = insert_place (insert, at, block->base, column, row);
+      Place all = compose (place, &own);
+      for (guint i = block->first; i < block->end; i++) {
         if (importer->drawing->paths->len >= MAX_PATHS || importer->budget == 0)
           return;
         importer->budget--;
-        add_entity (importer, &g_array_index (importer->entities, Entity, i), &all, layer,
-                    depth + 1);
+        add_entity (importer, &g_array_index (importer->scan->entities, QnDxfEntity, i),
+                    &all, layer, depth + 1);
       }
-      if (definition->first == definition->end)
+      if (block->first == block->end)
         return;
     }
 }
 
 static void
-add_entity (Importer *importer, const Entity *entity, const Transform *transform,
+add_entity (Importer *importer, const QnDxfEntity *entity, const Place *place,
             const char *layer, int depth)
 {
-  const char *own = entity->source.layer;
-  if (depth > 0 && strcmp (own, "0") == 0)
-    own = layer;
-  if (entity->data.kind == QN_DXF_INSERT)
-    add_insert (importer, entity, transform, own, depth);
-  else {
-    QnDrawing *drawing = importer->drawing;
-    QnDrawingPath *path = qn_drawing_add_path (drawing, own, entity->source.line);
-    gboolean sound = add_points (path, &entity->data);
-    for (gsize i = 0; i < path->count; i++) {
-      QnVec2 p = path->points[i];
-      if (is_mirrored (&entity->data))
-        p.x = -p.x;
-      path->points[i] = apply (transform, p);
-      sound = sound && isfinite (path->points[i].x) && isfinite (path->points[i].y);
-    }
-    if (!sound) {
-      qn_drawing_note (drawing, _ ("invalid curves left out"), entity->source.line,
-                       qn_vec2 (NAN, NAN));
-      g_free (path->points);
-      g_array_set_size (drawing->paths, drawing->paths->len - 1);
-    }
+  QnDrawing *drawing = importer->drawing;
+  gboolean inherits = depth > 0 && strcmp (entity->layer, "0") == 0;
+  const char *own_layer = inherits ? layer : entity->layer;
+  g_autofree char *folded = g_utf8_strdown (own_layer, -1);
+  int hidden = GPOINTER_TO_INT (g_hash_table_lookup (importer->scan->hidden, folded));
+  gboolean insert = entity->kind == QN_DXF_INSERT;
+  /* A layer that is off does not hide what a block on it has on other layers. */
+  if (entity->invisible || (insert && hidden == QN_DXF_FROZEN)) {
+    qn_drawing_note (drawing,
+                     entity->invisible ? _ ("invisible shapes left out")
+                                       : _ ("blocks on frozen layers left out"),
+                     entity->line, qn_vec2 (NAN, NAN));
+    return;
+  }
+  if (depth > 0 && entity->kind == QN_DXF_HATCH)
+    return; /* it fills what the block has */
+  if (insert) {
+    add_insert (importer, entity, place, own_layer, depth);
+    return;
+  }
+  guint first = importer->points->len;
+  QnDrawingPath *path = qn_drawing_add_path (drawing, own_layer, entity->line);
+  Place own = entity->in_plane ? plane_of (entity->normal) : world;
+  gboolean sound = add_points (importer, path, entity, &own);
+  Place all = compose (place, &own);
+  const QnDxfPoint *p = points_of (importer, entity);
+  gboolean each = !entity->in_plane && path->count == entity->point_count;
+  path->hidden = hidden != 0;
+  for (gsize i = 0; i < path->count; i++) {
+    double z = entity->kind == QN_DXF_ELLIPSE ? 0 : each ? p[i].z : p[0].z;
+    Point point = apply (&all, path->points[i].x, path->points[i].y, z);
+    for (int k = 0; k < 3; k++)
+      sound = sound && isfinite (point.at[k]);
+    path->points[i] = qn_vec2 (point.at[0], point.at[1]);
+    g_array_append_val (importer->points, point);
+  }
+  if (!sound) {
+    qn_drawing_note (drawing, _ ("invalid curves left out"), entity->line,
+                     qn_vec2 (NAN, NAN));
+    g_free (path->points);
+    g_array_set_size (drawing->paths, drawing->paths->len - 1);
+    g_array_set_size (importer->points, first);
   }
 }
 
-static void
-clear_importer (Importer *importer)
+/* How far what is outside of blocks is an outline by itself. Faces in space and hatches repeat outlines
+ * where there are any. */
+typedef enum { OUTLINES, FACES, HATCHES, RANK_COUNT } Rank;
+
+static Rank
+rank_of (const QnDxfEntity *entity)
 {
-  for (guint i = 0; i < importer->entities->len; i++) {
-    QnDxfEntity *entity = &g_array_index (importer->entities, Entity, i).data;
-    g_free ((double *) entity->points);
-    g_free ((double *) entity->knots);
+  return entity->kind == QN_DXF_HATCH                       ? HATCHES
+         : entity->kind == QN_DXF_FACE && !entity->in_plane ? FACES
+                                                            : OUTLINES;
+}
+
+/* Adds what is of a rank, or counts it where there is something else. */
+static void
+add_rank (Importer *importer, Rank rank)
+{
+  static const char *const taken[] = { NULL, N_ ("read as outlines: faces in space"),
+                                       N_ ("read as outlines: hatches") };
+  static const char *const types[] = { "", "3DFACE", "HATCH" };
+  g_autofree char *left_out = g_strdup_printf (_ ("%s entities left out"), types[rank]);
+  gboolean repeat = rank != OUTLINES && importer->drawing->paths->len > 0;
+  for (guint i = 0; i < importer->scan->top->len; i++) {
+    const QnDxfEntity *entity =
+      &g_array_index (importer->scan->entities, QnDxfEntity,
+                      g_array_index (importer->scan->top, guint, i));
+    if (rank_of (entity) != rank)
+      continue;
+    if (rank == FACES || (rank == HATCHES && entity->numbers[0] == 1))
+      qn_drawing_note (importer->drawing, repeat ? left_out : _ (taken[rank]),
+                       entity->line, qn_vec2 (NAN, NAN))
+        ->minor = rank == HATCHES && repeat;
+    if (!repeat)
+      add_entity (importer, entity, &world, "0", 0);
   }
-  g_array_unref (importer->entities);
-  g_array_unref (importer->top);
-  g_hash_table_unref (importer->definitions);
+}
+
+/* Turns a drawing that lies in an upright plane, and so has no depth, to be seen from the front. */
+static void
+choose_view (Importer *importer)
+{
+  double least[3] = { INFINITY, INFINITY, INFINITY },
+         most[3] = { -INFINITY, -INFINITY, -INFINITY }, size = 0;
+  for (guint i = 0; i < importer->points->len; i++)
+    for (int k = 0; k < 3; k++) {
+      double x = g_array_index (importer->points, Point, i).at[k];
+      least[k] = fmin (least[k], x);
+      most[k] = fmax (most[k], x);
+    }
+  for (int k = 0; k < 3; k++)
+    size = fmax (size, most[k] - least[k]);
+  if (!(most[2] - least[2] > FLAT * size))
+    return;
+  int right = !(most[1] - least[1] > FLAT * size)   ? 0
+              : !(most[0] - least[0] > FLAT * size) ? 1
+                                                    : -1;
+  if (right < 0) {
+    qn_drawing_note (importer->drawing,
+                     _ ("shapes are drawn in space and seen from above; shapes"), 0,
+                     qn_vec2 (NAN, NAN))
+      ->count = importer->drawing->paths->len;
+    return;
+  }
+  qn_drawing_note (importer->drawing,
+                   right == 0
+                     ? _ ("drawn in the x-z plane and seen from the front; shapes")
+                     : _ ("drawn in the y-z plane and seen from the side; shapes"),
+                   0, qn_vec2 (NAN, NAN))
+    ->count = importer->drawing->paths->len;
+  guint next = 0;
+  for (guint i = 0; i < importer->drawing->paths->len; i++) {
+    QnDrawingPath *path = &g_array_index (importer->drawing->paths, QnDrawingPath, i);
+    for (gsize k = 0; k < path->count; k++) {
+      const Point *point = &g_array_index (importer->points, Point, next++);
+      path->points[k] = qn_vec2 (point->at[right], point->at[2]);
+    }
+  }
 }
 
 gboolean
-qn_dxf_import (const char *text, gsize length, const char *name, QnDrawing *drawing,
+qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawing,
                GError **error)
 {
   QnDxfScan scan;
+  gsize length;
+  g_autofree char *charset = qn_dxf_dup_charset (bytes, size);
+  g_autofree char *text = qn_text_decode (bytes, size, charset, &length);
   qn_drawing_init (drawing);
   if (!qn_dxf_scan (text, length, name, drawing, &scan, error)) {
     qn_drawing_clear (drawing);
@@ -329,25 +388,15 @@ qn_dxf_import (const char *text, gsize length, const char *name, QnDrawing *draw
   Importer importer = { .drawing = drawing,
                         .scan = &scan,
                         .budget = MAX_INSERTED,
-                        .entities = g_array_new (FALSE, FALSE, sizeof (Entity)),
-                        .top = g_array_new (FALSE, FALSE, sizeof (guint)),
-                        .definitions = g_hash_table_new_full (g_str_hash, g_str_equal,
-                                                              g_free, g_free) };
-  gboolean done = qn_dxf_parse (scan.text->str, scan.text->len, take_entity, &importer);
-  for (guint i = 0; done && i < importer.top->len; i++)
-    add_entity (
-      &importer,
-      &g_array_index (importer.entities, Entity, g_array_index (importer.top, guint, i)),
-      &identity, "0", 0);
-  if (done && (drawing->paths->len >= MAX_PATHS || importer.budget == 0)) {
-    done = FALSE;
+                        .points = g_array_new (FALSE, FALSE, sizeof (Point)) };
+  for (int rank = 0; rank < RANK_COUNT; rank++)
+    add_rank (&importer, (Rank) rank);
+  choose_view (&importer);
+  gboolean done = drawing->paths->len < MAX_PATHS && importer.budget > 0;
+  if (!done)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: more than %d outlines"), name, MAX_PATHS);
-  } else if (!done) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:1: the DXF reader failed on this file"), name);
-  }
-  clear_importer (&importer);
+  g_array_unref (importer.points);
   qn_dxf_scan_clear (&scan);
   if (!done)
     qn_drawing_clear (drawing);

@@ -18,11 +18,15 @@ typedef struct Scanner {
   GArray *pairs; /* of the entity at hand */
   guint entity_line;
   char type[32]; /* of the entity at hand, "" between them */
-  enum { OUTSIDE, HEADER, BLOCKS, ENTITIES, OTHER } section;
+  enum { OUTSIDE, HEADER, TABLES, BLOCKS, ENTITIES, OTHER } section;
   gboolean in_polyline;
+  QnDxfBlock *block; /* that is open, or NULL */
   gboolean insunits; /* the next value is that of $INSUNITS */
   GError **error;
 } Scanner;
+
+/* Where the encoding must stand; bytes. */
+#define HEADER_SIZE 65536
 
 /* Numbers of $INSUNITS. */
 static const struct {
@@ -49,11 +53,6 @@ declared_unit (int code)
       return units[i].metres;
   return 0;
 }
-
-static const char *const kept_types[] = { "LINE",   "LWPOLYLINE", "POLYLINE", "VERTEX",
-                                          "SEQEND", "ARC",        "CIRCLE",   "ELLIPSE",
-                                          "SPLINE", "INSERT",     "SOLID",    "TRACE",
-                                          "BLOCK",  "ENDBLK" };
 
 static gboolean
 fail (Scanner *scanner, guint line, const char *message)
@@ -117,20 +116,6 @@ is (const Pair *pair, const char *text)
   return pair->length == strlen (text) && memcmp (pair->value, text, pair->length) == 0;
 }
 
-static void
-emit (Scanner *scanner, int code, const char *value, gsize length)
-{
-  g_string_append_printf (scanner->scan->text, "%d\n", code);
-  g_string_append_len (scanner->scan->text, value, (gssize) length);
-  g_string_append_c (scanner->scan->text, '\n');
-}
-
-static void
-emit_count (Scanner *scanner, int code, guint count)
-{
-  g_string_append_printf (scanner->scan->text, "%d\n%u\n", code, count);
-}
-
 static const Pair *
 find (const Scanner *scanner, int code)
 {
@@ -152,20 +137,42 @@ find_integer (const Scanner *scanner, int code)
   return number;
 }
 
-static QnVec2
-place_of (const Scanner *scanner)
+static double
+number_at (const Scanner *scanner, int code, double otherwise)
 {
-  QnVec2 at = { NAN, NAN };
-  const Pair *x = find (scanner, 10), *y = find (scanner, 20);
-  if (x != NULL && y != NULL && !(parse_number (x, &at.x) && parse_number (y, &at.y)))
-    at = qn_vec2 (NAN, NAN);
-  return at;
+  const Pair *pair = find (scanner, code);
+  double number;
+  return pair != NULL && parse_number (pair, &number) ? number : otherwise;
+}
+
+/* A string in UTF-8, kept by the drawing: \U+00D6 is a character by its number. */
+static const char *
+keep_text (const Scanner *scanner, const Pair *pair, gboolean lower)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (gsize i = 0; i < pair->length; i++) {
+    gunichar number = 0;
+    gsize k = i + 3;
+    if (k + 4 <= pair->length && memcmp (pair->value + i, "\\U+", 3) == 0)
+      for (; k < i + 7 && g_ascii_isxdigit (pair->value[k]); k++)
+        number = 16 * number + (gunichar) g_ascii_xdigit_value (pair->value[k]);
+    if (k == i + 7 && number > 0 && g_unichar_validate (number)) {
+      g_string_append_unichar (text, number);
+      i = k - 1;
+    } else {
+      g_string_append_c (text, pair->value[i]);
+    }
+  }
+  g_autofree char *valid = g_utf8_make_valid (text->str, (gssize) text->len);
+  g_autofree char *folded = lower ? g_utf8_strdown (valid, -1) : NULL;
+  return qn_drawing_keep_string (scanner->drawing, lower ? folded : valid);
 }
 
 static void
 note (const Scanner *scanner, const char *text)
 {
-  qn_drawing_note (scanner->drawing, text, scanner->entity_line, place_of (scanner));
+  qn_drawing_note (scanner->drawing, text, scanner->entity_line,
+                   qn_vec2 (number_at (scanner, 10, NAN), number_at (scanner, 20, NAN)));
 }
 
 static gboolean
@@ -174,101 +181,334 @@ is_real_code (int code)
   return (code >= 10 && code <= 59) || (code >= 210 && code <= 239);
 }
 
-/* Whether a pair says something about the shape of the entity at hand. */
-static gboolean
-is_shape_code (const Scanner *scanner, int code)
+static void
+add_point (Scanner *scanner, QnDxfEntity *entity, double x, double y, double z,
+           double extra)
 {
-  if (code == 2)
-    return TRUE;
-  if (strcmp (scanner->type, "LWPOLYLINE") == 0)
-    return code == 10 || code == 20 || code == 42 || code == 70 || code / 10 == 21
-           || code == 220 || code == 230;
-  if (strcmp (scanner->type, "SPLINE") == 0)
-    return code == 10 || code == 20 || code == 30 || code == 40 || code == 41
-           || code == 70 || code == 71;
-  return (code >= 10 && code <= 14) || (code >= 20 && code <= 24)
-         || (code >= 30 && code <= 34) || (code >= 40 && code <= 45) || code == 50
-         || code == 51 || (code >= 70 && code <= 72) || code == 210 || code == 220
-         || code == 230;
+  QnDxfPoint point = { x, y, z, extra };
+  g_array_append_val (scanner->scan->points, point);
+  entity->point_count++;
 }
 
-static guint
-count_code (const Scanner *scanner, int code)
+/* The point of the group codes 10, 11, 12 … with 20, 30 and so on. */
+static void
+take_point (Scanner *scanner, QnDxfEntity *entity, int code)
 {
-  guint count = 0;
-  for (guint i = 0; i < scanner->pairs->len; i++)
-    count += g_array_index (scanner->pairs, Pair, i).code == code;
-  return count;
+  add_point (scanner, entity, number_at (scanner, code, 0),
+             number_at (scanner, code + 10, 0), number_at (scanner, code + 20, 0), 0);
 }
 
-/* Whether the entity at hand is an outline that we can use; what is not is counted. */
-static gboolean
-is_wanted (Scanner *scanner)
+/* Points one after the other, with what belongs to each: bulges (42) or, in their order, weights. */
+static void
+take_points (Scanner *scanner, QnDxfEntity *entity, double z)
 {
-  const char *type = scanner->type;
-  gboolean kept = FALSE;
-  for (gsize i = 0; i < G_N_ELEMENTS (kept_types); i++)
-    kept = kept || strcmp (kept_types[i], type) == 0;
-  if (strcmp (type, "VERTEX") == 0)
-    return scanner->in_polyline && !(find_integer (scanner, 70) & 16);
-  if (strcmp (type, "SEQEND") == 0)
-    return scanner->in_polyline;
-  if (!kept) {
-    /* Attributes of inserts are text like any other. */
-    g_autofree char *text = g_strdup_printf (_ ("%s entities left out"), type);
-    note (scanner, text);
-    return FALSE;
+  GArray *points = scanner->scan->points;
+  guint weights = 0;
+  for (guint i = 0; i < scanner->pairs->len; i++) {
+    const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
+    QnDxfPoint *last = entity->point_count > 0
+                         ? &g_array_index (points, QnDxfPoint, points->len - 1)
+                         : NULL;
+    double number;
+    if (!is_real_code (pair->code) || !parse_number (pair, &number))
+      continue;
+    if (pair->code == 10)
+      add_point (scanner, entity, number, 0, z, entity->kind == QN_DXF_SPLINE);
+    else if (pair->code == 20 && last != NULL)
+      last->y = number;
+    else if (pair->code == 30 && last != NULL)
+      last->z = number;
+    else if (pair->code == 42 && last != NULL && entity->kind == QN_DXF_POLYLINE)
+      last->extra = number;
+    else if (pair->code == 40 && entity->kind == QN_DXF_SPLINE)
+      g_array_append_val (scanner->scan->knots, number);
+    else if (pair->code == 41 && entity->kind == QN_DXF_SPLINE)
+      weights++;
   }
-  if (find_integer (scanner, 67) == 1) {
-    note (scanner, _ ("entities in paper space left out"));
-    return FALSE;
+  entity->knot_count = scanner->scan->knots->len - entity->first_knot;
+  /* Weights may stand before the points. */
+  for (guint i = 0, k = 0; weights > 0 && i < scanner->pairs->len; i++) {
+    const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
+    double number;
+    if (pair->code == 41 && k < entity->point_count && parse_number (pair, &number))
+      g_array_index (points, QnDxfPoint, entity->first_point + k++).extra =
+        number != 0 ? number : 1;
   }
-  if (strcmp (type, "POLYLINE") == 0 && (find_integer (scanner, 70) & (16 | 64))) {
+}
+
+/* An entity that begins with the points and knots that follow. */
+static QnDxfEntity
+begin_entity (Scanner *scanner, QnDxfKind kind)
+{
+  const Pair *layer = find (scanner, 8);
+  return (
+    QnDxfEntity){ .kind = kind,
+                  .layer = layer != NULL ? keep_text (scanner, layer, FALSE)
+                                         : qn_drawing_keep_string (scanner->drawing, "0"),
+                  .line = scanner->entity_line,
+                  .in_plane = TRUE,
+                  .invisible = find_integer (scanner, 60) == 1,
+                  .normal = { number_at (scanner, 210, 0), number_at (scanner, 220, 0),
+                              number_at (scanner, 230, 1) },
+                  .first_point = scanner->scan->points->len,
+                  .first_knot = scanner->scan->knots->len };
+}
+
+static void
+add_entity (Scanner *scanner, const QnDxfEntity *entity)
+{
+  guint index = scanner->scan->entities->len;
+  g_array_append_val (scanner->scan->entities, *entity);
+  if (scanner->block != NULL)
+    scanner->block->end = index + 1;
+  else if (scanner->section == ENTITIES)
+    g_array_append_val (scanner->scan->top, index);
+}
+
+/* The boundaries of a hatch (92 begins one, 97 or 75 ends it), polylines or edges (72 begins one);
+ * those with edges that are neither lines nor arcs are left out. */
+static void
+take_hatch (Scanner *scanner)
+{
+  QnDxfEntity loop = begin_entity (scanner, QN_DXF_HATCH);
+  double z = number_at (scanner, 30, 0), n[8] = { 0 };
+  int edge = 0; /* kind of the one at hand; -1 in a polyline */
+  guint before = scanner->scan->entities->len;
+  gboolean open = FALSE; /* in a boundary */
+  gboolean odd = FALSE;  /* it has an edge that cannot be read */
+  for (guint i = 0; i <= scanner->pairs->len; i++) {
+    const Pair *pair =
+      i < scanner->pairs->len ? &g_array_index (scanner->pairs, Pair, i) : NULL;
+    int code = pair != NULL ? pair->code : 75;
+    double number = 0;
+    if (pair != NULL && !parse_number (pair, &number))
+      continue;
+    if (open && edge > 0 && (code == 72 || code == 92 || code == 97 || code == 75)) {
+      if (edge == 1) {
+        add_point (scanner, &loop, n[0], n[1], z, 0);
+      } else if (edge == 2) {
+        double turn = n[6] != 0 ? 1 : -1, from = turn * n[4] * G_PI / 180,
+               to = turn * n[5] * G_PI / 180;
+        double middle = 0.5 * (from + to), bulge = tan ((to - from) / 8);
+        add_point (scanner, &loop, n[0] + n[3] * cos (from), n[1] + n[3] * sin (from), z,
+                   bulge);
+        add_point (scanner, &loop, n[0] + n[3] * cos (middle), n[1] + n[3] * sin (middle),
+                   z, bulge);
+      } else {
+        odd = TRUE;
+      }
+      edge = 0;
+    }
+    if (code == 92 || code == 97 || code == 75) {
+      loop.numbers[0] = scanner->scan->entities->len == before;
+      if (open && !odd && loop.point_count >= 2)
+        add_entity (scanner, &loop);
+      else if (open && odd)
+        note (scanner, _ ("boundaries of hatches with ellipses or splines left out"));
+      open = code == 92;
+      odd = FALSE;
+      loop = begin_entity (scanner, QN_DXF_HATCH);
+      loop.closed = TRUE;
+      if (code == 75) {
+        if (scanner->scan->entities->len == before)
+          note (scanner, _ ("hatches without a boundary that can be read left out"));
+        return;
+      }
+      edge = ((int) number & 2) != 0 ? -1 : 0;
+    } else if (open && edge < 0) { /* a polyline */
+      QnDxfPoint *last = loop.point_count > 0
+                           ? &g_array_index (scanner->scan->points, QnDxfPoint,
+                                             scanner->scan->points->len - 1)
+                           : NULL;
+      if (code == 10)
+        add_point (scanner, &loop, number, 0, z, 0);
+      else if (code == 20 && last != NULL)
+        last->y = number;
+      else if (code == 42 && last != NULL)
+        last->extra = number;
+    } else if (open && code == 72) {
+      edge = (int) CLAMP (number, 1, 5);
+      memset (n, 0, sizeof n);
+    } else if (open && edge > 0) {
+      static const int codes[] = { 10, 20, 11, 40, 50, 51, 73 };
+      for (gsize k = 0; k < G_N_ELEMENTS (codes); k++)
+        if (codes[k] == code)
+          n[k] = number;
+    }
+  }
+}
+
+/* Entities that nobody takes for a part of the structure. */
+static gboolean
+is_annotation (const char *type)
+{
+  static const char *const types[] = {
+    "TEXT",        "MTEXT",   "DIMENSION", "LEADER",     "ATTRIB", "ATTDEF",
+    "MULTILEADER", "MLEADER", "TOLERANCE", "VIEWPORT",   "POINT",  "IMAGE",
+    "WIPEOUT",     "RAY",     "XLINE",     "ACAD_TABLE", NULL
+  };
+  return g_strv_contains (types, type);
+}
+
+static void
+take_layer (Scanner *scanner)
+{
+  const Pair *name = find (scanner, 2);
+  int state = (find_integer (scanner, 70) & 1) ? QN_DXF_FROZEN
+              : find_integer (scanner, 62) < 0 ? QN_DXF_OFF
+                                               : 0;
+  if (name != NULL && state != 0)
+    g_hash_table_insert (scanner->scan->hidden, (char *) keep_text (scanner, name, TRUE),
+                         GINT_TO_POINTER (state));
+}
+
+static void
+take_block (Scanner *scanner)
+{
+  const Pair *name = find (scanner, 2);
+  guint next = scanner->scan->entities->len;
+  scanner->block = NULL;
+  if (name == NULL)
+    return;
+  scanner->block = g_new (QnDxfBlock, 1);
+  *scanner->block =
+    (QnDxfBlock){ { number_at (scanner, 10, 0), number_at (scanner, 20, 0),
+                    number_at (scanner, 30, 0) },
+                  next,
+                  next };
+  g_hash_table_replace (scanner->scan->blocks, (char *) keep_text (scanner, name, TRUE),
+                        scanner->block);
+}
+
+static void
+take_insert (Scanner *scanner)
+{
+  static const int codes[] = { 41, 42, 43, 50, 70, 71, 44, 45 };
+  QnDxfEntity insert = begin_entity (scanner, QN_DXF_INSERT);
+  const Pair *name = find (scanner, 2);
+  for (gsize k = 0; k < G_N_ELEMENTS (codes); k++)
+    insert.numbers[k] = number_at (scanner, codes[k], k < 3);
+  insert.name = name != NULL ? keep_text (scanner, name, TRUE) : NULL;
+  take_point (scanner, &insert, 10);
+  add_entity (scanner, &insert);
+}
+
+/* The entities whose points have a group code each. */
+static void
+take_simple (Scanner *scanner)
+{
+  static const struct {
+    const char *type;
+    QnDxfKind kind;
+    gboolean in_plane;
+    int points[4], numbers[3]; /* group codes */
+  } simple[] = {
+    { "LINE", QN_DXF_LINE, FALSE, { 10, 11 }, { 0 } },
+    { "ARC", QN_DXF_ARC, TRUE, { 10 }, { 40, 50, 51 } },
+    { "CIRCLE", QN_DXF_ARC, TRUE, { 10 }, { 40 } },
+    { "ELLIPSE", QN_DXF_ELLIPSE, FALSE, { 10, 11 }, { 40, 41, 42 } },
+    { "SOLID",
+      QN_DXF_FACE,
+      TRUE,
+      { 10, 11, 13, 12 },
+      { 0 } }, /* its corners cross over */
+    { "TRACE", QN_DXF_FACE, TRUE, { 10, 11, 13, 12 }, { 0 } },
+    { "3DFACE", QN_DXF_FACE, FALSE, { 10, 11, 12, 13 }, { 0 } },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (simple); i++) {
+    if (strcmp (scanner->type, simple[i].type) != 0)
+      continue;
+    QnDxfEntity entity = begin_entity (scanner, simple[i].kind);
+    entity.in_plane = simple[i].in_plane;
+    entity.closed = simple[i].kind == QN_DXF_FACE;
+    for (int k = 0; k < 4 && simple[i].points[k] != 0; k++)
+      if (k == 0 || find (scanner, simple[i].points[k]) != NULL)
+        take_point (scanner, &entity, simple[i].points[k]);
+    for (int k = 0; k < 3 && simple[i].numbers[k] != 0; k++)
+      entity.numbers[k] = number_at (scanner, simple[i].numbers[k], 0);
+    if (scanner->type[0] == 'C')
+      entity.numbers[2] = 360;
+    if (entity.point_count >= (entity.kind == QN_DXF_ARC ? 1 : 2))
+      add_entity (scanner, &entity);
+    return;
+  }
+  g_autofree char *text = g_strdup_printf (_ ("%s entities left out"), scanner->type);
+  QnDrawingNote *left_out = qn_drawing_note (
+    scanner->drawing, text, scanner->entity_line,
+    qn_vec2 (number_at (scanner, 10, NAN), number_at (scanner, 20, NAN)));
+  left_out->minor = is_annotation (scanner->type);
+}
+
+/* Polylines of both kinds, and splines. */
+static void
+take_curve (Scanner *scanner)
+{
+  int flags = find_integer (scanner, 70);
+  gboolean spline = strcmp (scanner->type, "SPLINE") == 0;
+  gboolean old = strcmp (scanner->type, "POLYLINE") == 0;
+  if (old && (flags & (16 | 64))) {
     note (scanner, _ ("three-dimensional meshes left out"));
-    return FALSE;
+    return;
   }
-  if (strcmp (type, "SPLINE") == 0 && count_code (scanner, 10) == 0) {
+  QnDxfEntity entity = begin_entity (scanner, spline ? QN_DXF_SPLINE : QN_DXF_POLYLINE);
+  entity.closed = (flags & 1) != 0;
+  entity.in_plane = !spline && !(old && (flags & 8));
+  entity.numbers[0] = find_integer (scanner, 71);
+  if (!old)
+    take_points (scanner, &entity, number_at (scanner, 38, 0));
+  if (spline && entity.point_count == 0) {
     note (scanner, _ ("splines without control points left out"));
-    return FALSE;
+    return;
   }
-  return TRUE;
+  add_entity (scanner, &entity);
+  scanner->in_polyline = old;
 }
 
-/* Passes the entity at hand on, or not, and forgets it. */
+static void
+take_vertex (Scanner *scanner)
+{
+  GArray *entities = scanner->scan->entities;
+  QnDxfEntity *polyline = &g_array_index (entities, QnDxfEntity, entities->len - 1);
+  if (find_integer (scanner, 70) & 16) /* of the frame of a spline */
+    return;
+  take_point (scanner, polyline, 10);
+  g_array_index (scanner->scan->points, QnDxfPoint, scanner->scan->points->len - 1)
+    .extra = number_at (scanner, 42, 0);
+}
+
+/* Keeps what the entity at hand says, or counts it, and forgets it. */
 static void
 finish_entity (Scanner *scanner)
 {
   const char *type = scanner->type;
   if (type[0] == '\0')
     return;
-  gboolean wanted = is_wanted (scanner);
-  if (strcmp (type, "POLYLINE") == 0)
-    scanner->in_polyline = wanted;
-  else if (strcmp (type, "VERTEX") != 0)
+  gboolean vertex = strcmp (type, "VERTEX") == 0;
+  gboolean in_polyline = scanner->in_polyline;
+  scanner->in_polyline = in_polyline && vertex;
+  if (scanner->section == TABLES) {
+    if (strcmp (type, "LAYER") == 0)
+      take_layer (scanner);
+  } else if (strcmp (type, "BLOCK") == 0) {
+    take_block (scanner);
+  } else if (strcmp (type, "ENDBLK") == 0) {
+    scanner->block = NULL;
+  } else if (vertex) {
+    if (in_polyline)
+      take_vertex (scanner);
+  } else if (strcmp (type, "SEQEND") == 0) {
     scanner->in_polyline = FALSE;
-  if (wanted) {
-    const Pair *layer = find (scanner, 8);
-    g_autofree char *layer_name =
-      layer != NULL ? g_utf8_make_valid (layer->value, (gssize) layer->length) : NULL;
-    QnDxfSource source = { qn_drawing_keep_string (scanner->drawing,
-                                                   layer_name != NULL ? layer_name : "0"),
-                           scanner->entity_line };
-    emit (scanner, 0, type, strlen (type));
-    emit_count (scanner, 8, scanner->scan->sources->len);
-    g_array_append_val (scanner->scan->sources, source);
-    /* Counts as they are, not as the file claims. */
-    if (strcmp (scanner->type, "LWPOLYLINE") == 0) {
-      emit_count (scanner, 90, count_code (scanner, 10));
-    } else if (strcmp (scanner->type, "SPLINE") == 0) {
-      emit_count (scanner, 72, count_code (scanner, 40));
-      emit_count (scanner, 73, count_code (scanner, 10));
-      emit_count (scanner, 74, 0);
-    }
-    for (guint i = 0; i < scanner->pairs->len; i++) {
-      const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
-      if (is_shape_code (scanner, pair->code))
-        emit (scanner, pair->code, pair->value, pair->length);
-    }
+  } else if (find_integer (scanner, 67) == 1) {
+    note (scanner, _ ("entities in paper space left out"));
+  } else if (strcmp (type, "INSERT") == 0) {
+    take_insert (scanner);
+  } else if (strcmp (type, "HATCH") == 0) {
+    take_hatch (scanner);
+  } else if (strcmp (type, "LWPOLYLINE") == 0 || strcmp (type, "POLYLINE") == 0
+             || strcmp (type, "SPLINE") == 0) {
+    take_curve (scanner);
+  } else {
+    take_simple (scanner);
   }
   scanner->type[0] = '\0';
   g_array_set_size (scanner->pairs, 0);
@@ -279,13 +519,12 @@ static void
 begin_thing (Scanner *scanner, const Pair *pair)
 {
   finish_entity (scanner);
-  gboolean drawn = scanner->section == BLOCKS || scanner->section == ENTITIES;
+  gboolean drawn = scanner->section >= TABLES && scanner->section <= ENTITIES;
   if (is (pair, "SECTION")) {
     scanner->section = OUTSIDE;
   } else if (is (pair, "ENDSEC")) {
-    if (drawn)
-      emit (scanner, 0, "ENDSEC", 6);
     scanner->section = OTHER;
+    scanner->block = NULL;
   } else if (drawn && pair->length > 0) {
     g_strlcpy (scanner->type, "", sizeof scanner->type);
     gsize length = MIN (pair->length, sizeof scanner->type - 1);
@@ -304,13 +543,10 @@ take_pair (Scanner *scanner, const Pair *pair)
     begin_thing (scanner, pair);
   } else if (scanner->section == OUTSIDE && pair->code == 2) {
     scanner->section = is (pair, "HEADER")     ? HEADER
+                       : is (pair, "TABLES")   ? TABLES
                        : is (pair, "BLOCKS")   ? BLOCKS
                        : is (pair, "ENTITIES") ? ENTITIES
                                                : OTHER;
-    if (scanner->section == BLOCKS || scanner->section == ENTITIES) {
-      emit (scanner, 0, "SECTION", 7);
-      emit (scanner, 2, pair->value, pair->length);
-    }
   } else if (scanner->section == HEADER) {
     int code;
     if (pair->code == 9)
@@ -319,7 +555,8 @@ take_pair (Scanner *scanner, const Pair *pair)
              && parse_integer (pair->value, pair->length, &code))
       scanner->drawing->unit = declared_unit (code);
   } else if (scanner->type[0] != '\0') {
-    if (is_real_code (pair->code) && !parse_number (pair, &number)) {
+    if (scanner->section != TABLES && is_real_code (pair->code)
+        && !parse_number (pair, &number)) {
       g_autofree char *value =
         g_utf8_make_valid (pair->value, (gssize) MIN (pair->length, 40));
       g_autofree char *message =
@@ -362,7 +599,6 @@ scan_pairs (Scanner *scanner)
   if (!ended)
     qn_drawing_note (scanner->drawing, _ ("file ends without its EOF mark"),
                      scanner->line, qn_vec2 (NAN, NAN));
-  emit (scanner, 0, "EOF", 3);
   return TRUE;
 }
 
@@ -371,8 +607,13 @@ qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawin
              QnDxfScan *scan, GError **error)
 {
   static const char binary[] = "AutoCAD Binary DXF";
-  *scan = (QnDxfScan){ g_string_sized_new (length / 2 + 64),
-                       g_array_new (FALSE, FALSE, sizeof (QnDxfSource)) };
+  *scan =
+    (QnDxfScan){ .entities = g_array_new (FALSE, FALSE, sizeof (QnDxfEntity)),
+                 .points = g_array_new (FALSE, FALSE, sizeof (QnDxfPoint)),
+                 .knots = g_array_new (FALSE, FALSE, sizeof (double)),
+                 .blocks = g_hash_table_new_full (g_str_hash, g_str_equal, NULL, g_free),
+                 .hidden = g_hash_table_new (g_str_hash, g_str_equal),
+                 .top = g_array_new (FALSE, FALSE, sizeof (guint)) };
   Scanner scanner = { .cursor = text,
                       .end = text + length,
                       .name = name,
@@ -395,8 +636,33 @@ qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawin
 void
 qn_dxf_scan_clear (QnDxfScan *scan)
 {
-  if (scan->text != NULL)
-    g_string_free (scan->text, TRUE);
-  g_clear_pointer (&scan->sources, g_array_unref);
-  scan->text = NULL;
+  g_array_unref (scan->entities);
+  g_array_unref (scan->points);
+  g_array_unref (scan->knots);
+  g_array_unref (scan->top);
+  g_hash_table_unref (scan->blocks);
+  g_hash_table_unref (scan->hidden);
+}
+
+char *
+qn_dxf_dup_charset (const char *bytes, gsize size)
+{
+  const char *at = g_strstr_len (bytes, (gssize) MIN (size, HEADER_SIZE), "$DWGCODEPAGE");
+  for (int line = 0; line < 2 && at != NULL; line++) {
+    gsize left = (gsize) (bytes + size - at);
+    gsize end = 0;
+    while (end < left && at[end] != '\n' && at[end] != '\r')
+      end++;
+    while (end < left && g_ascii_isspace (at[end]))
+      end++;
+    at = end < left ? at + end : NULL;
+  }
+  if (at == NULL)
+    return NULL;
+  g_autofree char *stated = g_strndup (at, strcspn (at, " \t\r\n"));
+  const char *number = strpbrk (stated, "0123456789");
+  gboolean page = g_ascii_strncasecmp (stated, "ANSI_", 5) == 0
+                  || g_ascii_strncasecmp (stated, "DOS", 3) == 0;
+  return page && number != NULL ? g_strconcat ("CP", number, NULL)
+                                : g_steal_pointer (&stated);
 }

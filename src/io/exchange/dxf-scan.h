@@ -1,31 +1,72 @@
-/* First reading of a DXF file: is it one, what is in it, and what of it may dxflib see?
+/* First reading of a DXF file: from pairs of lines to entities.
  *
- * A DXF file is a list of pairs: a line with a number that says what the next line is. Here every
- * pair is checked, so that a bad file is refused with its line; entities that are no outlines
- * are counted and left out; counts that a careless reader would trust are made true. What is
- * left is given to dxflib as text, in which the layer of each entity is its number in `sources`.
+ * A DXF file is a list of pairs: a line with a number that says what the next line is. Every pair is
+ * checked, so that a bad file is refused with its line; entities that are no outlines are counted
+ * and left out. What an entity says of its shape is kept as it is, in its own coordinates:
+ * dxf-import.h puts it in its place.
  */
 #ifndef QN_IO_DXF_SCAN_H
 #define QN_IO_DXF_SCAN_H
 
 #include "io/exchange/drawing.h"
 
-typedef struct QnDxfSource {
-  const char *layer; /* kept by the drawing */
+typedef enum {
+  QN_DXF_LINE, /* two points */
+  QN_DXF_ARC, /* centre; radius, from, to in degrees in `numbers`; a circle is from 0 to 360 */
+  QN_DXF_ELLIPSE, /* centre and end of the major axis as from there; ratio, from, to in rad */
+  QN_DXF_POLYLINE, /* points with bulges */
+  QN_DXF_SPLINE,   /* points with weights, knots; degree in numbers[0] */
+  QN_DXF_FACE,     /* filled: its corners */
+  QN_DXF_HATCH, /* one boundary of a hatch, closed, as a polyline; 1 for the first of each */
+  QN_DXF_INSERT /* point; scales x y z, angle in degrees, columns, rows, spacings x y */
+} QnDxfKind;
+
+/* The last is the bulge or the weight. */
+typedef struct QnDxfPoint {
+  double x, y, z, extra;
+} QnDxfPoint;
+
+typedef struct QnDxfEntity {
+  QnDxfKind kind;
+  const char *layer,
+    *name; /* kept by the drawing; the name of an insert's block, else NULL */
   guint line;
-} QnDxfSource;
+  gboolean closed;
+  gboolean in_plane;  /* coordinates are those of the plane that the normal defines */
+  gboolean invisible; /* by itself, as parts of dynamic blocks are */
+  double normal[3];
+  double numbers[8];
+  guint first_point, point_count, first_knot, knot_count; /* of the scan's */
+} QnDxfEntity;
+
+typedef struct QnDxfBlock {
+  double base[3];
+  guint first, end; /* of the scan's entities */
+} QnDxfBlock;
 
 typedef struct QnDxfScan {
-  GString *text;   /* for dxflib */
-  GArray *sources; /* QnDxfSource */
+  GArray *entities;   /* QnDxfEntity, those of blocks included */
+  GArray *points;     /* QnDxfPoint */
+  GArray *knots;      /* double */
+  GHashTable *blocks; /* name, kept by the drawing, in lower case -> QnDxfBlock */
+  GHashTable
+    *hidden;   /* layers that are off or frozen, in lower case -> QN_DXF_OFF, FROZEN */
+  GArray *top; /* guint: entities outside of blocks */
 } QnDxfScan;
 
-/* `name` stands for the file in messages. Notes and the declared unit go to `drawing`. `scan` is
- * overwritten without being cleared. FALSE with an error, domain QN_IO_ERROR. */
+enum { QN_DXF_OFF = 1, QN_DXF_FROZEN };
+
+/* `name` stands for the file in messages. The text is as qn_text_decode() gives it. Notes and the
+ * declared unit go to `drawing`. `scan` is overwritten without being cleared. FALSE with an error,
+ * domain QN_IO_ERROR. */
 gboolean qn_dxf_scan (const char *text, gsize length, const char *name,
                       QnDrawing *drawing, QnDxfScan *scan, GError **error);
 
 void qn_dxf_scan_clear (QnDxfScan *scan);
+
+/* Iconv's name of the encoding that a file states ("ANSI_1252"); NULL where it states none. Free with
+ * g_free(). */
+char *qn_dxf_dup_charset (const char *bytes, gsize size);
 
 /* Number of $INSUNITS for a unit of so many metres; 0 where it has none. */
 int qn_dxf_unit_code (double metres);

@@ -166,6 +166,12 @@ tell_layer (QnImportWork *work, const QnImportLayer *layer)
                                        N_ ("openings as asked"),
                                        N_ ("left out as asked") };
   const char *role = _ (layer->asked ? asked[layer->role] : guessed[layer->role]);
+  if (layer->hidden > 0 && !layer->asked)
+    qn_import_tell (work, TRUE,
+                    _ ("layer \"%s\": hidden shapes left out: %u (--layer takes them)"),
+                    layer->name, layer->hidden);
+  if (layer->hidden == layer->count && !layer->asked)
+    return;
   if (layer->doubtful)
     qn_import_tell (
       work, TRUE, _ ("layer \"%s\": shapes: %u; %s, which is a guess (--layer decides)"),
@@ -193,9 +199,14 @@ qn_import_find_layers (QnImportWork *work, GError **error)
       g_hash_table_insert (work->layers, (char *) path->layer, GUINT_TO_POINTER (number));
     }
     g_array_index (layers, QnImportLayer, number - 1).count++;
+    g_array_index (layers, QnImportLayer, number - 1).hidden += path->hidden != FALSE;
   }
-  for (guint i = 0; i < layers->len; i++)
-    tell_layer (work, &g_array_index (layers, QnImportLayer, i));
+  for (guint i = 0; i < layers->len; i++) {
+    QnImportLayer *layer = &g_array_index (layers, QnImportLayer, i);
+    if (layer->hidden == layer->count && !layer->asked)
+      layer->role = QN_ROLE_IGNORED;
+    tell_layer (work, layer);
+  }
   for (char **entry = settings->layers; entry != NULL && *entry != NULL; entry++) {
     gboolean found = FALSE;
     for (guint i = 0; i < layers->len && !found; i++)

@@ -44,11 +44,11 @@ qn_import_sort_paths (QnImportWork *work)
   gsize ends = 0, overruns = 0, collinear = 0, open = 0;
   for (guint i = 0; i < work->drawing->paths->len; i++) {
     const QnDrawingPath *path = &g_array_index (work->drawing->paths, QnDrawingPath, i);
-    guint layer = GPOINTER_TO_UINT (g_hash_table_lookup (work->layers, path->layer));
-    QnRole role = path->support
-                    ? QN_ROLE_SUPPORT
-                    : g_array_index (work->report->layers, QnImportLayer, layer - 1).role;
-    if (role == QN_ROLE_IGNORED)
+    guint number = GPOINTER_TO_UINT (g_hash_table_lookup (work->layers, path->layer));
+    const QnImportLayer *layer =
+      &g_array_index (work->report->layers, QnImportLayer, number - 1);
+    QnRole role = path->support ? QN_ROLE_SUPPORT : layer->role;
+    if (role == QN_ROLE_IGNORED || (path->hidden && !layer->asked))
       continue;
     QnRing ring;
     if (!qn_ring_init (&ring, path->points, path->count)) {

@@ -28,6 +28,8 @@ qn_import_block_size (const QnDrawing *drawing)
   for (int pass = 0; pass < 2 && sizes->len == 0; pass++)
     for (guint i = 0; i < drawing->paths->len; i++) {
       const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
+      if (path->hidden)
+        continue;
       QnRing ring = { path->points, path->count };
       double size = pass == 1 ? qn_box_size (qn_ring_bounds (&ring))
                     : path->count >= 4 || path->closed
@@ -45,7 +47,7 @@ drawing_bounds (const QnDrawing *drawing)
   QnBox bounds = QN_BOX_EMPTY;
   for (guint i = 0; i < drawing->paths->len; i++) {
     const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
-    QnRing ring = { path->points, path->count };
+    QnRing ring = { path->points, path->hidden ? 0 : path->count };
     qn_box_add_box (&bounds, qn_ring_bounds (&ring));
   }
   return bounds;

@@ -102,7 +102,7 @@ test_report (void)
     { "collinear-vertices", "collinear vertices removed: 117", NULL },
     { "lines", "open lines made into faces: 158", "openings cut out: 1" },
     { "clutter", "cross themselves: 1, first at line", "drawn twice: 6" },
-    { "clutter", "HATCH entities left out: 1, first at line",
+    { "clutter", "hatches without a boundary that can be read left out: 1, first at line",
       "3DFACE entities left out: 1" },
     { "gaps", "vertices merged: ", NULL },
     { "no-unit", "not declared; read as mm", "1.6 x 2.1 m" },

@@ -186,6 +186,130 @@ test_names (void)
   g_assert_true (path_at (&drawing, 0)->layer == path_at (&drawing, 1)->layer);
 }
 
+static char *
+dup_notes (const QnDrawing *drawing)
+{
+  GString *text = g_string_new (NULL);
+  for (guint i = 0; i < drawing->notes->len; i++) {
+    const QnDrawingNote *note = drawing->notes->pdata[i];
+    g_string_append_printf (text, "%s: %u; ", note->text, note->count);
+  }
+  return g_string_free (text, FALSE);
+}
+
+#define SQUARE(layer, more)                                                              \
+  "0\nLWPOLYLINE\n8\n" layer "\n" more "70\n1\n10\n0\n20\n0\n10\n2\n20\n0\n10\n2\n20\n1" \
+  "\n"
+
+/* What a layer or the entity itself hides is marked or left out, in blocks too. */
+static void
+test_hidden (void)
+{
+  g_auto (QnDrawing) drawing;
+  parse ("0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nOff\n70\n0\n62\n-7\n"
+         "0\nLAYER\n2\nIce\n70\n1\n62\n7\n0\nLAYER\n2\nOn\n70\n4\n62\n7\n0\nENDTAB\n0\nEN"
+         "DSEC\n"
+         "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\n0\n2\nB\n" SQUARE ("0", "")
+           SQUARE ("On", "")
+             SQUARE ("0", "60\n1\n") "0\nENDBLK\n8\n0\n0\nENDSEC\n" HEAD SQUARE ("On", "")
+               SQUARE ("OFF", "") SQUARE ("ice", "") "0\nINSERT\n8\nOff\n2\nb\n"
+                                                     "0\nINSERT\n8\nIce\n2\nB\n" TAIL,
+         &drawing);
+  static const gboolean hidden[] = { FALSE, TRUE, TRUE, TRUE, FALSE };
+  g_assert_cmpuint (drawing.paths->len, ==, G_N_ELEMENTS (hidden));
+  for (guint i = 0; i < G_N_ELEMENTS (hidden); i++)
+    g_assert_cmpint (path_at (&drawing, i)->hidden, ==, hidden[i]);
+  g_autofree char *notes = dup_notes (&drawing);
+  g_assert_cmpstr (notes, ==,
+                   "invisible shapes left out: 1; blocks on frozen layers left out: 1; ");
+}
+
+/* Encodings as files state them, characters by number, marks of byte order, ends of lines. */
+static void
+test_text (void)
+{
+#define PAGE(name) "0\nSECTION\n2\nHEADER\n9\n$DWGCODEPAGE\n3\n" name "\n0\nENDSEC\n"
+  static const struct {
+    const char *text, *layer;
+  } cases[] = {
+    { PAGE ("ANSI_1252") HEAD SQUARE ("\xd6"
+                                      "ffnung",
+                                      "") TAIL,
+      "Öffnung" },
+    { PAGE ("ANSI_1251") HEAD SQUARE ("\xd1\xf2\xe5\xed\xe0", "") TAIL, "Стена" },
+    { PAGE ("DOS850") HEAD SQUARE ("\x99", "") TAIL, "Ö" },
+    { PAGE ("no such page") HEAD SQUARE ("\xd6l", "") TAIL, "\xef\xbf\xbdl" },
+    { HEAD SQUARE ("\xd6l", "") TAIL, "Öl" },
+    { PAGE ("ANSI_1252") HEAD SQUARE ("Öl", "") TAIL, "Öl" },
+    { HEAD SQUARE ("\\U+00D6l \\U+4E2", "") TAIL, "Öl \\U+4E2" },
+    { "\xef\xbb\xbf" HEAD SQUARE ("Öl", "") TAIL, "Öl" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++)
+    for (int end = 0; end < 2; end++) {
+      g_auto (QnDrawing) drawing;
+      g_autofree char *text = g_strdup (cases[i].text);
+      if (end == 1)
+        g_strdelimit (text, "\n", '\r');
+      parse (text, &drawing);
+      g_assert_cmpuint (drawing.paths->len, ==, 1);
+      g_assert_cmpstr (path_at (&drawing, 0)->layer, ==, cases[i].layer);
+    }
+}
+
+/* Drawings in an upright plane are seen from the front, whether their coordinates are the world's or
+ * those of their own plane; what has depth is told. */
+static void
+test_views (void)
+{
+#define UP "210\n0\n220\n-1\n230\n0\n"
+  g_auto (QnDrawing) lines, planes, mixed;
+  parse (HEAD "0\nLINE\n10\n1\n20\n7\n30\n2\n11\n3\n21\n7\n31\n5\n" TAIL, &lines);
+  g_assert_cmpfloat (path_at (&lines, 0)->points[1].y, ==, 5);
+  parse (
+    HEAD SQUARE ("0", UP
+                 "38\n-4\n") "0\nCIRCLE\n10\n5\n20\n6\n30\n-4\n40\n1\n" UP
+                             "0\n3DFACE\n10\n0\n20\n4\n30\n3\n11\n1\n21\n4\n31\n3\n" TAIL,
+    &planes);
+  g_assert_cmpuint (planes.paths->len, ==, 2);
+  g_assert_cmpfloat_with_epsilon (path_at (&planes, 0)->points[2].y, 1, 1e-15);
+  g_assert_cmpfloat_with_epsilon (path_at (&planes, 1)->points[0].x, 6, 1e-12);
+  g_assert_cmpfloat_with_epsilon (path_at (&planes, 1)->points[0].y, 6, 1e-12);
+  g_autofree char *notes = dup_notes (&planes);
+  g_assert_cmpstr (
+    notes, ==,
+    "3DFACE entities left out: 1; drawn in the x-z plane and seen from the "
+    "front; shapes: 2; ");
+  parse (HEAD SQUARE ("0", "") "0\nLINE\n10\n1\n20\n7\n30\n2\n11\n3\n21\n7\n31\n5\n" TAIL,
+         &mixed);
+  g_autofree char *depth = dup_notes (&mixed);
+  g_assert_nonnull (strstr (depth, "drawn in space and seen from above"));
+}
+
+/* Hatches and faces in space are outlines where there are no others. */
+static void
+test_hatches (void)
+{
+#define HATCH                                                                            \
+  "0\nHATCH\n8\n0\n10\n0\n20\n0\n30\n0\n2\nSOLID\n91\n2\n92\n3\n72\n1\n73\n1\n93\n3\n"   \
+  "10\n0\n20\n0\n42\n0\n10\n2\n20\n0\n42\n1\n10\n2\n20\n1\n42\n0\n97\n0\n"               \
+  "92\n1\n93\n2\n72\n1\n10\n6\n20\n0\n11\n4\n21\n0\n72\n2\n10\n5\n20\n0\n40\n1\n50\n180" \
+  "\n"                                                                                   \
+  "51\n360\n73\n1\n97\n0\n75\n0\n98\n1\n10\n9\n20\n9\n"
+  g_auto (QnDrawing) alone, beside;
+  parse (HEAD HATCH TAIL, &alone);
+  g_assert_cmpuint (alone.paths->len, ==, 2);
+  g_assert_true (path_at (&alone, 0)->closed);
+  g_assert_cmpfloat_with_epsilon (path_at (&alone, 0)->points[2].y, 0, 0.1);
+  double lowest = 0;
+  for (gsize i = 0; i < path_at (&alone, 1)->count; i++)
+    lowest = fmin (lowest, path_at (&alone, 1)->points[i].y);
+  g_assert_cmpfloat_with_epsilon (lowest, -1, 1e-12);
+  parse (HEAD HATCH SQUARE ("0", "") TAIL, &beside);
+  g_assert_cmpuint (beside.paths->len, ==, 1);
+  g_autofree char *notes = dup_notes (&beside);
+  g_assert_cmpstr (notes, ==, "HATCH entities left out: 1; ");
+}
+
 QN_TESTS
 {
   g_test_add_func ("/dxf-import/line-and-layer", test_line_and_layer);
@@ -196,4 +320,8 @@ QN_TESTS
   g_test_add_func ("/dxf-import/bad-files", test_bad_files);
   g_test_add_func ("/dxf-import/large", test_large);
   g_test_add_func ("/dxf-import/names", test_names);
+  g_test_add_func ("/dxf-import/hidden", test_hidden);
+  g_test_add_func ("/dxf-import/text", test_text);
+  g_test_add_func ("/dxf-import/views", test_views);
+  g_test_add_func ("/dxf-import/hatches", test_hatches);
 }
