@@ -175,6 +175,8 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
     memory->a.opening = fmin (opening, risen);
   else if (check->relaxed || (force[0] < s->cap && (dilates || crushes)))
     memory->a.opening = opening;
+  else if (at_cap && (dilates || crushes)) /* crushed, or slid back, on the way there */
+    memory->a.opening = fmin (memory->a.opening, opening);
   for (int i = 0; i < 2; i++) {
     memory->qa[i] = q[i] - stuck[i];
     memory->qb[i] = stuck[i];
@@ -379,16 +381,19 @@ may_yield (const QnSpring *spring)
          && spring->kind != QN_LAW_COULOMB;
 }
 
-/* Whether a joint stands open by more than what little force would close; rigid blocks do not tell. */
+/* Whether a joint stands open by more than what little force would close; rigid blocks do not tell, nor
+ * do joints in time that dilate between the steps that are kept. */
 static bool
 is_apart (const QnCheck *check, size_t p)
 {
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  bool dilates = springs->a.dilatancy > 0 || springs->b.dilatancy > 0;
   const QnAssembly *as = &check->assembly;
   const QnPairMemory *memory = &as->responses[p].memory;
   double gap = as->elongations[2 * p] - memory->a.opening
                - (as->springs[p].equal ? 0 : memory->b.opening);
 
-  return !check->result->limit.given
+  return !check->result->limit.given && !(dilates && check->result->history.width > 0)
          && gap > check->slack + QN_CHECK_STATE * check->scale / as->springs[p].a.kn;
 }
 

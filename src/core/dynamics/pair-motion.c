@@ -2,23 +2,23 @@
 
 #include <math.h>
 
-/* Elongations, m, that are rounding. */
-#define ROUNDING 1e-15
-
 /* The part of an elongation that is left by rounding where a joint is closed. */
 #define NOTHING 1e-12
 
-/* Of springs that are elastic but for opening and slip, the normal force at which they open. */
+/* Whether a spring is elastic but for opening and slip; the normal force at which it opens, its
+ * strength in shear. */
 static bool
-opens (const QnSpring *spring, double *cap)
+opens (const QnSpring *spring, double *cap, QnShearStrength *shear)
 {
+  *cap = INFINITY;
+  *shear = (QnShearStrength){ .cohesion = INFINITY };
   switch (spring->kind) {
   case QN_LAW_ELASTIC:
-    *cap = INFINITY;
     return true;
   case QN_LAW_NO_TENSION:
   case QN_LAW_COULOMB:
     *cap = spring->cap;
+    *shear = (QnShearStrength){ spring->friction, spring->cohesion };
     return true;
   case QN_LAW_MOHR_COULOMB:
   case QN_LAW_BILINEAR:
@@ -29,7 +29,6 @@ opens (const QnSpring *spring, double *cap)
   case QN_LAW_KIND_COUNT:
     break;
   }
-  *cap = INFINITY;
   return false;
 }
 
@@ -37,19 +36,16 @@ QnPairElasticity
 qn_pair_elasticity (const QnPairSprings *s)
 {
   QnPairElasticity pair;
-  double cap_a, cap_b;
+  double cap;
 
-  pair.conserves = opens (&s->a, &cap_a);
-  pair.cap = cap_a;
-  pair.friction = s->a.friction;
-  bool slides = s->a.kind == QN_LAW_COULOMB || s->a.kind == QN_LAW_NO_TENSION;
-  pair.cohesion = s->equal && slides ? s->a.cohesion : INFINITY;
+  pair.conserves = opens (&s->a, &pair.cap, &pair.shear[0]);
+  pair.shear[1] = pair.shear[0];
   pair.k[0] = s->a.kn;
   pair.k[1] = s->a.ks;
   if (s->equal)
     return pair;
-  pair.conserves &= opens (&s->b, &cap_b);
-  pair.cap = fmin (cap_a, cap_b);
+  pair.conserves &= opens (&s->b, &cap, &pair.shear[1]);
+  pair.cap = fmin (pair.cap, cap);
   pair.k[0] = 1 / (1 / s->a.kn + 1 / s->b.kn);
   pair.k[1] = 1 / (1 / s->a.ks + 1 / s->b.ks);
   return pair;
@@ -78,44 +74,93 @@ gap (const QnPairElasticity *pair, const QnPairInstant *at)
   return rest > NOTHING * (fabs (at->q[0]) + fabs (plastic[0])) ? rest : 0;
 }
 
-/* c where the pair opens or closes, `opened` by how much. */
-static void
-add_opening (const QnPairElasticity *pair, const QnPairInstant *start,
-             const QnPairInstant *end, double opened, bool open, QnPairForces *out)
+/* How far the pair is from where it opens: the gap, negative while it is closed, m. */
+static double
+distance (const QnPairElasticity *pair, const QnPairInstant *at)
 {
-  const double *f0 = start->response->force, *f1 = end->response->force;
-  const QnPairResponse *now = end->response;
-  double dq = end->q[0] - start->q[0];
-  const double mean[2] = { 0.5 * (f0[0] + f1[0]) - pair->cap, 0.5 * (f0[1] + f1[1]) };
-  double share = opened / dq;
+  double open = gap (pair, at);
 
-  for (int i = 0; i < 2; i++) {
-    out->correction[i] = -mean[i] * share;
-    out->tangent[i][0] -=
-      0.5 * now->tangent[i][0] * share + mean[i] * ((open ? 1 : 0) - share) / dq;
-    out->tangent[i][1] -= 0.5 * now->tangent[i][1] * share;
-  }
+  return open > 0 ? open : (at->response->force[0] - pair->cap) / pair->k[0];
 }
 
-/* c where the pair begins to slip, or slips the other way. */
+/* Mean of what is positive of a number that goes evenly from a to b, and its derivatives. */
+static double
+mean_positive (double a, double b, double slopes[2])
+{
+  slopes[0] = a > 0 ? 0.5 : 0;
+  slopes[1] = b > 0 ? 0.5 : 0;
+  if ((a > 0) == (b > 0))
+    return a > 0 ? 0.5 * (a + b) : 0;
+  double high = fmax (a, b), share = high / fabs (a - b);
+  slopes[a > 0 ? 0 : 1] = 0.5 * share * (2 - share);
+  slopes[a > 0 ? 1 : 0] = 0.5 * share * share;
+  return 0.5 * high * share;
+}
+
+/* Strength in shear at a normal force, and its derivative. */
+static double
+shear_strength (const QnPairElasticity *pair, double n, double *slope)
+{
+  const QnShearStrength *a = &pair->shear[0], *b = &pair->shear[1];
+  const QnShearStrength *weaker =
+    a->cohesion - a->friction * n <= b->cohesion - b->friction * n ? a : b;
+  double left = weaker->cohesion - weaker->friction * n;
+
+  *slope = left > 0 ? -weaker->friction : 0;
+  return fmax (left, 0);
+}
+
+/* Mean of what the shear force, were it elastic, is beyond its strength on one part of the way:
+ * from e[0], S[0] to e[1], S[1]. Derivatives by e and S at both ends. */
+static double
+mean_beyond (const double e[2], const double strength[2], double by_e[2], double by_s[2])
+{
+  double up[2], down[2];
+  double beyond = mean_positive (e[0] - strength[0], e[1] - strength[1], up)
+                  - mean_positive (-e[0] - strength[0], -e[1] - strength[1], down);
+
+  for (int i = 0; i < 2; i++) {
+    by_e[i] = up[i] + down[i];
+    by_s[i] = down[i] - up[i];
+  }
+  return beyond;
+}
+
+/* c_t; x and dx: distances from where the pair opens, and the derivatives of the last. */
 static void
-add_slip (const QnPairElasticity *pair, const QnPairInstant *start,
-          const QnPairInstant *end, double slipped, QnPairForces *out)
+add_shear_correction (const QnPairElasticity *pair, const QnPairInstant *start,
+                      const QnPairInstant *end, const double x[2], const double dx[2],
+                      QnPairForces *out)
 {
   const double *f0 = start->response->force, *f1 = end->response->force;
   const QnPairResponse *now = end->response;
-  double dq = end->q[1] - start->q[1], share = slipped / dq, dn = f1[0] - f0[0];
-  double sign = slipped < 0 ? -1 : 1;
+  bool crosses = (x[0] > 0) != (x[1] > 0);
+  double part = crosses ? x[0] / (x[0] - x[1]) : 1, rise = end->q[1] - start->q[1];
+  double slope, unused, by_e[2][2], by_s[2][2];
+  double last = f0[1] + pair->k[1] * rise;
+  const double first_e[2] = { f0[1], f0[1] + pair->k[1] * rise * part };
+  const double then_e[2] = { first_e[1], last };
+  double at_end = shear_strength (pair, f1[0], &slope);
+  double between = crosses ? shear_strength (pair, pair->cap, &unused) : at_end;
+  const double first_s[2] = { shear_strength (pair, f0[0], &unused), between };
+  const double then_s[2] = { between, at_end };
 
-  if (!(share > 0 && share <= 1))
+  if (!isfinite (at_end))
     return;
-  double strength = sign * (pair->cohesion - pair->friction * (f0[0] + (1 - share) * dn));
-  double missing = 0.5 * (strength - f0[1]);
-  out->correction[1] = share * missing;
+  double first = mean_beyond (first_e, first_s, by_e[0], by_s[0]);
+  double then = mean_beyond (then_e, then_s, by_e[1], by_s[1]);
+  double at_knot = part * by_e[0][1] + (1 - part) * by_e[1][0];
+  double by_part = first - then + at_knot * pair->k[1] * rise;
+
+  out->correction[1] =
+    0.5 * (f0[1] + last) - part * first - (1 - part) * then - 0.5 * (f0[1] + f1[1]);
   for (int j = 0; j < 2; j++) {
-    double slope = ((j == 1 ? 1 - share : 0) - now->tangent[1][j] / pair->k[1]) / dq;
-    double normal = (1 - share) * now->tangent[0][j] - dn * slope;
-    out->tangent[1][j] += slope * missing - 0.5 * share * sign * pair->friction * normal;
+    double d_part = crosses ? part / (x[0] - x[1]) * dx[j] : 0;
+    double d_e = j == 1 ? pair->k[1] : 0, d_s = slope * now->tangent[0][j];
+    double d_mean =
+      by_part * d_part + at_knot * part * d_e
+      + (crosses ? (1 - part) * (by_e[1][1] * d_e + by_s[1][1] * d_s) : by_s[0][1] * d_s);
+    out->tangent[1][j] += 0.5 * d_e - d_mean - 0.5 * now->tangent[1][j];
   }
 }
 
@@ -124,20 +169,22 @@ static void
 add_correction (const QnPairElasticity *pair, const QnPairInstant *start,
                 const QnPairInstant *end, QnPairForces *out)
 {
-  double open = gap (pair, end), opened = open - gap (pair, start);
-  double before[2], after[2];
+  const QnPairResponse *now = end->response;
+  double x[2] = { -1, -1 }, dx[2] = { 0 }, slopes[2];
 
   if (!pair->conserves)
     return;
-  if (opened != 0 && fabs (end->q[0] - start->q[0]) > ROUNDING) {
-    add_opening (pair, start, end, opened, open > 0, out);
-    return;
+  if (isfinite (pair->cap)) {
+    x[0] = distance (pair, start);
+    x[1] = distance (pair, end);
+    for (int j = 0; j < 2; j++)
+      dx[j] = x[1] > 0 ? (j == 0 ? 1 : 0) : now->tangent[0][j] / pair->k[0];
+    double mean = pair->cap - pair->k[0] * mean_positive (-x[0], -x[1], slopes);
+    out->correction[0] = mean - 0.5 * (start->response->force[0] + now->force[0]);
+    for (int j = 0; j < 2; j++)
+      out->tangent[0][j] += pair->k[0] * slopes[1] * dx[j] - 0.5 * now->tangent[0][j];
   }
-  plastic_elongation (start, before);
-  plastic_elongation (end, after);
-  if (open == 0 && after[1] != before[1] && isfinite (pair->cohesion)
-      && fabs (end->q[1] - start->q[1]) > ROUNDING)
-    add_slip (pair, start, end, after[1] - before[1], out);
+  add_shear_correction (pair, start, end, x, dx, out);
 }
 
 /* The share of a step's own rate in the dashpot of the current stiffness, and its derivatives. */
@@ -163,7 +210,10 @@ elastic_share (const QnPairElasticity *pair, const QnPairInstant *start,
     double own = j == 1 ? 1 : 0;
     double slip = own - now->tangent[1][j] / pair->k[1];
     slip = slipped > 0 ? slip : slipped < 0 ? -slip : 0;
-    double gap_slope = open > 0 && j == 0 ? (opened < 0 ? -1 : 1) : 0;
+    double apart = open > 0 && j == 0 ? 1 : 0;
+    double gap_slope = opened < 0 ? -apart : apart;
+    double spread_slope = 1 - own - apart - now->tangent[0][j] / pair->k[0];
+    gap_slope += spread > 0 ? spread_slope : spread < 0 ? -spread_slope : 0;
     double force_slope = n1 < 0 ? -now->tangent[0][j] : now->tangent[0][j];
     slopes[j] =
       (force_slope * inelastic - force * pair->k[0] * (slip + gap_slope)) / (sum * sum);
@@ -249,15 +299,9 @@ qn_pair_friction (const QnPairElasticity *pair, const QnPairForces *forces,
                   const QnPairInstant *start, const QnPairInstant *end)
 {
   const double *f0 = start->response->force, *f1 = end->response->force;
-  double before[2], after[2], work = 0;
+  double work = qn_pair_elastic_energy (pair, start) - qn_pair_elastic_energy (pair, end);
 
-  plastic_elongation (start, before);
-  plastic_elongation (end, after);
-  for (int i = 0; i < 2; i++) {
-    double moved = pair->conserves ? after[i] - before[i] : end->q[i] - start->q[i];
-    work += 0.5 * (f0[i] + f1[i]) * moved;
-  }
-  if (!pair->conserves) /* all that its elasticity does not hold */
-    work -= qn_pair_elastic_energy (pair, end) - qn_pair_elastic_energy (pair, start);
-  return work + forces->correction[1] * (end->q[1] - start->q[1]);
+  for (int i = 0; i < 2; i++)
+    work += (0.5 * (f0[i] + f1[i]) + forces->correction[i]) * (end->q[i] - start->q[i]);
+  return work;
 }

@@ -5,25 +5,19 @@
  *
  *   F = (1 - af) f1 + af f0 + c + d
  *
- * c keeps the energy of joints that open or close within the step. The work of the mean force,
- * (f0 + f1)/2 . (q1 - q0), counts half the force of the joint along the part of the way where it
- * stands open and carries none:
+ * c makes of the mean of both ends, (f0 + f1)/2, the mean along the way, so that the work of the pair
+ * is the change of its elastic energy and what slip dissipates, whatever the step (Armero & Petocz 1998,
+ * Computer Methods in Applied Mechanics and Engineering 158, 269-300, for frictionless contact). q goes
+ * evenly from q0 to q1, and with it
  *
- *   c_n = -((n0 + n1)/2 - cap) (o1 - o0)/(q1 - q0)        o: how far it stands open
+ *   x = q_n - opening - cap/k_n       how far the joint stands open; closed where x < 0
+ *   n = cap + k_n min (x, 0)
+ *   e = t0 + k_t (q_t - q_t0)         the shear force, did nothing slip
+ *   S = c - mu n                      its strength
+ *   t = max (-S, min (e, S))
  *
- * takes exactly that away; with it the work of the pair is the change of its elastic energy and
- * what slip dissipates, whatever the step (Armero & Petocz 1998, Computer Methods in Applied
- * Mechanics and Engineering 158, 269-300, for frictionless contact). The shear force of such a
- * step acts along the same part of the way, c_t = -(t0 + t1)/2 |o1 - o0|/|q1 - q0|.
- *
- * A joint that stays closed and begins to slip within the step does so after the part 1 - s of
- * the way, s = (slip1 - slip0)/(q_t1 - q_t0), and then with its strength; the mean force would
- * count the force it had at the start:
- *
- *   c_t = s (y - t0)/2        y: the strength at the normal force where slip begins
- *
- * Nothing is added where it slips all the way, or not at all. Joints of laws that soften or harden
- * go without any c.
+ * The means of n and t are closed forms, continuous in q1: without that a step, however short, may have
+ * no solution. Joints of laws that soften, harden or are crushed go without any c.
  *
  * d is the dashpot that goes with stiffness, k the elastic one. For damping of the initial
  * stiffness d = a k q', always. For damping of the current stiffness it goes with the force of the
@@ -42,12 +36,17 @@
 #include "core/contact/contact-pair.h"
 #include "core/model/ground-motion.h"
 
+/* |t| <= cohesion - friction n; INFINITY: it does not slip. */
+typedef struct QnShearStrength {
+  double friction, cohesion; /* -, N */
+} QnShearStrength;
+
 /* What does not change: of both springs of the pair together. */
 typedef struct QnPairElasticity {
-  double k[2];               /* elastic stiffness, normal and tangential, N/m */
-  double cap;                /* largest normal force, N; INFINITY: it does not open */
-  double friction, cohesion; /* strength in shear, -, N; INFINITY: it does not slip */
-  bool conserves; /* its laws are elastic but for opening and slip: c applies */
+  double k[2];              /* elastic stiffness, normal and tangential, N/m */
+  double cap;               /* largest normal force, N; INFINITY: it does not open */
+  QnShearStrength shear[2]; /* of the springs; the weaker one slips */
+  bool conserves;           /* its laws are elastic but for opening and slip: c applies */
 } QnPairElasticity;
 
 QnPairElasticity qn_pair_elasticity (const QnPairSprings *springs);

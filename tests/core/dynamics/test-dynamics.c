@@ -1,4 +1,5 @@
 /* Closed forms of single bodies in time. */
+#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"
@@ -37,6 +38,59 @@ tracked (const TestRun *c, size_t row, int which)
 {
   const QnHistory *h = &c->result.history;
   return h->rows[row * h->width + QN_HISTORY_TRACK + (size_t) which];
+}
+
+/* --- Walls with every kind of joint ---------------------------------------------------------- */
+
+/* A step that is short enough has a solution, whatever a joint does; and what is dilated or crushed between
+ * the steps that are kept does not make the result wrong. */
+static void
+test_joints (void)
+{
+  static const struct {
+    QnLawKind kind;
+    double friction, cohesion, tension, dilatancy, compression; /* N per pair */
+  } joints[] = {
+    { QN_LAW_COULOMB, 0.4, 2e4, 0, 0, 0 },   { QN_LAW_COULOMB, 0.55, 3e3, 0, 0, 0 },
+    { QN_LAW_COULOMB, 0.6, 1e3, 4e2, 0, 0 }, { QN_LAW_COULOMB, 0.65, 0, 0, 0.3, 0 },
+    { QN_LAW_COULOMB, 0.4, 0, 0, 0.2, 0 },   { QN_LAW_MOHR_COULOMB, 0.5, 5e2, 0, 0, 6e3 },
+  };
+  static const double rho[] = { 0, 0.5, 0.8, 1 };
+  for (gsize joint = 0; joint < G_N_ELEMENTS (joints); joint++)
+    for (gsize i = 0; i < G_N_ELEMENTS (rho); i++) {
+      QnWallRecipe recipe = qn_wall_recipe_default ();
+      g_auto (TestRun) c = { 0 };
+      recipe.length = 3;
+      recipe.courses = 6;
+      recipe.material.stiffness = 1e9;
+      recipe.material.friction = joints[joint].friction;
+      qn_model_init (&c.model);
+      g_assert_cmpint (qn_generate_wall (&c.model, &recipe, NULL), ==, QN_OK);
+      QnLaw *law = &c.model.laws[0];
+      law->kind = joints[joint].kind;
+      law->cohesion = joints[joint].cohesion;
+      law->tension = joints[joint].tension;
+      law->dilatancy = joints[joint].dilatancy;
+      law->compression = joints[joint].compression;
+      c.model.analysis.procedure = QN_PROCEDURE_DYNAMIC;
+      c.model.analysis.geometry = i % 2 == 0 ? QN_GEOMETRY_NONLINEAR : QN_GEOMETRY_LINEAR;
+      QnDynamicSettings *dynamic = &c.model.analysis.dynamic;
+      dynamic->duration = 0.6;
+      dynamic->time_step = 0.005;
+      dynamic->rho = rho[i];
+      dynamic->joint_damping = i % 2 == 0 ? 0 : 2e-4;
+      dynamic->output_interval = 0.1;
+      QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+      motion->kind = QN_SIGNAL_PULSE;
+      motion->direction = qn_vec2 (1, 0.3);
+      motion->pulse = (QnPulse){ QN_PULSE_SINE, 7, 0.4, 0 };
+      test_run_solve (&c);
+      g_test_message ("joint %d, rho %g: outcome %d at %g s, energy error %.1e",
+                      (int) joint, rho[i], c.result.outcome, c.result.history.end,
+                      c.result.history.energy_error);
+      g_assert_cmpint (c.result.outcome, !=, QN_OUTCOME_NOT_CONVERGED);
+      g_assert_cmpfloat (c.result.history.energy_error, <, 1e-4);
+    }
 }
 
 /* --- A mass on a spring ------------------------------------------------------------------- */
@@ -492,6 +546,7 @@ test_refuse (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/dynamics/joints", test_joints);
   g_test_add_func ("/dynamics/spring", test_spring);
   g_test_add_func ("/dynamics/slide-rectangle", test_slide_rectangle);
   g_test_add_func ("/dynamics/slide-sine", test_slide_sine);
