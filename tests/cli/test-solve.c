@@ -377,6 +377,31 @@ test_interrupt (void)
   }
 }
 
+/* A column that is loaded beyond its Euler load has lost its stability, whatever the path reaches: summary,
+ * reason, event and curve say so, with the multiplier. */
+static void
+test_buckling (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *column =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "35-beam-column.quoin", NULL);
+  g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+  g_autofree char *curve = g_build_filename (folder, "c.csv", NULL);
+  static const char *const procedures[] = { "analysis.procedure=load",
+                                            "analysis.procedure=work" };
+  for (gsize i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    cli_says ("stability is lost at load multiplier 617.38", "solve", column, "--set",
+              procedures[i], "-o", result, NULL);
+    g_autofree char *written = cli_read (result);
+    g_assert_nonnull (strstr (written, "\"kind\": \"buckling\""));
+    cli_do ("check", column, "--set", procedures[i], "--result", result, NULL);
+    g_autofree char *both = g_strconcat (column, "=", result, NULL);
+    cli_do ("curve", both, "-o", curve, NULL);
+    g_autofree char *rows = cli_read (curve);
+    g_assert_nonnull (strstr (rows, "limit point"));
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/cli/limit/sensitivity", test_sensitivity);
@@ -398,5 +423,6 @@ QN_TESTS
   g_test_add_func ("/cli/solve/limit-of-beams", test_limit_of_beams);
   g_test_add_func ("/cli/solve/block-on-an-edge", test_block_on_an_edge);
   g_test_add_func ("/cli/solve/rocking-sill", test_rocking_sill);
+  g_test_add_func ("/cli/solve/buckling", test_buckling);
   g_test_add_func ("/cli/solve/interrupt", test_interrupt);
 }

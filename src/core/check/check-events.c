@@ -184,6 +184,8 @@ suits_kind (const QnPathEvent *event)
     return size >= QN_JUMP_LEAST * (1 - NEARLY) && size < QN_JUMP_SNAP * (1 + NEARLY);
   case QN_EVENT_KIND_SNAP:
     return size >= QN_JUMP_SNAP * (1 - NEARLY);
+  case QN_EVENT_KIND_BUCKLING:
+    return same (after, event->displacement_before) && event->energy == 0;
   case QN_EVENT_KIND_COLLAPSE:
   case QN_EVENT_KIND_COUNT:
     break;
@@ -279,6 +281,8 @@ is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_
       || !(event->energy >= 0) || !(event->displacement_after >= 0)
       || !has_movers (check, event))
     return false;
+  if (event->kind == QN_EVENT_KIND_BUCKLING)
+    return true;
   if (collapses && (!r->has_collapse_multiplier || climbs_after (check, stretch, *start)))
     return false;
   if (stretch->by_load && collapses)

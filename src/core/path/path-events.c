@@ -184,11 +184,22 @@ qn_path_events_collapse (QnPathEvents *events)
               events->highest_displacement, events->displacement);
 }
 
+bool
+qn_path_events_buckle (QnPathEvents *events, const double *motion)
+{
+  events->energy = 0;
+  if (!add (events, QN_EVENT_KIND_BUCKLING, events->highest, events->highest_displacement,
+            events->highest_displacement))
+    return false;
+  qn_path_events_take_mechanism (events, motion);
+  return true;
+}
+
 void
 qn_path_events_take_mechanism (QnPathEvents *events, const double *velocity)
 {
   QnResult *result = events->path->result;
-  QnPathEvent *collapse = &result->events[result->event_count - 1];
+  QnPathEvent *last = &result->events[result->event_count - 1];
 
-  collapse->block_count = list_movers (events->path, NULL, velocity, collapse->blocks);
+  last->block_count = list_movers (events->path, NULL, velocity, last->blocks);
 }

@@ -45,12 +45,16 @@ bool qn_path_events_observe (QnPathEvents *events, bool jumped, bool *snap);
  * multiplier. */
 bool qn_path_events_has_snapped (const QnPathEvents *events);
 
+/* At the highest multiplier, the last step, the branch loses its stability: in this motion (unknowns) the
+ * path leaves it. False when memory runs out. */
+bool qn_path_events_buckle (QnPathEvents *events, const double *motion);
+
 /* The path does not climb above its highest multiplier again: that is collapse. False when memory runs
  * out. */
 bool qn_path_events_collapse (QnPathEvents *events);
 
-/* Names the blocks that move in the mechanism (unknowns) as those of the collapse: under load control what
- * moves beyond the highest multiplier is no step. After qn_path_events_collapse(). */
+/* Names the blocks that move in this motion (unknowns) as those of the last event: of a collapse under load
+ * control, what moves beyond the highest multiplier is no step. */
 void qn_path_events_take_mechanism (QnPathEvents *events, const double *velocity);
 
 #endif

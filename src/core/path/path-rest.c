@@ -88,7 +88,7 @@ count_with_measure (QnEquilibrium *eq, const double *held, double *scratch,
 }
 
 QnSolveStatus
-qn_path_judge_stability (QnPath *path, const double *held)
+qn_path_judge_stability (QnPath *path, const double *held, bool proves)
 {
   QnEquilibrium *eq = &path->equilibrium;
   QnAssembly *as = &eq->assembly;
@@ -99,7 +99,7 @@ qn_path_judge_stability (QnPath *path, const double *held)
   qn_assembly_tangent_held (as, eq->multiplier);
   eq->factored = false;
   bool symmetric = qn_assembly_is_symmetric (as);
-  if (held != NULL && !symmetric)
+  if (proves && !symmetric)
     return QN_SOLVE_CONVERGED;
   if (path->inertia == NULL)
     path->inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);

@@ -22,11 +22,14 @@ target_of (const QnPathTrace *trace, double step)
 
 /* An equilibrium that the structure would leave at once is none. */
 static QnSolveStatus
-refuse_unstable (const QnPathTrace *trace, QnSolveStatus status)
+refuse_unstable (QnPathTrace *trace, QnSolveStatus status)
 {
   bool unstable = trace->path->equilibrium.orientation * trace->orientation < 0;
 
-  return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
+  if (status != QN_SOLVE_CONVERGED || !unstable)
+    return status;
+  trace->refused = true;
+  return QN_SOLVE_FAILED;
 }
 
 /* How far the last step advanced the measure; 0 before the first. */
@@ -199,7 +202,7 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   const QnAssembly *as = &eq->assembly;
-  QnSolveStatus status = qn_path_judge_stability (trace->path, target->direction);
+  QnSolveStatus status = qn_path_judge_stability (trace->path, target->direction, true);
 
   if (status != QN_SOLVE_MECHANISM)
     return status;
@@ -213,11 +216,131 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
     status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
     trace->means = QN_FOUND_BY_NEWTON;
     if (status == QN_SOLVE_CONVERGED)
-      status = qn_path_judge_stability (trace->path, target->direction);
+      status = qn_path_judge_stability (trace->path, target->direction, true);
     if (status != QN_SOLVE_FAILED && status != QN_SOLVE_MECHANISM)
       return status;
   }
   return QN_SOLVE_FAILED;
+}
+
+/* The equilibrium where the measure has advanced by `step`, and whether the structure can stay there under
+ * its loads: MECHANISM where it cannot. */
+static QnSolveStatus
+probe (QnPathTrace *trace, double step)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnTarget target = target_of (trace, step);
+
+  qn_equilibrium_restore (eq);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+  return status == QN_SOLVE_CONVERGED ? qn_path_judge_stability (trace->path, NULL, true)
+                                      : status;
+}
+
+/* Whether the load does no work in the motion that leaves an unstable equilibrium: then the branch goes on
+ * beyond, as it does not at a limit point. */
+static bool
+is_across (const QnPathTrace *trace)
+{
+  const QnAssembly *as = &trace->path->equilibrium.assembly;
+  double work = 0, force = 0, motion = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    work += as->live[i] * trace->buckling[i];
+    force += as->live[i] * as->live[i];
+    motion += trace->buckling[i] * trace->buckling[i];
+  }
+  return fabs (work) <= tuning->same_branch * sqrt (force * motion);
+}
+
+/* Whether the structure can stay at the equilibrium just solved under its loads; or MECHANISM, with
+ * trace->refused where the branch may end before. */
+static QnSolveStatus
+look_across (QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  QnSolveStatus status = qn_path_judge_stability (trace->path, NULL, true);
+
+  if (status != QN_SOLVE_MECHANISM)
+    return status;
+  memcpy (trace->buckling, eq->motion,
+          (size_t) eq->assembly.unknown_count * sizeof (double));
+  trace->refused = is_across (trace);
+  trace->looks -= !trace->refused;
+  return status;
+}
+
+/* Whether the state is near enough to the unstable equilibrium found last to be on the same branch. */
+static bool
+is_same_branch (const QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  double moved = qn_assembly_largest (as, eq->u, trace->events.rest);
+
+  return qn_assembly_largest (as, eq->u, eq->anchor.u) <= tuning->same_branch * moved;
+}
+
+/* Where the branch of a path that climbs loses its stability within a step, *step on entry: CONVERGED with
+ * the last stable equilibrium, to a tenth of the multiplier tolerance, and *step that leads to it; FAILED,
+ * and nothing has changed, where it does not. */
+static QnSolveStatus
+find_end_of_branch (QnPathTrace *trace, double *step)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  double tolerance = 0.1 * trace->path->settings->multiplier_tolerance;
+  double from = eq->committed.multiplier, to = from;
+  double low = 0, high = *step, middle = high;
+  QnSolveStatus status = probe (trace, middle);
+
+  for (int k = 0; status == QN_SOLVE_CONVERGED || status == QN_SOLVE_MECHANISM; k++) {
+    if (status == QN_SOLVE_MECHANISM) {
+      high = middle;
+      to = eq->multiplier;
+      qn_equilibrium_save (eq, &eq->anchor);
+      memcpy (trace->buckling, eq->motion,
+              (size_t) eq->assembly.unknown_count * sizeof (double));
+      if (!is_across (trace))
+        break;
+    } else if (k > 0) {
+      low = middle;
+      from = eq->multiplier;
+    } else
+      break; /* stable after all */
+    if (k == tuning->most_bisections || to - from <= tolerance * fabs (to)) {
+      status = probe (trace, low);
+      if (status != QN_SOLVE_CONVERGED || !is_same_branch (trace))
+        break;
+      *step = low;
+      return status;
+    }
+    middle = 0.5 * (low + high);
+    status = probe (trace, middle);
+  }
+  qn_equilibrium_restore (eq);
+  return status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY ? status
+                                                                      : QN_SOLVE_FAILED;
+}
+
+/* The same for a step that has met an unstable equilibrium: it ends there. FAILED where it goes on. */
+static QnSolveStatus
+end_branch (QnPathTrace *trace, double *step)
+{
+  double part = *step;
+  QnSolveStatus status = find_end_of_branch (trace, &part);
+
+  trace->looks--;
+  if (status != QN_SOLVE_CONVERGED)
+    return status;
+  trace->looks = 0;
+  if (part == 0) /* with the last step */
+    return qn_path_events_buckle (&trace->events, trace->buckling) ? QN_SOLVE_FAILED
+                                                                   : QN_SOLVE_NO_MEMORY;
+  *step = part;
+  trace->means = QN_FOUND_BY_NEWTON;
+  trace->jumped = false;
+  trace->ends_branch = true;
+  return status;
 }
 
 /* In nonlinear geometry, where branches lie close to each other: cut until it is solved without a jump
@@ -236,10 +359,12 @@ solve_nonlinear (QnPathTrace *trace, double *step)
   double last = is_smooth ? last_advance (trace) : 0;
   double before = 0, far = eq->assembly.length;
   bool relaxes = false;
+  bool looks = trace->looks > 0 && !trace->events.below;
 
   for (;;) {
     const QnTarget target = target_of (trace, *step);
     bool smallest = fabs (*step) <= tuning->smallest_step * trace->largest;
+    trace->refused = false;
     QnSolveStatus status =
       relaxes
         ? qn_equilibrium_relax (eq, NULL, &target, far, NULL,
@@ -247,7 +372,17 @@ solve_nonlinear (QnPathTrace *trace, double *step)
         : solve_statically (trace, &target);
     if (relaxes)
       trace->means = QN_FOUND_BY_RELAXATION;
-    if (status == QN_SOLVE_CONVERGED)
+    bool judged = looks && status == QN_SOLVE_CONVERGED;
+    if (judged)
+      status = look_across (trace);
+    if (looks && trace->refused) {
+      looks = false;
+      status = end_branch (trace, step);
+      if (status != QN_SOLVE_FAILED)
+        return status;
+      continue;
+    }
+    if (status == (judged ? QN_SOLVE_MECHANISM : QN_SOLVE_CONVERGED))
       status = leave_unstable (trace, &target);
     bool solved = status == QN_SOLVE_CONVERGED;
     double most = 0, away = solved ? departure (trace, *step, last, &most) : 0;
@@ -284,7 +419,7 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
   if (status == QN_SOLVE_CONVERGED)
-    status = qn_path_judge_stability (trace->path, NULL);
+    status = qn_path_judge_stability (trace->path, NULL, false);
   *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment, 0);
   return status;
 }

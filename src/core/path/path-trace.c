@@ -49,6 +49,9 @@ const QnPathTuning qn_path_tuning = {
   .settled = 0.1,
   .collapsed_motion = 0.1,
   .most_above = 4,
+  .most_looks = 5,
+  .most_bisections = 40,
+  .same_branch = 1e-2,
   .most_steps = 100000,
 };
 
@@ -348,6 +351,20 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
   return QN_SOLVE_CONVERGED;
 }
 
+/* Tells of a branch that has ended with the step just accepted. However short the next step is, the motion in it
+ * tells nothing of jumps: it grows as the root of the step. False when memory runs out. */
+static bool
+leave_branch (QnPathTrace *trace)
+{
+  if (!trace->ends_branch)
+    return true;
+  trace->ends_branch = false;
+  trace->pace = 0;
+  if (trace->path->settings->snap == QN_SNAP_THROUGH_STOP)
+    qn_path_end_finish (trace, QN_OUTCOME_SNAP, QN_STOP_LIMIT_POINT);
+  return qn_path_events_buckle (&trace->events, trace->buckling);
+}
+
 /* One step of another measure than the multiplier. */
 static QnStatus
 advance (QnPathTrace *trace, QnDiag *diag)
@@ -399,9 +416,10 @@ advance (QnPathTrace *trace, QnDiag *diag)
   if (!linear && !trace->load_control)
     qn_path_predictor_note (&trace->predictor, eq, step,
                             trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped);
-  if (!accept (trace))
+  if (!accept (trace) || !leave_branch (trace))
     return qn_diag_no_memory (diag);
-  qn_path_end_check (trace);
+  if (trace->stop == QN_STOP_UNKNOWN)
+    qn_path_end_check (trace);
   if (smooth)
     qn_path_measure_follow (&trace->measure);
   return QN_OK;
@@ -748,6 +766,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   QnPathTrace trace = { .path = path,
                         .long_growth = tuning->plateau_growth,
                         .above = 1,
+                        .looks = tuning->most_looks,
                         .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };

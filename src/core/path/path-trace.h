@@ -79,6 +79,12 @@ typedef struct QnPathTuning {
    * rest twice as far, at most so many tolerances. */
   double most_above;
 
+  /* So many unstable equilibria are looked at for where the branch loses its stability, which is bisected at
+   * most so many times. What is less than this part counts as nothing there: of the displacement, on the
+   * same branch; of the load, across its motion. */
+  int most_looks, most_bisections;
+  double same_branch;
+
   int most_steps; /* of a path that nothing else ends */
 } QnPathTuning;
 
@@ -113,7 +119,10 @@ typedef struct QnPathTrace {
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
   double slope; /* of the multiplier over the measure after the last step; 0: unknown */
-  double *buckling; /* scratch: the motion in which an unstable equilibrium is left */
+  double *buckling; /* the motion in which an unstable equilibrium is left */
+  int looks;    /* left, for where the branch loses its stability; 0: it has been told */
+  bool refused; /* an equilibrium of the step is unstable */
+  bool ends_branch; /* the step just solved does: stability is lost with it */
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
   bool straight;      /* the last step went on as the one before */

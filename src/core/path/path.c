@@ -302,7 +302,7 @@ qn_path_stay (QnPath *path, double far)
   QnEquilibrium *eq = &path->equilibrium;
   const QnAssembly *as = &eq->assembly;
   const QnTarget target = qn_target_multiplier (eq->multiplier);
-  QnSolveStatus solve = qn_path_judge_stability (path, NULL);
+  QnSolveStatus solve = qn_path_judge_stability (path, NULL, false);
 
   if (solve != QN_SOLVE_MECHANISM)
     return solve;
@@ -314,12 +314,12 @@ qn_path_stay (QnPath *path, double far)
             : QN_SOLVE_FAILED;
   bool falls = solve == QN_SOLVE_MECHANISM; /* in this motion */
   if (solve == QN_SOLVE_CONVERGED)
-    solve = qn_path_judge_stability (path, NULL);
+    solve = qn_path_judge_stability (path, NULL, false);
   if (solve == QN_SOLVE_CONVERGED || solve == QN_SOLVE_CANCELLED
       || solve == QN_SOLVE_NO_MEMORY)
     return solve;
   qn_equilibrium_restore (eq);
-  return falls ? solve : qn_path_judge_stability (path, NULL);
+  return falls ? solve : qn_path_judge_stability (path, NULL, false);
 }
 
 QnStatus

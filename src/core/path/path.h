@@ -67,8 +67,9 @@ QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
 /* Whether a structure can stay at the equilibrium that the solver is at, in nonlinear geometry
  * (path-rest.c): with the loads held, or with a measure `held` . u (a direction, nullable). CONVERGED
  * unless it is proved that it cannot: MECHANISM, with eq->motion, in which it leaves, the
- * largest entry 1. Or NO_MEMORY. */
-QnSolveStatus qn_path_judge_stability (QnPath *path, const double *held);
+ * largest entry 1. Or NO_MEMORY. proves: where the stiffness is not symmetric, and little is proved, nothing
+ * is spent on it; needed with a measure. */
+QnSolveStatus qn_path_judge_stability (QnPath *path, const double *held, bool proves);
 
 /* The same for a structure that is at rest under its loads. Where it leaves, it is let move by `far` (m) at
  * most: a block that stands on one edge turns until another touches. CONVERGED where it stays then. */

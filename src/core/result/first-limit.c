@@ -12,3 +12,15 @@ qn_result_has_felt_limit (const QnResult *result)
               && fabs (result->first_limit_multiplier)
                    < FELT * fabs (result->collapse_multiplier));
 }
+
+bool
+qn_result_has_buckled (const QnResult *result, double *multiplier)
+{
+  for (size_t i = 0; i < result->event_count; i++)
+    if (result->events[i].kind == QN_EVENT_KIND_BUCKLING) {
+      if (multiplier != NULL)
+        *multiplier = result->events[i].multiplier;
+      return true;
+    }
+  return false;
+}

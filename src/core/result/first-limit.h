@@ -1,4 +1,4 @@
-/* Which first limit point people are told of. */
+/* Which first loss of stability people are told of. */
 #ifndef QN_CORE_FIRST_LIMIT_H
 #define QN_CORE_FIRST_LIMIT_H
 
@@ -8,5 +8,9 @@
  * collapse multiplier joints settle as the load begins: the displacement is so small there that any
  * jump is a large part of it. */
 bool qn_result_has_felt_limit (const QnResult *result);
+
+/* Whether the branch that a path came on has lost its stability (an event "buckling"), and at which
+ * multiplier (nullable). */
+bool qn_result_has_buckled (const QnResult *result, double *multiplier);
 
 #endif

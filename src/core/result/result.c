@@ -27,6 +27,7 @@ const char *const qn_pair_state_names[QN_PAIR_STATE_COUNT] = {
 const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT] = {
   [QN_EVENT_KIND_LOCAL] = "local",
   [QN_EVENT_KIND_SNAP] = "snap",
+  [QN_EVENT_KIND_BUCKLING] = "buckling",
   [QN_EVENT_KIND_COLLAPSE] = "collapse",
 };
 

@@ -40,7 +40,9 @@ typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT }
 /* What happens on a path under a load that keeps growing. */
 typedef enum {
   QN_EVENT_KIND_LOCAL, /* a jump of less than 5 % of the displacement: a joint or two settle */
-  QN_EVENT_KIND_SNAP,     /* a larger one */
+  QN_EVENT_KIND_SNAP, /* a larger one */
+  QN_EVENT_KIND_BUCKLING, /* the branch that the path came on loses its stability, and it goes on along
+                             another one: no jump, no energy */
   QN_EVENT_KIND_COLLAPSE, /* the path does not climb above this multiplier again */
   QN_EVENT_KIND_COUNT
 } QnEventKind;

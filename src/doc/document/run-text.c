@@ -88,6 +88,9 @@ describe_event (const QnPathEvent *event, QnUnits units)
   if (event->kind == QN_EVENT_KIND_COLLAPSE)
     return g_strdup_printf (_ ("Multiplier %.4f: collapse, %s"), event->multiplier,
                             blocks);
+  if (event->kind == QN_EVENT_KIND_BUCKLING)
+    return g_strdup_printf (_ ("Multiplier %.4f: the structure buckles, %s"),
+                            event->multiplier, blocks);
   QnUnits mm = qn_units_of_motion (units);
   g_autofree char *before =
     qn_units_format_full (mm, QN_QUANTITY_LENGTH, event->displacement_before, 3);

@@ -1,5 +1,6 @@
 #include "doc/text/explain.h"
 
+#include "core/result/first-limit.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
 #include "render/drawing/text.h"
@@ -100,6 +101,9 @@ qn_explain_outcome_label (const QnResult *result)
   };
   if (result->outcome == QN_OUTCOME_TARGET_REACHED && result->history.width > 0)
     return _ ("End of the duration");
+  if (result->outcome == QN_OUTCOME_TARGET_REACHED
+      && qn_result_has_buckled (result, NULL))
+    return _ ("Buckled");
   return _ (texts[result->outcome]);
 }
 

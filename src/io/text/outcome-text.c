@@ -229,6 +229,19 @@ qn_outcome_dup_interval (const QnResult *result)
   return g_strdup_printf ("%s %s", from, to);
 }
 
+/* Where the path has left a branch that lost its stability; NULL where it has not. */
+static char *
+explain_buckling (const QnResult *result)
+{
+  double multiplier;
+  return qn_result_has_buckled (result, &multiplier)
+           ? g_strdup_printf (_ ("Stability is lost at a load multiplier of %.5g: the "
+                                 "structure buckles, and what follows is the path of the "
+                                 "buckled structure."),
+                              multiplier)
+           : NULL;
+}
+
 /* Where linear geometry ends, and what to do; NULL where it holds. */
 static char *
 explain_linearity (const QnResult *result)
@@ -460,7 +473,7 @@ stop_of (const QnModel *model, const QnResult *result)
                                                                   : QN_STOP_UNKNOWN;
 }
 
-/* `what` (nullable) comes first. */
+/* A loss of stability comes first, then `what` (nullable). */
 static char *
 explain_in_stage (const QnModel *model, const QnResult *result, const char *what)
 {
@@ -469,8 +482,10 @@ explain_in_stage (const QnModel *model, const QnResult *result, const char *what
   told.stop = stop_of (model, result);
   g_autofree char *outcome = explain (model, &task, &told);
   g_autofree char *linearity = explain_linearity (result);
+  g_autofree char *buckling = explain_buckling (result);
   g_autofree char *text =
-    g_strconcat (what != NULL ? what : "", what != NULL ? " " : "", outcome,
+    g_strconcat (buckling != NULL ? buckling : "", buckling != NULL ? " " : "",
+                 what != NULL ? what : "", what != NULL ? " " : "", outcome,
                  linearity != NULL ? " " : "", linearity, NULL);
   if (result->stage < 1 || (size_t) result->stage > model->stage_count)
     return g_steal_pointer (&text);

@@ -11,10 +11,11 @@
 static ptrdiff_t
 find_limit_point (const QnResult *result)
 {
-  double limit = result->first_limit_multiplier, blur = 1e-9 * fabs (limit) + 1e-12;
+  double limit = result->first_limit_multiplier;
 
-  if (!qn_result_has_felt_limit (result))
+  if (!qn_result_has_buckled (result, &limit) && !qn_result_has_felt_limit (result))
     return -1;
+  double blur = 1e-9 * fabs (limit) + 1e-12;
   for (size_t s = 0; s < result->step_count; s++)
     if (result->steps[s].multiplier >= limit - blur)
       return (ptrdiff_t) s - (result->steps[s].multiplier > limit + blur);

@@ -160,7 +160,7 @@ create_legend (const QnCurvePlot *data)
   }
   if (limit)
     qn_scene_legend_marker (scene, QN_MARKER_DIAMOND, 7, ink, "%s",
-                            _ ("first limit point"));
+                            _ ("first loss of stability"));
   if (collapse)
     qn_scene_legend_marker (scene, QN_MARKER_CROSS, 6.5f, ink, "%s", _ ("collapse"));
   if (runs_on)

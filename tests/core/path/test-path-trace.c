@@ -1,4 +1,6 @@
 #include "core/path/analysis.h"
+#include "core/path/stability.h"
+#include "core/result/first-limit.h"
 #include "support/models.h"
 #include "support/room.h"
 
@@ -617,6 +619,60 @@ test_loaded_beyond_buckling (void)
   g_assert_cmpfloat_with_epsilon (head[1], -2.5, 0.01);
 }
 
+/* Whatever the procedure and its increments: where the straight branch ends is told, at the multiplier that
+ * the search for the loss of stability finds, Euler's load of a column alone. A column that is pushed aside
+ * as well bends from the start and loses nothing. */
+static void
+test_end_of_branch (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLACEMENT,
+                                            QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
+  static const int increments[] = { 1, 20, 200 };
+  const double euler = G_PI * G_PI * EI / 64 / 1000;
+
+  for (int columns = 1; columns <= 2; columns++)
+    for (gsize p = 0; p < G_N_ELEMENTS (procedures); p++)
+      for (gsize i = 0; i < 2 * G_N_ELEMENTS (increments); i++) {
+        bool aside = i % 2 == 1;
+        double end = columns == 1 ? 1.1 * euler : 4 * euler;
+        g_auto (QnModel) model;
+        g_auto (QnContacts) contacts;
+        g_auto (QnResult) result, search;
+        double multiplier = NAN;
+        init_columns (&model, columns);
+        if (aside)
+          model.live_loads[0].vector.x = 1;
+        control (&model, procedures[p], NULL, QN_DOF_UY, -0.3);
+        model.analysis.control_node = 1;
+        model.analysis.max_multiplier = end;
+        model.analysis.increments = increments[i / 2];
+        run (&model, &result);
+        g_assert_true (qn_result_has_buckled (&result, &multiplier) == !aside);
+        if (aside)
+          continue;
+        g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+        g_assert_cmpint (qn_stability_run (&model, &contacts, NULL, NULL, &search, NULL),
+                         ==, QN_OK);
+        g_test_message ("%d columns, procedure %d: %.4f, search %.4f, Euler %.4f",
+                        columns, (int) procedures[p], multiplier,
+                        search.first_limit_multiplier, euler);
+        g_assert_cmpfloat_with_epsilon (multiplier / search.first_limit_multiplier, 1,
+                                        model.analysis.multiplier_tolerance);
+        if (columns == 1)
+          g_assert_cmpfloat_with_epsilon (multiplier / euler, 1, 1e-3);
+        else
+          g_assert_cmpfloat (multiplier, >, 1.01 * euler);
+        /* It is that of a step, and who asks to stop there stops there. */
+        model.analysis.snap = QN_SNAP_THROUGH_STOP;
+        qn_result_clear (&result);
+        run (&model, &result);
+        g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
+        g_assert_cmpfloat (result.first_limit_multiplier, ==, multiplier);
+        g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==,
+                           multiplier);
+      }
+}
+
 /* --- Joints without tension --------------------------------------------------------------- */
 
 /* A block, and a stack, whose joints lose their shear forces at once when they open: they rock at
@@ -813,6 +869,7 @@ QN_TESTS
   g_test_add_func ("/path-control/walls-to-collapse", test_walls_to_collapse);
   g_test_add_func ("/path-control/beyond-buckling", test_beyond_buckling);
   g_test_add_func ("/path-control/loaded-beyond-buckling", test_loaded_beyond_buckling);
+  g_test_add_func ("/path-control/end-of-branch", test_end_of_branch);
   g_test_add_func ("/path-control/no-tension", test_no_tension);
   g_test_add_func ("/path-control/no-tension-arch", test_no_tension_arch);
   g_test_add_func ("/path-control/peaks-between-steps", test_peaks_between_steps);
