@@ -74,8 +74,7 @@ offer_recovery (QnApplication *self)
     const char *path = g_ptr_array_index (paths, i);
     QnWindow *window = qn_window_new (GTK_APPLICATION (self));
     gtk_window_present (GTK_WINDOW (window));
-    if (qn_window_open_recovered (window, path))
-      qn_recovery_remove (path);
+    qn_window_open_recovered (window, path);
   }
 }
 

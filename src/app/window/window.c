@@ -322,7 +322,8 @@ qn_window_open_recovered (QnWindow *self, const char *recovery_path)
     qn_window_show_error (self, error->message);
     return FALSE;
   }
-  qn_recovery_flush (self->recovery);
+  if (qn_recovery_flush (self->recovery))
+    qn_recovery_remove (recovery_path);
   qn_window_show_work (self);
   qn_canvas_fit (self->canvas);
   g_autofree char *message =

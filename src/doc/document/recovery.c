@@ -1,9 +1,10 @@
 #include "doc/document/recovery.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <glib/gstdio.h>
-#include <signal.h>
 #include <string.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #define DELAY_SECONDS 2
@@ -11,6 +12,7 @@
 struct QnRecovery {
   QnDocument *document;
   char *path;
+  int lock; /* descriptor of the file there, locked; -1: none yet */
   guint timeout;
 };
 
@@ -20,20 +22,43 @@ qn_recovery_dup_folder (void)
   return g_build_filename (g_get_user_state_dir (), "quoin", "recovery", NULL);
 }
 
-/* First line: the file it belongs to, escaped; then the text. */
-static void
+/* The descriptor of a file that is locked for us, until it is closed or the program ends however it
+ * ends; -1 where another one has the lock. */
+static int
+lock_file (const char *path)
+{
+  int fd = g_open (path, O_RDONLY | O_CLOEXEC, 0);
+  if (fd >= 0 && flock (fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close (fd);
+    fd = -1;
+  }
+  return fd;
+}
+
+/* First line: the file it belongs to, escaped; then the text. It is locked before it has its name, so
+ * that whoever lists the folder sees that it is in use. */
+static gboolean
 write_file (QnRecovery *recovery)
 {
   g_autofree char *folder = qn_recovery_dup_folder ();
+  g_autofree char *fresh = g_strconcat (recovery->path, ".new", NULL);
   const char *original = qn_document_get_path (recovery->document);
   g_autofree char *escaped = g_strescape (original != NULL ? original : "", NULL);
   g_autofree char *content =
     g_strdup_printf ("%s\n%s", escaped, qn_document_get_text (recovery->document));
   g_autoptr (GError) error = NULL;
   if (g_mkdir_with_parents (folder, 0700) != 0
-      || !g_file_set_contents (recovery->path, content, -1, &error))
+      || !g_file_set_contents (fresh, content, -1, &error)) {
     g_info ("recovery file not written: %s",
             error != NULL ? error->message : g_strerror (errno));
+    return FALSE;
+  }
+  int before = recovery->lock;
+  recovery->lock = lock_file (fresh);
+  gboolean written = g_rename (fresh, recovery->path) == 0;
+  if (before >= 0)
+    close (before);
+  return written;
 }
 
 static gboolean
@@ -61,22 +86,23 @@ qn_recovery_watch (QnDocument *document)
 {
   QnRecovery *recovery = g_new0 (QnRecovery, 1);
   recovery->document = g_object_ref (document);
+  recovery->lock = -1;
   g_autofree char *folder = qn_recovery_dup_folder ();
   g_autofree char *unique = g_uuid_string_random ();
-  g_autofree char *name = g_strdup_printf ("%d-%s.recovery", (int) getpid (), unique);
+  g_autofree char *name = g_strconcat (unique, ".recovery", NULL);
   recovery->path = g_build_filename (folder, name, NULL);
   g_signal_connect (document, "history-changed", G_CALLBACK (on_history_changed),
                     recovery);
   return recovery;
 }
 
-void
+gboolean
 qn_recovery_flush (QnRecovery *recovery)
 {
   if (recovery->timeout == 0)
-    return;
+    return TRUE;
   g_clear_handle_id (&recovery->timeout, g_source_remove);
-  write_file (recovery);
+  return write_file (recovery);
 }
 
 void
@@ -87,17 +113,22 @@ qn_recovery_end (QnRecovery *recovery)
   g_clear_handle_id (&recovery->timeout, g_source_remove);
   g_signal_handlers_disconnect_by_data (recovery->document, recovery);
   g_unlink (recovery->path);
+  if (recovery->lock >= 0)
+    close (recovery->lock);
   g_object_unref (recovery->document);
   g_free (recovery->path);
   g_free (recovery);
 }
 
-/* Whether the program that wrote it still runs. */
+/* Whether a program that runs has it. Process numbers would not tell: in a sandbox every program has
+ * the same. */
 static gboolean
-is_in_use (const char *name)
+is_in_use (const char *path)
 {
-  gint64 pid = g_ascii_strtoll (name, NULL, 10);
-  return pid == getpid () || (pid > 0 && (kill ((pid_t) pid, 0) == 0 || errno == EPERM));
+  int fd = lock_file (path);
+  if (fd >= 0)
+    close (fd);
+  return fd < 0;
 }
 
 GPtrArray *
@@ -108,8 +139,9 @@ qn_recovery_list (void)
   g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
   const char *name;
   while (dir != NULL && (name = g_dir_read_name (dir)) != NULL) {
-    if (g_str_has_suffix (name, ".recovery") && !is_in_use (name))
-      g_ptr_array_add (paths, g_build_filename (folder, name, NULL));
+    g_autofree char *path = g_build_filename (folder, name, NULL);
+    if (g_str_has_suffix (name, ".recovery") && !is_in_use (path))
+      g_ptr_array_add (paths, g_steal_pointer (&path));
   }
   return paths;
 }

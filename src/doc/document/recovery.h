@@ -2,7 +2,8 @@
  *
  * While a document has unsaved changes its text is kept in the user's state folder, beside a
  * note of the file it belongs to. The user's own file is never touched. A clean end removes
- * the recovery file; one that is found at the next start is offered to the user.
+ * the recovery file; one that is found at the next start is offered to the user. The program that
+ * wrote it holds a lock on it (flock): a file without one belongs to a program that is gone.
  */
 #ifndef QN_DOC_RECOVERY_H
 #define QN_DOC_RECOVERY_H
@@ -18,10 +19,10 @@ typedef struct QnRecovery QnRecovery;
 QnRecovery *qn_recovery_watch (QnDocument *document);
 /* Ends watching and removes the file. */
 void qn_recovery_end (QnRecovery *recovery);
-/* Writes what is due now. */
-void qn_recovery_flush (QnRecovery *recovery);
+/* Writes what is due now; FALSE where that failed. */
+gboolean qn_recovery_flush (QnRecovery *recovery);
 
-/* Recovery files left by programs that are no longer running: array of paths (char *). */
+/* Recovery files that no running program has: array of paths (char *). */
 GPtrArray *qn_recovery_list (void);
 
 /* Reads one: its text and the file that it belongs to (NULL: none, never saved). */

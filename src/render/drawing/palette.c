@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* qsort_r() */
 #include "render/drawing/palette.h"
 
 #include <glib.h>
@@ -65,8 +66,8 @@ static Box
 cut_box (Box *box, int *used, const Cell *cells)
 {
   uint64_t population = 0, half = 0;
-  g_qsort_with_data (used + box->first, box->last - box->first, sizeof *used,
-                     compare_levels, &box->axis);
+  qsort_r (used + box->first, (size_t) (box->last - box->first), sizeof *used,
+           compare_levels, &box->axis);
   for (int i = box->first; i < box->last; i++)
     population += cells[used[i]].count;
   int cut = box->first;

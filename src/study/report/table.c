@@ -63,8 +63,7 @@ order_groups (Reading *reading)
   g_autofree guint *order = g_new (guint, count + 1), *number = g_new (guint, count + 1);
   for (guint i = 0; i < count; i++)
     order[i] = i;
-  g_qsort_with_data (order, (int) count, sizeof *order, compare_sizes,
-                     reading->sizes->data);
+  qsort_r (order, count, sizeof *order, compare_sizes, reading->sizes->data);
   number[0] = 0;
   for (guint i = 0; i < count; i++)
     number[order[i] + 1] = i + 1;
