@@ -138,6 +138,7 @@ expand_wall (QnModel *model, QnId index)
       done = block != NULL;
       if (done) {
         block->wall = index;
+        block->wall_entry = i;
         block->law = wall->law;
         block->thickness = wall->thickness;
         block->unit_weight = wall->unit_weight;

@@ -16,8 +16,9 @@ typedef struct QnJsonPlace {
   gsize line, column;
 } QnJsonPlace;
 
-/* Places of all elements of the array that a path leads to, found in one pass: an array of
- * QnJsonPlace, empty where there is no array. Free with g_array_unref(). */
-GArray *qn_json_locate_elements (const char *text, gsize length, const char *path);
+/* Places of the values that these paths (char *) lead to, found in one pass through the text; as
+ * with qn_json_locate(), that of the innermost value that exists. One for each path; free with
+ * g_free(). */
+QnJsonPlace *qn_json_locate_all (const char *text, gsize length, const GPtrArray *paths);
 
 #endif

@@ -11,10 +11,6 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-/* There may be thousands of findings, and a search for a place that is not listed reads the text
- * from the start. In texts longer than this such findings have no place. */
-#define LARGE_TEXT 1000000
-
 void
 qn_project_init (QnProject *project)
 {
@@ -96,29 +92,22 @@ qn_project_prepare (QnProject *project, GError **error)
   return FALSE;
 }
 
-/* Key path of a block that a wall was expanded into: its entry among the courses. Blocks of a
- * wall stand one after the other in the model, openings left out. */
+/* Key path of a block that a wall was expanded into: its entry among the courses. */
 static void
-append_wall_block (GString *path, const QnModel *model, QnId block)
+append_wall_block (GString *path, const QnModel *model, const QnBlock *block)
 {
-  QnId wall_index = model->blocks[block].wall;
-  const QnWall *wall = &model->walls[wall_index];
-  g_string_append_printf (path, "walls[%d]", wall_index);
-
-  QnId first = block;
-  while (first > 0 && model->blocks[first - 1].wall == wall_index)
-    first--;
-  QnId left = block - first;
-  int32_t entry = 0;
-  for (int32_t course = 0; course < wall->course_count; course++) {
-    int32_t course_start = entry;
-    for (; entry < wall->course_ends[course]; entry++) {
-      if (wall->lengths[entry] > 0 && left-- == 0) {
-        g_string_append_printf (path, ".courses[%d][%d]", course, entry - course_start);
-        return;
-      }
-    }
+  const QnWall *wall = &model->walls[block->wall];
+  int32_t course = 0, above = wall->course_count;
+  while (course < above) {
+    int32_t middle = course + (above - course) / 2;
+    if (wall->course_ends[middle] <= block->wall_entry)
+      course = middle + 1;
+    else
+      above = middle;
   }
+  int32_t start = course > 0 ? wall->course_ends[course - 1] : 0;
+  g_string_append_printf (path, "walls[%d].courses[%d][%d]", block->wall, course,
+                          block->wall_entry - start);
 }
 
 char *
@@ -154,7 +143,7 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
   }
   if (entity == QN_ENTITY_BLOCK && index >= 0 && (size_t) index < model->block_count
       && model->blocks[index].wall != QN_NONE) {
-    append_wall_block (path, model, index);
+    append_wall_block (path, model, &model->blocks[index]);
   } else if (entity == QN_ENTITY_LIVE_LOAD && index >= 0
              && (size_t) index < model->live_load_count) {
     /* Key path of a load that is not dead: its entry in the list of its set. */
@@ -307,23 +296,16 @@ qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findin
   QnReader reader = qn_project_reader (project);
   if (findings->count == 0)
     return lines;
-  g_autoptr (GArray) blocks = qn_json_locate_elements (
-    reader.text != NULL ? reader.text : "", reader.length, "blocks");
-  /* Of what is not listed block by block every place is looked for from the start. */
-  QnReader brief = reader;
-  if (reader.length > LARGE_TEXT)
-    brief.text = NULL;
+  g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
+  for (size_t i = 0; i < findings->count; i++)
+    g_ptr_array_add (paths, dup_finding_path (project, &findings->items[i]));
+  g_autofree QnJsonPlace *places =
+    reader.text != NULL ? qn_json_locate_all (reader.text, reader.length, paths) : NULL;
   for (size_t i = 0; i < findings->count; i++) {
-    const QnFinding *finding = &findings->items[i];
-    g_autofree char *message = dup_finding_message (project, finding);
-    g_autofree char *path = dup_finding_path (project, finding);
-    gboolean listed =
-      g_str_has_prefix (path, "blocks[") && (guint) finding->block_a < blocks->len;
-    g_ptr_array_add (
-      lines, listed ? qn_reader_dup_line_at (
-               &reader, path,
-               &g_array_index (blocks, QnJsonPlace, (guint) finding->block_a), message)
-                    : qn_reader_dup_line (&brief, path, message));
+    g_autofree char *message = dup_finding_message (project, &findings->items[i]);
+    g_ptr_array_add (lines,
+                     qn_reader_dup_line_at (&reader, paths->pdata[i],
+                                            places != NULL ? &places[i] : NULL, message));
   }
   return lines;
 }

@@ -58,26 +58,27 @@ test_position (void)
   g_assert_cmpuint (column, ==, 31);
 }
 
-/* All elements at once are where each is by itself. */
+/* All at once are where each is by itself, those too that lead to nothing or are no path. */
 static void
-test_elements (void)
+test_all (void)
 {
   static const char list[] =
-    "{ \"x\": 0,\n \"l\": [ 1,\n\n  { \"ü\": [] }, \"ü\", [2,\n3], 4 ] }";
-  g_autoptr (GArray) places = qn_json_locate_elements (list, strlen (list), "l");
-  g_assert_cmpuint (places->len, ==, 5);
-  for (guint i = 0; i < places->len; i++) {
-    g_autofree char *path = g_strdup_printf ("l[%u]", i);
+    "{ \"x\": 0,\n \"l\": [ 1,\n\n  { \"ü\": [] }, \"ü\", [2,\n3], 4 ], \"a.b\": [[5]] }";
+  static const char *const wanted[] = {
+    "l[4]", "x",         "l[1].ü", "l[1]", "l[3][1]",         "l[0]", "l[3]",    "l[2]",
+    "y",    "l[9].z[2]", "x[1]",   "",     "[\"a.b\"][0][0]", "l",    "l[3][1]", "not a ["
+  };
+  g_autoptr (GPtrArray) paths = g_ptr_array_new ();
+  for (gsize i = 0; i < G_N_ELEMENTS (wanted); i++)
+    g_ptr_array_add (paths, (gpointer) wanted[i]);
+  g_autofree QnJsonPlace *places = qn_json_locate_all (list, strlen (list), paths);
+  for (guint i = 0; i < paths->len; i++) {
     QnJsonPlace place;
-    qn_json_position (list, qn_json_locate (list, strlen (list), path), &place.line,
+    qn_json_position (list, qn_json_locate (list, strlen (list), wanted[i]), &place.line,
                       &place.column);
-    g_assert_cmpuint (g_array_index (places, QnJsonPlace, i).line, ==, place.line);
-    g_assert_cmpuint (g_array_index (places, QnJsonPlace, i).column, ==, place.column);
+    g_assert_cmpuint (places[i].line, ==, place.line);
+    g_assert_cmpuint (places[i].column, ==, place.column);
   }
-  g_autoptr (GArray) none = qn_json_locate_elements (list, strlen (list), "x");
-  g_assert_cmpuint (none->len, ==, 0);
-  g_autoptr (GArray) missing = qn_json_locate_elements (list, strlen (list), "y");
-  g_assert_cmpuint (missing->len, ==, 0);
 }
 
 QN_TESTS
@@ -85,5 +86,5 @@ QN_TESTS
   g_test_add_func ("/json-locate/locate", test_locate);
   g_test_add_func ("/json-locate/missing", test_missing);
   g_test_add_func ("/json-locate/position", test_position);
-  g_test_add_func ("/json-locate/elements", test_elements);
+  g_test_add_func ("/json-locate/all", test_all);
 }
