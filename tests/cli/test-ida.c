@@ -26,6 +26,33 @@ static const char block[] =
 
 static const char pulse[] = "time [s],acceleration [m/s2]\n0,0\n0.25,1\n0.5,0\n";
 
+/* What a record still has at the end of the duration is not left out without a word: neither here, nor
+ * in a single analysis, whose end follows the record where no duration is given. */
+static void
+test_long_record (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *late = cli_replace (pulse, "0,0\n", "0,0\n9,0\n");
+  g_autofree char *times = cli_replace (late, "0.25,", "9.25,");
+  g_autofree char *all = cli_replace (times, "0.5,", "9.5,");
+  g_autofree char *record = cli_write (folder, "late.csv", all);
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  g_autofree char *text = cli_replace (block, "\"duration\": 4, ", "");
+  g_autofree char *follows = cli_write (folder, "follows.quoin", text);
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  const char *ground = "analysis.dynamic.ground=[{\"direction\": [1, 0], \"record\": "
+                       "\"late.csv\", \"scale\": 0.01}]";
+  cli_fails (3, "lasts 9.5 s", "ida", model, "--record", record, "--scale", "1:2:1", "-o",
+             results, NULL);
+  cli_fails (3, "the duration of 4 s", "solve", model, "--set", ground, NULL);
+  cli_says ("followed to 9.5 s", "solve", follows, "--set", ground, NULL);
+  cli_says ("peak 1 m/s2 (0.102 g)", "check", follows, "--set", ground, NULL);
+  cli_says ("4 samples every 3.167 s to 9.5 s", "check", follows, "--set", ground, NULL);
+  cli_says ("drift at the end 0.25 m/s, 0.0625 m", "check", follows, "--set", ground,
+            NULL);
+  cli_fails (3, "without ground motion", "check", follows, NULL);
+}
+
 static void
 test_curves (void)
 {
@@ -104,5 +131,6 @@ test_refused (void)
 QN_TESTS
 {
   g_test_add_func ("/ida/curves", test_curves);
+  g_test_add_func ("/ida/long-record", test_long_record);
   g_test_add_func ("/ida/refused", test_refused);
 }

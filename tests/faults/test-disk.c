@@ -481,7 +481,7 @@ static char *
 write_record (const char *folder)
 {
   return cli_write (folder, "pulse.csv",
-                    "time [s],acceleration [m/s2]\n0,0\n0.25,1\n0.5,0\n");
+                    "time [s],acceleration [m/s2]\n0,0\n0.1,1\n0.2,0\n");
 }
 
 static const LongRun long_runs[] = {

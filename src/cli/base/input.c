@@ -131,12 +131,17 @@ qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
   memset (input, 0, sizeof *input);
   if (!qn_result_file_read (result_path, file, &error))
     return qn_cli_fail (error);
-  return qn_input_load_for_result (input, file, path, result_path, overrides);
+  gboolean same_bytes = TRUE;
+  QnExit code =
+    qn_input_load_for_result (input, file, path, result_path, overrides, &same_bytes);
+  if (code == QN_EXIT_DONE && !same_bytes)
+    qn_cli_warning (_ ("%s has changed since %s was computed"), path, result_path);
+  return code;
 }
 
 QnExit
 qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
-                          const char *result_path, char **overrides)
+                          const char *result_path, char **overrides, gboolean *same_bytes)
 {
   GError *error = NULL;
   g_autofree char **joined = join_overrides (file->overrides, overrides);
@@ -146,15 +151,12 @@ qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
     return code;
   }
 
-  gboolean same_bytes = TRUE;
   if (!qn_result_file_match (file, result_path, &input->project, &input->contacts,
-                             &same_bytes, &error)) {
+                             same_bytes, &error)) {
     qn_input_clear (input);
     qn_result_file_clear (file);
     return qn_cli_fail (error);
   }
-  if (!same_bytes)
-    qn_cli_warning (_ ("%s has changed since %s was computed"), path, result_path);
   return QN_EXIT_DONE;
 }
 

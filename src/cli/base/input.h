@@ -68,9 +68,11 @@ QnExit qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *di
 QnExit qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
                                   const char *result_path, char **overrides);
 
-/* The same of a result that has been read already; where it is refused, it is cleared. */
+/* The same of a result that has been read already; where it is refused, it is cleared.
+ * *same_bytes: whether the project is what it was then, byte for byte. */
 QnExit qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
-                                 const char *result_path, char **overrides);
+                                 const char *result_path, char **overrides,
+                                 gboolean *same_bytes);
 
 void qn_input_clear (QnInput *input);
 

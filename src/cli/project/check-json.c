@@ -1,5 +1,6 @@
 /* The machine form of a check; data/check-format.md describes it key by key. */
 #include "cli/project/check-report.h"
+#include "io/exchange/record.h"
 #include "io/project/project-names.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-writer.h"
@@ -121,6 +122,42 @@ write_loads (QnFileWriter *out, const QnModel *model)
   qn_file_writer_puts (out, "\n  ],\n");
 }
 
+/* Where the analysis is one in time; the numbers of a signal are those of its points. */
+static void
+write_ground (QnFileWriter *out, const QnModel *model)
+{
+  static const char *const kinds[] = { [QN_SIGNAL_POINTS] = "points",
+                                       [QN_SIGNAL_RECORD] = "record",
+                                       [QN_SIGNAL_PULSE] = "pulse" };
+  qn_file_writer_puts (out, "  \"ground\": [");
+  for (size_t i = 0; i < model->ground_count; i++) {
+    const QnGroundMotion *motion = &model->ground[i];
+    qn_file_writer_printf (out, "%s\n    { \"kind\": \"%s\"", i > 0 ? "," : "",
+                           kinds[motion->kind]);
+    if (motion->record != NULL)
+      qn_file_writer_puts_string (out, ", \"record\": ", motion->record);
+    if (motion->record_unit != NULL)
+      qn_file_writer_puts_string (out, ", \"unit\": ", motion->record_unit);
+    write_point (out, ", \"direction\": [", motion->direction);
+    qn_file_writer_puts_number (out, ", \"scale\": ", motion->scale);
+    if (motion->point_count > 0) {
+      QnRecordFacts facts = qn_record_facts (
+        &(QnRecord){ .points = motion->points, .count = motion->point_count });
+      qn_file_writer_printf (out, ", \"samples\": %zu", motion->point_count);
+      qn_file_writer_puts_number (out, ", \"time_step\": ", facts.time_step);
+      qn_file_writer_puts_number (out, ", \"duration\": ", facts.duration);
+      qn_file_writer_puts_number (out, ",\n      \"peak\": ", facts.peak);
+      qn_file_writer_puts_number (out, ", \"velocity\": ", facts.velocity);
+      qn_file_writer_puts_number (out, ", \"displacement\": ", facts.displacement);
+      qn_file_writer_puts_number (out, ", \"end_velocity\": ", facts.end_velocity);
+      qn_file_writer_puts_number (out,
+                                  ", \"end_displacement\": ", facts.end_displacement);
+    }
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
 /* "blocks-overlap" for QN_PROBLEM_BLOCKS_OVERLAP; the caller frees it. */
 static char *
 dup_problem_name (QnProblem problem)
@@ -232,6 +269,8 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
   write_nodes (out, &input->project.model);
   write_beams (out, &input->project.model);
   write_loads (out, &input->project.model);
+  if (input->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    write_ground (out, &input->project.model);
   write_faces (out, &input->contacts);
   write_findings (out, input);
   if (report->faults != NULL)

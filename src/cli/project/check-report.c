@@ -1,8 +1,10 @@
 #include "cli/project/check-report.h"
 
 #include "core/model/support.h"
+#include "doc/edit/edit-dynamic.h"
 #include "doc/edit/edit-gaps.h"
 #include "doc/view/load-text.h"
+#include "io/exchange/record.h"
 #include "io/text/fault-text.h"
 
 #include <glib/gi18n.h>
@@ -94,6 +96,28 @@ print_loads (const QnModel *model)
         sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
     printf (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
             model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
+  }
+}
+
+/* What moves the ground: a wrong unit, step or end shows in these numbers. */
+static void
+print_ground (const QnModel *model)
+{
+  for (size_t i = 0; i < model->ground_count; i++) {
+    const QnGroundMotion *motion = &model->ground[i];
+    g_autofree char *text = qn_ground_motion_dup_text (motion);
+    printf (_ ("ground motion %zu: %s, factor %.6g along (%.6g, %.6g)\n"), i, text,
+            motion->scale, motion->direction.x, motion->direction.y);
+    if (motion->point_count == 0)
+      continue;
+    QnRecordFacts facts = qn_record_facts (
+      &(QnRecord){ .points = motion->points, .count = motion->point_count });
+    printf (_ ("  %zu samples every %.4g s to %.4g s, unit %s; peak %.4g m/s2 (%.3g g), "
+               "%.4g m/s, %.4g m; drift at the end %.3g m/s, %.3g m\n"),
+            motion->point_count, facts.time_step, facts.duration,
+            motion->record == NULL ? "m/s2" : motion->record_unit, facts.peak,
+            facts.peak / 9.80665, facts.velocity, facts.displacement, facts.end_velocity,
+            facts.end_displacement);
   }
 }
 
@@ -247,7 +271,9 @@ qn_check_report_print (const QnCheckReport *report)
   if (model->beam_count > 0)
     printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
             model->element_count, model->node_count);
-  print_loads (&input->project.model);
+  print_loads (model);
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    print_ground (model);
   print_findings (input);
   if (report->faults != NULL)
     print_result (report);

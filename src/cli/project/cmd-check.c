@@ -35,10 +35,17 @@ check_model (const Options *options, const char *path)
     return code;
 
   QnCheckReport report = { .input = &input };
+  GError *unread = NULL;
+  gboolean complete =
+    input.project.model.analysis.procedure != QN_PROCEDURE_DYNAMIC
+    || qn_project_read_records (&input.project, NULL, options->allow_outside, &unread);
   report.sound =
-    qn_contacts_require_sound (&input.project.model, &input.contacts, NULL) == QN_OK;
+    complete
+    && qn_contacts_require_sound (&input.project.model, &input.contacts, NULL) == QN_OK;
   code = tell (options, &report);
-  if (code == QN_EXIT_DONE)
+  if (!complete)
+    code = qn_cli_fail (unread);
+  else if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   qn_input_clear (&input);
   return code;
@@ -87,8 +94,9 @@ check_result (const Options *options, const char *path)
   if (text == NULL
       || !qn_result_file_parse (text, length, options->result, &file, &error))
     return qn_cli_fail (error);
-  QnExit code =
-    qn_input_load_for_result (&input, &file, path, options->result, options->overrides);
+  gboolean same_bytes;
+  QnExit code = qn_input_load_for_result (&input, &file, path, options->result,
+                                          options->overrides, &same_bytes);
   if (code != QN_EXIT_DONE)
     return code;
 

@@ -121,13 +121,12 @@ make_model (const Ida *ida, const char *record, double end, QnProject *model,
   qn_number_text (direction.x, x);
   qn_number_text (direction.y, y);
   qn_number_text (end + AFTER, duration);
-  if (source->analysis.procedure != QN_PROCEDURE_DYNAMIC) {
+  if (source->analysis.procedure != QN_PROCEDURE_DYNAMIC)
     g_ptr_array_add (all, g_strdup ("analysis.procedure=\"dynamic\""));
-    if (!(source->analysis.dynamic.duration > 0))
-      g_ptr_array_add (all, g_strconcat ("analysis.dynamic.duration=", duration, NULL));
-    if (!(source->analysis.dynamic.time_step > 0))
-      g_ptr_array_add (all, g_strdup ("analysis.dynamic.time_step=0.005"));
-  }
+  if (!(source->analysis.dynamic.duration > 0))
+    g_ptr_array_add (all, g_strconcat ("analysis.dynamic.duration=", duration, NULL));
+  if (!(source->analysis.dynamic.time_step > 0))
+    g_ptr_array_add (all, g_strdup ("analysis.dynamic.time_step=0.005"));
   g_ptr_array_add (all, g_strdup_printf ("analysis.dynamic.ground=[{\"direction\": [%s, "
                                          "%s], \"record\": \"%s\", \"rest\": true}]",
                                          x, y, record));

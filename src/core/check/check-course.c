@@ -324,8 +324,8 @@ check_outcome (QnCheck *check, QnDiag *diag)
   case QN_OUTCOME_TARGET_REACHED:
     if (in_time)
       is_true = last != NULL
-                && qn_check_agrees (last->time, check->model->analysis.dynamic.duration,
-                                    1e-6 * check->model->analysis.dynamic.duration);
+                && qn_check_agrees (last->time, qn_model_duration (check->model),
+                                    1e-6 * qn_model_duration (check->model));
     else
       is_true =
         last != NULL && reached_target (check) && r->stability != QN_STABILITY_LOST;

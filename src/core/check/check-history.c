@@ -74,8 +74,8 @@ check_rows (QnCheck *check, const QnGround *ground)
   const QnHistory *h = &r->history;
   const QnModel *model = check->model;
   const QnDynamicSettings *settings = &model->analysis.dynamic;
-  double apart =
-    settings->duration / fmax (ceil (settings->duration / settings->time_step - 1e-9), 1);
+  double duration = qn_model_duration (model);
+  double apart = duration / fmax (ceil (duration / settings->time_step - 1e-9), 1);
   size_t step = 0;
 
   for (size_t i = 0; i < h->row_count; i++) {

@@ -444,9 +444,10 @@ set_up (Run *run, const double *u0, QnDiag *diag)
     return qn_diag_no_memory (diag);
   qn_assembly_expand (run->step.assembly, u0, run->start);
   const QnDynamicSettings *s = run->settings;
-  double steps = fmax (ceil (s->duration / s->time_step - 1e-9), 1);
-  double step = s->duration / steps;
-  double output = s->output_interval > 0 ? s->output_interval : s->duration / 500;
+  double duration = qn_model_duration (model);
+  double steps = fmax (ceil (duration / s->time_step - 1e-9), 1);
+  double step = duration / steps;
+  double output = s->output_interval > 0 ? s->output_interval : duration / 500;
 
   run->tick = step / (double) longest;
   run->end = qn_to_integer (steps, 1, QN_MAX_TIME_STEPS) * longest;
@@ -460,7 +461,7 @@ set_up (Run *run, const double *u0, QnDiag *diag)
   QnDof dof;
   qn_model_followed (model, &body, &dof);
   run->followed = body == SIZE_MAX ? SIZE_MAX : QN_DOF_COUNT * body + (size_t) dof;
-  run->step.progress.end = run->settings->duration;
+  run->step.progress.end = duration;
   return QN_OK;
 }
 
@@ -476,6 +477,8 @@ qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc re
   for (size_t i = 0; i < as->model->ground_count && status == QN_OK; i++)
     if (as->model->ground[i].kind == QN_SIGNAL_RECORD)
       status = qn_model_check_signal (as->model, (QnId) i, diag);
+  if (status == QN_OK)
+    status = qn_model_check_steps (as->model, diag);
   run.follows = run.settings->follow && as->nonlinear;
   if (status == QN_OK && run.follows)
     status = qn_moving_contacts_init (&run.moving, as, diag);

@@ -159,6 +159,40 @@ acceleration (const QnGroundMotion *motion, double time)
                                          : points_acceleration (motion, time);
 }
 
+/* Integral of the acceleration squared: exact for points, by midpoints for pulses. */
+static double
+integrate_square (const QnGroundMotion *motion, double from, double to)
+{
+  enum { SAMPLES = 2000 };
+  double sum = 0;
+
+  if (motion->kind == QN_SIGNAL_PULSE) {
+    double h = (to - from) / SAMPLES;
+    for (int i = 0; i < SAMPLES; i++) {
+      double a = pulse_acceleration (&motion->pulse, from + (i + 0.5) * h);
+      sum += h * a * a;
+    }
+    return sum;
+  }
+  for (size_t i = 1; i < motion->point_count; i++) {
+    QnVec2 p = motion->points[i - 1], q = motion->points[i];
+    double start = fmax (p.x, from), end = fmin (q.x, to);
+    double slope = (q.y - p.y) / (q.x - p.x);
+    double a = p.y + slope * (start - p.x), b = p.y + slope * (end - p.x);
+    if (start < end)
+      sum += (end - start) * (a * a + a * b + b * b) / 3;
+  }
+  return sum;
+}
+
+double
+qn_ground_motion_share_after (const QnGroundMotion *motion, double time)
+{
+  double end = qn_ground_motion_end (motion);
+  double all = integrate_square (motion, 0, end);
+  return time < end && all > 0 ? integrate_square (motion, time, end) / all : 0;
+}
+
 QnVec2
 qn_ground_acceleration (const QnGround *ground, double time)
 {

@@ -30,4 +30,9 @@ QnVec2 qn_ground_acceleration (const QnGround *ground, double time);
 QnVec2 qn_ground_mean (const QnGround *ground, double start, double end);
 QnVec2 qn_ground_change (const QnGround *ground, double start, double end);
 
+/* Which share of a motion's Arias intensity, the integral of its acceleration squared (A. Arias, in
+ * Seismic Design for Nuclear Power Plants, MIT Press 1970, 438-483), comes after a time. Its points
+ * must be there. */
+double qn_ground_motion_share_after (const QnGroundMotion *motion, double time);
+
 #endif

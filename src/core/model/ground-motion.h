@@ -53,9 +53,10 @@ typedef struct QnGroundMotion {
   size_t point_count, point_capacity;
   char *record; /* owned: name of the file, as the project says it */
   char *unit; /* owned: unit of its accelerations where the file does not say it; NULL */
-  double time_step; /* of its samples, s, where the file does not say it; 0 */
-  double peak;      /* m/s2 to which the record is scaled before `scale`; 0: as it is */
-  bool rests; /* a record may end before the duration: the ground rests from then on */
+  const char *record_unit; /* of the file's numbers once they were read; not owned */
+  double time_step;        /* of its samples, s, where the file does not say it; 0 */
+  double peak; /* m/s2 to which the record is scaled before `scale`; 0: as it is */
+  bool rests;  /* a record may end before the duration: the ground rests from then on */
   int32_t note;
 } QnGroundMotion;
 
@@ -82,9 +83,9 @@ typedef enum {
 } QnDampingStiffness;
 
 typedef struct QnDynamicSettings {
-  double duration;      /* s, > 0 */
-  double time_step;     /* s, > 0: the longest step */
-  double rho;           /* spectral radius at infinite frequency, 0 to 1 */
+  double duration;  /* s; 0: to the end of the ground motion, see qn_model_duration() */
+  double time_step; /* s, > 0: the longest step */
+  double rho;       /* spectral radius at infinite frequency, 0 to 1 */
   double mass_damping;  /* 1/s, >= 0 */
   double joint_damping; /* s, >= 0: times the stiffness */
   QnDampingStiffness of;

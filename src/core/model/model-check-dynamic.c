@@ -32,6 +32,16 @@ qn_model_check_signal (const QnModel *model, QnId ground, QnDiag *diag)
   return QN_OK;
 }
 
+double
+qn_model_duration (const QnModel *model)
+{
+  double end = model->analysis.dynamic.duration;
+  bool given = end > 0;
+  for (size_t i = 0; i < model->ground_count && !given; i++)
+    end = fmax (end, qn_ground_motion_end (&model->ground[i]));
+  return end;
+}
+
 static QnStatus
 check_ground (const QnModel *model, QnId index, QnDiag *diag)
 {
@@ -85,11 +95,24 @@ check_initial (const QnModel *model, QnId index, QnDiag *diag)
   return status;
 }
 
-static QnStatus
-check_integration (const QnDynamicSettings *s, QnDiag *diag)
+QnStatus
+qn_model_check_steps (const QnModel *model, QnDiag *diag)
 {
+  double duration = qn_model_duration (model);
+  double time_step = model->analysis.dynamic.time_step;
+  if (duration <= QN_MAX_TIME_STEPS * time_step)
+    return QN_OK;
+  return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_TIME_STEPS, QN_ENTITY_ANALYSIS,
+                            QN_NONE, "dynamic.time_step", duration / time_step);
+}
+
+static QnStatus
+check_integration (const QnModel *model, QnDiag *diag)
+{
+  const QnDynamicSettings *s = &model->analysis.dynamic;
   const QnNumberRule numbers[] = {
-    { "dynamic.duration", s->duration, QN_NUMBER_POSITIVE },
+    { "dynamic.duration", s->duration,
+      model->ground_count > 0 ? QN_NUMBER_NOT_NEGATIVE : QN_NUMBER_POSITIVE },
     { "dynamic.time_step", s->time_step, QN_NUMBER_POSITIVE },
     { "dynamic.damping.mass", s->mass_damping, QN_NUMBER_NOT_NEGATIVE },
     { "dynamic.damping.stiffness", s->joint_damping, QN_NUMBER_NOT_NEGATIVE },
@@ -104,10 +127,7 @@ check_integration (const QnDynamicSettings *s, QnDiag *diag)
   if (!(s->rho >= 0 && s->rho <= 1))
     return qn_diag_set_field (diag, QN_PROBLEM_RADIUS_RANGE, entity, QN_NONE,
                               "dynamic.rho", s->rho);
-  if (s->duration > QN_MAX_TIME_STEPS * s->time_step)
-    return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_TIME_STEPS, entity, QN_NONE,
-                              "dynamic.time_step", s->duration / s->time_step);
-  return QN_OK;
+  return qn_model_check_steps (model, diag);
 }
 
 QnStatus
@@ -120,7 +140,7 @@ qn_model_check_dynamic (const QnModel *model, QnDiag *diag)
     return qn_diag_set_field (diag, QN_PROBLEM_STAGES_DYNAMIC, QN_ENTITY_ANALYSIS,
                               QN_NONE, "stages", 0);
   if (runs)
-    status = check_integration (&model->analysis.dynamic, diag);
+    status = check_integration (model, diag);
   for (size_t i = 0; i < model->ground_count && status == QN_OK; i++)
     status = check_ground (model, (QnId) i, diag);
   for (size_t i = 0; i < model->initial_count && status == QN_OK; i++)

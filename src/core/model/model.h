@@ -389,8 +389,15 @@ QnGroundMotion *qn_model_copy_ground_motion (QnModel *model,
                                              const QnGroundMotion *motion);
 bool qn_ground_motion_add_point (QnGroundMotion *motion, double time,
                                  double acceleration);
+/* When an analysis in time ends: as its settings say, or with the last ground motion, s; 0 where that
+ * is not known, for the points of a record have not been read. */
+double qn_model_duration (const QnModel *model);
+
 /* Checks the points of one ground motion: two or more, finite, times ascending from 0 or later. */
 QnStatus qn_model_check_signal (const QnModel *model, QnId ground, QnDiag *diag);
+
+/* Checks that the duration, known once all points are there, has not too many steps. */
+QnStatus qn_model_check_steps (const QnModel *model, QnDiag *diag);
 QnInitialMotion *qn_model_add_initial_motion (QnModel *model);
 QnTrack *qn_model_add_track (QnModel *model);
 

@@ -404,7 +404,7 @@ qn_job_get_followed (QnJob *self, QnId *block, QnDof *dof)
   *block = body != SIZE_MAX ? (QnId) body : QN_NONE;
   gboolean in_time = self->run->kind == QN_RUN_ANALYSIS
                      && model->analysis.procedure == QN_PROCEDURE_DYNAMIC;
-  return in_time ? model->analysis.dynamic.duration : 0.0;
+  return in_time ? qn_model_duration (model) : 0.0;
 }
 
 double

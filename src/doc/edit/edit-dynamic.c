@@ -25,12 +25,11 @@ qn_edit_choose_dynamic (QnModel *model, GError **error)
 {
   QnDynamicSettings *dynamic = &model->analysis.dynamic;
   model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
-  if (!(dynamic->duration > 0)) {
+  if (!(dynamic->time_step > 0)) {
     dynamic->duration = 10;
+    dynamic->time_step = 0.005;
     model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
   }
-  if (!(dynamic->time_step > 0))
-    dynamic->time_step = 0.005;
   return model->ground_count > 0 || model->initial_count > 0
          || qn_edit_add_pulse (model, error);
 }
@@ -154,6 +153,8 @@ qn_edit_add_record (QnModel *model, const char *path, GError **error)
   for (gsize i = 0; done && i < record.count; i++)
     done = qn_ground_motion_add_point (motion, record.points[i].x, record.points[i].y);
   qn_record_clear (&record);
+  if (done && qn_record_is_cut (model, motion))
+    model->analysis.dynamic.duration = 0; /* to its end */
   return done || qn_edit_no_memory (error);
 }
 

@@ -362,8 +362,11 @@ write_dynamic (QnPages *pages, const QnReport *report)
   const QnDynamicSettings *dynamic = &model->analysis.dynamic;
   for (size_t i = 0; i < model->initial_count; i++)
     write_initial_motion (pages, report, &model->initial[i]);
-  g_autofree char *duration = qn_label_number ("%.4g", dynamic->duration);
-  g_autofree char *line = g_strdup_printf (_ ("Duration: %s s"), duration);
+  double end = qn_model_duration (model);
+  g_autofree char *duration = qn_label_number ("%.4g", end);
+  g_autofree char *line = end > 0
+                            ? g_strdup_printf (_ ("Duration: %s s"), duration)
+                            : g_strdup (_ ("Duration: to the end of the ground motion"));
   qn_pages_paragraph (pages, line);
   g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
   g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);

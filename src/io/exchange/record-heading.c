@@ -32,6 +32,15 @@ static const struct {
   { "ms", { QN_RECORD_TIME, 0.001 } },
 };
 
+const char *
+qn_record_unit_name (QnRecordUnit unit)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
+    if (units[i].unit.quantity == unit.quantity && units[i].unit.factor == unit.factor)
+      return units[i].name;
+  return "";
+}
+
 static void
 replace (GString *text, const char *old, const char *new)
 {

@@ -35,6 +35,9 @@ typedef struct QnRecordHeading {
 /* "m/s2", "cm/sec^2", "m s-2", "gal", "G", "CM/S" …; blanks, powers and case do not matter. */
 QnRecordUnit qn_record_unit (const char *text);
 
+/* One name of a unit; "" of none. */
+const char *qn_record_unit_name (QnRecordUnit unit);
+
 /* The unit in brackets or behind "in" in the name of a column, and the quantity that unit or words
  * say: "Beschleunigung [m/s2]", "vel", "acc in g". */
 QnRecordUnit qn_record_unit_of_name (const char *name);

@@ -33,6 +33,7 @@ typedef struct Reading {
   guint time, value;    /* columns of a table */
   double time_factor;   /* s per unit */
   double factor;        /* m/s2 per unit */
+  const char *own_unit; /* its name */
   GArray *points;
   GError **error;
 } Reading;
@@ -200,6 +201,7 @@ settle_unit (Reading *r, gsize line, QnRecordUnit own)
                     "(unit: g, m/s2, cm/s2)"));
   if (given.factor > 0 && own.factor != given.factor)
     return fail (r, line, _ ("the file states another unit than the one given"));
+  r->own_unit = qn_record_unit_name (own);
   r->factor = own.factor * r->heading.scale;
   return TRUE;
 }
@@ -469,6 +471,7 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
   if (done && reading.points->len < 2)
     done = fail (&reading, 0, _ (qn_problem_text (QN_PROBLEM_SIGNAL_EMPTY)));
   done = done && take_off_offset (&reading, record);
+  record->unit = reading.own_unit;
   record->count = done ? reading.points->len : 0;
   record->points = (QnVec2 *) (void *) g_array_free (reading.points, !done);
   return done;

@@ -1,6 +1,7 @@
 #include "io/exchange/record.h"
 #include "io/exchange/record-heading.h"
 
+#include "core/dynamics/ground.h"
 #include "io/text/file-inside.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
@@ -38,7 +39,11 @@ qn_record_facts (const QnRecord *record)
     facts.displacement = MAX (facts.displacement, fabs (d));
   }
   facts.duration = record->count > 0 ? record->points[record->count - 1].x : 0;
-
+  if (record->count > 1)
+    facts.time_step =
+      (facts.duration - record->points[0].x) / (double) (record->count - 1);
+  facts.end_velocity = v;
+  facts.end_displacement = d;
   return facts;
 }
 
@@ -116,6 +121,34 @@ warn_once (QnProject *project, gsize index, const char *doubt)
     g_ptr_array_add (project->warnings, warning);
 }
 
+/* Most of a signal's Arias intensity that an analysis may leave out at its end. */
+#define MOST_CUT 0.01
+
+gboolean
+qn_record_is_cut (const QnModel *model, const QnGroundMotion *motion)
+{
+  double duration = model->analysis.dynamic.duration;
+  return duration > 0 && qn_ground_motion_share_after (motion, duration) > MOST_CUT;
+}
+
+static gboolean
+check_cut (const QnProject *project, gsize index, GError **error)
+{
+  const QnGroundMotion *motion = &project->model.ground[index];
+  double duration = project->model.analysis.dynamic.duration;
+  if (!qn_record_is_cut (&project->model, motion))
+    return TRUE;
+  g_autofree char *path =
+    g_strdup_printf ("analysis.dynamic.ground[%" G_GSIZE_FORMAT "]", index);
+  g_autofree char *message = g_strdup_printf (
+    _ ("lasts %.4g s, and %.0f %% of its Arias intensity come after the duration of "
+       "%.4g s: leave \"duration\" out to follow it to its end"),
+    qn_ground_motion_end (motion), 100 * qn_ground_motion_share_after (motion, duration),
+    duration);
+  qn_project_set_key_error (project, path, message, error);
+  return FALSE;
+}
+
 static gboolean
 take_record (QnProject *project, gsize index, const QnRecord *record, GError **error)
 {
@@ -126,6 +159,7 @@ take_record (QnProject *project, gsize index, const QnRecord *record, GError **e
   if (doubt != NULL)
     warn_once (project, index, doubt);
   motion->point_count = 0;
+  motion->record_unit = record->unit;
   for (gsize i = 0; i < record->count; i++)
     if (!qn_ground_motion_add_point (motion, record->points[i].x,
                                      scale * record->points[i].y)) {
@@ -161,8 +195,9 @@ qn_project_read_records (QnProject *project, const char *folder, gboolean allow_
                          GError **error)
 {
   for (gsize i = 0; i < project->model.ground_count; i++)
-    if (project->model.ground[i].kind == QN_SIGNAL_RECORD
-        && !qn_project_read_record (project, i, folder, allow_outside, error))
+    if ((project->model.ground[i].kind == QN_SIGNAL_RECORD
+         && !qn_project_read_record (project, i, folder, allow_outside, error))
+        || !check_cut (project, i, error))
       return FALSE;
   return TRUE;
 }

@@ -23,7 +23,8 @@
 typedef struct QnRecord {
   QnVec2 *points; /* s, m/s2; free with g_free() */
   gsize count;
-  double offset; /* m/s2, taken off raw data */
+  const char *unit; /* of the file's numbers; not to be freed */
+  double offset;    /* m/s2, taken off raw data */
 } QnRecord;
 
 /* Reads a record. unit (nullable) and time_step (0: not given) are those that the file does not say.
@@ -41,11 +42,12 @@ void qn_record_clear (QnRecord *record);
 
 /* What a record amounts to, without correction of the base line. */
 typedef struct QnRecordFacts {
-  double duration;     /* s */
-  double peak;         /* m/s2 */
-  double velocity;     /* m/s, largest */
-  double displacement; /* m, largest */
-
+  double duration;                       /* s */
+  double peak;                           /* m/s2 */
+  double velocity;                       /* m/s, largest */
+  double displacement;                   /* m, largest */
+  double time_step;                      /* s, the mean between samples */
+  double end_velocity, end_displacement; /* m/s, m: drift of the base line */
 } QnRecordFacts;
 
 QnRecordFacts qn_record_facts (const QnRecord *record);
@@ -56,11 +58,15 @@ char *qn_record_dup_doubt (const QnRecord *record);
 /* Writes time and acceleration as CSV that says its unit. */
 gboolean qn_record_write (const char *path, const QnRecord *record, GError **error);
 
+/* Whether the duration of an analysis in time is given, and leaves out more than a hundredth of the
+ * Arias intensity of a motion, whose points must be there. */
+gboolean qn_record_is_cut (const QnModel *model, const QnGroundMotion *motion);
+
 /* Reads the record that a ground motion of a project names, from the folder where the project lies
- * (NULL: that of its path), and scales it to its peak; and those of all ground motions. Two things
- * are refused: a record that ends more than a sample before the duration of an analysis in time,
- * unless the ground motion has `rest`; and a file outside the project's folder, unless
- * `allow_outside`. */
+ * (NULL: that of its path), and scales it to its peak; and those of all ground motions. Three
+ * things are refused: a record that ends more than a sample before the duration of an analysis in
+ * time, unless the ground motion has `rest`; a file outside the project's folder, unless
+ * `allow_outside`; and, by the second form, a record, points or a pulse that the duration cuts. */
 gboolean qn_project_read_record (QnProject *project, gsize index, const char *folder,
                                  gboolean allow_outside, GError **error);
 gboolean qn_project_read_records (QnProject *project, const char *folder,

@@ -49,7 +49,7 @@ static const QnMember damping_members[] = {
 };
 
 static const QnMember dynamic_members[] = {
-  QN_NUMBER ("duration", REQUIRED, POSITIVE, QnDynamicSettings, duration),
+  QN_NUMBER ("duration", OPTIONAL, POSITIVE, QnDynamicSettings, duration),
   QN_NUMBER ("time_step", REQUIRED, POSITIVE, QnDynamicSettings, time_step),
   QN_NUMBER ("rho", WRITTEN, NOT_NEGATIVE, QnDynamicSettings, rho),
   QN_NUMBER ("tolerance", OPTIONAL, POSITIVE, QnDynamicSettings, tolerance),
@@ -151,17 +151,20 @@ qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
   QnDynamicSettings *settings = &model->analysis.dynamic;
   QnJsonValue place = qn_json_value_member (analysis, "dynamic");
   if (place.json == NULL && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    return qn_json_value_fail (&place,
-                               _ ("an analysis in time needs duration and time_step"));
+    return qn_json_value_fail (&place, _ ("an analysis in time needs a time_step"));
   if (place.json == NULL)
     return TRUE;
   QnJsonValue damping = qn_json_value_member (&place, "damping");
+  QnJsonValue duration = qn_json_value_member (&place, "duration");
   return qn_members_read (&place, dynamic_members, NULL, settings)
          && (damping.json == NULL
              || qn_members_read (&damping, damping_members, NULL, settings))
          && qn_read_each (&place, "ground", QN_OPTIONAL, read_ground, model)
          && qn_read_each (&place, "initial", QN_OPTIONAL, read_initial, model)
-         && qn_read_each (&place, "track", QN_OPTIONAL, read_track, model);
+         && qn_read_each (&place, "track", QN_OPTIONAL, read_track, model)
+         && (settings->duration > 0 || model->ground_count > 0
+             || qn_json_value_fail (
+               &duration, _ ("without ground motion the duration must be given")));
 }
 
 /* ---- writing ---- */
@@ -207,7 +210,7 @@ qn_project_append_dynamic (GString *json, const QnModel *model,
                            const QnDynamicSettings *usual, GHashTable *inner)
 {
   const QnDynamicSettings *s = &model->analysis.dynamic;
-  if (s->duration <= 0)
+  if (s->time_step <= 0)
     return;
   g_string_append (json, ",\n    \"dynamic\": {");
   qn_members_write (json, dynamic_members, NULL, s, usual);

@@ -81,9 +81,39 @@ test_jump (void)
   qn_ground_clear (&ground);
 }
 
+/* The square's integral over triangles and pulses, in closed form. */
+static void
+test_share_after (void)
+{
+  g_auto (QnModel) model;
+  qn_model_init (&model);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&model, NULL);
+  qn_ground_motion_add_point (motion, 1, 0);
+  qn_ground_motion_add_point (motion, 2, -3);
+  qn_ground_motion_add_point (motion, 4, 0);
+  /* 9/3 s before the peak and twice as much after it; of that (s/2)^3 in the last s seconds. */
+  static const double rows[][2] = {
+    { 0, 1 }, { 1, 1 }, { 1.5, 1 - 0.125 / 3 }, { 2, 2.0 / 3 }, { 3, 2.0 / 3 / 8 },
+    { 4, 0 }, { 9, 0 }
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++)
+    g_assert_cmpfloat_with_epsilon (qn_ground_motion_share_after (motion, rows[i][0]),
+                                    rows[i][1], 1e-12);
+  motion->points[1].y = 0;
+  g_assert_cmpfloat (qn_ground_motion_share_after (motion, 0), ==, 0);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, 2, 0.8, 3 };
+  g_assert_cmpfloat_with_epsilon (qn_ground_motion_share_after (motion, 3.4), 0.5, 1e-3);
+  g_assert_cmpfloat_with_epsilon (qn_ground_motion_share_after (motion, 2), 1, 1e-3);
+  motion->pulse.kind = QN_PULSE_STEP_IMPULSE; /* 1 : 1/4 : 1/4 in thirds */
+  g_assert_cmpfloat_with_epsilon (qn_ground_motion_share_after (motion, 3.8), 1.0 / 3,
+                                  1e-3);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/ground/pulses", test_pulses);
   g_test_add_func ("/ground/points", test_points);
   g_test_add_func ("/ground/jump", test_jump);
+  g_test_add_func ("/ground/share-after", test_share_after);
 }
