@@ -1,4 +1,6 @@
-/* A double becomes an integer in core/base/integer.h alone, where every value has a result. What
+/* What compares numbers so that NaN passes, and a double that becomes an integer without a bound.
+ *
+ * A double becomes an integer in core/base/integer.h alone, where every value has a result. What
  * text can show is looked for here: casts of functions that give doubles, and functions of libm
  * that give integers. Casts of variables are found by clang's float-cast-overflow as they run, and
  * conversions without a cast by -Wfloat-conversion. */
@@ -17,13 +19,26 @@
 static const char pattern[] = "\\b(?:ll|l)r(?:ound|int)f? ?\\(|\\(" INTEGERS
                               "\\) ?-?(?:" DOUBLES " ?\\(|[a-z_]+->valuedouble)";
 
+/* fmax() drops NaN, and an iteration that goes on while something is larger than its tolerance ends with
+ * NaN as if it had converged. */
+static const char drops_nan[] = "\\b(?:worst|error|excess|residual|relative) = fmax \\(";
+static const char ends_with_nan[] =
+  "\\b(?:for|while) \\(.*[^-=]> [^=;]*(?:tolerance|TOLERANCE)";
+
 static void
 check_text (const char *path, char **lines, GString *complaints)
 {
-  g_autoptr (GRegex) regex = g_regex_new (pattern, G_REGEX_OPTIMIZE, 0, NULL);
-  for (guint i = 0; lines[i] != NULL; i++)
-    if (g_regex_match (regex, lines[i], 0, NULL))
-      complain (complaints, "%s:%u: use qn_to_integer()", path, i + 1);
+  static const char *const patterns[][2] = {
+    { pattern, "use qn_to_integer()" },
+    { drops_nan, "use qn_worse()" },
+    { ends_with_nan, "go on while not (… <= …): else NaN has converged" },
+  };
+  for (gsize k = 0; k < G_N_ELEMENTS (patterns); k++) {
+    g_autoptr (GRegex) regex = g_regex_new (patterns[k][0], G_REGEX_OPTIMIZE, 0, NULL);
+    for (guint i = 0; lines[i] != NULL; i++)
+      if (g_regex_match (regex, lines[i], 0, NULL))
+        complain (complaints, "%s:%u: %s", path, i + 1, patterns[k][1]);
+  }
 }
 
 static void
@@ -46,7 +61,8 @@ test_check_can_fail (void)
   static const char *const wrong[] = {
     "  int n = (int) ceil (x);",   "  n = (uint8_t) fmax (0, x);",
     "  n = lround (x);",           "  return (guint) position->valuedouble;",
-    "  s = (int32_t) -floor (x);",
+    "  s = (int32_t) -floor (x);", "  worst = fmax (worst, fabs (x));",
+    "  while (x > tolerance)",     "  for (int i = 0; s->left > s->tolerance; i++) {",
   };
   for (guint i = 0; i < G_N_ELEMENTS (wrong); i++) {
     char *lines[] = { (char *) wrong[i], NULL };
@@ -55,7 +71,8 @@ test_check_can_fail (void)
     assert_complaint (complaints, "wrong.c:1");
   }
   char *right[] = { (char *) "  n = (int) qn_to_integer (round (x), 0, 9);",
-                    (char *) "  double y = round ((double) n);", NULL };
+                    (char *) "  double y = round ((double) n);",
+                    (char *) "  while (!(x <= tolerance))", NULL };
   GString *complaints = g_string_new (NULL);
   check_text ("right.c", right, complaints);
   assert_no_complaints (complaints);

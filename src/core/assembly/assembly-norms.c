@@ -1,6 +1,8 @@
 /* How large vectors of unknowns are, whichever way the structure is turned. */
 #include "core/assembly/assembly.h"
 
+#include "core/base/numbers.h"
+
 #include <math.h>
 
 /* What holds a body carries at least this part of its load. */
@@ -28,7 +30,7 @@ size_squared (const QnAssembly *as, size_t body, const double *v, const double *
   double y = entry (as, body, QN_DOF_UY, v, base, weights);
   double turn = entry (as, body, QN_DOF_RZ, v, base, weights);
 
-  return fmax (x * x + y * y, turn * turn);
+  return qn_worse (x * x + y * y, turn * turn);
 }
 
 static double
@@ -39,7 +41,7 @@ largest_of_bodies (const QnAssembly *as, const double *v, const double *base,
   double largest = 0;
 
   for (size_t body = 0; body < bodies; body++)
-    largest = fmax (largest, size_squared (as, body, v, base, weights));
+    largest = qn_worse (largest, size_squared (as, body, v, base, weights));
   return sqrt (largest);
 }
 

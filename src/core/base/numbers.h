@@ -19,6 +19,13 @@ qn_max (double a, double b)
   return a > b ? a : b;
 }
 
+/* The larger of two, NaN where one of them is: of what must be small, nothing that is no number passes. */
+static inline double
+qn_worse (double a, double b)
+{
+  return isnan (a) || b <= a ? a : b;
+}
+
 /* For qsort() and g_array_sort() of numbers, ascending. */
 static inline int
 qn_compare_doubles (const void *a, const void *b)

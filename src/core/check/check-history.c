@@ -52,7 +52,7 @@ check_scalars (QnCheck *check)
                  && (h->steps == 0 || h->shortest_step > 0);
 
   for (size_t i = 1; i < r->step_count; i++)
-    residual = fmax (residual, r->steps[i].residual);
+    residual = qn_worse (residual, r->steps[i].residual);
   is_true = is_true && residual <= h->largest_residual * (1 + QN_CHECK_EXACT);
   if (!isnan (h->peak_time))
     is_true = is_true && h->peak_time >= 0 && h->peak_time <= last + little;

@@ -1,6 +1,7 @@
 #include "core/check/mode-proof.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -60,7 +61,7 @@ qn_mode_proof_residual (QnModeProof *proof, double square, const double *x)
       sum += (proof->stiffness[k] - square * proof->mass[k]) * x[as->ai[k]];
       size += fabs (proof->stiffness[k] * x[as->ai[k]]);
     }
-    worst = fmax (worst, fabs (sum));
+    worst = qn_worse (worst, fabs (sum));
     most = fmax (most, size);
   }
   return most > 0 ? worst / most : NAN;
@@ -78,7 +79,7 @@ qn_mode_proof_skewness (QnModeProof *proof, size_t count, const double *columns)
       double sum = a == b ? -1 : 0;
       for (size_t i = 0; i < n; i++)
         sum += proof->product[i] * columns[b * n + i];
-      worst = fmax (worst, fabs (sum));
+      worst = qn_worse (worst, fabs (sum));
     }
   }
   return worst;

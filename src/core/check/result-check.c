@@ -362,13 +362,13 @@ check_strength (QnCheck *check, size_t step)
     double force[2];
     if (!stated_force (check, step, p, force, &state))
       return;
-    double excess =
-      fmax (steel_excess (&springs->a, force[0]), steel_excess (&springs->b, force[0]));
+    double excess = qn_worse (steel_excess (&springs->a, force[0]),
+                              steel_excess (&springs->b, force[0]));
     int count = check->result->limit.given ? qn_pair_rigid_strength (springs, rows)
                                            : qn_pair_strength (springs, rows);
     for (int i = 0; i < count; i++)
-      excess = fmax (excess, rows[i].normal * force[0] + rows[i].shear * fabs (force[1])
-                               - rows[i].limit);
+      excess = qn_worse (excess, rows[i].normal * force[0]
+                                   + rows[i].shear * fabs (force[1]) - rows[i].limit);
     if (!(excess <= check->tolerance * check->scale))
       qn_check_tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
   }

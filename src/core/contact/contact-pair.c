@@ -85,9 +85,9 @@ qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
 
   QnPairSeries series;
   qn_pair_series_start (&series, springs, committed, q);
-  for (int i = 0; i < INTERNAL_ITERATIONS && series.size > QN_TOLERANCE_SERIES; i++)
+  for (int i = 0; i < INTERNAL_ITERATIONS && !(series.size <= QN_TOLERANCE_SERIES); i++)
     qn_pair_series_step (&series);
-  for (int i = 0; i < INTERNAL_SWEEPS && series.size > QN_TOLERANCE_SERIES; i++)
+  for (int i = 0; i < INTERNAL_SWEEPS && !(series.size <= QN_TOLERANCE_SERIES); i++)
     qn_pair_series_sweep (&series);
   take_series (&series, r);
   return series.size <= QN_TOLERANCE_SERIES;

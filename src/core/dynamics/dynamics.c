@@ -259,13 +259,15 @@ advance (Run *run)
     double error = status == QN_STEP_CONVERGED && run->settings->adaptive
                      ? qn_time_step_error (&run->step, h, change)
                      : 0;
-    bool shortest = run->length == 1, balances = true;
+    bool shortest = run->length == 1, balances = false;
     QnEnergy energy = run->energy;
     if (status == QN_STEP_CONVERGED && (error <= allowed || shortest)) {
       energy = qn_energy_after (&run->step, &run->energy, h, mean, change);
-      balances = shortest || !run->settings->adaptive || keeps_energy (run, &energy);
+      balances = shortest || !run->settings->adaptive
+                   ? isfinite (qn_energy_error (&energy)) != 0
+                   : keeps_energy (run, &energy);
     }
-    if (status == QN_STEP_CONVERGED && (error <= allowed || shortest) && balances) {
+    if (balances) {
       run->energy = energy;
       qn_time_step_accept (&run->step);
       run->residual = run->step.relative;

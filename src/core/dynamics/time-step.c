@@ -2,6 +2,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -421,7 +422,7 @@ measure (QnTimeStep *step, double h, QnVec2 ground)
       r[i] -= step->settings->joint_damping * step->product[i] / weight;
   }
   for (int32_t i = 0; i < as->unknown_count; i++)
-    largest = as->settles[i] ? largest : fmax (largest, fabs (r[i]));
+    largest = as->settles[i] ? largest : qn_worse (largest, fabs (r[i]));
   step->statistics.assembly_seconds += qn_clock_seconds () - evaluated;
   return scale > 0 ? largest / scale : largest;
 }
@@ -536,7 +537,7 @@ qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground)
     if (!is_factored (step, h))
       step->relative = predict (step, h, 1, ground);
   }
-  for (int iteration = 0; step->relative > step->tolerance; iteration++) {
+  for (int iteration = 0; !(step->relative <= step->tolerance); iteration++) {
     if (iteration == BUDGET || !isfinite (step->relative))
       return QN_STEP_FAILED;
     if (!go_on (step))
@@ -565,7 +566,7 @@ qn_time_step_error (const QnTimeStep *step, double h, QnVec2 change)
     double force = step->end.residual[i] - step->start.residual[i]
                    - step->inertia[0][i] * change.x - step->inertia[1][i] * change.y;
     if (mass > 0)
-      largest = fmax (largest, fabs (force) / mass);
+      largest = qn_worse (largest, fabs (force) / mass);
   }
   return fabs (step->scheme.beta - 1.0 / 6) * h * h * largest;
 }

@@ -347,12 +347,12 @@ is_within (Increment *increment, double complementarity, double out_of_balance)
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
 
-  if (increment->residuals.strength
-        > fmax (BALANCE, QN_TOLERANCE_FORCE * increment->residuals.force)
-      || increment->residuals.strain > STRAIN * increment->elongation
-      || increment->gap > complementarity * increment->elongation
-      || fabs (increment->target_gap)
-           > 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance))
+  if (!(increment->residuals.strength
+          <= fmax (BALANCE, QN_TOLERANCE_FORCE * increment->residuals.force)
+        && increment->residuals.strain <= STRAIN * increment->elongation
+        && increment->gap <= complementarity * increment->elongation
+        && fabs (increment->target_gap)
+             <= 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance)))
     return false;
 
   qn_central_pairs_get_forces (&path->pairs);

@@ -2,6 +2,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/limit/interior-point-apply.h"
 
 #include <math.h>
@@ -332,7 +333,7 @@ relative_error (QnIpKkt *kkt, const QnIpKktRight *right, const QnIpKktVector *ou
     kkt->residual_lambda = right->lambda - qn_ip_dot (p->load, out->v, p->row_count);
     scale = fmax (fabs (right->lambda), qn_ip_largest (out->v, p->row_count));
     if (scale > 0.0)
-      error = fmax (error, fabs (kkt->residual_lambda) / scale);
+      error = qn_worse (error, fabs (kkt->residual_lambda) / scale);
   }
   return error;
 }

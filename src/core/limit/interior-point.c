@@ -1,6 +1,7 @@
 #include "core/limit/interior-point.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/limit/interior-point-apply.h"
 #include "core/limit/interior-point-kkt.h"
 
@@ -150,8 +151,8 @@ proves_infeasible (const QnInteriorPoint *ip)
   if (proof <= 0.0)
     return false;
   if (p->load
-      && fabs (qn_ip_dot (p->load, ip->at.v, p->row_count))
-           > CERTIFICATE_TOLERANCE * proof)
+      && !(fabs (qn_ip_dot (p->load, ip->at.v, p->row_count))
+           <= CERTIFICATE_TOLERANCE * proof))
     return false;
   memset (rates, 0, 2 * (size_t) p->cell_count * sizeof (double));
   qn_ip_add_rates (p, ip->at.v, 1.0, rates);
@@ -173,10 +174,10 @@ proves_unbounded (const QnInteriorPoint *ip)
     return false;
   qn_interior_point_balance (p, ip->at.y, ip->at.lambda, 0.0, balance);
   for (int32_t i = 0; i < p->bound_count; i++) /* Gy = -s + (h tau - rz), s >= 0 */
-    worst = fmax (worst, p->bounds[i].limit * ip->at.tau - work->rz[i]);
+    worst = qn_worse (worst, p->bounds[i].limit * ip->at.tau - work->rz[i]);
   for (int32_t c = 0; c < p->cell_count; c++)
     for (int k = 0; k < 2; k++)
-      worst = fmax (worst, fabs (p->cells[c].quadratic[k] * ip->at.y[2 * c + k]));
+      worst = qn_worse (worst, fabs (p->cells[c].quadratic[k] * ip->at.y[2 * c + k]));
   return fmax (worst, qn_ip_largest (balance, p->row_count))
          <= CERTIFICATE_TOLERANCE * proof;
 }

@@ -1,5 +1,6 @@
 #include "core/limit/limit-bounds.h"
 
+#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
 
 #include <math.h>
@@ -37,7 +38,7 @@ worst_excess (const QnIpProblem *p, const double *y)
     const QnIpCell *cell = &p->cells[c];
     for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
       const QnIpBound *b = &p->bounds[i];
-      worst = fmax (worst, -slack_at (b, y + 2 * c));
+      worst = qn_worse (worst, -slack_at (b, y + 2 * c));
     }
   }
   return worst;

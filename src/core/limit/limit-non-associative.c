@@ -1,6 +1,7 @@
 #include "core/limit/limit.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -106,7 +107,7 @@ move_anchors (Sequence *seq, const double *forces, double mix)
     double friction = qn_limit_problem_friction (seq->model, seq->contacts, (QnId) p);
     double now = -forces[2 * p];
     largest = fmax (largest, fabs (now));
-    worst = fmax (worst, friction * (seq->anchor[p] - now));
+    worst = qn_worse (worst, friction * (seq->anchor[p] - now));
     seq->anchor[p] += mix * (now - seq->anchor[p]);
   }
   return largest > 0.0 ? worst / largest : 0.0;

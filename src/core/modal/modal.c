@@ -1,6 +1,7 @@
 #include "core/modal/modal.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/check/mode-proof.h"
 #include "core/linalg/lanczos.h"
 #include "core/path/budget.h"
@@ -127,10 +128,11 @@ prove_modes (const Pencil *pencil, double multiplier, QnDiag *diag)
                                 NULL, 0);
   for (size_t i = 0; status == QN_OK && i < pencil->found; i++)
     worst =
-      fmax (worst, qn_mode_proof_residual (&proof, pencil->values[i],
-                                           pencil->vectors + i * (size_t) pencil->n));
+      qn_worse (worst, qn_mode_proof_residual (&proof, pencil->values[i],
+                                               pencil->vectors + i * (size_t) pencil->n));
   if (status == QN_OK)
-    worst = fmax (worst, qn_mode_proof_skewness (&proof, pencil->found, pencil->vectors));
+    worst =
+      qn_worse (worst, qn_mode_proof_skewness (&proof, pencil->found, pencil->vectors));
   if (status == QN_OK && !(below < (int32_t) pencil->found && worst <= QN_MODE_RESIDUAL))
     status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
                           QN_ENTITY_MODEL, QN_NONE, QN_NONE);

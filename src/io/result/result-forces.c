@@ -21,15 +21,13 @@ qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t ste
   size_t count = result->pair_count;
   const double *forces = result->step_forces + 2 * count * step;
   const uint8_t *states = result->step_states + count * step;
-  char text[G_ASCII_DTOSTR_BUF_SIZE];
+  char text[2] = { 0 };
   qn_file_writer_puts (writer, ", \"forces\": [");
   for (size_t i = 0; i < 2 * count; i++) {
     qn_file_writer_puts (writer, i > 0 ? "," : "");
-    qn_file_writer_puts (
-      writer, g_ascii_formatd (text, sizeof text, FORCE_FORMAT, forces[i] + 0.0));
+    qn_file_writer_rounded (writer, forces[i] + 0.0, FORCE_FORMAT);
   }
   qn_file_writer_puts (writer, "], \"states\": \"");
-  text[1] = '\0';
   for (size_t i = 0; i < count; i++) {
     text[0] = letters[states[i]];
     qn_file_writer_puts (writer, text);

@@ -5,7 +5,9 @@
 #include "io/text/json-text.h"
 #include "io/text/number-text.h"
 
+#include <errno.h>
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -107,7 +109,19 @@ void
 qn_file_writer_number (QnFileWriter *writer, double number)
 {
   char text[QN_NUMBER_TEXT_SIZE];
+  if (!isfinite (number) && writer->trouble == 0)
+    writer->trouble = EDOM;
   qn_file_writer_puts (writer, qn_number_text (number, text));
+}
+
+void
+qn_file_writer_rounded (QnFileWriter *writer, double number, const char *format)
+{
+  char text[G_ASCII_DTOSTR_BUF_SIZE];
+  if (isfinite (number))
+    qn_file_writer_puts (writer, g_ascii_formatd (text, sizeof text, format, number));
+  else
+    qn_file_writer_number (writer, number);
 }
 
 void

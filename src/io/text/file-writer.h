@@ -36,8 +36,10 @@ void qn_file_writer_puts (QnFileWriter *writer, const char *text);
 void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
 
-/* The shortest decimal text that reads back as the same double; see number-text.h. */
+/* The shortest decimal text that reads back as the same double; see number-text.h. Or rounded by a printf
+ * format. What is not finite is refused: the file is not written, with EDOM. */
 void qn_file_writer_number (QnFileWriter *writer, double number);
+void qn_file_writer_rounded (QnFileWriter *writer, double number, const char *format);
 
 /* A text, and the number behind it. */
 void qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double number);

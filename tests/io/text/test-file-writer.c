@@ -5,6 +5,7 @@
 #include "support/scratch.h"
 
 #include <glib/gstdio.h>
+#include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -27,6 +28,23 @@ test_pieces (TestScratchFile *fixture, gconstpointer data)
   g_assert_no_error (error);
   test_scratch_expect (fixture->path, "a37 0.175\"\\\"q\\\"\"xy");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
+}
+
+static void
+test_not_finite (TestScratchFile *fixture, gconstpointer data)
+{
+  (void) data;
+  for (int rounded = 0; rounded < 2; rounded++) {
+    g_autoptr (GError) error = NULL;
+    QnFileWriter *writer = qn_file_writer_open (fixture->path, NULL);
+    if (rounded)
+      qn_file_writer_rounded (writer, NAN, "%.7e");
+    else
+      qn_file_writer_number (writer, -INFINITY);
+    g_assert_false (qn_file_writer_commit (writer, &error));
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
+    g_assert_false (g_file_test (fixture->path, G_FILE_TEST_EXISTS));
+  }
 }
 
 static void
@@ -127,6 +145,7 @@ QN_TESTS
   g_test_add (path, TestScratchFile, NULL, test_scratch_file_set_up, test,               \
               test_scratch_file_tear_down)
   ADD ("/file-writer/pieces", test_pieces);
+  ADD ("/file-writer/not-finite", test_not_finite);
   ADD ("/file-writer/larger-than-buffer", test_larger_than_buffer);
   ADD ("/file-writer/discard-keeps-the-old", test_discard_keeps_the_old);
   ADD ("/file-writer/mode-and-link", test_mode_and_link);
