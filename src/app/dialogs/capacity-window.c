@@ -353,6 +353,12 @@ dup_facts (const Form *form)
       text, "\n%s",
       _ ("e* is small: blocks move very differently, and the codes' "
          "a* is far above multiplier times g."));
+  for (int k = 0; form->answer.has_spectrum && k < QN_CAPACITY_STATE_COUNT; k++)
+    if (form->answer.states[k].refused) {
+      g_autofree char *basis =
+        qn_capacity_dup_basis (&form->answer.states[k], (QnCapacityCheck) k);
+      g_string_append_printf (text, "\n%s", basis);
+    }
   return g_string_free (text, FALSE);
 }
 
@@ -394,8 +400,8 @@ fill_table (Form *form)
     } numbers[] = { { QN_QUANTITY_LENGTH, s->capacity },
                     { QN_QUANTITY_NUMBER, s->acceleration },
                     { QN_QUANTITY_TIME, s->period },
-                    { QN_QUANTITY_LENGTH, s->demand },
-                    { QN_QUANTITY_NUMBER, s->ratio } };
+                    { QN_QUANTITY_LENGTH, s->demand } };
+    g_autofree char *verdict = qn_capacity_dup_verdict (s);
     set_cell (form, 0, k + 1, qn_capacity_check_name ((QnCapacityCheck) k));
     set_cell (form, 1, k + 1, k < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3");
     for (int i = 0; i < (int) G_N_ELEMENTS (numbers); i++) {
@@ -403,6 +409,7 @@ fill_table (Form *form)
         qn_units_format (shown, numbers[i].quantity, numbers[i].value, 4);
       set_cell (form, i + 2, k + 1, text);
     }
+    set_cell (form, (int) G_N_ELEMENTS (heads) - 1, k + 1, verdict);
   }
 }
 

@@ -200,6 +200,9 @@ print (const Answer *answer)
   printf (
     _ ("%zu of %zu blocks take part, %.6g kg; participating mass M* %.6g kg, e* %.4f\n"),
     c->participating, model->block_count, c->moving_mass, c->mass, c->share);
+  if (c->left_out > 0)
+    printf (_ ("%.1f %% of the mass that is not fixed does not take part\n"),
+            100 * c->left_out / (c->left_out + c->moving_mass));
   printf (_ ("peak: multiplier %.5f at %.4g m; d* %.4g m, a* %.4g m/s2\n"),
           peak->multiplier, peak->control, peak->displacement, peak->acceleration);
   if (c->reaches_zero)
@@ -220,12 +223,18 @@ print (const Answer *answer)
           _ ("ratio"));
   for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
     const QnCapacityState *s = &answer->answer.states[i];
-    printf ("%-36s %5s %12.5g %12.5g %10.4g %12.5g %10.3f\n",
+    g_autofree char *verdict = qn_capacity_dup_verdict (s);
+    printf ("%-36s %5s %12.5g %12.5g %10.4g %12.5g  %s\n",
             qn_capacity_check_code ((QnCapacityCheck) i),
             qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
-            s->period, s->demand, s->ratio);
+            s->period, s->demand, verdict);
   }
   printf (_ ("ratio: capacity over demand; the check is met from 1 on\n"));
+  for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
+    g_autofree char *rests =
+      qn_capacity_dup_basis (&answer->answer.states[i], (QnCapacityCheck) i);
+    printf ("%s\n", rests);
+  }
 }
 
 typedef struct Member {
@@ -239,7 +248,10 @@ put_members (QnFileWriter *out, const char *before, const Member *members, gsize
 {
   for (gsize i = 0; i < count; i++) {
     qn_file_writer_printf (out, "%s\"%s\"", i > 0 ? between : before, members[i].key);
-    qn_file_writer_puts_number (out, ": ", members[i].value);
+    if (isnan (members[i].value))
+      qn_file_writer_puts (out, ": null");
+    else
+      qn_file_writer_puts_number (out, ": ", members[i].value);
   }
 }
 
@@ -256,6 +268,7 @@ write_json (const Answer *answer, const char *path)
     { "moving_mass", c->moving_mass },
     { "participating_mass", c->mass },
     { "mass_share", c->share },
+    { "mass_left_out", c->left_out },
     { "displacement_ratio", c->ratio },
     { "peak_multiplier", c->points[c->peak].multiplier },
     { "end_displacement", c->end },
@@ -285,17 +298,20 @@ write_json (const Answer *answer, const char *path)
     qn_file_writer_puts (out, " },\n  \"checks\": [");
     for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
       const QnCapacityState *s = &answer->answer.states[i];
-      const Member members[] = { { "capacity", s->capacity },
-                                 { "acceleration", s->acceleration },
-                                 { "period", s->period },
-                                 { "demand", s->demand },
-                                 { "ratio", s->ratio } };
+      const Member members[] = {
+        { "capacity", s->capacity }, { "acceleration", s->acceleration },
+        { "period", s->period },     { "period_half_stiffness", s->softer },
+        { "demand", s->demand },     { "ratio", s->ratio }
+      };
       qn_file_writer_printf (out, "%s\n    { \"code\": \"%s\", \"state\": \"%s\"",
                              i > 0 ? "," : "",
                              i < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3",
                              qn_capacity_check_name ((QnCapacityCheck) i));
       put_members (out, ", ", members, G_N_ELEMENTS (members), ", ");
-      qn_file_writer_puts (out, " }");
+      qn_file_writer_printf (out, ", \"met\": %s }",
+                             s->refused      ? "null"
+                             : s->ratio >= 1 ? "true"
+                                             : "false");
     }
     qn_file_writer_puts (out, "\n  ]");
   }

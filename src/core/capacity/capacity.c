@@ -1,14 +1,23 @@
 #include "core/capacity/capacity.h"
 
 #include "core/base/memory.h"
+#include "core/model/support.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #define PI 3.14159265358979323846
 
-/* Part of the largest motion from which on a block takes part. */
+/* Part of the largest motion from which on a block takes part; and with the load, where blocks that stand only
+ * spring back as the multiplier falls. */
 #define PART_OF_MOTION 0.1
+#define PART_WITH_LOAD 1e-3
+
+/* A period that half the stiffness changes by more than this part of it says nothing of the structure. */
+#define PERIOD_CHANGE 0.2
+
+/* Parts of d0* that are the capacities of NTC 2018. */
+static const double ntc_parts[QN_NTC_STATE_COUNT] = { 0.4, 0.6 };
 
 /* Part of the peak where a path has fallen so far that the structure counts as collapsed. */
 #define FALLEN 0.8
@@ -51,8 +60,13 @@ find_masses (QnCapacity *c, const QnModel *model, const QnResult *result, size_t
     largest = fmax (largest, fabs (motion (result, from, to, b)));
   for (size_t b = 0; b < model->block_count; b++) {
     double delta = motion (result, from, to, b), weight = model->blocks[b].weight;
-    if (largest == 0 || fabs (delta) < PART_OF_MOTION * largest)
+    if (largest == 0
+        || (fabs (delta) < PART_OF_MOTION * largest
+            && !(delta * direction > PART_WITH_LOAD * fabs (direction) * largest))) {
+      bool fixed = qn_support_is_full (model->blocks[b].support);
+      c->left_out += fixed ? 0 : weight / model->gravity;
       continue;
+    }
     c->participating++;
     sum += weight;
     first += weight * delta;
@@ -126,6 +140,9 @@ qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
 void
 qn_capacity_clear (QnCapacity *c)
 {
+  if (c->softer != NULL)
+    qn_capacity_clear (c->softer);
+  free (c->softer);
   free (c->points);
   *c = (QnCapacity){ 0 };
 }
@@ -143,35 +160,67 @@ qn_capacity_acceleration (const QnCapacity *c, double displacement)
   return a->acceleration + part * (b->acceleration - a->acceleration);
 }
 
+/* Whether a check says something: not where its period is that of stiffness which was assumed. */
+static void
+judge (QnCapacityState *state, const QnCapacity *c)
+{
+  state->refused =
+    c->softer != NULL
+    && !(fabs (state->softer - state->period) <= PERIOD_CHANGE * state->period);
+  state->ratio = state->refused ? NAN : state->capacity / state->demand;
+}
+
+static double
+ntc_period (const QnCapacity *c, double confidence, QnNtcState which)
+{
+  static const double factors[QN_NTC_STATE_COUNT] = { 1.68, 1.56 };
+  double capacity = ntc_parts[which] * c->end;
+
+  return factors[which] * PI
+         * sqrt (capacity * confidence / qn_capacity_acceleration (c, capacity));
+}
+
 QnCapacityState
 qn_capacity_check_ntc (const QnCapacity *c, const QnSpectrum *spectrum, double confidence,
                        QnNtcState which)
 {
-  static const double parts[QN_NTC_STATE_COUNT] = { 0.4, 0.6 },
-                      factors[QN_NTC_STATE_COUNT] = { 1.68, 1.56 };
-  QnCapacityState state = { .capacity = parts[which] * c->end };
+  QnCapacityState state = { .capacity = ntc_parts[which] * c->end, .softer = NAN };
 
   state.acceleration = qn_capacity_acceleration (c, state.capacity) / confidence;
-  state.period = factors[which] * PI * sqrt (state.capacity / state.acceleration);
+  state.period = ntc_period (c, confidence, which);
+  if (c->softer != NULL)
+    state.softer = ntc_period (c->softer, confidence, which);
   state.demand = spectrum->kind == QN_SPECTRUM_POINTS
                    ? qn_spectrum_largest_displacement (spectrum, state.period)
                    : qn_spectrum_displacement (spectrum, state.period);
-  state.ratio = state.capacity / state.demand;
+  judge (&state, c);
   return state;
 }
 
-QnEnDemand
-qn_capacity_en_demand (const QnCapacity *c, const QnSpectrum *spectrum)
+/* Up to the peak as elastic and perfectly plastic: annex B. */
+static QnEnDemand
+en_yield (const QnCapacity *c)
 {
   const QnCapacityPoint *peak = &c->points[c->peak];
   QnEnDemand d = { .yield_acceleration = peak->acceleration,
-                   .mechanism = peak->displacement };
+                   .mechanism = peak->displacement,
+                   .softer = NAN };
 
   for (size_t i = 1; i <= c->peak; i++)
     d.energy += 0.5 * (c->points[i].acceleration + c->points[i - 1].acceleration)
                 * (c->points[i].displacement - c->points[i - 1].displacement);
   d.yield = fmax (2 * (d.mechanism - d.energy / d.yield_acceleration), 0);
   d.period = 2 * PI * sqrt (d.yield / d.yield_acceleration);
+  return d;
+}
+
+QnEnDemand
+qn_capacity_en_demand (const QnCapacity *c, const QnSpectrum *spectrum)
+{
+  QnEnDemand d = en_yield (c);
+
+  if (c->softer != NULL)
+    d.softer = en_yield (c->softer).period;
   double acceleration = qn_spectrum_acceleration (spectrum, d.period);
   double corner = qn_spectrum_corner (spectrum);
   d.elastic = qn_spectrum_displacement (spectrum, d.period);
@@ -199,9 +248,10 @@ qn_capacity_check_en (const QnCapacity *c, const QnEnDemand *demand, QnEnState w
   }
   QnCapacityState state = { .capacity = part * near_collapse,
                             .period = demand->period,
+                            .softer = demand->softer,
                             .demand = demand->target };
 
   state.acceleration = qn_capacity_acceleration (c, state.capacity);
-  state.ratio = state.capacity / state.demand;
+  judge (&state, c);
   return state;
 }

@@ -4,8 +4,9 @@
  * The live load is weight times a horizontal direction, so that multiplier and acceleration go
  * together. delta_i is the horizontal motion of block i in the mechanism: from the peak of the path
  * to where the multiplier has fallen to four fifths of it, or to the end of the path; since the
- * dead load where the path ends at its peak. Blocks that move by less than a tenth of the one
- * that moves most do not take part. With P_i the weights of those that do, V the horizontal live
+ * dead load where the path ends at its peak. Blocks take part that move by a tenth of the one
+ * that moves most, or by a thousandth with the load: those near the foot of what overturns. What stands only
+ * springs back. With P_i the weights of those that do, V the horizontal live
  * load on them at multiplier 1, d_k the displacement of the control block since the dead load:
  *
  *   M* = (sum P_i delta_i)^2 / (g sum P_i delta_i^2)        e* = g M* / sum P_i
@@ -33,6 +34,7 @@ typedef struct QnCapacity {
   QnId block; /* of control */
   size_t participating;
   double moving_mass;      /* of the blocks that take part, kg */
+  double left_out;         /* of those that do not, but for fixed ones, kg */
   double mass;             /* M*, kg */
   double share;            /* e* */
   double ratio;            /* d* over d_k */
@@ -41,6 +43,9 @@ typedef struct QnCapacity {
   size_t count, peak;      /* peak: the point of the largest multiplier */
   bool reaches_zero;       /* whether the multiplier comes back to 0 */
   double end;              /* d* of the last point, m: d0* where it does */
+  struct QnCapacity
+    *softer; /* owned: the same with half the stiffness of all joints, for what
+                                periods rest on; NULL: not known */
 } QnCapacity;
 
 /* From a result of displacement control. Refuses live loads that are no horizontal weights, beams,
@@ -59,9 +64,11 @@ double qn_capacity_acceleration (const QnCapacity *capacity, double displacement
 typedef struct QnCapacityState {
   double capacity;     /* m */
   double acceleration; /* a* there, m/s2 */
-  double period;       /* that the demand is taken at, s */
+  double period;       /* that the demand is taken at, s, */
+  double softer;       /* and with half the stiffness; NaN: not known */
   double demand;       /* m */
-  double ratio;        /* capacity over demand */
+  bool refused; /* half the stiffness changes the period by more than a fifth of it */
+  double ratio; /* capacity over demand; NaN where refused */
 } QnCapacityState;
 
 /* Circolare 7/2019 to NTC 2018, C8.7.1.2, mechanisms at the level of the ground:
@@ -93,7 +100,8 @@ typedef struct QnEnDemand {
   double mechanism;          /* d_m, m */
   double energy;             /* E, m2/s2 */
   double yield;              /* d_y, m */
-  double period;             /* T, s */
+  double period;             /* T, s, */
+  double softer;             /* and with half the stiffness; NaN: not known */
   double elastic;            /* d_et, m */
   double q;
   double target; /* d_t, m */

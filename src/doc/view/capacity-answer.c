@@ -9,6 +9,7 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <stdlib.h>
 
 /* First step of the control over its target, where both are chosen here: the path rises while joints
  * still deform little. */
@@ -25,6 +26,37 @@ const char *
 qn_capacity_check_code (QnCapacityCheck check)
 {
   return check < QN_CAPACITY_SD ? "NTC 2018, Circolare 7/2019 C8.7.1.2" : "EN 1998-3";
+}
+
+char *
+qn_capacity_dup_verdict (const QnCapacityState *state)
+{
+  if (state->refused)
+    return g_strdup (_ ("refused"));
+  return g_strdup_printf (state->ratio < 1 ? _ ("%.3f – not met") : "%.3f", state->ratio);
+}
+
+char *
+qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check)
+{
+  const char *name = qn_capacity_check_name (check);
+  const char *rests = check < QN_CAPACITY_SD
+                        ? _ ("the secant to the capacity")
+                        : _ ("the elastic rise of the curve up to its peak");
+  if (isnan (state->softer))
+    return g_strdup_printf (
+      _ ("%s: the period of %.4g s is that of %s; how far it rests on the "
+         "stiffness of the joints is not known."),
+      name, state->period, rests);
+  return g_strdup_printf (
+    state->refused
+      ? _ (
+        "%s: refused. The period of %.4g s is that of %s, and rests on the stiffness of "
+        "the joints: %.4g s with half of it.")
+      : _ (
+        "%s: the period of %.4g s is that of %s; %.4g s with half the stiffness of the "
+        "joints."),
+    name, state->period, rests, state->softer);
 }
 
 /* ---- the path ---- */
@@ -156,6 +188,39 @@ follow (const Search *search, QnId control, QnResult *result)
   return QN_CAPACITY_NO_ANSWER;
 }
 
+/* The same path with half the stiffness of all joints: what periods rest on. Where it has no end of its own
+ * that is not known. */
+static QnCapacityEnd
+follow_softer (const Search *search, QnCapacity *capacity)
+{
+  QnModel *model = search->model;
+  QnResult result;
+  QnCapacity softer;
+  for (gsize i = 0; i < model->law_count; i++) {
+    model->laws[i].kn *= 0.5;
+    model->laws[i].ks *= 0.5;
+  }
+  QnCapacityEnd end = analyse (search, &result);
+  for (gsize i = 0; i < model->law_count; i++) {
+    model->laws[i].kn *= 2;
+    model->laws[i].ks *= 2;
+  }
+  if (end != QN_CAPACITY_FOUND)
+    return end;
+  g_autofree char *fault = dup_fault (model, &result);
+  if (fault == NULL
+      && qn_capacity_init (&softer, model, &result, capacity->block, NULL) == QN_OK) {
+    /* freed by the core */
+    capacity->softer = malloc (sizeof softer);
+    if (capacity->softer != NULL)
+      *capacity->softer = softer;
+    else
+      qn_capacity_clear (&softer);
+  }
+  qn_result_clear (&result);
+  return QN_CAPACITY_FOUND;
+}
+
 QnCapacityEnd
 qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                          const QnContacts *contacts, QnId control, QnProgressFunc report,
@@ -173,7 +238,12 @@ qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
   if (status == QN_OK && !answer->capacity.reaches_zero)
     *reason = qn_outcome_dup_cause (model, &result);
   qn_result_clear (&result);
-  return status == QN_OK ? QN_CAPACITY_FOUND : QN_CAPACITY_REFUSED;
+  if (status != QN_OK)
+    return QN_CAPACITY_REFUSED;
+  end = follow_softer (&search, &answer->capacity);
+  if (end != QN_CAPACITY_FOUND)
+    qn_capacity_clear (&answer->capacity);
+  return end;
 }
 
 void

@@ -23,6 +23,11 @@ typedef enum {
 const char *qn_capacity_check_name (QnCapacityCheck check);
 const char *qn_capacity_check_code (QnCapacityCheck check);
 
+/* "0.660 – not met", "1.250", "refused"; what the period of a check rests on, or why it is refused: a sentence.
+ * Translated; free with g_free(). */
+char *qn_capacity_dup_verdict (const QnCapacityState *state);
+char *qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check);
+
 typedef struct QnCapacityAnswer {
   QnCapacity capacity; /* owned */
   gboolean has_spectrum;

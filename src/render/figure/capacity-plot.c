@@ -43,7 +43,7 @@ prepare (const QnCapacityPlot *plot)
   const QnCapacity *c = plot->capacity;
   Drawn *d = g_new0 (Drawn, 1);
   size_t count = 0, shown = MIN (plot->mark_count, MOST_MARKS);
-  double farthest = c->end;
+  double farthest = c->end, highest = 0;
 
   d->x = g_new (double, c->count);
   d->y = g_new (double, c->count);
@@ -52,7 +52,8 @@ prepare (const QnCapacityPlot *plot)
     d->y[i] = c->points[i].acceleration;
   }
   for (size_t i = 0; i < shown; i++)
-    farthest = fmax (farthest, plot->marks[i].state.demand);
+    if (!plot->marks[i].state.refused)
+      farthest = fmax (farthest, plot->marks[i].state.demand);
   d->marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
                                  .label = plot->curve_label,
                                  .series = 0,
@@ -68,12 +69,19 @@ prepare (const QnCapacityPlot *plot)
                  .x = d->sx,
                  .y = d->sy,
                  .count = find_spectrum (plot, BEYOND * farthest, d->sx, d->sy) };
+  for (size_t i = 0; i < c->count; i++)
+    highest = fmax (highest, d->y[i]);
+  for (size_t i = 0; plot->spectrum != NULL && i < d->marks[1].count; i++)
+    highest = fmax (highest, d->sy[i]);
   for (size_t i = 0; i < shown; i++) {
     const QnCapacityState *state = &plot->marks[i].state;
     double omega = 2 * G_PI / state->period, *px = d->px[i], *py = d->py[i];
-    /* the demand ends the line from the origin whose slope is that of its period */
-    px[1] = state->demand;
-    py[1] = omega * omega * state->demand;
+    if (state->refused)
+      continue;
+    /* the demand ends the line from the origin whose slope is that of its period; it is cut where curve
+     * and spectrum end */
+    px[1] = fmin (state->demand, highest / (omega * omega));
+    py[1] = omega * omega * px[1];
     px[2] = state->capacity;
     py[2] = qn_capacity_acceleration (c, state->capacity);
     d->marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,

@@ -5,6 +5,7 @@
 
 #include <glib.h>
 #include <math.h>
+#include <stdlib.h>
 
 #define G 9.81
 
@@ -114,6 +115,72 @@ test_two_blocks (void)
   qn_capacity_clear (&capacity);
 }
 
+/* Nine equal blocks that overturn as one: the lowest moves a seventeenth as far as the highest. All of them take part: e* = (sum of odd numbers)^2 / (n sum of their squares). A block
+ * beside them springs back as the multiplier falls and takes no part; its mass is told. */
+static void
+test_all_that_overturn (void)
+{
+  enum { BLOCKS = 9, ROWS = BLOCKS + 2 };
+  const double multipliers[] = { 0, 0.3, 0 };
+  double ux[3 * ROWS] = { 0 }, sum = 0, squares = 0;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
+  QnCapacity capacity;
+  test_model_init_stack (&model, BLOCKS + 1, 0.5, 1);
+  test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  for (int i = 0; i < BLOCKS; i++) {
+    double part = 2 * i + 1;
+    ux[ROWS + 1 + i] = 1e-3 * part;
+    ux[2 * ROWS + 1 + i] = 1e-2 * part;
+    sum += part;
+    squares += part * part;
+  }
+  ux[ROWS + 1 + BLOCKS] = 1e-3;
+  init_result (&result, &model, multipliers, ux, 3);
+  g_assert_cmpint (qn_capacity_init (&capacity, &model, &result, BLOCKS, NULL), ==,
+                   QN_OK);
+  g_assert_cmpuint (capacity.participating, ==, BLOCKS);
+  check_close (capacity.share, sum * sum / (BLOCKS * squares), 1e-9);
+  check_close (capacity.left_out, model.blocks[1].weight / model.gravity, 1e-9);
+  qn_capacity_clear (&capacity);
+}
+
+/* A period that half the stiffness changes by more than a fifth of it is that of the stiffness: the check is
+ * refused. Joints twice as soft let the peak be twice as far: by a root of two for EN 1998-3; where the curve
+ * comes back to zero is where it was. */
+static void
+test_soft_periods (void)
+{
+  const double multipliers[] = { 0, 0.3, 0 };
+  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 5, QN_SOIL_B, 0.05, NULL, 0 };
+  QnCapacity capacity[2];
+  for (int soft = 0; soft < 2; soft++) {
+    const double peak = soft ? 0.002 : 0.001;
+    const double ux[] = { 0, 0, 0, peak, 0, 0.16 };
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
+    test_model_init_block_on_plane (&model, 0.6, 3);
+    test_model_add_weight_loads (&model, 1);
+    g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+    init_result (&result, &model, multipliers, ux, 3);
+    g_assert_cmpint (qn_capacity_init (&capacity[soft], &model, &result, 1, NULL), ==,
+                     QN_OK);
+  }
+  QnEnDemand demand = qn_capacity_en_demand (&capacity[0], &spectrum);
+  g_assert_false (qn_capacity_check_en (&capacity[0], &demand, QN_EN_NC).refused);
+  capacity[0].softer = malloc (sizeof capacity[1]);
+  *capacity[0].softer = capacity[1];
+  demand = qn_capacity_en_demand (&capacity[0], &spectrum);
+  QnCapacityState nc = qn_capacity_check_en (&capacity[0], &demand, QN_EN_NC);
+  g_assert_true (nc.refused && isnan (nc.ratio));
+  check_close (nc.softer / nc.period, sqrt (2), 1e-9);
+  QnCapacityState slv = qn_capacity_check_ntc (&capacity[0], &spectrum, 1, QN_NTC_SLV);
+  g_assert_true (!slv.refused && slv.ratio > 0);
+  check_close (slv.softer / slv.period, 1, 0.01);
+  qn_capacity_clear (&capacity[0]);
+}
+
 static QnProblem
 refusal (QnModel *model, const double *multipliers, const double *ux, QnId control)
 {
@@ -156,5 +223,7 @@ QN_TESTS
 {
   g_test_add_func ("/capacity/rigid-block", test_rigid_block);
   g_test_add_func ("/capacity/two-blocks", test_two_blocks);
+  g_test_add_func ("/capacity/all-that-overturn", test_all_that_overturn);
+  g_test_add_func ("/capacity/soft-periods", test_soft_periods);
   g_test_add_func ("/capacity/refuse", test_refuse);
 }
