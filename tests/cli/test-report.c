@@ -49,11 +49,12 @@ test_whole (void)
   g_assert_cmpmem (a, length_a, b, length_b);
   assert_words (one,
                 WORDS ("Semicircular arch", "Materials", "Loads and Analysis", "Findings",
-                       "Contacts", "Collapse at a load multiplier of 0.2864",
-                       "Hinges as in an arch", "Mechanism",
-                       "Forces of joints: Analysis of the project", "M (kN·m)", "e (mm)",
-                       "State", "Independent Check", "Analysis of the project: passed",
-                       "Files and Versions", "voussoir 2"),
+                       "Contacts", "2 per joint, at the ends",
+                       "Collapse at a load multiplier of 0.2864", "Hinges as in an arch",
+                       "Mechanism", "Forces of joints: Analysis of the project",
+                       "M (kN·m)", "e (mm)", "State", "Independent Check",
+                       "Analysis of the project: passed", "Files and Versions",
+                       "voussoir 2"),
                 NULL);
 }
 

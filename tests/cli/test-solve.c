@@ -336,15 +336,14 @@ test_block_on_an_edge (void)
 
 /* The sill of a window rocks on the joint below it. With the work of the live load prescribed it would unload
  * the whole wall, which would seem to collapse at 0.00004; linear geometry, with joints that do not give
- * way, has 0.349. */
+ * way, has 0.349, and these joints, bent as 40 even pairs bend them, 0.3025. */
 static void
 test_rocking_sill (void)
 {
   double multiplier = collapse_of_wall (
     "length=3.2", "height=2.8", "\"at\": [0.5, 0.8], \"width\": 0.6, \"height\": 0.8",
     "\"at\": [1.9, 0.6], \"width\": 1, \"height\": 1.2", "2e9");
-  g_assert_cmpfloat (multiplier, >, 0.32);
-  g_assert_cmpfloat (multiplier, <, 0.349);
+  g_assert_cmpfloat_with_epsilon (multiplier, 0.3025, 0.01 * 0.3025);
 }
 
 /* Ctrl+C during a large analysis: the code is 130 and a file that was written is a whole one. */

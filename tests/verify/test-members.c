@@ -142,6 +142,24 @@ test_uniform_pairs (void)
   g_assert_cmpfloat_with_epsilon (tip_displacement (20, uniform (2)) / two, 1, 1e-5);
 }
 
+/* Gauss and Lobatto's, three or more, too; the ends alone are three times as stiff. */
+static void
+test_lobatto_pairs (void)
+{
+  double exact = tip_displacement (20, gauss (2));
+  double ends = (exact - 0.240e-3) / 3 + 0.240e-3;
+  for (int n = 3; n <= 9; n++)
+    g_assert_cmpfloat_with_epsilon (
+      tip_displacement (20, (QnPairRule){ .placement = QN_PLACEMENT_LOBATTO, .count = n })
+        / exact,
+      1, 1e-9);
+  g_assert_cmpfloat_with_epsilon (tip_displacement (20, (QnPairRule){ 0 }) / exact, 1,
+                                  1e-9);
+  g_assert_cmpfloat_with_epsilon (
+    tip_displacement (20, (QnPairRule){ .placement = QN_PLACEMENT_ENDS }) / ends, 1,
+    1e-5);
+}
+
 /* One face under a growing moment: M / M0 = 1.5 - 0.5 / k^2 beyond first yield. */
 static void
 test_moment_curvature (void)
@@ -300,6 +318,7 @@ QN_TESTS
   g_test_add_func ("/verify/members/cantilever", test_cantilever);
   g_test_add_func ("/verify/members/second-order", test_second_order);
   g_test_add_func ("/verify/members/uniform-pairs", test_uniform_pairs);
+  g_test_add_func ("/verify/members/lobatto-pairs", test_lobatto_pairs);
   g_test_add_func ("/verify/members/moment-curvature", test_moment_curvature);
   g_test_add_func ("/verify/members/plastic-load", test_plastic_load);
   g_test_add_func ("/verify/members/reinforced", test_reinforced);

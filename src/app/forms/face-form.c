@@ -153,12 +153,12 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case OFFSET:
     value->number = rule->offset;
-    return own && rule->placement == QN_PLACEMENT_ENDS;
+    return own && rule->placement <= QN_PLACEMENT_LOBATTO;
   case COUNT:
-    value->number = MAX (rule->count, 2);
-    return own
-           && (rule->placement == QN_PLACEMENT_UNIFORM
-               || rule->placement == QN_PLACEMENT_GAUSS);
+    value->number =
+      qn_pair_rule_shown_count (rule, model, contacts_of (form)->faces[ids[0]].law_a);
+    return own && rule->placement >= QN_PLACEMENT_LOBATTO
+           && rule->placement != QN_PLACEMENT_EXPLICIT;
   case POSITIONS: /* without any those of the ends are there to start from */
     value->text = qn_pair_rule_dup_positions (rule);
     return own && rule->placement == QN_PLACEMENT_EXPLICIT;
@@ -181,13 +181,14 @@ show (gpointer data, guint field, QnValue *value)
 /* ---- changes ---- */
 
 static gboolean
-take_rule (const QnBoundForm *form, QnPairRule *rule, GError **error)
+take_rule (const QnBoundForm *form, guint field, QnPairRule *rule, GError **error)
 {
   g_autofree char *positions = qn_bound_form_dup_text ((gpointer) form, POSITIONS);
   QnValue count = { .number = qn_bound_form_get_number ((gpointer) form, COUNT) };
-  if (rule->placement == QN_PLACEMENT_ENDS)
+  if (rule->placement <= QN_PLACEMENT_LOBATTO)
     rule->offset = qn_bound_form_get_number ((gpointer) form, OFFSET);
-  rule->count = MAX (qn_value_int (&count), 1);
+  if (rule->placement != QN_PLACEMENT_LOBATTO || field == COUNT)
+    rule->count = MAX (qn_value_int (&count), 1);
   return rule->placement != QN_PLACEMENT_EXPLICIT
          || qn_pair_rule_parse (rule, positions, "", error);
 }
@@ -211,7 +212,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   if (row == ROW_AS_ALL)
     return qn_edit_set_face_pairs (model, set, NULL, error);
   QnPairRule rule = { .placement = (QnPlacement) (row - 1) };
-  return take_rule (data, &rule, error)
+  return take_rule (data, field, &rule, error)
          && qn_edit_set_face_pairs (model, set, &rule, error);
 }
 

@@ -140,11 +140,11 @@ show_contact (const QnModel *model, guint field, QnValue *value)
     return TRUE;
   case OFFSET:
     value->number = rule->offset;
-    return rule->placement == QN_PLACEMENT_ENDS;
+    return rule->placement <= QN_PLACEMENT_LOBATTO;
   case COUNT:
-    value->number = MAX (1, rule->count);
-    return rule->placement == QN_PLACEMENT_UNIFORM
-           || rule->placement == QN_PLACEMENT_GAUSS;
+    value->number = qn_pair_rule_shown_count (rule, model, model->contact.law);
+    return rule->placement >= QN_PLACEMENT_LOBATTO
+           && rule->placement != QN_PLACEMENT_EXPLICIT;
   case POSITIONS: /* without any those of the ends are there to start from */
     value->text = qn_pair_rule_dup_positions (rule);
     return rule->placement == QN_PLACEMENT_EXPLICIT;
@@ -300,7 +300,8 @@ take_contact (gpointer form, QnModel *model, guint field, const QnValue *value,
   else if (field == PLACEMENT && (QnPlacement) value->number != QN_PLACEMENT_EXPLICIT) {
     QnValue count = { .number = qn_bound_form_get_number (form, COUNT) };
     rule->placement = (QnPlacement) value->number;
-    rule->count = MAX (qn_value_int (&count), 1);
+    rule->count =
+      rule->placement == QN_PLACEMENT_LOBATTO ? 0 : MAX (qn_value_int (&count), 1);
   } else {
     g_autofree char *positions = qn_bound_form_dup_text (form, POSITIONS);
     g_autofree char *weights = qn_bound_form_dup_text (form, WEIGHTS);

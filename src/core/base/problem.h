@@ -86,6 +86,9 @@
   X (TOO_MANY_BLOCKS, "more blocks than the program handles") \
   X (PAIR_OFFSET_TOO_LARGE, "offset leaves no room between the two contact pairs of a face") \
   X (PAIR_COUNT, "number of contact pairs must be at least one") \
+  X (LOBATTO_COUNT, "gauss-lobatto has 3 to 9 contact pairs on a face") \
+  X (PAIRS_BENDING, "contact pairs misstate the bending stiffness of joints") \
+  X (PAIRS_CRUSHING, "contact pairs carry more than joints that are crushed") \
   X (NO_LIVE_LOAD, "no live load acts on any free block") \
   X (CONTROL_DOF_FIXED, "controlled degree of freedom is fixed") \
   X (CONTROL_TARGET_ZERO, "control target is zero") \

@@ -11,10 +11,13 @@ typedef struct QnFinding {
   QnId block_a;      /* block concerned */
   QnId block_b;      /* the other one, or QN_NONE */
   QnVec2 at;         /* place, m */
-  double value; /* width of the gap, depth of the overlap, m; 0 where there is none */
+  double
+    value; /* width of the gap, depth of the overlap, m; PAIRS_BENDING and PAIRS_CRUSHING:
+                   how many times what is right; 0 where there is none */
   QnId
     subject; /* BEAM_FLOATING: the beam; LOAD_MEETS_NOTHING: the load, counted through the
-                   dead and then the live ones; QN_NONE otherwise */
+                   dead and then the live ones; PAIRS_…: how many joints, of which this one is
+                   the worst; QN_NONE otherwise */
 } QnFinding;
 
 typedef struct QnFindings {

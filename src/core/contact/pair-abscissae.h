@@ -5,6 +5,9 @@
  *
  *   ends       2 pairs, weight 1/2 each, `offset` from the corners: constant stress only; of a
  *              linear one (bending) the moment is 3 (1 - 2 offset)^2 times the true one
+ *   lobatto    n pairs, the ends among them, at the abscissae of Gauss and Lobatto: polynomials up
+ *              to degree 2n - 3, so bending from n = 3 on, and rocking about the corners; with
+ *              an offset they all move inwards in proportion, (1 - 2 offset)^2 times the moment
  *   uniform    n pairs in the middle of n equal parts, the outer ones with a little more weight,
  *              the inner ones with a little less (+1.8 % and -1.2 % at n = 10), so that from n = 3 on
  *              linear stress has the right force and the right moment, cubic stress too; equal
@@ -19,6 +22,10 @@
 
 #include "core/model/model.h"
 
+/* The rule for a face of this law, where it leaves placement or number to the law. The others take
+ * such rules only. */
+QnPairRule qn_pair_rule_by_law (const QnPairRule *rule, const QnLaw *law);
+
 /* Number of pairs that the rule puts on a face. */
 size_t qn_pair_rule_count (const QnPairRule *rule);
 
@@ -26,7 +33,18 @@ size_t qn_pair_rule_count (const QnPairRule *rule);
 void qn_pair_rule_place (const QnPairRule *rule, double length, size_t i,
                          double *position, double *weight);
 
+/* Elastic bending stiffness by the pairs over the true one, of a face of this length. */
+double qn_pair_rule_bending (const QnPairRule *rule, double length);
+
+/* The most by which the pairs overstate the moment that a crushed face carries: of all normal forces
+ * N the largest ratio of the moment of the pairs that carry N, those nearest to one end with their full
+ * strength fc b w_i, to that of a stress block, N (b - N / fc) / 2 (thickness 1). Both are zero at N = 0,
+ * between the kinks of the first one the ratio is largest at a kink. `per_pair`: each pair has the same
+ * strength, whatever its weight. */
+double qn_pair_rule_crushing (const QnPairRule *rule, double length, bool per_pair);
+
 /* Abscissa and weight number i of n on [-1, 1], ascending; weights add up to 2. */
 void qn_gauss_legendre (size_t n, size_t i, double *abscissa, double *weight);
+void qn_gauss_lobatto (size_t n, size_t i, double *abscissa, double *weight); /* n >= 2 */
 
 #endif

@@ -6,6 +6,10 @@
 
 #include <stdlib.h>
 
+/* What pairs may make of the bending stiffness and of the moment of a crushed joint before that is a
+ * finding. Two evenly spaced pairs have 3/4 of the stiffness, two Gauss points 1.15 times the moment. */
+static const double least_bending = 0.8, most_bending = 1.25, most_crushing = 1.1;
+
 /* An exception, its blocks in the order in which faces name them. */
 typedef struct {
   QnId a, b;
@@ -187,18 +191,59 @@ check_springs (const QnModel *model, const QnContacts *contacts, QnId index, QnD
   return QN_OK;
 }
 
+/* Counts a face in the finding, which is at the worst one: furthest from 1. */
+static void
+count_in (QnFinding *finding, const QnContactFace *face, double value)
+{
+  finding->subject++;
+  if (finding->block_a != QN_NONE && fabs (log (value)) <= fabs (log (finding->value)))
+    return;
+  finding->block_a = face->a;
+  finding->block_b = face->b;
+  finding->at = qn_vec2_lerp (face->start, face->end, 0.5);
+  finding->value = value;
+}
+
+/* What the pairs misstate. Bending stiffness counts in large displacements; Gauss-Lobatto pairs have that
+ * of the face between its rounded edges. */
+static void
+judge_pairs (const QnModel *model, const QnContactFace *face, const QnPairRule *rule,
+             QnFinding *bending, QnFinding *crushing)
+{
+  const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
+  bool per_pair = a->basis == QN_BASIS_CONTACT;
+
+  if (!per_pair && model->analysis.geometry == QN_GEOMETRY_NONLINEAR
+      && rule->placement != QN_PLACEMENT_LOBATTO) {
+    double stiffness = qn_pair_rule_bending (rule, face->length);
+    if (stiffness < least_bending || stiffness > most_bending)
+      count_in (bending, face, stiffness);
+  }
+  if (qn_law_yields (a->kind) || qn_law_yields (b->kind)) {
+    double moment = qn_pair_rule_crushing (rule, face->length, per_pair);
+    if (moment > most_crushing)
+      count_in (crushing, face, moment);
+  }
+}
+
 /* Everything about the pairs of one face. */
 static QnStatus
 furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
-              const QnFaceOverride *exception, bool *used_bars, QnDiag *diag)
+              const QnFaceOverride *exception, bool *used_bars, QnFinding judged[2],
+              QnDiag *diag)
 {
   QnContactFace *face = &contacts->faces[index];
   bool own_pairs = exception != NULL && exception->has_pairs;
 
   face->law_a = law_of_side (model, face->a, exception);
   face->law_b = law_of_side (model, face->b, exception);
-  QnStatus status = place_pairs (
-    contacts, index, own_pairs ? &exception->pairs : &model->contact.pairs, diag);
+  const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
+  QnPairRule rule =
+    qn_pair_rule_by_law (own_pairs ? &exception->pairs : &model->contact.pairs,
+                         qn_law_yields (a->kind) ? a : b);
+  QnStatus status = place_pairs (contacts, index, &rule, diag);
+  if (status == QN_OK)
+    judge_pairs (model, face, &rule, &judged[0], &judged[1]);
   if (status == QN_OK)
     status = add_bars (model, contacts, (QnId) index, used_bars, diag);
   return status == QN_OK ? check_springs (model, contacts, (QnId) index, diag) : status;
@@ -211,25 +256,14 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
   Exception *exceptions = qn_alloc (exception_count, sizeof *exceptions);
   bool *used_bars = qn_alloc (model->bar_count, sizeof *used_bars);
   QnStatus status = QN_OK;
+  QnFinding judged[2] = {
+    { .problem = QN_PROBLEM_PAIRS_BENDING, .block_a = QN_NONE, .block_b = QN_NONE },
+    { .problem = QN_PROBLEM_PAIRS_CRUSHING, .block_a = QN_NONE, .block_b = QN_NONE },
+  };
 
   contacts->pair_count = 0;
   if (exceptions == NULL || used_bars == NULL)
     status = qn_diag_no_memory (diag);
-
-  /* Room for the pairs of all faces by the general rule and of one face per exception. */
-  size_t expected = contacts->face_count * qn_pair_rule_count (&model->contact.pairs);
-  for (size_t i = 0; i < exception_count; i++)
-    if (model->overrides[i].has_pairs)
-      expected += qn_pair_rule_count (&model->overrides[i].pairs);
-  if (status == QN_OK && expected > contacts->pair_capacity && expected <= INT32_MAX) {
-    QnContactPair *pairs = qn_alloc_unset (expected, sizeof *pairs);
-    if (pairs != NULL) {
-      free (contacts->pairs);
-      contacts->pairs = pairs;
-      contacts->pair_capacity = expected;
-    } else
-      status = qn_diag_no_memory (diag);
-  }
 
   for (size_t i = 0; status == QN_OK && i < exception_count; i++) {
     const QnFaceOverride *override = &model->overrides[i];
@@ -243,7 +277,7 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
   for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
     status = furnish_face (model, contacts, i,
                            exception_of (model, exceptions, &next, &contacts->faces[i]),
-                           used_bars, diag);
+                           used_bars, judged, diag);
 
   for (size_t i = 0; status == QN_OK && i < model->bar_count; i++)
     if (!used_bars[i])
@@ -257,6 +291,9 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
                                                                a, b, at, 0, QN_NONE }))
       status = qn_diag_no_memory (diag);
   }
+  for (size_t i = 0; status == QN_OK && i < QN_N_ELEMENTS (judged); i++)
+    if (judged[i].block_a != QN_NONE && !qn_findings_add (&contacts->findings, judged[i]))
+      status = qn_diag_no_memory (diag);
   free (exceptions);
   free (used_bars);
   return status;

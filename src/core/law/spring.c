@@ -76,6 +76,12 @@ qn_law_is_plastic (QnLawKind kind)
 }
 
 bool
+qn_law_yields (QnLawKind kind)
+{
+  return kind != QN_LAW_ELASTIC && kind != QN_LAW_NO_TENSION && kind != QN_LAW_COULOMB;
+}
+
+bool
 qn_law_softens (QnLawKind kind)
 {
   return qn_law_ops (kind)->softening != NULL;

@@ -126,6 +126,9 @@ bool qn_law_has_strength (QnLawKind kind);
 /* Whether the law is elastic and perfectly plastic within its strengths. */
 bool qn_law_is_plastic (QnLawKind kind);
 
+/* Whether a kind of law limits compression otherwise than by its stiffness. */
+bool qn_law_yields (QnLawKind kind);
+
 /* Whether springs of a kind of law may soften. */
 bool qn_law_softens (QnLawKind kind);
 

@@ -154,7 +154,11 @@ check_explicit_pairs (const QnPairRule *rule, QnEntity entity, QnId index, QnDia
 static QnStatus
 check_pairs (const QnPairRule *rule, QnEntity entity, QnId index, QnDiag *diag)
 {
-  if (rule->placement == QN_PLACEMENT_ENDS)
+  if (rule->placement == QN_PLACEMENT_LOBATTO && rule->count != 0
+      && (rule->count < QN_LEAST_LOBATTO_PAIRS || rule->count > QN_MOST_LOBATTO_PAIRS))
+    return qn_diag_set_field (diag, QN_PROBLEM_LOBATTO_COUNT, entity, index,
+                              "pairs.count", rule->count);
+  if (rule->placement <= QN_PLACEMENT_LOBATTO)
     return qn_check_number (rule->offset, QN_NUMBER_NOT_NEGATIVE, entity, index,
                             "pairs.offset", diag);
   if (rule->count < 1)

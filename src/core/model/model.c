@@ -11,9 +11,7 @@ qn_model_init (QnModel *model)
 {
   *model = (QnModel){
     .gravity = 9.81,
-    .contact = { .law = QN_NONE,
-                 .tolerance = 1e-6,
-                 .pairs = { .placement = QN_PLACEMENT_ENDS, .count = 2 } },
+    .contact = { .law = QN_NONE, .tolerance = 1e-6 },
     .analysis = { .procedure = QN_PROCEDURE_LOAD,
                   .geometry = QN_GEOMETRY_LINEAR,
                   .snap = QN_SNAP_THROUGH_JUMP,

@@ -26,8 +26,10 @@
 /* Longest block or opening in a course, in units of the wall; longer ones are typing errors. */
 #define QN_MAX_COURSE_LENGTH 1e6
 
-/* Most contact pairs on one face. */
-#define QN_MAX_PAIRS_PER_FACE 1000
+/* Most contact pairs on one face, and how many there are at the abscissae of Gauss and Lobatto. */
+#define QN_MAX_PAIRS_PER_FACE  1000
+#define QN_LEAST_LOBATTO_PAIRS 3
+#define QN_MOST_LOBATTO_PAIRS  9
 
 /* Most pairs that are placed one by one. */
 #define QN_MAX_EXPLICIT_PAIRS 32
@@ -90,7 +92,9 @@ typedef struct QnWall {
 } QnWall;
 
 typedef enum {
-  QN_PLACEMENT_ENDS,     /* two pairs, each `offset` away from its end of the face */
+  QN_PLACEMENT_DEFAULT, /* by the face's law: ENDS where it counts per pair, else LOBATTO */
+  QN_PLACEMENT_ENDS,    /* two pairs, each `offset` away from its end of the face */
+  QN_PLACEMENT_LOBATTO, /* `count` pairs at the abscissae of Gauss and Lobatto: the ends and more */
   QN_PLACEMENT_UNIFORM,  /* `count` pairs, each in the middle of its tributary length */
   QN_PLACEMENT_GAUSS,    /* `count` pairs at the abscissae of Gauss and Legendre */
   QN_PLACEMENT_EXPLICIT, /* `count` pairs at `positions` */
@@ -99,8 +103,9 @@ typedef enum {
 
 typedef struct QnPairRule {
   QnPlacement placement;
-  double offset; /* m, >= 0, for ENDS; stands for rounded corners */
-  int32_t count; /* >= 1, for all but ENDS */
+  double offset; /* m, >= 0, for DEFAULT, ENDS and LOBATTO; stands for rounded corners */
+  int32_t
+    count; /* >= 1, for all but DEFAULT and ENDS; of LOBATTO 3 to 9, or 0: by the law */
   double
     positions[QN_MAX_EXPLICIT_PAIRS];    /* EXPLICIT: parts of the face's length from its
                                               start, ascending, 0 to 1 */

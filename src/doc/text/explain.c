@@ -1,6 +1,7 @@
 #include "doc/text/explain.h"
 
 #include "core/result/first-limit.h"
+#include "io/project/project.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
 #include "render/drawing/text.h"
@@ -78,9 +79,9 @@ qn_explain_finding (const QnModel *model, const QnFinding *finding)
   const char *a = entity_name (model, QN_ENTITY_BLOCK, finding->block_a);
   const char *b = entity_name (model, QN_ENTITY_BLOCK, finding->block_b);
   const char *text = _ (qn_problem_text (finding->problem));
-  g_autofree char *width = finding->value > 0.0
-                             ? g_strdup_printf (" (%.3g mm)", finding->value * 1e3)
-                             : g_strdup ("");
+  g_autofree char *value = qn_project_dup_finding_value (finding, "mm", 1e3);
+  g_autofree char *width =
+    value != NULL ? g_strdup_printf (" (%s)", value) : g_strdup ("");
   if (a != NULL && b != NULL)
     return g_strdup_printf (_ ("%s – %s: %s%s"), a, b, text, width);
   return g_strdup_printf (_ ("%s: %s%s"), a != NULL ? a : _ ("Model"), text, width);

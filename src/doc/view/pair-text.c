@@ -1,5 +1,6 @@
 #include "doc/view/pair-text.h"
 
+#include "core/contact/pair-abscissae.h"
 #include "doc/edit/edit.h"
 #include "doc/text/units.h"
 #include <glib/gi18n.h>
@@ -68,6 +69,35 @@ qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights
     draft.weights[i] /= sum;
   *rule = draft;
   return TRUE;
+}
+
+int
+qn_pair_rule_shown_count (const QnPairRule *rule, const QnModel *model, QnId law)
+{
+  return law == QN_NONE ? MAX (rule->count, 1)
+                        : MAX (qn_pair_rule_by_law (rule, &model->laws[law]).count, 1);
+}
+
+char *
+qn_pair_rule_dup_text (const QnPairRule *rule, const QnLaw *law, QnUnits units)
+{
+  static const char *const texts[QN_PLACEMENT_COUNT] = {
+    [QN_PLACEMENT_ENDS] = N_ ("at the ends"),
+    [QN_PLACEMENT_LOBATTO] = N_ ("at Gauss–Lobatto points"),
+    [QN_PLACEMENT_UNIFORM] = N_ ("evenly spaced"),
+    [QN_PLACEMENT_GAUSS] = N_ ("at Gauss points"),
+    [QN_PLACEMENT_EXPLICIT] = N_ ("at given places"),
+  };
+  const QnPairRule own = qn_pair_rule_by_law (rule, law);
+  GString *text = g_string_new (NULL);
+  g_string_append_printf (text, _ ("%d per joint, %s"), (int) qn_pair_rule_count (&own),
+                          _ (texts[own.placement]));
+  if (own.offset > 0 && own.placement <= QN_PLACEMENT_LOBATTO) {
+    g_autofree char *offset =
+      qn_units_format_full (units, QN_QUANTITY_LENGTH, own.offset, 4);
+    g_string_append_printf (text, _ (", the outer ones %s from the corners"), offset);
+  }
+  return g_string_free (text, FALSE);
 }
 
 static char *

@@ -3,6 +3,7 @@
 #define QN_DOC_PAIR_TEXT_H
 
 #include "core/model/model.h"
+#include "doc/text/units.h"
 #include <glib.h>
 
 /* Makes the rule one of given places, parts of the face's length from 0 to 1 in ascending order;
@@ -10,6 +11,13 @@
  * at each end is meant. On failure nothing changes (domain QN_EDIT_ERROR). */
 gboolean qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights,
                              GError **error);
+
+/* How many pairs the rule puts on a face of this law; 1 where neither says. */
+int qn_pair_rule_shown_count (const QnPairRule *rule, const QnModel *model, QnId law);
+
+/* Where the rule puts the pairs of a face of this law: "5 per joint, at Gauss–Lobatto points". The caller frees
+ * it. */
+char *qn_pair_rule_dup_text (const QnPairRule *rule, const QnLaw *law, QnUnits units);
 
 /* The lists of a rule of given places, "" for other rules. The caller frees them. */
 char *qn_pair_rule_dup_positions (const QnPairRule *rule);

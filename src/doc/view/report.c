@@ -7,6 +7,7 @@
 #include "doc/text/law-text.h"
 #include "doc/view/inspect.h"
 #include "doc/view/load-text.h"
+#include "doc/view/pair-text.h"
 #include "render/drawing/camera.h"
 #include "render/drawing/text.h"
 #include "render/figure/curve-plot.h"
@@ -586,6 +587,36 @@ write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
        "about the middle of the joint; e: eccentricity of N."));
 }
 
+/* Where contact pairs lie, by the laws of the joints, and how many joints have exceptions. */
+static void
+write_pairs (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  const QnContacts *contacts = report->contacts;
+  unsigned long own = 0;
+  for (size_t law = 0; law < model->law_count; law++) {
+    bool used = false;
+    for (size_t i = 0; i < contacts->face_count && !used; i++)
+      used = (size_t) contacts->faces[i].law_a == law;
+    if (!used)
+      continue;
+    g_autofree char *rule =
+      qn_pair_rule_dup_text (&model->contact.pairs, &model->laws[law], report->units);
+    g_autofree char *line = g_strdup_printf (_ ("Contact pairs of joints “%s”: %s."),
+                                             model->laws[law].name, rule);
+    qn_pages_paragraph (pages, line);
+  }
+  for (size_t i = 0; i < model->override_count; i++)
+    own += model->overrides[i].has_pairs;
+  if (own == 0)
+    return;
+  g_autofree char *line =
+    g_strdup_printf (ngettext ("%lu exception for the pairs between two blocks.",
+                               "%lu exceptions for the pairs between two blocks.", own),
+                     own);
+  qn_pages_paragraph (pages, line);
+}
+
 static bool
 write_contacts (QnPages *pages, const QnReport *report, GError **error)
 {
@@ -597,6 +628,7 @@ write_contacts (QnPages *pages, const QnReport *report, GError **error)
   figure.caption = "";
   if (!qn_pages_figure (pages, &figure, 0.45, error))
     return false;
+  write_pairs (pages, report);
   if (report->run_count == 0)
     write_faces (pages, report);
   return true;

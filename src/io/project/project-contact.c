@@ -87,8 +87,10 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
     const char *key;
     guint placements;
   } uses[] = {
-    { "offset", 1 << QN_PLACEMENT_ENDS },
-    { "count", 1 << QN_PLACEMENT_UNIFORM | 1 << QN_PLACEMENT_GAUSS },
+    { "offset",
+      1 << QN_PLACEMENT_DEFAULT | 1 << QN_PLACEMENT_ENDS | 1 << QN_PLACEMENT_LOBATTO },
+    { "count",
+      1 << QN_PLACEMENT_LOBATTO | 1 << QN_PLACEMENT_UNIFORM | 1 << QN_PLACEMENT_GAUSS },
     { "positions", 1 << QN_PLACEMENT_EXPLICIT },
     { "weights", 1 << QN_PLACEMENT_EXPLICIT },
   };
@@ -105,9 +107,12 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
   }
   if (rule->placement == QN_PLACEMENT_EXPLICIT)
     return read_explicit_pairs (&place, rule);
-  if (rule->placement != QN_PLACEMENT_ENDS)
-    return qn_member_count (&place, "count", QN_REQUIRED, QN_MAX_PAIRS_PER_FACE,
-                            &rule->count);
+  QnNeed need = rule->placement == QN_PLACEMENT_LOBATTO ? QN_OPTIONAL : QN_REQUIRED;
+  if (rule->placement >= QN_PLACEMENT_LOBATTO
+      && !qn_member_count (&place, "count", need, QN_MAX_PAIRS_PER_FACE, &rule->count))
+    return FALSE;
+  if (rule->placement > QN_PLACEMENT_LOBATTO)
+    return TRUE;
   return qn_member_number (&place, "offset", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                            &rule->offset);
 }
@@ -137,7 +142,6 @@ read_face (const QnJsonValue *place, QnModel *model)
   if (override == NULL)
     return qn_json_value_no_memory (place);
   override->has_pairs = cJSON_HasObjectItem (place->json, "pairs");
-  override->pairs = (QnPairRule){ .placement = QN_PLACEMENT_ENDS, .count = 2 };
   return qn_members_read (place, face_members, model, override)
          && read_face_blocks (place, model, override)
          && read_pair_rule (place, &override->pairs);
@@ -178,24 +182,17 @@ qn_read_bars (const QnJsonValue *root, QnModel *model)
 static void
 put_pair_rule (GString *json, const QnPairRule *rule)
 {
+  gboolean by_law = rule->placement == QN_PLACEMENT_LOBATTO && rule->count == 0;
   qn_json_begin_member (json, "pairs");
   g_string_append_c (json, '{');
   qn_json_put_string (json, "placement", qn_placement_names[rule->placement]);
-  switch (rule->placement) {
-  case QN_PLACEMENT_ENDS:
+  if (rule->placement <= QN_PLACEMENT_LOBATTO)
     qn_json_put_number (json, "offset", rule->offset);
-    break;
-  case QN_PLACEMENT_UNIFORM:
-  case QN_PLACEMENT_GAUSS:
-    qn_json_put_number (json, "count", rule->count);
-    break;
-  case QN_PLACEMENT_EXPLICIT:
+  if (rule->placement == QN_PLACEMENT_EXPLICIT) {
     qn_json_put_numbers (json, "positions", rule->positions, (gsize) rule->count);
     qn_json_put_numbers (json, "weights", rule->weights, (gsize) rule->count);
-    break;
-  case QN_PLACEMENT_COUNT:
-    g_assert_not_reached ();
-  }
+  } else if (rule->placement >= QN_PLACEMENT_LOBATTO && !by_law)
+    qn_json_put_number (json, "count", rule->count);
   g_string_append (json, " }");
 }
 
@@ -221,7 +218,10 @@ qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inne
 {
   g_string_append (json, "  \"contact\": {");
   qn_members_write (json, contact_members, model, &model->contact, NULL);
-  put_pair_rule (json, &model->contact.pairs);
+  const QnPairRule *pairs = &model->contact.pairs;
+  if (pairs->placement != QN_PLACEMENT_DEFAULT || pairs->offset != 0
+      || (inner != NULL && g_hash_table_contains (inner, "contact.pairs")))
+    put_pair_rule (json, pairs);
   qn_json_append_inner (json, inner, "contact.pairs");
   qn_json_append_list (json, model, inner, ",\n    \"faces\": [", 6,
                        model->override_count, append_face, "]");

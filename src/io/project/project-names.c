@@ -3,10 +3,9 @@
 #include "core/model/model.h"
 
 const char *const qn_placement_names[QN_PLACEMENT_COUNT] = {
-  [QN_PLACEMENT_ENDS] = "ends",
-  [QN_PLACEMENT_UNIFORM] = "uniform",
-  [QN_PLACEMENT_GAUSS] = "gauss",
-  [QN_PLACEMENT_EXPLICIT] = "explicit",
+  [QN_PLACEMENT_DEFAULT] = "default",       [QN_PLACEMENT_ENDS] = "ends",
+  [QN_PLACEMENT_LOBATTO] = "gauss-lobatto", [QN_PLACEMENT_UNIFORM] = "uniform",
+  [QN_PLACEMENT_GAUSS] = "gauss",           [QN_PLACEMENT_EXPLICIT] = "explicit",
 };
 
 const char *const qn_load_kind_names[QN_LOAD_KIND_COUNT] = {

@@ -258,6 +258,30 @@ qn_project_set_key_error (const QnProject *project, const char *path, const char
   g_free (line);
 }
 
+char *
+qn_project_dup_finding_value (const QnFinding *finding, const char *unit, double factor)
+{
+  const unsigned long joints = (unsigned long) finding->subject;
+  if (finding->problem == QN_PROBLEM_PAIRS_BENDING)
+    return g_strdup_printf (
+      ngettext ("%.3g times the true one at %lu joint, which makes buckling and large "
+                "displacements wrong; use the default pairs",
+                "%.3g times the true one at %lu joints, which makes buckling and large "
+                "displacements wrong; use the default pairs",
+                joints),
+      finding->value, joints);
+  if (finding->problem == QN_PROBLEM_PAIRS_CRUSHING)
+    return g_strdup_printf (
+      ngettext ("up to %.3g times the moment of the stress block at %lu joint, which is "
+                "unsafe; use a law by area with the default pairs",
+                "up to %.3g times the moment of the stress block at %lu joints, which is "
+                "unsafe; use a law by area with the default pairs",
+                joints),
+      finding->value, joints);
+  return finding->value != 0 ? g_strdup_printf ("%.3g %s", factor * finding->value, unit)
+                             : NULL;
+}
+
 /* What a finding says, without its place. */
 static char *
 dup_finding_message (const QnProject *project, const QnFinding *finding)
@@ -267,8 +291,9 @@ dup_finding_message (const QnProject *project, const QnFinding *finding)
   if (finding->block_b != QN_NONE)
     g_string_append_printf (message, _ (" at (%.6g, %.6g) m"), finding->at.x,
                             finding->at.y);
-  if (finding->value != 0)
-    g_string_append_printf (message, ": %.3g m", finding->value);
+  g_autofree char *value = qn_project_dup_finding_value (finding, "m", 1);
+  if (value != NULL)
+    g_string_append_printf (message, ": %s", value);
   return g_string_free (message, FALSE);
 }
 
@@ -284,6 +309,9 @@ dup_finding_path (const QnProject *project, const QnFinding *finding)
              ? qn_project_dup_key_path (project, QN_ENTITY_DEAD_LOAD, finding->subject)
              : qn_project_dup_key_path (project, QN_ENTITY_LIVE_LOAD,
                                         finding->subject - dead);
+  case QN_PROBLEM_PAIRS_BENDING:
+  case QN_PROBLEM_PAIRS_CRUSHING:
+    return g_strdup ("contact.pairs");
   default:
     return qn_project_dup_key_path (project, QN_ENTITY_BLOCK, finding->block_a);
   }

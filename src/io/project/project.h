@@ -101,6 +101,11 @@ void qn_project_set_error (const QnProject *project, const QnDiag *diag, GError 
 void qn_project_set_key_error (const QnProject *project, const char *path,
                                const char *message, GError **error);
 
+/* The number of a finding with what it is: a width in `unit`, which is its value times `factor`, or
+ * how many times what is right, and the remedy; NULL where there is none. */
+char *qn_project_dup_finding_value (const QnFinding *finding, const char *unit,
+                                    double factor);
+
 /* The findings of contact detection, each as one line in the same form as an error message: an array
  * of char *, free with g_ptr_array_unref(). */
 GPtrArray *qn_project_dup_finding_texts (const QnProject *project,

@@ -116,6 +116,102 @@ test_exceptions (void)
   g_assert_cmpint (unused->block_b, ==, 4);
 }
 
+/* Without a rule each face has the pairs of its own law, of which the block's, the exception's and the
+ * general one have different bases. */
+static void
+test_default_by_face (void)
+{
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  test_model_init_stack (&model, 4, 1, 0.5);
+  const QnBasis bases[] = { QN_BASIS_SURFACE, QN_BASIS_MATERIAL };
+  for (int i = 0; i < 2; i++) {
+    QnLaw *law = qn_model_add_law (&model, i == 0 ? "mortar" : "stone");
+    law->kind = QN_LAW_ELASTIC;
+    law->basis = bases[i];
+    law->kn = law->ks = 1e6;
+    QnFaceOverride *override = qn_model_add_override (&model);
+    override->block_a = i + 1;
+    override->block_b = i + 2;
+    override->law = i + 1;
+    override->has_pairs = i == 1;
+    override->pairs = (QnPairRule){ .placement = QN_PLACEMENT_LOBATTO, .count = 4 };
+  }
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  test_detect (&model, &contacts);
+  const int32_t expected[] = { 2, 5, 4, 2 };
+  g_assert_cmpuint (contacts.face_count, ==, 4);
+  for (int i = 0; i < 4; i++)
+    g_assert_cmpint (contacts.faces[i].pair_count, ==, expected[i]);
+  g_assert_cmpuint (contacts.findings.count, ==, 0);
+}
+
+/* Pairs that misstate bending are a finding in large displacements where the law counts by area; the
+ * one of the worst joint stands for all. */
+static void
+test_bending_finding (void)
+{
+  static const struct {
+    QnPairRule rule;
+    double value; /* 0: no finding */
+  } rules[] = {
+    { { .placement = QN_PLACEMENT_DEFAULT }, 0 },
+    { { .placement = QN_PLACEMENT_ENDS }, 3 },
+    { { .placement = QN_PLACEMENT_ENDS, .offset = 0.1 }, 1.92 },
+    { { .placement = QN_PLACEMENT_LOBATTO, .count = 3 }, 0 },
+    { { .placement = QN_PLACEMENT_LOBATTO, .offset = 0.1 }, 0 },
+    { { .placement = QN_PLACEMENT_UNIFORM, .count = 2 }, 0.75 },
+    { { .placement = QN_PLACEMENT_UNIFORM, .count = 3 }, 0 },
+    { { .placement = QN_PLACEMENT_GAUSS, .count = 2 }, 0 },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (rules); i++)
+    for (int basis = QN_BASIS_CONTACT; basis <= QN_BASIS_SURFACE; basis++)
+      for (int geometry = QN_GEOMETRY_LINEAR; geometry <= QN_GEOMETRY_NONLINEAR;
+           geometry++) {
+        g_auto (QnModel) model;
+        g_auto (QnContacts) contacts;
+        bool told = basis == QN_BASIS_SURFACE && geometry == QN_GEOMETRY_NONLINEAR;
+        test_model_init_stack (&model, 3, 1, 0.5);
+        model.laws[0].basis = (QnBasis) basis;
+        model.analysis.geometry = (QnGeometry) geometry;
+        model.contact.pairs = rules[i].rule;
+        test_detect (&model, &contacts);
+        if (rules[i].value == 0 || !told) {
+          g_assert_cmpuint (contacts.findings.count, ==, 0);
+          continue;
+        }
+        const QnFinding *found = test_the_finding (&contacts, QN_PROBLEM_PAIRS_BENDING);
+        CLOSE (found->value, rules[i].value);
+        g_assert_cmpint (found->subject, ==, 3);
+        g_assert_cmpint (found->block_a, ==, 0);
+        g_assert_cmpint (found->block_b, ==, 1);
+      }
+}
+
+/* End pairs that are crushed are a finding with any basis and geometry. */
+static void
+test_crushing_finding (void)
+{
+  for (int basis = QN_BASIS_CONTACT; basis <= QN_BASIS_SURFACE; basis++) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    test_model_init_stack (&model, 3, 1, 0.5);
+    model.laws[0].kind = QN_LAW_MOHR_COULOMB;
+    model.laws[0].compression = 1e6;
+    model.laws[0].basis = (QnBasis) basis;
+    test_detect (&model, &contacts);
+    if (basis == QN_BASIS_SURFACE) {
+      g_assert_cmpuint (contacts.findings.count, ==, 0);
+      qn_contacts_clear (&contacts);
+      model.contact.pairs.placement = QN_PLACEMENT_ENDS;
+      g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+    }
+    const QnFinding *found = test_the_finding (&contacts, QN_PROBLEM_PAIRS_CRUSHING);
+    CLOSE (found->value, 2);
+    g_assert_cmpint (found->subject, ==, 3);
+  }
+}
+
 /* An offset that leaves no room between the pairs is refused, with the blocks of the face. */
 static void
 test_offset_too_large (void)
@@ -150,5 +246,8 @@ QN_TESTS
   g_test_add_func ("/pair-placement/uniform", test_uniform);
   g_test_add_func ("/pair-placement/laws", test_laws);
   g_test_add_func ("/pair-placement/exceptions", test_exceptions);
+  g_test_add_func ("/pair-placement/default-by-face", test_default_by_face);
+  g_test_add_func ("/pair-placement/bending-finding", test_bending_finding);
+  g_test_add_func ("/pair-placement/crushing-finding", test_crushing_finding);
   g_test_add_func ("/pair-placement/offset-too-large", test_offset_too_large);
 }

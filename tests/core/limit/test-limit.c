@@ -342,7 +342,30 @@ test_redundant_rows (void)
   assert_multiplier (&model, 0);
 }
 
-/* The mirrored load gives the mirrored mechanism. */
+/* Pairs between the corners share friction, cohesion and tension by their tributary lengths, and change no
+ * multiplier: what they carry the corners could. */
+static void
+test_pairs_between_corners (void)
+{
+  static const double strengths[][2] = { { 0, 0 }, { 2e3, 0 }, { 2e3, 1e3 } };
+  for (size_t i = 0; i < G_N_ELEMENTS (strengths); i++)
+    for (int number = 1; number <= 3; number++) {
+      QnModel models[2];
+      for (int k = 0; k < 2; k++) {
+        test_model_init_wall (&models[k], number, 0);
+        models[k].laws[0].basis = QN_BASIS_SURFACE;
+        models[k].laws[0].cohesion = strengths[i][0];
+        models[k].laws[0].tension = strengths[i][1];
+      }
+      models[0].contact.pairs.placement = QN_PLACEMENT_ENDS;
+      g_auto (QnLimitSolution) ends = solve (&models[0]);
+      assert_multiplier (&models[1], ends.lower_bound);
+      if (i == 0)
+        g_assert_cmpfloat_with_epsilon (ends.lower_bound,
+                                        test_walls[number - 1].associative, 1e-6);
+    }
+}
+
 /* Joints without reserve under the dead load: blocks without weight, whose joints carry nothing,
  * a wall that almost slides, and one that its dead load has almost pushed over. The bounds meet
  * all the same. */
@@ -366,6 +389,7 @@ test_no_reserve (void)
   assert_multiplier (&model, 0.1 * test_walls[0].associative);
 }
 
+/* The mirrored load gives the mirrored mechanism. */
 static void
 test_symmetry (void)
 {
@@ -485,6 +509,7 @@ QN_TESTS
   g_test_add_func ("/limit/no-joint", test_no_joint);
   g_test_add_func ("/limit/no-live-load", test_no_live_load);
   g_test_add_func ("/limit/redundant-rows", test_redundant_rows);
+  g_test_add_func ("/limit/pairs-between-corners", test_pairs_between_corners);
   g_test_add_func ("/limit/no-reserve", test_no_reserve);
   g_test_add_func ("/limit/symmetry", test_symmetry);
   g_test_add_func ("/limit/arch", test_arch);

@@ -12,7 +12,7 @@ test_defaults (void)
   g_assert_cmpfloat (model.gravity, ==, 9.81);
   g_assert_cmpfloat (model.contact.tolerance, ==, 1e-6);
   g_assert_cmpint (model.contact.law, ==, QN_NONE);
-  g_assert_cmpint (model.contact.pairs.placement, ==, QN_PLACEMENT_ENDS);
+  g_assert_cmpint (model.contact.pairs.placement, ==, QN_PLACEMENT_DEFAULT);
   g_assert_cmpfloat (model.contact.pairs.offset, ==, 0);
   g_assert_cmpint (model.analysis.procedure, ==, QN_PROCEDURE_LOAD);
   g_assert_cmpint (model.analysis.increments, ==, 100);

@@ -59,8 +59,34 @@ test_refused (void)
   g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE);
 }
 
+/* As the rule comes out on a face, in words. */
+static void
+test_text (void)
+{
+  static const struct {
+    QnBasis basis;
+    QnPairRule rule;
+    const char *text;
+  } cases[] = {
+    { QN_BASIS_CONTACT, { .offset = 0 }, "2 per joint, at the ends" },
+    { QN_BASIS_SURFACE, { .offset = 0 }, "5 per joint, at Gauss–Lobatto points" },
+    { QN_BASIS_SURFACE,
+      { .placement = QN_PLACEMENT_ENDS, .offset = 0.02 },
+      "2 per joint, at the ends, the outer ones 0.02 m from the corners" },
+    { QN_BASIS_CONTACT,
+      { .placement = QN_PLACEMENT_UNIFORM, .count = 10 },
+      "10 per joint, evenly spaced" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    const QnLaw law = { .kind = QN_LAW_COULOMB, .basis = cases[i].basis };
+    g_autofree char *text = qn_pair_rule_dup_text (&cases[i].rule, &law, QN_UNITS_SI);
+    g_assert_cmpstr (text, ==, cases[i].text);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/doc/pair-text/parse", test_parse);
   g_test_add_func ("/doc/pair-text/refused", test_refused);
+  g_test_add_func ("/doc/pair-text/text", test_text);
 }

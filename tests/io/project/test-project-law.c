@@ -158,6 +158,53 @@ test_refused (void)
   }
 }
 
+/* Placement through a round trip: absent it stays absent. */
+static void
+test_pair_rules (void)
+{
+  static const struct {
+    const char *pairs;
+    QnPlacement placement;
+    double offset;
+    int count;
+    const char *written; /* NULL: nothing */
+  } cases[] = {
+    { "", QN_PLACEMENT_DEFAULT, 0, 0, NULL },
+    { ", \"pairs\": { }", QN_PLACEMENT_DEFAULT, 0, 0, NULL },
+    { ", \"pairs\": { \"offset\": 0.02 }", QN_PLACEMENT_DEFAULT, 0.02, 0, "\"default\"" },
+    { ", \"pairs\": { \"placement\": \"ends\" }", QN_PLACEMENT_ENDS, 0, 0, "\"ends\"" },
+    { ", \"pairs\": { \"placement\": \"gauss-lobatto\" }", QN_PLACEMENT_LOBATTO, 0, 0,
+      "\"gauss-lobatto\", \"offset\": 0 }" },
+    { ", \"pairs\": { \"placement\": \"gauss-lobatto\", \"offset\": 0.02, \"count\": 9 }",
+      QN_PLACEMENT_LOBATTO, 0.02, 9,
+      "\"gauss-lobatto\", \"offset\": 0.02, \"count\": 9 }" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnProject project, again;
+    g_autofree char *text = with_laws (kinds[QN_LAW_ELASTIC]);
+    g_autofree char *by =
+      g_strdup_printf ("\"contact\": { \"law\": \"joint\"%s }", cases[i].pairs);
+    g_autofree char *full =
+      test_replace (text, "\"contact\": { \"law\": \"joint\" }", by);
+    test_parse (full, &project);
+    g_assert_cmpuint (project.warnings->len, ==, 0);
+    g_autofree char *written = qn_project_to_text (&project, NULL);
+    g_assert_true (strstr (written, cases[i].written != NULL ? cases[i].written : "law")
+                   != NULL);
+    g_assert_true ((strstr (written, "\"pairs\"") != NULL) == (cases[i].written != NULL));
+    test_parse (written, &again);
+    const QnModel *models[] = { &project.model, &again.model };
+    for (int k = 0; k < 2; k++) {
+      const QnPairRule *rule = &models[k]->contact.pairs;
+      g_assert_cmpint (rule->placement, ==, cases[i].placement);
+      g_assert_cmpfloat (rule->offset, ==, cases[i].offset);
+      g_assert_cmpint (rule->count, ==, cases[i].count);
+    }
+    qn_project_clear (&again);
+    qn_project_clear (&project);
+  }
+}
+
 /* Bars, and pairs placed one by one, through a round trip. */
 static void
 test_bars_and_pairs (void)
@@ -232,6 +279,7 @@ QN_TESTS
   g_test_add_func ("/project-law/values", test_values);
   g_test_add_func ("/project-law/warnings", test_warnings);
   g_test_add_func ("/project-law/refused", test_refused);
+  g_test_add_func ("/project-law/pair-rules", test_pair_rules);
   g_test_add_func ("/project-law/bars-and-pairs", test_bars_and_pairs);
   g_test_add_func ("/project-law/too-many-points", test_too_many_points);
 }

@@ -31,8 +31,14 @@ test_contact (void)
     { "\"contact\": { \"law\": \"joint\", \"tolerance\": -1 }",
       "8:45: contact.tolerance: number must not be negative" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"middle\" } }",
-      "8:56: contact.pairs.placement: \"middle\" is not one of ends, uniform, gauss, "
-      "explicit" },
+      "8:56: contact.pairs.placement: \"middle\" is not one of default, ends, "
+      "gauss-lobatto, uniform, gauss, explicit" },
+    { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"gauss-lobatto\", "
+      "\"count\": 2 } }",
+      "8:82: contact.pairs.count: gauss-lobatto has 3 to 9 contact pairs on a face" },
+    { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"gauss-lobatto\", "
+      "\"offset\": -0.1 } }",
+      "8:83: contact.pairs.offset: number must not be negative" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"offset\": -0.1 } }",
       "8:53: contact.pairs.offset: number must not be negative" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"uniform\" } }",

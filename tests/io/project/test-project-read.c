@@ -108,7 +108,7 @@ test_defaults (void)
   g_assert_cmpfloat (model->analysis.multiplier_tolerance, ==, 1e-4);
   g_assert_cmpfloat (model->analysis.residual_tolerance, ==, 1e-8);
   g_assert_cmpint (model->analysis.snap, ==, QN_SNAP_THROUGH_JUMP);
-  g_assert_cmpint (model->contact.pairs.placement, ==, QN_PLACEMENT_ENDS);
+  g_assert_cmpint (model->contact.pairs.placement, ==, QN_PLACEMENT_DEFAULT);
   g_assert_cmpfloat (model->contact.pairs.offset, ==, 0);
   g_assert_null (project.extras);
   g_assert_null (project.path);
