@@ -85,6 +85,38 @@ make_wall (int count)
   return cli_write (folder, "wall.quoin", text->str);
 }
 
+/* A wall of so many courses, with a finding in each: a gap just wider than the tolerance. */
+static char *
+make_courses (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, -5, -1, 0);
+  g_string_append (text,
+                   " ], \"walls\": [ { \"name\": \"w\", \"origin\": [0, 0], \"unit\": "
+                   "[1, 1], \"thickness\": 1, \"unit_weight\": 1, \"courses\": [");
+  for (int i = 0; i < count; i++)
+    g_string_append (text, i == 0 ? "[1, -1e-5, 1]" : ", [1, -1e-5, 1]");
+  g_string_append (text, "] } ] }");
+  return cli_write (folder, "courses.quoin", text->str);
+}
+
+/* So many walls, each with a finding: it floats beside the next one. */
+static char *
+make_walls (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, -5, -1, 0);
+  g_string_append (text, " ], \"walls\": [");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (
+      text,
+      "%s{ \"name\": \"w%d\", \"origin\": [%.9g, 0], \"unit\": [1, "
+      "1], \"thickness\": 1, \"unit_weight\": 1, \"courses\": [[1]] }",
+      i > 0 ? ", " : "", i, i * 1.00001);
+  g_string_append (text, "] }");
+  return cli_write (folder, "walls.quoin", text->str);
+}
+
 /* Stones on the teeth of one block. */
 static char *
 make_teeth (int count)
@@ -284,6 +316,8 @@ static const Input growing[] = {
   { "stones apart", make_apart, 2000, "check", 3, NULL },
   { "wall", make_wall, 1000, "check", 0, NULL },
   { "stones on teeth", make_teeth, 500, "check", 0, NULL },
+  { "courses", make_courses, 1000, "check", 3, NULL },
+  { "walls", make_walls, 1000, "check", 3, NULL },
   { "squares", make_grid, 1000, "import", 0, NULL },
   { "unknown keys", make_unknown_keys, 8000, "check", 0, NULL },
   { "recipes", make_recipes, 8000, "figures", 0, NULL },
