@@ -99,7 +99,7 @@ parse (int *argc, char ***argv, Options *options, GError **error)
     { "count", 0, 0, G_OPTION_ARG_INT, &options->count, "How many walls (40)", "N" },
     { "duration", 0, 0, G_OPTION_ARG_DOUBLE, &options->duration, "Of a motion (0.8)",
       "S" },
-    { NULL }
+    G_OPTION_ENTRY_NULL,
   };
   g_autoptr (GOptionContext) context = g_option_context_new (NULL);
   g_option_context_add_main_entries (context, entries, NULL);

@@ -257,7 +257,7 @@ main (int argc, char **argv)
     { "solve", 0, 0, G_OPTION_ARG_INT, &solve, "Cases by solve (1000)", "N" },
     { "counted", 0, 0, G_OPTION_ARG_INT, &counted, "Cases to count (40)", "N" },
     { "check", 0, 0, G_OPTION_ARG_NONE, &check, "Fail below the bars", NULL },
-    { NULL }
+    G_OPTION_ENTRY_NULL,
   };
   g_autoptr (GOptionContext) context = g_option_context_new (NULL);
   g_autoptr (GError) error = NULL;

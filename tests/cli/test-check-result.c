@@ -29,24 +29,24 @@ typedef enum {
 static const struct {
   const char *example, *command, *set, *option;
 } sources[RESULT_COUNT] = {
-  [SLIDING] = { "01-sliding-block.quoin", "solve", NULL },
-  [ARCH] = { "06-arch.quoin", "solve", NULL },
-  [WALL] = { "ferris-tin-loi/wall3.quoin", "solve", NULL },
+  [SLIDING] = { "01-sliding-block.quoin", "solve", NULL, NULL },
+  [ARCH] = { "06-arch.quoin", "solve", NULL, NULL },
+  [WALL] = { "ferris-tin-loi/wall3.quoin", "solve", NULL, NULL },
   [SOFT_WALL] = { "ferris-tin-loi/wall3.quoin", "solve",
                   "analysis.geometry=\"nonlinear\"", "--set=laws[0].kn=1e6" },
-  [STAGES] = { "16-load-stages.quoin", "solve", NULL },
-  [SETTLING] = { "18-spreading-arch.quoin", "solve", NULL },
-  [FRAME] = { "32-frame-beams.quoin", "solve", NULL },
-  [ROCKING] = { "40-rocking-in-time.quoin", "solve", NULL },
-  [PULSE] = { "42-arch-pulse.quoin", "solve", "analysis.dynamic.duration=0.4" },
-  [PIER] = { "15-rubble-pier.quoin", "solve", NULL },
-  [AQUEDUCT] = { "13-aqueduct.quoin", "solve", "analysis.procedure=\"work\"" },
+  [STAGES] = { "16-load-stages.quoin", "solve", NULL, NULL },
+  [SETTLING] = { "18-spreading-arch.quoin", "solve", NULL, NULL },
+  [FRAME] = { "32-frame-beams.quoin", "solve", NULL, NULL },
+  [ROCKING] = { "40-rocking-in-time.quoin", "solve", NULL, NULL },
+  [PULSE] = { "42-arch-pulse.quoin", "solve", "analysis.dynamic.duration=0.4", NULL },
+  [PIER] = { "15-rubble-pier.quoin", "solve", NULL, NULL },
+  [AQUEDUCT] = { "13-aqueduct.quoin", "solve", "analysis.procedure=\"work\"", NULL },
   [MODE] = { "11-vibrating-beam.quoin", "modal", NULL, "--mode=3" },
   [LOADED_MODE] = { "11-vibrating-beam.quoin", "modal", NULL, "--loaded" },
-  [BUCKLING] = { "21-column-pinned.quoin", "stability", NULL },
+  [BUCKLING] = { "21-column-pinned.quoin", "stability", NULL, NULL },
   [FIXED_POINTS] = { "ferris-tin-loi/wall4.quoin", "limit",
-                     "analysis.flow=\"non-associative\"" },
-  [LIMIT] = { "ferris-tin-loi/wall1.quoin", "limit", NULL },
+                     "analysis.flow=\"non-associative\"", NULL },
+  [LIMIT] = { "ferris-tin-loi/wall1.quoin", "limit", NULL, NULL },
 };
 
 typedef enum { ADD, TIMES, TEXT } Change;

@@ -21,6 +21,14 @@ between (Plan *plan, double least, double most)
   return g_rand_double_range (plan->random, least, most);
 }
 
+/* One draw at a time: in which order the arguments of a call are computed is the compiler's choice. */
+static QnVec2
+place_between (Plan *plan, QnVec2 least, QnVec2 most)
+{
+  double y = between (plan, least.y, most.y);
+  return qn_vec2 (between (plan, least.x, most.x), y);
+}
+
 /* Evenly distributed powers of ten. */
 static double
 power_between (Plan *plan, double least, double most)
@@ -52,8 +60,8 @@ plan_opening (Plan *plan, int index, int count)
 
   opening->width = between (plan, 0.3, 0.5) * part;
   opening->height = between (plan, 0.25, 0.45) * height;
-  opening->at = qn_vec2 (part * (index + between (plan, 0.25, 0.75)) - opening->width / 2,
-                         one_in (plan, 2) ? 0 : between (plan, 0.1, 0.3) * height);
+  opening->at.y = one_in (plan, 2) ? 0 : between (plan, 0.1, 0.3) * height;
+  opening->at.x = part * (index + between (plan, 0.25, 0.75)) - opening->width / 2;
   opening->depth = between (plan, 0.6, 1.2) * wall->leaves[0].unit.y;
   switch (g_rand_int_range (plan->random, 0, 4)) {
   case 0:
@@ -92,7 +100,7 @@ plan_wall (Plan *plan)
   QnMasonryWall *wall = &plan->masonry.wall;
   QnLeaf *leaf = &wall->leaves[0];
   leaf->bond = bond;
-  leaf->unit = qn_vec2 (between (plan, 0.3, 0.6), between (plan, 0.12, 0.3));
+  leaf->unit = place_between (plan, qn_vec2 (0.3, 0.12), qn_vec2 (0.6, 0.3));
   leaf->lap = one_in (plan, 3) ? between (plan, 0.2, 0.45) : 0.5;
   leaf->closer = (QnCloser) g_rand_int_range (plan->random, 0, QN_CLOSER_COUNT);
   leaf->length = between (plan, 2, 6) * leaf->unit.x;
@@ -113,7 +121,7 @@ plan_courses (Plan *plan)
   int courses = g_rand_int_range (plan->random, 4, 12);
 
   wall->leaves[0].bond = QN_BOND_CUSTOM;
-  wall->leaves[0].unit = qn_vec2 (between (plan, 0.3, 0.6), between (plan, 0.12, 0.3));
+  wall->leaves[0].unit = place_between (plan, qn_vec2 (0.3, 0.12), qn_vec2 (0.6, 0.3));
   for (int course = 0; course < courses; course++) {
     double lengths[16], left = length;
     size_t count = 0;
@@ -168,9 +176,9 @@ plan_portal (Plan *plan)
   portal->courses = g_rand_int_range (plan->random, 2, 8);
   if (one_in (plan, 2))
     portal->lintel_height = between (plan, 0.2, 0.5);
-  portal->arch = (QnArch){ .rise = between (plan, 0.2, 0.5) * portal->span,
-                           .ring = 0.45 * portal->pier_width,
-                           .voussoirs = g_rand_int_range (plan->random, 5, 12) };
+  portal->arch.rise = between (plan, 0.2, 0.5) * portal->span;
+  portal->arch.ring = 0.45 * portal->pier_width;
+  portal->arch.voussoirs = g_rand_int_range (plan->random, 5, 12);
 }
 
 static void
@@ -236,7 +244,7 @@ plan_loads (Plan *plan, QnModel *model)
     QnLoad *load = qn_model_add_live_load (model);
     load->kind = QN_LOAD_FORCE;
     load->block = (QnId) model->block_count - 1 - (QnId) one_in (plan, 2);
-    load->vector = qn_vec2 (between (plan, -2000, 2000), between (plan, -4000, 0));
+    load->vector = place_between (plan, qn_vec2 (-2000, -4000), qn_vec2 (2000, 0));
   }
   model->analysis.increments = 10;
 }

@@ -83,3 +83,41 @@ test_the_finding (const QnContacts *contacts, QnProblem problem)
   }
   return found;
 }
+
+#define SAME(member) g_assert_true (f->member == e->member)
+#define SAME_PLACE(member)                                                               \
+  g_assert_true (f->member.x == e->member.x && f->member.y == e->member.y)
+
+void
+test_assert_same_faces (const QnContacts *found, const QnContacts *expected)
+{
+  g_assert_cmpuint (found->face_count, ==, expected->face_count);
+  for (size_t i = 0; i < found->face_count; i++) {
+    const QnContactFace *f = &found->faces[i], *e = &expected->faces[i];
+    SAME (a);
+    SAME (b);
+    SAME (edge_a);
+    SAME (edge_b);
+    SAME_PLACE (start);
+    SAME_PLACE (end);
+    SAME_PLACE (normal);
+    SAME_PLACE (tangent);
+    SAME (length);
+    SAME (thickness);
+    SAME (law_a);
+    SAME (law_b);
+    SAME (first_pair);
+    SAME (pair_count);
+  }
+  g_assert_cmpuint (found->pair_count, ==, expected->pair_count);
+  for (size_t i = 0; i < found->pair_count; i++) {
+    const QnContactPair *f = &found->pairs[i], *e = &expected->pairs[i];
+    SAME (face);
+    SAME (bar);
+    SAME_PLACE (point);
+    SAME (abscissa);
+    SAME (tributary);
+    SAME (found);
+    SAME_PLACE (foot);
+  }
+}

@@ -17,4 +17,7 @@ size_t test_count_findings (const QnContacts *contacts, QnProblem problem);
 /* The only finding of one kind; aborts if there is none or more than one. */
 const QnFinding *test_the_finding (const QnContacts *contacts, QnProblem problem);
 
+/* Fails unless all faces and pairs are the same to the last bit. */
+void test_assert_same_faces (const QnContacts *found, const QnContacts *expected);
+
 #endif

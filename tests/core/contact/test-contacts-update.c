@@ -7,22 +7,9 @@
 #include <string.h>
 
 static void
-assert_same_faces (const QnContacts *found, const QnContacts *expected)
-{
-  g_assert_cmpuint (found->face_count, ==, expected->face_count);
-  for (size_t i = 0; i < found->face_count; i++)
-    g_assert_cmpmem (&found->faces[i], sizeof *found->faces, &expected->faces[i],
-                     sizeof *expected->faces);
-  g_assert_cmpuint (found->pair_count, ==, expected->pair_count);
-  for (size_t i = 0; i < found->pair_count; i++)
-    g_assert_cmpmem (&found->pairs[i], sizeof *found->pairs, &expected->pairs[i],
-                     sizeof *expected->pairs);
-}
-
-static void
 assert_same (const QnContacts *found, const QnContacts *expected)
 {
-  assert_same_faces (found, expected);
+  test_assert_same_faces (found, expected);
   g_assert_cmpuint (found->findings.count, ==, expected->findings.count);
   for (size_t i = 0; i < found->findings.count; i++) {
     const QnFinding *f = &found->findings.items[i], *e = &expected->findings.items[i];
