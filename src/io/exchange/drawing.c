@@ -10,6 +10,9 @@
 /* Of half a circle: chords of 0.75 degrees, whose sagitta is 2.1e-5 of the radius. */
 #define ARC_CHORDS 240
 
+/* Of the ends of an arc, rad. */
+#define LARGEST_ANGLE 1e5
+
 /* No vertex lies nearer to the end of an arc than this part of a chord. */
 #define NEAR_END 0.25
 
@@ -114,6 +117,12 @@ qn_drawing_path_add_ellipse (QnDrawingPath *path, QnVec2 centre, QnVec2 major,
 {
   const double step = G_PI / ARC_CHORDS, way = to > from ? step : -step;
   double t = from, next = way * (floor (from / way + NEAR_END) + 1);
+  if (!(fabs (from) <= LARGEST_ANGLE && fabs (to) <= LARGEST_ANGLE)) {
+    /* It will be left out, and told, whichever of its ends the caller replaces. */
+    qn_drawing_path_add (path, qn_vec2 (NAN, NAN));
+    qn_drawing_path_add (path, qn_vec2 (NAN, NAN));
+    return;
+  }
   for (;; next += way) {
     qn_drawing_path_add (
       path,

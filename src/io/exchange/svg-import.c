@@ -10,9 +10,9 @@
 #include <libxml/parser.h>
 #include <string.h>
 
-/* Elements that are used within each other, and all of them together. */
-#define MAX_USES     24
-#define MAX_ELEMENTS 4000000
+/* Depth of elements that are used within each other, and all that are drawn so. */
+#define MAX_USES 24
+#define MAX_USED 100000
 
 /* A compressed file may become so large; bytes. */
 #define MAX_INFLATED ((gsize) 256 << 20)
@@ -50,7 +50,7 @@ typedef struct Importer {
   QnSvgStyle style;
   GHashTable *elements; /* id -> xmlNode */
   gboolean physical;    /* a length has a unit of its own */
-  guint budget;         /* of elements */
+  guint budget;         /* of used elements */
   GError **error;
 } Importer;
 
@@ -528,9 +528,9 @@ walk (Importer *importer, const xmlNode *node, State state)
   static const char *const groups[] = { "svg", "g", "a", "switch", NULL };
   static const char *const others[] = { "text", "image", "foreignObject", NULL };
   const char *name = qn_svg_name (node);
-  if (importer->budget-- == 0) {
+  if (state.uses > 0 && importer->budget-- == 0) {
     g_set_error (importer->error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:1: more than %d outlines"), importer->name, MAX_ELEMENTS);
+                 _ ("%s:1: more than %d outlines"), importer->name, MAX_USED);
     return FALSE;
   }
   if (g_strv_contains (shapes, name)) {
@@ -622,7 +622,7 @@ import_document (const xmlDoc *document, const char *name, QnDrawing *drawing,
                         .name = name,
                         .elements =
                           g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL),
-                        .budget = MAX_ELEMENTS,
+                        .budget = MAX_USED,
                         .error = error };
   State state = { .matrix = { 1, 0, 0, 1, 0, 0 }, .layer = "0", .bare = TRUE };
   qn_svg_style_init (&importer.style);

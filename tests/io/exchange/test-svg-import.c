@@ -94,6 +94,22 @@ test_bad_files (void)
   }
 }
 
+/* An arc without an angle ends. */
+static void
+test_no_arc (void)
+{
+  g_auto (QnDrawing) drawing;
+  qn_drawing_init (&drawing);
+  QnDrawingPath *path = qn_drawing_add_path (&drawing, "0", 1);
+  qn_drawing_path_add_ellipse (path, qn_vec2 (0, 0), qn_vec2 (1, 0), qn_vec2 (0, 1), 0,
+                               NAN);
+  qn_drawing_path_add_ellipse (path, qn_vec2 (0, 0), qn_vec2 (1, 0), qn_vec2 (0, 1), 0,
+                               1e300);
+  g_assert_cmpuint (path->count, ==, 4);
+  qn_drawing_drop_unbounded (&drawing);
+  g_assert_cmpuint (drawing.paths->len, ==, 0);
+}
+
 /* Numbers that arithmetic cannot carry, one at a time in every place where a shape has one. */
 static void
 test_extreme_numbers (void)
@@ -348,5 +364,6 @@ QN_TESTS
   g_test_add_func ("/svg-import/places", test_places);
   g_test_add_func ("/svg-import/holes", test_holes);
   g_test_add_func ("/svg-import/endless-uses", test_endless_uses);
+  g_test_add_func ("/svg-import/no-arc", test_no_arc);
   g_test_add_func ("/svg-import/bad-files", test_bad_files);
 }
