@@ -53,8 +53,8 @@ dup_mechanism (const QnSheetItem *item)
   QnMechanism mechanism;
   const QnResult *result = &item->file.result;
   if (result->mechanism == NULL
-      || qn_mechanism_init (&mechanism, &item->input.project.model, &item->input.contacts,
-                            result->mechanism, NULL)
+      || qn_mechanism_of_result (&mechanism, &item->input.project.model,
+                                 &item->input.contacts, result, NULL)
            != QN_OK)
     return g_strdup ("");
   char *title = qn_mechanism_dup_title (&mechanism);

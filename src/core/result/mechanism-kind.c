@@ -26,6 +26,7 @@ const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT] = {
   [QN_MECHANISM_KIND_STEPPED] = "stepped",
   [QN_MECHANISM_KIND_ARCH] = "arch",
   [QN_MECHANISM_KIND_FALLING] = "falling",
+  [QN_MECHANISM_KIND_SWAYING] = "swaying",
   [QN_MECHANISM_KIND_MIXED] = "mixed",
 };
 
@@ -189,6 +190,22 @@ largest_dilatancy (const QnModel *model, const QnContactFace *face)
   return fmax (model->laws[face->law_a].dilatancy, model->laws[face->law_b].dilatancy);
 }
 
+static bool
+goes_aside (const QnMechanismBody *body)
+{
+  return fabs (body->velocity.y) < 2.0 * fabs (body->velocity.x);
+}
+
+/* Whether blocks go aside though no joint hinges, slides or opens. */
+static bool
+sways (const QnMechanism *m)
+{
+  for (size_t i = 0; i < m->body_count; i++)
+    if (goes_aside (&m->bodies[i]))
+      return m->counts[QN_JOINT_OPENING] == 0;
+  return false;
+}
+
 /* Whether blocks are lifted or fall: they go up or down, and every joint parts that does not stay
  * closed. The sides of a joint that opens, but not as its law or associative friction dilates it,
  * press each other no more, however far they slip. */
@@ -196,7 +213,7 @@ static bool
 loses_contact (const QnMechanism *m, const QnModel *model, const QnContacts *contacts)
 {
   for (size_t i = 0; i < m->body_count; i++)
-    if (fabs (m->bodies[i].velocity.y) < 2.0 * fabs (m->bodies[i].velocity.x))
+    if (goes_aside (&m->bodies[i]))
       return false;
   for (size_t f = 0; f < m->joint_count; f++) {
     const QnJointMotion *joint = &m->joints[f];
@@ -223,7 +240,7 @@ qn_mechanism_classify (const QnMechanism *m, const QnModel *model,
   if (m->body_count == 0)
     return QN_MECHANISM_KIND_NONE;
   if (hinges == 0 && m->sliding_count == 0)
-    return QN_MECHANISM_KIND_FALLING;
+    return sways (m) ? QN_MECHANISM_KIND_SWAYING : QN_MECHANISM_KIND_FALLING;
   for (size_t i = 0; i < m->body_count; i++) {
     moving += m->bodies[i].block_count;
     if (m->bodies[i].turns)

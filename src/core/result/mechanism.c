@@ -13,32 +13,65 @@
  * than this part of their motion. */
 #define ROTATION_SHARE 0.05
 
+/* A joint parts that opens by more than this part of its slip beyond what it dilates. */
+#define PARTING 0.05
+
 const char *const qn_joint_kind_names[QN_JOINT_KIND_COUNT] = {
   [QN_JOINT_CLOSED] = "closed",       [QN_JOINT_HINGE_START] = "hinge-start",
   [QN_JOINT_HINGE_END] = "hinge-end", [QN_JOINT_SLIDING] = "sliding",
   [QN_JOINT_OPENING] = "opening",
 };
 
-/* Velocity of the point p of a block. */
-static QnVec2
-velocity_at (const QnModel *model, const double *velocities, QnId block, QnVec2 p)
+/* A field of velocities, and where the blocks are as it begins: NULL where they were built. */
+typedef struct Field {
+  const QnModel *model;
+  const double *base, *velocities;
+  bool associative; /* joints dilate by their friction, whatever their laws say */
+} Field;
+
+static double
+turned_by (const Field *field, QnId block)
 {
-  const double *v = velocities + (size_t) block * QN_DOF_COUNT;
-  QnVec2 arm = qn_vec2_sub (p, model->blocks[block].centroid);
+  return field->base != NULL ? field->base[(size_t) block * QN_DOF_COUNT + QN_DOF_RZ] : 0;
+}
+
+static QnVec2
+turn (QnVec2 v, double angle)
+{
+  return angle != 0 ? qn_vec2_rotate (v, cos (angle), sin (angle)) : v;
+}
+
+static QnVec2
+centroid_of (const Field *field, QnId block)
+{
+  const double *u = field->base + (size_t) block * QN_DOF_COUNT;
+  QnVec2 centroid = field->model->blocks[block].centroid;
+
+  return field->base != NULL
+           ? qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]))
+           : centroid;
+}
+
+/* Velocity of the point of a block that was built at p. */
+static QnVec2
+velocity_at (const Field *field, QnId block, QnVec2 p)
+{
+  const double *v = field->velocities + (size_t) block * QN_DOF_COUNT;
+  QnVec2 arm = turn (qn_vec2_sub (p, field->model->blocks[block].centroid),
+                     turned_by (field, block));
 
   return qn_vec2 (v[QN_DOF_UX] - v[QN_DOF_RZ] * arm.y,
                   v[QN_DOF_UY] + v[QN_DOF_RZ] * arm.x);
 }
 
 static double
-fastest_vertex (const QnModel *model, const double *velocities, QnId block)
+fastest_vertex (const Field *field, QnId block)
 {
-  const QnVec2 *vertices = qn_model_block_vertices (model, block);
+  const QnVec2 *vertices = qn_model_block_vertices (field->model, block);
   double fastest = 0.0;
 
-  for (QnId i = 0; i < model->blocks[block].vertex_count; i++)
-    fastest = fmax (fastest,
-                    qn_vec2_length (velocity_at (model, velocities, block, vertices[i])));
+  for (QnId i = 0; i < field->model->blocks[block].vertex_count; i++)
+    fastest = fmax (fastest, qn_vec2_length (velocity_at (field, block, vertices[i])));
   return fastest;
 }
 
@@ -52,30 +85,42 @@ qn_joint_corners (const QnContacts *contacts, QnId face, QnVec2 *start, QnVec2 *
   *end = f->pair_count > 1 ? pairs[f->pair_count - 1].point : f->end;
 }
 
+/* By how much of its slip a joint opens and stays in touch: by the larger of its two sides. */
+static double
+dilation (const Field *field, const QnContactFace *face)
+{
+  const QnLaw *a = &field->model->laws[face->law_a],
+              *b = &field->model->laws[face->law_b];
+
+  return field->associative ? fmax (a->friction, b->friction)
+                            : fmax (a->dilatancy, b->dilatancy);
+}
+
 static QnJointMotion
-joint_motion (const QnModel *model, const QnContacts *contacts, QnId id,
-              const double *velocities, double least)
+joint_motion (const Field *field, const QnContacts *contacts, QnId id, double least)
 {
   const QnContactFace *face = &contacts->faces[id];
+  QnVec2 normal = turn (face->normal, turned_by (field, face->a));
+  QnVec2 tangent = turn (face->tangent, turned_by (field, face->a));
   QnJointMotion joint;
   QnVec2 corners[2], jumps[2];
   double low, high, dilated;
 
   qn_joint_corners (contacts, id, &corners[0], &corners[1]);
   for (int i = 0; i < 2; i++)
-    jumps[i] = qn_vec2_sub (velocity_at (model, velocities, face->b, corners[i]),
-                            velocity_at (model, velocities, face->a, corners[i]));
-  joint.opening_start = qn_vec2_dot (jumps[0], face->normal);
-  joint.opening_end = qn_vec2_dot (jumps[1], face->normal);
-  joint.slip =
-    0.5 * (qn_vec2_dot (jumps[0], face->tangent) + qn_vec2_dot (jumps[1], face->tangent));
+    jumps[i] = qn_vec2_sub (velocity_at (field, face->b, corners[i]),
+                            velocity_at (field, face->a, corners[i]));
+  joint.opening_start = qn_vec2_dot (jumps[0], normal);
+  joint.opening_end = qn_vec2_dot (jumps[1], normal);
+  joint.slip = 0.5 * (qn_vec2_dot (jumps[0], tangent) + qn_vec2_dot (jumps[1], tangent));
+  /* In a gap that is open already the sides turn past each other: what slips is where they touch. */
+  if (field->base != NULL)
+    joint.slip = qn_vec2_dot (jumps[joint.opening_end < joint.opening_start], tangent);
   joint.slides = fabs (joint.slip) > least;
   low = fmin (joint.opening_start, joint.opening_end);
   high = fmax (joint.opening_start, joint.opening_end);
-  /* Associative sliding opens a joint by the larger friction of its two sides. */
-  dilated = fmax (model->laws[face->law_a].friction, model->laws[face->law_b].friction)
-            * fabs (joint.slip);
-  if (low > 1.05 * dilated + least) {
+  dilated = (dilation (field, face) + PARTING) * fabs (joint.slip);
+  if (low > dilated + least) {
     joint.kind = QN_JOINT_OPENING;
     joint.slides = false;
   } else if (high - low > least && high - low > ROTATION_SHARE * fabs (joint.slip))
@@ -105,9 +150,9 @@ compare_groups (const void *a, const void *b)
 /* Bodies are the blocks that move and are joined by closed joints; the largest comes first. What a body
  * has is the mean over its blocks, weighted by area. */
 static QnStatus
-find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
-             const double *velocities, QnDiag *diag)
+find_bodies (QnMechanism *m, const Field *field, const QnContacts *contacts, QnDiag *diag)
 {
+  const QnModel *model = field->model;
   bool *moving = qn_alloc (m->block_count, sizeof *moving);
   QnId *parents = qn_alloc (m->block_count, sizeof *parents);
   QnId *numbers = qn_alloc (m->block_count, sizeof *numbers);
@@ -125,8 +170,7 @@ find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
       numbers[b] = QN_NONE;
     for (size_t b = 0; b < m->block_count; b++) {
       QnId root = qn_sets_root (parents, (QnId) b);
-      moving[b] =
-        fastest_vertex (model, velocities, (QnId) b) > MOTION_SHARE * m->largest;
+      moving[b] = fastest_vertex (field, (QnId) b) > MOTION_SHARE * m->largest;
       if (!moving[b])
         continue;
       if (numbers[root] == QN_NONE) {
@@ -146,7 +190,7 @@ find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
     m->bodies[i].box = QN_BOX_EMPTY;
   for (size_t b = 0; ok && b < m->block_count; b++) {
     const QnBlock *block = &model->blocks[b];
-    const double *v = velocities + b * QN_DOF_COUNT;
+    const double *v = field->velocities + b * QN_DOF_COUNT;
     QnId id = moving[b] ? numbers[qn_sets_root (parents, (QnId) b)] : QN_NONE;
     m->body_of_block[b] = id;
     if (id == QN_NONE)
@@ -154,12 +198,12 @@ find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
     QnMechanismBody *body = &m->bodies[id];
     areas[id] += block->area;
     body->block_count++;
-    body->centroid = qn_vec2_add_scaled (body->centroid, block->area, block->centroid);
+    body->centroid =
+      qn_vec2_add_scaled (body->centroid, block->area, centroid_of (field, (QnId) b));
     body->rotation += block->area * v[QN_DOF_RZ];
     body->velocity = qn_vec2_add_scaled (body->velocity, block->area,
                                          qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]));
-    body->largest =
-      fmax (body->largest, fastest_vertex (model, velocities, (QnId) b) / m->largest);
+    body->largest = fmax (body->largest, fastest_vertex (field, (QnId) b) / m->largest);
     qn_box_add_box (&body->box,
                     qn_box_of_points (qn_model_block_vertices (model, (QnId) b),
                                       (size_t) block->vertex_count));
@@ -185,11 +229,10 @@ find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
   return ok ? QN_OK : qn_diag_no_memory (diag);
 }
 
-QnStatus
-qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
-                   const QnContacts *contacts, const double *velocities, QnDiag *diag)
+static QnStatus
+analyse (QnMechanism *m, const Field *field, const QnContacts *contacts, QnDiag *diag)
 {
-  QnMechanism *m = mechanism;
+  const QnModel *model = field->model;
   QnStatus status;
 
   *m = (QnMechanism){ .joint_count = contacts->face_count,
@@ -201,19 +244,50 @@ qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
     return qn_diag_no_memory (diag);
   }
   for (size_t b = 0; b < model->block_count; b++)
-    m->largest = fmax (m->largest, fastest_vertex (model, velocities, (QnId) b));
+    m->largest = fmax (m->largest, fastest_vertex (field, (QnId) b));
   for (size_t f = 0; f < m->joint_count; f++) {
-    m->joints[f] =
-      joint_motion (model, contacts, (QnId) f, velocities, MOTION_SHARE * m->largest);
+    m->joints[f] = joint_motion (field, contacts, (QnId) f, MOTION_SHARE * m->largest);
     m->counts[m->joints[f].kind]++;
     m->sliding_count += m->joints[f].slides;
   }
-  status = find_bodies (m, model, contacts, velocities, diag);
+  status = find_bodies (m, field, contacts, diag);
   if (status)
     qn_mechanism_clear (m);
   else
     m->kind = qn_mechanism_classify (m, model, contacts);
   return status;
+}
+
+QnStatus
+qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
+                   const QnContacts *contacts, const double *base,
+                   const double *velocities, QnDiag *diag)
+{
+  const Field field = { model, base, velocities, true };
+
+  return analyse (mechanism, &field, contacts, diag);
+}
+
+const double *
+qn_mechanism_base (const QnModel *model, const QnResult *result)
+{
+  return model->analysis.geometry != QN_GEOMETRY_LINEAR && model->beam_count == 0
+             && result->step_count > 0 && !result->limit.given
+             && result->vibration.mode == 0 && result->stability != QN_STABILITY_LOST
+             && result->history.width == 0
+           ? qn_result_step_displacements (result, result->step_count - 1)
+           : NULL;
+}
+
+QnStatus
+qn_mechanism_of_result (QnMechanism *mechanism, const QnModel *model,
+                        const QnContacts *contacts, const QnResult *result, QnDiag *diag)
+{
+  const Field field = { model, qn_mechanism_base (model, result), result->mechanism,
+                        result->limit.given
+                          && result->limit.flow == QN_FLOW_ASSOCIATIVE };
+
+  return analyse (mechanism, &field, contacts, diag);
 }
 
 void

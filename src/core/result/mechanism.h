@@ -10,6 +10,7 @@
 
 #include "core/base/box.h"
 #include "core/contact/contacts.h"
+#include "core/result/result.h"
 
 typedef enum {
   QN_JOINT_CLOSED,      /* no relative motion */
@@ -50,7 +51,8 @@ typedef enum {
   QN_MECHANISM_KIND_STEPPED, /* a body turns off a staircase: beds and head joints open */
   QN_MECHANISM_KIND_ARCH,    /* a chain of bodies folds at alternating hinges */
   QN_MECHANISM_KIND_FALLING, /* bodies lose contact: they fall, or are lifted */
-  QN_MECHANISM_KIND_MIXED,   /* hinges and sliding joints together, none prevailing */
+  QN_MECHANISM_KIND_SWAYING, /* blocks go aside, no joint moves: what gives are beams, or joints all over */
+  QN_MECHANISM_KIND_MIXED, /* hinges and sliding joints together, none prevailing */
   QN_MECHANISM_KIND_COUNT
 } QnMechanismKind;
 
@@ -71,11 +73,22 @@ typedef struct QnMechanism {
 extern const char *const qn_joint_kind_names[QN_JOINT_KIND_COUNT];
 extern const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT];
 
-/* Analyses a field: velocities, block_count x 3. `mechanism` is overwritten without being
- * cleared. */
+/* Analyses a field: velocities, block_count x 3, of blocks that have moved by `base` (the same; NULL: not at
+ * all), where joints have their directions and bodies their centres. `mechanism` is overwritten without being
+ * cleared. Joints may dilate by their friction, as in associative limit analysis. */
 QnStatus qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
-                            const QnContacts *contacts, const double *velocities,
-                            QnDiag *diag);
+                            const QnContacts *contacts, const double *base,
+                            const double *velocities, QnDiag *diag);
+
+/* Displacements at which the mechanism of a result begins, in large displacements; NULL: it is drawn and told
+ * from where the blocks were built: modes of vibration and of buckling, what limit analysis finds, what beams
+ * take part in. */
+const double *qn_mechanism_base (const QnModel *model, const QnResult *result);
+
+/* The mechanism of a result that has one: what texts and pictures count. Joints dilate as in the analysis. */
+QnStatus qn_mechanism_of_result (QnMechanism *mechanism, const QnModel *model,
+                                 const QnContacts *contacts, const QnResult *result,
+                                 QnDiag *diag);
 
 void qn_mechanism_clear (QnMechanism *mechanism);
 

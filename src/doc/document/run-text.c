@@ -71,8 +71,8 @@ qn_run_dup_mechanism_sentence (const QnRun *run)
 {
   QnMechanism mechanism;
   if (run->kind != QN_RUN_ANALYSIS || run->result.mechanism == NULL
-      || qn_mechanism_init (&mechanism, &run->model, &run->contacts,
-                            run->result.mechanism, NULL)
+      || qn_mechanism_of_result (&mechanism, &run->model, &run->contacts, &run->result,
+                                 NULL)
            != QN_OK)
     return NULL;
   char *sentence = qn_mechanism_dup_sentence (&mechanism);

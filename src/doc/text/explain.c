@@ -182,7 +182,7 @@ qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
   if (mode != NULL)
     return mode;
   QnMechanism mechanism;
-  if (qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL) != QN_OK)
+  if (qn_mechanism_of_result (&mechanism, model, contacts, result, NULL) != QN_OK)
     return NULL;
   g_autofree char *title = qn_mechanism_dup_title (&mechanism);
   qn_mechanism_clear (&mechanism);

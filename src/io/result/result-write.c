@@ -382,7 +382,7 @@ write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *c
                 result->node_count);
     qn_file_writer_puts (writer, ",\n");
   }
-  if (qn_mechanism_init (&facts, model, contacts, result->mechanism, NULL) != QN_OK)
+  if (qn_mechanism_of_result (&facts, model, contacts, result, NULL) != QN_OK)
     return;
   qn_file_writer_puts (writer, "  \"mechanism_facts\": ");
   qn_mechanism_write (writer, contacts, &facts);

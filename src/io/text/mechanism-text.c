@@ -45,6 +45,9 @@ static const char *const titles[QN_MECHANISM_KIND_COUNT][NO_DIRECTION + 1] = {
   [QN_MECHANISM_KIND_ARCH] = { [NO_DIRECTION] = N_ ("Hinges as in an arch") },
   [QN_MECHANISM_KIND_FALLING] = { [UPWARDS] = N_ ("Lifting off"),
                                   [NO_DIRECTION] = N_ ("Falling") },
+  [QN_MECHANISM_KIND_SWAYING] = { [TO_THE_RIGHT] = N_ ("Swaying to the right"),
+                                  [TO_THE_LEFT] = N_ ("Swaying to the left"),
+                                  [NO_DIRECTION] = N_ ("Swaying") },
   [QN_MECHANISM_KIND_MIXED] = { [TO_THE_RIGHT] = N_ ("Rocking and sliding to the right"),
                                 [TO_THE_LEFT] = N_ ("Rocking and sliding to the left"),
                                 [NO_DIRECTION] = N_ ("Rocking and sliding") },
@@ -184,8 +187,7 @@ qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
 {
   QnMechanism mechanism;
   if (result->mechanism == NULL
-      || qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL)
-           != QN_OK)
+      || qn_mechanism_of_result (&mechanism, model, contacts, result, NULL) != QN_OK)
     return NULL;
   char *hinges = qn_hinges_dup_text (model, result);
   gboolean blocks_move = mechanism.body_count > 0;

@@ -4,9 +4,12 @@
 
 #include <glib/gi18n-lib.h>
 
-/* Fraction of the structure's diagonal that the fastest point moves in a drawing. */
+/* Fraction of the structure's diagonal that the fastest point moves in a drawing, and the most that a block
+ * turns, rad; farther, where a small block would not be seen to move else. */
 #define AUTO_SHARE    (1.0 / 12.0)
 #define AUTO_ROTATION 0.25
+#define LEAST_SHARE   (1.0 / 40.0)
+#define MOST_ROTATION 0.6
 
 /* Share of the largest joint motion below which a joint counts as closed. */
 #define JOINT_SHARE 0.02
@@ -94,8 +97,9 @@ qn_motion_auto_scale (const QnMotion *motion)
 
   double largest = qn_motion_largest (motion);
   double scale = AUTO_SHARE * qn_box_diagonal (box) / largest;
+  double seen = LEAST_SHARE / AUTO_SHARE * scale;
   if (turn > 0)
-    scale = fmin (scale, AUTO_ROTATION / turn);
+    scale = fmin (scale, fmax (AUTO_ROTATION / turn, fmin (seen, MOST_ROTATION / turn)));
   if (!(largest > 0) || !isfinite (scale) || scale <= 0)
     return 1;
 
@@ -129,11 +133,13 @@ qn_motion_result_scale (const QnModel *model, const QnResult *result)
   if (result->step_count == 0)
     return 1;
   size_t step = qn_motion_farthest_step (model, result);
+  bool linear = model->analysis.geometry == QN_GEOMETRY_LINEAR;
   const QnMotion motion = { .model = model,
                             .displacements = qn_result_step_displacements (result, step),
-                            .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
+                            .linear = linear,
                             .scale = 1 };
-  return qn_motion_auto_scale (&motion);
+  double scale = qn_motion_auto_scale (&motion);
+  return linear && result->history.width == 0 ? scale : fmax (scale, 1);
 }
 
 QnJoint
@@ -206,24 +212,23 @@ qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
 
 QnJoint *
 qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
-                            const double *velocities, QnMechanismKind *kind)
+                            const QnResult *result, QnMechanismKind *kind)
 {
-  QnMotion motion = {
-    .model = model, .displacements = velocities, .linear = true, .scale = 1
-  };
-  QnJoint *joints = qn_motion_joints (&motion, contacts, NULL);
   QnMechanism mechanism;
   *kind = QN_MECHANISM_KIND_NONE;
-  if (qn_mechanism_init (&mechanism, model, contacts, velocities, NULL) != QN_OK) {
-    g_free (joints);
+  if (qn_mechanism_of_result (&mechanism, model, contacts, result, NULL) != QN_OK)
     return NULL;
+  QnJoint *joints = g_new0 (QnJoint, MAX (mechanism.joint_count, 1));
+  for (size_t f = 0; f < mechanism.joint_count; f++) {
+    const QnJointMotion *joint = &mechanism.joints[f];
+    bool opens = joint->kind == QN_JOINT_OPENING;
+    joints[f] = (QnJoint){ .opening_start = joint->opening_start,
+                           .opening_end = joint->opening_end,
+                           .slip = joint->slip,
+                           .open_start = opens || joint->kind == QN_JOINT_HINGE_END,
+                           .open_end = opens || joint->kind == QN_JOINT_HINGE_START,
+                           .sliding = joint->slides };
   }
-  /* Friction that dilates lifts a sliding joint off its bed without opening it. */
-  for (size_t f = 0; f < mechanism.joint_count; f++)
-    if (mechanism.joints[f].kind == QN_JOINT_SLIDING) {
-      joints[f].open_start = joints[f].open_end = false;
-      joints[f].sliding = true;
-    }
   *kind = mechanism.kind;
   qn_mechanism_clear (&mechanism);
   return joints;
@@ -239,6 +244,7 @@ qn_mechanism_kind_text (QnMechanismKind kind)
     [QN_MECHANISM_KIND_STEPPED] = N_ ("stepped crack"),
     [QN_MECHANISM_KIND_ARCH] = N_ ("hinged arch"),
     [QN_MECHANISM_KIND_FALLING] = N_ ("falling blocks"),
+    [QN_MECHANISM_KIND_SWAYING] = N_ ("swaying"),
     [QN_MECHANISM_KIND_MIXED] = N_ ("rocking and sliding"),
     [QN_MECHANISM_KIND_NONE] = N_ ("beams fail"), /* no block moves */
   };

@@ -23,7 +23,7 @@ typedef struct QnMotion {
 QnVec2 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale);
 
 /* A factor that moves the fastest vertex by about a twelfth of the structure's diagonal and
- * turns no block by more than a quarter of a radian; 1 where nothing moves. Rounded down to
+ * turns no block by more than a quarter of a radian, 0.6 where it is small beside the structure; 1 where nothing moves. Rounded down to
  * two digits. */
 double qn_motion_auto_scale (const QnMotion *motion);
 
@@ -31,7 +31,8 @@ double qn_motion_auto_scale (const QnMotion *motion);
  * fits it fits all steps, so that they can be compared. */
 size_t qn_motion_farthest_step (const QnModel *model, const QnResult *result);
 
-/* The factor that the deformed view of a result chooses for all its steps. */
+/* The factor that the deformed view of a result chooses for all its steps; 1 or more in nonlinear geometry and in
+ * time, where displacements are large as they are. */
 double qn_motion_result_scale (const QnModel *model, const QnResult *result);
 
 /* Largest length of a displacement over the vertices of one block and of all, m, not scaled. */
@@ -55,11 +56,10 @@ QnJoint qn_motion_joint (const QnMotion *motion, const QnContactFace *face);
 QnJoint *qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
                            const QnPairResult *pairs);
 
-/* The same for the velocity field of a mechanism, where a joint that only dilates while it
- * slides does not count as open; *kind is what the core calls the whole (see core/result/mechanism.h).
- * NULL when memory runs out. */
+/* The same for the mechanism of a result, where hinges, sliding and opening joints are those that the core
+ * counts; *kind is what it calls the whole (core/result/mechanism.h). NULL when memory runs out. */
 QnJoint *qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
-                                     const double *velocities, QnMechanismKind *kind);
+                                     const QnResult *result, QnMechanismKind *kind);
 
 /* "overturning", "rocking", "sliding", …; translated. */
 const char *qn_mechanism_kind_text (QnMechanismKind kind);

@@ -125,16 +125,6 @@ forces_act_displaced (const QnModel *model, const QnResult *result,
          && !result->limit.given && model->analysis.geometry != QN_GEOMETRY_LINEAR;
 }
 
-/* Whether a mechanism begins where the blocks have moved to, in large displacements: modes of vibration
- * and of buckling need not. Beams are drawn from where they were. */
-static bool
-moves_displaced (const QnModel *model, const QnResult *result)
-{
-  return model->analysis.geometry != QN_GEOMETRY_LINEAR && model->beam_count == 0
-         && result->step_count > 0 && !result->limit.given && result->vibration.mode == 0
-         && result->stability != QN_STABILITY_LOST && result->history.width == 0;
-}
-
 /* The displacements that a view shows, without their factor. */
 static QnMotion
 find_motion (const QnModel *model, const QnResult *result, const QnViewOptions *options,
@@ -143,8 +133,7 @@ find_motion (const QnModel *model, const QnResult *result, const QnViewOptions *
   QnMotion motion = { .model = model, .linear = true, .scale = 0 };
   if (options->view == QN_VIEW_MECHANISM) {
     motion.displacements = result->mechanism;
-    if (moves_displaced (model, result))
-      motion.base = qn_result_step_displacements (result, result->step_count - 1);
+    motion.base = qn_mechanism_base (model, result);
   } else if (options->view == QN_VIEW_DEFORMED
              || forces_act_displaced (model, result, options)) {
     motion.displacements = qn_result_step_displacements (result, step);
@@ -206,8 +195,8 @@ find_joints (QnSceneBuilder *b, GError **error)
     b->joints = qn_motion_joints (&b->motion, b->contacts, b->pairs);
     return true;
   }
-  b->joints = qn_motion_mechanism_joints (b->model, b->contacts, b->result->mechanism,
-                                          &b->scene->mechanism);
+  b->joints =
+    qn_motion_mechanism_joints (b->model, b->contacts, b->result, &b->scene->mechanism);
   if (b->joints == NULL)
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
                          _ ("not enough memory"));

@@ -7,8 +7,9 @@
 /* Joints shorter than this on paper get no symbol, pt. */
 #define SYMBOL_LEAST 7
 
+/* How many joints a picture shows of each kind. */
 typedef struct JointTally {
-  bool open, hinge, sliding;
+  int open, hinge, sliding;
 } JointTally;
 
 /* The gap between the two sides of an open joint as drawn. */
@@ -75,7 +76,7 @@ qn_build_joints (QnSceneBuilder *b)
   QnColor open = qn_builder_ink (b, QN_INK_OPEN);
   QnColor slide = qn_builder_ink (b, QN_INK_SLIDE);
   QnColor hinge = qn_builder_ink (b, QN_INK_HINGE);
-  JointTally tally = { false, false, false };
+  JointTally tally = { 0, 0, 0 };
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
     const QnJoint *joint = &b->joints[f];
@@ -83,22 +84,28 @@ qn_build_joints (QnSceneBuilder *b)
       continue;
     if (joint->open_start || joint->open_end) {
       add_gap (b, (QnId) f, face, open);
-      tally.open = true;
+      tally.open++;
     }
     if (joint->open_start != joint->open_end) {
       add_hinge (b, (QnId) f, face, joint->open_end, hinge);
-      tally.hinge = true;
+      tally.hinge++;
     }
     if (joint->sliding && !(joint->open_start && joint->open_end)) {
       add_sliding (b, (QnId) f, face, joint, slide);
-      tally.sliding = true;
+      tally.sliding++;
     }
   }
-  if (tally.open)
+  /* Of a mechanism as many as its text counts, also where symbols are left out since joints are too short. */
+  bool counts = b->options->view == QN_VIEW_MECHANISM;
+  g_autofree char *hinges =
+    counts ? g_strdup_printf (_ ("hinge (%d)"), tally.hinge) : g_strdup (_ ("hinge"));
+  g_autofree char *slides = counts
+                              ? g_strdup_printf (_ ("sliding joint (%d)"), tally.sliding)
+                              : g_strdup (_ ("sliding joint"));
+  if (tally.open > 0)
     qn_scene_legend (b->scene, QN_COMMAND_FILL, open, "%s", _ ("open joint"));
-  if (tally.hinge)
-    qn_scene_legend_marker (b->scene, QN_MARKER_RING, 4.2f, hinge, "%s", _ ("hinge"));
-  if (tally.sliding)
-    qn_scene_legend_marker (b->scene, QN_MARKER_SLIDE, 11, slide, "%s",
-                            _ ("sliding joint"));
+  if (tally.hinge > 0)
+    qn_scene_legend_marker (b->scene, QN_MARKER_RING, 4.2f, hinge, "%s", hinges);
+  if (tally.sliding > 0)
+    qn_scene_legend_marker (b->scene, QN_MARKER_SLIDE, 11, slide, "%s", slides);
 }

@@ -263,8 +263,8 @@ dup_mechanism_kind (const QnCaseModel *model)
 {
   QnMechanism mechanism;
   if (model->result.mechanism == NULL
-      || qn_mechanism_init (&mechanism, &model->project.model, &model->contacts,
-                            model->result.mechanism, NULL)
+      || qn_mechanism_of_result (&mechanism, &model->project.model, &model->contacts,
+                                 &model->result, NULL)
            != QN_OK)
     return NULL;
   char *kind = g_strdup (qn_mechanism_kind_names[mechanism.kind]);

@@ -20,8 +20,8 @@ analyse (Case *c, const double *velocities)
   g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, NULL), ==, QN_OK);
   g_assert_cmpint (
-    qn_mechanism_init (&c->mechanism, &c->model, &c->contacts, velocities, NULL), ==,
-    QN_OK);
+    qn_mechanism_init (&c->mechanism, &c->model, &c->contacts, NULL, velocities, NULL),
+    ==, QN_OK);
 }
 
 /* The mechanism of limit analysis. */
@@ -36,9 +36,9 @@ collapse (Case *c)
     qn_limit_associative (&c->model, &c->contacts, NULL, NULL, &solution, NULL), ==,
     QN_OK);
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
-  g_assert_cmpint (
-    qn_mechanism_init (&c->mechanism, &c->model, &c->contacts, solution.velocities, NULL),
-    ==, QN_OK);
+  g_assert_cmpint (qn_mechanism_init (&c->mechanism, &c->model, &c->contacts, NULL,
+                                      solution.velocities, NULL),
+                   ==, QN_OK);
 }
 
 static void
@@ -78,6 +78,63 @@ test_sliding (void)
   g_assert_cmpfloat_with_epsilon (fabs (c.mechanism.joints[0].slip), 1, 1e-12);
   g_assert_false (c.mechanism.bodies[0].turns);
   g_assert_cmpint (c.mechanism.body_of_block[1], ==, 0);
+}
+
+/* A block that has turned about its corner and turns on about it: in large displacements joint, centre and
+ * motion are those of where it is. */
+static void
+test_moved (void)
+{
+  const double theta = -0.3;
+  double base[6] = { 0 }, velocities[6] = { 0 };
+  g_auto (Case) c;
+
+  test_model_init_block_on_plane (&c.model, 1, 2);
+  analyse (&c, base);
+  QnVec2 centroid = c.model.blocks[1].centroid, pivot = { NAN, NAN };
+  for (int i = 0; i < 4; i++) { /* its lower right corner */
+    QnVec2 v = qn_model_block_vertices (&c.model, 1)[i];
+    if (v.x > centroid.x && v.y < centroid.y)
+      pivot = v;
+  }
+  QnVec2 arm = qn_vec2_sub (centroid, pivot);
+  QnVec2 moved = qn_vec2_rotate (arm, cos (theta), sin (theta));
+  base[3] = moved.x - arm.x;
+  base[4] = moved.y - arm.y;
+  base[5] = theta;
+  velocities[3] = moved.y; /* -1 rad about the pivot */
+  velocities[4] = -moved.x;
+  velocities[5] = -1;
+  qn_mechanism_clear (&c.mechanism);
+  g_assert_cmpint (
+    qn_mechanism_init (&c.mechanism, &c.model, &c.contacts, base, velocities, NULL), ==,
+    QN_OK);
+  g_assert_cmpint (c.mechanism.kind, ==, QN_MECHANISM_KIND_OVERTURNING);
+  g_assert_cmpint (c.mechanism.counts[QN_JOINT_HINGE_START]
+                     + c.mechanism.counts[QN_JOINT_HINGE_END],
+                   ==, 1);
+  g_assert_cmpint (c.mechanism.sliding_count, ==, 0);
+  g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].centre.x, pivot.x, 1e-12);
+  g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].centre.y, pivot.y, 1e-12);
+}
+
+/* Blocks that go aside while no joint moves: a frame that sways falls no more than a column that buckles. */
+static void
+test_swaying (void)
+{
+  double aside[6] = { 0, 0, 0, 1, 0.1, 0 }, down[6] = { 0, 0, 0, 0, -1, 0 };
+  g_auto (Case) c = { 0 };
+
+  test_model_init_block_on_plane (&c.model, 2, 1);
+  g_assert_cmpint (qn_model_prepare (&c.model, NULL), ==, QN_OK);
+  g_assert_cmpint (
+    qn_mechanism_init (&c.mechanism, &c.model, &c.contacts, NULL, aside, NULL), ==,
+    QN_OK); /* no contacts: beams carry it */
+  g_assert_cmpint (c.mechanism.kind, ==, QN_MECHANISM_KIND_SWAYING);
+  qn_mechanism_clear (&c.mechanism);
+  g_assert_cmpint (
+    qn_mechanism_init (&c.mechanism, &c.model, &c.contacts, NULL, down, NULL), ==, QN_OK);
+  g_assert_cmpint (c.mechanism.kind, ==, QN_MECHANISM_KIND_FALLING);
 }
 
 /* Associative sliding opens the joint by friction x slip: still sliding, not opening. */
@@ -434,7 +491,7 @@ test_drawn (void)
       }
     g_assert_cmpint (qn_contacts_detect (&c.model, &c.contacts, NULL), ==, QN_OK);
     g_assert_cmpint (
-      qn_mechanism_init (&c.mechanism, &c.model, &c.contacts, velocities, NULL), ==,
+      qn_mechanism_init (&c.mechanism, &c.model, &c.contacts, NULL, velocities, NULL), ==,
       QN_OK);
     if (c.mechanism.kind != drawing->kind)
       g_test_message ("drawing %u, %s", (guint) i, drawing->rows[0]);
@@ -460,6 +517,8 @@ QN_TESTS
 {
   g_test_add_func ("/mechanism/rest", test_rest);
   g_test_add_func ("/mechanism/sliding", test_sliding);
+  g_test_add_func ("/mechanism/moved", test_moved);
+  g_test_add_func ("/mechanism/swaying", test_swaying);
   g_test_add_func ("/mechanism/dilating", test_dilating);
   g_test_add_func ("/mechanism/overturning", test_overturning);
   g_test_add_func ("/mechanism/bodies", test_bodies);

@@ -154,17 +154,97 @@ test_mechanism_joints (void)
   QnMechanismKind kind;
   fixture_init_block (&f, 0.5, 1.5);
   g_autofree QnJoint *joints =
-    qn_motion_mechanism_joints (&f.model, &f.contacts, f.result.mechanism, &kind);
+    qn_motion_mechanism_joints (&f.model, &f.contacts, &f.result, &kind);
   g_assert_cmpint (kind, ==, QN_MECHANISM_KIND_OVERTURNING);
   bool start_is_right = f.contacts.faces[0].start.x > 0.25;
   g_assert_true (start_is_right ? joints->open_end : joints->open_start);
   g_assert_false (start_is_right ? joints->open_start : joints->open_end);
 
   double slide[6] = { 0, 0, 0, 1, 0.65, 0 };
+  double *own = f.result.mechanism;
+  f.result.mechanism = slide;
+  f.result.limit = (QnLimitFigures){ .given = true, .flow = QN_FLOW_ASSOCIATIVE };
   g_autofree QnJoint *other =
-    qn_motion_mechanism_joints (&f.model, &f.contacts, slide, &kind);
+    qn_motion_mechanism_joints (&f.model, &f.contacts, &f.result, &kind);
   g_assert_cmpint (kind, ==, QN_MECHANISM_KIND_SLIDING);
   g_assert_true (other->sliding && !other->open_start && !other->open_end);
+  /* A path whose joints do not dilate has lost this contact. */
+  f.result.limit.given = false;
+  g_autofree QnJoint *parted =
+    qn_motion_mechanism_joints (&f.model, &f.contacts, &f.result, &kind);
+  g_assert_true (!parted->sliding && parted->open_start && parted->open_end);
+  f.result.mechanism = own;
+  fixture_clear (&f);
+}
+
+/* As many hinges and sliding joints as the core counts, in both forms of geometry: symbols of the picture are those
+ * of the text. */
+static void
+test_counts (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 0.5, 1.5);
+  for (int geometry = 0; geometry < QN_GEOMETRY_COUNT; geometry++) {
+    QnMechanism mechanism;
+    QnMechanismKind kind;
+    int hinges = 0, slides = 0, opens = 0;
+    f.model.analysis.geometry = (QnGeometry) geometry;
+    g_assert_cmpint (
+      qn_mechanism_of_result (&mechanism, &f.model, &f.contacts, &f.result, NULL), ==,
+      QN_OK);
+    g_autofree QnJoint *joints =
+      qn_motion_mechanism_joints (&f.model, &f.contacts, &f.result, &kind);
+    for (size_t i = 0; i < f.contacts.face_count; i++) {
+      hinges += joints[i].open_start != joints[i].open_end;
+      opens += joints[i].open_start && joints[i].open_end;
+      slides += joints[i].sliding;
+    }
+    g_assert_cmpint (hinges, ==,
+                     mechanism.counts[QN_JOINT_HINGE_START]
+                       + mechanism.counts[QN_JOINT_HINGE_END]);
+    g_assert_cmpint (opens, ==, mechanism.counts[QN_JOINT_OPENING]);
+    g_assert_cmpint (slides, ==, mechanism.sliding_count);
+    g_assert_cmpint (kind, ==, mechanism.kind);
+    qn_mechanism_clear (&mechanism);
+  }
+  fixture_clear (&f);
+}
+
+/* Displacements that are large are never drawn smaller than they are. */
+static void
+test_true_scale (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 0.5, 1.5);
+  double *u = f.result.displacements + (f.result.step_count - 1) * 6 + 3;
+  u[0] = 2;
+  u[1] = u[2] = 0;
+  f.model.analysis.geometry = QN_GEOMETRY_LINEAR;
+  g_assert_cmpfloat (qn_motion_result_scale (&f.model, &f.result), <, 1);
+  f.model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  g_assert_cmpfloat (qn_motion_result_scale (&f.model, &f.result), ==, 1);
+  f.model.analysis.geometry = QN_GEOMETRY_LINEAR;
+  f.result.history.width = 1;
+  g_assert_cmpfloat (qn_motion_result_scale (&f.model, &f.result), ==, 1);
+  f.result.history.width = 0;
+  fixture_clear (&f);
+}
+
+/* A small block that turns beside a large structure is seen to move: by a fortieth of the whole, or by 0.6 rad. */
+static void
+test_small_block (void)
+{
+  Fixture f;
+  double u[6] = { 0, 0, 0, 0, 0, 1 };
+  fixture_init_block (&f, 0.5, 0.5);
+  QnMotion motion = { .model = &f.model, .displacements = u, .linear = true, .scale = 1 };
+  g_assert_cmpfloat_with_epsilon (qn_motion_auto_scale (&motion), 0.25, 0.01);
+  double width = 20 * 0.5; /* of the ground */
+  for (QnId i = 0; i < 4; i++) {
+    QnVec2 *v = &f.model.vertices[f.model.blocks[0].first_vertex + i];
+    v->x = v->x > 0 ? width : -width;
+  }
+  g_assert_cmpfloat_with_epsilon (qn_motion_auto_scale (&motion), 0.6, 0.01);
   fixture_clear (&f);
 }
 
@@ -254,6 +334,9 @@ QN_TESTS
   g_test_add_func ("/render/motion/overturning", test_overturning_block);
   g_test_add_func ("/render/motion/sliding", test_sliding_block);
   g_test_add_func ("/render/motion/mechanism", test_mechanism_joints);
+  g_test_add_func ("/render/motion/counts", test_counts);
+  g_test_add_func ("/render/motion/true-scale", test_true_scale);
+  g_test_add_func ("/render/motion/small-block", test_small_block);
   g_test_add_func ("/render/motion/auto-scale", test_auto_scale);
   g_test_add_func ("/render/motion/one-scale", test_one_scale_for_all_steps);
   g_test_add_func ("/render/motion/scale-in-legend", test_scale_in_legend);
