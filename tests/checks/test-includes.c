@@ -25,7 +25,7 @@ static const Layer layers[] = {
   { "io",
     { "text", "json", "project", "result", "exchange" },
     { "core/", "stereotomy/", "disk/", "io/" },
-    { "glib", "gio/", "cjson/", "libxml/" } },
+    { "glib", "gio/", "cjson/" } },
   { "render",
     { "drawing", "scene", "backend", "figure", "movie" },
     { "core/", "disk/", "render/" },

@@ -23,6 +23,7 @@ allocate (QnAssembly *as)
   as->committed = qn_alloc (pairs, sizeof *as->committed);
   as->responses = qn_alloc (pairs, sizeof *as->responses);
   as->inactive = qn_alloc (pairs, sizeof *as->inactive);
+  as->breaks = qn_alloc (pairs, sizeof *as->breaks);
   as->dead = qn_alloc (n, sizeof (double));
   as->live = qn_alloc (n, sizeof (double));
   as->dead_at_rest = qn_alloc (n, sizeof (double));
@@ -40,10 +41,10 @@ allocate (QnAssembly *as)
   as->face_unknowns =
     qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
   return as->kinematics && as->gradients && as->elongations && as->springs
-         && as->committed && as->responses && as->inactive && as->dead && as->live
-         && as->dead_at_rest && as->live_at_rest && as->damping && as->diagonal
-         && as->scatter && as->first_pairs && as->whole && as->forces && as->settles
-         && as->face_unknowns && as->phases && as->stale;
+         && as->committed && as->responses && as->inactive && as->breaks && as->dead
+         && as->live && as->dead_at_rest && as->live_at_rest && as->damping
+         && as->diagonal && as->scatter && as->first_pairs && as->whole && as->forces
+         && as->settles && as->face_unknowns && as->phases && as->stale;
 }
 
 /* Marks the supports that settle in any of the loads. */
@@ -308,6 +309,8 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
   for (size_t p = 0; p < as->pair_count; p++) {
     qn_assembly_place_pair (as, p);
     as->springs[p] = qn_contacts_pair_springs (as->model, as->contacts, p);
+    as->has_bonds |=
+      qn_spring_has_bond (&as->springs[p].a) || qn_spring_has_bond (&as->springs[p].b);
   }
   /* What the inner loops need of faces. */
   as->first_pairs[as->contacts->face_count] = (int32_t) as->pair_count;
@@ -345,6 +348,7 @@ qn_assembly_clear (QnAssembly *as)
   free (as->committed);
   free (as->responses);
   free (as->inactive);
+  free (as->breaks);
   free (as->dead);
   free (as->live);
   free (as->damping);
@@ -437,6 +441,94 @@ qn_assembly_commit (QnAssembly *as)
   as->commits++;
 }
 
+/* --- Bonds ------------------------------------------------------------------------------- */
+
+/* Bonds that break at once are those which have this part of the largest excess over their strength. */
+#define BREAK_TOGETHER 0.5
+
+static void
+hold (const QnSpring *spring, QnSpringMemory *memory)
+{
+  if (qn_spring_has_bond (spring) && memory->extreme == 0)
+    memory->extreme = QN_BOND_HELD;
+}
+
+static void
+evaluate_again (QnAssembly *as, size_t p)
+{
+  qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                    &as->responses[p]);
+}
+
+void
+qn_assembly_hold_bonds (QnAssembly *as)
+{
+  for (size_t p = 0; as->has_bonds && p < as->pair_count; p++) {
+    bool broke = qn_pair_damage (&as->springs[p], &as->responses[p].memory) > 0
+                 && qn_pair_damage (&as->springs[p], &as->committed[p]) <= 0;
+    hold (&as->springs[p].a, &as->committed[p].a);
+    hold (&as->springs[p].b, &as->committed[p].b);
+    as->breaks[p] = false;
+    if (broke)
+      evaluate_again (as, p);
+  }
+}
+
+/* Whether a bond that is held is to break; by how much it is strained. */
+static bool
+is_to_break (const QnAssembly *as, size_t p, double *strain)
+{
+  const QnPairResponse *r = &as->responses[p];
+  const QnPairMemory *before = &as->committed[p];
+  double a = NAN, b = NAN;
+
+  if (before->a.extreme == QN_BOND_HELD && r->memory.a.extreme == 1)
+    a = qn_spring_bond_strain (&as->springs[p].a, r->force);
+  if (!as->springs[p].equal && before->b.extreme == QN_BOND_HELD
+      && r->memory.b.extreme == 1)
+    b = qn_spring_bond_strain (&as->springs[p].b, r->force);
+  *strain = fmax (a, b);
+  return !isnan (*strain);
+}
+
+bool
+qn_assembly_break_bonds (QnAssembly *as)
+{
+  double most = 1, strain;
+  bool any = false;
+
+  for (size_t p = 0; as->has_bonds && p < as->pair_count; p++)
+    if (!as->inactive[p] && is_to_break (as, p, &strain)) {
+      any = true;
+      most = fmax (most, strain);
+    }
+  for (size_t p = 0; any && p < as->pair_count; p++)
+    if (!as->inactive[p] && is_to_break (as, p, &strain)
+        && strain - 1 >= BREAK_TOGETHER * (most - 1)) {
+      if (as->responses[p].memory.a.extreme == 1)
+        as->committed[p].a.extreme = 1;
+      else
+        as->committed[p].b.extreme = 1;
+      as->breaks[p] = true;
+      evaluate_again (as, p);
+    }
+  return any;
+}
+
+void
+qn_assembly_let_bonds (QnAssembly *as, bool found)
+{
+  for (size_t p = 0; as->has_bonds && p < as->pair_count; p++)
+    for (int side = 0; side < 2; side++) {
+      QnSpringMemory *memory = side == 0 ? &as->committed[p].a : &as->committed[p].b;
+      bool bond = qn_spring_has_bond (side == 0 ? &as->springs[p].a : &as->springs[p].b);
+      if (bond
+          && (memory->extreme == QN_BOND_HELD
+              || (!found && as->breaks[p] && memory->extreme == 1)))
+        memory->extreme = 0;
+    }
+}
+
 static void
 expand_unknowns (const QnAssembly *as, const double *u, double *rows)
 {
@@ -481,9 +573,9 @@ qn_assembly_may_jump (const QnAssembly *as)
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
     if (springs->a.dilatancy < springs->a.friction
-        || springs->b.dilatancy < springs->b.friction)
+        || springs->b.dilatancy < springs->b.friction || qn_spring_has_bond (&springs->a))
       return true;
-    plastic |= qn_pair_springs_are_plastic (springs);
+    plastic |= qn_pair_is_plastic (springs, &as->committed[p]);
   }
   return !plastic;
 }
@@ -531,12 +623,14 @@ qn_assembly_pair_results (const QnAssembly *as, const double *u, QnPairResult *r
       .state = qn_pair_state (&as->springs[p], response->phase),
       .normal_force = response->force[0],
       .shear_force = response->force[1],
+      .damage = qn_pair_damage (&as->springs[p], &response->memory),
       .has_springs = true,
       .hinge = hinge_position (as, p, u),
     };
-    if (qn_pair_springs_are_plastic (&as->springs[p]))
-      results[p].state = qn_pair_state_of_force (&as->springs[p], results[p].state,
-                                                 response->force, NO_FORCE * largest);
+    if (qn_pair_is_plastic (&as->springs[p], &response->memory))
+      results[p].state =
+        qn_pair_state_of_force (&as->springs[p], &response->memory, results[p].state,
+                                response->force, NO_FORCE * largest);
     memcpy (results[p].elongation_a, response->memory.qa, sizeof response->memory.qa);
     memcpy (results[p].elongation_b, response->memory.qb, sizeof response->memory.qb);
   }

@@ -74,6 +74,8 @@ typedef struct QnAssembly {
   QnPairSprings *springs;
   QnPairMemory *committed;   /* from which every evaluation starts */
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
+  bool has_bonds;            /* which may break */
+  bool *breaks;              /* pairs whose bond breaks in the step that is sought */
   bool *inactive;            /* pairs that carry nothing, wherever they are */
 
   QnBeamAssembly beams;
@@ -203,6 +205,14 @@ void qn_assembly_reactions (QnAssembly *assembly, double multiplier, double *rea
 
 /* Accepts the last evaluation as the state from which further ones start. */
 void qn_assembly_commit (QnAssembly *assembly);
+
+/* While an equilibrium is sought brittle bonds hold beyond their strength: no iteration that passes over it
+ * breaks any, and forces are continuous. Then those that are strained most break, and it is sought again.
+ * False where none breaks. To be ended by qn_assembly_let_bonds(), which takes back what broke unless the
+ * equilibrium is `found`. These do nothing where there is no bond. */
+void qn_assembly_hold_bonds (QnAssembly *assembly);
+bool qn_assembly_break_bonds (QnAssembly *assembly);
+void qn_assembly_let_bonds (QnAssembly *assembly, bool found);
 
 /* Opening of a pair at the last evaluation, beyond what the committed memory holds of
  * dilatancy, m: positive where the joint is open. */

@@ -25,13 +25,13 @@ typedef struct {
 } Freedom;
 
 static Freedom
-find_freedom (const QnPairSprings *springs, const double force[2], bool associative,
-              double little)
+find_freedom (const QnPairSprings *springs, const QnPairMemory *memory,
+              const double force[2], bool associative, double little)
 {
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
   Freedom freedom = { .dilatancy = INFINITY };
   int count = associative ? qn_pair_rigid_strength (springs, rows)
-                          : qn_pair_strength (springs, rows);
+                          : qn_pair_strength (springs, memory, rows);
 
   for (int i = 0; i < count; i++) {
     double slack =
@@ -68,11 +68,13 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
   if (qn_spring_strength (&springs->a, rows) == 0
       || qn_spring_strength (&springs->b, rows) == 0)
     return;
-  Freedom freedom = find_freedom (springs, force,
+  Freedom freedom = find_freedom (springs, &as->responses[p].memory, force,
                                   check->result->limit.given
                                     && check->result->limit.flow == QN_FLOW_ASSOCIATIVE,
                                   little);
-  bool loose = hypot (force[0], force[1]) <= little;
+  bool breaks = qn_spring_has_bond (&springs->a) && (freedom.opens || freedom.slides)
+                && qn_pair_damage (springs, &as->responses[p].memory) < 1;
+  bool loose = breaks || hypot (force[0], force[1]) <= little;
   size_t step = check->result->step_count - 1;
   double least = 0;
 

@@ -108,47 +108,37 @@ check_settlements (QnCheck *check, size_t step)
   }
 }
 
-/* Halvings until a way is known to rounding. */
-#define WAYS 60
-
 /* --- Forces ------------------------------------------------------------------------------- */
-
-/* Whether nothing of both blocks of a pair is free to move: what lies between supports carries no load, and its
- * state is one of rounding. */
-static bool
-is_held (const QnAssembly *as, size_t p)
-{
-  const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
-  const int32_t *a = as->unknown + QN_DOF_COUNT * face->a;
-  const int32_t *b = as->unknown + QN_DOF_COUNT * face->b;
-  bool held = true;
-
-  for (int i = 0; i < QN_DOF_COUNT; i++)
-    held = held && (a[i] == QN_NONE || as->settles[a[i]])
-           && (b[i] == QN_NONE || as->settles[b[i]]);
-  return held;
-}
 
 /* Force of a pair as the result states it at a step, at the last one in all digits; false where it
  * does not. */
 static bool
-stated_force (const QnCheck *check, size_t step, size_t pair, double force[2],
-              QnPairState *state)
+stated_pair (const QnCheck *check, size_t step, size_t pair, QnPairResult *at)
 {
   const QnResult *result = check->result;
   bool is_last = step + 1 == result->step_count;
 
   if (pair >= check->contacts->pair_count) {
     const QnFoundForce *found = &check->found[pair - check->contacts->pair_count];
-    force[0] = found->normal;
-    force[1] = found->shear;
-    *state = found->state;
+    *at = (QnPairResult){ .normal_force = found->normal,
+                          .shear_force = found->shear,
+                          .state = found->state };
     return true;
   }
   if (!is_last && !qn_result_has_forces (result, step))
     return false;
-  QnPairResult at =
-    is_last ? result->pairs[pair] : qn_result_pair_at (result, step, pair);
+  *at = is_last ? result->pairs[pair] : qn_result_pair_at (result, step, pair);
+  return true;
+}
+
+static bool
+stated_force (const QnCheck *check, size_t step, size_t pair, double force[2],
+              QnPairState *state)
+{
+  QnPairResult at;
+
+  if (!stated_pair (check, step, pair, &at))
+    return false;
   force[0] = at.normal_force;
   force[1] = at.shear_force;
   *state = at.state;
@@ -162,17 +152,31 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
-/* The slip and opening that leave a joint with this force at elongation q. Of two springs all that is
+/* The slip and opening that leave a joint, its bond damaged as after the step, with this force at elongation q. Of two springs all that is
  * new counts as the first one's: which of them slid makes no difference to both together. False for
  * what is not elastic and perfectly plastic. */
 static bool
 take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemory *before,
-           const double q[2], const double force[2], QnPairMemory *memory)
+           const QnPairMemory *after, const double q[2], const double stated[2],
+           QnPairMemory *memory)
 {
   const QnSpring *s = &springs->a, *other = springs->equal ? NULL : &springs->b;
   double stuck[2] = { 0, 0 }; /* elongation of the other spring */
+  double force[2] = { stated[0], stated[1] };
 
   *memory = *before;
+  qn_pair_keep_damage (springs, after, memory);
+  double damage = qn_pair_damage (springs, memory);
+  if (qn_spring_has_bond (s) && damage < 1 && (damage <= 0 || other != NULL)) {
+    memory->a.opening = q[0] - force[0] / s->kn; /* crushed, the bond whole */
+    return s->kind == QN_LAW_MOHR_COULOMB && other == NULL
+           && memory->a.opening <= before->a.opening;
+  }
+  if (damage > 0 && damage < 1) { /* what friction carries of it */
+    const double bond[2] = { s->kn * (q[0] - fmin (before->a.opening, 0)), s->ks * q[1] };
+    for (int i = 0; i < 2; i++)
+      force[i] = (stated[i] - (1 - damage) * bond[i]) / damage;
+  }
   if (other != NULL && !(qn_law_is_plastic (s->kind) && qn_law_is_plastic (other->kind)))
     return false;
   if (other != NULL) {
@@ -186,13 +190,13 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
   bool crushes = s->kind == QN_LAW_MOHR_COULOMB
                  || (other != NULL && other->kind == QN_LAW_MOHR_COULOMB);
   double opening = q[0] - stuck[0] - force[0] / s->kn;
-  bool at_cap = force[0] >= s->cap - QN_CHECK_FORCES * check->scale;
+  bool at_cap = force[0] >= -QN_CHECK_FORCES * check->scale;
   /* A joint that opens remembers what it has risen by sliding alone. */
   double risen =
     before->a.opening + s->dilatancy * fabs (memory->a.slip - before->a.slip);
   if (at_cap && check->relaxed)
     memory->a.opening = fmin (opening, risen);
-  else if (check->relaxed || (force[0] < s->cap && (dilates || crushes)))
+  else if (check->relaxed || (force[0] < 0 && (dilates || crushes)))
     memory->a.opening = opening;
   else if (at_cap && (dilates || crushes)) /* crushed, or slid back, on the way there */
     memory->a.opening = fmin (memory->a.opening, opening);
@@ -217,10 +221,11 @@ little_beside (const QnCheck *check, const QnPairMemory *before,
 
 /* Whether a force is within `little` of one of the strengths of a pair. */
 static bool
-is_near_strength (const QnPairSprings *springs, const double force[2], double little)
+is_near_strength (const QnPairSprings *springs, const QnPairMemory *memory,
+                  const double force[2], double little)
 {
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_pair_strength (springs, rows);
+  int count = qn_pair_strength (springs, memory, rows);
 
   for (int i = 0; i < count; i++)
     if (fabs (rows[i].normal * force[0] + rows[i].shear * fabs (force[1]) - rows[i].limit)
@@ -242,7 +247,7 @@ obeys_flow (const QnCheck *check, const QnPairSprings *springs,
   if (fabs (slip) <= slack && fabs (opening) <= slack)
     return true;
   double little = little_beside (check, before, after);
-  if (!is_near_strength (springs, force, little))
+  if (!is_near_strength (springs, before, force, little))
     return false;
   bool loose = hypot (force[0], force[1]) <= little;
   bool opens = qn_law_is_plastic (s->kind) && s->kind != QN_LAW_MOHR_COULOMB;
@@ -278,43 +283,6 @@ force_tolerance (const QnCheck *check, const QnPairSprings *springs, const doubl
   return QN_CHECK_FORCES * check->scale + rounding;
 }
 
-/* The memory of a pair in a member that has been strained as far as `strain` (normal) since the step before,
- * and the response at elongation q from there. */
-static bool
-respond_after (const QnPairSprings *springs, const QnPairMemory *before, double strain,
-               const double q[2], QnPairResponse *response)
-{
-  const double away[2] = { strain, q[1] };
-  QnPairResponse there;
-
-  return qn_pair_evaluate (springs, before, away, &there)
-         && qn_pair_evaluate (springs, &there.memory, q, response);
-}
-
-/* In a motion that came to rest a fibre of a member may have been strained farther than it is at last. The
- * farther it was pulled, the less it carries now, and the farther it was pressed, the more: whether one
- * such way leaves it with this force, and *response with it. */
-static bool
-take_way (const QnPairSprings *springs, const QnPairMemory *before, const double q[2],
-          const double force[2], double tolerance, double farthest,
-          QnPairResponse *response)
-{
-  double sense = force[0] < response->force[0] ? 1 : -1, near = 0, far = farthest;
-
-  if (qn_law_is_plastic (springs->a.kind) || qn_law_is_plastic (springs->b.kind))
-    return false;
-  for (int i = 0; i < WAYS; i++) {
-    double middle = 0.5 * (near + far);
-    if (!respond_after (springs, before, q[0] + sense * middle, q, response))
-      return false;
-    if (sense * (response->force[0] - force[0]) > 0)
-      near = middle;
-    else
-      far = middle;
-  }
-  return same_force (response->force, force, tolerance);
-}
-
 /* Whether a pair was found on the way and carried nothing at the step before: where it has slid since is
  * not known. */
 static bool
@@ -325,49 +293,32 @@ begins (const QnCheck *check, size_t pair)
   return pair >= drawn && check->begins[pair - drawn];
 }
 
-/* Whether a joint that dilates stands open since a motion that came to rest: how far it has risen by sliding to
- * and fro no force tells, until it carries some again. */
+/* What a step states of the bond of a pair: as much damage as the laws answer. More there may be where the
+ * structure has moved on the way, and stays from then on. */
 static void
-note_risen (QnCheck *check, size_t p, const double force[2], bool relaxed)
+take_damage (QnCheck *check, size_t step, size_t p)
 {
-  const QnPairSprings *springs = &check->assembly.springs[p];
-  bool dilates = qn_law_is_plastic (springs->a.kind)
-                 && (springs->a.dilatancy > 0 || springs->b.dilatancy > 0);
-  bool open = hypot (force[0], force[1]) <= QN_CHECK_FORCES * check->scale;
-
-  check->risen[p] = dilates && open && (relaxed || check->risen[p]);
-}
-
-typedef enum { REASON_NONE, REASON_LITTLE, REASON_FLOW } Reason;
-
-/* Why a pair may have another force than its law answers to the step before, and that answer (`response` on
- * entry) made one with this force. */
-static Reason
-explain (const QnCheck *check, size_t p, const double force[2], double tolerance,
-         bool free_to_slide, bool relaxed, QnPairResponse *response)
-{
-  const QnAssembly *as = &check->assembly;
+  QnAssembly *as = &check->assembly;
   const QnPairSprings *springs = &as->springs[p];
-  const QnPairMemory *before = &as->committed[p];
-  const double *q = as->elongations + 2 * p;
-  double little = QN_CHECK_STATE * check->scale;
-  QnPairMemory memory;
-  bool taken = take_flow (check, springs, before, q, force, &memory);
+  QnPairResponse *response = &as->responses[p];
+  QnPairMemory *before = &as->committed[p];
+  double found = qn_pair_damage (springs, &response->memory);
+  QnPairResult at;
 
-  if (check->relaxed && taken && same_force (response->force, force, little)
-      && is_near_strength (springs, response->force, little)
-      && is_near_strength (springs, force, little))
-    return REASON_LITTLE;
-  bool flows =
-    taken
-    && (free_to_slide || begins (check, p) || check->risen[p]
-        || (check->relaxed && obeys_flow (check, springs, before, &memory, force)));
-  if ((flows && qn_pair_evaluate (springs, &memory, q, response)
-       && same_force (response->force, force, tolerance))
-      || (relaxed
-          && take_way (springs, before, q, force, tolerance, check->largest, response)))
-    return REASON_FLOW;
-  return REASON_NONE;
+  if (!stated_pair (check, step, p, &at)
+      || qn_check_agrees (at.damage, found, QN_CHECK_STATE))
+    return;
+  bool moved = check->result->steps[step].relaxed || check->result->history.width > 0;
+  if (at.damage > found && at.damage <= 1 && moved) {
+    bool in_a =
+      qn_spring_has_bond (&springs->a)
+      && !(springs->b.cohesion > 0 && springs->b.cohesion < springs->a.cohesion);
+    *(in_a ? &before->a.extreme : &before->b.extreme) = at.damage;
+    qn_pair_evaluate (springs, before, as->elongations + 2 * p, response);
+    found = qn_pair_damage (springs, &response->memory);
+  }
+  if (!qn_check_agrees (at.damage, found, QN_CHECK_STATE))
+    qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
 }
 
 /* Compares the forces of a step with what the laws answer, and leaves the answers evaluated. */
@@ -385,24 +336,39 @@ check_forces (QnCheck *check, size_t step)
   for (size_t p = 0; p < as->pair_count; p++) {
     const double *q = as->elongations + 2 * p;
     const QnPairSprings *springs = &as->springs[p];
+    QnPairMemory memory;
     QnPairState state;
     double force[2], tolerance = force_tolerance (check, springs, q);
+    take_damage (check, step, p);
     if (!stated_force (check, step, p, force, &state)) {
       check->lost = check->lost || told->relaxed;
       return;
     }
     QnPairResponse *response = &as->responses[p];
-    if (!is_held (as, p) && !same_force (response->force, force, tolerance)) {
+    if (!same_force (response->force, force, tolerance)) {
       QnPairResponse replayed = *response;
-      Reason reason =
-        explain (check, p, force, tolerance, free_to_slide, told->relaxed, response);
+      bool taken = take_flow (check, springs, &as->committed[p], &response->memory, q,
+                              force, &memory);
+      double little = QN_CHECK_STATE * check->scale;
+      if (check->relaxed && taken && same_force (response->force, force, little)
+          && is_near_strength (springs, &memory, response->force, little)
+          && is_near_strength (springs, &memory, force, little)) {
+        memcpy (response->force, force, sizeof force);
+        continue;
+      }
+      bool explained =
+        taken
+        && (free_to_slide || begins (check, p)
+            || (check->relaxed
+                && obeys_flow (check, springs, &as->committed[p], &memory, force)))
+        && qn_pair_evaluate (springs, &memory, q, response)
+        && same_force (response->force, force, tolerance);
       int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;
-      if (reason == REASON_NONE)
+      if (!explained)
         qn_check_tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse],
                             replayed.force[worse]);
-      jumped = jumped || reason == REASON_FLOW;
+      jumped = jumped || explained;
     }
-    note_risen (check, p, force, told->relaxed);
     /* What follows is checked with the forces as they are stated. */
     memcpy (response->force, force, sizeof force);
   }
@@ -423,7 +389,7 @@ find_scale (QnCheck *check, size_t step)
     if (!as->settles[i])
       scale = fmax (scale, fabs (as->dead[i]));
   for (size_t p = 0; p < as->pair_count; p++)
-    if (!is_held (as, p) && stated_force (check, step, p, force, &state))
+    if (stated_force (check, step, p, force, &state))
       scale = fmax (scale, hypot (force[0], force[1]));
   for (size_t e = 0; beams != NULL && e < check->model->element_count; e++)
     for (int end = 0; end < 2; end++)
@@ -452,12 +418,14 @@ check_strength (QnCheck *check, size_t step)
       return;
     double excess = qn_worse (steel_excess (&springs->a, force[0]),
                               steel_excess (&springs->b, force[0]));
-    int count = check->result->limit.given ? qn_pair_rigid_strength (springs, rows)
-                                           : qn_pair_strength (springs, rows);
+    int count = check->result->limit.given
+                  ? qn_pair_rigid_strength (springs, rows)
+                  : qn_pair_strength (springs, &as->responses[p].memory, rows);
     for (int i = 0; i < count; i++)
       excess = qn_worse (excess, rows[i].normal * force[0]
                                    + rows[i].shear * fabs (force[1]) - rows[i].limit);
-    if (!is_held (as, p) && !(excess <= check->tolerance * check->scale))
+    excess -= QN_BOND_ROUNDING * springs->a.cohesion;
+    if (!(excess <= check->tolerance * check->scale))
       qn_check_tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
   }
 }
@@ -492,6 +460,7 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
                    QnPairState state)
 {
   const QnPairSprings *springs = &check->assembly.springs[p];
+  const QnPairMemory *memory = &check->assembly.responses[p].memory;
   double little = QN_CHECK_STATE * check->scale;
 
   if (state == QN_PAIR_YIELD && !may_yield (&springs->a) && !may_yield (&springs->b))
@@ -501,8 +470,8 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
     return state == QN_PAIR_STICK ? hypot (force[0], force[1]) > 0
                                   : state == QN_PAIR_OPEN || !is_apart (check, p);
   if (state == QN_PAIR_YIELD)
-    return is_near_strength (springs, force, little);
-  return qn_pair_state_of_force (springs, state, force, little) == state;
+    return is_near_strength (springs, memory, force, little);
+  return qn_pair_state_of_force (springs, memory, state, force, little) == state;
 }
 
 /* Whether a pair comes to a state at the elongation of a step, or as near to it as forces agree. */
@@ -556,11 +525,10 @@ check_states (QnCheck *check, size_t step)
       return;
     double size = hypot (force[0], force[1]);
     bool by_little = size <= QN_CHECK_FORCES * check->scale;
-    bool told =
-      by_force || begins (check, p) || stays (check, p)
-      || ((by_little || state != QN_PAIR_STICK) && qn_pair_strength (springs, rows) > 0);
-    bool suits = is_held (as, p) ? true
-                 : as->inactive[p]
+    bool told = by_force || begins (check, p) || stays (check, p)
+                || ((by_little || state != QN_PAIR_STICK)
+                    && qn_pair_strength (springs, &as->responses[p].memory, rows) > 0);
+    bool suits = as->inactive[p]
                    ? state == QN_PAIR_OPEN
                    : comes_to_state (check, p, state)
                        || (told && state_suits_force (check, p, force, state));
@@ -735,9 +703,8 @@ init (QnCheck *check, QnDiag *diag)
   check->beam_forces = qn_alloc (model->element_count, sizeof *check->beam_forces);
   check->elongations = qn_alloc (2 * pairs, sizeof *check->elongations);
   check->velocity = qn_alloc (unknowns, sizeof *check->velocity);
-  check->risen = qn_alloc (pairs, sizeof *check->risen);
-  return check->risen && check->velocity && check->elongations && check->u
-         && check->residual && check->rows && check->forces && check->beam_forces;
+  return check->velocity && check->elongations && check->u && check->residual
+         && check->rows && check->forces && check->beam_forces;
 }
 
 QnStatus
@@ -794,7 +761,6 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   free (check.forces);
   free (check.beam_forces);
   free (check.velocity);
-  free (check.risen);
   free (check.elongations);
   free (check.mass);
   free (check.begun);

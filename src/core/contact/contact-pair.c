@@ -93,6 +93,41 @@ qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
   return series.size <= QN_TOLERANCE_SERIES;
 }
 
+QnPairSprings
+qn_pair_springs_broken (const QnPairSprings *springs)
+{
+  return (QnPairSprings){ .a = qn_spring_broken (&springs->a),
+                          .b = qn_spring_broken (&springs->b),
+                          .equal = springs->equal };
+}
+
+double
+qn_spring_bond_strain (const QnSpring *spring, const double force[2])
+{
+  QnStrengthRow rows[QN_STRENGTH_ROWS];
+  int count = qn_spring_has_bond (spring) ? qn_spring_strength (spring, rows) : 0;
+  double strain = NAN;
+
+  for (int i = 0; i < count; i++) {
+    double limit = fmax (rows[i].limit, QN_BOND_ROUNDING * spring->cohesion);
+    if (rows[i].normal >= 0 && limit > 0)
+      strain = fmax (strain, (rows[i].normal * force[0] + rows[i].shear * fabs (force[1]))
+                               / limit);
+  }
+  return strain;
+}
+
+double
+qn_pair_bond_strain (const QnPairSprings *springs, const QnPairResponse *response)
+{
+  if (qn_pair_damage (springs, &response->memory) > 0)
+    return NAN;
+  double a = qn_spring_bond_strain (&springs->a, response->force);
+
+  return springs->equal ? a
+                        : fmax (a, qn_spring_bond_strain (&springs->b, response->force));
+}
+
 static QnPairState
 phase_state (QnPhase phase)
 {
@@ -113,9 +148,6 @@ phase_state (QnPhase phase)
   case QN_PHASE_SLIP_NEGATIVE:
     return QN_PAIR_SLIP;
   case QN_PHASE_OPEN:
-  case QN_PHASE_OPEN_STICK:
-  case QN_PHASE_OPEN_SLIP_POSITIVE:
-  case QN_PHASE_OPEN_SLIP_NEGATIVE:
   case QN_PHASE_SOFTEN:
   case QN_PHASE_CRACKED:
   case QN_PHASE_BROKEN:
@@ -144,11 +176,12 @@ qn_pair_state (const QnPairSprings *springs, int16_t phase)
 }
 
 QnPairState
-qn_pair_state_of_force (const QnPairSprings *springs, QnPairState state,
-                        const double force[2], double little)
+qn_pair_state_of_force (const QnPairSprings *springs, const QnPairMemory *memory,
+                        QnPairState state, const double force[2], double little)
 {
   QnStrengthRow rows[QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (&springs->a, rows);
+  QnSpring spring = qn_spring_now (&springs->a, &memory->a);
+  int count = qn_spring_strength (&spring, rows);
   bool opens = false, slides = false;
 
   if (count == 0 || (state != QN_PAIR_OPEN && state != QN_PAIR_SLIP))

@@ -33,28 +33,62 @@ typedef struct QnPairResponse {
 /* The springs on the two sides of a pair in series; equal ones are joined into one. */
 QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
 
-/* Whether one law, elastic and perfectly plastic, rules the whole pair: the interior-point
- * increment solves those. */
-static inline bool
-qn_pair_springs_are_plastic (const QnPairSprings *springs)
+/* How much of the bond of a joint is lost: 0 whole, 1 broken; 0 of joints without a bond. */
+static inline double
+qn_pair_damage (const QnPairSprings *springs, const QnPairMemory *memory)
 {
-  return springs->equal && qn_law_is_plastic (springs->a.kind);
+  double a = qn_spring_damage (&springs->a, &memory->a);
+  double b = springs->equal ? 0 : qn_spring_damage (&springs->b, &memory->b);
+
+  return a > b ? a : b;
+}
+
+/* Those of a pair whose bonds are broken. */
+QnPairSprings qn_pair_springs_broken (const QnPairSprings *springs);
+
+/* How near a force is to breaking a whole bond, which it does at 1; NAN where there is none. */
+double qn_spring_bond_strain (const QnSpring *spring, const double force[2]);
+
+/* The same of a pair; NAN once it is damaged. */
+double qn_pair_bond_strain (const QnPairSprings *springs, const QnPairResponse *response);
+
+/* Takes over the damage of another state. */
+static inline void
+qn_pair_keep_damage (const QnPairSprings *springs, const QnPairMemory *from,
+                     QnPairMemory *memory)
+{
+  if (qn_spring_has_bond (&springs->a))
+    memory->a.extreme = from->a.extreme;
+  if (qn_spring_has_bond (&springs->b))
+    memory->b.extreme = from->b.extreme;
+}
+
+/* Whether one law, elastic and perfectly plastic, rules the whole pair: the interior-point
+ * increment solves those. A bond is none as long as it may break. */
+static inline bool
+qn_pair_is_plastic (const QnPairSprings *springs, const QnPairMemory *memory)
+{
+  return springs->equal && qn_law_is_plastic (springs->a.kind)
+         && (!qn_spring_has_bond (&springs->a) || memory->a.extreme >= 1);
 }
 
 /* Whether the pair would snap back while one of its springs softens: growing elongation of the
  * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
 bool qn_pair_springs_snap_back (const QnPairSprings *springs);
 
-/* The strengths of both springs: fills `rows`, returns how many they are. */
+/* The strengths of both springs, whose bonds are broken or not: fills `rows`, returns how many they are. */
 static inline int
-qn_pair_strength (const QnPairSprings *springs, QnStrengthRow rows[2 * QN_STRENGTH_ROWS])
+qn_pair_strength (const QnPairSprings *springs, const QnPairMemory *memory,
+                  QnStrengthRow rows[2 * QN_STRENGTH_ROWS])
 {
-  int count = qn_spring_strength (&springs->a, rows);
+  QnSpring a = qn_spring_now (&springs->a, &memory->a);
+  QnSpring b = qn_spring_now (&springs->b, &memory->b);
+  int count = qn_spring_strength (&a, rows);
 
-  return springs->equal ? count : count + qn_spring_strength (&springs->b, rows + count);
+  return springs->equal ? count : count + qn_spring_strength (&b, rows + count);
 }
 
-/* Those of rigid blocks. */
+/* Those of rigid blocks, bonds whole. */
 static inline int
 qn_pair_rigid_strength (const QnPairSprings *springs,
                         QnStrengthRow rows[2 * QN_STRENGTH_ROWS])
@@ -87,7 +121,8 @@ QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
 /* The state that a joint, elastic and perfectly plastic, is in with this force, where its phase says
  * `state`: an increment along the central path knows forces better than whether a joint flows. Open, or
  * sliding, is one within `little` of that strength. */
-QnPairState qn_pair_state_of_force (const QnPairSprings *springs, QnPairState state,
+QnPairState qn_pair_state_of_force (const QnPairSprings *springs,
+                                    const QnPairMemory *memory, QnPairState state,
                                     const double force[2], double little);
 
 #endif

@@ -17,9 +17,9 @@ opens (const QnSpring *spring, double *cap, QnShearStrength *shear)
     return true;
   case QN_LAW_NO_TENSION:
   case QN_LAW_COULOMB:
-    *cap = spring->cap;
-    *shear = (QnShearStrength){ spring->friction, spring->cohesion };
-    return true;
+    *cap = 0;
+    *shear = (QnShearStrength){ spring->friction, 0 };
+    return !qn_spring_has_bond (spring);
   case QN_LAW_MOHR_COULOMB:
   case QN_LAW_BILINEAR:
   case QN_LAW_ELASTIC_PLASTIC:
@@ -38,6 +38,7 @@ qn_pair_elasticity (const QnPairSprings *s)
   QnPairElasticity pair;
   double cap;
 
+  pair.bond = qn_spring_has_bond (&s->a) || qn_spring_has_bond (&s->b);
   pair.conserves = opens (&s->a, &pair.cap, &pair.shear[0]);
   pair.shear[1] = pair.shear[0];
   pair.k[0] = s->a.kn;
@@ -228,7 +229,11 @@ add_dashpot (const QnPairElasticity *pair, const QnPairStep *step,
   const QnPairResponse *now = end->response;
   double gain = (1 - step->alpha_f) * step->rate_gain, slopes[2] = { 0 }, share = 1;
   bool follows = step->of == QN_DAMPING_CURRENT;
+  const QnPairMemory *before = &start->response->memory, *after = &now->memory;
 
+  if (pair->bond
+      && (after->a.extreme > before->a.extreme || after->b.extreme > before->b.extreme))
+    return;
   if (follows)
     share = elastic_share (pair, start, end, slopes);
   for (int i = 0; i < 2; i++) {

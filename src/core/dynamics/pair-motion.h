@@ -46,6 +46,7 @@ typedef struct QnPairElasticity {
   double k[2];              /* elastic stiffness, normal and tangential, N/m */
   double cap;               /* largest normal force, N; INFINITY: it does not open */
   QnShearStrength shear[2]; /* of the springs; the weaker one slips */
+  bool bond;                /* may break: then no dashpot goes with what it loses */
   bool conserves;           /* its laws are elastic but for opening and slip: c applies */
 } QnPairElasticity;
 

@@ -189,6 +189,20 @@ prepare (QnTimeStep *step, QnDiag *diag)
   return QN_OK;
 }
 
+/* The end of a step becomes the start of the next one. A joint whose bond is broken is dry from then on. */
+static void
+commit (QnTimeStep *step)
+{
+  const QnAssembly *as = step->assembly;
+
+  qn_assembly_commit (step->assembly);
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (qn_pair_damage (&as->springs[p], &as->committed[p]) >= 1) {
+      const QnPairSprings broken = qn_pair_springs_broken (&as->springs[p]);
+      step->elasticity[p] = qn_pair_elasticity (&broken);
+    }
+}
+
 QnStatus
 qn_time_step_setup (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, const double *u0,
                     QnDiag *diag)
@@ -209,7 +223,7 @@ qn_time_step_setup (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, const do
   memcpy (step->start.u, u0, (size_t) as->unknown_count * sizeof *u0);
   add_initial_motion (step);
   qn_assembly_evaluate (as, step->start.u);
-  qn_assembly_commit (as);
+  commit (step);
   take_evaluation (step, &step->start);
   renew_beam_damping (step);
   return QN_OK;
@@ -219,7 +233,7 @@ void
 qn_time_step_renew (QnTimeStep *step)
 {
   qn_assembly_evaluate (step->assembly, step->start.u);
-  qn_assembly_commit (step->assembly);
+  commit (step);
   take_evaluation (step, &step->start);
   renew_beam_damping (step);
   step->factored_length = 0;
@@ -525,18 +539,10 @@ predict (QnTimeStep *step, double h, double part, QnVec2 ground)
   return measure (step, h, ground);
 }
 
-QnStepStatus
-qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground)
+/* With bonds as they are, from where the increment is. */
+static QnStepStatus
+iterate (QnTimeStep *step, double h, QnVec2 ground)
 {
-  step->stale = false;
-  step->relative = predict (step, h, 1, ground);
-  /* Joints that vibrate faster than the steps would leave their branch for a moment and come back:
-   * where they stand still nothing is factorised for that. */
-  if (step->factored_length == h && is_still (step) && !is_factored (step, h)) {
-    step->relative = predict (step, h, 0, ground);
-    if (!is_factored (step, h))
-      step->relative = predict (step, h, 1, ground);
-  }
   for (int iteration = 0; !(step->relative <= step->tolerance); iteration++) {
     if (iteration == BUDGET || !isfinite (step->relative))
       return QN_STEP_FAILED;
@@ -551,8 +557,31 @@ qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground)
     step->stale = kept && after > WORTH_KEEPING * step->relative;
     step->relative = after;
   }
-  take_evaluation (step, &step->end);
   return QN_STEP_CONVERGED;
+}
+
+QnStepStatus
+qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground)
+{
+  QnStepStatus status;
+
+  step->stale = false;
+  qn_assembly_hold_bonds (step->assembly);
+  step->relative = predict (step, h, 1, ground);
+  /* Joints that vibrate faster than the steps would leave their branch for a moment and come back:
+   * where they stand still nothing is factorised for that. */
+  if (step->factored_length == h && is_still (step) && !is_factored (step, h)) {
+    step->relative = predict (step, h, 0, ground);
+    if (!is_factored (step, h))
+      step->relative = predict (step, h, 1, ground);
+  }
+  while ((status = iterate (step, h, ground)) == QN_STEP_CONVERGED
+         && qn_assembly_break_bonds (step->assembly))
+    step->relative = measure (step, h, ground);
+  qn_assembly_let_bonds (step->assembly, status == QN_STEP_CONVERGED);
+  if (status == QN_STEP_CONVERGED)
+    take_evaluation (step, &step->end);
+  return status;
 }
 
 double
@@ -576,7 +605,7 @@ qn_time_step_accept (QnTimeStep *step)
 {
   QnInstant before = step->start;
 
-  qn_assembly_commit (step->assembly);
+  commit (step);
   step->start = step->end;
   step->end = before;
   qn_beam_state_save (&step->start.beams, &step->assembly->beams);

@@ -15,10 +15,11 @@ typedef struct {
 
 /* Friction without strength at any compression leaves no shear force, and is no row. */
 static Strengths
-sort_strengths (const QnSpring *spring)
+sort_strengths (const QnSpring *whole, const QnSpringMemory *memory)
 {
   QnStrengthRow rows[QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (spring, rows);
+  QnSpring spring = qn_spring_now (whole, memory);
+  int count = qn_spring_strength (&spring, rows);
   Strengths found = { 0 };
 
   for (const QnStrengthRow *row = rows; row < rows + count; row++) {
@@ -42,7 +43,7 @@ sort_strengths (const QnSpring *spring)
 static bool
 takes_part (const QnAssembly *as, size_t p)
 {
-  return qn_pair_springs_are_plastic (&as->springs[p]) && !as->inactive[p];
+  return qn_pair_is_plastic (&as->springs[p], &as->committed[p]) && !as->inactive[p];
 }
 
 bool
@@ -56,15 +57,6 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
                              .count = count };
   pairs->force = as->force_scale > 0 ? as->force_scale : 1;
   pairs->length = pairs->force / as->stiffness;
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const QnPairSprings *springs = &as->springs[p];
-    if (takes_part (as, p)) {
-      Strengths strengths = sort_strengths (&springs->a);
-      pairs->products += 1 + 2 * strengths.shears + strengths.crushes;
-    } else {
-      pairs->others = true;
-    }
-  }
   pairs->packs = qn_alloc_lines (count, sizeof *pairs->packs);
   pairs->steps = qn_alloc_lines (count, sizeof *pairs->steps);
   pairs->kept = qn_alloc_lines (count, sizeof *pairs->kept);
@@ -109,7 +101,9 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
   double stiffness = pairs->force / pairs->length;
   double y[2] = { as->responses[p].force[0] / pairs->force,
                   as->responses[p].force[1] / pairs->force };
-  Strengths strengths = sort_strengths (spring);
+  Strengths strengths = sort_strengths (spring, memory);
+
+  pairs->products += 1 + 2 * strengths.shears + strengths.crushes;
 
   e->has_tension[i] = -1;
   e->has_shear[i] = strengths.shears ? -1 : 0;
@@ -154,9 +148,13 @@ qn_central_pairs_start (QnCentralPairs *pairs, double size)
     for (int row = 0; row < QN_CENTRAL_ROWS; row++)
       for (int i = 0; i < QN_CENTRAL_WIDTH; i++)
         pairs->packs[k].now.s[row][i] = 1;
+  pairs->products = 0;
+  pairs->others = false;
   for (size_t p = 0; p < pairs->assembly->pair_count; p++)
     if (takes_part (pairs->assembly, p))
       start_pair (pairs, p, size);
+    else
+      pairs->others = true;
 }
 
 /* Forces and tangents of the pairs of other laws. */

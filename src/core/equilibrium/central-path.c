@@ -83,7 +83,8 @@ bool
 qn_central_path_has_joints (const QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
-    if (qn_pair_springs_are_plastic (&as->springs[p]) && !as->inactive[p])
+    if (as->springs[p].equal && qn_law_is_plastic (as->springs[p].a.kind)
+        && !as->inactive[p])
       return true;
   return false;
 }

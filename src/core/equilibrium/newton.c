@@ -263,9 +263,9 @@ refine (Newton *newton)
     evaluate (newton, eq->u, eq->multiplier);
 }
 
-QnSolveStatus
-qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosity,
-                       int budget)
+/* With bonds as they are. */
+static QnSolveStatus
+iterate (QnEquilibrium *eq, const QnTarget *target, double viscosity, int budget)
 {
   Newton newton = { .eq = eq, .target = target, .viscosity = viscosity, .stiffness = 1 };
 
@@ -296,6 +296,43 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
     if (!line_search (&newton, iteration == 0 ? INFINITY : newton.norm))
       return QN_SOLVE_FAILED;
   }
+}
+
+/* Whether the laws by themselves, from the state before, break all that is broken. */
+static bool
+breaks_by_law (const QnAssembly *as)
+{
+  for (size_t p = 0; as->has_bonds && p < as->pair_count; p++) {
+    QnPairMemory before = as->committed[p];
+    QnPairResponse response;
+    if (!as->breaks[p])
+      continue;
+    before.a.extreme = before.a.extreme == 1 ? 0 : before.a.extreme;
+    before.b.extreme = before.b.extreme == 1 ? 0 : before.b.extreme;
+    if (!qn_pair_evaluate (&as->springs[p], &before, as->elongations + 2 * p, &response)
+        || qn_pair_damage (&as->springs[p], &response.memory) < 1)
+      return false;
+  }
+  return true;
+}
+
+QnSolveStatus
+qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosity,
+                       int budget)
+{
+  QnAssembly *as = &eq->assembly;
+  QnSolveStatus status;
+
+  if (!as->has_bonds || budget == QN_MEASURE_ONLY)
+    return iterate (eq, target, viscosity, budget);
+  qn_assembly_hold_bonds (as);
+  do
+    status = iterate (eq, target, viscosity, budget);
+  while (status == QN_SOLVE_CONVERGED && qn_assembly_break_bonds (as));
+  qn_assembly_let_bonds (as, status == QN_SOLVE_CONVERGED);
+  if (status == QN_SOLVE_CONVERGED && !breaks_by_law (as))
+    eq->keeps_forces = true;
+  return status;
 }
 
 bool

@@ -206,8 +206,7 @@ is_mechanism (QnEquilibrium *eq, Relaxation *relaxation)
 }
 
 /* Time in which the measure is to advance. The least damping force that any motion of this
- * speed meets is that of the velocity C^-1 direction; what settles, which has no damping, counts as a body of
- * mean mass. */
+ * speed meets is that of the velocity C^-1 direction. */
 static double
 find_duration (const QnEquilibrium *eq, const QnTarget *target)
 {
@@ -218,8 +217,7 @@ find_duration (const QnEquilibrium *eq, const QnTarget *target)
     return 0;
   for (int32_t i = 0; i < as->unknown_count; i++)
     if (target->direction[i] != 0)
-      yielding += target->direction[i] * target->direction[i]
-                  / (as->settles[i] ? as->stiffness : as->damping[i]);
+      yielding += target->direction[i] * target->direction[i] / as->damping[i];
   double largest = qn_assembly_largest (as, target->direction, NULL);
   double force = largest * fabs (target->advance) / yielding; /* at unit duration */
   return as->force_scale > 0 ? force / (DRIVE * as->force_scale) : 0;
@@ -294,8 +292,9 @@ note_fall (const QnEquilibrium *eq, QnFall *fall, double far)
 static bool
 remembers_way (const QnSpring *spring)
 {
-  return qn_law_is_plastic (spring->kind) ? spring->dilatancy > 0
-                                          : spring->kind != QN_LAW_ELASTIC;
+  if (!qn_law_is_plastic (spring->kind))
+    return spring->kind != QN_LAW_ELASTIC;
+  return spring->dilatancy > 0 || qn_spring_has_bond (spring);
 }
 
 /* A structure has come to rest, and its joints may have been strained farther on the way than they are in the
@@ -314,6 +313,8 @@ come_straight (QnEquilibrium *eq, const QnTarget *target)
     return QN_SOLVE_CONVERGED;
   qn_equilibrium_save (eq, &eq->anchor);
   memcpy (as->committed, eq->recorded.memory, as->pair_count * sizeof *as->committed);
+  for (size_t p = 0; p < as->pair_count; p++) /* but what is broken is broken */
+    qn_pair_keep_damage (&as->springs[p], &eq->anchor.memory[p], &as->committed[p]);
   qn_beam_state_set (&eq->recorded.beams, &as->beams);
   QnSolveStatus status = qn_assembly_evaluate (as, eq->u)
                            ? qn_equilibrium_newton (eq, target, 0, NEWTON_BUDGET)

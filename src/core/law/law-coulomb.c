@@ -1,9 +1,10 @@
-/* Coulomb friction with cohesion, tension cut-off and dilatancy.
+/* Coulomb friction with dilatancy, a bond that breaks, and a limit of compression.
  *
- * With n the normal force (tension positive), t the shear force, g >= 0 the slip of the step:
+ * FRICTION. With n the normal force (tension positive), t the shear force, g >= 0 the slip of the
+ * step and k >= 0 its shortening:
  *
- *   yield      f = |t| + mu n - c <= 0,   n <= cap = min(ft, c / mu)
- *   flow       slip += g sign(t),   opening += psi g
+ *   yield      f = |t| + mu n <= 0,   n <= 0,   -n <= fc
+ *   flow       slip += g sign(t),   opening += psi g - k
  *
  * Return mapping (backward Euler, closed form) from the trial forces n*, t* that the spring
  * would carry without further slip:
@@ -11,79 +12,107 @@
  *   stick      f(n*, t*) <= 0:             n = n*,             t = t*
  *   slip       g = f(n*, t*) / (ks + mu psi kn):
  *                                          n = n* - kn psi g,  t = t* - ks g sign(t*)
- *   cap        n* - kn psi g >= cap for the g that brings |t| down to c - mu cap:
- *                                          n = cap,            |t| <= c - mu cap
+ *   open       n* - kn psi |t*| / ks > 0:  n = t = 0
+ *   crush      g = max (0, (|t*| - mu fc) / ks),  k = psi g - (n* + fc) / kn > 0:
+ *                                          n = -fc,  |t| = min (|t*|, mu fc)
  *
- * The cap is reversible: a joint that opens carries its cap (nothing, for a dry joint), whatever
- * the opening, and closes again where it opened, raised by dilatancy only. An open dry joint loses
- * its slip because g brings t to zero. With psi = 0 this is the law of the paper on HybriDFEM in
- * two dimensions (equations 1 and 2); psi = mu makes the flow associative and the tangent
- * symmetric.
+ * An open joint forgets its slip because g brings t to zero; it closes again where it opened, raised by
+ * dilatancy and lowered by crushing only. With psi = 0 this is the law of the paper on HybriDFEM in two
+ * dimensions (equations 1 and 2); psi = mu makes the flow associative and the tangent symmetric. The
+ * shortening of a crushed joint stays, without hardening, softening or an end, as in limit analysis with a
+ * rectangular block of stress at the toe (Orduña & Lourenço, J. Struct. Eng. 129 (2003) 1367-1375).
+ *
+ * BOND. Cohesion c and tension ft are those of a bond that is whole. It is elastic, of the same stiffness:
+ *
+ *   e = q_n + crushed,   s = q_t,   r = max (kn e / ft, (ks |s| + mu kn e) / c)
+ *
+ * and is damaged where r > 1. Of a damaged joint a part d carries nothing but friction, the rest is whole
+ * (Alfano & Sacco, Int. J. Numer. Meth. Eng. 68 (2006) 542-582), and the joint carries together
+ *
+ *   F = (1 - d) F_bond + d F_friction,   F_bond = (kn e, ks s)
+ *
+ * so that unloading goes to the origin but for the slip of the friction. Along any direction of loading the
+ * strength of the bond, (1 - d) r of it, falls in a straight line from 1 at r = 1 to nothing at r = R:
+ *
+ *   1 - d = (R - r) / (r (R - 1)),   never growing again
+ *   R     = r^2 / (E1 / G1 + E2 / G2),   E1 = kn e^2 / 2,  E2 = ks s^2 / 2
+ *
+ * with E1 = 0 and E2 = (r c)^2 / 2 ks, what is beyond friction, in compression. R is where the work done
+ * along that direction is all of the fracture energy, of both modes in the linear proportion of Lourenço &
+ * Rots, J. Eng. Mech. 123 (1997) 660-668, and Reeder (energies share: W1/G1 + W2/G2 = 1). Where R <= 1 the
+ * elastic energy alone breaks the bond: it is brittle, as it is where energies are not given. A broken bond
+ * stays broken: the friction is all that is left, with the residual mu.
+ *
+ * State: opening, slip (of the friction) and d as `extreme`. QN_BOND_HELD there is a bond that is whole and
+ * holds beyond its strength while an equilibrium is sought (qn_assembly_hold_bonds()); the answer then says
+ * that it is to break, with d = 1, and not yet what is left.
  */
 #include "core/law/law-ops.h"
 
 #include <math.h>
 
+/* --- Friction ---------------------------------------------------------------------------- */
+
 static void
-coulomb_slip (const QnSpring *s, double n_trial, double t_trial, QnSpringResponse *r)
+slide (const QnSpring *s, double n_trial, double t_trial, QnSpringResponse *r)
 {
-  double sign = t_trial < 0 ? -1 : 1;
-  double stiffness = s->ks + s->friction * s->dilatancy * s->kn;
-  double g = (fabs (t_trial) + s->friction * n_trial - s->cohesion) / stiffness;
-  double g_n = s->friction * s->kn / stiffness; /* dg / d q[0] */
-  double g_t = sign * s->ks / stiffness;        /* dg / d q[1] */
+  double sign = t_trial < 0 ? -1 : 1, mu = s->residual;
+  double stiffness = s->ks + mu * s->dilatancy * s->kn;
+  double g = (fabs (t_trial) + mu * n_trial) / stiffness;
+  double g_n = mu * s->kn / stiffness;   /* dg / d q[0] */
+  double g_t = sign * s->ks / stiffness; /* dg / d q[1] */
 
   r->force[0] = n_trial - s->kn * s->dilatancy * g;
   /* From the yield function, so that the result lies on it to the last digit. */
-  r->force[1] = sign * (s->cohesion - s->friction * r->force[0]);
+  r->force[1] = -sign * mu * r->force[0];
   r->tangent[0][0] = s->kn - s->kn * s->dilatancy * g_n;
   r->tangent[0][1] = -s->kn * s->dilatancy * g_t;
-  r->tangent[1][0] = -s->friction * sign * r->tangent[0][0];
-  r->tangent[1][1] = -s->friction * sign * r->tangent[0][1];
+  r->tangent[1][0] = -mu * sign * r->tangent[0][0];
+  r->tangent[1][1] = -mu * sign * r->tangent[0][1];
   r->memory.opening += s->dilatancy * g;
   r->memory.slip += sign * g;
   r->phase = sign > 0 ? QN_PHASE_SLIP_POSITIVE : QN_PHASE_SLIP_NEGATIVE;
 }
 
-/* At the cap: constant normal force; `g` is the slip that brings the shear force down to the
- * strength that is left there. */
-static void
-coulomb_cap (const QnSpring *s, double t_trial, double g, QnSpringResponse *r)
+/* False where the joint is not crushed. */
+static bool
+crush (const QnSpring *s, double n_trial, double t_trial, QnSpringResponse *r)
 {
-  double sign = t_trial < 0 ? -1 : 1;
+  double sign = t_trial < 0 ? -1 : 1, left = s->residual * s->compression;
+  double g = qn_larger ((fabs (t_trial) - left) / s->ks, 0);
+  double shortening = s->dilatancy * g - (n_trial + s->compression) / s->kn;
 
-  r->force[0] = s->cap;
-  if (g > 0) {
-    r->force[1] = sign * s->cap_strength;
-    r->memory.slip += sign * g;
-    r->memory.opening += s->dilatancy * g;
-    r->phase = sign > 0 ? QN_PHASE_OPEN_SLIP_POSITIVE : QN_PHASE_OPEN_SLIP_NEGATIVE;
-  } else {
-    r->force[1] = t_trial;
-    r->tangent[1][1] = s->ks;
-    r->phase = QN_PHASE_OPEN_STICK;
-  }
-  if (s->cap_strength <= 0) {
-    r->tangent[1][1] = 0;
-    r->phase = QN_PHASE_OPEN;
-  }
+  if (s->compression <= 0 || shortening <= 0)
+    return false;
+  r->force[0] = -s->compression;
+  r->force[1] = g > 0 ? sign * left : t_trial;
+  r->tangent[1][1] = g > 0 ? 0 : s->ks;
+  r->memory.opening += s->dilatancy * g - shortening;
+  r->memory.slip += sign * g;
+  r->phase = g == 0     ? QN_PHASE_CRUSH
+             : sign > 0 ? QN_PHASE_CRUSH_SLIP_POSITIVE
+                        : QN_PHASE_CRUSH_SLIP_NEGATIVE;
+  return true;
 }
 
-void
-qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
-                         const double q[2], QnSpringResponse *r)
+/* With mu the residual friction. */
+static void
+rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
+     QnSpringResponse *r)
 {
   double n_trial = s->kn * (q[0] - committed->opening);
   double t_trial = s->ks * (q[1] - committed->slip);
-  double g_at_cap = 0;
+  double g_open = fabs (t_trial) / s->ks;
 
   *r = (QnSpringResponse){ .memory = *committed, .phase = QN_PHASE_STICK };
-  if (n_trial > s->cap)
-    g_at_cap = qn_larger ((fabs (t_trial) - s->cap_strength) / s->ks, 0);
-  if (n_trial - s->kn * s->dilatancy * g_at_cap > s->cap) {
-    coulomb_cap (s, t_trial, g_at_cap, r);
-  } else if (fabs (t_trial) + s->friction * n_trial - s->cohesion > 0) {
-    coulomb_slip (s, n_trial, t_trial, r);
+  if (crush (s, n_trial, t_trial, r))
+    return;
+  if (n_trial > 0 && n_trial - s->kn * s->dilatancy * g_open > 0) {
+    r->memory.slip += (t_trial < 0 ? -1 : 1) * g_open;
+    r->memory.opening += s->dilatancy * g_open;
+    r->phase = QN_PHASE_OPEN;
+  } else if (fabs (t_trial) + s->residual * n_trial > 0) {
+    slide (s, n_trial, t_trial, r);
   } else {
     r->force[0] = n_trial;
     r->force[1] = t_trial;
@@ -91,6 +120,103 @@ qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
     r->tangent[1][1] = s->ks;
   }
 }
+
+/* --- Bond -------------------------------------------------------------------------------- */
+
+/* How far the bond is strained, r, and the part of it that is whole there; with their derivatives. */
+typedef struct {
+  double r, whole;
+  double r_q[2], whole_q[2];
+} Strain;
+
+/* bond, stiffness: what a whole one carries, and by which derivative. */
+static Strain
+strain_bond (const QnSpring *s, const double bond[2], const double stiffness[2])
+{
+  double ft = fmax (s->cap, QN_BOND_ROUNDING * s->cohesion);
+  double c = fmax (s->cohesion, QN_BOND_ROUNDING * s->cap);
+  double n = bond[0], t = fabs (bond[1]), sign = bond[1] < 0 ? -1 : 1;
+  bool slides = (t + s->friction * n) / c >= n / ft, apart = n > 0;
+  Strain at = { .r = slides ? (t + s->friction * n) / c : n / ft,
+                .whole = 1,
+                .r_q = { stiffness[0] * (slides ? s->friction / c : 1 / ft),
+                         slides ? sign * stiffness[1] / c : 0 } };
+
+  if (at.r <= 1)
+    return at;
+  at.whole = 0;
+  double shear = apart ? t : at.r * c; /* whose energy counts */
+  if ((apart && s->energy[0] == 0) || (shear > 0 && s->energy[1] == 0))
+    return at;
+  double spent = 0, spent_q[2] = { 0, 0 }; /* E1 / G1 + E2 / G2 */
+  if (apart) {
+    spent = 0.5 * n * n / (s->kn * s->energy[0]);
+    spent_q[0] = n / s->energy[0];
+  }
+  if (shear > 0) {
+    spent += 0.5 * shear * shear / (s->ks * s->energy[1]);
+    for (int i = 0; i < 2; i++) {
+      double slope = !apart ? at.r_q[i] * c : i == 1 ? sign * stiffness[1] : 0;
+      spent_q[i] += shear * slope / (s->ks * s->energy[1]);
+    }
+  }
+  double end = at.r * at.r / spent;
+  if (end <= 1 || at.r >= end)
+    return at;
+  at.whole = (end - at.r) / (at.r * (end - 1));
+  for (int i = 0; i < 2; i++) {
+    double end_q = end * (2 * at.r_q[i] / at.r - spent_q[i] / spent);
+    at.whole_q[i] =
+      (-end * at.r_q[i] / at.r + (at.r - 1) * end_q / (end - 1)) / (at.r * (end - 1));
+  }
+  return at;
+}
+
+/* What is left of the bond, besides the friction `r`. */
+static void
+add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
+          QnSpringResponse *r)
+{
+  double n = s->kn * (q[0] - fmin (committed->opening, 0));
+  bool crushed = s->compression > 0 && n < -s->compression;
+  const double bond[2] = { crushed ? -s->compression : n, s->ks * q[1] };
+  const double stiffness[2] = { crushed ? 0 : s->kn, s->ks };
+  Strain at = strain_bond (s, bond, stiffness);
+  bool holds = committed->extreme == QN_BOND_HELD && at.whole <= 0;
+  double before = fmax (committed->extreme, 0);
+  bool further = !holds && 1 - at.whole > before;
+  double whole = further ? at.whole : 1 - before, lost = 1 - whole;
+
+  r->memory.extreme = lost;
+  if (lost == 0) {
+    *r = (QnSpringResponse){ .memory = *committed,
+                             .phase = crushed ? QN_PHASE_CRUSH : QN_PHASE_STICK };
+    if (crushed)
+      r->memory.opening = q[0] + s->compression / s->kn;
+    r->memory.extreme = holds ? 1 : 0;
+  }
+  if (lost == 1)
+    return;
+  for (int i = 0; i < 2; i++) {
+    double beyond = bond[i] - r->force[i];
+    for (int j = 0; j < 2; j++)
+      r->tangent[i][j] = lost * r->tangent[i][j] + (i == j ? whole * stiffness[i] : 0)
+                         + (further ? beyond * at.whole_q[j] : 0);
+    r->force[i] = whole * bond[i] + lost * r->force[i];
+  }
+  r->varies = lost > 0;
+}
+
+void
+qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
+                         const double q[2], QnSpringResponse *r)
+{
+  rub (s, committed, q, r);
+  if (committed->extreme < 1 && qn_spring_has_bond (s))
+    add_bond (s, committed, q, r);
+}
+
+/* --- Laws -------------------------------------------------------------------------------- */
 
 QnStatus
 qn_law_coulomb_check (const QnLaw *law, QnId index, QnDiag *diag)
@@ -105,13 +231,17 @@ void
 qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   double apex = law->friction > 0 ? law->cohesion / law->friction : INFINITY;
-  double left = law->cohesion - law->friction * law->tension;
+  double tension = law->fracture_energy_tension, shear = law->fracture_energy_shear;
 
   spring->friction = law->friction;
+  spring->residual = law->residual_friction > 0 ? law->residual_friction : law->friction;
   spring->dilatancy = law->dilatancy;
   spring->cohesion = law->cohesion * scale.force;
   spring->cap = fmin (law->tension, apex) * scale.force;
-  spring->cap_strength = law->tension < apex ? left * scale.force : 0;
+  if (!qn_spring_has_bond (spring))
+    spring->residual = law->friction;
+  spring->energy[0] = tension * scale.force;
+  spring->energy[1] = (shear > 0 ? shear : tension) * scale.force;
 }
 
 int
@@ -121,18 +251,55 @@ qn_law_coulomb_strength (const QnSpring *s, QnStrengthRow rows[])
   rows[1] = (QnStrengthRow){
     .normal = s->friction, .shear = 1, .limit = s->cohesion, .opening = s->dilatancy
   };
-  return 2;
+  if (s->compression <= 0)
+    return 2;
+  rows[2] = (QnStrengthRow){ .normal = -1, .limit = s->compression, .opening = -1 };
+  return 3;
 }
 
-static const QnLawParameter parameters[] = {
-  QN_LAW_PARAMETER ("friction", friction, true, false),
-  QN_LAW_PARAMETER ("cohesion", cohesion, false, false),
-  QN_LAW_PARAMETER ("tension", tension, false, false),
-  QN_LAW_PARAMETER ("dilatancy", dilatancy, false, false),
+/* The steepest of a brittle bond is as steep as one likes: it breaks at once, and needs no refusal. */
+static double
+softening (const QnSpring *s)
+{
+  return qn_spring_has_bond (s) ? s->kn * QN_BOND_ROUNDING : 0;
+}
+
+#define JOINT_PARAMETERS                                                                 \
+  QN_LAW_PARAMETER ("cohesion", cohesion, false, false),                                 \
+    QN_LAW_PARAMETER ("tension", tension, false, false),                                 \
+    QN_LAW_PARAMETER ("residual_friction", residual_friction, false, true),              \
+    QN_LAW_PARAMETER ("fracture_energy_tension", fracture_energy_tension, false, true),  \
+    QN_LAW_PARAMETER ("fracture_energy_shear", fracture_energy_shear, false, true),      \
+    QN_LAW_PARAMETER ("dilatancy", dilatancy, false, false)
+
+static const QnLawParameter coulomb[] = {
+  QN_LAW_PARAMETER ("friction", friction, true, false), JOINT_PARAMETERS
 };
 
-const QnLawOps qn_law_ops_coulomb = {
-  QN_LAW_PARAMETERS (parameters),      .check = qn_law_coulomb_check,
-  .resolve = qn_law_coulomb_resolve,   .evaluate = qn_law_coulomb_evaluate,
-  .strength = qn_law_coulomb_strength, .plastic = true
+const QnLawOps qn_law_ops_coulomb = { QN_LAW_PARAMETERS (coulomb),
+                                      .check = qn_law_coulomb_check,
+                                      .resolve = qn_law_coulomb_resolve,
+                                      .evaluate = qn_law_coulomb_evaluate,
+                                      .strength = qn_law_coulomb_strength,
+                                      .softening = softening,
+                                      .plastic = true };
+
+static void
+resolve_crushing (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+{
+  qn_law_coulomb_resolve (law, scale, spring);
+  spring->compression = law->compression * scale.force;
+}
+
+static const QnLawParameter mohr_coulomb[] = {
+  QN_LAW_PARAMETER ("friction", friction, true, false),
+  QN_LAW_PARAMETER ("compression", compression, true, true), JOINT_PARAMETERS
 };
+
+const QnLawOps qn_law_ops_mohr_coulomb = { QN_LAW_PARAMETERS (mohr_coulomb),
+                                           .check = qn_law_coulomb_check,
+                                           .resolve = resolve_crushing,
+                                           .evaluate = qn_law_coulomb_evaluate,
+                                           .strength = qn_law_coulomb_strength,
+                                           .softening = softening,
+                                           .plastic = true };

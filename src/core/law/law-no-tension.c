@@ -12,7 +12,7 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   (void) law;
   (void) scale;
-  spring->friction = QN_NO_TENSION_FRICTION;
+  spring->friction = spring->residual = QN_NO_TENSION_FRICTION;
 }
 
 const QnLawOps qn_law_ops_no_tension = { .resolve = resolve,

@@ -50,9 +50,14 @@ typedef struct QnLaw {
   double shear_factor; /* > 0, multiplies ks: 5/6 for the section of a rectangular member;
                           0 stands for 1 */
   double friction;     /* mu >= 0, tangent of the friction angle */
-  double cohesion;     /* c >= 0 */
-  double tension; /* ft >= 0, tension cut-off; the cone's apex c/mu bounds it as well */
-  double compression; /* fc > 0, limit of compression, at which a joint is crushed */
+  double cohesion;     /* c >= 0, of a joint whose bond is whole */
+  double
+    tension; /* ft >= 0, likewise, of joints; the cone's apex c/mu bounds it as well */
+  double residual_friction; /* > 0, once the bond is broken; 0 stands for `friction` */
+  double fracture_energy_tension; /* >= 0, to break a bond by opening; 0: brittle */
+  double
+    fracture_energy_shear; /* >= 0, by slip, friction aside; 0 stands for that by opening */
+  double compression;      /* fc > 0, limit of compression, at which a joint is crushed */
   double dilatancy; /* psi, 0 <= psi <= mu: plastic opening per slip; mu = associative */
   double yield;     /* > 0, at which the elastic range first ends */
   double hardening; /* 0 <= r < 1, part of kn that remains beyond yield */

@@ -107,7 +107,8 @@ qn_spring_similar (const QnSpring *a, const QnSpring *b)
 
   return a->kind == b->kind && close_to (a->ks, ratio * b->ks)
          && a->friction == b->friction && close_to (a->cohesion, b->cohesion)
-         && close_to (a->cap, b->cap) && close_to (a->cap_strength, b->cap_strength)
+         && a->residual == b->residual && close_to (a->cap, b->cap)
+         && close_to (a->energy[0], b->energy[0]) && close_to (a->energy[1], b->energy[1])
          && close_to (a->compression, b->compression) && a->dilatancy == b->dilatancy
          && close_to (a->yield, b->yield) && close_to (a->hardening, b->hardening)
          && close_to (a->strength, b->strength)
@@ -134,14 +135,28 @@ qn_spring_join (const QnSpring *a, const QnSpring *b)
   return joined;
 }
 
+QnSpring
+qn_spring_broken (const QnSpring *spring)
+{
+  QnSpring broken = *spring;
+
+  if (qn_spring_has_bond (spring)) {
+    broken.friction = spring->residual;
+    broken.cohesion = broken.cap = 0;
+  }
+  return broken;
+}
+
 void
 qn_spring_lose_bond (QnSpring *spring)
 {
   bool is_joint = spring->kind == QN_LAW_COULOMB || spring->kind == QN_LAW_MOHR_COULOMB;
 
-  *spring =
-    (QnSpring){ .kind = is_joint ? QN_LAW_COULOMB : QN_LAW_NO_TENSION,
-                .kn = spring->kn,
-                .ks = spring->ks,
-                .friction = is_joint ? spring->friction : QN_NO_TENSION_FRICTION };
+  double friction = is_joint ? spring->residual : QN_NO_TENSION_FRICTION;
+
+  *spring = (QnSpring){ .kind = is_joint ? QN_LAW_COULOMB : QN_LAW_NO_TENSION,
+                        .kn = spring->kn,
+                        .ks = spring->ks,
+                        .friction = friction,
+                        .residual = friction };
 }

@@ -15,13 +15,13 @@ typedef struct QnSpring {
   double ks; /* N/m */
 
   double friction; /* mu */
+  double residual; /* mu of a joint whose bond is broken */
   double cohesion; /* N */
   double
     cap; /* largest normal force, N: the lower of cut-off and apex of the cone; tensile
                       strength of concrete */
-  double
-    cap_strength;     /* shear strength left at the cap, N; 0 where the apex is the cap */
-  double compression; /* N, largest compression of a joint */
+  double energy[2];   /* J, to break the bond by opening and by slip; 0: brittle */
+  double compression; /* N, largest compression of a joint that is crushed; else 0 */
   double dilatancy;   /* psi */
 
   double yield;     /* N, where the elastic range first ends */
@@ -41,7 +41,7 @@ typedef struct QnSpring {
 typedef struct QnSpringMemory {
   double opening; /* m, opened by dilatancy or plastically; negative: shortened */
   double slip;    /* m, slid so far */
-  double extreme; /* m, other state of a law, described in its file */
+  double extreme; /* other state of a law, described in its file */
 } QnSpringMemory;
 
 /* What a spring, or a pair of springs, is doing. The tangent of a spring depends on its law and
@@ -50,10 +50,7 @@ typedef enum {
   QN_PHASE_STICK,         /* elastic */
   QN_PHASE_SLIP_POSITIVE, /* slips, shear force >= 0 */
   QN_PHASE_SLIP_NEGATIVE,
-  QN_PHASE_OPEN,       /* at the cap of the normal force, no shear strength left */
-  QN_PHASE_OPEN_STICK, /* at the cap with shear strength left, not slipping */
-  QN_PHASE_OPEN_SLIP_POSITIVE, /* at the cap, slipping */
-  QN_PHASE_OPEN_SLIP_NEGATIVE,
+  QN_PHASE_OPEN,           /* carries nothing, or what is left of its bond */
   QN_PHASE_YIELD_POSITIVE, /* plastic in tension */
   QN_PHASE_YIELD_NEGATIVE, /* plastic in compression */
   QN_PHASE_YIELD_FULLY,    /* plastic without hardening any more, either way */
@@ -104,6 +101,37 @@ QnSpring qn_spring_from_law (const QnLaw *law, double area, double length);
  * degrees. */
 #define QN_NO_TENSION_FRICTION 1e3
 
+/* Whether a joint has a bond, which opening and slip may break. */
+static inline bool
+qn_spring_has_bond (const QnSpring *spring)
+{
+  return (spring->kind == QN_LAW_COULOMB || spring->kind == QN_LAW_MOHR_COULOMB)
+         && (spring->cap > 0 || spring->cohesion > 0);
+}
+
+/* In place of the damage of a whole bond that is not to break for now. */
+#define QN_BOND_HELD (-1.0)
+
+/* How much of the bond is lost: 0 whole, 1 broken; 0 of springs without. */
+static inline double
+qn_spring_damage (const QnSpring *spring, const QnSpringMemory *memory)
+{
+  return qn_spring_has_bond (spring) ? memory->extreme : 0;
+}
+
+/* The spring of a joint whose bond is broken, and that which it is in this state. */
+QnSpring qn_spring_broken (const QnSpring *spring);
+
+static inline QnSpring
+qn_spring_now (const QnSpring *spring, const QnSpringMemory *memory)
+{
+  return qn_spring_damage (spring, memory) < 1 ? *spring : qn_spring_broken (spring);
+}
+
+/* A bond of cohesion alone does not break by tension that is rounding, nor one of tension by such shear:
+ * below this part of the other strength. */
+#define QN_BOND_ROUNDING 1e-6
+
 /* Leaves what two bodies offer each other that were never joined: stiffness and friction, no tension, no
  * cohesion, no dilatancy. Of a law that is not a joint's the stiffness alone is left. */
 void qn_spring_lose_bond (QnSpring *spring);
@@ -112,7 +140,7 @@ void qn_spring_lose_bond (QnSpring *spring);
 void qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                          const double q[2], QnSpringResponse *response);
 
-/* The strengths of a spring; returns their number, 0 for a law that has none. */
+/* The strengths of a spring whose bond is whole; returns their number, 0 for a law that has none. */
 int qn_spring_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_ROWS]);
 
 /* Those that limit analysis takes: the same, but of a joint without tension that of opening alone, for

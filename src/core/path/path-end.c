@@ -79,7 +79,7 @@ hardly_climbs (const QnPathTrace *trace)
 }
 
 /* Whether the multiplier has held still, or under load control has not climbed, while the motion grew
- * many times; or the structure has run away. */
+ * many times; or the structure has run away. Where strength is lost on the way the motion settles only then. */
 static bool
 is_plateau (QnPathTrace *trace)
 {
@@ -87,7 +87,8 @@ is_plateau (QnPathTrace *trace)
   double tolerance = trace->may_jump ? tuning->plateau_tolerance
                                      : trace->path->settings->multiplier_tolerance;
   double motion = qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL);
-  double level = trace->load_control ? trace->events.highest : eq->multiplier;
+  bool climbs_no_more = trace->load_control && !trace->may_soften;
+  double level = climbs_no_more ? trace->events.highest : eq->multiplier;
 
   if (!may_end_on_plateau (trace))
     return false;

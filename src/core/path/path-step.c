@@ -20,6 +20,20 @@ target_of (const QnPathTrace *trace, double step)
   return (QnTarget){ .direction = trace->measure.direction, .advance = step };
 }
 
+/* Whether a bond that was whole is broken in the state just solved: what happens first in a long step may
+ * spare others, or not let them bear what they would bear together. */
+static bool
+breaks_bond (const QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (qn_pair_damage (&as->springs[p], &as->responses[p].memory) >= 1
+        && qn_pair_damage (&as->springs[p], &eq->committed.memory[p]) <= 0)
+      return true;
+  return false;
+}
+
 /* An equilibrium that the structure would leave at once is none. */
 static QnSolveStatus
 refuse_unstable (QnPathTrace *trace, QnSolveStatus status)
@@ -401,11 +415,44 @@ solve_nonlinear (QnPathTrace *trace, double *step)
   }
 }
 
+void
+qn_path_step_aim (QnPathTrace *trace, double step)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  double share = INFINITY;
+
+  for (size_t p = 0; p < as->pair_count && trace->may_soften; p++) {
+    double before = qn_pair_bond_strain (&as->springs[p], &eq->committed.responses[p]);
+    double now = qn_pair_bond_strain (&as->springs[p], &as->responses[p]);
+    if (now > before && now < 1)
+      share = fmin (share, (1 - now) / (now - before));
+  }
+  double way = share * fabs (step), little = tuning->smallest_step * trace->largest;
+  way += way > 2 * little ? -little : little;
+  if (!isfinite (way))
+    return;
+  double most = fabs (trace->step);
+  if (qn_path_trace_is_linear (trace)) /* the path is straight until then */
+    most = fmax (most, trace->largest);
+  trace->step = copysign (fmin (most, way), trace->step);
+}
+
+/* A step in which a bond breaks is cut until what lies before is met to the smallest steps. */
 QnSolveStatus
 qn_path_step_solve (QnPathTrace *trace, double *step)
 {
-  return qn_path_trace_is_linear (trace) ? solve_linear (trace, step)
-                                         : solve_nonlinear (trace, step);
+  for (;;) {
+    QnSolveStatus status = qn_path_trace_is_linear (trace)
+                             ? solve_linear (trace, step)
+                             : solve_nonlinear (trace, step);
+    if (status != QN_SOLVE_CONVERGED || !trace->may_soften
+        || fabs (*step) <= 3 * tuning->smallest_step * trace->largest
+        || !breaks_bond (&trace->path->equilibrium))
+      return status;
+    qn_equilibrium_restore (&trace->path->equilibrium);
+    *step *= 0.5;
+  }
 }
 
 QnSolveStatus
@@ -420,7 +467,8 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
   trace->jumped = false;
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_judge_stability (trace->path, NULL, false);
-  *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment, 0);
+  *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment, 0)
+          && !(trace->may_soften && breaks_bond (eq));
   return status;
 }
 

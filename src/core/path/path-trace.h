@@ -108,7 +108,6 @@ typedef struct QnPathTrace {
   bool may_jump;   /* some joint is not associative, or not known to be */
   bool may_soften; /* some joint may lose strength */
   bool jumped;     /* the last step moved on by a jump */
-  bool *reverses;  /* until the first step is solved: see qn_path_trace(); nullable */
   double end;      /* largest multiplier */
   /* Whether no load brings it down (core/check/unlimited.h) and it is followed to no end of its own: then
    * until it has moved as far as it is large, m. */
@@ -117,9 +116,7 @@ typedef struct QnPathTrace {
   double unit; /* that at which the largest live load on a block equals the dead load */
   double step; /* to try next */
   double largest; /* step so far */
-  double
-    to_fall; /* the shortest step that is known to let the structure fall; INFINITY: none */
-  double pace; /* motion per unit of the measure in the last smooth step; 0: unknown */
+  double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
   double slope; /* of the multiplier over the measure after the last step; 0: unknown */
   double *buckling; /* the motion in which an unstable equilibrium is left */
@@ -160,6 +157,10 @@ QnSolveStatus qn_path_step_solve_load (QnPathTrace *trace, double target, bool *
 
 /* Whether the step just solved, which took so many iterations, lets the next one grow. */
 bool qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations);
+
+/* Shortens the next step, after one of this size that was solved, to where the first bond breaks if all go on
+ * as they did in it: to just before, or just beyond where that is next. */
+void qn_path_step_aim (QnPathTrace *trace, double step);
 
 /* A step that passes the end of the path is solved once more, to end right there. FAILED where that
  * takes a shorter step, *share of this one; the state is then the one that was given. */

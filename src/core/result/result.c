@@ -84,6 +84,7 @@ qn_result_clear (QnResult *result)
   free (result->velocities);
   free (result->step_forces);
   free (result->step_states);
+  free (result->step_damage);
   free (result->history.rows);
   free (result->history.peaks);
   free (result->found);
@@ -217,10 +218,34 @@ drop_forces (QnResult *result)
 {
   free (result->step_forces);
   free (result->step_states);
-  result->step_forces = NULL;
+  free (result->step_damage);
+  result->step_forces = result->step_damage = NULL;
   result->step_states = NULL;
   result->step_force_capacity = result->step_state_capacity = 0;
+  result->step_damage_capacity = 0;
   result->forces_dropped = true;
+}
+
+/* The damage of all bonds at the last step; of those before there is none until there is some. */
+static bool
+add_damage (QnResult *result)
+{
+  size_t row = result->pair_count, last = (result->step_count - 1) * row;
+  bool damaged = result->step_damage != NULL;
+
+  for (size_t p = 0; p < row; p++)
+    damaged |= result->pairs[p].damage > 0;
+  if (!damaged)
+    return true;
+  bool first = result->step_damage == NULL;
+  if (!qn_array_reserve (&result->step_damage, &result->step_damage_capacity, last + row,
+                         sizeof *result->step_damage))
+    return false;
+  if (first)
+    memset (result->step_damage, 0, last * sizeof *result->step_damage);
+  for (size_t p = 0; p < row; p++)
+    result->step_damage[last + p] = result->pairs[p].damage;
+  return true;
 }
 
 bool
@@ -244,7 +269,7 @@ qn_result_add_forces (QnResult *result, bool all)
     result->step_forces[2 * (last + p) + 1] = result->pairs[p].shear_force;
     result->step_states[last + p] = (uint8_t) result->pairs[p].state;
   }
-  return true;
+  return add_damage (result);
 }
 
 const char *const qn_energy_names[QN_ENERGY_KIND_COUNT] = {
@@ -302,7 +327,9 @@ qn_result_pair_at (const QnResult *result, size_t step, size_t pair)
   size_t at = step * result->pair_count + pair;
   return (QnPairResult){ .state = (QnPairState) result->step_states[at],
                          .normal_force = result->step_forces[2 * at],
-                         .shear_force = result->step_forces[2 * at + 1] };
+                         .shear_force = result->step_forces[2 * at + 1],
+                         .damage =
+                           result->step_damage != NULL ? result->step_damage[at] : 0 };
 }
 
 void

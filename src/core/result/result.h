@@ -160,6 +160,7 @@ typedef struct QnPairResult {
   QnPairState state;
   double normal_force; /* N, <= 0 in compression */
   double shear_force;  /* N */
+  double damage;       /* of the bond: 0 whole, or none there; 1 broken */
 
   bool has_springs; /* whether what follows is known; limit analysis has no springs */
   QnVec2 hinge;     /* point C between the two springs, deformed, m */
@@ -292,7 +293,8 @@ typedef struct QnResult {
   QnPairResult *pairs; /* at the last equilibrium */
   double *step_forces; /* step_count x pair_count x 2: normal, shear, N; NULL: not kept */
   uint8_t *step_states; /* step_count x pair_count: QnPairState */
-  size_t step_force_capacity, step_state_capacity;
+  double *step_damage; /* step_count x pair_count; NULL: no bond is damaged at any step */
+  size_t step_force_capacity, step_state_capacity, step_damage_capacity;
   bool forces_dropped; /* there were more than the budget */
   double
     *mechanism; /* (block_count + node_count) x 3 velocity field at collapse, scaled as

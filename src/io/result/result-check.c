@@ -46,16 +46,23 @@ find_law (const QnModel *model, GHashTable *overrides, const QnResultContact *co
 /* By how much a force exceeds what a law can carry, N; 0 or less where it does not. Strengths
  * per area are times the tributary area. */
 static double
-law_excess (const QnLaw *law, double area, double normal, double shear)
+law_excess (const QnLaw *law, double area, const QnPairResult *pair)
 {
   double factor = law->basis == QN_BASIS_CONTACT ? 1 : area;
+  double normal = pair->normal_force, shear = pair->shear_force;
   switch (law->kind) {
   case QN_LAW_NO_TENSION:
     return normal;
   case QN_LAW_COULOMB:
   case QN_LAW_MOHR_COULOMB: {
-    double slip = fabs (shear) - (factor * law->cohesion - law->friction * normal);
-    double opening = normal - factor * law->tension; /* f = |t| + mu n - c, n - ft */
+    bool broken = pair->damage >= 1;
+    double friction =
+      broken && law->residual_friction > 0 ? law->residual_friction : law->friction;
+    double cohesion = broken ? 0 : factor * law->cohesion;
+    double tension = broken ? 0 : factor * law->tension;
+    double slip =
+      fabs (shear) + friction * normal - cohesion; /* |t| + mu n <= c, n <= ft */
+    double opening = normal - MAX (tension, QN_BOND_ROUNDING * cohesion);
     if (law->kind == QN_LAW_COULOMB)
       return MAX (slip, opening);
     return MAX (MAX (slip, opening), -normal - factor * law->compression);
@@ -123,7 +130,7 @@ check_pairs (const QnResultFile *file, const QnModel *model, const double *defor
     const QnId sides[2] = { contact->block_a, contact->block_b };
     for (int side = 0; side < 2; side++) {
       const QnLaw *law = find_law (model, overrides, contact, sides[side]);
-      double excess = law_excess (law, contact->area, normal, shear);
+      double excess = law_excess (law, contact->area, pair);
       if (excess > worst) {
         worst = excess;
         check->violating_pair = (QnId) i;

@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,6 +34,18 @@ qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t ste
     qn_file_writer_puts (writer, text);
   }
   qn_file_writer_puts (writer, "\"");
+  if (result->step_damage == NULL)
+    return;
+  const double *damage = result->step_damage + count * step;
+  bool any = false;
+  for (size_t i = 0; i < count; i++) {
+    if (damage[i] == 0)
+      continue;
+    qn_file_writer_printf (writer, any ? ", %zu, " : ", \"damage\": [%zu, ", i);
+    qn_file_writer_number (writer, damage[i]);
+    any = true;
+  }
+  qn_file_writer_puts (writer, any ? "]" : "");
 }
 
 gboolean
@@ -66,6 +79,38 @@ qn_result_states_read (QnJsonStream *stream, gpointer target)
 }
 
 gboolean
+qn_result_damage_read (QnJsonStream *stream, gpointer target)
+{
+  QnStepForces *all = target;
+  if (!qn_array_reserve (&all->damage, &all->damage_capacity, all->damage_count + 1,
+                         sizeof *all->damage))
+    return qn_json_stream_no_memory (stream);
+  all->damage[all->damage_count].step = all->step;
+  return qn_json_stream_number (stream, &all->damage[all->damage_count++].number);
+}
+
+/* False where it is not damage of pairs. */
+static gboolean
+take_damage (const QnStepForces *all, QnResult *result)
+{
+  if (all->damage_count == 0)
+    return TRUE;
+  size_t wanted = result->step_count * result->pair_count;
+  result->step_damage = qn_alloc (wanted, sizeof *result->step_damage);
+  if (result->step_damage == NULL || all->damage_count % 2 != 0)
+    return FALSE;
+  result->step_damage_capacity = wanted;
+  for (size_t i = 0; i < all->damage_count; i += 2) {
+    double pair = all->damage[i].number, value = all->damage[i + 1].number;
+    if (!(pair >= 0 && pair < (double) result->pair_count && pair == floor (pair)
+          && value >= 0 && value <= 1))
+      return FALSE;
+    result->step_damage[all->damage[i].step * result->pair_count + (size_t) pair] = value;
+  }
+  return TRUE;
+}
+
+gboolean
 qn_result_forces_take (QnStepForces *all, QnResult *result)
 {
   if (all->force_count == 0 && all->state_count == 0)
@@ -77,7 +122,7 @@ qn_result_forces_take (QnStepForces *all, QnResult *result)
   result->step_states = g_steal_pointer (&all->states);
   result->step_force_capacity = all->force_capacity;
   result->step_state_capacity = all->state_capacity;
-  return TRUE;
+  return take_damage (all, result);
 }
 
 void
@@ -85,5 +130,6 @@ qn_result_forces_clear (QnStepForces *all)
 {
   free (all->forces);
   free (all->states);
+  free (all->damage);
   *all = (QnStepForces){ 0 };
 }

@@ -258,6 +258,7 @@ read_step (QnJsonStream *stream, gpointer target)
     { "forces", qn_result_force_read, offsetof (QnResultDraft, forces), QN_JSON_EACH },
     { "states", qn_result_states_read, offsetof (QnResultDraft, forces),
       QN_JSON_OPTIONAL },
+    { "damage", qn_result_damage_read, offsetof (QnResultDraft, forces), QN_JSON_EACH },
     { "node_displacements", read_row, offsetof (QnResultDraft, node_displacements),
       QN_JSON_EACH },
     { "beam_forces", read_element_forces, 0, QN_JSON_EACH },
@@ -266,6 +267,7 @@ read_step (QnJsonStream *stream, gpointer target)
   QnResult *result = &draft->file.result;
   size_t before = draft->displacements.count;
   draft->step = (QnStep){ 0 };
+  draft->forces.step = result->step_count;
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), draft)
       || !grow (stream, &result->steps, result->step_count, &draft->step_capacity,
                 sizeof *result->steps))
@@ -347,6 +349,8 @@ read_contact (QnJsonStream *stream, gpointer target)
       QN_JSON_REQUIRED },
     { "shear_force", qn_json_stream_number, offsetof (ContactDraft, pair.shear_force),
       QN_JSON_REQUIRED },
+    { "damage", qn_json_stream_number, offsetof (ContactDraft, pair.damage),
+      QN_JSON_OPTIONAL },
   };
   QnResultDraft *draft = target;
   QnResultFile *file = &draft->file;

@@ -292,6 +292,8 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
                          qn_pair_state_names[forces->state]);
   qn_file_writer_number (writer, forces->normal_force);
   qn_file_writer_puts_number (writer, ", \"shear_force\": ", forces->shear_force);
+  if (forces->damage > 0)
+    qn_file_writer_puts_number (writer, ", \"damage\": ", forces->damage);
   if (detail == QN_DETAIL_PAIRS && forces->has_springs) {
     /* The two springs between A, C and B; both carry the pair's force. */
     const double *elongations[2] = { forces->elongation_a, forces->elongation_b };

@@ -266,9 +266,9 @@ test_quadratic_convergence (void)
 static void
 test_straight_branches (void)
 {
-  const QnLaw *laws[][2] = {
-    { &rising, &smooth }, { &rough, &smooth }, { &fibre, &smooth }, { &rough, &lifting }
-  };
+  const QnLaw *laws[][2] = { { &rough, &smooth },
+                             { &fibre, &smooth },
+                             { &rough, &lifting } };
   enum { STEPS = 500, FEW = 6 };
   for (size_t i = 0; i < G_N_ELEMENTS (laws); i++) {
     QnPairSprings springs = pair_of (laws[i][0], laws[i][1]);

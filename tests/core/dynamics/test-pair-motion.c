@@ -7,22 +7,15 @@
 #include <string.h>
 
 static const QnSpring springs[] = {
-  { .kind = QN_LAW_COULOMB, .kn = 2e6, .ks = 1e6, .friction = 0.6 },
-  /* cohesion without tension: all of it is left at the cap */
+  { .kind = QN_LAW_COULOMB, .kn = 2e6, .ks = 1e6, .friction = 0.6, .residual = 0.6 },
+  { .kind = QN_LAW_COULOMB, .kn = 2e6, .ks = 1e6, .friction = 0.4, .residual = 0.4 },
+  { .kind = QN_LAW_COULOMB, .kn = 2e6, .ks = 1e6, .friction = 0.1, .residual = 0.1 },
   { .kind = QN_LAW_COULOMB,
     .kn = 2e6,
     .ks = 1e6,
-    .friction = 0.4,
-    .cohesion = 300,
-    .cap_strength = 300 },
-  { .kind = QN_LAW_COULOMB,
-    .kn = 2e6,
-    .ks = 1e6,
-    .friction = 0.5,
-    .cohesion = 200,
-    .cap = 100,
-    .cap_strength = 150 },
-  { .kind = QN_LAW_COULOMB, .kn = 2e6, .ks = 1e6, .friction = 0.6, .dilatancy = 0.2 },
+    .friction = 0.6,
+    .residual = 0.6,
+    .dilatancy = 0.2 },
 };
 
 typedef struct Step {

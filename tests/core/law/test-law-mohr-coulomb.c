@@ -11,7 +11,6 @@ static const QnLaw joint = { .name = "joint",
                              .kn = 2,
                              .ks = 1,
                              .friction = 0.5,
-                             .cohesion = 1,
                              .compression = 8 };
 
 static Probe
@@ -54,14 +53,14 @@ test_crush_and_return (void)
   g_assert_cmpint (r.phase, ==, QN_PHASE_STICK);
   probe_assert_force (&r, -4, 0.5);
   r = probe_go (&p, -1.5, 0);
-  g_assert_cmpint (r.phase, ==, QN_PHASE_OPEN_STICK);
+  g_assert_cmpint (r.phase, ==, QN_PHASE_OPEN);
   probe_assert_force (&r, 0, 0);
   r = probe_go (&p, -6, 0);
   probe_assert_force (&r, -8, 0);
   g_assert_cmpfloat (r.memory.opening, ==, -2);
 }
 
-/* At the corner both strengths are used up, c + mu fc = 5, and nothing is stiff. */
+/* At the corner both strengths are used up, mu fc = 4, and nothing is stiff. */
 static void
 test_corner (void)
 {
@@ -71,14 +70,14 @@ test_corner (void)
     probe_assert_tangent (&p, -6, -7);
     QnSpringResponse r = probe_go (&p, -6, -7);
     g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH_SLIP_NEGATIVE);
-    probe_assert_force (&r, -8, -5);
-    g_assert_cmpfloat (r.memory.slip, ==, -2);
+    probe_assert_force (&r, -8, -4);
+    g_assert_cmpfloat (r.memory.slip, ==, -3);
     g_assert_cmpfloat (r.memory.opening, ==, -2);
   }
 }
 
-/* Dilatancy presses a joint that cannot open into crushing: n* = -7, psi g = 0.5 (9 - 5) = 2, and
- * 2 - (8 - 7) / 2 = 1.5 is crushed away. */
+/* Dilatancy presses a joint that cannot open into crushing: n* = -7, psi g = 0.5 (9 - 4) = 2.5, and
+ * 2.5 - (8 - 7) / 2 = 2 is crushed away. */
 static void
 test_dilatancy_crushes (void)
 {
@@ -86,9 +85,30 @@ test_dilatancy_crushes (void)
   probe_assert_tangent (&p, -3.5, 9);
   QnSpringResponse r = probe_go (&p, -3.5, 9);
   g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH_SLIP_POSITIVE);
-  probe_assert_force (&r, -8, 5);
-  g_assert_cmpfloat (r.memory.slip, ==, 4);
-  g_assert_cmpfloat_with_epsilon (r.memory.opening, 2 - 1.5, 1e-12);
+  probe_assert_force (&r, -8, 4);
+  g_assert_cmpfloat (r.memory.slip, ==, 5);
+  g_assert_cmpfloat_with_epsilon (r.memory.opening, 2.5 - 2, 1e-12);
+}
+
+/* A bond is crushed with its joint, and stays whole as long as the shear force is below c + mu fc. */
+static void
+test_bond (void)
+{
+  QnLaw law = joint;
+  law.cohesion = 1;
+  law.tension = 1;
+  Probe p = probe_of_law (&law);
+  probe_assert_tangent (&p, -6, 4.9);
+  QnSpringResponse r = probe_go (&p, -6, 4.9);
+  g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH);
+  probe_assert_force (&r, -8, 4.9);
+  g_assert_cmpfloat (r.memory.opening, ==, -2);
+  r = probe_look (&p, -1.6, 0.5); /* 0.4 of opening since -2 */
+  probe_assert_force (&r, 0.8, 0.5);
+  r = probe_go (&p, -6, 5.1);
+  probe_assert_force (&r, -8, 4);
+  r = probe_look (&p, -1.6, 0.5);
+  probe_assert_force (&r, 0, 0);
 }
 
 /* No jump between the mappings: responses on either side of a boundary agree. */
@@ -117,5 +137,6 @@ QN_TESTS
   g_test_add_func ("/law-mohr-coulomb/crush-and-return", test_crush_and_return);
   g_test_add_func ("/law-mohr-coulomb/corner", test_corner);
   g_test_add_func ("/law-mohr-coulomb/dilatancy-crushes", test_dilatancy_crushes);
+  g_test_add_func ("/law-mohr-coulomb/bond", test_bond);
   g_test_add_func ("/law-mohr-coulomb/continuous", test_continuous);
 }

@@ -133,14 +133,15 @@ reaches (const QnStrengthRow *rows, int count, const double force[2], double she
   return false;
 }
 
-/* What a perfectly plastic law answers is within the strengths that it gives, and what of the
+/* What a perfectly plastic law answers, its bond whole or broken, is within the strengths that it gives, and what of the
  * elongation is not elastic flows at strengths that are reached, by their flow. */
 static void
 check_flow (const QnSpring *spring, const QnSpringMemory *before, const double q[2],
             const QnSpringResponse *r)
 {
   QnStrengthRow rows[QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (spring, rows);
+  QnSpring now = qn_spring_now (spring, &r->memory);
+  int count = qn_spring_strength (&now, rows);
   double slip = q[1] - r->force[1] / spring->ks - before->slip;
   double opening = q[0] - r->force[0] / spring->kn - before->opening;
 

@@ -851,8 +851,92 @@ test_turned (void)
   }
 }
 
+/* --- Bonds ------------------------------------------------------------------------------- */
+
+/* A block b x h stuck to its base at two pairs, each with the tension ft: its heel comes off at
+ * lambda = b (ft + W/2) / (W h/2), and from then on it rocks at b/h, by every procedure. */
+static void
+test_bond_of_a_rocking_block (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLACEMENT,
+                                            QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
+  const double b = 1, h = 2, weight = 2e4, tension = 5e3;
+  const double first = b * (tension + weight / 2) / (weight * h / 2);
+
+  for (size_t i = 0; i < 2 * G_N_ELEMENTS (procedures); i++) {
+    bool tough = i >= G_N_ELEMENTS (procedures);
+    g_auto (QnModel) model;
+    g_auto (QnResult) result;
+    test_model_init_block_on_plane (&model, b, h);
+    test_model_add_weight_loads (&model, 1);
+    model.laws[0].kn = model.laws[0].ks = 1e9;
+    model.laws[0].friction = 1;
+    model.laws[0].cohesion = 2e4;
+    model.laws[0].tension = tension;
+    model.laws[0].fracture_energy_tension =
+      tough ? 0.05 : 0; /* ten times the elastic one */
+    control (&model, procedures[i % G_N_ELEMENTS (procedures)],
+             i % G_N_ELEMENTS (procedures) > 0 ? "block" : NULL, QN_DOF_UX, 0.01);
+    run (&model, &result);
+
+    g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, first, 2e-3 * first);
+    if (i % G_N_ELEMENTS (procedures) == 0)
+      continue;
+    g_assert_true (result.outcome == QN_OUTCOME_TARGET_REACHED
+                   || result.stop == QN_STOP_PLATEAU);
+    const QnStep *last = &result.steps[result.step_count - 1];
+    g_assert_cmpfloat_with_epsilon (last->multiplier, b / h, 1e-6);
+    int broken = 0;
+    for (size_t s = 0; s < result.step_count; s++)
+      for (size_t p = 0; p < 2; p++) {
+        QnPairResult pair = qn_result_pair_at (&result, s, p);
+        if (pair.damage < 1 || pair.state != QN_PAIR_OPEN)
+          continue;
+        broken++;
+        g_assert_cmpfloat (pair.normal_force, ==, 0);
+        g_assert_cmpfloat (pair.shear_force, ==, 0);
+      }
+    g_assert_cmpint (broken, >, 5);
+  }
+}
+
+/* What it takes to pull a block straight off its base is the fracture energy of both pairs, besides its weight. */
+static void
+test_fracture_energy_of_a_joint (void)
+{
+  const double weight = 2e4, energy = 2;
+  double work = 0;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
+  test_model_init_block_on_plane (&model, 1, 2);
+  test_model_add_weight_loads (&model, 1);
+  model.live_loads[0].vector = qn_vec2 (0, 1);
+  model.blocks[1].support[QN_DOF_UX] = model.blocks[1].support[QN_DOF_RZ] = true;
+  model.laws[0].kn = model.laws[0].ks = 1e8;
+  model.laws[0].cohesion = 1e5;
+  model.laws[0].tension = 5e3;
+  model.laws[0].fracture_energy_tension = energy;
+  model.analysis.increments = 400;
+  control (&model, QN_PROCEDURE_DISPLACEMENT, "block", QN_DOF_UY, 1e-3);
+  run (&model, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  for (size_t s = 1; s < result.step_count; s++) {
+    double rise = qn_result_step_displacements (&result, s)[4]
+                  - qn_result_step_displacements (&result, s - 1)[4];
+    double mean = 0.5 * (result.steps[s].multiplier + result.steps[s - 1].multiplier);
+    work += (mean - 1) * weight * rise;
+  }
+  double stored = 0.5 * weight * weight / (2 * 5e7); /* by the weight, before */
+  g_assert_cmpfloat_with_epsilon (work + stored, 2 * energy, 5e-3 * energy);
+  for (size_t p = 0; p < 2; p++)
+    g_assert_cmpfloat (result.pairs[p].damage, ==, 1);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/path-control/bond-of-a-rocking-block", test_bond_of_a_rocking_block);
+  g_test_add_func ("/path-control/fracture-energy", test_fracture_energy_of_a_joint);
   g_test_add_func ("/path-control/overturning", test_overturning_in_large_displacements);
   g_test_add_func ("/path-control/overturning-until-nothing-is-left",
                    test_overturning_until_nothing_is_left);
