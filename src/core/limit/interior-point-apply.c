@@ -50,6 +50,26 @@ qn_ip_add_bounds_transposed (const QnIpProblem *p, const double *x, double scale
   }
 }
 
+void
+qn_ip_add_flows (const QnIpProblem *p, const double *z, double scale, double *out)
+{
+  for (int32_t c = 0; c < p->cell_count; c++) {
+    const QnIpCell *cell = &p->cells[c];
+    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
+      out[2 * c] += scale * p->bounds[i].opening * z[i];
+      if (!cell->no_shear)
+        out[2 * c + 1] += scale * p->bounds[i].shear * z[i];
+    }
+  }
+}
+
+void
+qn_ip_add_multiple (double *values, double factor, const double *step, int32_t count)
+{
+  for (int32_t i = 0; i < count; i++)
+    values[i] += factor * step[i];
+}
+
 double
 qn_ip_linear_term (const QnIpProblem *p, const double *y)
 {

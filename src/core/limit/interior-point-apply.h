@@ -15,6 +15,14 @@ void qn_ip_apply_bounds (const QnIpProblem *problem, const double *y, double *ou
 void qn_ip_add_bounds_transposed (const QnIpProblem *problem, const double *x,
                                   double scale, double *out);
 
+/* out (cell_count x 2) += scale F z, the flows of the bounds */
+void qn_ip_add_flows (const QnIpProblem *problem, const double *z, double scale,
+                      double *out);
+
+/* values += factor * step */
+void qn_ip_add_multiple (double *values, double factor, const double *step,
+                         int32_t count);
+
 double qn_ip_linear_term (const QnIpProblem *problem, const double *y);    /* q'y */
 double qn_ip_quadratic_term (const QnIpProblem *problem, const double *y); /* y'Qy */
 double qn_ip_limit_term (const QnIpProblem *problem, const double *z);     /* h'z */

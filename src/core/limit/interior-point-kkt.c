@@ -111,7 +111,7 @@ schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnDiag *diag)
   return schur->lu != NULL ? QN_OK : qn_diag_no_memory (diag);
 }
 
-/* Builds and factorises M for the compliances H^-1 (cell_count x 3: nn, nt, tt) and r. *ok is
+/* Builds and factorises M for the compliances H^-1 (cell_count x 4, by rows) and r. *ok is
  * false where M is singular to working precision. */
 static QnStatus
 schur_factorize (QnIpSchur *schur, const double *compliance, double regularization,
@@ -131,19 +131,19 @@ schur_factorize (QnIpSchur *schur, const double *compliance, double regularizati
 
     for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
       const double (*map)[2] = schur->problem->cells[c].map;
-      const double *inverse = compliance + 3 * c;
+      const double *inverse = compliance + 4 * c;
 
       for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
-        double n = map[i][0] * inverse[0] + map[i][1] * inverse[1];
-        double t = map[i][0] * inverse[1] + map[i][1] * inverse[2];
-        for (int j = 0; j <= i; j++)
+        double n = map[i][0] * inverse[0] + map[i][1] * inverse[2];
+        double t = map[i][0] * inverse[1] + map[i][1] * inverse[3];
+        for (int j = 0; j < QN_IP_GROUP_ROWS; j++)
           sum[i][j] += n * map[j][0] + t * map[j][1];
       }
     }
     for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
       for (int j = 0; j < QN_IP_GROUP_ROWS; j++)
         if (slots[QN_IP_GROUP_ROWS * i + j] >= 0)
-          schur->values[slots[QN_IP_GROUP_ROWS * i + j]] += i > j ? sum[i][j] : sum[j][i];
+          schur->values[slots[QN_IP_GROUP_ROWS * i + j]] += sum[i][j];
   }
   *ok = qn_block_lu_factor (schur->lu, schur->values) > 0;
   schur->factorizations++;
@@ -197,7 +197,7 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
   size_t cells = (size_t) problem->cell_count, rows = (size_t) problem->row_count;
 
   *kkt = (QnIpKkt){ .problem = problem };
-  kkt->compliance = qn_alloc (3 * cells, sizeof (double));
+  kkt->compliance = qn_alloc (4 * cells, sizeof (double));
   kkt->axes = qn_alloc (2 * cells, sizeof (double));
   kkt->turns = qn_alloc ((size_t) problem->bound_count, sizeof (double));
   kkt->residual_v = qn_alloc (rows, sizeof (double));
@@ -222,9 +222,9 @@ qn_ip_kkt_clear (QnIpKkt *kkt)
   *kkt = (QnIpKkt){ 0 };
 }
 
-/* The inverse of H of a cell, every term a sum without cancellation however different the
- * weights: the determinant by Cauchy and Binet, det = sum_{i<j} w_i w_j (g_i x g_j)^2, the
- * adjugate by turning each row by a right angle, adj H = sum_j w_j g_j^ g_j^'. Q and the
+/* The inverse of H of a cell, every term a sum without cancellation however different the weights:
+ * the determinant by Cauchy and Binet, det = sum_{i<j} w_i w_j (f_i x f_j) (g_i x g_j), the
+ * adjugate by turning rows and flows by a right angle, adj H = sum_j w_j g_j^ f_j^'. Q and the
  * regularisation count as rows along the axes. */
 static void
 invert_cell (QnIpKkt *kkt, int32_t c, const double *w)
@@ -233,25 +233,28 @@ invert_cell (QnIpKkt *kkt, int32_t c, const double *w)
   const QnIpBound *bounds = kkt->problem->bounds + cell->first_bound;
   double axis_n = cell->quadratic[0] + kkt->regularization;
   double axis_t = cell->quadratic[1] + kkt->regularization;
-  double nn = axis_n, nt = 0.0, tt = axis_t, determinant = axis_n * axis_t;
-  double *compliance = kkt->compliance + 3 * (size_t) c;
+  double nn = axis_n, nt = 0.0, tn = 0.0, tt = axis_t, determinant = axis_n * axis_t;
+  double *compliance = kkt->compliance + 4 * (size_t) c;
   double *turns = kkt->turns + cell->first_bound;
 
   w += cell->first_bound;
   for (int32_t i = 0; i < cell->bound_count; i++) {
     const QnIpBound *b = &bounds[i];
-    nn += w[i] * b->normal * b->normal;
-    nt += w[i] * b->normal * b->shear;
+    nn += w[i] * b->opening * b->normal;
+    nt += w[i] * b->opening * b->shear;
+    tn += w[i] * b->shear * b->normal;
     tt += w[i] * b->shear * b->shear;
-    determinant += w[i] * (b->normal * b->normal * axis_t + b->shear * b->shear * axis_n);
-    for (int32_t j = 0; j < i; j++) {
-      double cross = b->normal * bounds[j].shear - b->shear * bounds[j].normal;
-      determinant += w[i] * w[j] * cross * cross;
-    }
+    determinant +=
+      w[i] * (b->opening * b->normal * axis_t + b->shear * b->shear * axis_n);
+    for (int32_t j = 0; j < i; j++)
+      determinant += w[i] * w[j]
+                     * (b->normal * bounds[j].shear - b->shear * bounds[j].normal)
+                     * (b->opening * bounds[j].shear - b->shear * bounds[j].opening);
   }
   compliance[0] = cell->no_shear ? 1.0 / nn : tt / determinant;
   compliance[1] = cell->no_shear ? 0.0 : -nt / determinant;
-  compliance[2] = cell->no_shear ? 0.0 : nn / determinant;
+  compliance[2] = cell->no_shear ? 0.0 : -tn / determinant;
+  compliance[3] = cell->no_shear ? 0.0 : nn / determinant;
   kkt->axes[2 * c] = cell->no_shear ? 1.0 / nn : axis_t / determinant;
   kkt->axes[2 * c + 1] = cell->no_shear ? 0.0 : axis_n / determinant;
   for (int32_t i = 0; i < cell->bound_count; i++)
@@ -305,7 +308,7 @@ answer_cell (const QnIpKkt *kkt, int32_t c, double normal, double shear,
 
   for (int32_t i = 0; i < cell->bound_count; i++) {
     const QnIpBound *b = &bounds[i];
-    double turn = turns[i] * (b->normal * shear - b->shear * normal);
+    double turn = turns[i] * (b->opening * shear - b->shear * normal);
     yn -= turn * b->shear;
     yt += turn * b->normal;
     g[i] += b->normal * axis_n + b->shear * axis_t;
@@ -389,9 +392,9 @@ condense (QnIpKkt *kkt, const QnIpKktRight *right)
 
     for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
       const QnIpCell *cell = &p->cells[c];
-      const double *h = kkt->compliance + 3 * (size_t) c, *ry = right->y + 2 * (size_t) c;
+      const double *h = kkt->compliance + 4 * (size_t) c, *ry = right->y + 2 * (size_t) c;
       double shear = cell->no_shear ? 0.0 : ry[1];
-      double yn = h[0] * ry[0] + h[1] * shear, yt = h[1] * ry[0] + h[2] * shear;
+      double yn = h[0] * ry[0] + h[1] * shear, yt = h[2] * ry[0] + h[3] * shear;
       for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
         sum[i] += cell->map[i][0] * yn + cell->map[i][1] * yt;
     }
@@ -417,7 +420,7 @@ correct (QnIpKkt *kkt, QnIpKktVector *out, QnDiag *diag)
     return status;
   memcpy (step, solution, (size_t) p->row_count * sizeof (double));
   kkt->step_lambda = 0.0;
-  if (kkt->bordered && kkt->border_power > 0.0) {
+  if (kkt->bordered && kkt->border_power != 0.0) {
     kkt->step_lambda = (kkt->residual_lambda - qn_ip_dot (p->load, step, p->row_count))
                        / kkt->border_power;
     for (int32_t r = 0; r < p->row_count; r++)

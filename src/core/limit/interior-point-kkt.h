@@ -1,11 +1,11 @@
 /* The linear systems of the interior-point engine; private to interior-point*.c.
  *
  * Solves   [ H+r  B' 0 ] [ y ]   [ ry ]
- *          [ B   -r  f ] [ v ] = [ rv ]      H = Q + G' diag (w) G
+ *          [ B   -r  f ] [ v ] = [ rv ]      H = Q + F diag (w) G
  *          [ 0    f' 0 ] [ l ]   [ rl ]
  *
- * (without the last row and column where there is no load f) by one factorisation of
- * the Schur complement M = B (H+r)^-1 B' + r, f bordered.
+ * (F = G' where flow is associative; without the last row and column where there is no load f) by one
+ * factorisation of the Schur complement M = B (H+r)^-1 B' + r, f bordered.
  *
  * r is the regularisation: cells with a free direction (H singular), redundant and empty rows
  * (M singular) and forces that wedge each other without end would leave the system singular.
@@ -27,9 +27,9 @@
  *
  *     M = B H^-1 B' + r I
  *
- * with H^-1 given cell by cell. It is symmetric and positive definite, its sparsity is that of the
- * graph of bodies and does not change: the order of elimination is chosen once, every later
- * factorisation is numeric only. It is done in dense fronts (block-lu.h), twice the arithmetic of
+ * with H^-1 given cell by cell. It is symmetric and positive definite where flow is associative; its
+ * sparsity is that of the graph of bodies and does not change: the order of elimination is chosen once,
+ * every later factorisation is numeric only. It is done in dense fronts (block-lu.h), twice the arithmetic of
  * Cholesky's, of which the processor does far more at a time than of the sparse one's.
  */
 typedef struct QnIpSchur {
@@ -47,10 +47,10 @@ typedef struct QnIpSchur {
 typedef struct QnIpKkt {
   const QnIpProblem *problem; /* borrowed */
   QnIpSchur schur;
-  double *compliance; /* cell_count x 3: nn, nt, tt of (H+r)^-1 */
+  double *compliance; /* cell_count x 4: (H+r)^-1 by rows */
   double *axes;       /* cell_count x 2 and … */
   double *turns;      /* bound_count: factors of the same inverse as a sum without
-                         cancellation, (H+r)^-1 = diag (axes) + sum of turn g^ g^' */
+                         cancellation, (H+r)^-1 = diag (axes) + sum of turn g^ f^' */
   double *residual_v;
   double residual_lambda;
   double *step_v; /* the last correction */

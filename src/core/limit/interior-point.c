@@ -44,14 +44,6 @@ struct QnInteriorPointWork {
 /* A certificate holds where its equations hold to this, relative to what it proves. */
 #define CERTIFICATE_TOLERANCE 1e-8
 
-/* values += factor * step */
-static void
-add_multiple (double *values, double factor, const double *step, int32_t count)
-{
-  for (int32_t i = 0; i < count; i++)
-    values[i] += factor * step[i];
-}
-
 /* What is missing for equilibrium: out = -(B y + lambda f + tau d) */
 static void
 missing_balance (const QnIpProblem *p, const double *y, double lambda, double tau,
@@ -288,8 +280,8 @@ solve_direction (QnInteriorPoint *ip, double share, QnIpVector *out, QnDiag *dia
   out->lambda = solution.lambda;
   out->tau = solve_tau (ip, share, out);
   out->lambda += out->tau * work->tau_column.lambda;
-  add_multiple (out->y, out->tau, work->tau_column.y, 2 * p->cell_count);
-  add_multiple (out->v, out->tau, work->tau_column.v, p->row_count);
+  qn_ip_add_multiple (out->y, out->tau, work->tau_column.y, 2 * p->cell_count);
+  qn_ip_add_multiple (out->v, out->tau, work->tau_column.v, p->row_count);
   for (int32_t i = 0; i < p->bound_count; i++) {
     double change = out->s[i] + out->tau * work->tau_column.g[i]; /* G dy */
     out->s[i] = share * work->rz[i] - change + p->bounds[i].limit * out->tau;
@@ -419,8 +411,8 @@ qn_interior_point_defaults (void)
   return (QnIpSettings){ .tolerance = 1e-9, .max_iterations = 200, .correctors = 6 };
 }
 
-static bool
-vector_init (QnIpVector *vector, const QnIpProblem *p)
+bool
+qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *p)
 {
   vector->y = qn_alloc (2 * (size_t) p->cell_count, sizeof (double));
   vector->v = qn_alloc ((size_t) p->row_count, sizeof (double));
@@ -479,9 +471,11 @@ qn_interior_point_init (QnInteriorPoint *ip, const QnIpProblem *problem,
   work->right.v = qn_alloc (rows, sizeof (double));
   if (!work->w || !work->rz || !work->products || !work->ry || !work->gy
       || !work->tau_column.y || !work->tau_column.g || !work->right.y || !work->rv
-      || !work->tau_column.v || !work->right.v || !vector_init (&work->step, problem)
-      || !vector_init (&work->trial, problem) || !vector_init (&work->best, problem)
-      || !vector_init (&ip->at, problem))
+      || !work->tau_column.v || !work->right.v
+      || !qn_ip_vector_init (&work->step, problem)
+      || !qn_ip_vector_init (&work->trial, problem)
+      || !qn_ip_vector_init (&work->best, problem)
+      || !qn_ip_vector_init (&ip->at, problem))
     status = qn_diag_no_memory (diag);
   else
     status = qn_ip_kkt_init (&work->kkt, problem, diag);
@@ -522,7 +516,7 @@ qn_interior_point_clear (QnInteriorPoint *ip)
 QnStatus
 qn_interior_point_keep (const QnInteriorPoint *ip, QnIpVector *copy, QnDiag *diag)
 {
-  if (copy->y == NULL && !vector_init (copy, ip->work->problem))
+  if (copy->y == NULL && !qn_ip_vector_init (copy, ip->work->problem))
     return qn_diag_no_memory (diag);
   vector_copy (copy, &ip->at, ip->work->problem);
   return QN_OK;
@@ -715,10 +709,10 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
   }
   const QnIpProblem *p = work->problem;
   const QnIpVector *step = &work->step;
-  add_multiple (ip->at.y, length, step->y, 2 * p->cell_count);
-  add_multiple (ip->at.v, length, step->v, p->row_count);
-  add_multiple (ip->at.s, length, step->s, p->bound_count);
-  add_multiple (ip->at.z, length, step->z, p->bound_count);
+  qn_ip_add_multiple (ip->at.y, length, step->y, 2 * p->cell_count);
+  qn_ip_add_multiple (ip->at.v, length, step->v, p->row_count);
+  qn_ip_add_multiple (ip->at.s, length, step->s, p->bound_count);
+  qn_ip_add_multiple (ip->at.z, length, step->z, p->bound_count);
   ip->at.lambda += length * step->lambda;
   ip->at.tau += length * step->tau;
   ip->at.kappa += length * step->kappa;
@@ -750,7 +744,7 @@ qn_interior_point_restore (QnInteriorPoint *ip, bool fixed, double *lambda, doub
     work->right.lambda = 0.0;
     status = qn_ip_kkt_solve (&work->kkt, &work->right, &step, diag);
     if (!status)
-      add_multiple (y, 1.0, step.y, 2 * p->cell_count);
+      qn_ip_add_multiple (y, 1.0, step.y, 2 * p->cell_count);
     *lambda += step.lambda;
   }
   work->kkt.bordered = p->load != NULL;

@@ -61,6 +61,7 @@ typedef struct QnIpBound {
   double normal;
   double shear;
   double limit;
+  double opening; /* its flow is (opening, shear): associative where opening = normal */
 } QnIpBound;
 
 /* The numbers may change between solves; counts, rows and first_ indices may not. */
@@ -143,6 +144,7 @@ void qn_interior_point_refine (QnInteriorPoint *ip, double tolerance);
 /* Copies the iterate; `copy` is zeroed before the first time, and freed by _clear(). */
 QnStatus qn_interior_point_keep (const QnInteriorPoint *ip, QnIpVector *copy,
                                  QnDiag *diag);
+bool qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *problem);
 void qn_ip_vector_clear (QnIpVector *vector);
 
 /* One iteration; ip->state then says whether to continue. */

@@ -1,3 +1,4 @@
+#include "core/limit/collapse.h"
 #include "core/limit/limit.h"
 
 #include "core/base/memory.h"
@@ -5,183 +6,278 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* A sequence has settled when two successive programs agree to this, relative to the
- * multiplier, the shear lines have come this near to the flow rule, and no pair's shear exceeds
- * its true strength by more than this part of the largest force: a tenth of what the check of a
- * result lets pass. */
-#define SETTLED         1e-6
-#define LEAST_REMAINING 1e-3
-#define ADMISSIBLE      1e-7
+/* Where a curve starts, in the order in which a collapse is sought. */
+typedef enum { REST, NEAR_REST, ASSOCIATIVE, START_COUNT } Start;
 
-/* Programs after which a sequence counts as not settled: the excess falls by a quarter a program. */
-#define MOST_PROGRAMS 70
-
-/* Where the excess does not fall the anchors swing, and so much less of the new compressions is mixed
- * into them, but no less than this. */
-#define CALMER    0.7
-#define LEAST_MIX 0.15
-
-/* Accuracy of one program of a sequence. */
-#define PROGRAM_TOLERANCE 1e-8
-
-/* A settled state is a fixed point where forces alone, whatever their size, could not raise the
- * multiplier by more than this part of it: then there is a mechanism too. */
-#define MECHANISM_GAP 2e-3
-
-/* How a sequence starts and is led. Gilbert, Casapulla & Ahmed start from the associative
- * forces, turn the lines by the same factor after every program and mix the anchors with those
- * before, because anchors alone may swing. Where the optimal forces are not unique, their choice
- * decides which fixed point is reached: forces wedged between each other raise the friction that
- * carries them. A small price on the forces (the elastic energy of joints of one stiffness)
- * makes the choice that a structure built without wedging makes.
- *
- * How small a price is small follows from no formula. Every power of ten from 1e-2 to 1e-5 is
- * tried, and the mechanism decides which state counts: a price too high holds the multiplier
- * below what the forces it chose could carry, the search for the mechanism finds that out, and
- * the state is dropped. No published multiplier enters. */
-typedef struct Schedule {
+/* How collapses are sought. Measured on the six walls and 48 seeded walls of 20 to 600 blocks
+ * (docs/experiments/limit-analysis.md). */
+static const struct {
   double
-    dead; /* share of the dead load's forces in the first anchors; the rest is that of
-                   the associative ones */
-  double noise; /* relative size of a random disturbance of the first anchors */
-  double turn;  /* factor of `remaining` after each program */
-  double mix;   /* share of the new compressions in the next anchors */
-  double price; /* compliance, in scaled terms */
-} Schedule;
-
-static const Schedule schedules[QN_LIMIT_STARTS] = {
-  { 0.0, 0.0, 0.3, 0.6, 1e-2 },  { 0.0, 0.0, 0.3, 0.6, 1e-3 },
-  { 1.0, 0.0, 0.01, 0.6, 1e-3 }, { 0.0, 0.0, 0.3, 0.6, 1e-4 },
-  { 0.5, 1.0, 0.01, 0.6, 1e-4 }, { 0.0, 0.0, 0.3, 0.6, 1e-5 },
+    strength[START_COUNT]; /* that joints have left at the start, in loads of a block */
+  double
+    compliance; /* times the number of free blocks: what a tall wall gives grows with it */
+  double softest; /* compliance of a few blocks */
+  double softer;  /* where no start leads to an end, and for other collapses */
+  double stiffer; /* from one compliance to the next, until the multiplier stands still */
+  double rigid;   /* what joints of a mechanism may give, over the largest velocity */
+  double reach;   /* of a collapse with stiffer joints, in `growth` */
+  double tolerance; /* of one collapse, in tolerances of the multiplier */
+  int32_t budget;   /* factorisations of the first start, */
+  int32_t again;    /* of each further one until there is a collapse, */
+  int32_t stiff;    /* of all, as long as it does not stand still, */
+  int32_t spare;    /* and until others are sought beside one that does */
+} tuning = {
+  .strength = { [REST] = 10, [NEAR_REST] = 3, [ASSOCIATIVE] = 10 },
+  .compliance = 0.03,
+  .softest = 1e-3,
+  .softer = 10,
+  .stiffer = 0.2,
+  .rigid = 0.01,
+  .reach = 5,
+  .tolerance = 0.3,
+  .budget = 400,
+  .again = 150,
+  .stiff = 110,
+  .spare = 38,
 };
 
-typedef struct Sequence {
+/* Shear lines of the program that finds a mechanism keep this part of their slope: a pair without force
+ * would else have no strength inside. */
+#define LEAST_SLOPE 1e-3
+
+/* Forces are those of a mechanism where forces of any other size could not raise the multiplier by more
+ * than this part of it. */
+#define MECHANISM_GAP 2e-3
+
+/* A collapse that was found. */
+typedef struct Collapse {
+  double multiplier;
+  double growth;      /* as joints become stiffer (collapse.h) */
+  double *forces;     /* pair_count x 2 */
+  double *velocities; /* block_count x 3 */
+} Collapse;
+
+typedef struct Search {
   const QnModel *model;
-  const QnContacts *contacts;
   QnLimitProblem limit;
-  QnInteriorPoint ip;
+  QnCollapse collapse;
+  QnLimitInterval *interval;
+  double *forces;    /* cell_count x 2: of the associative solution */
+  double multiplier; /* and its scaled multiplier */
+  Collapse found[QN_LIMIT_STARTS];
+  int32_t count;
+  bool cancelled;
   QnProgressFunc progress;
   void *user_data;
-  double
-    *anchor; /* pair_count: compressions that the shear lines pass through; of joints that
-                     hold together negative ones, too, for tension takes strength from shear */
-  const QnLimitSolution *associative;
-  QnStatistics effort; /* of all programs */
-} Sequence;
+} Search;
 
-/* A number in [0, 1) from a pair's number: the same on every machine. */
+static bool
+go_on (void *data)
+{
+  Search *search = data;
+  QnStatistics *effort = &search->interval->solution.effort;
+  QnProgress report = { .iterations = ++effort->iterations,
+                        .factorizations = effort->factorizations
+                                          + search->collapse.kkt.schur.factorizations };
+
+  return search->progress == NULL || search->progress (&report, search->user_data);
+}
+
+static bool
+stands_still (const Search *search, const Collapse *collapse)
+{
+  return fabs (collapse->growth)
+         <= search->model->analysis.multiplier_tolerance * fabs (collapse->multiplier);
+}
+
+static const Collapse *
+find_least (const Search *search)
+{
+  const Collapse *least = &search->found[0];
+
+  for (int32_t i = 1; i < search->count; i++)
+    if (search->found[i].multiplier < least->multiplier)
+      least = &search->found[i];
+  return least;
+}
+
+/* Whether the multipliers may become one with stiffer joints. */
+static bool
+are_same (const Search *search, const Collapse *a, const Collapse *b)
+{
+  double exact = search->model->analysis.multiplier_tolerance
+                 * fmax (fabs (a->multiplier), fabs (b->multiplier));
+
+  return fabs (a->multiplier - b->multiplier)
+         <= exact + tuning.reach * (fabs (a->growth) + fabs (b->growth));
+}
+
+/* What joints give at most in the collapse just found, over the largest velocity: it is no part of the
+ * mechanism. */
 static double
-disturbance (uint64_t seed)
+gives (const Search *search)
 {
-  seed += 0x9e3779b97f4a7c15u; /* splitmix64, S. Vigna, public domain */
-  seed = (seed ^ (seed >> 30)) * 0xbf58476d1ce4e5b9u;
-  seed = (seed ^ (seed >> 27)) * 0x94d049bb133111ebu;
-  seed ^= seed >> 31;
-  return (double) (seed >> 11) / 9007199254740992.0;
+  const QnIpProblem *p = &search->limit.ip;
+  const QnIpVector *at = &search->collapse.at;
+
+  return p->cells[0].quadratic[0] * qn_largest (at->y, 2 * (size_t) p->cell_count)
+         / qn_largest (at->v, (size_t) p->row_count);
 }
 
-static void
-set_first_anchors (Sequence *seq, const Schedule *schedule, uint64_t seed)
-{
-  const double *live = seq->associative->forces, *dead = seq->associative->dead_forces;
-
-  for (size_t p = 0; p < seq->contacts->pair_count; p++) {
-    double share = 1.0 + schedule->noise * (2.0 * disturbance (seed + p) - 1.0);
-    double start = -live[2 * p];
-    if (dead)
-      start += schedule->dead * (-dead[2 * p] - start);
-    seq->anchor[p] = share * start;
-  }
-}
-
-/* Moves the anchors towards the compressions of a solution; returns by how much shear exceeds
- * the true strength at most, relative to the largest force: the lines are above it where they
- * have an anchor greater than the compression. */
-static double
-move_anchors (Sequence *seq, const double *forces, double mix)
-{
-  double worst = 0.0, largest = 0.0;
-
-  for (size_t p = 0; p < seq->contacts->pair_count; p++) {
-    double friction = qn_limit_problem_friction (seq->model, seq->contacts, (QnId) p);
-    double now = -forces[2 * p];
-    largest = fmax (largest, fabs (now));
-    worst = qn_worse (worst, friction * (seq->anchor[p] - now));
-    seq->anchor[p] += mix * (now - seq->anchor[p]);
-  }
-  return largest > 0.0 ? worst / largest : 0.0;
-}
-
-/* Runs one sequence. `last` receives the last program's solution; it is empty where the first
- * had no optimum. */
+/* Keeps the collapse just found; in place of one that it is, too, with softer joints. */
 static QnStatus
-follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
-        QnLimitSolution *last, bool *cancelled, QnDiag *diag)
+keep (Search *search, QnDiag *diag)
 {
-  double remaining = schedule->turn, mix = schedule->mix, before = INFINITY;
+  const QnLimitProblem *limit = &search->limit;
+  const QnCollapse *c = &search->collapse;
+  Collapse new = { .multiplier = fmin (qn_limit_problem_multiplier (limit, c->at.lambda),
+                                       search->interval->associative),
+                   .growth = qn_limit_problem_multiplier (limit, c->growth) };
+  int32_t place = 0;
+
+  while (place < search->count && !are_same (search, &search->found[place], &new))
+    place++;
+  bool known = place < search->count;
+  if (place == QN_LIMIT_STARTS || gives (search) > tuning.rigid
+      || (known
+          && (stands_still (search, &search->found[place])
+              || fabs (search->found[place].growth) <= fabs (new.growth))))
+    return QN_OK;
+  Collapse *kept = &search->found[place];
+  if (!known) {
+    kept->forces = qn_alloc (2 * limit->pair_count, sizeof (double));
+    kept->velocities = qn_alloc (limit->block_count * QN_DOF_COUNT, sizeof (double));
+    if (kept->forces == NULL || kept->velocities == NULL)
+      return qn_diag_no_memory (diag);
+    search->count++;
+  }
+  kept->multiplier = new.multiplier;
+  kept->growth = new.growth;
+  qn_limit_problem_forces (limit, c->at.y, 1, kept->forces);
+  qn_limit_problem_velocities (limit, c->at.v, kept->velocities);
+  return QN_OK;
+}
+
+/* One start. */
+static QnStatus
+seek (Search *search, Start start, double compliance, int32_t budget, bool *found,
+      QnDiag *diag)
+{
+  QnCollapse *c = &search->collapse;
+  QnStatistics *effort = &search->interval->solution.effort;
+  double tolerance = tuning.tolerance * search->model->analysis.multiplier_tolerance;
+  QnCollapseState state;
+
+  c->kkt.schur.factorizations = 0;
+  c->kkt.schur.seconds = 0;
+  qn_limit_problem_set_compliance (&search->limit, compliance);
+  if (start == ASSOCIATIVE)
+    qn_collapse_start (c, search->forces, search->multiplier, tuning.strength[start]);
+  else
+    qn_collapse_start (c, NULL, 0, tuning.strength[start]);
+  QnStatus status =
+    qn_collapse_follow (c, tolerance, budget, go_on, search, &state, diag);
+  effort->factorizations += c->kkt.schur.factorizations;
+  effort->factor_seconds += c->kkt.schur.seconds;
+  *found = !status && state == QN_COLLAPSE_FOUND;
+  search->cancelled = state == QN_COLLAPSE_CANCELLED;
+  return *found ? keep (search, diag) : status;
+}
+
+/* From each start until there is a collapse, then with softer joints. After that with stiffer ones as
+ * long as the least multiplier does not stand still; where it does at once, softer joints may lead to
+ * another collapse. */
+static QnStatus
+seek_all (Search *search, QnDiag *diag)
+{
+  const QnStatistics *effort = &search->interval->solution.effort;
+  double blocks = search->limit.ip.row_count / (double) QN_DOF_COUNT;
+  double compliance = fmin (tuning.softest, tuning.compliance / blocks);
+  int32_t before = effort->factorizations;
+  bool found = false;
   QnStatus status = QN_OK;
+  int start = REST;
 
-  *point = (QnLimitFixedPoint){ .multiplier = NAN };
-  *last = (QnLimitSolution){ 0 };
-  qn_limit_problem_set_compliance (&seq->limit, schedule->price);
-  while (point->programs < MOST_PROGRAMS && !point->settled) {
-    QnLimitSolution solution;
-    double excess;
-
-    qn_limit_problem_set_shear (&seq->limit, seq->model, seq->contacts, seq->anchor,
-                                remaining);
-    status = qn_limit_solve (&seq->limit, &seq->ip, false, NULL, seq->progress,
-                             seq->user_data, &solution, diag);
-    if (status)
+  for (; start < 2 * START_COUNT && !found && !status && !search->cancelled; start++) {
+    if (start == START_COUNT)
+      compliance *= tuning.softer;
+    status = seek (search, start % START_COUNT, compliance,
+                   start == REST ? tuning.budget : tuning.again, &found, diag);
+  }
+  while (search->count > 0 && !status && !search->cancelled) {
+    int32_t spent = effort->factorizations - before;
+    bool still = stands_still (search, find_least (search));
+    if (spent >= (still ? tuning.spare : tuning.stiff))
       break;
-    point->programs++;
-    qn_statistics_add (&seq->effort, &solution.effort);
-    *cancelled = solution.outcome == QN_OUTCOME_CANCELLED;
-    if (solution.outcome != QN_OUTCOME_COLLAPSE) {
-      qn_limit_solution_clear (&solution);
-      break;
-    }
-    excess = move_anchors (seq, solution.forces, mix);
-    if (remaining <= LEAST_REMAINING && excess > before)
-      mix = fmax (LEAST_MIX, CALMER * mix);
-    before = excess;
-    point->settled = remaining <= LEAST_REMAINING && excess <= ADMISSIBLE
-                     && fabs (solution.lower_bound - point->multiplier)
-                          <= SETTLED * fabs (point->multiplier);
-    point->multiplier = solution.lower_bound;
-    remaining = fmax (LEAST_REMAINING, remaining * schedule->turn);
-    qn_limit_solution_clear (last);
-    *last = solution;
+    if (still)
+      return seek (search, REST, tuning.softer * compliance, tuning.stiff - spent, &found,
+                   diag);
+    compliance *= tuning.stiffer;
+    status = seek (search, start++ % START_COUNT, compliance, tuning.stiff - spent,
+                   &found, diag);
   }
   return status;
 }
 
-/* Finds the mechanism by the linear program with the shear lines of a settled state: *point stays
- * settled only if there is one, and *last receives its velocities. */
-static QnStatus
-find_mechanism (Sequence *seq, QnLimitFixedPoint *point, QnLimitSolution *last,
-                bool *cancelled, QnDiag *diag)
+/* What was found becomes the solution. */
+static void
+conclude (Search *search)
 {
-  QnLimitSolution free_forces;
-  double *swap;
-  QnStatus status;
+  QnLimitInterval *interval = search->interval;
+  QnLimitSolution *solution = &interval->solution;
 
-  qn_limit_problem_set_compliance (&seq->limit, 0.0);
-  status = qn_limit_solve (&seq->limit, &seq->ip, false, NULL, seq->progress,
-                           seq->user_data, &free_forces, diag);
+  solution->outcome = search->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED;
+  if (search->cancelled || search->count == 0)
+    return;
+  Collapse *least = &search->found[find_least (search) - search->found];
+  double *forces = solution->forces, *velocities = solution->velocities;
+  solution->forces = least->forces;
+  solution->velocities = least->velocities;
+  least->forces = forces;
+  least->velocities = velocities;
+  solution->lower_bound = solution->upper_bound = interval->lowest = least->multiplier;
+  interval->highest = -INFINITY;
+  for (int32_t i = 0; i < search->count; i++) {
+    interval->multipliers[i] = search->found[i].multiplier;
+    interval->highest = fmax (interval->highest, interval->multipliers[i]);
+  }
+  interval->count = search->count;
+  /* Below zero the mechanism moves on without live load. */
+  solution->outcome =
+    least->multiplier < 0 ? QN_OUTCOME_DEAD_LOAD_UNSTABLE : QN_OUTCOME_COLLAPSE;
+}
+
+static void
+search_clear (Search *search)
+{
+  qn_collapse_clear (&search->collapse);
+  qn_limit_problem_clear (&search->limit);
+  free (search->forces);
+  for (int32_t i = 0; i < QN_LIMIT_STARTS; i++) {
+    free (search->found[i].forces);
+    free (search->found[i].velocities);
+  }
+}
+
+static QnStatus
+search_init (Search *search, const QnContacts *contacts, QnDiag *diag)
+{
+  QnLimitProblem *limit = &search->limit;
+  const QnLimitSolution *associative = &search->interval->solution;
+  QnStatus status = qn_limit_problem_init (limit, search->model, contacts, true, diag);
+
   if (status)
     return status;
-  *cancelled = free_forces.outcome == QN_OUTCOME_CANCELLED;
-  point->settled = free_forces.outcome == QN_OUTCOME_COLLAPSE
-                   && free_forces.lower_bound - point->multiplier
-                        <= MECHANISM_GAP * fabs (free_forces.lower_bound);
-  swap = last->velocities;
-  last->velocities = free_forces.velocities;
-  free_forces.velocities = swap;
-  qn_statistics_add (&seq->effort, &free_forces.effort);
-  qn_limit_solution_clear (&free_forces);
-  return QN_OK;
+  search->forces = qn_alloc (2 * (size_t) limit->ip.cell_count, sizeof (double));
+  if (search->forces == NULL)
+    return qn_diag_no_memory (diag);
+  for (int32_t i = 0; i < 2 * limit->ip.cell_count; i++)
+    search->forces[i] =
+      associative->forces[2 * limit->cell_pairs[i / 2] + i % 2] / limit->force_unit;
+  search->multiplier = associative->lower_bound / qn_limit_problem_multiplier (limit, 1);
+  return qn_collapse_init (&search->collapse, &limit->ip, diag);
 }
 
 void
@@ -191,84 +287,29 @@ qn_limit_interval_clear (QnLimitInterval *interval)
   *interval = (QnLimitInterval){ 0 };
 }
 
-/* Keeps a fixed point; the solution of the least one replaces that of the others. */
-static void
-keep_point (QnLimitInterval *interval, QnLimitFixedPoint *point,
-            QnLimitSolution *solution)
+QnStatus
+qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
+                          QnProgressFunc progress, void *user_data,
+                          QnLimitInterval *interval, QnDiag *diag)
 {
-  bool first = interval->count == 0;
+  Search search = {
+    .model = model, .interval = interval, .progress = progress, .user_data = user_data
+  };
 
-  /* Lines above the true strength by up to ADMISSIBLE may carry a little too much. */
-  solution->lower_bound = fmin (point->multiplier, interval->associative);
-  point->multiplier = solution->lower_bound;
-  interval->points[interval->count++] = *point;
-  if (first || point->multiplier > interval->highest)
-    interval->highest = point->multiplier;
-  if (!first && point->multiplier >= interval->lowest) {
-    qn_limit_solution_clear (solution);
-    return;
-  }
-  interval->lowest = point->multiplier;
-  qn_limit_solution_clear (&interval->solution);
-  interval->solution = *solution;
-}
-
-/* All starts, after the associative program has given the first anchors. */
-static QnStatus
-follow_all (Sequence *seq, QnLimitInterval *interval, QnDiag *diag)
-{
-  QnLimitSolution associative = interval->solution;
-  bool cancelled = false;
-  QnStatus status = QN_OK;
-
-  interval->solution = (QnLimitSolution){ .outcome = QN_OUTCOME_NOT_CONVERGED };
-  seq->associative = &associative;
-  seq->effort = associative.effort;
-  for (int start = 0; start < QN_LIMIT_STARTS && !status && !cancelled; start++) {
-    QnLimitFixedPoint point;
-    QnLimitSolution last;
-
-    set_first_anchors (seq, &schedules[start],
-                       (uint64_t) start * seq->contacts->pair_count);
-    status = follow (seq, &schedules[start], &point, &last, &cancelled, diag);
-    if (!status && point.settled && !cancelled)
-      status = find_mechanism (seq, &point, &last, &cancelled, diag);
-    if (!status && point.settled && !cancelled)
-      keep_point (interval, &point, &last);
-    else
-      qn_limit_solution_clear (&last);
-  }
-  if (cancelled) {
-    qn_limit_solution_clear (&interval->solution);
-    interval->solution.outcome = QN_OUTCOME_CANCELLED;
-  }
-  interval->solution.effort = seq->effort;
-  qn_limit_solution_clear (&associative);
-  return status;
-}
-
-static QnStatus
-sequence_init (Sequence *seq, QnDiag *diag)
-{
-  QnIpSettings settings = qn_interior_point_defaults ();
-  QnStatus status =
-    qn_limit_problem_init (&seq->limit, seq->model, seq->contacts, true, diag);
-
-  if (status)
+  *interval = (QnLimitInterval){ 0 };
+  QnStatus status = qn_limit_associative (model, contacts, progress, user_data,
+                                          &interval->solution, diag);
+  if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
     return status;
-  settings.tolerance = PROGRAM_TOLERANCE;
-  seq->anchor = qn_alloc (seq->contacts->pair_count, sizeof *seq->anchor);
-  if (!seq->anchor)
-    return qn_diag_no_memory (diag);
-  return qn_interior_point_init (&seq->ip, &seq->limit.ip, &settings, diag);
-}
-
-static void
-sequence_clear (Sequence *seq)
-{
-  qn_interior_point_clear (&seq->ip);
-  qn_limit_problem_clear (&seq->limit);
-  free (seq->anchor);
+  interval->associative = interval->solution.upper_bound;
+  status = search_init (&search, contacts, diag);
+  if (!status)
+    status = seek_all (&search, diag);
+  conclude (&search);
+  search_clear (&search);
+  if (status)
+    qn_limit_interval_clear (interval);
+  return status;
 }
 
 QnStatus
@@ -277,51 +318,38 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
                          QnProgressFunc progress, void *user_data, double **velocities,
                          QnDiag *diag)
 {
-  Sequence seq = {
-    .model = model, .contacts = contacts, .progress = progress, .user_data = user_data
-  };
-  QnLimitFixedPoint point = { .multiplier = multiplier };
+  QnIpSettings settings = qn_interior_point_defaults ();
   QnLimitSolution solution = { 0 };
-  bool cancelled;
-  QnStatus status = sequence_init (&seq, diag);
+  QnInteriorPoint ip = { 0 };
+  QnLimitProblem limit;
+  QnStatus status = qn_limit_problem_init (&limit, model, contacts, true, diag);
 
   *velocities = NULL;
-  for (size_t p = 0; !status && p < contacts->pair_count; p++)
-    seq.anchor[p] = -pairs[p].normal_force;
-  if (!status) {
-    qn_limit_problem_set_shear (&seq.limit, model, contacts, seq.anchor, LEAST_REMAINING);
-    status = find_mechanism (&seq, &point, &solution, &cancelled, diag);
+  if (status)
+    return status;
+  for (int32_t c = 0; c < limit.ip.cell_count; c++) {
+    const QnIpCell *cell = &limit.cells[c];
+    double normal = pairs[limit.cell_pairs[c]].normal_force / limit.force_unit;
+    for (int32_t i = 0; i < cell->bound_count; i++) {
+      QnIpBound *bound = &limit.bounds[cell->first_bound + i];
+      double slope = bound->opening + LEAST_SLOPE * (bound->normal - bound->opening);
+      bound->limit += (slope - bound->normal) * normal;
+      bound->normal = bound->opening = slope;
+    }
   }
-  if (!status && point.settled) {
+  settings.tolerance = QN_LIMIT_TOLERANCE;
+  status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
+  if (!status)
+    status =
+      qn_limit_solve (&limit, &ip, false, NULL, progress, user_data, &solution, diag);
+  if (!status && solution.outcome == QN_OUTCOME_COLLAPSE
+      && solution.lower_bound - multiplier
+           <= MECHANISM_GAP * fabs (solution.lower_bound)) {
     *velocities = solution.velocities;
     solution.velocities = NULL;
   }
   qn_limit_solution_clear (&solution);
-  sequence_clear (&seq);
-  return status;
-}
-
-QnStatus
-qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
-                          QnProgressFunc progress, void *user_data,
-                          QnLimitInterval *interval, QnDiag *diag)
-{
-  Sequence seq = {
-    .model = model, .contacts = contacts, .progress = progress, .user_data = user_data
-  };
-  QnStatus status;
-
-  *interval = (QnLimitInterval){ 0 };
-  status = qn_limit_associative (model, contacts, progress, user_data,
-                                 &interval->solution, diag);
-  if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
-    return status;
-  interval->associative = interval->solution.upper_bound;
-  status = sequence_init (&seq, diag);
-  if (!status)
-    status = follow_all (&seq, interval, diag);
-  sequence_clear (&seq);
-  if (status)
-    qn_limit_interval_clear (interval);
+  qn_interior_point_clear (&ip);
+  qn_limit_problem_clear (&limit);
   return status;
 }

@@ -33,30 +33,16 @@ dominates (const QnStrengthRow *tight, const QnStrengthRow *loose,
          && loose->limit - loose->normal * cap >= tight->limit - tight->normal * cap;
 }
 
-/* Changes a cone to the line through its point at the compression `anchor`. */
-static void
-turn_cone (QnStrengthRow *cone, double anchor, double remaining)
-{
-  double slope = cone->opening + (cone->normal - cone->opening) * remaining;
-
-  cone->limit += (cone->normal - slope) * anchor;
-  cone->normal = slope;
-}
-
 /* The apex of a cone bounds tension as a cut-off does. */
 static void
-restrict_by_spring (Strength *strength, const QnSpring *spring, const double *anchor,
-                    double remaining)
+restrict_by_spring (Strength *strength, const QnSpring *spring)
 {
   QnStrengthRow rows[QN_STRENGTH_ROWS];
   int count = qn_spring_rigid_strength (spring, rows);
 
   for (const QnStrengthRow *row = rows; row < rows + count; row++) {
     if (row->shear > 0) {
-      QnStrengthRow *cone = &strength->cones[strength->cone_count++];
-      *cone = *row;
-      if (anchor != NULL)
-        turn_cone (cone, *anchor, remaining);
+      strength->cones[strength->cone_count++] = *row;
     } else if (row->normal > 0) {
       strength->tension = fmin (strength->tension, row->limit);
     } else {
@@ -65,21 +51,18 @@ restrict_by_spring (Strength *strength, const QnSpring *spring, const double *an
   }
 }
 
-/* An adjustable problem keeps all rows, but those of one law once. */
+/* Rows with a flow of their own are all kept, but those of one law once. */
 static Strength
 pair_strength (const QnLimitProblem *limit, const QnModel *model,
-               const QnContacts *contacts, QnId pair, const double *anchor,
-               double remaining)
+               const QnContacts *contacts, QnId pair)
 {
   QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) pair);
   Strength strength = { .tension = INFINITY, .compression = INFINITY };
 
-  if (anchor != NULL)
-    anchor += pair;
-  restrict_by_spring (&strength, &springs.a, anchor, remaining);
+  restrict_by_spring (&strength, &springs.a);
   if (!springs.equal)
-    restrict_by_spring (&strength, &springs.b, anchor, remaining);
-  if (!limit->adjustable) {
+    restrict_by_spring (&strength, &springs.b);
+  if (!limit->own_flow) {
     const Strength all = strength;
 
     strength.cone_count = 0;
@@ -95,8 +78,8 @@ pair_strength (const QnLimitProblem *limit, const QnModel *model,
   return strength;
 }
 
-/* Writes the rows of a cell and returns their number. An adjustable problem keeps the cut-off
- * even where the apex of a cone implies it. */
+/* Writes the rows of a cell and returns their number. Where the apex of a cone implies the cut-off, this is
+ * a row all the same if it flows otherwise. */
 static int32_t
 write_bounds (const QnLimitProblem *limit, const Strength *strength, QnIpCell *cell,
               QnIpBound *bounds)
@@ -112,20 +95,23 @@ write_bounds (const QnLimitProblem *limit, const Strength *strength, QnIpCell *c
 
     if (cone->normal == 0.0 && cone->limit == 0.0)
       cell->no_shear = true;
-    if (!limit->adjustable && cone->normal > 0.0
+    if (!limit->own_flow && cone->normal > 0.0
         && cone->limit <= cone->normal * strength->tension)
       cut_off = false;
     for (int sign = -1; sign <= 1; sign += 2)
-      bounds[count++] = (QnIpBound){ cone->normal / norm, sign / norm, cohesion / norm };
+      bounds[count++] =
+        (QnIpBound){ cone->normal / norm, sign / norm, cohesion / norm,
+                     (limit->own_flow ? cone->opening : cone->normal) / norm };
   }
   if (cell->no_shear) {
     count = 0;
     cut_off = true;
   }
   if (cut_off)
-    bounds[count++] = (QnIpBound){ 1.0, 0.0, strength->tension / limit->force_unit };
+    bounds[count++] = (QnIpBound){ 1.0, 0.0, strength->tension / limit->force_unit, 1.0 };
   if (isfinite (strength->compression))
-    bounds[count++] = (QnIpBound){ -1.0, 0.0, strength->compression / limit->force_unit };
+    bounds[count++] =
+      (QnIpBound){ -1.0, 0.0, strength->compression / limit->force_unit, -1.0 };
   return count;
 }
 
@@ -227,7 +213,7 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
     limit->groups[ip->group_count++] = group;
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
       QnIpCell *cell = &limit->cells[ip->cell_count];
-      Strength strength = pair_strength (limit, model, contacts, p, NULL, 1.0);
+      Strength strength = pair_strength (limit, model, contacts, p);
 
       QnVec2 point = contacts->pairs[p].point;
       double (*on_b)[2] = cell->map + QN_DOF_COUNT;
@@ -266,7 +252,7 @@ check_kinds (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
 
 QnStatus
 qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
-                       const QnContacts *contacts, bool adjustable, QnDiag *diag)
+                       const QnContacts *contacts, bool own_flow, QnDiag *diag)
 {
   QnStatus status = check_kinds (model, contacts, diag);
 
@@ -277,7 +263,7 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     .block_count = model->block_count,
     .pair_count = contacts->pair_count,
     .length_unit = model->characteristic_length,
-    .adjustable = adjustable,
+    .own_flow = own_flow,
   };
   limit->rows = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->rows);
   limit->mass = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->mass);
@@ -327,37 +313,6 @@ qn_limit_problem_clear (QnLimitProblem *limit)
   free (limit->constant);
   free (limit->load);
   *limit = (QnLimitProblem){ 0 };
-}
-
-void
-qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
-                            const QnContacts *contacts, const double *anchor,
-                            double remaining)
-{
-  QN_ASSERT (limit->adjustable);
-  for (int32_t c = 0; c < limit->ip.cell_count; c++) {
-    QnIpCell *cell = &limit->cells[c];
-    Strength strength =
-      pair_strength (limit, model, contacts, limit->cell_pairs[c], anchor, remaining);
-    int32_t count =
-      write_bounds (limit, &strength, cell, limit->bounds + cell->first_bound);
-    QN_ASSERT (count == cell->bound_count);
-    (void) count;
-  }
-}
-
-double
-qn_limit_problem_friction (const QnModel *model, const QnContacts *contacts, QnId pair)
-{
-  QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) pair);
-  Strength strength = { 0 };
-  double least = INFINITY;
-
-  restrict_by_spring (&strength, &springs.a, NULL, 1);
-  restrict_by_spring (&strength, &springs.b, NULL, 1);
-  for (int i = 0; i < strength.cone_count; i++)
-    least = fmin (least, strength.cones[i].normal);
-  return isfinite (least) ? least : 0;
 }
 
 void

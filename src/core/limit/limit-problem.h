@@ -25,35 +25,20 @@ typedef struct QnLimitProblem {
   int32_t *rows;    /* block_count x 3: equilibrium row, or -1 where supported */
   double *mass;     /* block_count x 3: inertia of every degree of freedom, scaled; > 0 */
   size_t block_count, pair_count;
-  bool adjustable;    /* cells have all rows that qn_limit_problem_set_shear() may need */
+  bool own_flow;      /* joints flow as their laws say; else associatively */
   double force_unit;  /* N */
   double length_unit; /* m */
   double load_unit;   /* N; multiplier = lambda x force_unit / load_unit */
 } QnLimitProblem;
 
 /* `limit` is overwritten without being cleared. A model none of whose free blocks carries a
- * live load is refused (NO_LIVE_LOAD). `adjustable` keeps rows that the associative program
- * does without, for qn_limit_problem_set_shear(). */
+ * live load is refused (NO_LIVE_LOAD). */
 QnStatus qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
-                                const QnContacts *contacts, bool adjustable,
-                                QnDiag *diag);
+                                const QnContacts *contacts, bool own_flow, QnDiag *diag);
 
 void qn_limit_problem_clear (QnLimitProblem *limit);
 
-/* Replaces the shear strength mu n + |t| <= c of every cell: |t| <= c + (mu - slope) anchor - slope n
- * with slope = dilatancy + (mu - dilatancy) remaining. The line meets the true one at the
- * compression anchor[pair] (N, >= 0) and approaches the law's dilatancy as `remaining` goes
- * from 1 (associative) to 0. Only for an adjustable problem. */
-void qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
-                                 const QnContacts *contacts, const double *anchor,
-                                 double remaining);
-
-/* The least friction of the springs of a pair, 0 where nothing limits their shear. */
-double qn_limit_problem_friction (const QnModel *model, const QnContacts *contacts,
-                                  QnId pair);
-
-/* Adds a price of `compliance` / 2 on the square of every scaled force: among the forces that
- * reach the optimum, the smallest are taken then. */
+/* Sets the compliance of every joint, of scaled rates per scaled force. */
 void qn_limit_problem_set_compliance (QnLimitProblem *limit, double compliance);
 
 /* The multiplier that a scaled lambda stands for, and back. */

@@ -175,7 +175,7 @@ run_non_associative (const QnModel *model, const QnContacts *contacts,
     result->limit.lower_bound = interval.lowest;
     result->limit.upper_bound = interval.highest;
     for (int32_t i = 0; i < interval.count; i++)
-      add_solution (result, interval.points[i].multiplier);
+      add_solution (result, interval.multipliers[i]);
   }
   qn_limit_interval_clear (&interval);
   return status;

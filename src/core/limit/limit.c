@@ -379,6 +379,7 @@ qn_limit_associative (const QnModel *model, const QnContacts *contacts,
   if (status)
     return status;
   settings.tolerance = QN_LIMIT_TOLERANCE;
+  settings.hasten = true;
   status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
   if (!status)
     status =

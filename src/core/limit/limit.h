@@ -18,13 +18,12 @@
  *                                 exist, but no longer sufficient for the structure to stand.
  *   associative upper bound       no equilibrium exists above it, whatever the dilatancy: the
  *                                 associative value bounds every other one from above.
- *   non-associative fixed points  each is a multiplier at which equilibrium forces and a
- *                                 mechanism that obeys the flow rule exist together. There may
- *                                 be many; neither the least nor the greatest found is a bound
- *                                 on the multipliers at which a real path may collapse.
+ *   non-associative collapses     at each one, equilibrium forces and a mechanism that obeys the
+ *                                 flow rule exist together. There may be many; neither the least
+ *                                 nor the greatest found is a bound on the multipliers at which a
+ *                                 real path may collapse.
  *
- * Sources: Livesley 1978 (the static program); Gilbert, Casapulla & Ahmed, Comput. Struct. 84
- * (2006) 873-887 (the sequence of linear programs for non-associative friction).
+ * Source: Livesley 1978 (the static program).
  */
 #ifndef QN_CORE_LIMIT_H
 #define QN_CORE_LIMIT_H
@@ -85,26 +84,21 @@ QnStatus qn_limit_associative (const QnModel *model, const QnContacts *contacts,
                                QnProgressFunc progress, void *user_data,
                                QnLimitSolution *solution, QnDiag *diag);
 
-/* One fixed point of the sequence of linear programs. */
-typedef struct QnLimitFixedPoint {
-  double multiplier;
-  int32_t programs; /* linear programs solved on the way */
-  bool settled;     /* the last two programs agreed */
-} QnLimitFixedPoint;
-
-/* Starting points of the sequence. */
-#define QN_LIMIT_STARTS 6
+/* Most collapses that one analysis tells. */
+#define QN_LIMIT_STARTS 4
 
 typedef struct QnLimitInterval {
-  QnLimitFixedPoint points[QN_LIMIT_STARTS]; /* in the order of the starts */
-  int32_t count; /* of starts that settled somewhere; points holds them first */
+  double multipliers[QN_LIMIT_STARTS]; /* in the order in which they were found */
+  int32_t count;
   double lowest, highest;
   double associative;       /* upper bound of the associative program */
-  QnLimitSolution solution; /* that of the lowest fixed point */
+  QnLimitSolution solution; /* that of the lowest collapse, and the effort of all */
 } QnLimitInterval;
 
-/* The non-associative limit analysis from several starts. solution.outcome is that of the
- * associative program where this has no optimum. */
+/* The collapses without associativity that are found directly (collapse.h), from rest and from the
+ * associative forces, with joints so stiff that the multiplier does not depend on them any more, by
+ * the model's multiplier tolerance. solution.outcome is that of the associative program where this
+ * has no optimum; DEAD_LOAD_UNSTABLE where a mechanism goes on without live load. */
 QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
                                    QnProgressFunc progress, void *user_data,
                                    QnLimitInterval *interval, QnDiag *diag);

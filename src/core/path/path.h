@@ -108,11 +108,4 @@ QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag 
  * (path-trace.c): to the largest multiplier, the control target, a plateau, or collapse. */
 QnStatus qn_path_trace (QnPath *path, QnDiag *diag);
 
-/* Adds the collapses of load control and of prescribed work in linear geometry to the fixed points of a
- * non-associative limit analysis whose associative bound is known; where one is the least, its forces
- * and its mechanism become those of the result (path-limit.c). */
-QnStatus qn_path_add_fixed_points (const QnModel *model, const QnContacts *contacts,
-                                   QnProgressFunc report, void *report_data,
-                                   QnResult *result, QnDiag *diag);
-
 #endif
