@@ -280,6 +280,25 @@ search_init (Search *search, const QnContacts *contacts, QnDiag *diag)
   return qn_collapse_init (&search->collapse, &limit->ip, diag);
 }
 
+static QnStatus
+find_bound (Search *search, const QnContacts *contacts, QnDiag *diag)
+{
+  QnLimitSolution *solution = &search->interval->solution;
+  QnStatus status = QN_OK;
+
+  for (int hasten = 1; hasten >= 0 && !status; hasten--) {
+    const QnStatistics before = solution->effort;
+    qn_limit_solution_clear (solution);
+    status =
+      qn_limit_associative_in_haste (search->model, contacts, hasten == 1,
+                                     search->progress, search->user_data, solution, diag);
+    qn_statistics_add (&solution->effort, &before);
+    if (solution->outcome != QN_OUTCOME_NOT_CONVERGED)
+      break;
+  }
+  return status;
+}
+
 void
 qn_limit_interval_clear (QnLimitInterval *interval)
 {
@@ -297,8 +316,7 @@ qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
   };
 
   *interval = (QnLimitInterval){ 0 };
-  QnStatus status = qn_limit_associative (model, contacts, progress, user_data,
-                                          &interval->solution, diag);
+  QnStatus status = find_bound (&search, contacts, diag);
   if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
     return status;
   interval->associative = interval->solution.upper_bound;

@@ -366,9 +366,9 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
 }
 
 QnStatus
-qn_limit_associative (const QnModel *model, const QnContacts *contacts,
-                      QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
-                      QnDiag *diag)
+qn_limit_associative_in_haste (const QnModel *model, const QnContacts *contacts,
+                               bool hasten, QnProgressFunc progress, void *user_data,
+                               QnLimitSolution *solution, QnDiag *diag)
 {
   QnIpSettings settings = qn_interior_point_defaults ();
   QnLimitProblem limit;
@@ -379,7 +379,7 @@ qn_limit_associative (const QnModel *model, const QnContacts *contacts,
   if (status)
     return status;
   settings.tolerance = QN_LIMIT_TOLERANCE;
-  settings.hasten = true;
+  settings.hasten = hasten;
   status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
   if (!status)
     status =
@@ -387,4 +387,13 @@ qn_limit_associative (const QnModel *model, const QnContacts *contacts,
   qn_interior_point_clear (&ip);
   qn_limit_problem_clear (&limit);
   return status;
+}
+
+QnStatus
+qn_limit_associative (const QnModel *model, const QnContacts *contacts,
+                      QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
+                      QnDiag *diag)
+{
+  return qn_limit_associative_in_haste (model, contacts, false, progress, user_data,
+                                        solution, diag);
 }

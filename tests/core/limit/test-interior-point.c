@@ -21,7 +21,7 @@ slider_init (Slider *slider, double friction, double cohesion)
   *slider = (Slider){
     .group = { .rows = { 0, 1, -1, -1, -1, -1 }, .cell_count = 1 },
     .cell = { .map = { { 0, 1 }, { -1, 0 } }, .bound_count = 2 },
-    .bounds = { { friction, 1, cohesion }, { friction, -1, cohesion } },
+    .bounds = { { friction, 1, cohesion, friction }, { friction, -1, cohesion, friction } },
     .constant = { 0, -1 },
     .load = { 1, 0 },
   };
@@ -150,7 +150,7 @@ test_quadratic (void)
       .bound_count = 1,
       .no_shear = true },
   };
-  QnIpBound bounds[2] = { { 1, 0, 0 }, { 1, 0, 0 } };
+  QnIpBound bounds[2] = { { 1, 0, 0, 1 }, { 1, 0, 0, 1 } };
   double constant = -1;
   QnIpProblem problem = { .row_count = 1,
                           .group_count = 1,
