@@ -38,25 +38,8 @@ static Chart chart = { .name = "contacts",
 typedef struct Size {
   int asked; /* blocks */
   ScalingCase c;
-  double prepare, detect, update; /* best times so far, s */
+  double prepare, detect; /* best times so far, s */
 } Size;
-
-/* Moves one block a little and updates. */
-static double
-time_update (const QnModel *model, const QnContacts *contacts)
-{
-  g_auto (QnModel) moved;
-  g_auto (QnContacts) updated;
-  g_assert_cmpint (qn_model_copy (model, &moved, NULL), ==, QN_OK);
-  const QnBlock *block = &moved.blocks[moved.block_count / 2];
-  for (QnId i = 0; i < block->vertex_count; i++)
-    moved.vertices[block->first_vertex + i].x += 0.05;
-  double start = bench_cpu_seconds ();
-  g_assert_cmpint (qn_contacts_update (model, contacts, &moved, &updated, NULL), ==,
-                   QN_OK);
-  double seconds = bench_cpu_seconds () - start;
-  return seconds;
-}
 
 /* Mean time of so many detections, s. */
 static double
@@ -81,16 +64,13 @@ time_size (Size *size, size_t most)
   g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
   size->prepare = fmin (size->prepare, bench_cpu_seconds () - start);
   size->detect = fmin (size->detect, time_detection (c, most / c->blocks));
-  size->update = fmin (size->update, time_update (&c->model, &c->contacts));
   g_assert_cmpuint (c->contacts.findings.count, ==, 0);
 }
 
 static void
 init_size (Size *size, const char *kind, int blocks)
 {
-  *size = (Size){
-    .asked = blocks, .prepare = G_MAXDOUBLE, .detect = G_MAXDOUBLE, .update = G_MAXDOUBLE
-  };
+  *size = (Size){ .asked = blocks, .prepare = G_MAXDOUBLE, .detect = G_MAXDOUBLE };
   scaling_case_init (&size->c, blocks, !g_str_equal (kind, "wall"));
   if (g_str_equal (kind, "turned façade"))
     test_model_rotate (&size->c.model, 1);
@@ -104,9 +84,9 @@ report (FILE *csv, FILE *bars, const char *kind, Size *size)
   c->faces = c->contacts.face_count;
   scaling_case_elastic (c);
   double ratio = size->detect / c->factorization, kernel = bench_kernel_seconds ();
-  bench_csv_row (csv, "%s,%zu,%zu,%.4f,%.4f,%.3f,%.4f,%.3f,%.4f,%.3f", kind, c->blocks,
-                 c->faces, size->prepare, size->detect, size->detect / kernel,
-                 size->update, size->update / kernel, c->factorization, ratio);
+  bench_csv_row (csv, "%s,%zu,%zu,%.4f,%.4f,%.3f,%.4f,%.3f", kind, c->blocks, c->faces,
+                 size->prepare, size->detect, size->detect / kernel, c->factorization,
+                 ratio);
   chart_add (&chart, kind, (double) c->blocks, size->detect);
   if (!g_str_equal (kind, "turned façade")) {
     g_autofree char *label = g_strdup_printf ("factorisation, %s", kind);
@@ -177,9 +157,9 @@ main (int argc, char **argv)
   }
   for (int i = 1; i < argc && i <= (int) G_N_ELEMENTS (sizes); i++)
     sizes[(count = i) - 1] = (int) g_ascii_strtoll (argv[i], NULL, 10);
-  FILE *csv = bench_csv_open (
-    "contacts", "kind,blocks,faces,prepare s,detection s,detection/kernel,update s,"
-                "update/kernel,factorisation s,detection/factorisation");
+  FILE *csv = bench_csv_open ("contacts",
+                              "kind,blocks,faces,prepare s,detection s,detection/kernel,"
+                              "factorisation s,detection/factorisation");
   FILE *bars = bench_bars_open ("contacts");
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++)
     met &= run_kind (csv, bars, kinds[i], sizes, count);

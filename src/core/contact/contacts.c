@@ -8,17 +8,6 @@
 #include <stdlib.h>
 
 QnStatus
-qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag)
-{
-  QnStatus status = qn_contacts_place_pairs (model, contacts, diag);
-  if (status == QN_OK)
-    status = qn_contacts_report_loose (model, contacts, diag);
-  if (status != QN_OK)
-    qn_contacts_clear (contacts);
-  return status;
-}
-
-QnStatus
 qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   *contacts = (QnContacts){ 0 };
@@ -34,11 +23,13 @@ qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 
   status = qn_contact_search_all (&search, contacts, diag);
   qn_contact_search_clear (&search);
-  if (status != QN_OK) {
+  if (status == QN_OK)
+    status = qn_contacts_place_pairs (model, contacts, diag);
+  if (status == QN_OK)
+    status = qn_contacts_report_loose (model, contacts, diag);
+  if (status != QN_OK)
     qn_contacts_clear (contacts);
-    return status;
-  }
-  return qn_contacts_complete (model, contacts, diag);
+  return status;
 }
 
 /* The first finding of a kind, or NULL. */

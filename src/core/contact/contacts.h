@@ -61,20 +61,8 @@ typedef struct QnContacts {
  * tolerance and floating blocks are findings here, refused by qn_contacts_require_sound(); the
  * search itself refuses more overlaps or neighbours than any structure has (QN_MOST_OVERLAPS,
  * QN_MOST_NEIGHBOURS), since it would take quadratic time.
- * `contacts` is overwritten without being cleared. */
+ * `contacts` is overwritten without being cleared, empty on failure. */
 QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag);
-
-/* The contacts of a model that differs little from `old_model`, whose contacts are `old`: only the
- * neighbourhood of blocks that are new, gone, moved or reshaped is searched. The result equals
- * that of qn_contacts_detect(). Blocks are recognised by name; where too much has changed, or
- * the order of blocks, all is detected anew. Both models prepared; `contacts` is overwritten
- * without being cleared and must not be `old`. */
-QnStatus qn_contacts_update (const QnModel *old_model, const QnContacts *old,
-                             const QnModel *model, QnContacts *contacts, QnDiag *diag);
-
-/* The last steps of detection, once the faces are known: pairs, loose blocks. `contacts` is cleared
- * on failure. */
-QnStatus qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag);
 
 /* Refuses what cannot be analysed: no blocks, overlapping blocks, no support, floating blocks. */
 QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,

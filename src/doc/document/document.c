@@ -35,13 +35,11 @@ parse (const char *text, const char *name, QnProject *project, GError **error)
   return qn_project_parse (text, strlen (text), name, NULL, project, error);
 }
 
-/* Contacts of the model that is to follow the document's present one. */
 static gboolean
-detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **error)
+detect (const QnModel *model, QnContacts *contacts, GError **error)
 {
   QnDiag diag = { 0 };
-  if (qn_contacts_update (&self->project.model, &self->contacts, model, contacts, &diag)
-      == QN_OK)
+  if (qn_contacts_detect (model, contacts, &diag) == QN_OK)
     return TRUE;
   g_autofree char *message = qn_explain_diag (model, &diag);
   return qn_edit_refuse (error, message);
@@ -52,7 +50,7 @@ static gboolean
 adopt (QnDocument *self, QnProject *project, QnProjectText *text, GError **error)
 {
   QnContacts contacts;
-  if (!detect (self, &project->model, &contacts, error)) {
+  if (!detect (&project->model, &contacts, error)) {
     qn_project_clear (project);
     qn_project_text_free (text);
     return FALSE;

@@ -20,7 +20,6 @@ void
 qn_case_solver_clear (QnCaseSolver *solver)
 {
   qn_limit_series_clear (&solver->series);
-  qn_contacts_clear (&solver->contacts);
 }
 
 void
@@ -108,16 +107,13 @@ static gboolean
 prepare (const QnCaseSolver *solver, const double *values, QnCaseModel *model,
          GError **error)
 {
-  const QnProject *base = &solver->study->project;
   QnDiag diag = { 0 };
   if (!parse (solver->study, values, &model->project, error)
       || (solver->study->run == QN_STUDY_DYNAMIC
           && !qn_project_read_records (&model->project, solver->study->folder, FALSE,
                                        error)))
     return FALSE;
-  if (qn_contacts_update (&base->model, &solver->contacts, &model->project.model,
-                          &model->contacts, &diag)
-        == QN_OK
+  if (qn_contacts_detect (&model->project.model, &model->contacts, &diag) == QN_OK
       && qn_contacts_require_sound (&model->project.model, &model->contacts, &diag)
            == QN_OK)
     return TRUE;
@@ -146,8 +142,7 @@ qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error)
 {
   QnDiag diag = { 0 };
   *solver = (QnCaseSolver){ .study = study };
-  if (qn_contacts_detect (&study->project.model, &solver->contacts, &diag) != QN_OK
-      || (study->run == QN_STUDY_LIMIT && !begin_series (solver))) {
+  if (study->run == QN_STUDY_LIMIT && !begin_series (solver)) {
     qn_project_set_error (&study->project, &diag, error);
     return FALSE;
   }

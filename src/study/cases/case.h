@@ -22,7 +22,6 @@ typedef struct QnCaseResult {
  * once, limit analyses start from that of the project as it is. It must stay where it is. */
 typedef struct QnCaseSolver {
   const QnStudy *study; /* borrowed */
-  QnContacts contacts;  /* of the project as it is */
   QnLimitSeries series; /* zeroed where the study runs something else */
 } QnCaseSolver;
 

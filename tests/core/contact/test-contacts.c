@@ -271,13 +271,11 @@ static void
 test_empty_model (void)
 {
   g_auto (QnModel) model;
-  g_auto (QnContacts) contacts, updated;
+  g_auto (QnContacts) contacts;
   QnDiag diag;
   test_model_init (&model);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpuint (contacts.face_count + contacts.findings.count, ==, 0);
-  g_assert_cmpint (qn_contacts_update (&model, &contacts, &model, &updated, NULL), ==,
-                   QN_OK);
   g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, &diag), ==,
                    QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_BLOCKS);
