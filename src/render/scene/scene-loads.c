@@ -435,19 +435,37 @@ measure_loads (const QnSceneBuilder *b, QnVec2 *low, QnVec2 *high)
   *high = qn_vec2_sub (box.max, b->box.max);
 }
 
+/* What is measured: the structure without the blocks that hold it, unless there are no others. */
+static QnBox
+measured_box (const QnSceneBuilder *b)
+{
+  const QnModel *model = b->model;
+  QnBox box = QN_BOX_EMPTY;
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) i);
+    if (!qn_support_is_full (block->support))
+      qn_box_add_box (&box, qn_box_of_points (v, (size_t) block->vertex_count));
+  }
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
+  return qn_box_is_empty (box) ? b->box : box;
+}
+
 void
 qn_build_dimensions (QnSceneBuilder *b)
 {
   if (qn_box_is_empty (b->box) || !(qn_box_diagonal (b->box) > 0))
     return;
-  QnVec2 low = b->box.min, high = b->box.max;
+  const QnBox measured = measured_box (b);
+  QnVec2 low = measured.min, high = measured.max;
   double gap = 0.045 * qn_box_diagonal (b->box);
   QnVec2 below, above;
   measure_loads (b, &below, &above);
   /* On the side where no load is in the way. A line of beams has no height. */
   bool top = above.y < below.y, right = above.x < below.x;
-  double y = top ? high.y + above.y + gap : low.y - below.y - gap;
-  double x = right ? high.x + above.x + gap : low.x - below.x - gap;
+  double y = top ? b->box.max.y + above.y + gap : b->box.min.y - below.y - gap;
+  double x = right ? b->box.max.x + above.x + gap : b->box.min.x - below.x - gap;
   if (high.x > low.x)
     add_dimension (b, qn_vec2 (low.x, y), qn_vec2 (high.x, y),
                    qn_vec2 (low.x, top ? high.y : low.y),

@@ -4,6 +4,8 @@
 #include "render/fixture.h"
 #include "render/scene/reading.h"
 #include "render/scene/scene-build.h"
+#include "support/contacts.h"
+#include "support/models.h"
 #include "support/room.h"
 
 #include <glib.h>
@@ -508,8 +510,41 @@ test_legend (void)
   fixture_clear (&f);
 }
 
+static bool
+has_text (const QnScene *scene, const char *text)
+{
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->kind == QN_COMMAND_TEXT && g_str_equal (command->text, text))
+      return true;
+  }
+  return false;
+}
+
+/* A stack of 1 x 1.5 m is measured without the block below it; where all is held, all of it. */
+static void
+test_dimensions_without_supports (void)
+{
+  QnViewOptions options;
+  qn_view_options_init (&options, QN_VIEW_MODEL);
+  options.dimensions = true;
+  for (int held = 0; held < 2; held++) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    test_model_init_stack (&model, 3, 1, 0.5);
+    for (size_t i = 0; i < model.block_count && held; i++)
+      model.blocks[i].support[0] = model.blocks[i].support[1] =
+        model.blocks[i].support[2] = true;
+    test_detect (&model, &contacts);
+    g_autoptr (QnScene) scene = qn_scene_build (&model, &contacts, NULL, &options, NULL);
+    g_assert_true (has_text (scene, "1.50 m") == !held);
+    g_assert_true (has_text (scene, "1.00 m") == !held);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/render/scene/dimensions", test_dimensions_without_supports);
   g_test_add_func ("/render/scene/sorted", test_sorted_with_boxes);
   g_test_add_func ("/render/scene/contacts", test_contacts_are_all_there);
   g_test_add_func ("/render/scene/refusals", test_refusals);
