@@ -75,6 +75,7 @@
   X (BEAM_ON_ONE_BLOCK, "both ends of the beam are on the same block") \
   X (TOO_MANY_NODES, "more nodes than the program handles") \
   X (BEAM_FLOATING, "beam is not connected to any support") \
+  X (BEAM_END_FREE, "end of the beam touches nothing") \
   X (BEAM_WITHOUT_MASS, "beam has no mass to vibrate with") \
   X (BEAMS_WITHOUT_LIMIT, "limit analysis covers rigid blocks only, not beams: use another procedure") \
   X (CONTROL_NODE_RIDES, "controlled node is on a block: control the block") \

@@ -123,6 +123,41 @@ qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
+static bool
+report_beam (QnFindings *findings, QnProblem problem, size_t beam, QnVec2 at)
+{
+  return qn_findings_add (findings, (QnFinding){ .problem = problem,
+                                                 .block_a = QN_NONE,
+                                                 .block_b = QN_NONE,
+                                                 .subject = (QnId) beam,
+                                                 .at = at });
+}
+
+/* Ends of beams where there is nothing else: no block, support, other beam, load or control. */
+static bool
+report_free_ends (const QnModel *model, QnFindings *findings)
+{
+  size_t ends = 2 * model->beam_count;
+  int *uses = qn_alloc (model->node_count, sizeof *uses);
+  bool done = uses != NULL;
+
+  for (size_t i = 0; i < ends && done; i++)
+    uses[model->beams[i / 2].nodes[i % 2]]++;
+  for (size_t i = 0; i < qn_model_load_count (model) && done; i++)
+    if (qn_model_load (model, i)->kind == QN_LOAD_NODE)
+      uses[qn_model_load (model, i)->node]++;
+  if (done && model->analysis.control_node != QN_NONE)
+    uses[model->analysis.control_node]++;
+  for (size_t i = 0; i < ends && done; i++) {
+    QnId id = model->beams[i / 2].nodes[i % 2];
+    const QnNode *node = &model->nodes[id];
+    if (uses[id] == 1 && node->block == QN_NONE && !qn_support_is_any (node->support))
+      done = report_beam (findings, QN_PROBLEM_BEAM_END_FREE, i / 2, node->at);
+  }
+  free (uses);
+  return done;
+}
+
 /* Surcharges and backfills that lie beside the structure. */
 static bool
 report_loads (const QnModel *model, QnFindings *findings)
@@ -206,15 +241,10 @@ qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *di
     for (size_t i = 0; done && i < model->beam_count; i++) {
       const QnId node = model->beams[i].nodes[0];
       if (!held[qn_model_node_body (model, node)])
-        done =
-          qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_BEAM_FLOATING,
-                                                  .block_a = QN_NONE,
-                                                  .block_b = QN_NONE,
-                                                  .subject = (QnId) i,
-                                                  .at = model->nodes[node].at });
+        done = report_beam (findings, QN_PROBLEM_BEAM_FLOATING, i, model->nodes[node].at);
     }
   }
-  done = done && report_loads (model, findings);
+  done = done && report_free_ends (model, findings) && report_loads (model, findings);
   free (touching);
   free (sets);
   free (held);

@@ -303,6 +303,7 @@ dup_finding_path (const QnProject *project, const QnFinding *finding)
   const QnId dead = (QnId) project->model.dead_load_count;
   switch ((int) finding->problem) {
   case QN_PROBLEM_BEAM_FLOATING:
+  case QN_PROBLEM_BEAM_END_FREE:
     return qn_project_dup_key_path (project, QN_ENTITY_BEAM, finding->subject);
   case QN_PROBLEM_LOAD_MEETS_NOTHING:
     return finding->subject < dead

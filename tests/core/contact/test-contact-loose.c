@@ -186,8 +186,59 @@ test_lonely_support (void)
   g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, NULL), ==, QN_OK);
 }
 
+/* A beam on a block and a second one behind it: its end is told, unless it is held, lies on a block,
+ * carries a load or is controlled. */
+static void
+test_free_end (void)
+{
+  enum { NOTHING, SUPPORT, BLOCK, LOAD, CONTROL, CASES };
+  for (int with = NOTHING; with < CASES; with++) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    test_model_init_stack (&model, 2, 1, 0.5);
+    QnSection *section = qn_model_add_section (&model, "s");
+    section->young = 10e9;
+    section->width = section->height = 0.2;
+    for (int i = 0; i < 3; i++) {
+      const char *names[] = { "a", "b", "c" };
+      test_model_add_node (&model, names[i], 0.5 + i, 0.75,
+                           with == SUPPORT && i == 2 ? "y" : "");
+    }
+    model.nodes[0].block = 2;
+    for (int i = 0; i < 2; i++) {
+      QnBeam *beam = qn_model_add_beam (&model, i == 0 ? "first" : "second");
+      beam->section = 0;
+      beam->nodes[0] = i;
+      beam->nodes[1] = i + 1;
+    }
+    if (with == BLOCK) {
+      test_model_add_rectangle (&model, "far", 2.5, 0.25, 1, 1)->support[QN_DOF_UY] =
+        true;
+      model.nodes[2].block = 3;
+    }
+    if (with == LOAD) {
+      QnLoad *load = qn_model_add_live_load (&model);
+      load->kind = QN_LOAD_NODE;
+      load->node = 2;
+      load->vector = qn_vec2 (0, -1);
+    }
+    if (with == CONTROL)
+      model.analysis.control_node = 2, model.analysis.control_target = 0.1;
+    test_detect (&model, &contacts);
+    g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BEAM_END_FREE), ==,
+                      with == NOTHING);
+    if (with != NOTHING)
+      continue;
+    const QnFinding *end = test_the_finding (&contacts, QN_PROBLEM_BEAM_END_FREE);
+    g_assert_cmpint (end->subject, ==, 1);
+    g_assert_cmpfloat (end->at.x, ==, 2.5);
+    g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, NULL), ==, QN_OK);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/contact-loose/free-end", test_free_end);
   g_test_add_func ("/contact-loose/ordinary-corners", test_ordinary_corners);
   g_test_add_func ("/contact-loose/corner-on-corner", test_corner_on_corner);
   g_test_add_func ("/contact-loose/corner-on-edge", test_corner_on_edge);
