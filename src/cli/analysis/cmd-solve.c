@@ -85,7 +85,7 @@ print_summary (const QnProject *project, const QnResult *result)
       && result->first_limit_multiplier < result->collapse_multiplier)
     printf (_ ("first limit point at %.5f: the path jumps to another equilibrium\n"),
             result->first_limit_multiplier);
-  g_autofree char *interval = qn_outcome_dup_interval (result);
+  g_autofree char *interval = qn_outcome_dup_interval (&project->model, result);
   if (interval != NULL)
     printf ("%s\n", interval);
   g_autofree char *cause = qn_outcome_dup_cause (&project->model, result);

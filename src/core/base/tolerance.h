@@ -16,9 +16,9 @@
  * coordinates for edges a millionth of their distance from the origin. */
 #define QN_TOLERANCE_CONVEX 1e-9
 
-/* Gaps between facing sides up to this part of the characteristic block length are reported: an
- * input error, where a mortar joint would be wider. */
-#define QN_NEAR_MISS_GAP 0.01
+/* Gaps between facing sides up to this part of the characteristic block length are reported: 1 mm
+ * between blocks of 50 mm. A mortar joint is wider. */
+#define QN_NEAR_MISS_GAP 0.02
 
 /* Overlaps up to so many contact tolerances are reported, deeper ones refused. */
 #define QN_NEAR_MISS_OVERLAP 10.0

@@ -186,7 +186,7 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
 /* --- Answer ----------------------------------------------------------------------------- */
 
 static const char *
-found_by_words (QnProcedure procedure)
+found_by_words (const QnModel *model, QnProcedure procedure)
 {
   static const char *const texts[QN_PROCEDURE_COUNT] = {
     [QN_PROCEDURE_LOAD] = N_ ("found by load control"),
@@ -195,11 +195,15 @@ found_by_words (QnProcedure procedure)
     [QN_PROCEDURE_ARC_LENGTH] = N_ ("found by arc-length control"),
     [QN_PROCEDURE_LIMIT] = N_ ("found by limit analysis of rigid blocks"),
   };
+  if (procedure == QN_PROCEDURE_WORK && model->analysis.procedure == QN_PROCEDURE_LOAD
+      && model->stage_count == 0)
+    return _ ("found by work control, which takes over where steps of the load converge "
+              "slowly");
   return texts[procedure] != NULL ? _ (texts[procedure]) : "";
 }
 
 char *
-qn_outcome_dup_interval (const QnResult *result)
+qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
 {
   QnProcedure found_by = QN_PROCEDURE_LOAD;
   double least, bound, greatest = -HUGE_VAL;
@@ -212,7 +216,7 @@ qn_outcome_dup_interval (const QnResult *result)
       carried = result->events[i].multiplier;
   for (gint32 i = 0; i < result->solution_count; i++)
     greatest = MAX (greatest, result->solutions[i].multiplier);
-  const char *found = found_by_words (found_by);
+  const char *found = found_by_words (model, found_by);
 
   g_autofree char *from =
     carried > (1 + QN_SETTLED) * least ? g_strdup_printf (

@@ -14,9 +14,9 @@ char *qn_outcome_dup_reason (const QnModel *model, const QnResult *result);
 /* The same without the sentence with the multiplier of a collapse. */
 char *qn_outcome_dup_cause (const QnModel *model, const QnResult *result);
 
-/* One line: how the collapse multiplier was found, how many solutions there are, and the bound that
+/* One line: how the collapse multiplier was found, and why not as asked for, how many solutions there are, and the bound that
  * nothing exceeds. NULL where no collapse was found. Free with g_free(). */
-char *qn_outcome_dup_interval (const QnResult *result);
+char *qn_outcome_dup_interval (const QnModel *model, const QnResult *result);
 
 /* Name of a stage (number from 1): its own, or its number. Free with g_free(). */
 char *qn_stage_dup_name (const QnModel *model, int32_t stage);

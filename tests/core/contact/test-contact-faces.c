@@ -207,8 +207,8 @@ test_gaps (void)
     qn_contacts_clear (&contacts);
     qn_model_clear (&model);
 
-    const double widths[] = { 1.2e-6, 1e-3, 9e-3 };
-    for (int i = 0; i < 3; i++) {
+    const double widths[] = { 1.2e-6, 1e-3, 9e-3, 19e-3 };
+    for (int i = 0; i < 4; i++) {
       detect_shifted (&model, &contacts, 0.25, widths[i], angle);
       g_assert_cmpuint (contacts.face_count, ==, 0);
       const QnFinding *gap = test_the_finding (&contacts, QN_PROBLEM_NEAR_MISS_GAP);
@@ -221,7 +221,7 @@ test_gaps (void)
       qn_model_clear (&model);
     }
 
-    detect_shifted (&model, &contacts, 0.25, 0.02, angle);
+    detect_shifted (&model, &contacts, 0.25, 0.021, angle);
     g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_NEAR_MISS_GAP), ==, 0);
     qn_contacts_clear (&contacts);
     qn_model_clear (&model);

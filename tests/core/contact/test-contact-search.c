@@ -27,7 +27,7 @@ test_tolerance_is_relative (void)
     init_search (&model, &search);
     g_assert_cmpfloat_with_epsilon (search.lengths.tolerance, 2e-5 * 0.5 * scales[i],
                                     1e-12 * scales[i]);
-    g_assert_cmpfloat_with_epsilon (search.lengths.gap_limit, 0.01 * 0.5 * scales[i],
+    g_assert_cmpfloat_with_epsilon (search.lengths.gap_limit, 0.02 * 0.5 * scales[i],
                                     1e-12 * scales[i]);
     qn_contact_search_clear (&search);
   }
