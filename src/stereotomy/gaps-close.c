@@ -168,23 +168,33 @@ add_samples (Closing *closing, size_t g, QnVec2 origin, QnVec2 along, size_t cou
   return count;
 }
 
-/* The line of a joint, or of two (b not NONE) with a gap between them (g not NONE); false where none
- * lies within all the gaps. */
+/* Whether no end of a side is farther from the line than the gaps of its joint are wide: a line that fits
+ * in a short gap may leave a long side. */
 static bool
-fit (Closing *closing, size_t a, size_t b, size_t g, Line *line)
+stays_near (const Closing *closing, const size_t joints[2], size_t samples,
+            const Line *line)
+{
+  double most = closing->slack;
+  for (size_t i = 0; i < samples; i++)
+    most = fmax (most, closing->samples[i].high - closing->samples[i].low);
+  for (int i = 0; i < 2; i++)
+    for (size_t s = joints[i]; s != NONE; s = closing->sides[s].next) {
+      const Side *side = &closing->sides[s];
+      double from = qn_vec2_cross (line->along, qn_vec2_sub (side->from, line->at));
+      double to = qn_vec2_cross (line->along, qn_vec2_sub (side->to, line->at));
+      if (fmax (fabs (from), fabs (to)) > most + closing->slack)
+        return false;
+    }
+  return true;
+}
+
+/* The line of two joints (the second may be NONE) with a gap between them (g not NONE), near a direction;
+ * false where none lies within all the gaps and near the sides. */
+static bool
+fit_along (Closing *closing, const size_t joints[2], size_t g, QnVec2 along, Line *line)
 {
   const Side *sides = closing->sides;
-  const size_t joints[] = { a, b == a ? NONE : b };
-  QnVec2 ahead = sides[a].along, sum = { 0, 0 }, origin = sides[a].from;
-  for (int i = 0; i < 2; i++)
-    for (size_t s = joints[i]; s != NONE; s = sides[s].next) {
-      bool same = qn_vec2_dot (sides[s].along, ahead) >= 0;
-      sum = qn_vec2_add_scaled (sum, same ? sides[s].length : -sides[s].length,
-                                sides[s].along);
-    }
-  if (!(qn_vec2_length (sum) > 0))
-    return false;
-  QnVec2 along = qn_vec2_scale (1 / qn_vec2_length (sum), sum);
+  QnVec2 origin = sides[joints[0]].from;
   size_t count = g != NONE ? add_samples (closing, g, origin, along, 0) : 0;
   for (int i = 0; i < 2; i++)
     for (size_t k = joints[i] != NONE ? sides[joints[i]].first_gap : NONE; k != NONE;
@@ -201,7 +211,29 @@ fit (Closing *closing, size_t a, size_t b, size_t g, Line *line)
     line->along = qn_vec2_add_scaled (along, slope, up);
     line->along = qn_vec2_scale (1 / qn_vec2_length (line->along), line->along);
   }
-  return true;
+  return stays_near (closing, joints, count, line);
+}
+
+/* The line of a joint, or of two (b not NONE) with a gap between them (g not NONE), in the mean direction
+ * of the sides or else that of the longest. */
+static bool
+fit (Closing *closing, size_t a, size_t b, size_t g, Line *line)
+{
+  const Side *sides = closing->sides;
+  const size_t joints[2] = { a, b == a ? NONE : b };
+  QnVec2 ahead = sides[a].along, sum = { 0, 0 };
+  size_t longest = a;
+  for (int i = 0; i < 2; i++)
+    for (size_t s = joints[i]; s != NONE; s = sides[s].next) {
+      bool same = qn_vec2_dot (sides[s].along, ahead) >= 0;
+      sum = qn_vec2_add_scaled (sum, same ? sides[s].length : -sides[s].length,
+                                sides[s].along);
+      longest = sides[s].length > sides[longest].length ? s : longest;
+    }
+  double length = qn_vec2_length (sum);
+  return length > 0
+         && (fit_along (closing, joints, g, qn_vec2_scale (1 / length, sum), line)
+             || fit_along (closing, joints, g, sides[longest].along, line));
 }
 
 /* ---- joints ---- */
@@ -362,7 +394,7 @@ find_lines (Closing *closing)
       size_t one = side_of (closing, ranks[r].gap, i);
       size_t two = side_of (closing, ranks[r].gap, 1 - i);
       if (!sides[one].has_line && sides[two].has_line && sides[one].parted
-          && sides[one].first_gap == NONE) {
+          && sides[joint_of (closing, one)].first_gap == NONE) {
         sides[one].has_line = true;
         sides[one].line = sides[two].line;
         sides[one].joint = sides[two].joint;
@@ -507,6 +539,18 @@ trim (QnRing *ring, const QnRing *other, QnDiag *diag)
   return status == QN_ERROR_NO_MEMORY ? status : QN_OK;
 }
 
+/* Puts a ring back where it was. */
+static bool
+restore (QnRing *ring, const QnRing *before)
+{
+  QnRing copy;
+  if (!qn_ring_init (&copy, before->points, before->count))
+    return false;
+  qn_ring_clear (ring);
+  *ring = copy;
+  return true;
+}
+
 /* Area that two rings have in common, m2; 0 where it cannot be computed. */
 static double
 common_area (const QnRings *rings, const QnId pair[2])
@@ -547,8 +591,13 @@ trim_overlaps (const Closing *closing, QnRings *moved, QnDiag *diag)
     /* What overlapped before is not ours to judge. */
     if (depth_of (boxes[pair[0]], boxes[pair[1]]) > least
         && common_area (moved, pair) > least * closing->widest
-        && common_area (closing->rings, pair) <= least * closing->widest)
+        && common_area (closing->rings, pair) <= least * closing->widest) {
       status = trim (&moved->items[pair[0]], &moved->items[pair[1]], diag);
+      for (int k = 0; k < 2 && status == QN_OK; k++)
+        if (common_area (moved, pair) > least * closing->widest
+            && !restore (&moved->items[pair[k]], &closing->rings->items[pair[k]]))
+          status = qn_diag_no_memory (diag);
+    }
   }
   qn_box_pairs_clear (&pairs);
   qn_box_tree_clear (&tree);
@@ -622,6 +671,9 @@ tell (const Closing *closing, const QnRings *moved, double most, QnGapClosing *t
   QnStatus status = qn_gaps_find (moved, closing->slack, most, &left, diag);
   size_t before = 0;
   *told = (QnGapClosing){ .narrowest = INFINITY, .left = left.count };
+  if (left.count > 0)
+    told->left_at =
+      qn_vec2_lerp (left.items[0].sides[0][0], left.items[0].sides[1][1], 0.5);
   for (size_t g = 0; g < closing->gaps.count; g++) {
     double width = closing->gaps.items[g].width;
     if (width <= closing->slack)
@@ -688,6 +740,7 @@ qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told,
       first.grown += again.grown;
       first.closed += before > again.left ? before - again.left : 0;
       first.left = again.left;
+      first.left_at = again.left_at;
     }
   }
   if (told != NULL)

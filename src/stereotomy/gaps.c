@@ -195,6 +195,22 @@ qn_gaps_clear (QnGaps *gaps)
   *gaps = (QnGaps){ 0 };
 }
 
+void
+qn_gaps_widths (const QnGaps *gaps, double *least, double *mean, double *most)
+{
+  *least = INFINITY;
+  *mean = *most = 0;
+  for (size_t i = 0; i < gaps->count; i++)
+    for (int end = 0; end < 2; end++) {
+      const QnGap *gap = &gaps->items[i];
+      double width =
+        qn_vec2_length (qn_vec2_sub (gap->sides[1][end], gap->sides[0][end]));
+      *least = fmin (*least, width);
+      *most = fmax (*most, width);
+      *mean += width / (2 * (double) gaps->count);
+    }
+}
+
 bool
 qn_gaps_fill (const QnGaps *gaps, QnRings *rings)
 {

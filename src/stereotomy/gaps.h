@@ -7,7 +7,8 @@
  * touches its neighbours along it: the sides' mean direction in the middle of the gaps, or the
  * line nearest to it that lies within all of them. Where none does, the joint is parted where it
  * must be. Blocks grow to these lines; corners are where the lines of two sides meet, and corners
- * of several blocks that miss each other by less than half a joint become one.
+ * of several blocks that miss each other by less than half a joint become one. No side moves
+ * farther than the gaps of its joint are wide; blocks that would come to overlap stay as they are.
  *
  * This is the usual simplification of a wall for analysis by blocks: "units are expanded to the
  * middle of the joint". Source: Lourenco, Computational strategies for masonry structures (1996),
@@ -44,6 +45,7 @@ typedef struct QnGaps {
 typedef struct QnGapClosing {
   size_t closed;            /* gaps */
   size_t left;              /* gaps that are still open */
+  QnVec2 left_at;           /* the middle of the first of them */
   double narrowest, widest; /* m, of all before */
   double grown;             /* m2: by how much all blocks together grew */
 } QnGapClosing;
@@ -54,6 +56,9 @@ typedef struct QnGapClosing {
 QnStatus qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps,
                        QnDiag *diag);
 void qn_gaps_clear (QnGaps *gaps);
+
+/* Widths of gaps at their ends: least, mean, most; m. There must be one. */
+void qn_gaps_widths (const QnGaps *gaps, double *least, double *mean, double *most);
 
 /* Lets blocks grow until the gaps between them that are wider than `least` and up to `most` (m) are
  * closed. Rings keep their order; those without such gaps keep every digit. `closing` (nullable)

@@ -2,6 +2,7 @@
 #include "core/contact/contacts.h"
 #include "stereotomy/gaps.h"
 #include "stereotomy/masonry.h"
+#include "stereotomy/polygon-ops.h"
 #include "stereotomy/sound.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/room.h"
@@ -311,6 +312,61 @@ add_box (QnRings *rings, double x0, double y0, double x1, double y1)
   g_assert_true (qn_rings_add (rings, corners, 4));
 }
 
+static double
+common_area (const QnRings *rings)
+{
+  double area = 0;
+  for (size_t i = 0; i < rings->count; i++)
+    for (size_t k = 0; k < i; k++) {
+      g_auto (QnRings) common = { 0 };
+      qn_polygon_intersection (&rings->items[i], &rings->items[k], &common, NULL);
+      area += area_of (&common);
+    }
+  return area;
+}
+
+/* Tapering and slanting faces: voussoirs under bricks that are cut along them, every corner at random. What
+ * did not overlap does not, and no block leaves its half of the joints by more than they are wide. */
+static void
+test_wedges (void)
+{
+  g_autoptr (GRand) rand = g_rand_new_with_seed (11);
+  for (int trial = 0; trial < 200; trial++) {
+    g_auto (QnRings) rings = { 0 }, drawn = { 0 };
+    double slope = g_rand_double_range (rand, -0.3, 0.3);
+    for (int i = 0; i < 5; i++) {
+      /* Tops lie under a slanting line, sides lean and taper. */
+      QnVec2 p[4];
+      for (int k = 0; k < 4; k++) {
+        double x =
+          0.09 * (i + (k == 1 || k == 2))
+          + (k == 1 || k == 2 ? -1 : 1) * g_rand_double_range (rand, 0.003, 0.008);
+        x *= k < 2 ? 0.8 : 1;
+        p[k] = qn_vec2 (
+          x, k < 2 ? 0 : 0.25 + slope * x - g_rand_double_range (rand, 0.003, 0.009));
+      }
+      g_assert_true (qn_rings_add (&rings, p, 4));
+    }
+    for (int i = 0; i < 2; i++) {
+      double a = 0.225 * i + 0.005, b = 0.225 * (i + 1) - 0.005;
+      QnVec2 p[4] = { { a, 0.25 + slope * a + g_rand_double_range (rand, 0.003, 0.009) },
+                      { b, 0.25 + slope * b + g_rand_double_range (rand, 0.003, 0.009) },
+                      { b, 0.5 },
+                      { a, 0.5 } };
+      /* One brick is cut flat, as high as it must be. */
+      if (i == trial % 2)
+        p[0].y = p[1].y = fmax (p[0].y, p[1].y);
+      g_assert_true (qn_rings_add (&rings, p, 4));
+    }
+    for (size_t i = 0; i < rings.count; i++)
+      g_assert_true (qn_rings_add (&drawn, rings.items[i].points, 4));
+    g_assert_cmpfloat (common_area (&rings), ==, 0);
+    g_assert_cmpint (qn_gaps_close (&rings, 0.0003, 0.03, NULL, NULL), ==, QN_OK);
+    g_assert_cmpfloat (common_area (&rings), <, 1e-7);
+    g_assert_cmpfloat (area_of (&rings), >, area_of (&drawn));
+  }
+}
+
 /* What touches keeps every digit, also beside a gap that is too wide. */
 static void
 test_clean_stays (void)
@@ -372,6 +428,7 @@ test_fill (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/gaps/wedges", test_wedges);
   g_test_add_func ("/gaps/walls", test_walls);
   g_test_add_func ("/gaps/others", test_others);
   g_test_add_func ("/gaps/clean-stays", test_clean_stays);

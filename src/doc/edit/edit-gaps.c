@@ -56,14 +56,11 @@ qn_model_usual_gap (const QnModel *model)
 char *
 qn_gaps_dup_text (const QnGaps *gaps)
 {
-  double narrowest = INFINITY, widest = 0.0;
-  for (gsize i = 0; i < gaps->count; i++) {
-    narrowest = fmin (narrowest, gaps->items[i].width);
-    widest = fmax (widest, gaps->items[i].width);
-  }
+  double least, mean, most;
   if (gaps->count == 0)
     return NULL;
-  g_autofree char *widths = qn_widths_dup_text (narrowest, widest);
+  qn_gaps_widths (gaps, &least, &mean, &most);
+  g_autofree char *widths = qn_widths_dup_text (least, mean, most);
   return g_strdup_printf (ngettext ("%zu joint of mortar, %s wide",
                                     "%zu joints of mortar, %s wide",
                                     (gulong) gaps->count),

@@ -72,7 +72,7 @@ typedef struct QnImportReport {
 
   GArray *layers;    /* QnImportLayer, in the order of the file */
   QnGaps gaps;       /* joints of mortar as they were drawn, m */
-  double widest_gap; /* m; 0 where there is none */
+  double widest_gap; /* m, each by its mean width; 0 where there is none */
 } QnImportReport;
 
 /* "mm", "cm", "dm", "m", "in", "ft"; 0 for anything else. */

@@ -68,12 +68,11 @@ tell_gaps (QnImportWork *work, const QnGapClosing *closing)
 {
   QnImportReport *report = work->report;
   gsize count = report->gaps.count;
-  double narrowest = INFINITY;
-  for (gsize i = 0; i < count; i++) {
-    narrowest = fmin (narrowest, report->gaps.items[i].width);
+  double least, mean, most;
+  for (gsize i = 0; i < count; i++)
     report->widest_gap = fmax (report->widest_gap, report->gaps.items[i].width);
-  }
-  g_autofree char *widths = qn_widths_dup_text (narrowest, report->widest_gap);
+  qn_gaps_widths (&report->gaps, &least, &mean, &most);
+  g_autofree char *widths = qn_widths_dup_text (least, mean, most);
   switch (work->settings->gaps) {
   case QN_GAPS_CLOSED:
     qn_import_tell (work, FALSE,
@@ -81,8 +80,10 @@ tell_gaps (QnImportWork *work, const QnGapClosing *closing)
                        "their middle, by %.3g m² in all"),
                     count, widths, closing->grown);
     if (closing->left > 0)
-      qn_import_tell (work, TRUE, _ ("joints of mortar that could not be closed: %zu"),
-                      closing->left);
+      qn_import_tell (
+        work, TRUE,
+        _ ("joints of mortar that could not be closed: %zu, first near (%.6g, %.6g)"),
+        closing->left, closing->left_at.x, closing->left_at.y);
     break;
   case QN_GAPS_FILLED:
     qn_import_tell (work, FALSE,

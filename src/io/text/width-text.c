@@ -4,11 +4,11 @@
 #include <string.h>
 
 char *
-qn_widths_dup_text (double narrowest, double widest)
+qn_widths_dup_text (double narrowest, double mean, double widest)
 {
   g_autofree char *from = g_strdup_printf ("%.3g", 1e3 * narrowest);
   g_autofree char *to = g_strdup_printf ("%.3g mm", 1e3 * widest);
   return g_str_has_prefix (to, from) && to[strlen (from)] == ' '
            ? g_steal_pointer (&to)
-           : g_strdup_printf (_ ("%s to %s"), from, to);
+           : g_strdup_printf (_ ("%s to %s (mean %.3g mm)"), from, to, 1e3 * mean);
 }

@@ -2,8 +2,8 @@
 #ifndef QN_IO_WIDTH_TEXT_H
 #define QN_IO_WIDTH_TEXT_H
 
-/* "8 to 20 mm", or "12 mm" where both are the same when they are written; widths in m. The caller
- * frees it. */
-char *qn_widths_dup_text (double narrowest, double widest);
+/* "8 to 20 mm (mean 12 mm)", or "12 mm" where the extremes are the same when they are written;
+ * widths in m. The caller frees it. */
+char *qn_widths_dup_text (double narrowest, double mean, double widest);
 
 #endif

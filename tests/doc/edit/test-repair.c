@@ -163,12 +163,12 @@ close_gaps (QnModel *model, gpointer data, GError **error)
 static void
 test_widths (void)
 {
-  g_autofree char *alike = qn_widths_dup_text (0.012, 0.0120001);
-  g_autofree char *apart = qn_widths_dup_text (0.012, 0.0121);
-  g_autofree char *begins = qn_widths_dup_text (0.001, 0.012);
+  g_autofree char *alike = qn_widths_dup_text (0.012, 0.012, 0.0120001);
+  g_autofree char *apart = qn_widths_dup_text (0.012, 0.01203, 0.0121);
+  g_autofree char *begins = qn_widths_dup_text (0.001, 0.008, 0.012);
   g_assert_cmpstr (alike, ==, "12 mm");
-  g_assert_cmpstr (apart, ==, "12 to 12.1 mm");
-  g_assert_cmpstr (begins, ==, "1 to 12 mm");
+  g_assert_cmpstr (apart, ==, "12 to 12.1 mm (mean 12 mm)");
+  g_assert_cmpstr (begins, ==, "1 to 12 mm (mean 8 mm)");
 }
 
 /* Blocks that mortar parts from the ground are not fixed to it: the gaps are closed, all in one step,
@@ -182,7 +182,7 @@ test_mortar (void)
   g_assert_true (qn_model_find_gaps (qn_document_get_model (document), 0, &gaps));
   g_assert_cmpuint (gaps.count, ==, 5);
   g_autofree char *text = qn_gaps_dup_text (&gaps);
-  g_assert_cmpstr (text, ==, "5 joints of mortar, 8 to 20 mm wide");
+  g_assert_cmpstr (text, ==, "5 joints of mortar, 8 to 20 mm (mean 12 mm) wide");
   qn_gaps_clear (&gaps);
 
   QnFinding finding = finding_of (document, QN_PROBLEM_BLOCK_FLOATING);
