@@ -91,11 +91,11 @@ update_values (Card *card, const QnRun *run, GArray *bounds)
 static void
 update_events (Card *card, const QnRun *run)
 {
-  g_autoptr (GPtrArray) events = qn_run_dup_events (run, qn_settings_get_units ());
+  guint told;
+  g_autoptr (GPtrArray) events = qn_run_dup_events (run, qn_settings_get_units (), &told);
   gtk_widget_set_visible (card->events, events->len > 0);
   g_autofree char *title = g_strdup_printf (
-    ngettext ("%u _event on the path", "%u _events on the path", (gulong) events->len),
-    events->len);
+    ngettext ("%u _event on the path", "%u _events on the path", (gulong) told), told);
   gtk_expander_set_label (GTK_EXPANDER (card->events), title);
   g_ptr_array_add (events, NULL);
   g_autofree char *lines = g_strjoinv ("\n", (char **) events->pdata);

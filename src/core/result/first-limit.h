@@ -9,6 +9,10 @@
  * jump is a large part of it. */
 bool qn_result_has_felt_limit (const QnResult *result);
 
+/* Whether people are told of an event: not of joints that settle, be it by a large part of the displacement at a
+ * load that is not felt. */
+bool qn_result_is_felt (const QnResult *result, const QnPathEvent *event);
+
 /* Whether the branch that a path came on has lost its stability (an event "buckling"), and at which
  * multiplier (nullable). */
 bool qn_result_has_buckled (const QnResult *result, double *multiplier);

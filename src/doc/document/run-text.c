@@ -1,5 +1,6 @@
 #include "doc/document/run-text.h"
 
+#include "core/result/first-limit.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "io/text/mechanism-text.h"
@@ -97,21 +98,29 @@ describe_event (const QnPathEvent *event, QnUnits units)
   g_autofree char *after =
     qn_units_format_full (mm, QN_QUANTITY_LENGTH, event->displacement_after, 3);
   return g_strdup_printf (
-    event->kind == QN_EVENT_KIND_SNAP
-      ? _ ("Multiplier %.4f: a jump, the largest displacement grows from %s to %s, %s")
-      : _ (
-        "Multiplier %.4f: joints settle, the largest displacement grows from %s to %s, "
-        "%s"),
+    _ ("Multiplier %.4f: a jump, the largest displacement grows from %s to %s, %s"),
     event->multiplier, before, after, blocks);
 }
 
 GPtrArray *
-qn_run_dup_events (const QnRun *run, QnUnits units)
+qn_run_dup_events (const QnRun *run, QnUnits units, guint *told)
 {
   const QnResult *result = &run->result;
   GPtrArray *events = g_ptr_array_new_with_free_func (g_free);
-  for (gsize i = 0; i < result->event_count; i++)
-    g_ptr_array_add (events, describe_event (&result->events[i], units));
+  gulong settles = 0;
+  for (gsize i = 0; i < result->event_count; i++) {
+    const QnPathEvent *event = &result->events[i];
+    if (qn_result_is_felt (result, event))
+      g_ptr_array_add (events, describe_event (event, units));
+    else
+      settles++;
+  }
+  *told = events->len;
+  if (settles > 0)
+    g_ptr_array_add (
+      events, g_strdup_printf (ngettext ("%lu small jump: joints settle",
+                                         "%lu small jumps: joints settle", settles),
+                               settles));
   return events;
 }
 

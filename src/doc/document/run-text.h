@@ -18,9 +18,10 @@ char *qn_run_dup_mechanism (const QnRun *run);
 /* The same in one sentence. */
 char *qn_run_dup_mechanism_sentence (const QnRun *run);
 
-/* What happened along the path, a line (char *) for each of the result's events: its multiplier, how
- * far a jump goes, how many blocks move. Free with g_ptr_array_unref(). */
-GPtrArray *qn_run_dup_events (const QnRun *run, QnUnits units);
+/* What happened along the path, a line (char *) for each of the result's events that is felt, *told of them: its
+ * multiplier, how far a jump goes, how many blocks move; and one that counts the others, where joints
+ * settle. Free with g_ptr_array_unref(). */
+GPtrArray *qn_run_dup_events (const QnRun *run, QnUnits units, guint *told);
 
 /* Whether it followed a path that has a curve. */
 gboolean qn_run_has_curve (const QnRun *run);
