@@ -40,6 +40,7 @@ static void
 test_whole (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
+  g_setenv ("SOURCE_DATE_EPOCH", "86400", TRUE); /* the day, on all days */
   g_autofree char *one = report (folder, "one.pdf", NULL, NULL);
   g_autofree char *two = report (folder, "two.pdf", NULL, NULL);
   g_autofree char *a = NULL, *b = NULL;
@@ -54,7 +55,7 @@ test_whole (void)
                        "Mechanism", "Forces of joints: Analysis of the project",
                        "M (kN·m)", "e (mm)", "State", "Independent Check",
                        "Analysis of the project: passed", "Files and Versions",
-                       "voussoir 2"),
+                       "on 1970-01-02", "the independent check is passed", "voussoir 2"),
                 NULL);
 }
 
@@ -119,8 +120,21 @@ test_results (void)
   cli_do ("solve", model, "-q", "-o", path, NULL);
   cli_do ("limit", model, "-q", "-o", limit, NULL);
   cli_do ("report", model, "-r", path, "-r", limit, "-o", pdf, NULL);
-  assert_words (pdf, WORDS ("Comparison", "path.json: passed", "limit.json: passed"),
+  assert_words (pdf,
+                WORDS ("Comparison", "path.json: passed", "limit.json: passed",
+                       "Question: which multiple of the live load",
+                       "no equilibrium above 0.2864, the associative bound",
+                       "Associative bound", "Widest crack at the last step",
+                       "joints that neither slide nor open are left out"),
                 NULL);
+  /* What was computed twice is told once, and every joint on request. */
+  g_autofree char *again = g_build_filename (folder, "again.json", NULL);
+  g_autofree char *twice = g_build_filename (folder, "twice.pdf", NULL);
+  cli_do ("solve", model, "-q", "-o", again, NULL);
+  cli_do ("report", model, "-r", path, "-r", again, "-o", twice, NULL);
+  assert_words (twice, WORDS ("path.json: passed"), WORDS ("Comparison", "again.json"));
+  cli_do ("report", model, "-r", path, "--sections", "joints", "-o", twice, NULL);
+  assert_words (twice, WORDS ("Forces of joints"), WORDS ("left out"));
   /* Their pictures stand beside each other, titles in one line. */
   g_auto (GStrv) pages = read_pages (pdf);
   gboolean beside = pages == NULL;
@@ -210,7 +224,8 @@ test_record (void)
   cli_do ("report", model, "-o", pdf, NULL);
   assert_words (pdf,
                 WORDS ("Ground motion: 43-synthetic-record.csv", "Displacement in time",
-                       "Displacement ux"),
+                       "Displacement ux", "At its largest displacement", "Energy (",
+                       "Acceleration (m/s", "Question: how does the structure move"),
                 NULL);
 }
 

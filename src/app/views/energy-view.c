@@ -90,7 +90,7 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   cairo_paint (cr);
   if (run == NULL || run->result.step_count == 0 || view->energies.count == 0)
     return;
-  qn_energy_plot_draw (&view->energies, cr, width, height,
+  qn_energy_plot_draw (&view->energies, FALSE, cr, width, height,
                        TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)), &view->place);
   double x = view->place.x_zero + view->place.x_scale * shown_time (view, run);
   cairo_set_source_rgb (cr, 0.9, 0.35, 0.0);

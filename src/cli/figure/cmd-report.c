@@ -3,6 +3,7 @@
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
 #include "doc/view/report-item.h"
+#include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
 #include <glib/gstdio.h>
@@ -55,6 +56,9 @@ load_item (Item *item, const char *model, const char *result)
   item->report.name = g_path_get_basename (result);
   qn_report_item_check (&item->report, &item->input.project, &item->input.contacts,
                         result);
+  /* What shook the structure is shown where its records are still there. */
+  if (item->input.project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    qn_project_read_records (&item->input.project, NULL, FALSE, NULL);
   return QN_EXIT_DONE;
 }
 

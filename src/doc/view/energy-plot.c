@@ -135,12 +135,12 @@ dup_label (const QnEnergyPlot *plot)
 }
 
 void
-qn_energy_plot_draw (const QnEnergyPlot *plot, cairo_t *cr, double width, double height,
-                     double unit, QnPlotPlace *place)
+qn_energy_plot_draw (const QnEnergyPlot *plot, gboolean legend, cairo_t *cr, double width,
+                     double height, double unit, QnPlotPlace *place)
 {
   QnMarks marks[QN_ENERGY_CURVES];
   g_autofree char *label = dup_label (plot);
-  QnDataPlot data = describe (plot, marks, label, FALSE);
+  QnDataPlot data = describe (plot, marks, label, legend);
   qn_data_plot_draw (&data, cr, width, height, unit, place);
 }
 

@@ -31,9 +31,9 @@ gboolean qn_energy_is_dashed (int curve);
 /* The sample that is nearest to a time. */
 gsize qn_energy_plot_find (const QnEnergyPlot *plot, double time);
 
-/* Draws it on a surface of this size, px, a point being `unit` px, without a legend. */
-void qn_energy_plot_draw (const QnEnergyPlot *plot, cairo_t *cr, double width,
-                          double height, double unit, QnPlotPlace *place);
+/* Draws it on a surface of this size, px, a point being `unit` px. */
+void qn_energy_plot_draw (const QnEnergyPlot *plot, gboolean legend, cairo_t *cr,
+                          double width, double height, double unit, QnPlotPlace *place);
 
 /* Writes it with a legend as qn_page_export() does. title: or NULL. */
 gboolean qn_energy_plot_export (const QnEnergyPlot *plot, const char *title,

@@ -5,15 +5,20 @@
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "doc/text/law-text.h"
+#include "doc/view/energy-plot.h"
+#include "doc/view/ground-preview.h"
 #include "doc/view/inspect.h"
 #include "doc/view/load-text.h"
 #include "doc/view/pair-text.h"
+#include "io/text/outcome-text.h"
 #include "render/drawing/camera.h"
 #include "render/drawing/text.h"
 #include "render/figure/curve-plot.h"
+#include "render/scene/motion.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 /* Rows of a table of joints unless all are requested; the others are counted. */
 #define MOST_ROWS 120
@@ -82,7 +87,82 @@ choose_picture (QnFigure *figure, const QnReportRun *run)
   return true;
 }
 
-/* A page of its own: title, author, picture, what was found, and of what and by what it was made. */
+/* The day, of SOURCE_DATE_EPOCH where it is set: then equal input gives equal bytes on all days. */
+static char *
+dup_date (void)
+{
+  const char *epoch = g_getenv ("SOURCE_DATE_EPOCH");
+  g_autoptr (GDateTime) now =
+    epoch != NULL ? g_date_time_new_from_unix_utc (g_ascii_strtoll (epoch, NULL, 10))
+                  : g_date_time_new_now_local ();
+  return now != NULL ? g_date_time_format (now, "%Y-%m-%d") : g_strdup ("–");
+}
+
+/* Whether two runs are one, computed twice: the same project and settings, and the same last step. */
+static gboolean
+same_run (const QnReportRun *a, const QnReportRun *b)
+{
+  const QnResult *x = &a->file->result, *y = &b->file->result;
+  gsize rows = QN_DOF_COUNT * qn_result_body_count (x);
+  const char *const none[] = { NULL };
+  char **p = a->file->overrides, **q = b->file->overrides;
+  return g_strcmp0 (a->file->model_sha256, b->file->model_sha256) == 0
+         && g_strv_equal (p != NULL ? (const char *const *) p : none,
+                          q != NULL ? (const char *const *) q : none)
+         && x->outcome == y->outcome && x->step_count == y->step_count
+         && x->limit.given == y->limit.given && x->limit.flow == y->limit.flow
+         && rows == QN_DOF_COUNT * qn_result_body_count (y)
+         && (x->step_count == 0
+             || memcmp (qn_result_step_displacements (x, x->step_count - 1),
+                        qn_result_step_displacements (y, y->step_count - 1),
+                        rows * sizeof (double))
+                  == 0);
+}
+
+/* What is asked of a project. */
+static const char *
+question (const QnModel *model)
+{
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    return _ ("Question: how does the structure move in time, and does it overturn?");
+  if (model->stage_count == 0 && !qn_model_sets_have_force (model, 1))
+    return _ ("Question: what do the settlements of the supports do to the structure?");
+  return _ ("Question: which multiple of the live load does the structure carry?");
+}
+
+/* By what an answer was found, and whether it was checked. */
+static char *
+dup_basis (const QnReportRun *run)
+{
+  const QnModel *model = &run->project->model;
+  const char *geometry =
+    model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear");
+  const char *check = run->check == NULL ? _ ("not checked")
+                      : run->passes      ? _ ("the independent check is passed")
+                                         : _ ("the independent check fails");
+  return g_strdup_printf (
+    _ ("It rests on %s in %s geometry, on the laws and the pairs of the "
+       "joints as given below; %s."),
+    qn_explain_procedure (&model->analysis), geometry, check);
+}
+
+/* The answer of a run, with the range that it lies in. */
+static void
+write_answer (QnPages *pages, const QnReportRun *run)
+{
+  const QnResult *result = &run->file->result;
+  g_autofree char *text = qn_explain_outcome (&run->project->model, result);
+  g_autofree char *line = g_strdup_printf ("%s: %s", run->name, text);
+  g_autofree char *interval = qn_outcome_dup_interval (&run->project->model, result);
+  g_autofree char *basis = dup_basis (run);
+  qn_pages_paragraph (pages, line);
+  if (interval != NULL)
+    qn_pages_paragraph (pages, interval);
+  qn_pages_paragraph (pages, basis);
+}
+
+/* A page of its own: title, author, question and picture, the answers, and of what, by what and when it was
+ * made. */
 static bool
 write_title (QnPages *pages, const QnReport *report, GError **error)
 {
@@ -92,6 +172,8 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
     qn_pages_paragraph (pages, report->plan.author);
   if (report->plan.text != NULL)
     qn_pages_paragraph (pages, report->plan.text);
+  if (report->run_count > 0)
+    qn_pages_paragraph (pages, question (&report->project->model));
   if (report->run_count == 0 || !choose_picture (&figure, &report->runs[0])) {
     qn_figure_init (&figure, &report->project->model, report->contacts, NULL,
                     QN_VIEW_MODEL);
@@ -99,14 +181,12 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
   }
   if (!qn_pages_figure (pages, &figure, 0.5, error))
     return false;
-  for (size_t i = 0; i < report->run_count; i++) {
-    const QnReportRun *run = &report->runs[i];
-    g_autofree char *text = qn_explain_outcome (&run->project->model, &run->file->result);
-    g_autofree char *line = g_strdup_printf ("%s: %s", run->name, text);
-    qn_pages_paragraph (pages, line);
-  }
+  for (size_t i = 0; i < report->run_count; i++)
+    write_answer (pages, &report->runs[i]);
   g_autofree char *name = g_path_get_basename (report->project->name);
-  g_autofree char *by = g_strdup_printf (_ ("%s, made by %s"), name, report->generator);
+  g_autofree char *date = dup_date ();
+  g_autofree char *by =
+    g_strdup_printf (_ ("%s, made by %s on %s"), name, report->generator, date);
   g_autofree char *foot =
     report->project->sha256 != NULL
       ? g_strdup_printf ("%s\nSHA-256 %s", by, report->project->sha256)
@@ -516,6 +596,24 @@ has_forces (const QnReportRun *run)
          && result->pair_count == run->contacts->pair_count;
 }
 
+/* The joints that a table has: those of which a pair does not stick; all where they are requested. */
+static size_t
+list_joints (const QnReport *report, const QnReportRun *run, const QnPairResult *pairs,
+             size_t *shown)
+{
+  const QnContacts *contacts = run->contacts;
+  size_t count = 0;
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    bool moves = report->plan.every_joint;
+    for (int32_t i = 0; i < face->pair_count && !moves; i++)
+      moves = pairs[face->first_pair + i].state != QN_PAIR_STICK;
+    if (moves)
+      shown[count++] = f;
+  }
+  return count;
+}
+
 /* The forces of joints at the last step, then of contacts that were found on the way. */
 static void
 write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
@@ -531,7 +629,11 @@ write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
   size_t step = result->step_count - 1, touch_count;
   g_autofree QnPairResult *pairs = qn_step_pairs (contacts, result, step);
   const QnFoundForce *touches = qn_step_found (result, step, &touch_count);
-  size_t joints = contacts->face_count + touch_count, rows = count_rows (report, joints);
+  g_autofree size_t *shown = g_new (size_t, contacts->face_count + 1);
+  size_t faces = list_joints (report, run, pairs, shown);
+  size_t joints = faces + touch_count, rows = count_rows (report, joints);
+  if (rows == 0)
+    return;
   g_auto (GStrv) cells = g_new0 (char *, (rows + 1) * COLUMNS + 1);
   g_autofree double *values = g_new (double, rows *COLUMNS + 1); /* by column */
   double force = 0, length = 0; /* the largest, N and m */
@@ -545,14 +647,15 @@ write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
         : g_strdup (names[c]);
   for (size_t r = 0; r < rows; r++) {
     char **row = cells + (r + 1) * COLUMNS;
-    bool found = r >= contacts->face_count;
-    const QnFoundForce *touch = &touches[found ? r - contacts->face_count : 0];
+    bool found = r >= faces;
+    const QnFoundForce *touch = &touches[found ? r - faces : 0];
     const QnFoundContact *contact = found ? &result->found[touch->found].contact : NULL;
-    const QnContactFace *face = found ? NULL : &contacts->faces[r];
+    size_t number = found ? 0 : shown[r];
+    const QnContactFace *face = found ? NULL : &contacts->faces[number];
     QnJointReading reading = { 0 };
     if (face != NULL)
-      reading = qn_joint_reading (contacts, (QnId) r, pairs, NULL);
-    row[JOINT] = found ? g_strdup (_ ("found")) : g_strdup_printf ("%zu", r);
+      reading = qn_joint_reading (contacts, (QnId) number, pairs, NULL);
+    row[JOINT] = found ? g_strdup (_ ("found")) : g_strdup_printf ("%zu", number);
     row[BETWEEN] = found ? dup_between (model, contact->block, contact->other)
                          : dup_between (model, face->a, face->b);
     row[STATE] = found ? g_strdup (qn_explain_pair_state (touch->state))
@@ -581,6 +684,14 @@ write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
   qn_pages_heading (pages, heading);
   qn_pages_table (pages, (const char *const *) cells, rows + 1, COLUMNS);
   tell_rest (pages, joints, rows);
+  if (faces < contacts->face_count) {
+    gsize still = contacts->face_count - faces;
+    g_autofree char *line = g_strdup_printf (
+      ngettext ("%zu joint that neither slides nor opens is left out.",
+                "%zu joints that neither slide nor open are left out.", (gulong) still),
+      still);
+    qn_pages_paragraph (pages, line);
+  }
   qn_pages_paragraph (
     pages,
     _ ("At the last step. N: normal force, compression negative; T: shear; M: moment "
@@ -661,8 +772,97 @@ write_figure (QnPages *pages, const QnReportRun *run, QnView view, const char *t
   return qn_pages_figure (pages, &figure, 0.42, error);
 }
 
+/* The widest crack at the last step, by what the pairs of joints have opened. */
+static void
+write_crack (QnPages *pages, const QnReportRun *run, QnUnits units)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  const QnContactFace *widest = NULL;
+  double width = 0;
+  if (result->step_count == 0 || result->limit.given)
+    return;
+  const QnMotion motion = { .model = model,
+                            .displacements = qn_result_step_displacements (
+                              result, result->step_count - 1),
+                            .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
+                            .scale = 1 };
+  for (size_t f = 0; f < run->contacts->face_count; f++) {
+    const QnJoint joint = qn_motion_joint (&motion, &run->contacts->faces[f]);
+    double opens = fmax (joint.opening_start, joint.opening_end);
+    if (opens > width) {
+      width = opens;
+      widest = &run->contacts->faces[f];
+    }
+  }
+  if (widest == NULL)
+    return;
+  g_autofree char *size =
+    qn_units_format_full (qn_units_of_motion (units), QN_QUANTITY_LENGTH, width, 3);
+  g_autofree char *line =
+    g_strdup_printf (_ ("Widest crack at the last step: %s, between %s and %s."), size,
+                     model->blocks[widest->a].name, model->blocks[widest->b].name);
+  qn_pages_paragraph (pages, line);
+}
+
+static void
+draw_energies (const void *data, cairo_t *cr, double width, double height)
+{
+  qn_energy_plot_draw (data, TRUE, cr, width, height, 1, NULL);
+}
+
+/* What draws the acceleration of one motion of the ground. */
+static void
+draw_ground (const void *data, cairo_t *cr, double width, double height)
+{
+  qn_ground_preview_draw (data, QN_GROUND_ACCELERATION, cr, width, height, 1);
+}
+
+/* The step that is nearest to a time. */
+static size_t
+step_at (const QnResult *result, double time)
+{
+  size_t best = 0;
+  for (size_t i = 1; i < result->step_count; i++)
+    if (fabs (result->steps[i].time - time) < fabs (result->steps[best].time - time))
+      best = i;
+  return best;
+}
+
+/* What shakes the structure, how it stands when it has moved farthest, and its energies. */
 static bool
-write_result (QnPages *pages, const QnReportRun *run, GError **error)
+write_history (QnPages *pages, const QnReportRun *run, GError **error)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  QnEnergyPlot energies;
+  for (size_t i = 0; i < model->ground_count; i++) {
+    QnGroundPreview ground;
+    qn_ground_preview_init (&ground, model, i, QN_GROUND_ACCELERATION);
+    if (ground.count > 0) {
+      write_ground_motion (pages, &model->ground[i]);
+      qn_pages_drawing (pages, draw_ground, &ground, 0.25);
+    }
+    qn_ground_preview_clear (&ground);
+  }
+  if (isfinite (result->history.peak_time) && result->step_count > 0) {
+    QnFigure figure;
+    size_t step = step_at (result, result->history.peak_time);
+    qn_figure_init (&figure, model, run->contacts, result, QN_VIEW_DEFORMED);
+    figure.options.step = (int) step;
+    figure.title = _ ("At its largest displacement");
+    if (!qn_pages_figure (pages, &figure, 0.42, error))
+      return false;
+  }
+  qn_energy_plot_init (&energies, &result->history);
+  if (energies.count > 0)
+    qn_pages_drawing (pages, draw_energies, &energies, 0.3);
+  qn_energy_plot_clear (&energies);
+  return true;
+}
+
+static bool
+write_result (QnPages *pages, const QnReportRun *run, QnUnits units, GError **error)
 {
   const QnModel *model = &run->project->model;
   const QnResult *result = &run->file->result;
@@ -677,6 +877,10 @@ write_result (QnPages *pages, const QnReportRun *run, GError **error)
   }
   g_autofree char *outcome = qn_explain_outcome (model, result);
   qn_pages_paragraph (pages, outcome);
+  g_autofree char *interval = qn_outcome_dup_interval (model, result);
+  if (interval != NULL)
+    qn_pages_paragraph (pages, interval);
+  write_crack (pages, run, units);
   g_autofree char *words = qn_explain_mechanism (model, run->contacts, result);
   if (words != NULL)
     qn_pages_paragraph (pages, words);
@@ -696,6 +900,8 @@ write_result (QnPages *pages, const QnReportRun *run, GError **error)
     qn_pages_curve (pages, &plot, 0.4);
     qn_curve_clear (&curve);
   }
+  if (result->history.width > 0 && !write_history (pages, run, error))
+    return false;
   if (result->beam_forces != NULL
       && !write_figure (pages, run, QN_VIEW_DIAGRAMS, _ ("Section forces"), error))
     return false;
@@ -754,8 +960,10 @@ write_comparison (QnPages *pages, const QnReport *report, GError **error)
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   g_autofree QnCurve *curves = g_new0 (QnCurve, report->run_count);
   size_t count = 0;
-  const char *const head[] = { _ ("Result"),      _ ("Outcome"),     _ ("Multiplier"),
-                               _ ("First limit"), _ ("Lower bound"), _ ("Upper bound") };
+  const char *const head[] = { _ ("Result"),           _ ("Outcome"),
+                               _ ("Multiplier"),       _ ("First limit"),
+                               _ ("Lower bound"),      _ ("Upper bound"),
+                               _ ("Associative bound") };
   qn_pages_heading (pages, _ ("Comparison"));
   for (gsize i = 0; i < G_N_ELEMENTS (head); i++)
     add_cell (cells, g_strdup (head[i]));
@@ -769,6 +977,8 @@ write_comparison (QnPages *pages, const QnReport *report, GError **error)
                 r->has_first_limit_multiplier ? r->first_limit_multiplier : (double) NAN);
     add_number (cells, "%.6g", r->limit.given ? r->limit.lower_bound : (double) NAN);
     add_number (cells, "%.6g", r->limit.given ? r->limit.upper_bound : (double) NAN);
+    add_number (cells, "%.6g",
+                r->has_associative_bound ? r->associative_bound : (double) NAN);
     count += take_curve (&report->runs[i], &curves[count]);
   }
   write_table (pages, cells, G_N_ELEMENTS (head));
@@ -827,7 +1037,7 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
       && !write_contacts (pages, report, error))
     return false;
   for (size_t i = 0; wanted[QN_REPORT_RESULTS] && i < report->run_count; i++)
-    if (!write_result (pages, &report->runs[i], error))
+    if (!write_result (pages, &report->runs[i], report->units, error))
       return false;
   for (size_t i = 0; wanted[QN_REPORT_JOINTS] && i < report->run_count; i++)
     if (has_forces (&report->runs[i]) && report->runs[i].contacts->face_count > 0)
@@ -843,9 +1053,21 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
 }
 
 GBytes *
-qn_report_encode (const QnReport *report, GError **error)
+qn_report_encode (const QnReport *given, GError **error)
 {
+  g_autofree QnReportRun *runs = g_new (QnReportRun, given->run_count + 1);
+  QnReport once = *given;
+  const QnReport *report = &once;
   QnMetadata metadata;
+  once.runs = runs;
+  once.run_count = 0;
+  for (size_t i = 0; i < given->run_count; i++) {
+    gboolean told = FALSE;
+    for (size_t k = 0; k < once.run_count; k++)
+      told |= same_run (&runs[k], &given->runs[i]);
+    if (!told)
+      runs[once.run_count++] = given->runs[i];
+  }
   g_autofree char *name = g_path_get_basename (report->project->name);
   qn_metadata_init (&metadata);
   metadata.title = title_of (report->project);

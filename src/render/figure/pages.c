@@ -432,6 +432,18 @@ qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share)
   pages->y += height + 8;
 }
 
+void
+qn_pages_drawing (QnPages *pages, QnDrawFunc draw, const void *data, double share)
+{
+  double height = share * (bottom (pages) - MARGIN);
+  begin (pages, height);
+  cairo_save (pages->cr);
+  cairo_translate (pages->cr, MARGIN, pages->y);
+  draw (data, pages->cr, text_width (pages), height);
+  cairo_restore (pages->cr);
+  pages->y += height + 8;
+}
+
 GBytes *
 qn_pages_finish (QnPages *pages, GError **error)
 {
