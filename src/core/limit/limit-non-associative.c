@@ -209,7 +209,8 @@ seek_all (Search *search, QnDiag *diag)
   while (search->count > 0 && !status && !search->cancelled) {
     int32_t spent = effort->factorizations - before;
     bool still = stands_still (search, find_least (search));
-    if (spent >= (still ? tuning.spare : tuning.stiff))
+    /* Stiffer ones take longer. */
+    if (spent >= (still ? tuning.spare : tuning.stiff / 2))
       break;
     if (still)
       return seek (search, REST, tuning.softer * compliance, tuning.stiff - spent, &found,
