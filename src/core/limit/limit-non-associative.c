@@ -24,6 +24,7 @@ static const struct {
   double rigid;   /* what joints of a mechanism may give, over the largest velocity */
   double reach;   /* of a collapse with stiffer joints, in `growth` */
   double tolerance; /* of one collapse, in tolerances of the multiplier */
+  int stiffenings;  /* most, where joints give too much at once */
   int32_t budget;   /* factorisations of the first start, */
   int32_t again;    /* of each further one until there is a collapse, */
   int32_t stiff;    /* of all, as long as it does not stand still, */
@@ -37,6 +38,7 @@ static const struct {
   .rigid = 0.01,
   .reach = 5,
   .tolerance = 0.3,
+  .stiffenings = 4,
   .budget = 400,
   .again = 150,
   .stiff = 110,
@@ -68,6 +70,8 @@ typedef struct Search {
   double multiplier; /* and its scaled multiplier */
   Collapse found[QN_LIMIT_STARTS];
   int32_t count;
+  double
+    gives; /* of the last collapse: what joints give at most, over the largest velocity */
   bool cancelled;
   QnProgressFunc progress;
   void *user_data;
@@ -114,18 +118,6 @@ are_same (const Search *search, const Collapse *a, const Collapse *b)
          <= exact + tuning.reach * (fabs (a->growth) + fabs (b->growth));
 }
 
-/* What joints give at most in the collapse just found, over the largest velocity: it is no part of the
- * mechanism. */
-static double
-gives (const Search *search)
-{
-  const QnIpProblem *p = &search->limit.ip;
-  const QnIpVector *at = &search->collapse.at;
-
-  return p->cells[0].quadratic[0] * qn_largest (at->y, 2 * (size_t) p->cell_count)
-         / qn_largest (at->v, (size_t) p->row_count);
-}
-
 /* Keeps the collapse just found; in place of one that it is, too, with softer joints. */
 static QnStatus
 keep (Search *search, QnDiag *diag)
@@ -140,7 +132,7 @@ keep (Search *search, QnDiag *diag)
   while (place < search->count && !are_same (search, &search->found[place], &new))
     place++;
   bool known = place < search->count;
-  if (place == QN_LIMIT_STARTS || gives (search) > tuning.rigid
+  if (place == QN_LIMIT_STARTS || search->gives > tuning.rigid
       || (known
           && (stands_still (search, &search->found[place])
               || fabs (search->found[place].growth) <= fabs (new.growth))))
@@ -160,7 +152,7 @@ keep (Search *search, QnDiag *diag)
   return QN_OK;
 }
 
-/* One start. */
+/* One start. A collapse in which joints give too much is none. */
 static QnStatus
 seek (Search *search, Start start, double compliance, int32_t budget, bool *found,
       QnDiag *diag)
@@ -181,12 +173,20 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
     qn_collapse_follow (c, tolerance, budget, go_on, search, &state, diag);
   effort->factorizations += c->kkt.schur.factorizations;
   effort->factor_seconds += c->kkt.schur.seconds;
-  *found = !status && state == QN_COLLAPSE_FOUND;
   search->cancelled = state == QN_COLLAPSE_CANCELLED;
-  return *found ? keep (search, diag) : status;
+  search->gives = 0;
+  *found = false;
+  if (status || state != QN_COLLAPSE_FOUND)
+    return status;
+  const QnIpProblem *p = &search->limit.ip;
+  search->gives = compliance * qn_largest (c->at.y, 2 * (size_t) p->cell_count)
+                  / qn_largest (c->at.v, (size_t) p->row_count);
+  *found = search->gives <= tuning.rigid;
+  return keep (search, diag);
 }
 
-/* From each start until there is a collapse, then with softer joints. After that with stiffer ones as
+/* From each start until there is a collapse, with stiffer joints where they give too much, then with
+ * softer ones. After that with stiffer ones as
  * long as the least multiplier does not stand still; where it does at once, softer joints may lead to
  * another collapse. */
 static QnStatus
@@ -198,13 +198,17 @@ seek_all (Search *search, QnDiag *diag)
   int32_t before = effort->factorizations;
   bool found = false;
   QnStatus status = QN_OK;
-  int start = REST;
+  int start = REST, again = tuning.stiffenings;
 
   for (; start < 2 * START_COUNT && !found && !status && !search->cancelled; start++) {
     if (start == START_COUNT)
       compliance *= tuning.softer;
     status = seek (search, start % START_COUNT, compliance,
                    start == REST ? tuning.budget : tuning.again, &found, diag);
+    if (search->gives > tuning.rigid && again-- > 0) {
+      compliance *= 0.5 * tuning.rigid / search->gives;
+      start--;
+    }
   }
   while (search->count > 0 && !status && !search->cancelled) {
     int32_t spent = effort->factorizations - before;

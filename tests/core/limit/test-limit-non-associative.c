@@ -269,6 +269,46 @@ test_strengths (void)
   qn_limit_interval_clear (&interval);
 }
 
+/* Bonded joints carry forces a hundred times those of dry ones, and give as much more: the compliance
+ * follows. Such a wall turns as a whole, whatever the dilatancy. */
+static void
+test_bonded (void)
+{
+  for (int number = 1; number <= TEST_WALL_COUNT; number++) {
+    QnModel model;
+
+    test_model_init_wall (&model, number, 0);
+    model.laws[0].cohesion = model.laws[0].tension = 1e6;
+    QnLimitInterval interval = solve (&model);
+    g_test_message ("wall %d: %.4f of %.4f", number, interval.lowest,
+                    interval.associative);
+    g_assert_cmpint (interval.solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat (interval.lowest, >, 0.98 * interval.associative);
+    qn_limit_interval_clear (&interval);
+  }
+}
+
+/* Springs of two laws in every joint: the weaker one limits the shear, whichever block it belongs to. */
+static void
+test_unequal_springs (void)
+{
+  QnModel model;
+
+  test_model_init_wall (&model, 3, 0);
+  test_model_soften_every_other_block (&model, 10);
+  model.laws[1].friction = 0.5;
+  QnLimitInterval both = solve (&model);
+  test_model_init_wall (&model, 3, 0);
+  model.laws[0].friction = 0.5;
+  QnLimitInterval weaker = solve (&model);
+  g_assert_cmpint (both.solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat (both.lowest, <=, both.associative);
+  g_assert_cmpfloat (both.lowest, >=, 0.99 * weaker.lowest);
+  g_assert_cmpfloat (both.lowest, <, test_walls[2].non_associative * 1.01);
+  qn_limit_interval_clear (&both);
+  qn_limit_interval_clear (&weaker);
+}
+
 static void
 test_unbounded (void)
 {
@@ -327,6 +367,8 @@ QN_TESTS
   g_test_add_func ("/limit-non-associative/associative-law", test_associative_law);
   g_test_add_func ("/limit-non-associative/block", test_block);
   g_test_add_func ("/limit-non-associative/strengths", test_strengths);
+  g_test_add_func ("/limit-non-associative/bonded", test_bonded);
+  g_test_add_func ("/limit-non-associative/unequal-springs", test_unequal_springs);
   g_test_add_func ("/limit-non-associative/dead-load", test_dead_load);
   g_test_add_func ("/limit-non-associative/unbounded", test_unbounded);
   g_test_add_func ("/limit-non-associative/cancel", test_cancel);
