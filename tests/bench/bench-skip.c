@@ -37,9 +37,7 @@ static const Variant variants[] = {
   { "all shortcuts", 0 },
   { "same_tangent off", QN_SHORTCUT_SAME_TANGENT },
   { "partial_elimination off", QN_SHORTCUT_PARTIAL_ELIMINATION },
-  { "unchanged_joints off", QN_SHORTCUT_UNCHANGED_JOINTS },
-  { "all three off", QN_SHORTCUT_SAME_TANGENT | QN_SHORTCUT_PARTIAL_ELIMINATION
-                       | QN_SHORTCUT_UNCHANGED_JOINTS },
+  { "both off", QN_SHORTCUT_SAME_TANGENT | QN_SHORTCUT_PARTIAL_ELIMINATION },
   { "early_failure off", QN_SHORTCUT_EARLY_FAILURE },
   { "none", ~0u },
 };
@@ -267,7 +265,6 @@ error_of_rounding (QnEquilibrium *eq)
   qn_linsys_solve (eq->linsys, eq->step);
   for (size_t k = 0; k < entries; k++)
     as->ax[k] = (double) (float) as->ax[k];
-  qn_assembly_forget_tangent (&eq->assembly);
   if (qn_linsys_factor (eq->linsys, as->ax) != QN_FACTOR_OK)
     return INFINITY;
   qn_linsys_solve (eq->linsys, eq->trial);

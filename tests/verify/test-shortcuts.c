@@ -14,9 +14,7 @@ enum { RANDOM_WALLS = 12 };
 static const unsigned exact[] = {
   QN_SHORTCUT_SAME_TANGENT,
   QN_SHORTCUT_PARTIAL_ELIMINATION,
-  QN_SHORTCUT_UNCHANGED_JOINTS,
-  QN_SHORTCUT_SAME_TANGENT | QN_SHORTCUT_PARTIAL_ELIMINATION
-    | QN_SHORTCUT_UNCHANGED_JOINTS,
+  QN_SHORTCUT_SAME_TANGENT | QN_SHORTCUT_PARTIAL_ELIMINATION,
 };
 
 /* These lead along other increments. With dilatancy = friction the multiplier is one number, found

@@ -72,7 +72,7 @@ find_supported (const QnAssembly *as, bool *loose)
 double
 qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
 {
-  bool *loose = as->stale;
+  bool *loose = as->loose;
   bool found = true;
   double largest = 0;
 

@@ -32,10 +32,4 @@ void qn_assembly_subtract_face_forces (const QnAssembly *assembly, const double 
 void qn_assembly_add_face_tangents (QnAssembly *assembly, const double *tangents,
                                     size_t stride);
 
-/* The same for the places in ax that stale blocks have among themselves and one another, which are
- * emptied first, with the viscosity on their diagonal. In linear geometry, without beams and
- * settling supports. */
-void qn_assembly_renew_face_tangents (QnAssembly *assembly, const double *tangents,
-                                      size_t stride, double viscosity);
-
 #endif

@@ -1,17 +1,9 @@
-/* The tangent of the assembled structure.
- *
- * In linear geometry a pair's part of it depends on the pair's phase alone. What blocks have whose
- * pairs all kept theirs since the last time is there already; what the others have is added up
- * again from nothing, in the same order: differences would lose the digits of joints that open.
- */
+/* The tangent of the assembled structure. */
 #include "core/assembly/assembly-parts.h"
 
 #include "core/base/tolerance.h"
 
 #include <string.h>
-
-/* Up to this part of the pairs, assembling single blocks is faster. */
-#define FEW 0.25
 
 static void
 clear_settling_rows (QnAssembly *as)
@@ -29,7 +21,6 @@ void
 qn_assembly_tangent_of (QnAssembly *as, double multiplier, double viscosity,
                         const double *tangents, size_t stride)
 {
-  as->is_tangent = false;
   memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
   qn_assembly_add_face_tangents (as, tangents, stride);
   qn_beam_assembly_add_tangent (&as->beams, as->ax);
@@ -40,49 +31,17 @@ qn_assembly_tangent_of (QnAssembly *as, double multiplier, double viscosity,
   clear_settling_rows (as);
 }
 
-/* Takes up the phases of all pairs, and which blocks are stale: those of pairs whose tangent is
- * another than the last time. Returns how many pairs these are. */
-static size_t
-take_phases (QnAssembly *as)
-{
-  size_t changed = 0;
-
-  memset (as->stale, 0, qn_model_body_count (as->model) * sizeof *as->stale);
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const QnPairResponse *response = &as->responses[p];
-    const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
-    if (!response->varies && response->phase == as->phases[p])
-      continue;
-    as->stale[face->a] = as->stale[face->b] = true;
-    /* no phase at all: what varies is another one the next time */
-    as->phases[p] = response->varies ? INT16_MIN : response->phase;
-    changed++;
-  }
-  return changed;
-}
-
 void
 qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
 {
-  const double *tangents = as->responses[0].tangent[0];
-  size_t stride = sizeof *as->responses / sizeof (double);
-  bool keeps = as->is_tangent && as->tangent_viscosity == viscosity && !as->nonlinear
-               && as->beams.count == 0 && as->settling_count == 0
-               && (as->model->analysis.no_shortcuts & QN_SHORTCUT_UNCHANGED_JOINTS) == 0;
-
-  if ((double) take_phases (as) <= FEW * (double) as->pair_count && keeps)
-    qn_assembly_renew_face_tangents (as, tangents, stride, viscosity);
-  else
-    qn_assembly_tangent_of (as, multiplier, viscosity, tangents, stride);
-  as->is_tangent = true;
-  as->tangent_viscosity = viscosity;
+  qn_assembly_tangent_of (as, multiplier, viscosity, as->responses[0].tangent[0],
+                          sizeof *as->responses / sizeof (double));
 }
 
 void
 qn_assembly_tangent_held (QnAssembly *as, double multiplier)
 {
   qn_assembly_tangent (as, multiplier, 0);
-  as->is_tangent = false;
   for (size_t s = 0; s < as->settling_count; s++) {
     int32_t i = as->settling[s].unknown;
     for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)

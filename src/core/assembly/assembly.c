@@ -36,15 +36,14 @@ allocate (QnAssembly *as)
   as->forces =
     qn_alloc (qn_model_body_count (as->model) * QN_DOF_COUNT, sizeof *as->forces);
   as->settles = qn_alloc (n, sizeof *as->settles);
-  as->phases = qn_alloc (pairs, sizeof *as->phases);
-  as->stale = qn_alloc (qn_model_body_count (as->model), sizeof *as->stale);
+  as->loose = qn_alloc (qn_model_body_count (as->model), sizeof *as->loose);
   as->face_unknowns =
     qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
   return as->kinematics && as->gradients && as->elongations && as->springs
          && as->committed && as->responses && as->inactive && as->breaks && as->dead
          && as->live && as->dead_at_rest && as->live_at_rest && as->damping
          && as->diagonal && as->scatter && as->first_pairs && as->whole && as->forces
-         && as->settles && as->face_unknowns && as->phases && as->stale;
+         && as->settles && as->face_unknowns && as->loose;
 }
 
 /* Marks the supports that settle in any of the loads. */
@@ -361,8 +360,7 @@ qn_assembly_clear (QnAssembly *as)
   free (as->diagonal);
   free (as->settling);
   free (as->settles);
-  free (as->phases);
-  free (as->stale);
+  free (as->loose);
   free (as->settling_entries);
   free (as->forces);
   free (as->face_unknowns);

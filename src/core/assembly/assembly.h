@@ -96,12 +96,9 @@ typedef struct QnAssembly {
 
   int32_t *ap, *ai; /* pattern of K in compressed columns, rows sorted */
   double *ax;
-  bool is_tangent;          /* ax is the tangent of `phases`, */
-  double tangent_viscosity; /* and of this viscosity */
-  int16_t *phases;          /* pair_count */
-  bool *stale;              /* scratch, a body */
-  int32_t *first_pairs;     /* face_count + 1: the first pair of each face */
-  int32_t *face_unknowns;   /* face_count x 6, QN_NONE where fixed */
+  bool *loose;            /* scratch, a body */
+  int32_t *first_pairs;   /* face_count + 1: the first pair of each face */
+  int32_t *face_unknowns; /* face_count x 6, QN_NONE where fixed */
   int32_t *scatter; /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
   bool *
     whole; /* face_count: whether the three rows of either block stand one below the other
@@ -150,14 +147,6 @@ double qn_assembly_residual_of (const QnAssembly *assembly, double multiplier,
  * matters in nonlinear geometry only). C is a diagonal of stiffness size, distributed over the
  * blocks like their mass. */
 void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
-
-/* Must be called after ax was changed directly: otherwise the next tangent uses parts of the last
- * one. */
-static inline void
-qn_assembly_forget_tangent (QnAssembly *assembly)
-{
-  assembly->is_tangent = false;
-}
 
 /* The same with other tangents of the pairs: that of pair p, 2 x 2 by rows, stands at
  * tangents[p x stride]. */

@@ -315,7 +315,6 @@ qn_time_step_start (QnTimeStep *step, QnVec2 ground)
   QnInstant *start = &step->start;
 
   memcpy (as->ax, step->mass, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
-  qn_assembly_forget_tangent (as);
   step->factored_length = 0;
   for (int32_t i = 0; i < as->unknown_count; i++) {
     start->a[i] = start->residual[i] - step->inertia[0][i] * ground.x

@@ -242,8 +242,6 @@ typedef enum {
   /* Of a tangent, only what joints that changed state reach is eliminated anew; the rest of the
    * structure stays condensed. */
   QN_SHORTCUT_PARTIAL_ELIMINATION = 2,
-  /* Of a tangent, only what blocks have whose joints changed state is assembled anew. */
-  QN_SHORTCUT_UNCHANGED_JOINTS = 4,
   /* An increment along the central path that does not converge is ended before its budget is spent. */
   QN_SHORTCUT_EARLY_FAILURE = 8,
 } QnShortcut;

@@ -124,6 +124,5 @@ qn_path_judge_stability (QnPath *path, const double *held, bool proves)
       return QN_SOLVE_CONVERGED;
   }
   bool found = find_motion (as, path->inertia, path->displacements, eq->motion);
-  qn_assembly_forget_tangent (as);
   return found ? QN_SOLVE_MECHANISM : QN_SOLVE_NO_MEMORY;
 }
