@@ -1,19 +1,257 @@
 #include "io/exchange/compas-import.h"
+#include "core/base/polygon.h"
 #include "io/json/json-parse.h"
 #include "io/text/io-error.h"
+#include "stereotomy/ring.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
-/* Vertices of a prism coincide in projection within this part of the block's extent. */
+/* What coincides in projection does so within this part of the block's extent. */
 #define PLANAR_TOLERANCE 1e-6
 
-static const char *const axes[] = { "x", "y", "z" };
+/* More blocks are not compared with each other; a block with more vertices is no prism. */
+#define MOST_COMPARED 20000
+#define MOST_VERTICES 2000
 
-/* Axis along which the prisms run, tried in this order, and the two that are seen. */
+/* Directions along which the prisms may run, tried in this order, and the two axes that are seen. */
 static const struct {
   int depth, right, up;
-} views[] = { { 1, 0, 2 }, { 2, 0, 1 }, { 0, 1, 2 } };
+  const char *text;
+} views[] = { { 1, 0, 2, N_ ("seen from the front, along y; blocks") },
+              { 2, 0, 1, N_ ("seen from above, along z; blocks") },
+              { 0, 1, 2, N_ ("seen from the side, along x; blocks") } };
+
+typedef struct Point {
+  double at[3];
+} Point;
+
+/* A block as a mesh; a face is its number of corners and their indices. */
+typedef struct Mesh {
+  char *name;
+  GArray *points, *faces; /* Point; guint */
+  gboolean support;
+} Mesh;
+
+static void
+free_mesh (gpointer data)
+{
+  Mesh *mesh = data;
+  g_free (mesh->name);
+  g_array_unref (mesh->points);
+  g_array_unref (mesh->faces);
+  g_free (mesh);
+}
+
+static Mesh *
+add_mesh (GPtrArray *meshes, const char *name, gboolean support)
+{
+  Mesh *mesh = g_new (Mesh, 1);
+  *mesh = (Mesh){ g_strdup (name), g_array_new (FALSE, FALSE, sizeof (Point)),
+                  g_array_new (FALSE, FALSE, sizeof (guint)), support };
+  g_ptr_array_add (meshes, mesh);
+  return mesh;
+}
+
+/* ---- prisms ---- */
+
+static QnVec2
+seen (const Mesh *mesh, guint index, int view)
+{
+  const double *p = g_array_index (mesh->points, Point, index).at;
+  return qn_vec2 (p[views[view].right], p[views[view].up]);
+}
+
+/* Extent of the block along its largest axis; the least depth in a view. */
+static double
+extent_of (const Mesh *mesh, int view, double *front)
+{
+  double extent = 0;
+  for (int axis = 0; axis < 3; axis++) {
+    double low = INFINITY, high = -INFINITY;
+    for (guint i = 0; i < mesh->points->len; i++) {
+      low = fmin (low, g_array_index (mesh->points, Point, i).at[axis]);
+      high = fmax (high, g_array_index (mesh->points, Point, i).at[axis]);
+    }
+    extent = fmax (extent, high - low);
+    if (axis == views[view].depth)
+      *front = low;
+  }
+  return extent;
+}
+
+/* The first point at the place of this one, whatever its depth. */
+static guint
+place_of (const Mesh *mesh, guint index, int view, double tolerance)
+{
+  QnVec2 p = seen (mesh, index, view);
+  guint i = 0;
+  while (i < index && qn_vec2_length (qn_vec2_sub (seen (mesh, i, view), p)) > tolerance)
+    i++;
+  return i;
+}
+
+typedef struct Edge {
+  guint from, to;
+} Edge;
+
+/* Adds an edge, or takes out the one that runs the other way: that is inside of the front. */
+static void
+add_edge (GArray *edges, guint from, guint to)
+{
+  if (from == to)
+    return;
+  for (guint i = 0; i < edges->len; i++) {
+    const Edge *edge = &g_array_index (edges, Edge, i);
+    if ((edge->from == to && edge->to == from)
+        || (edge->from == from && edge->to == to)) {
+      g_array_remove_index_fast (edges, i);
+      return;
+    }
+  }
+  g_array_append_val (edges, ((Edge){ from, to }));
+}
+
+/* The edges as one ring of points; FALSE where they are none. */
+static gboolean
+chain (const Mesh *mesh, int view, GArray *edges, GArray *outline)
+{
+  g_array_set_size (outline, 0);
+  if (edges->len < 3)
+    return FALSE;
+  guint start = g_array_index (edges, Edge, 0).from, at = start;
+  while (edges->len > 0) {
+    guint i = 0;
+    while (i < edges->len && g_array_index (edges, Edge, i).from != at
+           && g_array_index (edges, Edge, i).to != at)
+      i++;
+    if (i == edges->len)
+      return FALSE;
+    Edge edge = g_array_index (edges, Edge, i);
+    QnVec2 p = seen (mesh, at, view);
+    g_array_append_val (outline, p);
+    at = edge.from == at ? edge.to : edge.from;
+    g_array_remove_index_fast (edges, i);
+    if (at == start)
+      break;
+  }
+  return edges->len == 0 && at == start && outline->len >= 3;
+}
+
+/* The outline of a prism in a view: of all faces of its front together. FALSE where the block is none:
+ * there is no such front, or some vertex is not seen on its outline. */
+static gboolean
+outline_of (const Mesh *mesh, int view, GArray *outline)
+{
+  double front = 0, tolerance = PLANAR_TOLERANCE * extent_of (mesh, view, &front);
+  g_autoptr (GArray) edges = g_array_new (FALSE, FALSE, sizeof (Edge));
+  const guint *faces = (const guint *) (const void *) mesh->faces->data;
+  if (mesh->points->len > MOST_VERTICES)
+    return FALSE;
+  for (guint f = 0; f < mesh->faces->len; f += faces[f] + 1) {
+    gboolean across = TRUE;
+    for (guint i = 1; i <= faces[f]; i++) {
+      double depth =
+        g_array_index (mesh->points, Point, faces[f + i]).at[views[view].depth];
+      across = across && fabs (depth - front) <= tolerance;
+    }
+    for (guint i = 1; across && i <= faces[f]; i++)
+      add_edge (edges, place_of (mesh, faces[f + i], view, tolerance),
+                place_of (mesh, faces[f + (i < faces[f] ? i + 1 : 1)], view, tolerance));
+  }
+  if (!chain (mesh, view, edges, outline))
+    return FALSE;
+  const QnVec2 *ring = (const QnVec2 *) (const void *) outline->data;
+  for (guint v = 0; v < mesh->points->len; v++) {
+    double nearest = INFINITY;
+    QnVec2 p = seen (mesh, v, view);
+    for (guint i = 0; i < outline->len; i++)
+      nearest =
+        fmin (nearest, qn_segment_distance (ring[i], ring[(i + 1) % outline->len], p));
+    if (!(nearest <= tolerance))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+/* The first block, or NULL, whose middle is seen within another one: they lie behind each other. */
+static const QnDrawingPath *
+find_covered (const QnDrawing *drawing)
+{
+  guint count = drawing->paths->len;
+  const QnDrawingPath *paths = &g_array_index (drawing->paths, QnDrawingPath, 0);
+  g_autofree QnBox *boxes = g_new (QnBox, count);
+  for (guint i = 0; i < count; i++)
+    boxes[i] = qn_ring_bounds (&(QnRing){ paths[i].points, paths[i].count });
+  for (guint i = 0; i < count && count <= MOST_COMPARED; i++) {
+    QnVec2 p = qn_polygon_inner_point (paths[i].points, paths[i].count);
+    for (guint k = 0; k < count; k++)
+      if (k != i && p.x > boxes[k].min.x && p.x < boxes[k].max.x && p.y > boxes[k].min.y
+          && p.y < boxes[k].max.y
+          && qn_polygon_depth (paths[k].points, paths[k].count, p) > 0)
+        return &paths[i];
+  }
+  return NULL;
+}
+
+/* Adds all blocks as seen in a view. Returns why that cannot be: the name of a block, and whether it is
+ * no prism or lies behind others. */
+static char *
+add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
+{
+  g_autoptr (GArray) outline = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  for (guint i = 0; i < meshes->len; i++) {
+    const Mesh *mesh = meshes->pdata[i];
+    if (!outline_of (mesh, view, outline))
+      return g_strdup_printf (_ ("block %s is no prism along %c"), mesh->name,
+                              'x' + views[view].depth);
+    QnRing ring = { (QnVec2 *) (void *) outline->data, outline->len };
+    qn_ring_orient (&ring);
+    QnDrawingPath *path = qn_drawing_add_path (drawing, "BLOCKS", 0);
+    path->closed = TRUE;
+    path->support = mesh->support;
+    for (guint k = 0; k < outline->len; k++)
+      qn_drawing_path_add (path, g_array_index (outline, QnVec2, k));
+  }
+  const QnDrawingPath *covered = find_covered (drawing);
+  if (covered == NULL)
+    return NULL;
+  const Mesh *mesh =
+    meshes->pdata[covered - &g_array_index (drawing->paths, QnDrawingPath, 0)];
+  return g_strdup_printf (_ ("block %s lies behind another one along %c"), mesh->name,
+                          'x' + views[view].depth);
+}
+
+/* Tries the views; what spoils the first one is told where another one is taken. */
+static gboolean
+choose_view (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
+             GError **error)
+{
+  g_autofree char *first = NULL;
+  for (int view = 0; view < (int) G_N_ELEMENTS (views); view++) {
+    g_autofree char *problem = add_view (meshes, view, drawing);
+    if (problem == NULL) {
+      QnDrawingNote *note =
+        qn_drawing_note (drawing, _ (views[view].text), 0, qn_vec2 (NAN, NAN));
+      note->count = meshes->len;
+      note->minor = view == 0;
+      if (first != NULL)
+        qn_drawing_note (drawing, first, 0, qn_vec2 (NAN, NAN));
+      return TRUE;
+    }
+    if (first == NULL)
+      first = g_steal_pointer (&problem);
+    qn_drawing_clear (drawing);
+    qn_drawing_init (drawing);
+    drawing->unit = 1;
+  }
+  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+               _ ("%s:1: the blocks are no prisms of one direction: %s"), name, first);
+  return FALSE;
+}
+
+/* ---- files ---- */
 
 static const cJSON *
 member (const cJSON *object, const char *key)
@@ -21,168 +259,180 @@ member (const cJSON *object, const char *key)
   return cJSON_IsObject (object) ? cJSON_GetObjectItemCaseSensitive (object, key) : NULL;
 }
 
-/* "data" wrappers of newer versions are looked through. */
-static const cJSON *
-inside (const cJSON *value)
+/* A point by an object with x, y and z, or an array of three numbers. */
+static Point
+point_of (const cJSON *vertex)
 {
-  const cJSON *data = member (value, "data");
-  return data != NULL ? data : value;
-}
-
-static double
-coordinate (const cJSON *vertex, int axis)
-{
-  const cJSON *value = cJSON_IsArray (vertex) ? cJSON_GetArrayItem (vertex, axis)
-                                              : member (vertex, axes[axis]);
-  return cJSON_IsNumber (value) ? value->valuedouble : NAN;
-}
-
-/* A vertex of the block by the entry of a face, a number or a string. */
-static const cJSON *
-vertex_of (const cJSON *vertices, const cJSON *entry)
-{
-  char key[32];
-  if (cJSON_IsNumber (entry))
-    g_snprintf (key, sizeof key, "%.0f", entry->valuedouble);
-  const char *text = cJSON_IsString (entry) ? entry->valuestring : key;
-  if (cJSON_IsArray (vertices))
-    return cJSON_GetArrayItem (vertices, (int) g_ascii_strtoll (text, NULL, 10));
-  return member (vertices, text);
-}
-
-/* Extent of the block along its largest axis. */
-static double
-extent_of (const cJSON *vertices)
-{
-  double extent = 0;
+  static const char *const axes[] = { "x", "y", "z" };
+  Point p;
   for (int axis = 0; axis < 3; axis++) {
-    double low = INFINITY, high = -INFINITY;
-    for (const cJSON *v = vertices->child; v != NULL; v = v->next) {
-      low = fmin (low, coordinate (v, axis));
-      high = fmax (high, coordinate (v, axis));
+    const cJSON *value = cJSON_IsArray (vertex) ? cJSON_GetArrayItem (vertex, axis)
+                                                : member (vertex, axes[axis]);
+    p.at[axis] = cJSON_IsNumber (value) ? value->valuedouble : NAN;
+  }
+  return p;
+}
+
+/* Moves a point by the rows of a matrix of 4 x 4; NULL, or what is none, leaves it. */
+static void
+transform (Point *p, const cJSON *matrix)
+{
+  Point moved = *p;
+  for (int i = 0; i < 3; i++) {
+    const cJSON *row = cJSON_GetArrayItem (matrix, i);
+    if (cJSON_GetArraySize (row) != 4)
+      return;
+    moved.at[i] = cJSON_GetArrayItem (row, 3)->valuedouble;
+    for (int k = 0; k < 3; k++)
+      moved.at[i] += cJSON_GetArrayItem (row, k)->valuedouble * p->at[k];
+  }
+  *p = moved;
+}
+
+/* The mesh of a block: vertices and faces by keys. */
+static void
+take_mesh (GPtrArray *meshes, const cJSON *vertices, const cJSON *faces, const char *name,
+           gboolean support, const cJSON *matrix)
+{
+  Mesh *mesh = add_mesh (meshes, name, support);
+  g_autoptr (GHashTable) indices =
+    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  guint next = 0;
+  for (const cJSON *v = vertices->child; v != NULL; v = v->next, next++) {
+    Point p = point_of (v);
+    transform (&p, matrix);
+    g_array_append_val (mesh->points, p);
+    g_hash_table_insert (
+      indices, v->string != NULL ? g_strdup (v->string) : g_strdup_printf ("%u", next),
+      GUINT_TO_POINTER (next + 1));
+  }
+  for (const cJSON *face = faces->child; face != NULL; face = face->next) {
+    guint start = mesh->faces->len, count = 0;
+    g_array_append_val (mesh->faces, count);
+    for (const cJSON *entry = face->child; entry != NULL; entry = entry->next) {
+      char key[32];
+      g_snprintf (key, sizeof key, "%.0f", entry->valuedouble);
+      guint index = GPOINTER_TO_UINT (
+        g_hash_table_lookup (indices, cJSON_IsString (entry) ? entry->valuestring : key));
+      if (index == 0)
+        continue;
+      index--;
+      g_array_append_val (mesh->faces, index);
+      count++;
     }
-    extent = fmax (extent, high - low);
+    g_array_index (mesh->faces, guint, start) = count;
   }
-  return extent;
 }
 
-/* Fills `outline` with the projection of a face that lies across the view; FALSE if it does not. */
-static gboolean
-project_face (const cJSON *vertices, const cJSON *face, int view, double tolerance,
-              GArray *outline)
+/* Every mesh in the document that is no joint, whichever class has it: assemblies, networks, models with
+ * elements. Support, name and place are those of what is nearest around it. In files of old assemblies the blocks stand beside the
+ * nodes, which say what is a support. */
+static void
+collect (GPtrArray *meshes, const cJSON *item, const cJSON *nodes, const char *name,
+         gboolean support, const cJSON *matrix)
 {
-  double depth = NAN;
-  g_array_set_size (outline, 0);
-  for (const cJSON *entry = face->child; entry != NULL; entry = entry->next) {
-    const cJSON *vertex = vertex_of (vertices, entry);
-    double d = vertex != NULL ? coordinate (vertex, views[view].depth) : NAN;
-    QnVec2 p = { NAN, NAN };
-    if (vertex != NULL)
-      p = qn_vec2 (coordinate (vertex, views[view].right),
-                   coordinate (vertex, views[view].up));
-    if (isnan (depth))
-      depth = d;
-    if (!(fabs (d - depth) <= tolerance) || !isfinite (p.x) || !isfinite (p.y))
-      return FALSE;
-    g_array_append_val (outline, p);
+  static const char *const joints[] = { "edge",       "edgedata", "adjacency",
+                                        "interfaces", "contacts", NULL };
+  const cJSON *vertices = member (item, "vertex"), *faces = member (item, "face");
+  const cJSON *given = member (item, "is_support"), *blocks = member (item, "blocks");
+  if (given != NULL)
+    support = cJSON_IsTrue (given);
+  const cJSON *placed = member (item, "transformation");
+  const cJSON *data = member (placed, "data");
+  if (cJSON_IsObject (placed))
+    matrix = member (data != NULL ? data : placed, "matrix");
+  if (vertices != NULL && faces != NULL && cJSON_GetArraySize (faces) > 0) {
+    take_mesh (meshes, vertices, faces, name, support, matrix);
+    return;
   }
-  return outline->len >= 3;
+  const cJSON *own = member (member (item, "assembly"), "vertex");
+  for (const cJSON *child = item->child; child != NULL; child = child->next) {
+    if (child->string != NULL && g_strv_contains (joints, child->string))
+      continue;
+    const cJSON *node = nodes != NULL ? member (nodes, child->string) : NULL;
+    gboolean numbered = child->string != NULL && g_ascii_isdigit (child->string[0]);
+    const char *inner = numbered ? child->string : name;
+    const cJSON *title = member (child, "name");
+    if (cJSON_IsString (title) && !numbered)
+      inner = title->valuestring;
+    collect (meshes, child, child == blocks ? own : NULL, inner,
+             node != NULL ? cJSON_IsTrue (member (node, "is_support")) : support, matrix);
+  }
 }
 
-/* Whether every vertex of the block is seen as a vertex of the outline. */
-static gboolean
-covers (const cJSON *vertices, int view, double tolerance, const GArray *outline)
+/* Wavefront's OBJ: an object or group is a block. */
+static void
+collect_objects (GPtrArray *meshes, const char *text)
 {
-  for (const cJSON *v = vertices->child; v != NULL; v = v->next) {
-    QnVec2 p = { coordinate (v, views[view].right), coordinate (v, views[view].up) };
-    gboolean seen = FALSE;
-    for (guint i = 0; i < outline->len && !seen; i++)
-      seen =
-        qn_vec2_length (qn_vec2_sub (p, g_array_index (outline, QnVec2, i))) <= tolerance;
-    if (!seen)
-      return FALSE;
+  g_auto (GStrv) lines = g_strsplit_set (text, "\r\n", -1);
+  g_autoptr (GArray) points = g_array_new (FALSE, FALSE, sizeof (Point));
+  g_autoptr (GHashTable) indices = g_hash_table_new (NULL, NULL);
+  Mesh *mesh = NULL;
+  g_autofree char *name = g_strdup ("1");
+  for (char **line = lines; *line != NULL; line++) {
+    if (g_str_has_prefix (*line, "v ")) {
+      Point p;
+      char *at = *line + 1;
+      for (int i = 0; i < 3; i++)
+        p.at[i] = g_ascii_strtod (at, &at);
+      g_array_append_val (points, p);
+    } else if (g_str_has_prefix (*line, "o ") || g_str_has_prefix (*line, "g ")) {
+      mesh = NULL;
+      g_free (name);
+      name = g_strstrip (g_strdup (*line + 2));
+    } else if (g_str_has_prefix (*line, "f ")) {
+      if (mesh == NULL) {
+        mesh = add_mesh (meshes, name, FALSE);
+        g_hash_table_remove_all (indices);
+      }
+      g_auto (GStrv) corners = g_strsplit_set (*line + 2, " \t", -1);
+      guint start = mesh->faces->len, count = 0;
+      g_array_append_val (mesh->faces, count);
+      for (char **corner = corners; *corner != NULL; corner++) {
+        gint64 number = g_ascii_strtoll (*corner, NULL, 10);
+        gint64 index = number < 0 ? number + points->len : number - 1;
+        if (number == 0 || index < 0 || index >= points->len)
+          continue;
+        gpointer key = GUINT_TO_POINTER ((guint) index + 1);
+        guint own = GPOINTER_TO_UINT (g_hash_table_lookup (indices, key));
+        if (own == 0) {
+          g_array_append_val (mesh->points, g_array_index (points, Point, index));
+          own = mesh->points->len;
+          g_hash_table_insert (indices, key, GUINT_TO_POINTER (own));
+        }
+        own--;
+        g_array_append_val (mesh->faces, own);
+        count++;
+      }
+      g_array_index (mesh->faces, guint, start) = count;
+    }
   }
-  return TRUE;
-}
-
-static gboolean
-outline_of (const cJSON *block, int view, GArray *outline)
-{
-  const cJSON *vertices = member (inside (block), "vertex");
-  const cJSON *faces = member (inside (block), "face");
-  if (vertices == NULL || faces == NULL)
-    return FALSE;
-  double tolerance = PLANAR_TOLERANCE * extent_of (vertices);
-  for (const cJSON *face = faces->child; face != NULL; face = face->next)
-    if (project_face (vertices, face, view, tolerance, outline)
-        && covers (vertices, view, tolerance, outline))
-      return TRUE;
-  return FALSE;
-}
-
-/* A node of the assembly with its block. */
-typedef struct Node {
-  const cJSON *block;
-  gboolean support;
-} Node;
-
-/* Adds all blocks as seen from one side; FALSE, with nothing added, if one is no prism. */
-static gboolean
-add_view (const GArray *nodes, int view, QnDrawing *drawing)
-{
-  g_autoptr (GArray) outline = g_array_new (FALSE, FALSE, sizeof (QnVec2));
-  for (guint i = 0; i < nodes->len; i++)
-    if (!outline_of (g_array_index (nodes, Node, i).block, view, outline))
-      return FALSE;
-  for (guint i = 0; i < nodes->len; i++) {
-    const Node *node = &g_array_index (nodes, Node, i);
-    outline_of (node->block, view, outline);
-    QnDrawingPath *path = qn_drawing_add_path (drawing, "BLOCKS", 0);
-    path->closed = TRUE;
-    path->support = node->support;
-    for (guint k = 0; k < outline->len; k++)
-      qn_drawing_path_add (path, g_array_index (outline, QnVec2, k));
-  }
-  return TRUE;
 }
 
 gboolean
 qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *drawing,
                   GError **error)
 {
-  QnJsonProblem problem;
-  cJSON *document = qn_json_parse (text, length, &problem);
+  g_autoptr (GPtrArray) meshes = g_ptr_array_new_with_free_func (free_mesh);
+  QnJsonProblem problem = { 0 };
+  const char *first = text + strspn (text, " \t\r\n");
+  gboolean json = length == 0 || *first == '{' || *first == '[';
+  cJSON *document = json ? qn_json_parse (text, length, &problem) : NULL;
   qn_drawing_init (drawing);
   drawing->unit = 1;
   gboolean done = FALSE;
-  if (document == NULL) {
+  if (json && document == NULL) {
     g_propagate_error (error, qn_json_problem_to_error (&problem, name, text));
   } else {
-    g_autoptr (GArray) nodes = g_array_new (FALSE, FALSE, sizeof (Node));
-    const cJSON *data = inside (document);
-    const cJSON *graph = inside (member (data, "graph"));
-    const cJSON *list = member (graph, "node");
-    const cJSON *blocks = NULL;
-    if (list == NULL) {
-      list = member (member (data, "assembly"), "vertex");
-      blocks = member (data, "blocks");
-    }
-    for (const cJSON *item = list != NULL ? list->child : NULL; item != NULL;
-         item = item->next) {
-      const cJSON *block =
-        blocks != NULL ? member (blocks, item->string) : member (item, "block");
-      Node node = { block, cJSON_IsTrue (member (item, "is_support")) };
-      if (block != NULL)
-        g_array_append_val (nodes, node);
-    }
-    for (guint view = 0; nodes->len > 0 && !done && view < G_N_ELEMENTS (views); view++)
-      done = add_view (nodes, (int) view, drawing);
-    if (!done)
+    if (json)
+      collect (meshes, document, NULL, "1", FALSE, NULL);
+    else
+      collect_objects (meshes, text);
+    if (meshes->len == 0)
       g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                   nodes->len == 0
-                     ? _ ("%s:1: no assembly of blocks")
-                     : _ ("%s:1: the blocks are no prisms of one direction"),
-                   name);
+                   _ ("%s:1: no assembly of blocks"), name);
+    else
+      done = choose_view (meshes, name, drawing, error);
   }
   g_free (problem.path);
   cJSON_Delete (document);

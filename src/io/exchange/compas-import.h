@@ -1,13 +1,14 @@
-/* COMPAS assemblies (JSON) as drawings. */
+/* COMPAS assemblies (JSON) and meshes (OBJ) as drawings. */
 #ifndef QN_IO_COMPAS_IMPORT_H
 #define QN_IO_COMPAS_IMPORT_H
 
 #include "io/exchange/drawing.h"
 
-/* Reads an assembly of blocks that are prisms with a common direction along x, y or z, as
- * compas_assembly writes it: today's form ("data", "graph", "node", "block") and the older one
- * ("assembly", "blocks"). The faces across that direction become outlines, z (or y) upwards, in
- * metres; `is_support` makes a support. Same contract as qn_dxf_import(). */
+/* Reads blocks that are prisms with a common direction along y, z or x, tried in this order, from what the
+ * classes of COMPAS write as JSON: assemblies of all versions, networks, models with elements; and from
+ * Wavefront's OBJ, where an object is a block. The faces of the front become one outline, z (or y)
+ * upwards, in metres; `is_support` makes a support. A view in which blocks lie behind each other is none.
+ * The view is told, and what spoils the first one. Same contract as qn_dxf_import(). */
 gboolean qn_compas_import (const char *text, gsize length, const char *name,
                            QnDrawing *drawing, GError **error);
 

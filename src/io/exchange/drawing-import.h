@@ -90,7 +90,7 @@ gboolean qn_drawing_to_project (QnDrawing *drawing, const char *name,
 void qn_import_report_clear (QnImportReport *report);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnImportReport, qn_import_report_clear)
 
-/* Reads a file by its ending (.svg, .json: COMPAS, .dxf; any other: text of HybriDFEM where it says
+/* Reads a file by its ending (.svg, .svgz; .json: COMPAS, .obj; .dxf; any other: text of HybriDFEM where it says
  * "Box", else DXF) and makes a project of it; as qn_drawing_to_project() otherwise. */
 gboolean qn_import_file (const char *path, const QnImportSettings *settings,
                          QnProject *project, QnImportReport *report, GError **error);

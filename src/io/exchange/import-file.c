@@ -16,7 +16,7 @@ reader_of (const char *path, const char *text, gsize length)
   g_autofree char *lower = g_ascii_strdown (path, -1);
   if (g_str_has_suffix (lower, ".svg"))
     return qn_svg_import;
-  if (g_str_has_suffix (lower, ".json"))
+  if (g_str_has_suffix (lower, ".json") || g_str_has_suffix (lower, ".obj"))
     return qn_compas_import;
   if (!g_str_has_suffix (lower, ".dxf")
       && g_strstr_len (text, (gssize) length, "Box") != NULL)

@@ -64,6 +64,71 @@ test_both_forms (void)
   assert_blocks (older);
 }
 
+/* Models with elements that are placed, and older wrappers. */
+static void
+test_other_forms (void)
+{
+  g_autofree char *a = box (2, 1, 0.5, 0), *b = box (2, 1, 0.5, 0.1);
+  g_autofree char *model = g_strdup_printf (
+    "{ \"dtype\": \"compas_dem.models/BlockModel\", \"data\": { \"elements\": [ "
+    "{ \"data\": { \"is_support\": true, \"transformation\": null, \"geometry\": { "
+    "\"data\": %s } } }, "
+    "{ \"data\": { \"transformation\": { \"data\": { \"matrix\": "
+    "[[1,0,0,0],[0,1,0,0],[0,0,1,0.4],"
+    "[0,0,0,1]] } }, \"geometry\": { \"data\": %s } } } ], \"edge\": { \"0\": { \"1\": { "
+    "\"mesh\": %s } } } } }",
+    a, b, a);
+  assert_blocks (model);
+  g_autofree char *c = box (2, 1, 0.5, 0.5);
+  g_autofree char *value = g_strdup_printf (
+    "{ \"dtype\": \"compas.datastructures/Network\", \"value\": { \"node\": { \"0\": { "
+    "\"is_support\": "
+    "true, \"block\": { \"value\": %s } }, \"1\": { \"block\": { \"value\": %s } } } } }",
+    a, c);
+  assert_blocks (value);
+}
+
+static void
+parse (const char *text, const char *expected, guint count)
+{
+  g_auto (QnDrawing) drawing = { 0 };
+  g_autoptr (GError) error = NULL;
+  GString *told = g_string_new (NULL);
+  if (qn_compas_import (text, strlen (text), "test.obj", &drawing, &error))
+    for (guint i = 0; i < drawing.notes->len; i++)
+      g_string_append_printf (told, "%s; ",
+                              ((QnDrawingNote *) drawing.notes->pdata[i])->text);
+  else
+    g_string_append (told, error->message);
+  g_assert_cmpuint (drawing.paths != NULL ? drawing.paths->len : 0, ==, count);
+  g_assert_cmpstr (told->str, ==, expected);
+  g_string_free (told, TRUE);
+}
+
+#define BOX(name, x0, x1, y0, y1, z0, z1)                                                \
+  "o " name "\nv " x0 " " y0 " " z0 "\nv " x1 " " y0 " " z0 "\nv " x1 " " y1 " " z0      \
+  "\nv " x0 " " y1 " " z0 "\nv " x0 " " y0 " " z1 "\nv " x1 " " y0 " " z1 "\nv " x1      \
+  " " y1 " " z1 "\nv " x0 " " y1 " " z1                                                  \
+  "\nf -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8/1 -7/1/2 -3\nf -8 -3 -4\nf -5 -1 -2 -6\n"        \
+  "f -8 -4 -1 -5\nf -7 -6 -2 -3\n"
+
+/* Which view is taken, and which block spoils another one: fronts of several faces are one outline. */
+static void
+test_views (void)
+{
+  parse (BOX ("a", "0", "1", "0", "1", "0", "1") BOX ("b", "0", "1", "0", "1", "1", "2"),
+         "seen from the front, along y; blocks; ", 2);
+  parse (BOX ("a", "0", "1", "0", "1", "0", "1") BOX ("b", "0", "1", "1", "2", "0", "1"),
+         "seen from above, along z; blocks; block a lies behind another one along y; ",
+         2);
+  parse (
+    BOX ("a", "0", "1", "0", "1", "0",
+         "1") "o c\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv .2 .2 1\n"
+              "f 9 11 10\nf 9 10 12\nf 10 11 12\nf 11 9 12\n",
+    "test.obj:1: the blocks are no prisms of one direction: block c is no prism along y",
+    0);
+}
+
 static void
 test_bad_files (void)
 {
@@ -87,6 +152,8 @@ test_bad_files (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/compas-import/other-forms", test_other_forms);
+  g_test_add_func ("/compas-import/views", test_views);
   g_test_add_func ("/compas-import/both-forms", test_both_forms);
   g_test_add_func ("/compas-import/bad-files", test_bad_files);
 }
