@@ -10,44 +10,45 @@
  * finding. Two evenly spaced pairs have 3/4 of the stiffness, two Gauss points 1.15 times the moment. */
 static const double least_bending = 0.8, most_bending = 1.25, most_crushing = 1.1;
 
-/* An exception, its blocks in the order in which faces name them. */
-typedef struct {
-  QnId a, b;
-  size_t index; /* into QnModel.overrides */
-  bool used;
-} Exception;
-
-/* Of two exceptions for the same blocks the later one comes last, and counts. */
-static int
-compare_exceptions (const void *left, const void *right)
+/* The first face between two blocks, or where it would be. */
+static size_t
+first_face (const QnContacts *contacts, QnId a, QnId b)
 {
-  const Exception *l = left, *r = right;
-  if (l->a != r->a)
-    return l->a < r->a ? -1 : 1;
-  if (l->b != r->b)
-    return l->b < r->b ? -1 : 1;
-  return (l->index > r->index) - (l->index < r->index);
+  size_t low = 0, high = contacts->face_count;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    const QnContactFace *face = &contacts->faces[middle];
+    if (face->a < a || (face->a == a && face->b < b))
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
 }
 
-/* The exception that counts for this face, marked as used, or NULL. `*next` walks along the
- * sorted exceptions as the sorted faces pass by. */
-static const QnFaceOverride *
-exception_of (const QnModel *model, Exception *exceptions, size_t *next,
-              const QnContactFace *face)
+/* Fills the exception of each face, NULL where there is none; of two for the same blocks the later one
+ * counts. Those without a face are findings. False when memory runs out. */
+static bool
+find_exceptions (const QnModel *model, QnContacts *contacts, const QnFaceOverride **own)
 {
-  size_t count = model->override_count;
-  while (*next < count
-         && (exceptions[*next].a < face->a
-             || (exceptions[*next].a == face->a && exceptions[*next].b < face->b)))
-    (*next)++;
-
-  const QnFaceOverride *found = NULL;
-  for (size_t i = *next;
-       i < count && exceptions[i].a == face->a && exceptions[i].b == face->b; i++) {
-    exceptions[i].used = true;
-    found = &model->overrides[exceptions[i].index];
+  for (size_t i = 0; i < model->override_count; i++) {
+    const QnFaceOverride *override = &model->overrides[i];
+    QnId a = override->block_a, b = override->block_b;
+    if (a > b)
+      a = override->block_b, b = override->block_a;
+    size_t first = first_face (contacts, a, b), face = first;
+    for (; face < contacts->face_count && contacts->faces[face].a == a
+           && contacts->faces[face].b == b;
+         face++)
+      own[face] = override;
+    QnVec2 at = qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
+    if (face == first
+        && !qn_findings_add (&contacts->findings, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED,
+                                                               a, b, at, 0, QN_NONE }))
+      return false;
   }
-  return found;
+  return true;
 }
 
 static QnId
@@ -252,49 +253,26 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
-  size_t exception_count = model->override_count, next = 0;
-  Exception *exceptions = qn_alloc (exception_count, sizeof *exceptions);
+  const QnFaceOverride **own = qn_alloc (contacts->face_count, sizeof *own);
   bool *used_bars = qn_alloc (model->bar_count, sizeof *used_bars);
-  QnStatus status = QN_OK;
   QnFinding judged[2] = {
     { .problem = QN_PROBLEM_PAIRS_BENDING, .block_a = QN_NONE, .block_b = QN_NONE },
     { .problem = QN_PROBLEM_PAIRS_CRUSHING, .block_a = QN_NONE, .block_b = QN_NONE },
   };
+  bool room = own != NULL && used_bars != NULL && find_exceptions (model, contacts, own);
+  QnStatus status = room ? QN_OK : qn_diag_no_memory (diag);
 
   contacts->pair_count = 0;
-  if (exceptions == NULL || used_bars == NULL)
-    status = qn_diag_no_memory (diag);
-
-  for (size_t i = 0; status == QN_OK && i < exception_count; i++) {
-    const QnFaceOverride *override = &model->overrides[i];
-    bool ordered = override->block_a < override->block_b;
-    exceptions[i] =
-      (Exception){ ordered ? override->block_a : override->block_b,
-                   ordered ? override->block_b : override->block_a, i, false };
-  }
-  if (status == QN_OK && exception_count > 1)
-    qsort (exceptions, exception_count, sizeof *exceptions, compare_exceptions);
   for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
-    status = furnish_face (model, contacts, i,
-                           exception_of (model, exceptions, &next, &contacts->faces[i]),
-                           used_bars, judged, diag);
-
+    status = furnish_face (model, contacts, i, own[i], used_bars, judged, diag);
   for (size_t i = 0; status == QN_OK && i < model->bar_count; i++)
     if (!used_bars[i])
       status =
         qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i, NULL, 0);
-  for (size_t i = 0; status == QN_OK && i < exception_count; i++) {
-    QnId a = exceptions[i].a, b = exceptions[i].b;
-    QnVec2 at = qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
-    if (!exceptions[i].used
-        && !qn_findings_add (&contacts->findings, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED,
-                                                               a, b, at, 0, QN_NONE }))
-      status = qn_diag_no_memory (diag);
-  }
   for (size_t i = 0; status == QN_OK && i < QN_N_ELEMENTS (judged); i++)
     if (judged[i].block_a != QN_NONE && !qn_findings_add (&contacts->findings, judged[i]))
       status = qn_diag_no_memory (diag);
-  free (exceptions);
+  free (own);
   free (used_bars);
   return status;
 }

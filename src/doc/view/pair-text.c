@@ -25,18 +25,6 @@ parse_list (const char *text, double *values, GError **error)
   return count;
 }
 
-static gboolean
-check_positions (const double *positions, int count, GError **error)
-{
-  for (int i = 0; i < count; i++) {
-    if (!(positions[i] >= 0.0 && positions[i] <= 1.0)
-        || (i > 0 && !(positions[i] > positions[i - 1])))
-      return qn_edit_refuse (error,
-                             _ ("Positions of contact pairs must increase from 0 to 1"));
-  }
-  return TRUE;
-}
-
 gboolean
 qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights,
                     GError **error)
@@ -44,7 +32,7 @@ qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights
   QnPairRule draft = *rule;
   draft.placement = QN_PLACEMENT_EXPLICIT;
   draft.count = parse_list (positions, draft.positions, error);
-  if (draft.count < 0 || !check_positions (draft.positions, draft.count, error))
+  if (draft.count < 0)
     return FALSE;
   if (draft.count == 0) {
     draft.count = 2;
@@ -61,8 +49,6 @@ qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights
   for (int i = 0; i < draft.count; i++) {
     if (given == 0)
       draft.weights[i] = 1.0;
-    if (!(draft.weights[i] > 0.0))
-      return qn_edit_refuse (error, _ ("Weights of contact pairs must be positive"));
     sum += draft.weights[i];
   }
   for (int i = 0; i < draft.count; i++)

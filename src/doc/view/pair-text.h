@@ -8,7 +8,8 @@
 
 /* Makes the rule one of given places, parts of the face's length from 0 to 1 in ascending order;
  * weights empty: all equal, otherwise one for each, scaled to the sum 1. Without any place one
- * at each end is meant. On failure nothing changes (domain QN_EDIT_ERROR). */
+ * at each end is meant. Whether places increase and weights are positive is for the model's check.
+ * On failure nothing changes (domain QN_EDIT_ERROR). */
 gboolean qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights,
                              GError **error);
 

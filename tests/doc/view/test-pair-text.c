@@ -37,11 +37,7 @@ test_parse (void)
 static void
 test_refused (void)
 {
-  static const char *const cases[][2] = {
-    { "0.5; 0.1", "" },      { "-0.1; 0.5", "" }, { "0.5; 1.1", "" },
-    { "0.5; x", "" },        { "0.1; 0.9", "1" }, { "0.1; 0.9", "1; 0" },
-    { "0.1; 0.9", "1; -2" },
-  };
+  static const char *const cases[][2] = { { "0.5; x", "" }, { "0.1; 0.9", "1" } };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnPairRule rule = { .placement = QN_PLACEMENT_UNIFORM, .count = 7 };
     g_autoptr (GError) error = NULL;
@@ -57,6 +53,28 @@ test_refused (void)
   g_autoptr (GError) error = NULL;
   g_assert_false (qn_pair_rule_parse (&rule, many->str, "", &error));
   g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE);
+}
+
+/* Lists that can be read, but are no rule. */
+static void
+test_refused_by_model (void)
+{
+  static const char *const cases[][2] = {
+    { "0.5; 0.1", "" },     { "-0.1; 0.5", "" },     { "0.5; 1.1", "" },
+    { "0.1; 0.9", "1; 0" }, { "0.1; 0.9", "1; -2" }, { "0.1; 0.9", "1; -1" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnModel model;
+    QnDiag diag;
+    qn_model_init (&model);
+    g_assert_true (
+      qn_pair_rule_parse (&model.contact.pairs, cases[i][0], cases[i][1], NULL));
+    g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
+    g_assert_cmpint (diag.problem, ==,
+                     *cases[i][1] == '\0' ? QN_PROBLEM_PAIR_POSITION
+                                          : QN_PROBLEM_PAIR_WEIGHTS);
+    qn_model_clear (&model);
+  }
 }
 
 /* As the rule comes out on a face, in words. */
@@ -88,5 +106,6 @@ QN_TESTS
 {
   g_test_add_func ("/doc/pair-text/parse", test_parse);
   g_test_add_func ("/doc/pair-text/refused", test_refused);
+  g_test_add_func ("/doc/pair-text/refused-by-model", test_refused_by_model);
   g_test_add_func ("/doc/pair-text/text", test_text);
 }
