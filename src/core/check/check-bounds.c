@@ -180,14 +180,11 @@ tell_interval (QnCheck *check, double stated, double found)
   qn_check_tell_model (check, QN_CLAIM_INTERVAL, QN_NONE, stated, found);
 }
 
-/* Rigid blocks have no displacements, and paths beside limit analysis some. */
+/* Rigid blocks have no displacements. */
 static bool
-suits_limit (const QnLimitFigures *limit, const QnSolution *solution)
+suits_limit (const QnSolution *solution)
 {
-  bool rigid = solution->found_by == QN_PROCEDURE_LIMIT;
-
-  return rigid ? isnan (solution->displacement)
-               : limit->flow == QN_FLOW_NON_ASSOCIATIVE && solution->displacement >= 0;
+  return solution->found_by == QN_PROCEDURE_LIMIT && isnan (solution->displacement);
 }
 
 /* Least and greatest solution are those that the result tells, and nothing exceeds the associative
@@ -204,10 +201,10 @@ check_solutions (QnCheck *check)
     const QnSolution *solution = &result->solutions[i];
     least = fmin (least, solution->multiplier);
     greatest = fmax (greatest, solution->multiplier);
-    if (limit->given ? !suits_limit (limit, solution) : !is_met (check, solution))
+    if (limit->given ? !suits_limit (solution) : !is_met (check, solution))
       tell_interval (check, solution->multiplier, NAN);
   }
-  /* Only fixed points and the paths beside them are several. */
+  /* Only collapses of limit analysis are several. */
   if (result->solution_count > 1 && !fixed_points)
     tell_interval (check, result->solutions[1].multiplier, NAN);
   if (result->solution_count == 0) {

@@ -71,15 +71,6 @@ qn_ip_add_multiple (double *values, double factor, const double *step, int32_t c
 }
 
 double
-qn_ip_linear_term (const QnIpProblem *p, const double *y)
-{
-  double sum = 0.0;
-  for (int32_t c = 0; c < p->cell_count; c++)
-    sum += p->cells[c].linear[0] * y[2 * c] + p->cells[c].linear[1] * y[2 * c + 1];
-  return sum;
-}
-
-double
 qn_ip_quadratic_term (const QnIpProblem *p, const double *y)
 {
   double sum = 0.0;

@@ -23,7 +23,6 @@ void qn_ip_add_flows (const QnIpProblem *problem, const double *z, double scale,
 void qn_ip_add_multiple (double *values, double factor, const double *step,
                          int32_t count);
 
-double qn_ip_linear_term (const QnIpProblem *problem, const double *y);    /* q'y */
 double qn_ip_quadratic_term (const QnIpProblem *problem, const double *y); /* y'Qy */
 double qn_ip_limit_term (const QnIpProblem *problem, const double *z);     /* h'z */
 double qn_ip_dot (const double *a, const double *b, int32_t count);

@@ -65,8 +65,7 @@ residuals (QnInteriorPoint *ip)
   work->curvature = qn_ip_quadratic_term (p, ip->at.y);
   for (int32_t c = 0; c < p->cell_count; c++)
     for (int k = 0; k < 2; k++)
-      work->ry[2 * c + k] = -p->cells[c].quadratic[k] * ip->at.y[2 * c + k]
-                            - p->cells[c].linear[k] * ip->at.tau;
+      work->ry[2 * c + k] = -p->cells[c].quadratic[k] * ip->at.y[2 * c + k];
   qn_ip_add_rates (p, ip->at.v, -1.0, work->ry);
   qn_ip_add_bounds_transposed (p, ip->at.z, -1.0, work->ry);
   for (int32_t c = 0; c < p->cell_count; c++)
@@ -82,24 +81,19 @@ residuals (QnInteriorPoint *ip)
   if (p->load)
     load_power = qn_ip_dot (p->load, ip->at.v, p->row_count);
   work->r_lambda = p->load ? p->load_gain * ip->at.tau - load_power : 0.0;
-  primal = work->curvature / ip->at.tau + qn_ip_linear_term (p, ip->at.y)
-           - p->load_gain * ip->at.lambda;
+  primal = work->curvature / ip->at.tau - p->load_gain * ip->at.lambda;
   dual = qn_ip_dot (p->constant, ip->at.v, p->row_count) - qn_ip_limit_term (p, ip->at.z);
   work->r_tau = dual - primal - ip->at.kappa;
 }
 
-/* Size of the largest strength multiplier or linear term: what the dual residual of a problem
- * is compared with. */
+/* Size of the largest velocity: what the dual residual of a problem is compared with. */
 static double
 dual_scale (const QnInteriorPoint *ip)
 {
   const QnIpProblem *p = ip->work->problem;
-  double scale = p->load && p->load_gain != 0.0 ? 0.0 : 1.0;
+  double least = p->load && p->load_gain != 0.0 ? 0.0 : 1.0;
 
-  for (int32_t c = 0; c < p->cell_count; c++)
-    scale =
-      fmax (scale, fmax (fabs (p->cells[c].linear[0]), fabs (p->cells[c].linear[1])));
-  return fmax (scale, qn_ip_largest (ip->at.v, p->row_count) / ip->at.tau);
+  return fmax (least, qn_ip_largest (ip->at.v, p->row_count) / ip->at.tau);
 }
 
 /* ip->measures from the residuals. */
@@ -116,8 +110,7 @@ take_measures (QnInteriorPoint *ip)
   balance = qn_ip_largest (work->rv, p->row_count);
   slacks = qn_ip_largest (work->rz, p->bound_count);
   rates = qn_ip_largest (work->ry, 2 * p->cell_count);
-  primal = 0.5 * work->curvature / ip->at.tau + qn_ip_linear_term (p, ip->at.y)
-           - p->load_gain * ip->at.lambda;
+  primal = 0.5 * work->curvature / ip->at.tau - p->load_gain * ip->at.lambda;
   dual = -0.5 * work->curvature / ip->at.tau
          + qn_ip_dot (p->constant, ip->at.v, p->row_count)
          - qn_ip_limit_term (p, ip->at.z);
@@ -159,7 +152,7 @@ proves_unbounded (const QnInteriorPoint *ip)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
-  double proof = p->load_gain * ip->at.lambda - qn_ip_linear_term (p, ip->at.y);
+  double proof = p->load_gain * ip->at.lambda;
   double *balance = work->right.v, worst = 0.0;
 
   if (proof <= 0.0)
@@ -206,12 +199,10 @@ prepare (QnInteriorPoint *ip, bool *ok, QnDiag *diag)
     return status;
 
   for (int32_t c = 0; c < p->cell_count; c++)
-    for (int k = 0; k < 2; k++) {
-      double q = p->cells[c].linear[k],
-             qy = p->cells[c].quadratic[k] * ip->at.y[2 * c + k];
-      work->gy[2 * c + k] = 2.0 * qy / ip->at.tau + q;
-      work->right.y[2 * c + k] = -q;
-    }
+    for (int k = 0; k < 2; k++)
+      work->gy[2 * c + k] =
+        2.0 * p->cells[c].quadratic[k] * ip->at.y[2 * c + k] / ip->at.tau;
+  memset (work->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
   for (int32_t i = 0; i < p->bound_count; i++)
     work->products[i] = work->w[i] * p->bounds[i].limit;
   qn_ip_add_bounds_transposed (p, work->products, 1.0, work->right.y);
@@ -589,9 +580,7 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   if (!status)
     status = qn_ip_kkt_solve (&work->kkt, &work->right, &primal, diag);
 
-  for (int32_t c = 0; c < p->cell_count; c++)
-    for (int k = 0; k < 2; k++)
-      work->right.y[2 * c + k] = -p->cells[c].linear[k];
+  memset (work->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
   memset (work->right.v, 0, (size_t) p->row_count * sizeof (double));
   work->right.lambda = p->load_gain;
   if (!status)

@@ -2,7 +2,7 @@
  *
  * Solves, with the structure of such problems built in, the convex quadratic program
  *
- *     minimise    1/2 y'Qy + q'y - load_gain lambda
+ *     minimise    1/2 y'Qy - load_gain lambda
  *     such that   B y + lambda f + d = 0      equilibrium, one row per free degree of freedom
  *                 G y + s = h,  s >= 0        strength
  *
@@ -16,7 +16,7 @@
  * analysis once per structure, one factorisation per iteration.
  *
  * The dual variables are v (one per row; with load_gain = 1 a velocity field with f'v = 1)
- * and z >= 0 (one per strength row): Qy + q + B'v + G'z = 0 and f'v = load_gain.
+ * and z >= 0 (one per strength row): Qy + B'v + G'z = 0 and f'v = load_gain.
  *
  * Method: homogeneous embedding (Ye, Todd & Mizuno 1994 for linear, Goulart & Chen 2024 for
  * quadratic programs), Mehrotra's predictor and corrector, Gondzio's centrality correctors. It ends
@@ -24,7 +24,7 @@
  *
  *   no forces at all keep equilibrium: v, z >= 0 with B'v + G'z = 0, f'v = 0, d'v - h'z > 0
  *   the multiplier has no bound:       y, lambda with By + lambda f = 0, Gy <= 0, Qy = 0 and
- *                                      load_gain lambda - q'y > 0
+ *                                      load_gain lambda > 0
  *
  * Cells whose strength rows leave a direction free, redundant or empty equilibrium rows are
  * allowed. The caller scales: forces, lengths, f and d should be of the order of 1.
@@ -43,7 +43,6 @@ typedef struct QnIpCell {
   double map[QN_IP_GROUP_ROWS]
             [2];       /* its columns of B; entries for absent rows are unused */
   double quadratic[2]; /* diagonal of Q, >= 0 */
-  double linear[2];    /* q */
   int32_t first_bound; /* into QnIpProblem.bounds */
   int32_t bound_count; /* >= 0 */
   bool no_shear;       /* y_t is identically 0 */
@@ -97,7 +96,7 @@ typedef struct QnIpSettings {
 typedef struct QnIpMeasures {
   double
     primal_residual; /* largest |By + lambda f + d|, relative to 1 + largest |d|, |f| */
-  double dual_residual; /* largest |Qy + q + B'v + G'z|, relative to 1 + largest |v| */
+  double dual_residual; /* largest |Qy + B'v + G'z|, relative to 1 + largest |v| */
   double gap;           /* of the objectives, relative to 1 + their size */
 } QnIpMeasures;
 

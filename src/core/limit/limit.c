@@ -47,7 +47,6 @@ qn_limit_solution_clear (QnLimitSolution *solution)
 {
   free (solution->forces);
   free (solution->velocities);
-  free (solution->dead_forces);
   *solution = (QnLimitSolution){ 0 };
 }
 
@@ -348,13 +347,6 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
     status = qn_diag_no_memory (diag);
   else
     status = solve (&run, from_dead_load, diag);
-  if (!status && run.anchored) {
-    solution->dead_forces = qn_alloc (2 * limit->pair_count, sizeof (double));
-    if (solution->dead_forces)
-      qn_limit_problem_forces (limit, run.anchor, 1.0, solution->dead_forces);
-    else
-      status = qn_diag_no_memory (diag);
-  }
   free (run.y);
   free (run.rates);
   free (run.anchor);

@@ -50,9 +50,6 @@ typedef struct QnLimitSolution {
   double
     *velocities; /* block_count x 3; COLLAPSE: the mechanism, live load at unit power in
                          scaled terms; DEAD_LOAD_UNSTABLE: how the blocks give way */
-  double
-    *dead_forces; /* pair_count x 2: strictly admissible forces under the dead load alone;
-                   * NULL where not requested or not found */
   QnLimitCheck check;
   QnStatistics effort; /* iterations, factorisations and factor_seconds alone */
 } QnLimitSolution;

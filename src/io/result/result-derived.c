@@ -90,9 +90,6 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
   /* Limit analysis is repeated where it found no equilibrium. */
   gboolean is_rigid = model->analysis.procedure == QN_PROCEDURE_LIMIT
                       && model->analysis.flow == QN_FLOW_ASSOCIATIVE;
-  /* Beside fixed points, of which the result has no steps. */
-  gboolean has_paths =
-    result->limit.given && result->limit.flow == QN_FLOW_NON_ASSOCIATIVE;
   const struct {
     const char *member;
     gboolean stated;
@@ -109,9 +106,7 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "outcome", (result->step_count == 0 && !is_rigid) || no_answer },
     { "events[].displacement_after", has_events (result) && is_by_load (model, result) },
     { "events[].energy", has_events (result) && is_by_load (model, result) },
-    { "solutions[].found_by",
-      result->solution_count > 0 && (is_by_load (model, result) || has_paths) },
-    { "solutions[].displacement", has_paths },
+    { "solutions[].found_by", result->solution_count > 0 && is_by_load (model, result) },
     { "node_mechanism", result->node_count > 0 && result->mechanism != NULL
                           && (result->mechanism_uncertain
                               || model->analysis.geometry == QN_GEOMETRY_NONLINEAR) },
