@@ -30,11 +30,18 @@ class Face(typing.NamedTuple):
     ends: numpy.ndarray  #: (2, 2), m
 
 
+def _plain(value):
+    """Numbers and arrays of numpy as JSON takes them."""
+    if isinstance(value, (numpy.generic, numpy.ndarray)):
+        return value.tolist()
+    raise TypeError(f"{type(value).__name__} is no value of a project")
+
+
 def _value(value):
     """As after --set of the command line: JSON, or a plain string."""
     if isinstance(value, str):
         return value
-    return json.dumps(value)
+    return json.dumps(value, default=_plain)
 
 
 def _overrides(values):
@@ -134,6 +141,10 @@ class Model:
         pointer = ffi.gc(lib.quoin_model_to_text(self._handle), lib.quoin_free)
         return json.loads(_library.text(pointer))
 
+    def __reduce__(self):
+        pointer = ffi.gc(lib.quoin_model_to_text(self._handle), lib.quoin_free)
+        return _parse, (_library.text(pointer),)
+
     def to_polygons(self):
         """The blocks as polygons of shapely."""
         from shapely.geometry import Polygon
@@ -181,12 +192,16 @@ def open(path, values=None):  # pylint: disable=redefined-builtin
     return Model(_library.call(lib.quoin_model_open, os.fspath(path).encode(), given))
 
 
-def from_dict(project, name="model", values=None):
-    """A model of a project file as a dictionary."""
-    content = json.dumps(project).encode()
+def _parse(text, name="model", values=None):
+    content = text.encode()
     given, _kept = _overrides(values or {})
     return Model(_library.call(lib.quoin_model_parse, content, len(content), name.encode(),
                                given))
+
+
+def from_dict(project, name="model", values=None):
+    """A model of a project file as a dictionary."""
+    return _parse(json.dumps(project, default=_plain), name, values)
 
 
 def read_drawing(path, unit=0.0, thickness=1.0, unit_weight=20000.0, friction=0.65):
@@ -212,6 +227,9 @@ def wall(courses, unit=(0.4, 0.175), thickness=1.0, unit_weight=10000.0, frictio
     """A wall on a fixed base. courses: from the bottom, lengths in multiples of unit[0],
     negative: an opening. unit: length and height of a full block, m. live: horizontal and
     vertical load per weight."""
+    courses = [list(course) for course in courses]
+    if not courses or not all(courses):
+        raise ValueError("courses: a wall has one course or more, each of one block or more")
     length = max(sum(abs(part) for part in course) for course in courses) * unit[0]
     project = _project(title, friction, dilatancy, kn, live)
     project["blocks"] = [{
@@ -220,15 +238,34 @@ def wall(courses, unit=(0.4, 0.175), thickness=1.0, unit_weight=10000.0, frictio
         "support": [True, True, True]}]
     project["walls"] = [{
         "name": "w", "origin": [0, 0], "unit": list(unit), "thickness": thickness,
-        "unit_weight": unit_weight, "courses": [list(course) for course in courses]}]
+        "unit_weight": unit_weight, "courses": courses}]
     return from_dict(project, title)
+
+
+def _numbers(supports, count):
+    """The numbers of blocks that a list of numbers or a mask means."""
+    supports = list(supports)
+    if supports and all(isinstance(entry, (bool, numpy.bool_)) for entry in supports):
+        if len(supports) != count:
+            raise ValueError(f"supports: a mask of {len(supports)} for {count} blocks")
+        return {number for number, fixed in enumerate(supports) if fixed}
+    for entry in supports:
+        if isinstance(entry, (bool, numpy.bool_)) \
+                or not isinstance(entry, (int, numpy.integer)):
+            raise TypeError("supports: expected numbers of blocks, or whether each is fixed")
+        if not 0 <= entry < count:
+            raise IndexError(f"supports: there is no block {entry} of {count}")
+    return {int(entry) for entry in supports}
 
 
 def from_polygons(polygons, supports, thickness=1.0, unit_weight=20000.0, friction=0.65,
                   dilatancy=0.0, kn=1e7, live=(1, 0), title="Blocks"):
-    """A model of polygons: of shapely, or arrays (n, 2) in m. supports: numbers of those that
-    are fixed."""
-    fixed = set(supports)
+    """A model of polygons: of shapely, or arrays (n, 2) in m, closed or not. supports: numbers of
+    those that are fixed, or for each whether it is."""
+    polygons = list(polygons)
+    if not polygons:
+        raise ValueError("polygons: there is none")
+    fixed = _numbers(supports, len(polygons))
     project = _project(title, friction, dilatancy, kn, live)
     project["blocks"] = []
     for number, polygon in enumerate(polygons):
@@ -238,6 +275,10 @@ def from_polygons(polygons, supports, thickness=1.0, unit_weight=20000.0, fricti
             corners = numpy.asarray(polygon.exterior.coords)[:-1, :2]
         else:
             corners = numpy.asarray(polygon, dtype=float)
+            if corners.ndim != 2 or corners.shape[1] != 2:
+                raise ValueError(f"polygons[{number}]: expected corners (n, 2)")
+            if len(corners) > 3 and (corners[0] == corners[-1]).all():
+                corners = corners[:-1]
         block = {"name": f"b{number}", "vertices": corners.tolist(), "thickness": thickness,
                  "unit_weight": unit_weight}
         if number in fixed:

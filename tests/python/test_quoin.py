@@ -1,9 +1,11 @@
 """The Python package over libquoin; run with QUOIN_LIBRARY, QUOIN_HEADER and QUOIN_EXAMPLES set."""
 
+import copy
 import gc
 import json
 import os
 import pathlib
+import pickle
 import threading
 
 import numpy
@@ -211,3 +213,54 @@ def test_modes():
     modes = wall.set({"laws[0].dilatancy": 0.65}).modal(4)
     assert modes.omega.shape == (4,) and modes.shapes.shape == (4, 34, 3)
     assert (numpy.diff(modes.omega) >= 0).all() and modes.omega[0] > 0
+
+
+SQUARES = [[(-1, -1), (1, -1), (1, 0), (-1, 0)],
+           [(-.5, 0), (.5, 0), (.5, 1), (-.5, 1)],
+           [(-.5, 1), (.5, 1), (.5, 2), (-.5, 2)]]
+
+
+@pytest.mark.parametrize("supports", [[0], (0,), {0}, numpy.array([0]), [numpy.int64(0)],
+                                      [True, False, False], numpy.array([True, False, False])])
+def test_supports_are_numbers_or_a_mask(supports):
+    model = quoin.from_polygons(SQUARES, supports)
+    assert [block.fixed[0] for block in model.blocks] == [True, False, False]
+    assert model.solve().multiplier == pytest.approx(0.5, abs=1e-3)
+
+
+@pytest.mark.parametrize("supports, error", [
+    ([3], IndexError), ([-1], IndexError), ([True, False], ValueError), (["b0"], TypeError),
+    ([0.0], TypeError), ([True, 2, 0], TypeError)])
+def test_supports_that_mean_no_block(supports, error):
+    with pytest.raises(error, match="supports"):
+        quoin.from_polygons(SQUARES, supports)
+
+
+def test_numbers_of_numpy():
+    model = quoin.from_polygons(numpy.array(SQUARES[:2]), [0], thickness=numpy.float32(1))
+    for value in (numpy.float64(.25), numpy.float32(.25), numpy.array(.25), numpy.int64(1)):
+        laws = model.set({"laws[0].friction": value}).to_dict()["laws"]
+        assert laws[0]["friction"] == float(value)
+    live = model.set({"loads.live[0].direction": numpy.array([1, 0])})
+    assert live.to_dict()["loads"]["live"][0]["direction"] == [1, 0]
+    assert len(quoin.wall(numpy.ones((3, 4), dtype=int)).blocks) == 13
+    with pytest.raises(TypeError, match="no value of a project"):
+        model.set({"laws[0].friction": object()})
+
+
+def test_closed_rings_and_what_is_none():
+    closed = quoin.from_polygons([ring + ring[:1] for ring in SQUARES], [0])
+    assert [len(block.vertices) for block in closed.blocks] == [4, 4, 4]
+    with pytest.raises(ValueError, match="corners"):
+        quoin.from_polygons([[1, 2, 3]], [0])
+    with pytest.raises(ValueError, match="there is none"):
+        quoin.from_polygons([], [])
+    for courses in ([], [[]], [[1], []]):
+        with pytest.raises(ValueError, match="courses"):
+            quoin.wall(courses)
+
+
+def test_models_copy_and_pickle():
+    model = quoin.from_polygons(SQUARES, [0])
+    for other in (copy.copy(model), copy.deepcopy(model), pickle.loads(pickle.dumps(model))):
+        assert other.to_dict() == model.to_dict()
