@@ -1,7 +1,9 @@
 /* quoin-cli render, compare and curve: the files they make, and what they refuse. */
 #include "cli-run.h"
 #include "support/room.h"
+#include "support/table.h"
 
+#include <math.h>
 #include <string.h>
 
 /* An arch and its result in a folder of their own. */
@@ -214,6 +216,20 @@ test_curve_runs (Solved *solved, gconstpointer data)
 
   g_autofree char *shaken = cli_example ("40-rocking-in-time.quoin");
   cli_fails (3, "no axes in common", "curve", first, shaken, "-o", csv, NULL);
+  /* A settlement has the reaction of its support: at 40 mm the least thrust of the arch. A path in stages has the
+   * multiplier of the set that its last stage drives, 0 until then. */
+  g_autofree char *spread = cli_example ("18-spreading-arch.quoin");
+  g_autofree char *stages = cli_example ("16-load-stages.quoin");
+  cli_fails (3, "no axes in common", "curve", first, spread, "-o", csv, NULL);
+  cli_fails (3, "no axes in common", "curve", first, stages, "-o", csv, NULL);
+  cli_do ("curve", spread, "-o", csv, NULL);
+  g_autofree char *reactions = cli_read (csv);
+  g_autoptr (GPtrArray) rows = test_table_read (reactions);
+  g_assert_cmpfloat_with_epsilon (
+    fabs (test_table_number (rows, rows->len - 1, "reaction [N or N m]")), 47880.156,
+    1e-2);
+  g_assert_cmpfloat_with_epsilon (
+    test_table_number (rows, rows->len - 1, "settlement [m or rad]"), 0.04, 1e-9);
   cli_fails (2, "a reference is a number", "curve", first, "--reference", "much", "-o",
              svg, NULL);
   cli_fails (5, NULL, "curve", first, "-o", "/no/such/folder/c.csv", NULL);

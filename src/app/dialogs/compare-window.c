@@ -95,7 +95,7 @@ put (Compare *compare, int column, int row, const char *text)
 static gboolean
 take_curve (QnCurve *curve, const QnRun *run)
 {
-  return qn_curve_from_result (curve, &run->result,
+  return qn_curve_from_result (curve, &run->model, &run->result,
                                qn_result_curve_motion (&run->model, &run->result));
 }
 
@@ -151,9 +151,8 @@ fill_table (Compare *compare)
   }
 }
 
-/* Load-displacement curves, or displacements in time: they have no axes in common. */
 static guint
-take_curves (Compare *compare, gboolean in_time, QnCurve *curves, GPtrArray *titles)
+take_curves (Compare *compare, QnCurve *curves, GPtrArray *titles)
 {
   guint count = 0;
   for (guint i = 0; i < compare->shown->len; i++) {
@@ -161,10 +160,6 @@ take_curves (Compare *compare, gboolean in_time, QnCurve *curves, GPtrArray *tit
     QnCurve *curve = &curves[count];
     if (!qn_run_has_curve (run) || !take_curve (curve, run))
       continue;
-    if (curve->in_time != in_time) {
-      qn_curve_clear (curve);
-      continue;
-    }
     qn_curve_cut_runaway (curve);
     g_ptr_array_add (titles, dup_title (compare, run));
     curve->label = titles->pdata[titles->len - 1];
@@ -173,32 +168,37 @@ take_curves (Compare *compare, gboolean in_time, QnCurve *curves, GPtrArray *tit
   return count;
 }
 
+/* Curves that share axes lie in one plot, the plots below each other. */
 static void
 draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   Compare *compare = data;
   g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
-  QnCurve *curves[2] = { g_new0 (QnCurve, compare->shown->len + 1),
-                         g_new0 (QnCurve, compare->shown->len + 1) };
-  guint counts[2] = { take_curves (compare, FALSE, curves[0], titles),
-                      take_curves (compare, TRUE, curves[1], titles) };
+  g_autofree QnCurve *curves = g_new0 (QnCurve, compare->shown->len + 1);
+  g_autofree QnCurve *alike = g_new0 (QnCurve, compare->shown->len + 1);
+  g_autofree guint *group = g_new0 (guint, compare->shown->len + 1); /* from 1 */
+  guint count = take_curves (compare, curves, titles), groups = 0;
+  for (guint i = 0; i < count; i++) {
+    for (guint k = 0; k < i && group[i] == 0; k++)
+      group[i] = qn_curve_shares_axes (&curves[k], &curves[i]) ? group[k] : 0;
+    if (group[i] == 0)
+      group[i] = ++groups;
+  }
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
-  double part = counts[0] > 0 && counts[1] > 0 ? 0.5 * height : height, top = 0.0;
-  for (int kind = 0; kind < 2; kind++) {
-    const QnCurvePlot plot = { .curves = curves[kind], .curve_count = counts[kind] };
+  for (guint g = 1; g <= groups; g++) {
+    QnCurvePlot plot = { .curves = alike };
     const QnPage page = { width, height, qn_text_unit (GTK_WIDGET (area)),
                           true,  false,  NULL };
-    if (counts[kind] == 0)
-      continue;
-    qn_curve_plot_draw (&plot, cr, &page, 6.0, top + 6.0, width - 12.0, part - 12.0);
-    top += part;
+    double part = (double) height / groups;
+    for (guint i = 0; i < count; i++)
+      if (group[i] == g)
+        alike[plot.curve_count++] = curves[i];
+    qn_curve_plot_draw (&plot, cr, &page, 6.0, (g - 1) * part + 6.0, width - 12.0,
+                        part - 12.0);
   }
-  for (int kind = 0; kind < 2; kind++) {
-    for (guint i = 0; i < counts[kind]; i++)
-      qn_curve_clear (&curves[kind][i]);
-    g_free (curves[kind]);
-  }
+  for (guint i = 0; i < count; i++)
+    qn_curve_clear (&curves[i]);
 }
 
 /* ---- cells ---- */

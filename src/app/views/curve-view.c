@@ -101,6 +101,12 @@ is_in_time (QnCurveView *self)
   return self->series_count > 0 && self->series[0].curve.in_time;
 }
 
+static gboolean
+settles (QnCurveView *self)
+{
+  return self->series_count > 0 && self->series[0].curve.settles;
+}
+
 /* Up to the peak and a little more; a motion that runs away leaves the picture. */
 static void
 fit (QnCurveView *self)
@@ -151,8 +157,13 @@ take_run (QnCurveView *self, QnRun *run, QnCurveMotion motion)
 {
   Series *series = &self->series[self->series_count];
   if (!qn_run_has_curve (run) || run->result.step_count == 0
-      || !qn_curve_from_result (&series->curve, &run->result, motion))
+      || !qn_curve_from_result (&series->curve, &run->model, &run->result, motion))
     return;
+  if (self->series_count > 0
+      && !qn_curve_shares_axes (&self->series[0].curve, &series->curve)) {
+    qn_curve_clear (&series->curve);
+    return;
+  }
   series->run = qn_run_ref (run);
   self->series_count++;
 }
@@ -173,9 +184,7 @@ take_runs (QnCurveView *self, QnDocument *document)
   for (guint i = runs->len;
        i-- > 0 && self->series_count > 0 && self->series_count < MOST_CURVES;) {
     QnRun *other = g_ptr_array_index (runs, i);
-    if (other != run
-        && (other->result.history.width > 0) == (run->result.history.width > 0)
-        && other->model.block_count == run->model.block_count
+    if (other != run && other->model.block_count == run->model.block_count
         && other->model.node_count == run->model.node_count)
       take_run (self, other, motion);
   }
@@ -335,7 +344,9 @@ abscissa (QnCurveView *self)
 static QnQuantity
 ordinate (QnCurveView *self)
 {
-  return is_in_time (self) ? displacement (self) : QN_QUANTITY_NUMBER;
+  return is_in_time (self) ? displacement (self)
+         : settles (self)  ? QN_QUANTITY_FORCE
+                           : QN_QUANTITY_NUMBER;
 }
 
 static void
@@ -423,8 +434,17 @@ draw_y_label (QnCurveView *self, cairo_t *cr)
     is_in_time (self)
       ? dup_displacement_label (self, gtk_widget_get_height (GTK_WIDGET (self)))
       : NULL;
-  draw_text (self, cr, text != NULL ? text : _ ("Load multiplier"), 2.0,
-             plot_top (self) + 0.5 * plot_height (self), 0.5, TRUE);
+  g_autofree char *force =
+    settles (self) ? g_strdup_printf (
+      _ ("Reaction (%s)"), qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_FORCE))
+                   : NULL;
+  const char *set = self->series_count > 0 ? self->series[0].curve.set : NULL;
+  draw_text (self, cr,
+             text != NULL    ? text
+             : force != NULL ? force
+             : set != NULL   ? set
+                             : _ ("Load multiplier"),
+             2.0, plot_top (self) + 0.5 * plot_height (self), 0.5, TRUE);
 }
 
 /* On dark ground nearer to white: colours of the paper have little contrast there. */

@@ -29,7 +29,7 @@ take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
     qn_cli_error (_ ("%s: no step to show"), item->input.project.name);
     return QN_EXIT_INVALID;
   }
-  if (!qn_curve_from_result (curve, result, motion)) {
+  if (!qn_curve_from_result (curve, model, result, motion)) {
     qn_cli_error (_ ("not enough memory"));
     return QN_EXIT_INTERNAL;
   }
@@ -106,10 +106,10 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
     code = take_curve (&curves[i], &items[i], options);
 
   for (gsize i = 1; i < count && code == QN_EXIT_DONE; i++)
-    if (curves[i].in_time != curves[0].in_time) {
+    if (!qn_curve_shares_axes (&curves[i], &curves[0])) {
       qn_cli_error (
-        _ ("%s and %s: a path of loads and an analysis in time have no axes in "
-           "common"),
+        _ ("%s and %s: paths of different loads, settlements and analyses in time have "
+           "no axes in common"),
         arguments[0], arguments[i]);
       code = QN_EXIT_INVALID;
     }

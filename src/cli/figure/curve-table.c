@@ -30,6 +30,8 @@ qn_curve_table_write (const char *path, const QnCurve *curves, gsize count,
   qn_file_writer_puts (writer,
                        count > 0 && curves[0].in_time
                          ? "run,step,time [s],displacement [m or rad],mark\n"
+                       : count > 0 && curves[0].settles
+                         ? "run,step,settlement [m or rad],reaction [N or N m],mark\n"
                          : "run,step,displacement [m or rad],multiplier [-],mark\n");
   for (gsize c = 0; c < count; c++)
     for (gsize i = 0; i < curves[c].count; i++) {

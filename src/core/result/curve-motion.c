@@ -36,10 +36,52 @@ find_furthest (const QnModel *model, const QnResult *result, size_t first, size_
   }
 }
 
+const QnLoad *
+qn_result_settlement (const QnModel *model, const QnResult *result)
+{
+  const QnLoad *largest = NULL;
+  bool staged = result->stage > 0 && (size_t) result->stage <= model->stage_count;
+  uint32_t sets = staged ? model->stages[result->stage - 1].sets : 1;
+
+  if (result->history.width > 0 || result->limit.given || result->support_count == 0
+      || result->reactions == NULL || qn_model_sets_have_force (model, sets))
+    return NULL;
+  for (size_t i = 0; i < model->live_load_count; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    if (load->kind == QN_LOAD_SETTLEMENT && (sets >> load->set & 1) != 0
+        && (largest == NULL || fabs (load->value) > fabs (largest->value)))
+      largest = load;
+  }
+  return largest;
+}
+
+double
+qn_result_settlement_reaction (const QnModel *model, const QnResult *result,
+                               const QnLoad *settlement, size_t step)
+{
+  double sum = 0;
+
+  for (size_t i = 0; i < model->live_load_count; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    if (load->kind != QN_LOAD_SETTLEMENT || load->dof != settlement->dof
+        || load->set != settlement->set)
+      continue;
+    for (size_t k = 0; k < result->support_count; k++)
+      if (result->supports[k] == load->block)
+        sum += result->reactions[(step * result->support_count + k) * QN_DOF_COUNT
+                                 + (size_t) load->dof];
+  }
+  return sum;
+}
+
 QnCurveMotion
 qn_result_curve_motion (const QnModel *model, const QnResult *result)
 {
   const QnAnalysisSettings *settings = &model->analysis;
+  const QnLoad *settlement = qn_result_settlement (model, result);
+
+  if (settlement != NULL && result->step_count > 0)
+    return (QnCurveMotion){ settlement->block, settlement->dof, true };
   size_t body =
     qn_model_controlled_body (model, settings->control_block, settings->control_node);
   QnCurveMotion motion = { QN_NONE, settings->control_dof, body == SIZE_MAX };

@@ -755,7 +755,7 @@ take_curve (const QnReportRun *run, QnCurve *curve)
   QnCurveMotion motion = qn_result_curve_motion (model, result);
   if (motion.body == QN_NONE || result->step_count < 2 || result->limit.given)
     return false;
-  if (!qn_curve_from_result (curve, result, motion))
+  if (!qn_curve_from_result (curve, model, result, motion))
     return false;
   curve->label = run->name;
   qn_curve_cut_runaway (curve);
@@ -893,8 +893,9 @@ write_result (QnPages *pages, const QnReportRun *run, QnUnits units, GError **er
       && !write_figure (pages, run, QN_VIEW_DEFORMED, _ ("Displacements"), error))
     return false;
   if (take_curve (run, &curve)) {
-    const QnCurvePlot plot = { .title = curve.in_time ? _ ("Displacement in time")
-                                                      : _ ("Load–displacement curve"),
+    const QnCurvePlot plot = { .title = curve.in_time   ? _ ("Displacement in time")
+                                        : curve.settles ? _ ("Reaction over settlement")
+                                                        : _ ("Load–displacement curve"),
                                .curves = &curve,
                                .curve_count = 1 };
     qn_pages_curve (pages, &plot, 0.4);
@@ -939,19 +940,26 @@ write_certificate (QnPages *pages, const QnReport *report)
   }
 }
 
-/* Those over loads, or those in time: they have no axes in common. */
+/* Those that share axes in one plot, where there are several. */
 static void
-write_curves (QnPages *pages, const QnCurve *curves, size_t count, bool in_time)
+write_curves (QnPages *pages, const QnCurve *curves, size_t count)
 {
   g_autofree QnCurve *alike = g_new0 (QnCurve, count + 1);
-  QnCurvePlot plot = { .title = in_time ? _ ("Displacement in time")
-                                        : _ ("Load–displacement curves"),
-                       .curves = alike };
-  for (size_t i = 0; i < count; i++)
-    if (curves[i].in_time == in_time)
-      alike[plot.curve_count++] = curves[i];
-  if (plot.curve_count > 1)
-    qn_pages_curve (pages, &plot, 0.45);
+  for (size_t first = 0; first < count; first++) {
+    QnCurvePlot plot = { .title = curves[first].in_time ? _ ("Displacement in time")
+                                  : curves[first].settles
+                                    ? _ ("Reactions over settlement")
+                                    : _ ("Load–displacement curves"),
+                         .curves = alike };
+    bool told = false;
+    for (size_t i = 0; i < count; i++)
+      if (qn_curve_shares_axes (&curves[i], &curves[first])) {
+        told |= i < first;
+        alike[plot.curve_count++] = curves[i];
+      }
+    if (plot.curve_count > 1 && !told)
+      qn_pages_curve (pages, &plot, 0.45);
+  }
 }
 
 static bool
@@ -982,8 +990,7 @@ write_comparison (QnPages *pages, const QnReport *report, GError **error)
     count += take_curve (&report->runs[i], &curves[count]);
   }
   write_table (pages, cells, G_N_ELEMENTS (head));
-  write_curves (pages, curves, count, false);
-  write_curves (pages, curves, count, true);
+  write_curves (pages, curves, count);
   for (size_t i = 0; i < count; i++)
     qn_curve_clear (&curves[i]);
 

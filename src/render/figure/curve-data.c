@@ -32,7 +32,28 @@ find_collapse (const QnResult *result)
 }
 
 bool
-qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion motion)
+qn_curve_shares_axes (const QnCurve *a, const QnCurve *b)
+{
+  return a->in_time == b->in_time && a->settles == b->settles
+         && g_strcmp0 (a->set, b->set) == 0;
+}
+
+/* The load set that the last stage of a result drives; 0: live loads. */
+static int
+driven_set (const QnModel *model, const QnResult *result)
+{
+  bool staged = result->stage > 0 && (size_t) result->stage <= model->stage_count;
+  uint32_t sets = staged ? model->stages[result->stage - 1].sets : 1;
+  int set = 0;
+
+  while (set + 1 < QN_MAX_LOAD_SETS && (sets >> set & 1) == 0)
+    set++;
+  return set;
+}
+
+bool
+qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
+                      QnCurveMotion motion)
 {
   static const char *const components[QN_DOF_COUNT] = { "ux", "uy", "rz" };
   bool shown =
@@ -45,6 +66,11 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion moti
                       .component = components[motion.dof],
                       .rotation = motion.dof == QN_DOF_RZ,
                       .in_time = result->history.width > 0 };
+  const QnLoad *settlement = qn_result_settlement (model, result);
+  int set = driven_set (model, result);
+  curve->settles = settlement != NULL;
+  if (set > 0 && !curve->settles && (size_t) set <= model->load_set_count)
+    curve->set = g_strdup (model->load_sets[set - 1]);
   curve->x = g_try_new0 (double, MAX (count, 1));
   curve->y = g_try_new0 (double, MAX (count, 1));
   if (curve->x == NULL || curve->y == NULL) {
@@ -55,12 +81,18 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion moti
   for (size_t s = 0; s < count; s++) {
     double u = qn_curve_motion_at (result, motion, s);
     curve->x[s] = curve->in_time ? result->steps[s].time : u;
-    curve->y[s] = curve->in_time ? u : result->steps[s].multiplier;
+    double factors[QN_MAX_LOAD_SETS] = { 0 };
+    qn_result_load_factors (model, result, s, factors);
+    curve->y[s] = curve->in_time ? u
+                  : curve->settles
+                    ? qn_result_settlement_reaction (model, result, settlement, s)
+                  : result->stage > 0 ? factors[set]
+                                      : result->steps[s].multiplier;
   }
   if (count > 0) {
     QnCurveMotion total = { motion.body, motion.dof, false };
     curve->since_dead = motion.since_dead && qn_curve_motion_at (result, total, 0) != 0;
-    curve->limit_point = find_limit_point (result);
+    curve->limit_point = curve->settles ? -1 : find_limit_point (result);
     curve->collapse_point = find_collapse (result);
   }
   return true;
@@ -79,7 +111,7 @@ qn_curve_get_end (const QnCurve *curve, double *end)
 {
   double peak = 0, at_peak = 0, farthest = 0;
   size_t first = 0;
-  if (curve->in_time)
+  if (curve->in_time || curve->settles)
     return false;
   for (size_t i = 0; i < curve->count; i++)
     peak = fmax (peak, curve->y[i]);
@@ -147,5 +179,6 @@ qn_curve_clear (QnCurve *curve)
 {
   g_free (curve->x);
   g_free (curve->y);
+  g_free (curve->set);
   *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
 }

@@ -175,6 +175,12 @@ is_in_time (const QnCurvePlot *data)
   return data->curve_count > 0 && data->curves[0].in_time;
 }
 
+static bool
+settles (const QnCurvePlot *data)
+{
+  return data->curve_count > 0 && data->curves[0].settles;
+}
+
 /* What the curves show: displacements, rotations, or some of each. */
 typedef enum Shown { SHOWN_DISPLACEMENTS, SHOWN_ROTATIONS, SHOWN_BOTH } Shown;
 
@@ -215,6 +221,10 @@ static const char *
 y_unit (const QnCurvePlot *data, double largest, double *factor)
 {
   *factor = 1;
+  if (data->y_label == NULL && settles (data)) {
+    *factor = 1e-3;
+    return "kN";
+  }
   return data->y_label == NULL && is_in_time (data) ? motion_unit (data, largest, factor)
                                                     : NULL;
 }
@@ -233,6 +243,8 @@ dup_motion_name (const QnCurvePlot *data)
   Shown shown = find_shown (data);
   if (shown == SHOWN_BOTH)
     return g_strdup (_ ("Displacement or rotation"));
+  if (settles (data) && component != NULL)
+    return g_strdup_printf (_ ("Settlement %s"), component);
   if (component == NULL)
     return g_strdup (since_dead ? _ ("Displacement since the dead load")
                                 : _ ("Displacement"));
@@ -254,10 +266,13 @@ draw_names (const Plot *plot, const char *unit, const char *unit_y, double x,
                                                  : motion;
   g_autofree char *label =
     *unit != '\0' ? g_strdup_printf ("%s (%s)", name, unit) : g_strdup (name);
+  const char *set = plot->data->curve_count > 0 ? plot->data->curves[0].set : NULL;
   g_autofree char *label_y =
-    unit_y == NULL ? g_strdup (plot->data->y_label != NULL ? plot->data->y_label
-                                                           : _ ("Load multiplier λ"))
-                   : g_strdup_printf ("%s (%s)", motion, unit_y);
+    unit_y != NULL ? g_strdup_printf (
+      "%s (%s)", settles (plot->data) ? _ ("Reaction") : motion, unit_y)
+    : plot->data->y_label != NULL ? g_strdup (plot->data->y_label)
+    : set != NULL ? g_strdup_printf (_ ("Load multiplier λ of “%s”"), set)
+                  : g_strdup (_ ("Load multiplier λ"));
   qn_axes_draw_names (&plot->x, &plot->y, plot->cr, plot->unit, label, label_y, x, bottom,
                       plot->data->monochrome);
 }

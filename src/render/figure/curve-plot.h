@@ -13,6 +13,8 @@ typedef struct QnCurve {
   double *x;         /* displacement in SI (m or rad), `count` values; owned */
   double *y;         /* multiplier; owned */
   bool in_time;      /* of an analysis in time: x is the time, s, y the displacement */
+  bool settles;      /* x is a settlement, y what the supports that settle take, N */
+  char *set;         /* whose multiplier y is; NULL: that of the live loads. Owned */
   bool
     since_dead; /* displacements leave out what the dead load has moved, which is not 0 */
   const char
@@ -47,9 +49,14 @@ typedef struct QnCurvePlot {
   bool monochrome;
 } QnCurvePlot;
 
-/* The curve of a displacement over the steps of a result, empty where there is none. Of an analysis
- * in time its history. False when memory runs out. */
-bool qn_curve_from_result (QnCurve *curve, const QnResult *result, QnCurveMotion motion);
+/* The curve of a displacement over the steps of a result, empty where there is none: the multiplier of the loads
+ * that its last stage drives, at all steps. Of an analysis in time its history, of a settlement the
+ * reaction. False when memory runs out. */
+bool qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
+                           QnCurveMotion motion);
+
+/* Whether two curves may be drawn over the same axes. */
+bool qn_curve_shares_axes (const QnCurve *a, const QnCurve *b);
 
 /* Where a curve has nothing more to tell: from near its peak on the multiplier stays as it is to
  * the end, while the displacement grows to many times what it was. Gives a displacement a little

@@ -178,7 +178,7 @@ player_init (Player *player, const QnAnimation *animation, const QnPage *page,
                            _ ("the result has no steps"));
       return false;
     }
-    qn_curve_from_result (&player->curve, result,
+    qn_curve_from_result (&player->curve, animation->figure.model, result,
                           qn_result_curve_motion (animation->figure.model, result));
     player->steps = choose_steps (&player->curve, animation->frames);
     qn_curve_cut_runaway (&player->curve);
