@@ -116,7 +116,9 @@ qn_document_analyse_live (QnDocument *self, GError **error)
   if (self->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
     return qn_edit_refuse (error,
                            _ ("An analysis in time does not follow every edit: run it"));
-  return start (self, make_job (self, &self->project.model, NULL, error));
+  QnModel model = self->project.model;
+  model.analysis.flow = QN_FLOW_NON_ASSOCIATIVE; /* its bound comes with it */
+  return start (self, make_job (self, &model, NULL, error));
 }
 
 gboolean

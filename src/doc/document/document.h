@@ -142,7 +142,7 @@ gboolean qn_document_find_modes (QnDocument *document, guint count, gboolean loa
 gboolean qn_document_find_stability (QnDocument *document, GError **error);
 
 /* The same as qn_document_analyse() after an edit, without being asked: its run replaces the
- * previous one of this kind. */
+ * previous one of this kind. Limit analysis is that with the joints' own dilatancy. */
 gboolean qn_document_analyse_live (QnDocument *document, GError **error);
 /* Whether the last analysis to end was such a one. */
 gboolean qn_document_was_live (QnDocument *document);

@@ -108,6 +108,32 @@ test_other_procedure (Place *place, gconstpointer data)
   g_assert_false (qn_document_is_stale (document, read));
 }
 
+static gboolean
+choose_limit (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  (void) error;
+  model->analysis.procedure = QN_PROCEDURE_LIMIT;
+  return TRUE;
+}
+
+/* Limit analysis after an edit is that with the joints' own dilatancy, not the associative bound. */
+static void
+test_live_limit (Place *place, gconstpointer data)
+{
+  (void) place;
+  (void) data;
+  g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
+  g_autoptr (GError) error = NULL;
+  qn_document_edit (document, "Limit", NULL, choose_limit, NULL, &error);
+  g_assert_no_error (error);
+  g_assert_true (qn_document_analyse_live (document, &error));
+  wait_for_job (document);
+  const QnResult *result = &qn_document_get_run (document)->result;
+  g_assert_cmpfloat_with_epsilon (result->collapse_multiplier, 0.3558, 1e-3);
+  g_assert_cmpfloat_with_epsilon (result->associative_bound, 0.4037, 1e-3);
+}
+
 /* Of a saved state that was changed afterwards: shown, and told to be outdated. */
 static void
 test_outdated (Place *place, gconstpointer data)
@@ -172,6 +198,7 @@ QN_TESTS
     const char *name;
     void (*test) (Place *place, gconstpointer data);
   } tests[] = { { "/doc/run-file/round-trip", test_round_trip },
+                { "/doc/run-file/live-limit", test_live_limit },
                 { "/doc/run-file/other-procedure", test_other_procedure },
                 { "/doc/run-file/outdated", test_outdated },
                 { "/doc/run-file/refuses", test_refuses } };
