@@ -48,6 +48,8 @@ dup_number (const QnRun *run)
   const QnResult *result = &run->result;
   if (run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier)
     return g_strdup_printf ("%.4f", result->collapse_multiplier);
+  if (result->has_unproved_multiplier)
+    return g_strdup_printf (_ ("%.4f, not proved"), result->unproved_multiplier);
   double peak = qn_result_peak (result, NULL);
   if (peak > 0 && result->outcome != QN_OUTCOME_COLLAPSE)
     return qn_units_format_full (qn_units_of_motion (qn_settings_get_units ()),

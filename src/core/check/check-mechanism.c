@@ -213,11 +213,13 @@ check_fall (QnCheck *check, const double *held, const double *driven, QnDiag *di
   const QnTarget target = qn_target_multiplier (QN_PUSH);
   QnSolveStatus solve = QN_SOLVE_NO_MEMORY;
   QnEquilibrium eq;
-  QnStatus status =
-    qn_equilibrium_setup (&eq, check->model, check->assembly.contacts, NULL, NULL, diag);
+  QnStatus status = qn_equilibrium_setup (&eq, check->model, check->assembly.contacts,
+                                          check->report, check->report_data, diag);
 
   if (status != QN_OK)
     return status;
+  eq.statistics =
+    check->result->statistics; /* its work counts with that of the analysis */
   double far = FALL * eq.assembly.length;
   bool joints = qn_central_path_has_joints (&eq.assembly);
   QnCentralPath *central = joints ? qn_central_path_new (&eq) : NULL;

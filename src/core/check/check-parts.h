@@ -33,6 +33,8 @@
 #define QN_CHECK_STATE 1e-4
 
 typedef struct QnCheck {
+  QnProgressFunc report; /* nullable */
+  void *report_data;
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;

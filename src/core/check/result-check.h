@@ -2,7 +2,8 @@
  *
  * A result says more than its multiplier: displacements, forces and states of joints at every step,
  * events, reactions, an outcome, a mechanism, bounds. Each is recomputed from the model and from the
- * displacements, by the laws alone and without solving anything, and compared:
+ * displacements, by the laws alone, and compared. Nothing is solved, but for the fall of a mechanism that its
+ * second-order work proves, which is followed:
  *
  *   numbers        all are finite
  *   steps          the first is the dead load; stages, events and times come in order
@@ -36,44 +37,8 @@
 #ifndef QN_CORE_RESULT_CHECK_H
 #define QN_CORE_RESULT_CHECK_H
 
+#include "core/base/progress.h"
 #include "core/result/result.h"
-
-typedef enum {
-  QN_CLAIM_NUMBERS,
-  QN_CLAIM_STEPS,
-  QN_CLAIM_DISPLACEMENTS,
-  QN_CLAIM_FORCES,
-  QN_CLAIM_BEAM_FORCES,
-  QN_CLAIM_STRENGTH,
-  QN_CLAIM_STATES,
-  QN_CLAIM_BALANCE,
-  QN_CLAIM_REACTIONS,
-  QN_CLAIM_EVENTS,
-  QN_CLAIM_OUTCOME,
-  QN_CLAIM_COLLAPSE,
-  QN_CLAIM_FIRST_LIMIT,
-  QN_CLAIM_OVERLAP, /* of the mechanism, as the next three */
-  QN_CLAIM_FLOW,
-  QN_CLAIM_WORK,
-  QN_CLAIM_FALL,
-  QN_CLAIM_STABILITY,
-  QN_CLAIM_MODE,
-  QN_CLAIM_LOWER_BOUND,
-  QN_CLAIM_UPPER_BOUND,
-  QN_CLAIM_INTERVAL, /* of the solutions */
-  QN_CLAIM_LINEARITY,
-  QN_CLAIM_HISTORY,
-  QN_CLAIM_COUNT
-} QnClaim;
-
-/* A claim that is not true, at the place where that shows first. */
-typedef struct QnFault {
-  QnClaim claim;
-  QnId step;            /* or QN_NONE */
-  QnEntity entity;      /* what `index` counts: QN_ENTITY_BLOCK, … */
-  QnId index;           /* or QN_NONE */
-  double stated, found; /* in the unit of the claim; NAN where it has no number */
-} QnFault;
 
 typedef struct QnResultFaults {
   QnFault items[QN_CLAIM_COUNT]; /* at most one of every claim */
@@ -86,14 +51,27 @@ typedef struct QnResultFaults {
 
 /* How far a check goes. */
 typedef enum {
-  QN_CHECK_STATED, /* what follows from the result and the model without solving anything */
+  QN_CHECK_STATED,    /* what follows from the result and the model */
   QN_CHECK_RECOMPUTED /* also the bounds that a linear program gives, by solving it again */
 } QnCheckDepth;
 
 /* Compares everything that a result of `model` says. The model is prepared, its contacts are those
- * of the analysis. Fails when memory runs out alone. */
-QnStatus qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
-                                const QnResult *result, QnCheckDepth depth,
-                                QnResultFaults *faults, QnDiag *diag);
+ * of the analysis. `report` (nullable) is asked whether to go on where the fall of a mechanism that is
+ * proved by its second-order work is followed: a motion that is not followed proves nothing. Fails when
+ * memory runs out alone. */
+QnStatus qn_result_find_faults_and_report (const QnModel *model,
+                                           const QnContacts *contacts,
+                                           const QnResult *result, QnCheckDepth depth,
+                                           QnProgressFunc report, void *report_data,
+                                           QnResultFaults *faults, QnDiag *diag);
+
+static inline QnStatus
+qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
+                       const QnResult *result, QnCheckDepth depth, QnResultFaults *faults,
+                       QnDiag *diag)
+{
+  return qn_result_find_faults_and_report (model, contacts, result, depth, NULL, NULL,
+                                           faults, diag);
+}
 
 #endif

@@ -251,7 +251,7 @@ qn_central_pairs_come_back (QnCentralPairs *pairs)
     pairs->packs[k].now = pairs->near[k];
 }
 
-static void
+static bool
 take_flow_of_pair (QnCentralPairs *pairs, size_t p)
 {
   QnAssembly *as = pairs->assembly;
@@ -267,23 +267,26 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
     y[k] = e->now.y[k][i];
     q[k] = pairs->length * (e->plastic[k][i] + flow[k] + e->flexibility[k][i] * y[k]);
   }
-  qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
+  bool ok = qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
   for (int k = 0; k < 2; k++)
     response->force[k] = pairs->force * y[k];
   if (e->has_shear[i])
     response->memory.a.slip =
       as->elongations[2 * p + 1] - pairs->length * e->flexibility[1][i] * y[1];
+  return ok;
 }
 
-void
+bool
 qn_central_pairs_take_flow (QnCentralPairs *pairs)
 {
   QnAssembly *as = pairs->assembly;
+  bool ok = true;
 
   for (size_t p = 0; p < as->pair_count; p++)
     if (takes_part (as, p))
-      take_flow_of_pair (pairs, p);
+      ok &= take_flow_of_pair (pairs, p);
     else if (!as->inactive[p])
-      qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
-                        &as->responses[p]);
+      ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                              &as->responses[p]);
+  return ok;
 }

@@ -57,7 +57,7 @@ void qn_central_pairs_keep (QnCentralPairs *pairs);
 void qn_central_pairs_come_back (QnCentralPairs *pairs);
 
 /* The responses of the laws become the forces as they are, with the plastic elongations that
- * belong to them. */
-void qn_central_pairs_take_flow (QnCentralPairs *pairs);
+ * belong to them. False where a law has no answer there. */
+bool qn_central_pairs_take_flow (QnCentralPairs *pairs);
 
 #endif

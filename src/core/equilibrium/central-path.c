@@ -421,15 +421,17 @@ adopt (Increment *increment)
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
 
-  qn_central_pairs_take_flow (&path->pairs);
+  if (!qn_central_pairs_take_flow (&path->pairs))
+    return QN_SOLVE_FAILED;
   eq->keeps_forces = true;
   QnSolveStatus status =
     qn_equilibrium_newton (eq, increment->target, path->viscosity, 0);
   if (status != QN_SOLVE_CONVERGED || eq->out_of_balance <= eq->tolerance)
     return status;
   /* The laws by themselves do not find these forces again. */
-  qn_central_pairs_take_flow (&path->pairs);
-  return qn_equilibrium_newton (eq, increment->target, path->viscosity, QN_MEASURE_ONLY);
+  return qn_central_pairs_take_flow (&path->pairs) ? qn_equilibrium_newton (
+           eq, increment->target, path->viscosity, QN_MEASURE_ONLY)
+                                                   : QN_SOLVE_FAILED;
 }
 
 /* The best iterate, if there is one that may stand. */
@@ -629,7 +631,8 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undec
       return QN_SOLVE_MECHANISM;
     }
 
-    qn_central_pairs_take_flow (&path->pairs);
+    if (!qn_central_pairs_take_flow (&path->pairs))
+      return QN_SOLVE_FAILED;
     qn_assembly_commit (&eq->assembly);
     bool nearer = increment.gap <= 0.5 * gap_before;
     size = fmax (fmax (1, RISE * increment.gap), nearer ? size / LONGER : size * LONGER);

@@ -32,10 +32,19 @@ set_shift (QnAssembly *as, const double *diagonal, double shift)
     as->ax[as->diagonal[i]] = diagonal[i] - shift;
 }
 
-/* The motion with the lowest eigenvalue, which is negative; `diagonal` is scratch. */
-static bool
-find_motion (QnAssembly *as, QnInertia *inertia, double *diagonal, double *motion)
+static void
+count_factorization (QnEquilibrium *eq)
 {
+  eq->statistics.factorizations++;
+  eq->statistics.factorization_work++;
+}
+
+/* The motion with the lowest eigenvalue, which is negative; `diagonal` is scratch. MECHANISM, CANCELLED or
+ * NO_MEMORY. */
+static QnSolveStatus
+find_motion (QnEquilibrium *eq, QnInertia *inertia, double *diagonal, double *motion)
+{
+  QnAssembly *as = &eq->assembly;
   QnInertiaCount count;
   double low = 0, high = 0;
 
@@ -47,19 +56,22 @@ find_motion (QnAssembly *as, QnInertia *inertia, double *diagonal, double *motio
   for (int k = 0; k < BISECTIONS; k++) {
     double middle = 0.5 * (low + high);
     set_shift (as, diagonal, middle);
+    if (!qn_equilibrium_go_on (eq))
+      return QN_SOLVE_CANCELLED;
     if (!qn_inertia_count (inertia, as->ax, &count))
-      return false;
+      return QN_SOLVE_NO_MEMORY;
+    count_factorization (eq);
     *(count.negative > 0 ? &high : &low) = middle;
   }
   for (int k = 0; k < INVERSE_ITERATIONS; k++) {
     QnFactorStatus solved = qn_inertia_solve (inertia, motion);
     if (solved != QN_FACTOR_OK)
-      return solved == QN_FACTOR_SINGULAR;
+      return solved == QN_FACTOR_SINGULAR ? QN_SOLVE_MECHANISM : QN_SOLVE_NO_MEMORY;
     double largest = qn_largest (motion, (size_t) as->unknown_count);
     for (int32_t i = 0; i < as->unknown_count && largest > 0; i++)
       motion[i] /= largest;
   }
-  return true;
+  return QN_SOLVE_MECHANISM;
 }
 
 /* How many eigenvalues of a symmetric tangent are negative on motions that leave `held` alone; `negative`
@@ -105,8 +117,7 @@ qn_path_judge_stability (QnPath *path, const double *held, bool proves)
     path->inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
   if (path->inertia == NULL || !qn_inertia_count (path->inertia, as->ax, &count))
     return QN_SOLVE_NO_MEMORY;
-  eq->statistics.factorizations++;
-  eq->statistics.factorization_work++;
+  count_factorization (eq);
   if (count.negative == 0)
     return QN_SOLVE_CONVERGED;
   if (held != NULL) {
@@ -123,6 +134,5 @@ qn_path_judge_stability (QnPath *path, const double *held, bool proves)
     if (factored == QN_FACTOR_SINGULAR || qn_linsys_sign (eq->linsys) > 0)
       return QN_SOLVE_CONVERGED;
   }
-  bool found = find_motion (as, path->inertia, path->displacements, eq->motion);
-  return found ? QN_SOLVE_MECHANISM : QN_SOLVE_NO_MEMORY;
+  return find_motion (eq, path->inertia, path->displacements, eq->motion);
 }

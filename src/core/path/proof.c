@@ -2,51 +2,44 @@
 
 #include "core/check/result-check.h"
 
-/* A path that came to no end is told as far as its steps are true. Where the forces of earlier steps were
- * not kept all of them stay. */
-static QnStatus
-keep_what_is_true (const QnModel *model, const QnContacts *contacts, QnResult *result,
-                   QnDiag *diag)
-{
-  QnResultFaults faults;
+#include <string.h>
 
-  while (result->step_count > 0 && result->history.width == 0) {
-    QnStatus status =
-      qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
-    if (status != QN_OK)
-      return status;
-    size_t first = result->step_count;
-    for (int i = 0; i < faults.count; i++)
-      if (faults.items[i].step != QN_NONE && (size_t) faults.items[i].step < first)
-        first = (size_t) faults.items[i].step;
-    if (first == result->step_count
-        || (first > 0 && !qn_result_has_forces (result, first - 1)))
-      return QN_OK;
-    /* Keeps the steps before this one, with the forces of the last of them. */
-    for (size_t p = 0; p < result->pair_count; p++)
-      result->pairs[p] =
-        first > 0 ? qn_result_pair_at (result, first - 1, p) : (QnPairResult){ 0 };
-    qn_result_keep_steps (result, first);
-    if (first > 0)
-      result->stage = result->steps[first - 1].stage;
-    qn_result_clear_events (result);
-    qn_result_judge_linearity (model, result);
-  }
-  return QN_OK;
+/* What is true of a result of which nothing is concluded: the steps before the first that is not, with what
+ * happened in the stages before. Where the forces of earlier steps were not kept all of them stay. */
+static void
+keep_what_is_true (const QnModel *model, QnResult *result, const QnResultFaults *faults)
+{
+  size_t first = result->step_count;
+
+  memcpy (result->refused, faults->items, sizeof faults->items);
+  result->refused_count = faults->count;
+  for (int i = 0; i < faults->count; i++)
+    if (faults->items[i].step != QN_NONE && (size_t) faults->items[i].step < first)
+      first = (size_t) faults->items[i].step;
+  if (first == result->step_count || result->history.width > 0
+      || (first > 0 && !qn_result_has_forces (result, first - 1)))
+    return;
+  for (size_t p = 0; p < result->pair_count; p++)
+    result->pairs[p] =
+      first > 0 ? qn_result_pair_at (result, first - 1, p) : (QnPairResult){ 0 };
+  qn_result_keep_steps (result, first);
+  if (first > 0)
+    result->stage = result->steps[first - 1].stage;
+  qn_result_judge_linearity (model, result);
 }
 
 /* A mechanism in large displacements in which joints do not flow as rigid blocks would have it: proved by
  * its second-order work, or uncertain. */
 static QnStatus
-prove_by_work (const QnModel *model, const QnContacts *contacts, QnResult *result,
-               QnDiag *diag)
+prove_by_work (const QnModel *model, const QnContacts *contacts, QnProgressFunc report,
+               void *report_data, QnResult *result, QnDiag *diag)
 {
   QnResultFaults faults;
 
   result->mechanism_uncertain = false;
   result->mechanism_by_work = true;
-  QnStatus status =
-    qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
+  QnStatus status = qn_result_find_faults_and_report (
+    model, contacts, result, QN_CHECK_STATED, report, report_data, &faults, diag);
   for (int i = 0; status == QN_OK && i < faults.count; i++)
     if (faults.items[i].claim != QN_CLAIM_FIRST_LIMIT)
       result->mechanism_uncertain = true;
@@ -55,16 +48,14 @@ prove_by_work (const QnModel *model, const QnContacts *contacts, QnResult *resul
 }
 
 QnStatus
-qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *result,
-                 QnDiag *diag)
+qn_result_prove (const QnModel *model, const QnContacts *contacts, QnProgressFunc report,
+                 void *report_data, QnResult *result, QnDiag *diag)
 {
   QnResultFaults faults;
   bool stands = true;
 
   if (result->outcome == QN_OUTCOME_CANCELLED)
     return QN_OK;
-  if (result->outcome == QN_OUTCOME_NOT_CONVERGED)
-    return keep_what_is_true (model, contacts, result, diag);
   QnStatus status =
     qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
   for (int i = 0; status == QN_OK && i < faults.count; i++) {
@@ -80,17 +71,19 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
   if (status == QN_OK && stands && result->mechanism_uncertain
       && result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0
       && model->analysis.geometry == QN_GEOMETRY_NONLINEAR)
-    return prove_by_work (model, contacts, result, diag);
+    return prove_by_work (model, contacts, report, report_data, result, diag);
   if (status != QN_OK || stands)
     return status;
-  /* A result of which nothing is concluded. */
-  result->outcome = QN_OUTCOME_NOT_CONVERGED;
   result->stop = QN_STOP_CHECK;
+  result->outcome = QN_OUTCOME_NOT_CONVERGED;
   result->stability = QN_STABILITY_UNKNOWN;
   result->has_associative_bound = false;
+  result->has_unproved_multiplier = result->has_collapse_multiplier;
+  result->unproved_multiplier = result->collapse_multiplier;
   qn_result_clear_collapse (result);
   qn_result_clear_events (result);
-  if (result->step_count > 0)
-    result->steps[result->step_count - 1].event = QN_EVENT_NONE;
-  return keep_what_is_true (model, contacts, result, diag);
+  for (size_t i = 0; i < result->step_count; i++)
+    result->steps[i].event = QN_EVENT_NONE;
+  keep_what_is_true (model, result, &faults);
+  return QN_OK;
 }

@@ -2,14 +2,18 @@
 #ifndef QN_CORE_PROOF_H
 #define QN_CORE_PROOF_H
 
+#include "core/base/progress.h"
 #include "core/contact/contacts.h"
 #include "core/result/result.h"
 
 /* Checks everything that a result says but its bounds. What is not true and can be left out is: a first
  * limit point; a mechanism is marked as uncertain. Of any other result nothing is concluded: its outcome
- * becomes NOT_CONVERGED, and its stop CHECK. Of NOT_CONVERGED results the steps before the first that is not
- * true are kept, where the forces of steps are known; CANCELLED ones stay as they are. */
+ * becomes NOT_CONVERGED, its stop CHECK, what is refused is named, and its collapse multiplier is told as
+ * one that is not proved. The steps before the first that is not true are kept, where the forces of steps
+ * are known, with the stages that ended there; CANCELLED results stay as they are. `report` (nullable) is asked
+ * whether to go on where a fall is followed. */
 QnStatus qn_result_prove (const QnModel *model, const QnContacts *contacts,
-                          QnResult *result, QnDiag *diag);
+                          QnProgressFunc report, void *report_data, QnResult *result,
+                          QnDiag *diag);
 
 #endif

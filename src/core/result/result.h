@@ -4,6 +4,7 @@
 
 #include "core/contact/contact-pair.h"
 #include "core/contact/contacts.h"
+#include "core/result/fault.h"
 
 typedef enum {
   QN_OUTCOME_COLLAPSE,           /* no equilibrium beyond collapse_multiplier */
@@ -258,6 +259,13 @@ typedef struct QnResult {
   bool
     has_associative_bound; /* whether limit analysis was run for the associative bound */
   double associative_bound;
+
+  QnFault
+    refused[QN_CLAIM_COUNT]; /* what its own check found not to be true: left out, with
+                                      all that rests on it (core/path/proof.c) */
+  int32_t refused_count;
+  bool has_unproved_multiplier; /* what it told to be the collapse multiplier then */
+  double unproved_multiplier;
 
   QnLinearity linearity;           /* as qn_result_judge_linearity() says */
   double beyond_linear_multiplier; /* of BEYOND, 0 in time: at which it was */

@@ -25,6 +25,9 @@ qn_run_dup_title (const QnRun *run)
     return g_strdup_printf (_ ("%s: %.4f"), run->name, result->first_limit_multiplier);
   if (run->kind == QN_RUN_STABILITY && result->outcome == QN_OUTCOME_TARGET_REACHED)
     return g_strdup_printf (_ ("%s: stable"), run->name);
+  if (result->has_unproved_multiplier)
+    return g_strdup_printf (_ ("%s: %.4f, not proved"), run->name,
+                            result->unproved_multiplier);
   return result->has_collapse_multiplier
            ? g_strdup_printf (_ ("%s: %.4f"), run->name, result->collapse_multiplier)
            : g_strdup_printf (_ ("%s: %s"), run->name, qn_explain_outcome_label (result));

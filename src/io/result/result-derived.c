@@ -103,6 +103,8 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "steps[].residual", result->step_count > 0 },
     { "steps[].relaxed", has_relaxed (result) },
     { "steps[].event", has_other_jumps (model, result) },
+    { "refused", result->refused_count > 0 },
+    { "unproved_multiplier", result->has_unproved_multiplier },
     { "outcome", (result->step_count == 0 && !is_rigid) || no_answer },
     { "events[].displacement_after", has_events (result) && is_by_load (model, result) },
     { "events[].energy", has_events (result) && is_by_load (model, result) },

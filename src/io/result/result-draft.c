@@ -188,6 +188,8 @@ qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
   result->has_associative_bound = draft->associative_bound.given;
   result->associative_bound = draft->associative_bound.number;
   result->beyond_linear_multiplier = draft->beyond_linear.number;
+  result->has_unproved_multiplier = draft->unproved.given;
+  result->unproved_multiplier = draft->unproved.number;
   return check_counts (stream, draft) && take_arrays (stream, draft)
          && take_solutions (stream, draft)
          && qn_result_history_take (&draft->history, stream, &draft->file.result);

@@ -33,7 +33,7 @@ typedef struct QnOptionalNumber {
 typedef struct QnResultDraft {
   QnResultFile file;
   QnResultNames blocks, overrides, nodes;
-  QnOptionalNumber collapse, first_limit, associative_bound, beyond_linear;
+  QnOptionalNumber collapse, first_limit, associative_bound, beyond_linear, unproved;
   QnResultIds unstable, supports;
   QnStep step; /* that is being read */
   QnResultRows displacements, mechanism, reactions, velocities;

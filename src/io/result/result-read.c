@@ -2,6 +2,7 @@
 #include "core/base/memory.h"
 #include "io/project/project-names.h"
 #include "io/result/result-draft.h"
+#include "io/text/fault-text.h"
 #include "io/text/file-read.h"
 
 #include <glib/gi18n-lib.h>
@@ -437,6 +438,74 @@ read_events (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
+read_claim (QnJsonStream *stream, gpointer target)
+{
+  g_autofree char *name = NULL;
+  if (!qn_json_stream_string (stream, &name))
+    return FALSE;
+  *(QnClaim *) target = qn_claim_from_name (name);
+  return *(QnClaim *) target < QN_CLAIM_COUNT
+         || qn_json_stream_fail (stream, _ ("this is not a claim of a result"));
+}
+
+static gboolean
+read_step_or_none (QnJsonStream *stream, gpointer target)
+{
+  double number;
+  if (!qn_json_stream_number (stream, &number))
+    return FALSE;
+  *(QnId *) target = number < 0 ? QN_NONE : (QnId) qn_to_integer (number, 0, INT32_MAX);
+  return TRUE;
+}
+
+static gboolean
+read_refused (QnJsonStream *stream, gpointer target)
+{
+  typedef struct RefusedDraft {
+    QnFault fault;
+    QnOptionalNumber stated, found;
+    QnId pair, block, node, beam, event;
+  } RefusedDraft;
+  static const QnJsonMember members[] = {
+    { "claim", read_claim, offsetof (RefusedDraft, fault.claim), QN_JSON_REQUIRED },
+    { "step", read_step_or_none, offsetof (RefusedDraft, fault.step), QN_JSON_REQUIRED },
+    { "pair", qn_json_stream_int32, offsetof (RefusedDraft, pair), QN_JSON_OPTIONAL },
+    { "block", qn_json_stream_int32, offsetof (RefusedDraft, block), QN_JSON_OPTIONAL },
+    { "node", qn_json_stream_int32, offsetof (RefusedDraft, node), QN_JSON_OPTIONAL },
+    { "beam", qn_json_stream_int32, offsetof (RefusedDraft, beam), QN_JSON_OPTIONAL },
+    { "event", qn_json_stream_int32, offsetof (RefusedDraft, event), QN_JSON_OPTIONAL },
+    { "stated", read_optional, offsetof (RefusedDraft, stated), QN_JSON_OPTIONAL },
+    { "found", read_optional, offsetof (RefusedDraft, found), QN_JSON_OPTIONAL },
+  };
+  QnResult *result = target;
+  RefusedDraft read = {
+    .pair = QN_NONE, .block = QN_NONE, .node = QN_NONE, .beam = QN_NONE, .event = QN_NONE
+  };
+  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read))
+    return FALSE;
+  const struct {
+    QnEntity entity;
+    QnId index;
+  } places[] = { { QN_ENTITY_CONTACT, read.pair },
+                 { QN_ENTITY_BLOCK, read.block },
+                 { QN_ENTITY_NODE, read.node },
+                 { QN_ENTITY_BEAM, read.beam },
+                 { QN_ENTITY_ANALYSIS, read.event } };
+  read.fault.entity = QN_ENTITY_MODEL;
+  read.fault.index = QN_NONE;
+  for (gsize i = 0; i < G_N_ELEMENTS (places); i++)
+    if (places[i].index != QN_NONE) {
+      read.fault.entity = places[i].entity;
+      read.fault.index = places[i].index;
+    }
+  read.fault.stated = read.stated.given ? read.stated.number : (double) NAN;
+  read.fault.found = read.found.given ? read.found.number : (double) NAN;
+  if (result->refused_count < QN_CLAIM_COUNT)
+    result->refused[result->refused_count++] = read.fault;
+  return TRUE;
+}
+
+static gboolean
 read_vibration (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
@@ -535,6 +604,8 @@ read_document (QnJsonStream *stream, gpointer target)
     { "unstable_blocks", read_id, OF (unstable), QN_JSON_EACH },
     { "supports", read_id, OF (supports), QN_JSON_EACH },
     { "stage", read_stage, RESULT (stage), QN_JSON_OPTIONAL },
+    { "unproved_multiplier", read_optional, OF (unproved), QN_JSON_OPTIONAL },
+    { "refused", read_refused, OF (file.result), QN_JSON_EACH },
     { "blocks", read_names, OF (blocks), QN_JSON_REQUIRED },
     { "nodes", read_names, OF (nodes), QN_JSON_OPTIONAL },
     { "elements", read_element, 0, QN_JSON_EACH },

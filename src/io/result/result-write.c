@@ -3,6 +3,7 @@
 #include "io/result/result-file.h"
 #include "io/result/result-forces.h"
 #include "io/result/result-history.h"
+#include "io/text/fault-text.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
@@ -156,6 +157,34 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   qn_file_writer_puts_string (writer, "  \"reason\": ", reason);
   qn_file_writer_puts (writer, ",\n");
   g_free (reason);
+}
+
+/* What the check of the analysis has refused, and the multiplier that is not proved for it. */
+static void
+write_refused (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+               const QnResult *result)
+{
+  if (result->has_unproved_multiplier)
+    write_optional (writer, "unproved_multiplier", TRUE, result->unproved_multiplier);
+  if (result->refused_count == 0)
+    return;
+  qn_file_writer_puts (writer, "  \"refused\": [");
+  for (int32_t i = 0; i < result->refused_count; i++) {
+    const QnFault *fault = &result->refused[i];
+    g_autofree char *text = qn_fault_dup_text (model, contacts, fault);
+    qn_file_writer_printf (writer, "%s\n    { \"claim\": \"%s\", \"step\": %d",
+                           i > 0 ? "," : "", qn_claim_name (fault->claim), fault->step);
+    if (fault->index != QN_NONE)
+      qn_file_writer_printf (writer, ", \"%s\": %d", qn_fault_place_name (fault->entity),
+                             fault->index);
+    qn_file_writer_puts (writer, ", \"stated\": ");
+    write_known (writer, fault->stated);
+    qn_file_writer_puts (writer, ", \"found\": ");
+    write_known (writer, fault->found);
+    qn_file_writer_puts_string (writer, ", \"text\": ", text);
+    qn_file_writer_puts (writer, " }");
+  }
+  qn_file_writer_puts (writer, "],\n");
 }
 
 /* Names of the stages and which one the analysis ended in. */
@@ -405,6 +434,7 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
            const QnResult *result, QnResultDetail detail)
 {
   write_head (writer, project, result);
+  write_refused (writer, &project->model, contacts, result);
   write_stages (writer, &project->model, result);
   if (result->unstable_count > 0) {
     write_ids (writer, "  \"unstable_blocks\": ", result->unstable_blocks,

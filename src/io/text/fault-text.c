@@ -71,24 +71,46 @@ qn_claim_name (QnClaim claim)
   return claims[claim].name;
 }
 
-/* " between “a” and “b”" */
+const char *
+qn_fault_place_name (QnEntity entity)
+{
+  return entity == QN_ENTITY_CONTACT ? "pair"
+         : entity == QN_ENTITY_BLOCK ? "block"
+         : entity == QN_ENTITY_NODE  ? "node"
+         : entity == QN_ENTITY_BEAM  ? "beam"
+                                     : "event";
+}
+
+/* "pair 3 between “a” and “b”"; NULL for what the model does not have. */
 static char *
 dup_place (const QnModel *model, const QnContacts *contacts, const QnFault *fault)
 {
-  if (fault->index == QN_NONE)
+  const size_t at = (size_t) fault->index;
+  if (fault->index < 0)
     return NULL;
   if (fault->entity == QN_ENTITY_CONTACT) {
-    const QnContactFace *face = &contacts->faces[contacts->pairs[fault->index].face];
+    if (contacts == NULL || at >= contacts->pair_count)
+      return g_strdup_printf (_ ("pair %d"), fault->index);
+    const QnContactFace *face = &contacts->faces[contacts->pairs[at].face];
     return g_strdup_printf (_ ("pair %d between “%s” and “%s”"), fault->index,
                             model->blocks[face->a].name, model->blocks[face->b].name);
   }
-  if (fault->entity == QN_ENTITY_BLOCK)
-    return g_strdup_printf (_ ("block “%s”"), model->blocks[fault->index].name);
-  if (fault->entity == QN_ENTITY_NODE)
-    return g_strdup_printf (_ ("node “%s”"), model->nodes[fault->index].name);
-  if (fault->entity == QN_ENTITY_BEAM)
-    return g_strdup_printf (_ ("beam “%s”"), model->beams[fault->index].name);
+  if (fault->entity == QN_ENTITY_BLOCK && at < model->block_count)
+    return g_strdup_printf (_ ("block “%s”"), model->blocks[at].name);
+  if (fault->entity == QN_ENTITY_NODE && at < model->node_count)
+    return g_strdup_printf (_ ("node “%s”"), model->nodes[at].name);
+  if (fault->entity == QN_ENTITY_BEAM && at < model->beam_count)
+    return g_strdup_printf (_ ("beam “%s”"), model->beams[at].name);
   return g_strdup_printf (_ ("number %d"), fault->index);
+}
+
+QnClaim
+qn_claim_from_name (const char *name)
+{
+  int claim = 0;
+  while (claim < QN_CLAIM_COUNT && g_strcmp0 (name, claims[claim].name) != 0)
+    claim++;
+  return (QnClaim) claim;
 }
 
 char *

@@ -2,6 +2,7 @@
 #include "core/model/support.h"
 #include "core/path/path.h"
 #include "core/result/first-limit.h"
+#include "io/text/fault-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -325,15 +326,32 @@ explain_target (const QnModel *model, const Task *task, const QnResult *result)
 
 /* --- Other ends ------------------------------------------------------------------------- */
 
+/* Each claim that the check has refused, and what stands all the same. */
 static char *
-explain_failure (const Task *task, const QnResult *result)
+explain_refused (const QnModel *model, const QnResult *result)
+{
+  g_autoptr (GString) text = g_string_new (
+    _ ("The check of this result refused a part of it, so no conclusion is drawn."));
+  for (gint32 i = 0; i < result->refused_count; i++) {
+    g_autofree char *fault = qn_fault_dup_text (model, NULL, &result->refused[i]);
+    g_string_append_printf (text, "%s%s", i == 0 ? " " : "; ", fault);
+  }
+  if (result->refused_count > 0)
+    g_string_append (text, _ (". What is true before that is kept."));
+  if (result->has_unproved_multiplier)
+    g_string_append_printf (text,
+                            _ (" Collapse at a load multiplier of %.4g: not proved."),
+                            result->unproved_multiplier);
+  return g_string_free (g_steal_pointer (&text), FALSE);
+}
+
+static char *
+explain_failure (const QnModel *model, const Task *task, const QnResult *result)
 {
   const QnStep *last = last_step (result);
   double reached = last != NULL ? last->multiplier : 0;
   if (result->stop == QN_STOP_CHECK)
-    return g_strdup (
-      _ ("The numbers of this result contradict each other, so no conclusion is drawn. "
-         "`quoin-cli check --result` lists what is wrong."));
+    return explain_refused (model, result);
   if (result->stop == QN_STOP_FACTORIZATIONS)
     return g_strdup_printf (
       _ ("Stopped at a load multiplier of %.4g, after as many factorisations as "
@@ -456,7 +474,7 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
          "is kept."),
       reached);
   case QN_OUTCOME_NOT_CONVERGED:
-    return explain_failure (task, result);
+    return explain_failure (model, task, result);
   case QN_OUTCOME_REST:
   case QN_OUTCOME_COUNT:
     break;
@@ -471,6 +489,8 @@ stop_of (const QnModel *model, const QnResult *result)
 {
   if (result->stop != QN_STOP_UNKNOWN || result->outcome != QN_OUTCOME_NOT_CONVERGED)
     return result->stop;
+  if (result->refused_count > 0)
+    return QN_STOP_CHECK;
   if (result->statistics.factorizations >= model->analysis.max_factorizations)
     return QN_STOP_FACTORIZATIONS;
   return result->statistics.seconds > model->analysis.max_seconds ? QN_STOP_TIME

@@ -3,6 +3,7 @@
  * capacity, of scaled records and of studies are read again by tests/cli. */
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
+#include "core/path/proof.h"
 #include "core/path/stability.h"
 #include "io/exchange/table-csv.h"
 #include "io/result/result-check.h"
@@ -14,9 +15,10 @@
 #include "support/scratch.h"
 #include "support/table.h"
 
+#include <math.h>
 #include <string.h>
 
-typedef enum { ANALYSIS, CANCELLED, MODAL, LOADED, STABILITY } Kind;
+typedef enum { ANALYSIS, REFUSED, CANCELLED, MODAL, LOADED, STABILITY } Kind;
 
 typedef struct Row {
   const char *name;
@@ -73,6 +75,7 @@ static const Row rows[] = {
     "ferris-tin-loi/wall3",
     { "analysis.max_factorizations=1" },
     QN_OUTCOME_NOT_CONVERGED },
+  { "refused", REFUSED, "ferris-tin-loi/wall1", { NULL }, QN_OUTCOME_NOT_CONVERGED },
   { "cancelled", CANCELLED, "ferris-tin-loi/wall3", { NULL }, QN_OUTCOME_CANCELLED },
   { "displacement", ANALYSIS, "24-rocking-block", { NULL }, QN_OUTCOME_TARGET_REACHED },
   { "contacts that follow",
@@ -156,6 +159,12 @@ run (const Row *row, const QnProject *project, const QnContacts *contacts,
   switch (row->kind) {
   case ANALYSIS:
     return qn_analysis_run (model, contacts, NULL, NULL, result, diag);
+  case REFUSED:
+    status = qn_analysis_run (model, contacts, NULL, NULL, result, diag);
+    if (status != QN_OK)
+      return status;
+    result->step_forces[(result->step_count - 1) * result->pair_count] -= 1e3;
+    return qn_result_prove (model, contacts, NULL, NULL, result, diag);
   case CANCELLED:
     return qn_analysis_run (model, contacts, ask_thrice, &count, result, diag);
   case STABILITY:
@@ -204,6 +213,15 @@ check_same (const QnResult *read, const QnResult *result)
   g_assert_cmpint (read->has_collapse_multiplier, ==, result->has_collapse_multiplier);
   g_assert_cmpint (read->has_first_limit_multiplier, ==,
                    result->has_first_limit_multiplier);
+  g_assert_cmpint (read->has_unproved_multiplier, ==, result->has_unproved_multiplier);
+  g_assert_cmpint (read->refused_count, ==, result->refused_count);
+  for (int i = 0; i < read->refused_count; i++) {
+    g_assert_cmpint (read->refused[i].claim, ==, result->refused[i].claim);
+    g_assert_cmpint (read->refused[i].step, ==, result->refused[i].step);
+    g_assert_cmpint (read->refused[i].index, ==, result->refused[i].index);
+    if (!isnan (result->refused[i].stated))
+      g_assert_cmpfloat (read->refused[i].stated, ==, result->refused[i].stated);
+  }
   g_assert_cmpint (read->stability, ==, result->stability);
   g_assert_cmpint (read->vibration.mode, ==, result->vibration.mode);
   g_assert_cmpuint (read->history.row_count, ==, result->history.row_count);
