@@ -25,7 +25,7 @@ static const Layer layers[] = {
   { "io",
     { "text", "json", "project", "result", "exchange" },
     { "core/", "stereotomy/", "disk/", "io/" },
-    { "glib", "gio/", "cjson/" } },
+    { "glib", "gio/", "cjson/", "libxml/" } },
   { "render",
     { "drawing", "scene", "backend", "figure", "movie" },
     { "core/", "disk/", "render/" },

@@ -99,7 +99,7 @@ qn_window_accept_drops (QnWindow *self)
 static void
 import_drawing (QnWindow *self, GVariant *parameter)
 {
-  static const char *const suffixes[] = { "dxf", "svg", "json", "txt", NULL };
+  static const char *const suffixes[] = { "dxf", "svg", "svgz", "json", "txt", NULL };
   static const QnFileKind drawings = { .title = N_ ("Import Drawing"),
                                        .accept = N_ ("_Import"),
                                        .name =

@@ -5,8 +5,16 @@
 #include <string.h>
 
 #define MAX_SPLINE_DEGREE 11
-#define CHORDS_PER_SPAN   8
-#define MAX_CHORDS        720
+#define MAX_CHORDS        240
+
+/* Of half a circle: chords of 0.75 degrees, whose sagitta is 2.1e-5 of the radius. */
+#define ARC_CHORDS 240
+
+/* Of the ends of an arc, rad. */
+#define LARGEST_ANGLE 1e5
+
+/* No vertex lies nearer to the end of an arc than this part of a chord. */
+#define NEAR_END 0.25
 
 /* Names of layers, by the piece; bytes. */
 #define STRINGS_SIZE 1024
@@ -101,23 +109,27 @@ qn_drawing_drop_unbounded (QnDrawing *drawing)
   g_array_set_size (drawing->paths, kept);
 }
 
-static int
-chord_count (double angle)
-{
-  double step = 2 * acos (1 - QN_DRAWING_SAGITTA);
-  return (int) qn_to_integer (ceil (fabs (angle) / step - 1e-9), 1, MAX_CHORDS);
-}
-
+/* Ends lie where they are given; between them vertices lie at whole multiples of one angle, so that two
+ * arcs of one circle have them in common. */
 void
 qn_drawing_path_add_ellipse (QnDrawingPath *path, QnVec2 centre, QnVec2 major,
                              QnVec2 minor, double from, double to)
 {
-  int chords = chord_count (to - from);
-  for (int i = 0; i <= chords; i++) {
-    double t = from + (to - from) * i / chords;
+  const double step = G_PI / ARC_CHORDS, way = to > from ? step : -step;
+  double t = from, next = way * (floor (from / way + NEAR_END) + 1);
+  if (!(fabs (from) <= LARGEST_ANGLE && fabs (to) <= LARGEST_ANGLE)) {
+    /* It will be left out, and told, whichever of its ends the caller replaces. */
+    qn_drawing_path_add (path, qn_vec2 (NAN, NAN));
+    qn_drawing_path_add (path, qn_vec2 (NAN, NAN));
+    return;
+  }
+  for (;; next += way) {
     qn_drawing_path_add (
       path,
       qn_vec2_add_scaled (qn_vec2_add_scaled (centre, cos (t), major), sin (t), minor));
+    if (t == to)
+      return;
+    t = (to - next) / way > NEAR_END ? next : to;
   }
 }
 
@@ -126,20 +138,41 @@ qn_drawing_path_add_bulge (QnDrawingPath *path, QnVec2 end, double bulge)
 {
   g_return_if_fail (path->count > 0);
   QnVec2 start = path->points[path->count - 1];
-  double angle = 4 * atan (bulge);
-  int chords = bulge != 0 && isfinite (bulge) ? chord_count (angle) : 1;
-  /* Centre on the perpendicular through the middle of the chord. */
   QnVec2 chord = qn_vec2_sub (end, start);
+  /* Centre on the perpendicular through the middle of the chord. */
   double away = (1 - bulge * bulge) / (4 * bulge);
   QnVec2 centre =
     qn_vec2_add_scaled (qn_vec2_lerp (start, end, 0.5), away, qn_vec2_perp (chord));
   QnVec2 radius = qn_vec2_sub (start, centre);
-  for (int i = 1; i < chords; i++) {
-    double t = angle * i / chords;
-    qn_drawing_path_add (path,
-                         qn_vec2_add (centre, qn_vec2_rotate (radius, cos (t), sin (t))));
+  double r = qn_vec2_length (radius), from = atan2 (radius.y, radius.x);
+  gsize first = path->count - 1;
+  if (bulge == 0 || !isfinite (r) || !isfinite (from)) {
+    qn_drawing_path_add (path, end);
+    return;
   }
-  qn_drawing_path_add (path, end);
+  path->count--;
+  qn_drawing_path_add_ellipse (path, centre, qn_vec2 (r, 0), qn_vec2 (0, r), from,
+                               from + 4 * atan (bulge));
+  path->points[first] = start;
+  path->points[path->count - 1] = end;
+}
+
+/* From the second differences of the control points, whose largest bounds the distance of curve and
+ * chords: d (d - 1) / 8 of it for one chord, and less with their number squared. */
+int
+qn_drawing_chords (const QnVec2 *control, guint degree)
+{
+  double bend = 0, length = 0;
+  for (guint i = 0; i < degree; i++) {
+    length += qn_vec2_length (qn_vec2_sub (control[i + 1], control[i]));
+    if (i + 1 < degree)
+      bend = fmax (bend, qn_vec2_length (qn_vec2_add_scaled (
+                           qn_vec2_sub (control[i + 2], control[i + 1]), -1,
+                           qn_vec2_sub (control[i + 1], control[i]))));
+  }
+  double part = length > 0 ? bend / (QN_DRAWING_SAGITTA * length) : 0;
+  return (int) qn_to_integer (ceil (sqrt (0.125 * degree * (degree - 1) * part)), 1,
+                              MAX_CHORDS);
 }
 
 /* de Boor's algorithm in homogeneous coordinates. */
@@ -181,7 +214,7 @@ qn_drawing_path_add_spline (QnDrawingPath *path, guint degree, const double *kno
     double t0 = knots[span], t1 = knots[span + 1];
     if (!(t1 > t0))
       continue;
-    int chords = degree == 1 ? 1 : CHORDS_PER_SPAN;
+    int chords = qn_drawing_chords (points + span - degree, degree);
     for (int i = path->count == 0 ? 0 : 1; i <= chords; i++)
       qn_drawing_path_add (path, spline_point (degree, knots, span, points, weights,
                                                t0 + (t1 - t0) * i / chords));

@@ -10,8 +10,10 @@
 
 #include <glib.h>
 
-/* Chords of curves deviate from them by less than this part of the radius. */
-#define QN_DRAWING_SAGITTA 0.002
+/* Chords of curves deviate from them by about this part of the radius. That is less than the tolerance
+ * within which blocks that touch along a curve are fitted to each other (0.2 % of a block), up to a
+ * hundred blocks of radius. */
+#define QN_DRAWING_SAGITTA 2e-5
 
 /* Largest coordinate, in any unit: beyond it a double does not resolve a millimetre. */
 #define QN_DRAWING_LARGEST 1e15
@@ -73,6 +75,9 @@ void qn_drawing_path_add_bulge (QnDrawingPath *path, QnVec2 end, double bulge);
 /* centre + cos(t) major + sin(t) minor for t from `from` to `to`. */
 void qn_drawing_path_add_ellipse (QnDrawingPath *path, QnVec2 centre, QnVec2 major,
                                   QnVec2 minor, double from, double to);
+
+/* Into how many chords a Bézier curve of this degree is cut. */
+int qn_drawing_chords (const QnVec2 *control, guint degree);
 
 /* A rational B-spline (de Boor). False where knots and points do not match. weights may be NULL. */
 gboolean qn_drawing_path_add_spline (QnDrawingPath *path, guint degree,

@@ -14,7 +14,7 @@ static ReadFunc
 reader_of (const char *path, const char *text, gsize length)
 {
   g_autofree char *lower = g_ascii_strdown (path, -1);
-  if (g_str_has_suffix (lower, ".svg"))
+  if (g_str_has_suffix (lower, ".svg") || g_str_has_suffix (lower, ".svgz"))
     return qn_svg_import;
   if (g_str_has_suffix (lower, ".json") || g_str_has_suffix (lower, ".obj"))
     return qn_compas_import;

@@ -1,32 +1,57 @@
 #include "io/exchange/svg-import.h"
+#include "core/base/polygon.h"
+#include "io/exchange/svg-path.h"
+#include "io/exchange/svg-style.h"
 #include "io/text/io-error.h"
+#include "stereotomy/polygon-ops.h"
 
+#include <gio/gio.h>
 #include <glib/gi18n-lib.h>
+#include <libxml/parser.h>
 #include <string.h>
 
-#define MAX_GROUPS   64
-#define CURVE_CHORDS 12
+/* Depth of elements that are used within each other, and all that are drawn so. */
+#define MAX_USES 24
+#define MAX_USED 100000
+
+/* A compressed file may become so large; bytes. */
+#define MAX_INFLATED ((gsize) 256 << 20)
+
+/* Of one shape; more are not searched for holes. */
+#define MAX_PARTS 5000
 
 /* A unit outside of these is taken for undeclared; m. */
 #define LEAST_UNIT   1e-9
 #define LARGEST_UNIT 1e9
+
+/* The user unit where no view box says otherwise. */
+#define METRES_PER_PIXEL (0.0254 / 96)
 
 /* x' = a x + c y + e, y' = b x + d y + f, as SVG writes matrix(a b c d e f). */
 typedef struct Matrix {
   double a, b, c, d, e, f;
 } Matrix;
 
-typedef struct Group {
+/* What an element hands on to those in it. */
+typedef struct State {
   Matrix matrix;
-  const char *layer; /* kept by the drawing */
-  gboolean hidden;   /* definitions, clip paths … */
-} Group;
+  const char *layer;    /* kept by the drawing */
+  gboolean even_odd;    /* fill-rule */
+  gboolean gone;        /* display: none */
+  gboolean invisible;   /* visibility: hidden */
+  gboolean empty, bare; /* fill: none; stroke: none, as it is to begin with */
+  double width, height; /* of the view port, for percentages */
+  guint uses;
+} State;
 
 typedef struct Importer {
   QnDrawing *drawing;
   const char *name;
-  Group groups[MAX_GROUPS];
-  guint depth;
+  QnSvgStyle style;
+  GHashTable *elements; /* id -> xmlNode */
+  gboolean physical;    /* a length has a unit of its own */
+  guint budget;         /* of used elements */
+  GError **error;
 } Importer;
 
 static QnVec2
@@ -43,473 +68,608 @@ multiply (const Matrix *m, const Matrix *n)
                    m->a * n->e + m->c * n->f + m->e, m->b * n->e + m->d * n->f + m->f };
 }
 
-static void
-skip_blanks (const char **text)
+/* Pixels per unit of a length, degrees per unit of an angle; 0 where it is none. */
+static double
+unit_factor (const char *unit)
 {
-  while (**text != '\0' && (g_ascii_isspace (**text) || **text == ','))
-    (*text)++;
+  static const struct {
+    const char *name;
+    double factor;
+  } units[] = { { "px", 1 },         { "mm", 96 / 25.4 },   { "cm", 96 / 2.54 },
+                { "in", 96 },        { "pt", 96.0 / 72 },   { "pc", 16 },
+                { "m", 96 / .0254 }, { "em", 16 },          { "ex", 8 },
+                { "deg", 1 },        { "rad", 180 / G_PI }, { "grad", 0.9 },
+                { "turn", 360 } };
+  gsize length = 0;
+  while (g_ascii_isalpha (unit[length]))
+    length++;
+  for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
+    if (strlen (units[i].name) == length && strncmp (unit, units[i].name, length) == 0)
+      return units[i].factor;
+  return 0;
 }
 
-/* The next number of a list; FALSE where there is none. */
+/* By its name, with angles in degrees and lengths in pixels; FALSE for one that is not known. */
 static gboolean
-next_number (const char **text, double *number)
+transform_of (const char *kind, const double *n, guint count, Matrix *m)
 {
-  skip_blanks (text);
-  if (**text == '\0' || strchr ("+-.0123456789", **text) == NULL)
+  *m = (Matrix){ 1, 0, 0, 1, 0, 0 };
+  double angle = count > 0 ? n[0] * G_PI / 180 : 0;
+  if (strcmp (kind, "matrix") == 0 && count == 6) {
+    *m = (Matrix){ n[0], n[1], n[2], n[3], n[4], n[5] };
+  } else if (strcmp (kind, "translate") == 0 && count >= 1) {
+    m->e = n[0];
+    m->f = count > 1 ? n[1] : 0;
+  } else if (strcmp (kind, "translateX") == 0 && count == 1) {
+    m->e = n[0];
+  } else if (strcmp (kind, "translateY") == 0 && count == 1) {
+    m->f = n[0];
+  } else if (strcmp (kind, "scale") == 0 && count >= 1) {
+    m->a = n[0];
+    m->d = count > 1 ? n[1] : n[0];
+  } else if (strcmp (kind, "scaleX") == 0 && count == 1) {
+    m->a = n[0];
+  } else if (strcmp (kind, "scaleY") == 0 && count == 1) {
+    m->d = n[0];
+  } else if (strcmp (kind, "rotate") == 0 && count >= 1) {
+    Matrix turn = { cos (angle), sin (angle), -sin (angle), cos (angle), 0, 0 };
+    *m = turn;
+    if (count == 3) {
+      QnVec2 moved = apply (&turn, qn_vec2 (n[1], n[2]));
+      m->e = n[1] - moved.x;
+      m->f = n[2] - moved.y;
+    }
+  } else if (strcmp (kind, "skewX") == 0 && count == 1) {
+    m->c = tan (angle);
+  } else if (strcmp (kind, "skewY") == 0 && count == 1) {
+    m->b = tan (angle);
+  } else {
     return FALSE;
-  char *end;
-  *number = g_ascii_strtod (*text, &end);
-  if (end == *text || !isfinite (*number))
-    return FALSE;
-  *text = end;
+  }
   return TRUE;
 }
 
-static guint
-read_numbers (const char *text, double *numbers, guint most)
-{
-  guint count = 0;
-  while (count < most && next_number (&text, &numbers[count]))
-    count++;
-  return count;
-}
-
+/* Attribute or property, "translate(1, 2) rotate(90deg)", on top of `all`. */
 static Matrix
-transform_of (const char *kind, gsize length, const double *n, guint count)
+parse_transform (Importer *importer, const char *text, Matrix all, guint line)
 {
-  Matrix m = { 1, 0, 0, 1, 0, 0 };
-  if (length == 6 && strncmp (kind, "matrix", 6) == 0 && count == 6)
-    return (Matrix){ n[0], n[1], n[2], n[3], n[4], n[5] };
-  if (length == 9 && strncmp (kind, "translate", 9) == 0 && count >= 1) {
-    m.e = n[0];
-    m.f = count > 1 ? n[1] : 0;
-  } else if (length == 5 && strncmp (kind, "scale", 5) == 0 && count >= 1) {
-    m.a = n[0];
-    m.d = count > 1 ? n[1] : n[0];
-  } else if (length == 6 && strncmp (kind, "rotate", 6) == 0 && count >= 1) {
-    double angle = n[0] * G_PI / 180;
-    Matrix turn = { cos (angle), sin (angle), -sin (angle), cos (angle), 0, 0 };
-    m = turn;
-    if (count == 3) {
-      QnVec2 moved = apply (&turn, qn_vec2 (n[1], n[2]));
-      m.e = n[1] - moved.x;
-      m.f = n[2] - moved.y;
-    }
-  } else if (length == 5 && strncmp (kind, "skewX", 5) == 0 && count == 1) {
-    m.c = tan (n[0] * G_PI / 180);
-  } else if (length == 5 && strncmp (kind, "skewY", 5) == 0 && count == 1) {
-    m.b = tan (n[0] * G_PI / 180);
-  }
-  return m;
-}
-
-static Matrix
-parse_transform (const char *text, Matrix all)
-{
-  while (text != NULL && *text != '\0') {
-    skip_blanks (&text);
+  while (text != NULL && strcmp (text, "none") != 0) {
     const char *open = strchr (text, '('), *close = strchr (text, ')');
     if (open == NULL || close == NULL || close < open)
       break;
     double numbers[6];
-    g_autofree char *list = g_strndup (open + 1, (gsize) (close - open - 1));
-    guint count = read_numbers (list, numbers, G_N_ELEMENTS (numbers));
-    gsize length = (gsize) (open - text);
-    while (length > 0 && g_ascii_isspace (text[length - 1]))
-      length--;
-    Matrix own = transform_of (text, length, numbers, count);
+    guint count = 0;
+    const char *at = open + 1;
+    while (count < 6 && qn_svg_next_number (&at, &numbers[count])) {
+      double factor = unit_factor (at);
+      numbers[count++] *= factor > 0 ? factor : 1;
+      while (g_ascii_isalpha (*at) || *at == '%')
+        at++;
+    }
+    g_autofree char *kind = g_strndup (text, (gsize) (open - text));
+    Matrix own;
+    if (!transform_of (g_strstrip (g_strdelimit (kind, ",", ' ')), numbers, count, &own))
+      qn_drawing_note (importer->drawing, _ ("transformations that cannot be read"), line,
+                       qn_vec2 (NAN, NAN));
     all = multiply (&all, &own);
     text = close + 1;
   }
   return all;
 }
 
-/* An elliptic arc from the last point, in the notation of SVG (implementation notes of the SVG
- * specification, "Conversion from endpoint to center parameterization"). */
-static void
-add_arc (QnDrawingPath *path, const double *n, QnVec2 end)
-{
-  QnVec2 start = path->points[path->count - 1];
-  double rx = fabs (n[0]), ry = fabs (n[1]), phi = n[2] * G_PI / 180;
-  if (rx == 0 || ry == 0 || (start.x == end.x && start.y == end.y)) {
-    qn_drawing_path_add (path, end);
-    return;
-  }
-  double c = cos (phi), s = sin (phi);
-  QnVec2 half = qn_vec2_scale (0.5, qn_vec2_sub (start, end));
-  QnVec2 p = { c * half.x + s * half.y, -s * half.x + c * half.y };
-  double lambda = p.x * p.x / (rx * rx) + p.y * p.y / (ry * ry);
-  if (lambda > 1) {
-    rx *= sqrt (lambda);
-    ry *= sqrt (lambda);
-  }
-  double down = rx * rx * p.y * p.y + ry * ry * p.x * p.x;
-  double root = sqrt (fmax (0, (rx * rx * ry * ry - down) / down));
-  if ((n[3] != 0) == (n[4] != 0))
-    root = -root;
-  QnVec2 centre = { root * rx * p.y / ry, -root * ry * p.x / rx };
-  double from = atan2 ((p.y - centre.y) / ry, (p.x - centre.x) / rx);
-  double to = atan2 ((-p.y - centre.y) / ry, (-p.x - centre.x) / rx);
-  if (n[4] != 0 && to < from)
-    to += 2 * G_PI;
-  if (n[4] == 0 && to > from)
-    to -= 2 * G_PI;
-  QnVec2 middle = qn_vec2_lerp (start, end, 0.5);
-  QnVec2 at = { c * centre.x - s * centre.y + middle.x,
-                s * centre.x + c * centre.y + middle.y };
-  path->count--;
-  qn_drawing_path_add_ellipse (path, at, qn_vec2 (c * rx, s * rx),
-                               qn_vec2 (-s * ry, c * ry), from, to);
-  path->points[path->count - 1] = end;
-}
+/* ---- elements ---- */
 
-/* A Bézier curve of degree 2 or 3 from the last point. */
-static void
-add_curve (QnDrawingPath *path, const QnVec2 *control, int degree)
-{
-  QnVec2 p[4] = { path->points[path->count - 1] };
-  for (int i = 0; i < degree; i++)
-    p[i + 1] = control[i];
-  for (int k = 1; k <= CURVE_CHORDS; k++) {
-    double t = (double) k / CURVE_CHORDS;
-    QnVec2 q[4] = { p[0], p[1], p[2], p[3] };
-    for (int round = degree; round > 0; round--)
-      for (int i = 0; i < round; i++)
-        q[i] = qn_vec2_lerp (q[i], q[i + 1], t);
-    qn_drawing_path_add (path, k == CURVE_CHORDS ? p[degree] : q[0]);
-  }
-}
+/* Where a percentage of a length counts from. */
+typedef enum { ALONG_X, ALONG_Y, ALONG_BOTH } Along;
 
-/* Where the pen is while a path's data are read. */
-typedef struct Pen {
-  Importer *importer;
-  const char *layer;
-  guint line;
-  QnDrawingPath *path; /* open, or NULL */
-  QnVec2 at, start, handle;
-  char last;
-} Pen;
-
-static void
-pen_move (Pen *pen, QnVec2 to)
-{
-  pen->path = qn_drawing_add_path (pen->importer->drawing, pen->layer, pen->line);
-  qn_drawing_path_add (pen->path, to);
-  pen->at = pen->start = to;
-}
-
-static QnVec2
-pen_point (const Pen *pen, gboolean relative, double x, double y)
-{
-  return relative ? qn_vec2 (pen->at.x + x, pen->at.y + y) : qn_vec2 (x, y);
-}
-
-static guint
-number_count (char command)
-{
-  switch (command) {
-  case 'M':
-  case 'L':
-  case 'T':
-    return 2;
-  case 'H':
-  case 'V':
-    return 1;
-  case 'S':
-  case 'Q':
-    return 4;
-  case 'C':
-    return 6;
-  case 'A':
-    return 7;
-  default:
-    return 0;
-  }
-}
-
-/* One command with its numbers. */
-static void
-pen_draw (Pen *pen, char command, gboolean relative, const double *n)
-{
-  QnVec2 mirrored = qn_vec2_sub (qn_vec2_scale (2, pen->at), pen->handle);
-  QnVec2 control[3], end = pen->at;
-  if (pen->path == NULL)
-    pen_move (pen, pen->at);
-  switch (command) {
-  case 'L':
-    end = pen_point (pen, relative, n[0], n[1]);
-    qn_drawing_path_add (pen->path, end);
-    break;
-  case 'H':
-    end.x = relative ? end.x + n[0] : n[0];
-    qn_drawing_path_add (pen->path, end);
-    break;
-  case 'V':
-    end.y = relative ? end.y + n[0] : n[0];
-    qn_drawing_path_add (pen->path, end);
-    break;
-  case 'C':
-  case 'S': {
-    guint k = command == 'C' ? 2 : 0;
-    control[0] = command == 'C' ? pen_point (pen, relative, n[0], n[1])
-                 : strchr ("CS", pen->last) != NULL ? mirrored
-                                                    : pen->at;
-    control[1] = pen_point (pen, relative, n[k], n[k + 1]);
-    control[2] = end = pen_point (pen, relative, n[k + 2], n[k + 3]);
-    add_curve (pen->path, control, 3);
-    pen->handle = control[1];
-    break;
-  }
-  case 'Q':
-  case 'T':
-    control[0] = command == 'Q' ? pen_point (pen, relative, n[0], n[1])
-                 : strchr ("QT", pen->last) != NULL ? mirrored
-                                                    : pen->at;
-    control[1] = end = command == 'Q' ? pen_point (pen, relative, n[2], n[3])
-                                      : pen_point (pen, relative, n[0], n[1]);
-    add_curve (pen->path, control, 2);
-    pen->handle = control[0];
-    break;
-  case 'A':
-    end = pen_point (pen, relative, n[5], n[6]);
-    add_arc (pen->path, n, end);
-    break;
-  default:
-    break;
-  }
-  pen->at = end;
-  pen->last = command;
-}
-
-/* The data of a path element; FALSE where they are not well-formed. */
-static gboolean
-read_path (Pen *pen, const char *data)
-{
-  char command = '\0';
-  for (;;) {
-    skip_blanks (&data);
-    if (*data == '\0')
-      return TRUE;
-    gboolean given = g_ascii_isalpha (*data) != 0;
-    if (given)
-      command = *data++;
-    char upper = g_ascii_toupper (command);
-    gboolean relative = upper != command;
-    if (upper == 'Z') {
-      if (!given)
-        return FALSE;
-      if (pen->path != NULL)
-        pen->path->closed = TRUE;
-      pen->path = NULL;
-      pen->at = pen->start;
-      pen->last = upper;
-      continue;
-    }
-    double numbers[7];
-    guint need = number_count (upper);
-    if (need == 0)
-      return FALSE;
-    for (guint i = 0; i < need; i++) {
-      /* The flags of an arc may stand without blanks. */
-      skip_blanks (&data);
-      if (upper == 'A' && (i == 3 || i == 4) && (*data == '0' || *data == '1'))
-        numbers[i] = *data++ - '0';
-      else if (!next_number (&data, &numbers[i]))
-        return FALSE;
-    }
-    if (upper == 'M') {
-      pen_move (pen, pen_point (pen, relative, numbers[0], numbers[1]));
-      pen->last = 'M';
-      command = relative ? 'l' : 'L';
-    } else {
-      pen_draw (pen, upper, relative, numbers);
-    }
-  }
-}
-
-static const char *
-attribute (const char **keys, const char **values, const char *key)
-{
-  for (guint i = 0; keys[i] != NULL; i++)
-    if (strcmp (keys[i], key) == 0)
-      return values[i];
-  return NULL;
-}
-
+/* A length in user units; `otherwise` where it is not given. */
 static double
-number_of (const char **keys, const char **values, const char *key)
+length_of (Importer *importer, const xmlNode *node, const State *state, const char *key,
+           Along along, double otherwise)
 {
-  const char *text = attribute (keys, values, key);
-  double number = 0;
-  return text != NULL && next_number (&text, &number) ? number : 0;
+  g_autofree char *text = qn_svg_dup_attribute (node, key);
+  const char *at = text;
+  double number;
+  if (text == NULL || !qn_svg_next_number (&at, &number))
+    return otherwise;
+  double across = hypot (state->width, state->height) / sqrt (2);
+  if (*at == '%')
+    return 0.01 * number
+           * (along == ALONG_X   ? state->width
+              : along == ALONG_Y ? state->height
+                                 : across);
+  double factor = unit_factor (at);
+  importer->physical = importer->physical || (factor > 0 && factor != 1);
+  return factor > 0 ? factor * number : number;
+}
+
+static void
+note (Importer *importer, const xmlNode *node, const char *text)
+{
+  qn_drawing_note (importer->drawing, text, (guint) xmlGetLineNo (node),
+                   qn_vec2 (NAN, NAN));
 }
 
 static gboolean
-read_points (Pen *pen, const char *text, gboolean closed)
+is (const xmlNode *node, const char *element)
 {
-  double x, y;
-  gboolean first = TRUE;
-  while (text != NULL && next_number (&text, &x)) {
-    if (!next_number (&text, &y))
-      return FALSE;
-    if (first)
-      pen_move (pen, qn_vec2 (x, y));
-    else
-      qn_drawing_path_add (pen->path, qn_vec2 (x, y));
-    first = FALSE;
-  }
-  if (pen->path != NULL)
-    pen->path->closed = closed;
-  return TRUE;
+  return strcmp (qn_svg_name (node), element) == 0;
 }
 
 static gboolean
-read_shape (Pen *pen, const char *element, const char **keys, const char **values)
+read_shape (Importer *importer, QnSvgPen *pen, const xmlNode *node, const State *state)
 {
-  if (strcmp (element, "path") == 0) {
-    const char *data = attribute (keys, values, "d");
-    return data == NULL || read_path (pen, data);
+#define LENGTH(key, along, otherwise)                                                    \
+  length_of (importer, node, state, key, along, otherwise)
+  if (is (node, "path")) {
+    g_autofree char *data = qn_svg_dup_attribute (node, "d");
+    return data == NULL || qn_svg_read_path (pen, data);
   }
-  if (strcmp (element, "polygon") == 0 || strcmp (element, "polyline") == 0)
-    return read_points (pen, attribute (keys, values, "points"), element[4] == 'g');
-  if (strcmp (element, "rect") == 0) {
-    double x = number_of (keys, values, "x"), y = number_of (keys, values, "y");
-    double w = number_of (keys, values, "width"), h = number_of (keys, values, "height");
-    pen_move (pen, qn_vec2 (x, y));
+  if (is (node, "polygon") || is (node, "polyline")) {
+    g_autofree char *points = qn_svg_dup_attribute (node, "points");
+    return qn_svg_read_points (pen, points, is (node, "polygon"));
+  }
+  if (is (node, "rect")) {
+    double x = LENGTH ("x", ALONG_X, 0), y = LENGTH ("y", ALONG_Y, 0);
+    double w = LENGTH ("width", ALONG_X, 0), h = LENGTH ("height", ALONG_Y, 0);
+    if (LENGTH ("rx", ALONG_X, 0) > 0 || LENGTH ("ry", ALONG_Y, 0) > 0)
+      note (importer, node, _ ("rounded corners drawn sharp"));
+    qn_svg_pen_move (pen, qn_vec2 (x, y));
     qn_drawing_path_add (pen->path, qn_vec2 (x + w, y));
     qn_drawing_path_add (pen->path, qn_vec2 (x + w, y + h));
     qn_drawing_path_add (pen->path, qn_vec2 (x, y + h));
     pen->path->closed = TRUE;
-  } else if (strcmp (element, "circle") == 0 || strcmp (element, "ellipse") == 0) {
-    QnVec2 centre = { number_of (keys, values, "cx"), number_of (keys, values, "cy") };
-    double r = number_of (keys, values, "r");
-    double rx = r > 0 ? r : number_of (keys, values, "rx");
-    double ry = r > 0 ? r : number_of (keys, values, "ry");
-    pen->path = qn_drawing_add_path (pen->importer->drawing, pen->layer, pen->line);
+  } else if (is (node, "circle") || is (node, "ellipse")) {
+    QnVec2 centre = { LENGTH ("cx", ALONG_X, 0), LENGTH ("cy", ALONG_Y, 0) };
+    double r = LENGTH ("r", ALONG_BOTH, 0);
+    double rx = r > 0 ? r : LENGTH ("rx", ALONG_X, 0);
+    double ry = r > 0 ? r : LENGTH ("ry", ALONG_Y, 0);
+    pen->path = qn_drawing_add_path (importer->drawing, pen->layer, pen->line);
     qn_drawing_path_add_ellipse (pen->path, centre, qn_vec2 (rx, 0), qn_vec2 (0, ry), 0,
                                  2 * G_PI);
     pen->path->count--;
     pen->path->closed = TRUE;
-  } else if (strcmp (element, "line") == 0) {
-    pen_move (pen,
-              qn_vec2 (number_of (keys, values, "x1"), number_of (keys, values, "y1")));
-    qn_drawing_path_add (pen->path, qn_vec2 (number_of (keys, values, "x2"),
-                                             number_of (keys, values, "y2")));
-  } else if (strcmp (element, "text") == 0 || strcmp (element, "image") == 0
-             || strcmp (element, "use") == 0) {
-    g_autofree char *text = g_strdup_printf (_ ("%s elements left out"), element);
-    qn_drawing_note (pen->importer->drawing, text, pen->line, qn_vec2 (NAN, NAN));
+  } else { /* a line */
+    qn_svg_pen_move (pen, qn_vec2 (LENGTH ("x1", ALONG_X, 0), LENGTH ("y1", ALONG_Y, 0)));
+    qn_drawing_path_add (pen->path,
+                         qn_vec2 (LENGTH ("x2", ALONG_X, 0), LENGTH ("y2", ALONG_Y, 0)));
   }
+#undef LENGTH
   return TRUE;
 }
 
-/* Metres per user unit, from width="210mm" and viewBox="0 0 210 297". */
-static void
-read_unit (Importer *importer, const char **keys, const char **values)
+/* A part of a shape of several. */
+typedef struct Part {
+  QnRing ring; /* of the path, anticlockwise; empty where it is open */
+  double area; /* negative where they were drawn clockwise */
+  QnBox box;
+  QnVec2 inner;  /* a point in it */
+  guint depth;   /* of how many others */
+  guint parent;  /* the smallest of them */
+  QnRings holes; /* in it */
+} Part;
+
+static gboolean
+encloses (const Part *outer, const Part *inner)
 {
-  static const struct {
-    const char *name;
-    double metres;
-  } units[] = { { "mm", 0.001 }, { "cm", 0.01 }, { "in", 0.0254 }, { "m", 1 } };
-  const char *width = attribute (keys, values, "width");
-  const char *box = attribute (keys, values, "viewBox");
-  double size, numbers[4], unit = 0;
-  if (width == NULL || box == NULL || !next_number (&width, &size)
-      || read_numbers (box, numbers, 4) != 4 || !(numbers[2] > 0))
+  QnVec2 p = inner->inner;
+  return inner->area != 0 && p.x > outer->box.min.x && p.x < outer->box.max.x
+         && p.y > outer->box.min.y && p.y < outer->box.max.y
+         && fabs (outer->area) > fabs (inner->area)
+         && qn_polygon_depth (outer->ring.points, outer->ring.count, p) > 0;
+}
+
+static void
+find_parents (Part *parts, guint count)
+{
+  for (guint i = 0; i < count; i++)
+    for (guint k = 0; k < count; k++)
+      if (k != i && encloses (&parts[k], &parts[i])) {
+        if (parts[i].depth++ == 0
+            || fabs (parts[k].area) < fabs (parts[parts[i].parent].area))
+          parts[i].parent = k;
+      }
+}
+
+/* What is left of a part around its holes, where that is one simple ring: *whole. FALSE without memory. */
+static gboolean
+cut_holes (QnDrawingPath *path, const Part *part, gboolean *whole)
+{
+  QnRings left = { 0 };
+  QnStatus status = qn_polygon_difference (&part->ring, &part->holes, &left, NULL);
+  gboolean one = status == QN_OK && left.count == 1;
+  *whole = one;
+  if (one) {
+    path->count = 0;
+    for (gsize i = 0; i < left.items[0].count; i++)
+      qn_drawing_path_add (path, left.items[0].points[i]);
+  }
+  qn_rings_clear (&left);
+  return status != QN_ERROR_NO_MEMORY;
+}
+
+/* The parts of a shape that lie in another of its parts are holes, or covered by it, and no blocks of
+ * their own; what lies in a hole is one. A hole that reaches the edge is cut out. */
+static gboolean
+join_parts (Importer *importer, const xmlNode *node, guint first, gboolean even_odd)
+{
+  GArray *paths = importer->drawing->paths;
+  guint count = paths->len - first, kept = first;
+  QnDrawingPath *path = &g_array_index (paths, QnDrawingPath, first);
+  g_autofree Part *parts = g_new0 (Part, count);
+  gboolean memory = TRUE;
+  for (guint i = 0; i < count; i++) {
+    if (!path[i].closed || path[i].count < 3)
+      continue;
+    if (!qn_ring_init (&parts[i].ring, path[i].points, path[i].count)) {
+      memory = FALSE;
+      continue;
+    }
+    parts[i].area = qn_ring_area (&parts[i].ring);
+    parts[i].box = qn_ring_bounds (&parts[i].ring);
+    qn_ring_orient (&parts[i].ring);
+    parts[i].inner = qn_polygon_inner_point (parts[i].ring.points, parts[i].ring.count);
+  }
+  find_parents (parts, count);
+  for (guint i = 0; i < count; i++) {
+    const Part *part = &parts[i];
+    Part *parent = &parts[part->parent];
+    if (part->depth % 2 == 1 && (even_odd || part->area * parent->area < 0))
+      memory =
+        qn_rings_add (&parent->holes, part->ring.points, part->ring.count) && memory;
+    else if (part->depth % 2 == 1)
+      note (importer, node, _ ("parts of shapes that others cover left out"));
+  }
+  for (guint i = 0; i < count; i++) {
+    gboolean whole = TRUE;
+    if (parts[i].holes.count > 0)
+      memory = cut_holes (&path[i], &parts[i], &whole) && memory;
+    if (!whole)
+      note (importer, node, _ ("shapes with holes, whose blocks are solid"));
+    qn_rings_clear (&parts[i].holes);
+    qn_ring_clear (&parts[i].ring);
+  }
+  for (guint i = 0; i < count; i++)
+    if (parts[i].depth % 2 == 0)
+      g_array_index (paths, QnDrawingPath, kept++) = path[i];
+    else
+      g_free (path[i].points);
+  g_array_set_size (paths, kept);
+  if (!memory)
+    g_set_error (importer->error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s",
+                 importer->name, _ ("not enough memory"));
+  return memory;
+}
+
+static gboolean
+add_shape (Importer *importer, const xmlNode *node, const State *state)
+{
+  GArray *paths = importer->drawing->paths;
+  guint first = paths->len, line = (guint) xmlGetLineNo (node);
+  QnSvgPen pen = { .drawing = importer->drawing, .layer = state->layer, .line = line };
+  if (!read_shape (importer, &pen, node, state)) {
+    g_set_error (importer->error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:%u: %s: its coordinates cannot be read"), importer->name, line,
+                 qn_svg_name (node));
+    return FALSE;
+  }
+  gboolean painted = !state->empty || !state->bare || is (node, "line");
+  for (guint i = first; i < paths->len; i++) {
+    QnDrawingPath *path = &g_array_index (paths, QnDrawingPath, i);
+    path->hidden = state->gone || state->invisible || !painted;
+    for (gsize k = 0; k < path->count; k++) {
+      QnVec2 p = apply (&state->matrix, path->points[k]);
+      path->points[k] = qn_vec2 (p.x, -p.y);
+    }
+  }
+  return paths->len <= first + 1 || paths->len - first > MAX_PARTS
+         || join_parts (importer, node, first, state->even_odd);
+}
+
+/* The four numbers of a view box; FALSE where there is none. */
+static gboolean
+read_view_box (const xmlNode *node, double *box)
+{
+  g_autofree char *text = qn_svg_dup_attribute (node, "viewBox");
+  const char *at = text;
+  guint count = 0;
+  while (text != NULL && count < 4 && qn_svg_next_number (&at, &box[count]))
+    count++;
+  return count == 4 && box[2] > 0 && box[3] > 0;
+}
+
+/* How many units of the view port a unit of the view box is, in both directions, and where the box begins
+ * there (SVG 2, 8.2). */
+static Matrix
+fit_view_box (const xmlNode *node, const double *box, double width, double height)
+{
+  g_autofree char *given = qn_svg_dup_attribute (node, "preserveAspectRatio");
+  const char *how = given != NULL ? given : "xMidYMid meet";
+  double sx = width / box[2], sy = height / box[3];
+  if (!g_str_has_prefix (how, "none"))
+    sx = sy = strstr (how, "slice") != NULL ? fmax (sx, sy) : fmin (sx, sy);
+  double right = strstr (how, "xMin") != NULL   ? 0
+                 : strstr (how, "xMax") != NULL ? 1
+                                                : 0.5;
+  double down = strstr (how, "YMin") != NULL ? 0 : strstr (how, "YMax") != NULL ? 1 : 0.5;
+  return (Matrix){ sx,
+                   0,
+                   0,
+                   sy,
+                   right * (width - sx * box[2]) - sx * box[0],
+                   down * (height - sy * box[3]) - sy * box[1] };
+}
+
+/* A view port within the drawing, of an svg element or a symbol that is used. */
+static void
+enter_view_port (Importer *importer, const xmlNode *node, const xmlNode *use,
+                 State *state)
+{
+  double box[4];
+  double x = length_of (importer, node, state, "x", ALONG_X, 0);
+  double y = length_of (importer, node, state, "y", ALONG_Y, 0);
+  double w = length_of (importer, node, state, "width", ALONG_X, state->width);
+  double h = length_of (importer, node, state, "height", ALONG_Y, state->height);
+  if (use != NULL) {
+    w = length_of (importer, use, state, "width", ALONG_X, w);
+    h = length_of (importer, use, state, "height", ALONG_Y, h);
+  }
+  Matrix own = { 1, 0, 0, 1, x, y };
+  state->matrix = multiply (&state->matrix, &own);
+  state->width = w;
+  state->height = h;
+  if (!read_view_box (node, box))
     return;
-  for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
-    if (strcmp (width, units[i].name) == 0)
-      unit = units[i].metres * size / numbers[2];
+  if (w > 0 && h > 0) {
+    own = fit_view_box (node, box, w, h);
+    state->matrix = multiply (&state->matrix, &own);
+  }
+  state->width = box[2];
+  state->height = box[3];
+}
+
+/* Metres of a length with a unit of its own; 0 where it has none. */
+static double
+metres_of (const xmlNode *node, const char *key)
+{
+  g_autofree char *text = qn_svg_dup_attribute (node, key);
+  const char *at = text;
+  double number;
+  if (text == NULL || !qn_svg_next_number (&at, &number) || strncmp (at, "px", 2) == 0
+      || strncmp (at, "e", 1) == 0)
+    return 0;
+  return unit_factor (at) * number * METRES_PER_PIXEL;
+}
+
+/* The view port of the whole drawing: its user unit is that of the drawing, and larger in one direction
+ * where the view box is stretched. */
+static void
+enter_drawing (Importer *importer, const xmlNode *root, State *state)
+{
+  double box[4], width = metres_of (root, "width"), height = metres_of (root, "height");
+  double unit = width > 0 || height > 0 ? METRES_PER_PIXEL : 0;
+  state->width = length_of (importer, root, state, "width", ALONG_X, 0);
+  state->height = length_of (importer, root, state, "height", ALONG_Y, 0);
+  if (read_view_box (root, box)) {
+    double w = width > 0 ? width : height * box[2] / box[3];
+    double h = height > 0 ? height : width * box[3] / box[2];
+    Matrix fit = fit_view_box (root, box, w, h);
+    unit = width > 0 || height > 0 ? fit.a : 0;
+    if (unit > 0 && fabs (fit.d / fit.a - 1) > 1e-12)
+      state->matrix.d = fit.d / fit.a;
+    state->width = box[2];
+    state->height = box[3];
+    importer->physical = FALSE;
+  } else if (unit == 0 && importer->physical) {
+    unit = METRES_PER_PIXEL;
+  }
   if (unit >= LEAST_UNIT && unit <= LARGEST_UNIT)
     importer->drawing->unit = unit;
 }
 
+/* What the element's attributes and style change for it and for what is in it. */
 static void
-start_element (GMarkupParseContext *context, const char *element, const char **keys,
-               const char **values, gpointer data, GError **error)
+enter (Importer *importer, const xmlNode *node, State *state)
 {
-  Importer *importer = data;
-  const char *colon = strchr (element, ':');
-  if (colon != NULL)
-    element = colon + 1;
-  int line;
-  g_markup_parse_context_get_position (context, &line, NULL);
-  if (importer->depth + 1 >= MAX_GROUPS) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, _ ("%s:%d: nested too deeply"),
-                 importer->name, line);
+  QnSvgProperties own = qn_svg_properties_of (&importer->style, node);
+  state->matrix =
+    parse_transform (importer, own.transform, state->matrix, (guint) xmlGetLineNo (node));
+  state->gone = state->gone || g_strcmp0 (own.display, "none") == 0;
+  if (own.visibility != NULL && strcmp (own.visibility, "inherit") != 0)
+    state->invisible = strcmp (own.visibility, "visible") != 0;
+  if (own.fill != NULL && strcmp (own.fill, "inherit") != 0)
+    state->empty = strcmp (own.fill, "none") == 0;
+  if (own.stroke != NULL && strcmp (own.stroke, "inherit") != 0)
+    state->bare = strcmp (own.stroke, "none") == 0;
+  if (own.fill_rule != NULL && strcmp (own.fill_rule, "inherit") != 0)
+    state->even_odd = strcmp (own.fill_rule, "evenodd") == 0;
+  if (own.clip_path != NULL && strcmp (own.clip_path, "none") != 0)
+    note (importer, node, _ ("shapes that are clipped taken whole"));
+  qn_svg_properties_clear (&own);
+  if (!is (node, "g"))
     return;
-  }
-  const Group *outer = &importer->groups[importer->depth];
-  Group *own = &importer->groups[++importer->depth];
-  *own = *outer;
-  own->matrix = parse_transform (attribute (keys, values, "transform"), outer->matrix);
-  if (strcmp (element, "svg") == 0 && importer->depth == 1)
-    read_unit (importer, keys, values);
-  if (strcmp (element, "g") == 0) {
-    const char *label = attribute (keys, values, "inkscape:label");
-    if (label == NULL)
-      label = attribute (keys, values, "id");
-    if (label != NULL)
-      own->layer = qn_drawing_keep_string (importer->drawing, label);
-  }
-  static const char *const unseen[] = { "defs",   "clipPath", "mask", "pattern",
-                                        "marker", "symbol",   NULL };
-  own->hidden = outer->hidden || g_strv_contains (unseen, element);
-  if (own->hidden)
-    return;
+  g_autofree char *label = qn_svg_dup_attribute (node, "inkscape:label");
+  g_autofree char *id = qn_svg_dup_attribute (node, "id");
+  if (label != NULL || id != NULL)
+    state->layer = qn_drawing_keep_string (importer->drawing, label != NULL ? label : id);
+}
 
-  GArray *paths = importer->drawing->paths;
-  guint first = paths->len;
-  Pen pen = { .importer = importer, .layer = own->layer, .line = (guint) line };
-  if (!read_shape (&pen, element, keys, values)) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:%d: %s: its coordinates cannot be read"), importer->name, line,
-                 element);
-    return;
+static gboolean walk (Importer *importer, const xmlNode *node, State state);
+
+static gboolean
+walk_children (Importer *importer, const xmlNode *node, const State *state)
+{
+  for (const xmlNode *child = node->children; child != NULL; child = child->next)
+    if (child->type == XML_ELEMENT_NODE && !walk (importer, child, *state))
+      return FALSE;
+  return TRUE;
+}
+
+static gboolean
+walk_use (Importer *importer, const xmlNode *use, State state)
+{
+  g_autofree char *href = qn_svg_dup_attribute (use, "xlink:href");
+  const xmlNode *target = href != NULL && href[0] == '#'
+                            ? g_hash_table_lookup (importer->elements, href + 1)
+                            : NULL;
+  if (target == NULL || ++state.uses > MAX_USES) {
+    note (importer, use,
+          target == NULL ? _ ("uses of unknown elements left out")
+                         : _ ("uses nested too deeply left out"));
+    return TRUE;
   }
-  for (guint i = first; i < paths->len; i++) {
-    QnDrawingPath *path = &g_array_index (paths, QnDrawingPath, i);
-    for (gsize k = 0; k < path->count; k++) {
-      QnVec2 p = apply (&own->matrix, path->points[k]);
-      path->points[k] = qn_vec2 (p.x, -p.y);
+  Matrix own = { 1,
+                 0,
+                 0,
+                 1,
+                 length_of (importer, use, &state, "x", ALONG_X, 0),
+                 length_of (importer, use, &state, "y", ALONG_Y, 0) };
+  state.matrix = multiply (&state.matrix, &own);
+  if (!is (target, "symbol") && !is (target, "svg"))
+    return walk (importer, target, state);
+  enter (importer, target, &state);
+  enter_view_port (importer, target, use, &state);
+  return walk_children (importer, target, &state);
+}
+
+static gboolean
+walk (Importer *importer, const xmlNode *node, State state)
+{
+  static const char *const shapes[] = { "path",   "polygon", "polyline", "rect",
+                                        "circle", "ellipse", "line",     NULL };
+  static const char *const groups[] = { "svg", "g", "a", "switch", NULL };
+  static const char *const others[] = { "text", "image", "foreignObject", NULL };
+  const char *name = qn_svg_name (node);
+  if (state.uses > 0 && importer->budget-- == 0) {
+    g_set_error (importer->error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:1: more than %d outlines"), importer->name, MAX_USED);
+    return FALSE;
+  }
+  if (g_strv_contains (shapes, name)) {
+    enter (importer, node, &state);
+    return add_shape (importer, node, &state);
+  }
+  if (strcmp (name, "use") == 0) {
+    enter (importer, node, &state);
+    return walk_use (importer, node, state);
+  }
+  if (g_strv_contains (groups, name)) {
+    enter (importer, node, &state);
+    if (node->parent != NULL && node->parent->type != XML_ELEMENT_NODE)
+      enter_drawing (importer, node, &state);
+    else if (is (node, "svg"))
+      enter_view_port (importer, node, NULL, &state);
+    return walk_children (importer, node, &state);
+  }
+  if (g_strv_contains (others, name)) {
+    g_autofree char *text = g_strdup_printf (_ ("%s elements left out"), name);
+    qn_drawing_note (importer->drawing, text, (guint) xmlGetLineNo (node),
+                     qn_vec2 (NAN, NAN))
+      ->minor = TRUE;
+  }
+  return TRUE;
+}
+
+/* Elements by their id, and the style sheets. Without recursion: a document may be deep. */
+static void
+collect (Importer *importer, const xmlNode *root)
+{
+  for (const xmlNode *node = root; node != NULL;) {
+    if (node->type == XML_ELEMENT_NODE) {
+      char *id = qn_svg_dup_attribute (node, "id");
+      if (id != NULL)
+        g_hash_table_insert (importer->elements, id, (gpointer) node);
+      if (is (node, "style"))
+        qn_svg_style_add (&importer->style, node);
     }
+    const xmlNode *next = node->type == XML_ELEMENT_NODE ? node->children : NULL;
+    while (next == NULL && node != root) {
+      next = node->next;
+      if (next == NULL)
+        node = node->parent;
+      if (node == root)
+        break;
+    }
+    node = next;
   }
 }
 
-static void
-end_element (GMarkupParseContext *context, const char *element, gpointer data,
-             GError **error)
+/* What gzip compressed; NULL where it cannot be read or is too large. */
+static GByteArray *
+inflate (const char *bytes, gsize size)
 {
-  (void) context;
-  (void) element;
-  (void) error;
-  ((Importer *) data)->depth--;
+  g_autoptr (GZlibDecompressor) gzip =
+    g_zlib_decompressor_new (G_ZLIB_COMPRESSOR_FORMAT_GZIP);
+  g_autoptr (GInputStream) packed =
+    g_memory_input_stream_new_from_data (bytes, (gssize) size, NULL);
+  g_autoptr (GInputStream) stream =
+    g_converter_input_stream_new (packed, G_CONVERTER (gzip));
+  g_autoptr (GByteArray) all = g_byte_array_new ();
+  guint8 piece[16384];
+  gssize count;
+  while ((count = g_input_stream_read (stream, piece, sizeof piece, NULL, NULL)) > 0
+         && all->len < MAX_INFLATED)
+    g_byte_array_append (all, piece, (guint) count);
+  return count == 0 ? g_steal_pointer (&all) : NULL;
+}
+
+/* One line of what libxml2 says. */
+static void
+set_xml_error (xmlParserCtxt *context, const char *name, GError **error)
+{
+  const xmlError *problem = xmlCtxtGetLastError (context);
+  g_autofree char *reason = g_utf8_make_valid (
+    problem != NULL && problem->message != NULL ? problem->message : _ ("no XML"), -1);
+  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%d: %s", name,
+               problem != NULL ? MAX (problem->line, 1) : 1,
+               g_strstrip (g_strdelimit (reason, "\r\n", ' ')));
+}
+
+static gboolean
+import_document (const xmlDoc *document, const char *name, QnDrawing *drawing,
+                 GError **error)
+{
+  const xmlNode *root = xmlDocGetRootElement ((xmlDoc *) document);
+  Importer importer = { .drawing = drawing,
+                        .name = name,
+                        .elements =
+                          g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL),
+                        .budget = MAX_USED,
+                        .error = error };
+  State state = { .matrix = { 1, 0, 0, 1, 0, 0 }, .layer = "0", .bare = TRUE };
+  qn_svg_style_init (&importer.style);
+  collect (&importer, root);
+  gboolean done = walk (&importer, root, state);
+  if (drawing->unit == 0 && importer.physical)
+    drawing->unit = METRES_PER_PIXEL;
+  qn_svg_style_clear (&importer.style);
+  g_hash_table_unref (importer.elements);
+  return done;
 }
 
 gboolean
 qn_svg_import (const char *text, gsize length, const char *name, QnDrawing *drawing,
                GError **error)
 {
-  const GMarkupParser parser = { .start_element = start_element,
-                                 .end_element = end_element };
-  Importer importer = { .drawing = drawing, .name = name };
-  importer.groups[0] = (Group){ { 1, 0, 0, 1, 0, 0 }, "0", FALSE };
+  g_autoptr (GByteArray) inflated = NULL;
   qn_drawing_init (drawing);
-  GMarkupParseContext *context = g_markup_parse_context_new (&parser, 0, &importer, NULL);
-  GError *problem = NULL;
-  gboolean done = g_markup_parse_context_parse (context, text, (gssize) length, &problem)
-                  && g_markup_parse_context_end_parse (context, &problem);
-  if (!done && problem->domain != QN_IO_ERROR) {
-    int line;
-    g_markup_parse_context_get_position (context, &line, NULL);
-    g_autofree char *reason = g_strdelimit (g_strdup (problem->message), "\r\n", ' ');
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%d: %s", name, line,
-                 reason);
-    g_error_free (problem);
-  } else if (!done) {
-    g_propagate_error (error, problem);
+  if (length > 2 && memcmp (text, "\x1f\x8b", 2) == 0) {
+    inflated = inflate (text, length);
+    text = inflated != NULL ? (const char *) inflated->data : "";
+    length = inflated != NULL ? inflated->len : 0;
   }
-  g_markup_parse_context_free (context);
+  /* Entities are replaced in attributes; those of other files are not read. */
+  xmlParserCtxt *context = xmlNewParserCtxt ();
+  xmlDoc *document =
+    length <= G_MAXINT
+      ? xmlCtxtReadMemory (context, text, (int) length, NULL, NULL,
+                           XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING)
+      : NULL;
+  if (document == NULL)
+    set_xml_error (context, name, error);
+  gboolean done = document != NULL && import_document (document, name, drawing, error);
+  xmlFreeDoc (document);
+  xmlFreeParserCtxt (context);
   if (!done)
     qn_drawing_clear (drawing);
   return done;

@@ -193,6 +193,53 @@ test_flat_arch (void)
   }
 }
 
+/* Rings of voussoirs of 20 and of 15 degrees on one circle, of arcs or of Bézier curves: blocks touch all
+ * along it, and do not overlap. */
+static void
+test_curves_touch (void)
+{
+  for (int splines = 0; splines < 2; splines++) {
+    g_auto (QnDrawing) drawing;
+    g_auto (QnProject) project;
+    g_auto (QnImportReport) report;
+    qn_drawing_init (&drawing);
+    for (int ring = 0; ring < 2; ring++)
+      for (int i = 0; i < (ring == 0 ? 9 : 12); i++) {
+        QnDrawingPath *path = qn_drawing_add_path (&drawing, "A", 1);
+        double step = ring == 0 ? G_PI / 9 : G_PI / 12, from = i * step;
+        for (int side = 0; side < 2; side++) {
+          double r = 2 + 0.3 * (ring + side), a = side == 0 ? from : from + step,
+                 b = side == 0 ? from + step : from, k = 4.0 / 3 * tan ((b - a) / 4) * r;
+          QnVec2 p[4] = {
+            { r * cos (a), r * sin (a) }, { 0, 0 }, { 0, 0 }, { r * cos (b), r * sin (b) }
+          };
+          static const double knots[] = { 0, 0, 0, 0, 1, 1, 1, 1 };
+          p[1] = qn_vec2 (p[0].x - k * sin (a), p[0].y + k * cos (a));
+          p[2] = qn_vec2 (p[3].x + k * sin (b), p[3].y - k * cos (b));
+          qn_drawing_path_add (path, p[0]);
+          if (splines)
+            qn_drawing_path_add_spline (path, 3, knots, 8, p, NULL, 4);
+          else
+            qn_drawing_path_add_bulge (path, p[3], tan ((b - a) / 4));
+        }
+        path->closed = TRUE;
+      }
+    g_assert_true (qn_drawing_to_project (&drawing, "test", &QN_IMPORT_DEFAULTS, &project,
+                                          &report, NULL));
+    g_auto (QnContacts) contacts = { 0 };
+    g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
+    g_assert_cmpuint (contacts.findings.count, ==, 0);
+    double along = 0;
+    for (gsize i = 0; i < contacts.face_count; i++) {
+      QnVec2 a = contacts.faces[i].start, b = contacts.faces[i].end;
+      if (fabs (qn_vec2_length (a) - 2.3) < 0.001
+          && fabs (qn_vec2_length (b) - 2.3) < 0.001)
+        along += qn_vec2_length (qn_vec2_sub (b, a));
+    }
+    g_assert_cmpfloat_with_epsilon (along, 2.3 * G_PI, 0.001);
+  }
+}
+
 /* A drawing may name some of its blocks as others are numbered, or several alike. */
 static void
 test_names (void)
@@ -262,6 +309,7 @@ QN_TESTS
   g_test_add_func ("/drawing-import/report", test_report);
   g_test_add_func ("/drawing-import/supports-inferred", test_supports_inferred);
   g_test_add_func ("/drawing-import/flat-arch", test_flat_arch);
+  g_test_add_func ("/drawing-import/curves-touch", test_curves_touch);
   g_test_add_func ("/drawing-import/names", test_names);
   g_test_add_func ("/drawing-import/refuses", test_refuses);
 }

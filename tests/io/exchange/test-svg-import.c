@@ -2,6 +2,7 @@
 #include "io/text/io-error.h"
 #include "support/room.h"
 
+#include <gio/gio.h>
 #include <string.h>
 
 static void
@@ -70,7 +71,7 @@ test_path_commands (void)
   g_assert_cmpfloat (arc->points[arc->count / 2].y, >, 0.9);
   const QnDrawingPath *curve = path_at (&drawing, 3);
   assert_point (curve->points[curve->count - 1], 2, 0);
-  assert_point (curve->points[12], 1, 0);
+  assert_point (curve->points[(curve->count - 1) / 2], 1, 0);
 }
 
 static void
@@ -91,6 +92,22 @@ test_bad_files (void)
     g_assert_true (g_str_has_prefix (error->message, cases[i].start));
     g_assert_null (strchr (error->message, '\n'));
   }
+}
+
+/* An arc without an angle ends. */
+static void
+test_no_arc (void)
+{
+  g_auto (QnDrawing) drawing;
+  qn_drawing_init (&drawing);
+  QnDrawingPath *path = qn_drawing_add_path (&drawing, "0", 1);
+  qn_drawing_path_add_ellipse (path, qn_vec2 (0, 0), qn_vec2 (1, 0), qn_vec2 (0, 1), 0,
+                               NAN);
+  qn_drawing_path_add_ellipse (path, qn_vec2 (0, 0), qn_vec2 (1, 0), qn_vec2 (0, 1), 0,
+                               1e300);
+  g_assert_cmpuint (path->count, ==, 4);
+  qn_drawing_drop_unbounded (&drawing);
+  g_assert_cmpuint (drawing.paths->len, ==, 0);
 }
 
 /* Numbers that arithmetic cannot carry, one at a time in every place where a shape has one. */
@@ -127,10 +144,226 @@ test_extreme_numbers (void)
   }
 }
 
+static char *
+dup_notes (const QnDrawing *drawing)
+{
+  GString *text = g_string_new (NULL);
+  for (guint i = 0; i < drawing->notes->len; i++) {
+    const QnDrawingNote *note = drawing->notes->pdata[i];
+    g_string_append_printf (text, "%s: %u; ", note->text, note->count);
+  }
+  return g_string_free (text, FALSE);
+}
+
+/* What programs write: entities of Illustrator, other encodings, gzip; never another file. */
+static void
+test_documents (void)
+{
+  static const char rest[] =
+    "<svg xmlns:i=\"&i;\" width=\"10mm\" viewBox=\"0 0 10 10\">"
+    "<g id=\"Öl\" style=\"&s;\"><rect width=\"2\" height=\"1\"/></g></svg>";
+  static const char head[] =
+    "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"svg11.dtd\" [\n"
+    "<!ENTITY i \"http://example.org/\">\n<!ENTITY s \"fill:#000\">\n"
+    "<!ENTITY x SYSTEM \"file:///etc/passwd\">\n]>";
+  g_autofree char *plain = g_strconcat (head, rest, NULL);
+  g_autofree char *marked = g_strconcat ("\xef\xbb\xbf", plain, NULL);
+  g_autofree char *outside = g_strdup (plain);
+  memcpy (strstr (outside, "&i;"), "&x;", 3);
+  gsize wide_size, latin_size;
+  g_autofree char *wide =
+    g_convert (plain, -1, "UTF-16", "UTF-8", NULL, &wide_size, NULL);
+  g_autofree char *declared =
+    g_strconcat ("<?xml version='1.0' encoding='ISO-8859-1'?>", plain, NULL);
+  g_autofree char *latin =
+    g_convert (declared, -1, "ISO-8859-1", "UTF-8", NULL, &latin_size, NULL);
+  const struct {
+    const char *bytes;
+    gsize size;
+  } cases[] = { { plain, strlen (plain) },
+                { marked, strlen (marked) },
+                { wide, wide_size },
+                { latin, latin_size } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++)
+    for (int packed = 0; packed < 2; packed++) {
+      g_auto (QnDrawing) drawing;
+      g_autoptr (GError) error = NULL;
+      g_autoptr (GZlibCompressor) gzip =
+        g_zlib_compressor_new (G_ZLIB_COMPRESSOR_FORMAT_GZIP, 6);
+      char buffer[4096];
+      gsize read, written;
+      g_converter_convert (G_CONVERTER (gzip), cases[i].bytes, cases[i].size, buffer,
+                           sizeof buffer, G_CONVERTER_INPUT_AT_END, &read, &written,
+                           &error);
+      g_assert_no_error (error);
+      qn_svg_import (packed ? buffer : cases[i].bytes, packed ? written : cases[i].size,
+                     "test.svg", &drawing, &error);
+      g_assert_no_error (error);
+      g_assert_cmpuint (drawing.paths->len, ==, 1);
+      g_assert_cmpstr (path_at (&drawing, 0)->layer, ==, "Öl");
+    }
+  QnDrawing drawing;
+  g_assert_false (qn_svg_import (outside, strlen (outside), "test.svg", &drawing, NULL));
+  g_assert_false (qn_svg_import ("\x1f\x8b\x08garbage", 10, "test.svg", &drawing, NULL));
+}
+
+/* By attribute, property, class, element and id; visible shapes in what is invisible; what is painted
+ * neither inside nor along its edge. */
+static void
+test_hidden (void)
+{
+  static const struct {
+    const char *shape;
+    gboolean hidden;
+  } cases[] = {
+    { "<rect/>", FALSE },
+    { "<rect display=\"none\"/>", TRUE },
+    { "<rect style=\"fill:#fff; display : none\"/>", TRUE },
+    { "<rect visibility=\"hidden\"/>", TRUE },
+    { "<g visibility=\"hidden\"><rect style=\"visibility:visible\"/></g>", FALSE },
+    { "<g display=\"none\"><rect style=\"display:inline\"/></g>", TRUE },
+    { "<g class=\"x off\"><rect/></g>", TRUE },
+    { "<rect id=\"gone\" class=\"on\"/>", TRUE },
+    { "<rect class=\"off\" style=\"display:inline\"/>", FALSE },
+    { "<ellipse/>", TRUE },
+    { "<ellipse class=\"on\"/>", FALSE },
+    { "<rect fill=\"none\"/>", TRUE },
+    { "<g stroke=\"#000\"><rect fill=\"none\"/></g>", FALSE },
+    { "<line x2=\"1\"/>", FALSE },
+    { "<a><switch><rect/></switch></a>", FALSE },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text = g_strdup_printf (
+      "<svg><style>/* a { } */ .off, #gone {display:none !important} "
+      ".on{display:inline}\n"
+      "ellipse{visibility:hidden}ellipse.on{visibility:visible}</style>%s</svg>",
+      cases[i].shape);
+    g_auto (QnDrawing) drawing;
+    g_test_message ("%s", cases[i].shape);
+    parse (text, &drawing);
+    g_assert_cmpuint (drawing.paths->len, ==, 1);
+    g_assert_cmpint (path_at (&drawing, 0)->hidden, ==, cases[i].hidden);
+  }
+}
+
+/* Lengths with units, percentages, view ports in each other, aspect ratios, transformations of style
+ * sheets, elements that are used: where the first corner lies and how large the shape is, in user units
+ * of the drawing. */
+static void
+test_places (void)
+{
+  static const struct {
+    const char *svg;
+    double unit, x, y, width;
+  } cases[] = {
+    { "width=\"96\" height=\"96\"><rect x=\"2.54cm\" y=\"1in\" width=\"72pt\" "
+      "height=\"6pc\"/>",
+      0.0254 / 96, 96, 96, 96 },
+    { "width=\"80mm\"><rect x=\"10mm\" y=\"0\" width=\"50%\" height=\"1\"/>", 0.0254 / 96,
+      10 * 96 / 25.4, 0, 40 * 96 / 25.4 },
+    { "width=\"2m\" height=\"1m\" viewBox=\"0 0 100 100\"><rect x=\"10%\" width=\"3\" "
+      "height=\"1\"/>",
+      0.01, 10, 0, 3 },
+    { "width=\"2m\" height=\"1m\" viewBox=\"0 0 100 100\" preserveAspectRatio=\"none\">"
+      "<rect x=\"1\" y=\"8\" width=\"3\" height=\"1\"/>",
+      0.02, 1, 4, 3 },
+    { "width=\"2m\" height=\"1m\" viewBox=\"0 0 100 100\" preserveAspectRatio=\"xMidYMid "
+      "slice\">"
+      "<rect x=\"1\" width=\"3\" height=\"1\"/>",
+      0.02, 1, 0, 3 },
+    { "><svg x=\"10\" y=\"20\" width=\"40\" height=\"20\" viewBox=\"0 0 10 10\">"
+      "<rect width=\"5\" height=\"5\"/></svg>",
+      0, 20, 20, 10 },
+    { "><svg x=\"10\" y=\"20\" width=\"40\" height=\"20\" viewBox=\"0 0 10 10\" "
+      "preserveAspectRatio=\"xMinYMin slice\"><rect width=\"50%\" height=\"5\"/></svg>",
+      0, 10, 20, 20 },
+    { "><g style=\"transform: translate(3px, 4px) scale(2)\"><rect x=\"1\" width=\"5\" "
+      "height=\"5\"/></g>",
+      0, 5, 4, 10 },
+    { "><g style=\"transform:rotate(0.25turn)\"><rect x=\"1\" y=\"2\" width=\"5\" "
+      "height=\"7\"/></g>",
+      0, -2, 1, -7 },
+    { "><defs><g id=\"a\"><rect x=\"1\" width=\"5\" height=\"5\"/></g></defs>"
+      "<use href=\"#a\" x=\"3\" y=\"4\" transform=\"scale(2)\"/>",
+      0, 8, 8, 10 },
+    { "><symbol id=\"a\" viewBox=\"0 0 2 2\"><rect width=\"1\" height=\"2\"/></symbol>"
+      "<use xlink:href=\"#a\" x=\"3\" width=\"8\" height=\"8\"/>",
+      0, 3, 0, 4 },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text = g_strdup_printf ("<svg %s</svg>", cases[i].svg);
+    g_auto (QnDrawing) drawing;
+    g_test_message ("%s", cases[i].svg);
+    parse (text, &drawing);
+    g_assert_cmpuint (drawing.paths->len, ==, 1);
+    g_assert_cmpfloat_with_epsilon (drawing.unit, cases[i].unit, 1e-15);
+    const QnVec2 *p = path_at (&drawing, 0)->points;
+    assert_point (p[0], cases[i].x, -cases[i].y);
+    QnVec2 side = qn_vec2_sub (p[2], p[0]);
+    g_assert_cmpfloat_with_epsilon (side.x, cases[i].width, 1e-11);
+  }
+}
+
+/* A hole at the edge is cut out, one within is told; what lies in it is a block; a part that is covered is
+ * none. */
+static void
+test_holes (void)
+{
+#define SQUARE "<svg><path %s d=\"M0 0H10V10H0z %s\"/></svg>"
+  static const struct {
+    const char *rule, *more;
+    guint count, corners, notes;
+  } cases[] = {
+    { "", "M3 0v3h3v-3z", 1, 8, 0 },                            /* turns the other way */
+    { "", "M3 0h3v3h-3z", 1, 4, 1 },                            /* covered */
+    { "fill-rule=\"evenodd\"", "M3 0h3v3h-3z", 1, 8, 0 },       /* a notch */
+    { "style=\"fill-rule:evenodd\"", "M3 3h3v3h-3z", 1, 4, 1 }, /* within */
+    { "fill-rule=\"evenodd\"", "M3 3h3v3h-3z M4 4h1v1h-1z", 2, 4, 1 }, /* a block in it */
+    { "fill-rule=\"evenodd\"", "M20 0h3v3h-3z", 2, 4, 0 },             /* beside */
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text = g_strdup_printf (SQUARE, cases[i].rule, cases[i].more);
+    g_auto (QnDrawing) drawing;
+    parse (text, &drawing);
+    g_assert_cmpuint (drawing.paths->len, ==, cases[i].count);
+    g_assert_cmpuint (path_at (&drawing, 0)->count, ==, cases[i].corners);
+    g_assert_cmpuint (drawing.notes->len, ==, cases[i].notes);
+  }
+}
+
+/* Elements that use themselves, or each other by the million, end, and are told. */
+static void
+test_endless_uses (void)
+{
+  g_auto (QnDrawing) drawing;
+  parse ("<svg><g id=\"a\"><rect width=\"1\" height=\"1\"/><use href=\"#a\"/></g><use "
+         "href=\"#b\"/></svg>",
+         &drawing);
+  g_autofree char *notes = dup_notes (&drawing);
+  g_assert_nonnull (strstr (notes, "uses nested too deeply left out: 1; "));
+  g_assert_nonnull (strstr (notes, "uses of unknown elements left out: 1; "));
+  g_autoptr (GString) text = g_string_new ("<svg><defs><g id=\"l0\"><rect/></g>");
+  for (int i = 1; i < 20; i++) {
+    g_string_append_printf (text, "<g id=\"l%d\">", i);
+    for (int k = 0; k < 10; k++)
+      g_string_append_printf (text, "<use href=\"#l%d\"/>", i - 1);
+    g_string_append (text, "</g>");
+  }
+  g_string_append (text, "</defs><use href=\"#l19\"/></svg>");
+  QnDrawing many;
+  g_assert_false (qn_svg_import (text->str, text->len, "test.svg", &many, NULL));
+}
+
 QN_TESTS
 {
   g_test_add_func ("/svg-import/shapes", test_shapes);
   g_test_add_func ("/svg-import/path-commands", test_path_commands);
   g_test_add_func ("/svg-import/extreme-numbers", test_extreme_numbers);
+  g_test_add_func ("/svg-import/documents", test_documents);
+  g_test_add_func ("/svg-import/hidden", test_hidden);
+  g_test_add_func ("/svg-import/places", test_places);
+  g_test_add_func ("/svg-import/holes", test_holes);
+  g_test_add_func ("/svg-import/endless-uses", test_endless_uses);
+  g_test_add_func ("/svg-import/no-arc", test_no_arc);
   g_test_add_func ("/svg-import/bad-files", test_bad_files);
 }
