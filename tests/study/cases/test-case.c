@@ -82,9 +82,8 @@ check_case (QnCaseSolver *solver, const char *model, const char *path, double va
     qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL)
     == QN_OK);
   /* It starts from another iterate: the same to the gap of the bounds (limit.h). */
-  g_assert_cmpfloat (
-    fabs (result.numbers[QN_STUDY_LOWER_BOUND] - solution.lower_bound), <,
-    1e-7 * (1 + solution.upper_bound));
+  g_assert_cmpfloat (fabs (result.numbers[QN_STUDY_LOWER_BOUND] - solution.lower_bound),
+                     <, 1e-7 * (1 + solution.upper_bound));
   *multiplier = solution.lower_bound;
 }
 
