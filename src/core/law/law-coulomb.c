@@ -221,7 +221,10 @@ qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
 QnStatus
 qn_law_coulomb_check (const QnLaw *law, QnId index, QnDiag *diag)
 {
-  if (law->dilatancy <= law->friction)
+  bool residual = law->residual_friction > 0;
+
+  if (law->dilatancy <= law->friction
+      && !(residual && law->dilatancy > law->residual_friction))
     return QN_OK;
   return qn_diag_set_field (diag, QN_PROBLEM_DILATANCY_ABOVE_FRICTION, QN_ENTITY_LAW,
                             index, "dilatancy", law->dilatancy);

@@ -75,6 +75,23 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
 }
 
 bool
+qn_law_has_bond (const QnLaw *law)
+{
+  bool is_joint = law->kind == QN_LAW_COULOMB || law->kind == QN_LAW_MOHR_COULOMB;
+
+  return is_joint && (law->cohesion > 0 || (law->tension > 0 && law->friction == 0));
+}
+
+void
+qn_law_break_bond (QnLaw *law)
+{
+  if (!qn_law_has_bond (law))
+    return;
+  law->friction = law->residual_friction > 0 ? law->residual_friction : law->friction;
+  law->cohesion = law->tension = 0;
+}
+
+bool
 qn_law_assign (QnLaw *law, const QnLaw *from)
 {
   char *name = law->name, *source = qn_strdup (from->source);

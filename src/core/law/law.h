@@ -97,6 +97,12 @@ extern const char *const qn_basis_names[QN_BASIS_COUNT];
 /* Checks the parameters of one law; `index` is for the diagnostic. */
 QnStatus qn_law_check (const QnLaw *law, QnId index, QnDiag *diag);
 
+/* Whether joints of this law have a bond: cohesion, or tension below the apex of the cone. */
+bool qn_law_has_bond (const QnLaw *law);
+
+/* Makes it that of joints whose bonds are broken. */
+void qn_law_break_bond (QnLaw *law);
+
 /* Makes a law like another one, but for its name and note; false when memory runs out, with nothing
  * changed. */
 bool qn_law_assign (QnLaw *law, const QnLaw *from);

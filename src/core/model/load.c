@@ -148,6 +148,15 @@ qn_model_live_forces (const QnModel *model, double *forces)
 }
 
 bool
+qn_model_has_bonds (const QnModel *model)
+{
+  for (size_t i = 0; i < model->law_count; i++)
+    if (qn_law_has_bond (&model->laws[i]))
+      return true;
+  return false;
+}
+
+bool
 qn_model_sets_have_force (const QnModel *model, uint32_t sets)
 {
   for (size_t i = 0; i < model->live_load_count; i++) {

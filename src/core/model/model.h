@@ -585,6 +585,9 @@ void qn_model_live_forces (const QnModel *model, double *forces);
  * Sets of settlements alone go as far as their values say, to multiplier 1. */
 bool qn_model_sets_have_force (const QnModel *model, uint32_t sets);
 
+/* Whether some law has a bond that may break. */
+bool qn_model_has_bonds (const QnModel *model);
+
 /* Loads of all sets, each times its own factor; factors: QN_MAX_LOAD_SETS. */
 void qn_model_set_forces (const QnModel *model, const double *factors, double *forces);
 

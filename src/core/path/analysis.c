@@ -88,8 +88,14 @@ run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
   QnPath path;
   bool stands;
 
-  if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
-    return qn_limit_run (series, model, contacts, qn_budget_go_on, budget, result, diag);
+  if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
+    QnStatus status =
+      qn_limit_run (series, model, contacts, qn_budget_go_on, budget, result, diag);
+    return status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED
+             ? qn_path_add_broken_bound (model, contacts, qn_budget_go_on, budget, result,
+                                         diag)
+             : status;
+  }
   QnStatus status =
     qn_path_setup (&path, model, contacts, qn_budget_go_on, budget, result, diag);
   if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
@@ -102,6 +108,9 @@ run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
   if (status == QN_OK && result->has_collapse_multiplier)
     status =
       qn_path_add_bound (model, contacts, qn_budget_go_on, budget, result, NULL, diag);
+  if (status == QN_OK && result->has_collapse_multiplier)
+    status =
+      qn_path_add_broken_bound (model, contacts, qn_budget_go_on, budget, result, diag);
   return status;
 }
 

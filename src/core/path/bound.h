@@ -15,4 +15,10 @@ QnStatus qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
                             QnProgressFunc report, void *report_data, QnResult *result,
                             bool *cancelled, QnDiag *diag);
 
+/* Where the associative bound is known and joints have a bond, which it takes as ductile: adds the same of
+ * joints whose bonds are broken. */
+QnStatus qn_path_add_broken_bound (const QnModel *model, const QnContacts *contacts,
+                                   QnProgressFunc report, void *report_data,
+                                   QnResult *result, QnDiag *diag);
+
 #endif

@@ -259,6 +259,8 @@ typedef struct QnResult {
   bool
     has_associative_bound; /* whether limit analysis was run for the associative bound */
   double associative_bound;
+  bool has_broken_bound; /* likewise, with the bond of every joint broken: */
+  double broken_bound;   /* 0: not even the dead load stands */
 
   QnFault
     refused[QN_CLAIM_COUNT]; /* what its own check found not to be true: left out, with

@@ -187,6 +187,8 @@ qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
   result->first_limit_multiplier = draft->first_limit.number;
   result->has_associative_bound = draft->associative_bound.given;
   result->associative_bound = draft->associative_bound.number;
+  result->has_broken_bound = draft->broken_bound.given;
+  result->broken_bound = draft->broken_bound.number;
   result->beyond_linear_multiplier = draft->beyond_linear.number;
   result->has_unproved_multiplier = draft->unproved.given;
   result->unproved_multiplier = draft->unproved.number;

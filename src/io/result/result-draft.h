@@ -33,7 +33,8 @@ typedef struct QnOptionalNumber {
 typedef struct QnResultDraft {
   QnResultFile file;
   QnResultNames blocks, overrides, nodes;
-  QnOptionalNumber collapse, first_limit, associative_bound, beyond_linear, unproved;
+  QnOptionalNumber collapse, first_limit, associative_bound, broken_bound, beyond_linear,
+    unproved;
   QnResultIds unstable, supports;
   QnStep step; /* that is being read */
   QnResultRows displacements, mechanism, reactions, velocities;

@@ -596,6 +596,7 @@ read_document (QnJsonStream *stream, gpointer target)
       QN_JSON_OPTIONAL },
     { "flow", read_flow, RESULT (limit.flow), QN_JSON_OPTIONAL },
     { "associative_bound", read_optional, OF (associative_bound), QN_JSON_OPTIONAL },
+    { "broken_bond_bound", read_optional, OF (broken_bound), QN_JSON_OPTIONAL },
     { "fixed_points", read_fixed_point, 0, QN_JSON_EACH },
     { "solutions", read_solution, OF (file.result), QN_JSON_EACH },
     { "collapse_interval", read_interval, 0, QN_JSON_OPTIONAL },

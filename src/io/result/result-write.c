@@ -81,6 +81,8 @@ write_answer (QnFileWriter *writer, const QnResult *result)
                          isfinite (least) ? qn_procedure_names[found_by] : "null",
                          isfinite (least) ? "\"" : "",
                          isfinite (bound) ? "\"associative-bound\"" : "null");
+  if (result->has_broken_bound)
+    write_optional (writer, "broken_bond_bound", TRUE, result->broken_bound);
   if (result->linearity == QN_LINEARITY_UNKNOWN)
     return;
   gboolean beyond = result->linearity == QN_LINEARITY_BEYOND;

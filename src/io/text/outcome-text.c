@@ -204,6 +204,17 @@ found_by_words (const QnModel *model, QnProcedure procedure)
 }
 
 char *
+qn_outcome_dup_broken_bond (const QnResult *result)
+{
+  return result->has_broken_bound
+           ? g_strdup_printf (_ ("The bound takes the bonds of joints as ductile, which "
+                                 "they are not; with all of them broken it is %.4f, and "
+                                 "only that is safe."),
+                              result->broken_bound)
+           : NULL;
+}
+
+char *
 qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
 {
   QnProcedure found_by = QN_PROCEDURE_LOAD;
@@ -231,7 +242,9 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
     isnan (bound)
       ? g_strdup (_ ("what bounds it from above is not known."))
       : g_strdup_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
-  return g_strdup_printf ("%s %s", from, to);
+  g_autofree char *safe = qn_outcome_dup_broken_bond (result);
+  return safe != NULL ? g_strdup_printf ("%s %s %s", from, to, safe)
+                      : g_strdup_printf ("%s %s", from, to);
 }
 
 /* Where the path has left a branch that lost its stability; NULL where it has not. */

@@ -18,6 +18,10 @@ char *qn_outcome_dup_cause (const QnModel *model, const QnResult *result);
  * nothing exceeds. NULL where no collapse was found. Free with g_free(). */
 char *qn_outcome_dup_interval (const QnModel *model, const QnResult *result);
 
+/* That the bound takes the bonds of joints as ductile, and what it is without them; NULL where there are
+ * none. Part of the line above. */
+char *qn_outcome_dup_broken_bond (const QnResult *result);
+
 /* Name of a stage (number from 1): its own, or its number. Free with g_free(). */
 char *qn_stage_dup_name (const QnModel *model, int32_t stage);
 

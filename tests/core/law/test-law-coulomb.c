@@ -266,7 +266,7 @@ test_bond_tangents (void)
 {
   g_autoptr (GRand) random = g_rand_new_with_seed (5);
   for (int i = 0; i < 3000; i++) {
-    Probe p = tough (i % 3 * 0.2, i % 2 * 0.3);
+    Probe p = tough (i % 3 * 0.2, i % 2 * 0.4);
     probe_go (&p, g_rand_double_range (random, -3, 1.5),
               g_rand_double_range (random, -6, 6));
     double n = g_rand_double_range (random, -3, 2),

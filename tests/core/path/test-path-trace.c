@@ -880,6 +880,8 @@ test_bond_of_a_rocking_block (void)
     run (&model, &result);
 
     g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, first, 2e-3 * first);
+    g_assert_true (result.has_broken_bound);
+    g_assert_cmpfloat_with_epsilon (result.broken_bound, b / h, 1e-6);
     if (i % G_N_ELEMENTS (procedures) == 0)
       continue;
     g_assert_true (result.outcome == QN_OUTCOME_TARGET_REACHED
