@@ -28,13 +28,49 @@ test_refused (void)
 {
   g_autofree char *example = cli_example ("01-sliding-block.quoin");
   cli_fails (2, "count", "modal", example, "--count", "0", NULL);
+  cli_fails (2, "damping", "modal", example, "--damping", "1", NULL);
   cli_fails (3, "there is no mode 5", "modal", example, "-n", "2", "-o", "-", "--mode",
              "5", NULL);
   cli_fails (3, "no mass", "modal", example, "--set", "gravity=0", "--set",
              "blocks[1].unit_weight=0", NULL);
 }
 
-/* A wall whose pairs slip is sound: there is no answer, and no line of the file is the reason. */
+/* A dry wall has frequencies, and what is left out is told; the mode in its file is proved. */
+static void
+test_dry_wall (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *example = cli_example ("15-rubble-pier.quoin");
+  g_autofree char *result = g_build_filename (folder, "mode.json", NULL);
+  cli_says ("closed joints are elastic", "modal", example, "-o", result, NULL);
+  cli_says ("passes", "check", example, "--result", result, NULL);
+}
+
+/* 2 x 0.05 x w = mass + stiffness w^2 for both frequencies. */
+static void
+test_damping (void)
+{
+  g_autofree char *example = cli_example ("11-vibrating-beam.quoin");
+  cli_says ("damping by mass 24.773 1/s and by stiffness 6.82035e-05 s", "modal", example,
+            "-n", "2", "--damping", "0.05", NULL);
+}
+
+/* Rounding presses blocks of one course together or not; without tension the wall stands all the same. */
+static void
+test_without_tension (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *wall = g_build_filename (folder, "wall.quoin", NULL);
+  cli_says ("", "generate", "wall", "length=10", "height=5", "unit=0.4x0.2",
+            "foundation=0.2", "-o", wall, NULL);
+  cli_says (
+    "omega", "modal", wall, "-n", "2", "--set",
+    "laws[0]={\"name\": \"dry joint\", \"kind\": \"no-tension\", \"basis\": \"surface\", "
+    "\"kn\": 2e10, \"ks\": 2e10}",
+    NULL);
+}
+
+/* A wall whose pairs slip is sound: the tangent gives no answer, and no line of the file is the reason. */
 static void
 test_slipping (void)
 {
@@ -42,8 +78,8 @@ test_slipping (void)
   cli_fails (4,
              "wall3.quoin: pairs slip without dilatancy under the dead load: no "
              "symmetric stiffness",
-             "modal", example, NULL);
-  cli_fails (4, "wall3.quoin: pairs slip", "modal", example, "--loaded", NULL);
+             "modal", example, "--slip", NULL);
+  cli_fails (4, "wall3.quoin: pairs slip", "modal", example, "--slip", "--loaded", NULL);
   cli_fails (4, "wall3.quoin: pairs slip", "stability", example, "--set",
              "analysis.geometry=nonlinear", NULL);
 }
@@ -77,6 +113,9 @@ QN_TESTS
   g_test_add_func ("/cli/modal/table", test_table);
   g_test_add_func ("/cli/modal/refused", test_refused);
   g_test_add_func ("/cli/modal/unstable", test_unstable);
+  g_test_add_func ("/cli/modal/dry-wall", test_dry_wall);
+  g_test_add_func ("/cli/modal/damping", test_damping);
+  g_test_add_func ("/cli/modal/without-tension", test_without_tension);
   g_test_add_func ("/cli/modal/slipping", test_slipping);
   g_test_add_func ("/cli/modal/budget", test_budget);
 }

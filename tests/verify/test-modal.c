@@ -1,5 +1,6 @@
 /* Frequencies against closed forms. */
 #include "core/modal/modal.h"
+#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"
@@ -62,15 +63,21 @@ test_simply_supported (void)
 
 /* One block on two springs: rocking, sliding and bouncing, in closed form. */
 static void
-test_one_block (void)
+check_one_block (QnLawKind kind, double push)
 {
   const double b = 1, h = 0.4, k = 1e7;
   QnModel model;
   g_auto (QnModes) modes;
   test_model_init_block_on_plane (&model, b, h);
-  model.laws[0].kind = QN_LAW_ELASTIC;
+  model.laws[0].kind = kind;
+  model.laws[0].friction = 0.6;
   model.gravity = 10;
+  QnLoad *load = qn_model_add_dead_load (&model);
+  load->kind = QN_LOAD_WEIGHT;
+  load->vector = qn_vec2 (push, -1);
   run (&model, 2, &modes);
+  g_assert_cmpuint (modes.open, ==, 0);
+  g_assert_cmpuint (modes.slides, ==, push > 0);
 
   /* kn = ks: two pairs of k/2 each; mass = weight / g. About the centroid, rotation r and
    * translation x couple through the arm h/2: [k, k h/2; k h/2, k (h^2 + b^2)/4]. */
@@ -80,6 +87,48 @@ test_one_block (void)
   double low = 0.5 * (a11 + a22) - sqrt (0.25 * (a11 - a22) * (a11 - a22) + a12 * a12);
   g_assert_cmpfloat_with_epsilon (modes.omega[0] / sqrt (low), 1, 1e-9);
   g_assert_cmpfloat_with_epsilon (modes.omega[1] / sqrt (k / mass), 1, 1e-9);
+}
+
+/* Joints that are closed are elastic, the one as well that slides because the push relieves it. */
+static void
+test_one_block (void)
+{
+  check_one_block (QN_LAW_ELASTIC, 0);
+  check_one_block (QN_LAW_COULOMB, 0);
+  check_one_block (QN_LAW_COULOMB, 0.5);
+  check_one_block (QN_LAW_NO_TENSION, 0);
+}
+
+/* A wall of 635 blocks without tension, which stands, vibrates as one with friction: the joints between
+ * blocks of one course carry nothing. */
+static void
+test_dry_wall (void)
+{
+  static const QnLawKind kinds[] = { QN_LAW_COULOMB, QN_LAW_NO_TENSION };
+  QnModes modes[2];
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    QnWallRecipe recipe = qn_wall_recipe_default ();
+    QnModel model;
+    recipe.unit = qn_vec2 (0.4, 0.2);
+    recipe.length = recipe.courses = 25;
+    recipe.openings = 0;
+    qn_model_init (&model);
+    g_assert_cmpint (qn_generate_wall (&model, &recipe, NULL), ==, QN_OK);
+    model.laws[0].kind = kinds[i];
+    model.laws[0].basis = QN_BASIS_SURFACE;
+    model.laws[0].kn = model.laws[0].ks = 2e10;
+    model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    run (&model, 3, &modes[i]);
+    g_assert_cmpuint (modes[i].count, ==, 3);
+    g_assert_cmpfloat (modes[i].omega[0], >, 0);
+  }
+  g_test_message ("%.6f and %.6f rad/s; %zu and %zu pairs left out", modes[0].omega[0],
+                  modes[1].omega[0], modes[0].open, modes[1].open);
+  g_assert_cmpuint (modes[0].open, ==, modes[1].open);
+  for (int mode = 0; mode < 3; mode++)
+    g_assert_cmpfloat (fabs (modes[0].omega[mode] / modes[1].omega[mode] - 1), <, 1e-6);
+  qn_modes_clear (&modes[0]);
+  qn_modes_clear (&modes[1]);
 }
 
 /* Four bricks, free: three rigid motions first, then frequencies that a scaling of the joints
@@ -132,5 +181,6 @@ QN_TESTS
 {
   g_test_add_func ("/verify/modal/simply-supported", test_simply_supported);
   g_test_add_func ("/verify/modal/one-block", test_one_block);
+  g_test_add_func ("/verify/modal/dry-wall", test_dry_wall);
   g_test_add_func ("/verify/modal/wallet", test_wallet);
 }

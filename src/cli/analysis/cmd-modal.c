@@ -13,7 +13,8 @@ typedef struct Options {
   char *output, *csv;
   char **overrides;
   int count, mode;
-  gboolean loaded, quiet, no_timings;
+  double damping;
+  gboolean loaded, slip, quiet, no_timings;
 } Options;
 
 static QnExit
@@ -69,6 +70,22 @@ write_result (const Options *options, const QnInput *input, const QnModes *modes
   return qn_cli_end (error);
 }
 
+/* Rayleigh's damping, mass + stiffness of the circular frequency w: 2 ratio w = mass + stiffness w^2. */
+static void
+print_damping (double ratio, const QnModes *modes)
+{
+  size_t first = 0, last = modes->count - 1;
+  while (first < last && modes->omega[first] == 0)
+    first++;
+  double sum = modes->omega[first] + modes->omega[last];
+  double stiffness = sum > 0 ? 2 * ratio / sum : 0;
+  printf (
+    _ ("damping by mass %.6g 1/s and by stiffness %.6g s: %.4g of critical for modes "
+       "%zu and %zu\n"),
+    stiffness * modes->omega[first] * modes->omega[last], stiffness, ratio, first + 1,
+    last + 1);
+}
+
 static QnExit
 solve (const Options *options, const QnInput *input)
 {
@@ -81,7 +98,8 @@ solve (const Options *options, const QnInput *input)
   qn_interrupt_install ();
   qn_terminal_progress_init (&progress, options->quiet);
   QnStatus status = qn_modal_run (&input->project.model, &input->contacts,
-                                  options->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
+                                  (options->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD)
+                                    | (options->slip ? QN_MODAL_SLIDING : 0),
                                   (size_t) options->count, qn_terminal_progress_update,
                                   &progress, &modes, &result, &diag);
   qn_terminal_progress_done (&progress);
@@ -113,6 +131,13 @@ solve (const Options *options, const QnInput *input)
       else
         printf ("%14s\n", _ ("rigid motion"));
     }
+    if (options->damping > 0)
+      print_damping (options->damping, &modes);
+    if (modes.open + modes.slides > 0)
+      printf (_ ("closed joints are elastic, also %zu contact pairs that slide under the "
+                 "load; %zu of %zu, which are open or pressed together by nothing, are "
+                 "left out\n"),
+              modes.slides, modes.open, input->contacts.pair_count);
   }
   if (code == QN_EXIT_DONE && options->csv != NULL)
     code = write_csv (options, &input->project.model, &modes);
@@ -133,6 +158,14 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "loaded", 0, 0, G_OPTION_ARG_NONE, &options.loaded,
       N_ ("About the last equilibrium of the analysis instead of the dead load's"),
       NULL },
+    { "damping", 0, 0, G_OPTION_ARG_DOUBLE, &options.damping,
+      N_ (
+        "Tell which damping of an analysis in time is this part of the critical one for "
+        "the first and the last mode"),
+      N_ ("RATIO") },
+    { "slip", 0, 0, G_OPTION_ARG_NONE, &options.slip,
+      N_ ("With the tangent of joints that slide; else closed joints are elastic"),
+      NULL },
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
       N_ ("Write frequencies and shapes here; - is standard output"), N_ ("OUT.csv") },
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
@@ -151,6 +184,8 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
     if (options.count < 1 || options.mode < 1)
       qn_cli_usage_error (self->name, _ ("--count and --mode count from 1"));
+    else if (!(options.damping >= 0 && options.damping < 1))
+      qn_cli_usage_error (self->name, _ ("--damping is from 0 to less than 1"));
     else
       code = qn_input_load (&input, argv[1], options.overrides);
   }
@@ -165,10 +200,11 @@ const QnSubcommand qn_cmd_modal = {
   .name = "modal",
   .arguments = "MODEL",
   .summary = N_ ("Frequencies and modes of small vibrations"),
-  .help =
-    N_ ("Blocks vibrate with their mass, weight over gravity, on the tangent stiffness "
-        "of their joints. A result written with --output can be drawn and animated "
-        "like a mechanism. Structures without supports have rigid motions of "
-        "frequency zero."),
+  .help = N_ (
+    "Blocks vibrate with their mass, weight over gravity, on their joints: closed ones "
+    "are elastic, open ones are left out; with --slip on the tangent stiffness. A "
+    "result written with --output can be drawn and animated "
+    "like a mechanism. Structures without supports have rigid motions of "
+    "frequency zero."),
   .run = run,
 };

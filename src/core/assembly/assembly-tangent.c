@@ -3,7 +3,12 @@
 
 #include "core/base/tolerance.h"
 
+#include <math.h>
 #include <string.h>
+
+/* A joint without a bond is closed where this part of the largest force presses it together; less is what
+ * is left of an iteration. */
+#define TOUCH 1e-6
 
 static void
 clear_settling_rows (QnAssembly *as)
@@ -38,16 +43,34 @@ qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
                           sizeof *as->responses / sizeof (double));
 }
 
-void
-qn_assembly_tangent_held (QnAssembly *as, double multiplier)
+static void
+hold_settling (QnAssembly *as)
 {
-  qn_assembly_tangent (as, multiplier, 0);
   for (size_t s = 0; s < as->settling_count; s++) {
     int32_t i = as->settling[s].unknown;
     for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)
       if (as->ai[k] != i)
         as->ax[k] = 0;
   }
+}
+
+void
+qn_assembly_tangent_of_vibration (QnAssembly *as, double multiplier, bool sliding,
+                                  double *tangents)
+{
+  double largest = 0;
+
+  for (size_t p = 0; p < as->pair_count; p++)
+    largest =
+      fmax (largest, hypot (as->responses[p].force[0], as->responses[p].force[1]));
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (as->inactive[p])
+      memset (tangents + 4 * p, 0, 4 * sizeof *tangents);
+    else
+      qn_pair_vibration_tangent (&as->springs[p], &as->responses[p], TOUCH * largest,
+                                 sliding, tangents + 4 * p);
+  qn_assembly_tangent_of (as, multiplier, 0, tangents, 4);
+  hold_settling (as);
 }
 
 static bool
@@ -65,7 +88,8 @@ qn_assembly_tangent_at_rest (QnAssembly *as, double multiplier)
   for (size_t p = 0; p < as->pair_count; p++)
     if (lets_go (as, p))
       memset (as->responses[p].tangent, 0, sizeof as->responses[p].tangent);
-  qn_assembly_tangent_held (as, multiplier);
+  qn_assembly_tangent (as, multiplier, 0);
+  hold_settling (as);
   for (size_t p = 0; p < as->pair_count; p++)
     if (lets_go (as, p))
       qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,

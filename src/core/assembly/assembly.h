@@ -153,12 +153,14 @@ void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscos
 void qn_assembly_tangent_of (QnAssembly *assembly, double multiplier, double viscosity,
                              const double *tangents, size_t stride);
 
-/* The same with settling supports held: their rows and columns are empty but for the diagonal,
- * so that K is symmetric where the pairs' tangents are. */
-void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
+/* That of small vibrations: closed joints are elastic, or as they slide, open ones carry nothing
+ * (qn_pair_vibration_tangent); settling supports held, their rows and columns empty but for the diagonal,
+ * so that K is symmetric where the pairs' tangents are. Fills tangents, pair_count x 4. */
+void qn_assembly_tangent_of_vibration (QnAssembly *assembly, double multiplier,
+                                       bool sliding, double *tangents);
 
-/* That of the structure as it stays where it is: joints without tension that are letting go of their shear
- * force, between closed and open, count as open. */
+/* That of the structure as it stays where it is, settling supports held likewise: joints without tension
+ * that are letting go of their shear force, between closed and open, count as open. */
 void qn_assembly_tangent_at_rest (QnAssembly *assembly, double multiplier);
 
 /* Whether the tangent last assembled is symmetric. */

@@ -18,7 +18,8 @@ check_vibration (QnCheck *check, size_t step, QnDiag *diag)
   double square = stated->omega * stated->omega;
   QnModeProof proof;
   int32_t below = 0, up_to = 0;
-  QnStatus status = qn_mode_proof_init (&proof, &check->assembly, 0, NULL);
+  QnStatus status =
+    qn_mode_proof_init (&proof, &check->assembly, 0, stated->sliding, NULL);
 
   if (status == QN_ERROR_NO_MEMORY
       || (status == QN_OK && !qn_mode_proof_count (&proof, square, &below, &up_to)))

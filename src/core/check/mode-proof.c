@@ -11,7 +11,8 @@
 #define APART 1e-6
 
 QnStatus
-qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, QnDiag *diag)
+qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, bool sliding,
+                    QnDiag *diag)
 {
   size_t n = (size_t) as->unknown_count, entries = (size_t) as->ap[n];
 
@@ -21,14 +22,15 @@ qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, QnDia
                           .mass = qn_alloc (entries, sizeof (double)),
                           .shifted = qn_alloc (entries, sizeof (double)),
                           .product = qn_alloc (n, sizeof (double)),
+                          .tangents = qn_alloc (4 * as->pair_count, sizeof (double)),
                           .inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai) };
   if (proof->stiffness == NULL || proof->mass == NULL || proof->shifted == NULL
-      || proof->product == NULL || proof->inertia == NULL)
+      || proof->product == NULL || proof->tangents == NULL || proof->inertia == NULL)
     return qn_diag_no_memory (diag);
   QnStatus status = qn_assembly_mass (as, proof->mass, diag);
   if (status != QN_OK)
     return status;
-  qn_assembly_tangent_at_rest (as, multiplier);
+  qn_assembly_tangent_of_vibration (as, multiplier, sliding, proof->tangents);
   memcpy (proof->stiffness, as->ax, entries * sizeof *proof->stiffness);
   for (size_t i = 0; i < n; i++) {
     double mass = proof->mass[as->diagonal[i]];
@@ -45,6 +47,7 @@ qn_mode_proof_clear (QnModeProof *proof)
   free (proof->mass);
   free (proof->shifted);
   free (proof->product);
+  free (proof->tangents);
   qn_inertia_free (proof->inertia);
   *proof = (QnModeProof){ 0 };
 }

@@ -23,14 +23,15 @@ typedef struct QnModeProof {
   double *stiffness, *mass; /* K and M in the pattern of the assembly */
   double *shifted;          /* scratch, K - s M */
   double *product;          /* scratch, unknowns */
+  double *tangents;         /* of pairs for small vibrations: pair_count x 4 */
   QnInertia *inertia;
   double largest; /* of K_ii / M_ii, 1/s^2 */
 } QnModeProof;
 
-/* Takes the tangent of the assembly's last evaluation, settling supports held. Refuses blocks without
- * mass; to be cleared all the same. */
+/* Takes the tangent of the assembly's last evaluation: with closed joints elastic, or as they slide,
+ * settling supports held. Refuses blocks without mass; to be cleared all the same. */
 QnStatus qn_mode_proof_init (QnModeProof *proof, QnAssembly *assembly, double multiplier,
-                             QnDiag *diag);
+                             bool sliding, QnDiag *diag);
 
 void qn_mode_proof_clear (QnModeProof *proof);
 

@@ -4,6 +4,7 @@
 #include "core/contact/pair-series.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Most iterations of the internal Newton; a handful is usual, one per change of phase. */
 #define INTERNAL_ITERATIONS 16
@@ -18,6 +19,41 @@ qn_pair_springs (QnSpring a, QnSpring b)
   if (springs.equal)
     springs.a = qn_spring_join (&a, &b);
   return springs;
+}
+
+void
+qn_pair_elastic_stiffness (const QnPairSprings *s, double k[2])
+{
+  k[0] = s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn);
+  k[1] = s->equal ? s->a.ks : 1 / (1 / s->a.ks + 1 / s->b.ks);
+}
+
+/* Joints touch, slide and open; what else is elastic does not stand in the way of that. */
+static bool
+is_joint (const QnSpring *spring)
+{
+  return spring->kind == QN_LAW_NO_TENSION || qn_law_is_plastic (spring->kind);
+}
+
+void
+qn_pair_vibration_tangent (const QnPairSprings *s, const QnPairResponse *r, double little,
+                           bool sliding, double tangent[4])
+{
+  bool a = is_joint (&s->a), b = is_joint (&s->b);
+  bool bond = qn_spring_has_bond (&s->a) || qn_spring_has_bond (&s->b);
+  bool closed = r->force[0] < -little || little == 0;
+  bool joint =
+    (a || s->a.kind == QN_LAW_ELASTIC) && (b || s->b.kind == QN_LAW_ELASTIC) && (a || b);
+  double k[2];
+
+  memcpy (tangent, r->tangent, sizeof r->tangent);
+  if (!joint || (closed && sliding))
+    return;
+  double share = closed ? 1 : bond ? 1 - qn_pair_damage (s, &r->memory) : 0;
+  qn_pair_elastic_stiffness (s, k);
+  tangent[0] = share * k[0];
+  tangent[3] = share * k[1];
+  tangent[1] = tangent[2] = 0;
 }
 
 bool

@@ -33,6 +33,15 @@ typedef struct QnPairResponse {
 /* The springs on the two sides of a pair in series; equal ones are joined into one. */
 QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
 
+/* Elastic stiffness of both springs together, normal and tangential, N/m. */
+void qn_pair_elastic_stiffness (const QnPairSprings *springs, double k[2]);
+
+/* The tangent for small vibrations. Of a joint that is pressed together by more than `little`: elastic, or
+ * as it slides. Of any other: what is whole of its bond, elastic. What is no joint keeps its own. */
+void qn_pair_vibration_tangent (const QnPairSprings *springs,
+                                const QnPairResponse *response, double little,
+                                bool sliding, double tangent[4]);
+
 /* How much of the bond of a joint is lost: 0 whole, 1 broken; 0 of joints without a bond. */
 static inline double
 qn_pair_damage (const QnPairSprings *springs, const QnPairMemory *memory)

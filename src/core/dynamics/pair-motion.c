@@ -41,14 +41,11 @@ qn_pair_elasticity (const QnPairSprings *s)
   pair.bond = qn_spring_has_bond (&s->a) || qn_spring_has_bond (&s->b);
   pair.conserves = opens (&s->a, &pair.cap, &pair.shear[0]);
   pair.shear[1] = pair.shear[0];
-  pair.k[0] = s->a.kn;
-  pair.k[1] = s->a.ks;
+  qn_pair_elastic_stiffness (s, pair.k);
   if (s->equal)
     return pair;
   pair.conserves &= opens (&s->b, &cap, &pair.shear[1]);
   pair.cap = fmin (pair.cap, cap);
-  pair.k[0] = 1 / (1 / s->a.kn + 1 / s->b.kn);
-  pair.k[1] = 1 / (1 / s->a.ks + 1 / s->b.ks);
   return pair;
 }
 

@@ -20,32 +20,24 @@ typedef struct {
   QnAssembly *assembly;
   QnLinsys *linsys;
   int32_t n;
-  double *mass; /* M in the pattern of K, rotations scaled by the characteristic length */
-  double largest; /* of K_ii / M_ii */
-  double shift;   /* sigma < 0 */
+  QnModeProof proof; /* with K and M, rotations scaled by the characteristic length */
+  double shift;      /* sigma < 0 */
   size_t found;
   double *values, *vectors; /* omega squared; columns of n */
 } Pencil;
 
-/* ax = K - sigma M, factorised. */
+/* ax = K - sigma M, factorised; ax is K before. */
 static QnStatus
-factorize (Pencil *pencil, double multiplier, QnDiag *diag)
+factorize (Pencil *pencil, QnDiag *diag)
 {
   QnAssembly *as = pencil->assembly;
 
-  qn_assembly_tangent_at_rest (as, multiplier);
   if (!qn_assembly_is_symmetric (as))
     return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
-
-  for (int32_t i = 0; i < pencil->n; i++) {
-    double mass = pencil->mass[as->diagonal[i]];
-    if (mass > 0)
-      pencil->largest = fmax (pencil->largest, as->ax[as->diagonal[i]] / mass);
-  }
-  pencil->shift = -SHIFT * pencil->largest;
+  pencil->shift = -SHIFT * pencil->proof.largest;
   for (int32_t k = 0; k < as->ap[pencil->n]; k++)
-    as->ax[k] -= pencil->shift * pencil->mass[k];
+    as->ax[k] -= pencil->shift * pencil->proof.mass[k];
 
   switch (qn_linsys_factor (pencil->linsys, as->ax)) {
   case QN_FACTOR_OK:
@@ -64,7 +56,7 @@ static void
 multiply (const void *data, const double *x, double *y)
 {
   const Pencil *pencil = data;
-  qn_assembly_multiply (pencil->assembly, pencil->mass, x, y);
+  qn_assembly_multiply (pencil->assembly, pencil->proof.mass, x, y);
 }
 
 static void
@@ -98,7 +90,8 @@ take_modes (const Pencil *pencil, const double *u, QnModes *modes, QnDiag *diag)
   for (size_t mode = 0; mode < pencil->found; mode++) {
     double square = pencil->values[mode], largest = 0;
     double *shape = modes->shapes + mode * row;
-    modes->omega[mode] = square > QN_MODE_ZERO * pencil->largest ? sqrt (square) : 0;
+    modes->omega[mode] =
+      square > QN_MODE_ZERO * pencil->proof.largest ? sqrt (square) : 0;
     qn_assembly_expand_rates (as, u, pencil->vectors + mode * (size_t) pencil->n, shape);
     for (size_t b = 0; b < bodies; b++)
       largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
@@ -111,38 +104,50 @@ take_modes (const Pencil *pencil, const double *u, QnModes *modes, QnDiag *diag)
 /* These are modes, orthonormal, of a stable state, and there is none below the last that is not among
  * them. */
 static QnStatus
-prove_modes (const Pencil *pencil, double multiplier, QnDiag *diag)
+prove_modes (Pencil *pencil, QnDiag *diag)
 {
-  QnModeProof proof;
+  QnModeProof *proof = &pencil->proof;
   int32_t negative = 0, below = 0, up_to;
   double worst = 0;
-  QnStatus status = qn_mode_proof_init (&proof, pencil->assembly, multiplier, diag);
+  QnStatus status = QN_OK;
 
-  if (status == QN_OK
-      && (!qn_mode_proof_count (&proof, 0, &negative, &up_to)
-          || !qn_mode_proof_count (&proof, pencil->values[pencil->found - 1], &below,
-                                   &up_to)))
-    status = qn_diag_no_memory (diag);
-  if (status == QN_OK && negative > 0)
+  if (!qn_mode_proof_count (proof, 0, &negative, &up_to)
+      || !qn_mode_proof_count (proof, pencil->values[pencil->found - 1], &below, &up_to))
+    return qn_diag_no_memory (diag);
+  if (negative > 0)
     status = qn_diag_set_field (diag, QN_PROBLEM_STATE_UNSTABLE, QN_ENTITY_MODEL, QN_NONE,
                                 NULL, 0);
   for (size_t i = 0; status == QN_OK && i < pencil->found; i++)
     worst =
-      qn_worse (worst, qn_mode_proof_residual (&proof, pencil->values[i],
+      qn_worse (worst, qn_mode_proof_residual (proof, pencil->values[i],
                                                pencil->vectors + i * (size_t) pencil->n));
   if (status == QN_OK)
     worst =
-      qn_worse (worst, qn_mode_proof_skewness (&proof, pencil->found, pencil->vectors));
+      qn_worse (worst, qn_mode_proof_skewness (proof, pencil->found, pencil->vectors));
   if (status == QN_OK && !(below < (int32_t) pencil->found && worst <= QN_MODE_RESIDUAL))
     status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
                           QN_ENTITY_MODEL, QN_NONE, QN_NONE);
-  qn_mode_proof_clear (&proof);
   return status;
+}
+
+/* What is left out, and what counts as stiffer than it is. */
+static void
+count_joints (const Pencil *pencil, QnModes *modes)
+{
+  const QnAssembly *as = pencil->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const double *tangent = pencil->proof.tangents + 4 * p;
+    bool open = tangent[0] == 0 && tangent[3] == 0;
+    modes->open += open;
+    modes->slides +=
+      !open && qn_pair_state (&as->springs[p], as->responses[p].phase) == QN_PAIR_SLIP;
+  }
 }
 
 /* The `wanted` lowest modes, or as many as there are; none where it was cancelled. */
 static QnStatus
-find_modes (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
+find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDiag *diag)
 {
   Pencil pencil = { .assembly = &eq->assembly,
                     .linsys = eq->linsys,
@@ -153,15 +158,15 @@ find_modes (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
   if (n == 0)
     return qn_diag_set_field (diag, QN_PROBLEM_TOO_FEW_UNKNOWNS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
-  pencil.mass = qn_alloc ((size_t) eq->assembly.ap[n], sizeof (double));
   pencil.values = qn_alloc (most, sizeof *pencil.values);
   pencil.vectors = qn_alloc (n, most * sizeof *pencil.vectors);
-  if (pencil.mass == NULL || pencil.values == NULL || pencil.vectors == NULL)
+  if (pencil.values == NULL || pencil.vectors == NULL)
     status = qn_diag_no_memory (diag);
   if (status == QN_OK)
-    status = qn_assembly_mass (pencil.assembly, pencil.mass, diag);
+    status =
+      qn_mode_proof_init (&pencil.proof, pencil.assembly, eq->multiplier, sliding, diag);
   if (status == QN_OK)
-    status = factorize (&pencil, eq->multiplier, diag);
+    status = factorize (&pencil, diag);
   if (status == QN_OK) {
     const QnLanczosProblem problem = { .n = pencil.n,
                                        .shift = pencil.shift,
@@ -185,10 +190,12 @@ find_modes (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
     }
   }
   if (status == QN_OK && pencil.found > 0)
-    status = prove_modes (&pencil, eq->multiplier, diag);
+    status = prove_modes (&pencil, diag);
   if (status == QN_OK && pencil.found > 0)
     status = take_modes (&pencil, eq->u, modes, diag);
-  free (pencil.mass);
+  if (status == QN_OK && !sliding)
+    count_joints (&pencil, modes);
+  qn_mode_proof_clear (&pencil.proof);
   free (pencil.values);
   free (pencil.vectors);
   return status;
@@ -200,21 +207,23 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
               QnResult *result, QnDiag *diag)
 {
   QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
+  bool loaded = (state & QN_MODAL_LOADED) != 0, sliding = (state & QN_MODAL_SLIDING) != 0;
   QnPath path;
   bool reached = false;
 
   *modes = (QnModes){ 0 };
   *result = (QnResult){ 0 };
-  if (state == QN_MODAL_LOADED && model->analysis.procedure == QN_PROCEDURE_LIMIT)
+  if (loaded && model->analysis.procedure == QN_PROCEDURE_LIMIT)
     return qn_diag_set_field (diag, QN_PROBLEM_LIMIT_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
                               QN_NONE, "procedure", 0);
-  if (state == QN_MODAL_LOADED && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+  if (loaded && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     return qn_diag_set_field (diag, QN_PROBLEM_TIME_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
                               QN_NONE, "procedure", 0);
   QnStatus status =
     qn_path_setup (&path, model, contacts, qn_budget_go_on, &budget, result, diag);
-  result->vibration.dead_load = state == QN_MODAL_DEAD_LOAD;
-  if (status == QN_OK && state == QN_MODAL_LOADED) {
+  result->vibration.dead_load = !loaded;
+  result->vibration.sliding = sliding;
+  if (status == QN_OK && loaded) {
     status = qn_path_run (&path, &reached, diag);
     qn_equilibrium_restore (&path.equilibrium);
   } else if (status == QN_OK) {
@@ -222,7 +231,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
     status = qn_path_apply_dead_load (&path, &reached, diag);
   }
   if (status == QN_OK && reached && !path.equilibrium.cancelled)
-    status = find_modes (&path.equilibrium, wanted, modes, diag);
+    status = find_modes (&path.equilibrium, wanted, sliding, modes, diag);
   if (status == QN_OK && path.equilibrium.cancelled)
     result->outcome = QN_OUTCOME_CANCELLED;
   status = qn_path_finish (&path, status, budget.start);

@@ -2,7 +2,8 @@
  *
  *   K phi = omega^2 M phi
  *
- * K is the tangent stiffness of the state, M the mass: of rigid blocks weight over gravity, with
+ * K is the stiffness of the state: of a joint that is closed the elastic one, whether it slides under the
+ * load or not, of one that is open none; or the tangent, with joints that slide. M is the mass: of rigid blocks weight over gravity, with
  * the polar moment of inertia about the centroid for the rotation, diagonal at the centroids; of
  * beams consistent with their shape functions. The lowest frequencies come from Lanczos iteration
  * (lanczos.h) with a small negative shift, so that structures without supports have their rigid
@@ -19,20 +20,23 @@ typedef struct QnModes {
   double *omega;  /* rad/s, ascending; rigid motions and what is numerically zero: 0 */
   double *shapes; /* count x (block_count + node_count) x 3: m, m, rad; largest
                      displacement 1 m */
+  size_t open,
+    slides; /* pairs that are left out, and that count as elastic although they slide */
 } QnModes;
 
 /* The state that the structure vibrates about. */
 typedef enum {
-  QN_MODAL_DEAD_LOAD, /* the equilibrium under dead load */
-  QN_MODAL_LOADED     /* the last equilibrium of the analysis of the settings */
+  QN_MODAL_DEAD_LOAD = 0, /* the equilibrium under dead load */
+  QN_MODAL_LOADED = 1,    /* the last equilibrium of the analysis of the settings */
+  QN_MODAL_SLIDING = 2    /* or'ed to either: the tangent, with joints that slide */
 } QnModalState;
 
 /* Solves for the `wanted` (>= 1) lowest modes, or as many as there are. *result holds the path up
  * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty. The path
  * is proved as that of every analysis; the modes are proved by their residuals, their
  * orthogonality, and the inertia of the stiffness, which shows that none is missing. Refuses states
- * that are not stable, blocks without mass and states in which pairs slip without dilatancy, whose
- * stiffness is not symmetric. Both outputs are overwritten without being cleared, and empty on
+ * that are not stable, blocks without mass, and with SLIDING states in which pairs slip without
+ * dilatancy, whose stiffness is not symmetric. Both outputs are overwritten without being cleared, and empty on
  * failure. */
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
                        QnModalState state, size_t wanted, QnProgressFunc progress,

@@ -108,7 +108,7 @@ qn_path_judge_stability (QnPath *path, const double *held, bool proves)
 
   if (!as->nonlinear || as->unknown_count == 0)
     return QN_SOLVE_CONVERGED;
-  qn_assembly_tangent_held (as, eq->multiplier);
+  qn_assembly_tangent_at_rest (as, eq->multiplier);
   eq->factored = false;
   bool symmetric = qn_assembly_is_symmetric (as);
   if (proves && !symmetric)

@@ -212,6 +212,8 @@ typedef struct QnVibration {
     dead_load; /* the state is that under dead load alone, else the last of the analysis */
   int32_t mode; /* from 1, by frequency; 0: the mechanism is none */
   double omega; /* rad/s */
+  bool
+    sliding; /* on the tangent with joints that slide; else closed joints are elastic */
 } QnVibration;
 
 /* The result of a search for the loss of stability. */

@@ -512,6 +512,7 @@ read_vibration (QnJsonStream *stream, gpointer target)
     { "dead_load", read_true, offsetof (QnVibration, dead_load), QN_JSON_REQUIRED },
     { "mode", qn_json_stream_int32, offsetof (QnVibration, mode), QN_JSON_REQUIRED },
     { "omega", qn_json_stream_number, offsetof (QnVibration, omega), QN_JSON_REQUIRED },
+    { "sliding", read_true, offsetof (QnVibration, sliding), QN_JSON_OPTIONAL },
   };
   QnVibration *vibration = target;
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target))

@@ -461,7 +461,8 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
       writer, "  \"vibration\": { \"dead_load\": %s, \"mode\": %d, \"omega\": ",
       vibration->dead_load ? "true" : "false", vibration->mode);
     qn_file_writer_number (writer, vibration->omega);
-    qn_file_writer_puts (writer, " },\n");
+    qn_file_writer_printf (writer, ", \"sliding\": %s },\n",
+                           vibration->sliding ? "true" : "false");
   }
   if (result->stability != QN_STABILITY_UNKNOWN)
     qn_file_writer_printf (writer, "  \"stability\": \"%s\",\n",

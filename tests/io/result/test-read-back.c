@@ -224,6 +224,7 @@ check_same (const QnResult *read, const QnResult *result)
   }
   g_assert_cmpint (read->stability, ==, result->stability);
   g_assert_cmpint (read->vibration.mode, ==, result->vibration.mode);
+  g_assert_cmpint (read->vibration.sliding, ==, result->vibration.sliding);
   g_assert_cmpuint (read->history.row_count, ==, result->history.row_count);
   if (result->step_count > 0)
     g_assert_cmpmem (
