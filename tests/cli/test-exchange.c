@@ -35,6 +35,17 @@ test_generate_keys (void)
   g_assert_nonnull (strstr (text, "\"unit\": [0.5, 0.25]"));
   g_assert_nonnull (strstr (text, "\"flemish\""));
 
+  /* A number as people write it; a member that excludes a default takes its place. */
+  cli_do ("generate", "wall", "foundation=.3", "unit=.5x.25", "-o", path, NULL);
+  g_autofree char *short_numbers = cli_read (path);
+  g_assert_nonnull (strstr (short_numbers, "\"foundation\": 0.3"));
+  g_assert_nonnull (strstr (short_numbers, "\"unit\": [0.5, 0.25]"));
+  cli_do ("generate", "portal", "arch.shape=\"circular\"", "arch.rise=0.5",
+          "arch.ring=0.3", "arch.voussoirs=9", "-o", path, NULL);
+  g_autofree char *portal = cli_read (path);
+  g_assert_nonnull (strstr (portal, "\"arch\""));
+  g_assert_null (strstr (portal, "\"lintel\""));
+
   cli_fails (2, "lenth", "generate", "wall", "lenth=3", "-o", path, NULL);
   cli_fails (3, "length", "generate", "wall", "length=-3", "-o", path, NULL);
   cli_fails (2, "wall", "generate", "tower", "-o", path, NULL);

@@ -1,6 +1,7 @@
 #include "cli/base/message.h"
 #include "cli/base/subcommand.h"
 #include "io/project/project-masonry.h"
+#include "io/text/number-text.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -16,16 +17,18 @@ typedef struct Options {
 typedef struct Kind {
   const char *name;
   const char *parameters; /* JSON members */
+  const char *choice;     /* one more, or NULL, */
+  const char *instead;    /* unless a key that begins like this is given */
 } Kind;
 
 /* clang-format off */
 static const Kind kinds[] = {
-  { "wall", "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"" },
-  { "arch", "\"shape\": \"circular\", \"span\": 4, \"rise\": 2, \"ring\": 0.5, \"voussoirs\": 15" },
-  { "column", "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6" },
-  { "buttress", "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"" },
-  { "portal", "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6, \"lintel\": 0.4" },
-  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1" },
+  { "wall", "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"", NULL, NULL },
+  { "arch", "\"shape\": \"circular\", \"span\": 4, \"rise\": 2, \"ring\": 0.5, \"voussoirs\": 15", NULL, NULL },
+  { "column", "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6", NULL, NULL },
+  { "buttress", "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"", NULL, NULL },
+  { "portal", "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6", "\"lintel\": 0.4", "arch" },
+  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1", NULL, NULL },
 };
 /* clang-format on */
 
@@ -38,14 +41,25 @@ find_kind (const char *name)
   return NULL;
 }
 
-/* "0.4x0.2" and "0.4,0.2" mean [0.4, 0.2]; everything else is left to JSON. */
+/* "0.4x.2" and "0.4,.2" mean [0.4, 0.2], and ".2" 0.2; everything else is left to JSON. */
 static char *
 dup_value (const char *text)
 {
   g_autofree char *list = g_strdelimit (g_strdup (text), "xX", ',');
-  if (strchr (list, ',') == NULL || strspn (list, "0123456789.,+-eE ") != strlen (list))
+  if (*list == '\0' || strspn (list, "0123456789.,+-eE ") != strlen (list))
     return g_strdup (text);
-  return g_strconcat ("[", list, "]", NULL);
+  g_auto (GStrv) parts = g_strsplit (list, ",", -1);
+  for (gsize i = 0; parts[i] != NULL; i++) {
+    char number[QN_NUMBER_TEXT_SIZE], *end;
+    double value = g_ascii_strtod (g_strstrip (parts[i]), &end);
+    if (end == parts[i] || *end != '\0')
+      return g_strdup (text);
+    g_free (parts[i]);
+    parts[i] = g_strdup (qn_number_text (value, number));
+  }
+  g_autofree char *all = g_strjoinv (",", parts);
+  return strchr (list, ',') != NULL ? g_strconcat ("[", all, "]", NULL)
+                                    : g_steal_pointer (&all);
 }
 
 /* "length=6" becomes "masonry[0].length=6". NULL where it is not of that form. */
@@ -64,16 +78,20 @@ dup_override (const char *argument)
 /* What a new project has, with the masonry and friction that are asked for before the keys of the
  * command. */
 static char *
-dup_document (const Kind *kind, const Options *options, GPtrArray *overrides,
-              GError **error)
+dup_document (const Kind *kind, const Options *options, char **arguments,
+              GPtrArray *overrides, GError **error)
 {
+  gboolean chosen = kind->instead == NULL;
+  for (gsize i = 0; !chosen && arguments[i] != NULL; i++)
+    chosen = g_str_has_prefix (arguments[i], kind->instead);
   char friction[G_ASCII_DTOSTR_BUF_SIZE];
   g_ascii_dtostr (friction, sizeof friction, options->friction);
   g_ptr_array_add (overrides,
                    g_strdup_printf ("masonry=[{ \"kind\": \"%s\", \"name\": \"%s\","
                                     " \"thickness\": 1, \"unit_weight\": 20000,"
-                                    " \"foundation\": 0.2, %s }]",
-                                    kind->name, kind->name, kind->parameters));
+                                    " \"foundation\": 0.2, %s%s%s }]",
+                                    kind->name, kind->name, kind->parameters,
+                                    chosen ? "" : ", ", chosen ? "" : kind->choice));
   g_ptr_array_add (overrides, g_strdup_printf ("laws[0].friction=%s", friction));
   QnProject begun;
   if (!qn_project_begin (&begun, "dry joint", error))
@@ -108,7 +126,7 @@ generate (const QnSubcommand *self, const Options *options, const Kind *kind,
 {
   GError *error = NULL;
   g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
-  g_autofree char *document = dup_document (kind, options, overrides, &error);
+  g_autofree char *document = dup_document (kind, options, arguments, overrides, &error);
   if (document == NULL)
     return qn_cli_fail (error);
   for (gsize i = 0; arguments[i] != NULL; i++) {
