@@ -46,16 +46,17 @@ check_state (Search *search, bool *stable, QnDiag *diag)
   return QN_OK;
 }
 
-/* The state at `target`: *stable is false where there is none, or where it is not stable. */
+/* The state at `target`: whether one is *found from here, and is *stable. */
 static QnStatus
-try_state (Search *search, double target, bool *stable, QnDiag *diag)
+try_state (Search *search, double target, bool *found, bool *stable, QnDiag *diag)
 {
   QnEquilibrium *eq = &search->path.equilibrium;
   const QnTarget goal = qn_target_multiplier (target);
 
-  *stable = false;
+  *found = *stable = false;
   switch (qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET)) {
   case QN_SOLVE_CONVERGED:
+    *found = true;
     return check_state (search, stable, diag);
   case QN_SOLVE_FAILED:
   case QN_SOLVE_MECHANISM:
@@ -111,21 +112,27 @@ conclude (Search *search, QnDiag *diag)
   return record_mode (search, diag);
 }
 
-/* One increment, or one bisection once there is an upper bound. */
+/* One increment, or one bisection once there is an upper bound. Where no equilibrium is found the increment
+ * was too long, until it is as short as the critical multiplier is resolved. */
 static QnStatus
 advance (Search *search, double *increment, QnDiag *diag)
 {
   QnPath *path = &search->path;
   QnEquilibrium *eq = &path->equilibrium;
   double from = eq->committed.multiplier, target = fmin (from + *increment, search->end);
-  bool stable = false;
+  const QnAnalysisSettings *settings = path->settings;
+  double shortest = RESOLUTION * settings->multiplier_tolerance
+                    * fmax (fabs (target), 1.0 / settings->increments);
+  bool found, stable;
 
   if (isfinite (search->unstable))
-    target = 0.5 * (from + search->unstable);
-  QnStatus status = try_state (search, target, &stable, diag);
+    target = fmin (target, 0.5 * (from + search->unstable));
+  QnStatus status = try_state (search, target, &found, &stable, diag);
   if (status != QN_OK || search->finished || !stable) {
     qn_equilibrium_restore (eq);
-    search->unstable = target;
+    if (found || target - from <= shortest)
+      search->unstable = target;
+    *increment = 0.5 * (target - from);
     return status;
   }
   if (!qn_path_accept (path, target, QN_EVENT_NONE))

@@ -143,8 +143,30 @@ test_leaning_stack (void)
   }
 }
 
+/* Twelve blocks on soft joints, pushed sideways: that no equilibrium is found far beyond the last one says
+ * nothing. Whatever the increments, the blocks slide before stability is lost, and nothing is said. */
+static void
+test_soft_stack (void)
+{
+  static const int increments[] = { 10, 40, 100, 400, 1000 };
+  for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
+    QnModel model;
+    g_auto (QnResult) result;
+    QnDiag diag;
+    test_model_init_stack (&model, 12, 0.5, 0.25);
+    test_model_add_weight_loads (&model, 1);
+    model.laws[0].kn = model.laws[0].ks = 1.5e6;
+    model.laws[0].friction = 0.8;
+    model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    model.analysis.increments = increments[i];
+    g_assert_cmpint (run (&model, &result, &diag), !=, QN_OK);
+    g_assert_cmpint (diag.problem, ==, QN_PROBLEM_STATE_SLIPS);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/stability/soft-stack", test_soft_stack);
   g_test_add_func ("/stability/pendulum", test_pendulum);
   g_test_add_func ("/stability/stable", test_stable);
   g_test_add_func ("/stability/linear", test_linear);
