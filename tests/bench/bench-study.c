@@ -8,7 +8,9 @@
  * study-bars.csv: how many times a single run a case costs less, in instructions (of all processes,
  *            with callgrind) and in processor time, and the speed-up by two processes
  *
- * With --check the bar in instructions is the one that fails: times are those of a shared machine. */
+ * With --check the bar in instructions is the one that fails: times are those of a shared machine. It is
+ * lower than that in time, since the start of a process takes more time than instructions: pages are
+ * faulted in. */
 #include "bench/bench.h"
 #include "support/instructions.h"
 
@@ -22,8 +24,9 @@
 /* So many single runs are measured. */
 #define SINGLE 20
 
-#define BAR      5.0
-#define SPEED_UP 1.6
+#define BAR          5.0
+#define INSTRUCTIONS 3.0
+#define SPEED_UP     1.6
 
 typedef struct Cost {
   double seconds, elapsed;
@@ -244,7 +247,7 @@ compare_instructions (FILE *bars, int counted)
   double one = (count_cases (2 * counted) - count_cases (counted)) / counted;
   printf ("# %.1f million instructions a run, %.1f a case\n", 1e-6 * single, 1e-6 * one);
   return bench_bar (bars, "single run / case (instructions)", "limit", single / one,
-                    BENCH_AT_LEAST, BAR);
+                    BENCH_AT_LEAST, INSTRUCTIONS);
 }
 
 int
