@@ -1,6 +1,5 @@
 #include "cli/verify/verify-run.h"
 
-#include "cli/verify/verify-cases-branch.h"
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
@@ -28,6 +27,43 @@ find_reaction (const QnVerifyCase *test, const QnModel *model, const QnResult *r
   return NAN;
 }
 
+/* Displacement along x of the vertex of the block that lies furthest up and right. */
+static double
+corner_displacement (const QnModel *model, QnId block, const double *u)
+{
+  const QnVec2 *vertices = qn_model_block_vertices (model, block);
+  QnVec2 corner = vertices[0];
+  for (QnId v = 1; v < model->blocks[block].vertex_count; v++)
+    if (vertices[v].x + vertices[v].y > corner.x + corner.y)
+      corner = vertices[v];
+
+  QnVec2 arm = qn_vec2_sub (corner, model->blocks[block].centroid);
+  double rz = u[QN_DOF_RZ];
+  return u[QN_DOF_UX] + qn_vec2_rotate (arm, cos (rz), sin (rz)).x - arm.x;
+}
+
+/* Not-a-number where the path does not come there. */
+static double
+read_branch (const QnVerifyCase *test, const QnModel *model, const QnResult *result)
+{
+  QnId block = qn_model_find_block (model, test->block);
+  double before = NAN;
+  if (block == QN_NONE)
+    return NAN;
+  for (size_t i = 0; i < result->step_count; i++) {
+    const double *u =
+      qn_result_step_displacements (result, i) + (size_t) block * QN_DOF_COUNT;
+    double moved = corner_displacement (model, block, u);
+    if (before < test->at && moved >= test->at) {
+      double share = (test->at - before) / (moved - before);
+      double last = result->steps[i - 1].multiplier;
+      return last + share * (result->steps[i].multiplier - last);
+    }
+    before = moved;
+  }
+  return NAN;
+}
+
 /* Results of the path of an analysis. */
 static double
 read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *result)
@@ -35,7 +71,7 @@ read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *resul
   if (test->quantity == QN_VERIFY_COLLAPSE)
     return result->outcome == QN_OUTCOME_COLLAPSE ? result->collapse_multiplier : NAN;
   if (test->quantity == QN_VERIFY_BRANCH)
-    return qn_verify_read_branch (test, model, result);
+    return read_branch (test, model, result);
   gssize step = find_step (result, test->number);
   if (result->outcome != QN_OUTCOME_TARGET_REACHED || step < 0)
     return NAN;
