@@ -3,6 +3,7 @@
 #include "io/project/project-masonry.h"
 #include "support/auto-clear.h"
 
+#include <cjson/cJSON.h>
 #include <math.h>
 
 /* Blocks may differ from what was asked for by this part. */
@@ -265,19 +266,34 @@ set_up_model (const Recipe *r, QnModel *model)
   model->analysis.multiplier_tolerance = 1e-3;
 }
 
+/* The blocks of the masonry, and its parameters, which are written to a file in their place. */
+static bool
+add_masonry (QnProject *project, const QnMasonry *masonry, QnDiag *diag)
+{
+  QnModel *model = &project->model;
+  g_autoptr (GString) json = g_string_new (NULL);
+  if (qn_masonry_expand (masonry, 0, model, diag) != QN_OK)
+    return false;
+  for (size_t i = 0; i < model->block_count; i++)
+    model->blocks[i].masonry = 0;
+  qn_masonry_append_json (json, masonry, model);
+  project->extras = cJSON_CreateObject ();
+  return cJSON_AddItemToArray (
+    cJSON_AddArrayToObject (project->extras, QN_MASONRY_MEMBER), cJSON_Parse (json->str));
+}
+
 void
 seeded_wall_init (QnProject *project, guint32 seed, int least, int most)
 {
   Recipe recipe = draw_recipe (seed, least, most);
-  g_autoptr (GError) error = NULL;
-  QnDiag diag;
+  QnDiag diag = { 0 };
   QnMasonry masonry;
 
   qn_project_init (project);
   set_up_model (&recipe, &project->model);
   lay_to_count (&recipe, &masonry);
-  if (!qn_project_add_masonry (project, &masonry, &error))
-    g_error ("seed %u: %s", seed, error->message);
+  if (!add_masonry (project, &masonry, &diag))
+    g_error ("seed %u: problem %d", seed, (int) diag.problem);
   qn_masonry_clear (&masonry);
   g_free (project->model.title);
   project->model.title = g_strdup_printf ("Seed %u: %s", seed, seeded_wall_family (seed));

@@ -4,18 +4,6 @@
 #include <cjson/cJSON.h>
 #include <glib/gi18n-lib.h>
 
-/* Adds the blocks of one object and marks them as its own. */
-static QnStatus
-expand_object (QnProject *project, const QnMasonry *masonry, QnId index, QnDiag *diag)
-{
-  QnModel *model = &project->model;
-  size_t first = model->block_count;
-  QnStatus status = qn_masonry_expand (masonry, index, model, diag);
-  for (size_t i = first; i < model->block_count; i++)
-    model->blocks[i].masonry = index;
-  return status;
-}
-
 gboolean
 qn_read_masonry (const QnJsonValue *root, QnProject *project)
 {
@@ -28,8 +16,12 @@ qn_read_masonry (const QnJsonValue *root, QnProject *project)
     QnMasonry masonry;
     if (!qn_read_masonry_object (&place, &project->model, &masonry))
       return FALSE;
+    QnModel *model = &project->model;
+    size_t first = model->block_count;
     QnDiag diag;
-    QnStatus status = expand_object (project, &masonry, (QnId) place.index, &diag);
+    QnStatus status = qn_masonry_expand (&masonry, (QnId) place.index, model, &diag);
+    for (size_t i = first; i < model->block_count; i++)
+      model->blocks[i].masonry = (QnId) place.index;
     qn_masonry_clear (&masonry);
     if (status != QN_OK) {
       qn_project_set_error (project, &diag, &root->reader->error);
@@ -60,33 +52,6 @@ qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **er
                            _ ("not enough memory"));
       return FALSE;
     }
-  }
-  return TRUE;
-}
-
-gboolean
-qn_project_add_masonry (QnProject *project, const QnMasonry *masonry, GError **error)
-{
-  if (project->extras == NULL)
-    project->extras = cJSON_CreateObject ();
-  cJSON *list = cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
-  if (list == NULL)
-    list = cJSON_AddArrayToObject (project->extras, QN_MASONRY_MEMBER);
-  QnDiag diag;
-  QnId index = cJSON_GetArraySize (list);
-  if (expand_object (project, masonry, index, &diag) != QN_OK) {
-    qn_project_set_error (project, &diag, error);
-    return FALSE;
-  }
-  GString *json = g_string_new (NULL);
-  qn_masonry_append_json (json, masonry, &project->model);
-  cJSON *object = cJSON_Parse (json->str);
-  g_string_free (json, TRUE);
-  if (object == NULL || !cJSON_AddItemToArray (list, object)) {
-    cJSON_Delete (object);
-    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
-                         _ ("not enough memory"));
-    return FALSE;
   }
   return TRUE;
 }

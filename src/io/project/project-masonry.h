@@ -31,11 +31,6 @@ void qn_masonry_append_json (GString *json, const QnMasonry *masonry,
 gboolean qn_project_get_masonry (const QnProject *project, QnMasonries *list,
                                  GError **error);
 
-/* Appends an object to an unprepared project: its blocks to the model and its parameters to the
- * extras. FALSE with an error, the project then may only be cleared. */
-gboolean qn_project_add_masonry (QnProject *project, const QnMasonry *masonry,
-                                 GError **error);
-
 /* Makes plain blocks of what an object expanded to: the parameters are no longer written. */
 void qn_project_detach_masonry (QnProject *project, QnId index);
 
