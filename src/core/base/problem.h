@@ -30,7 +30,6 @@
   X (NAME_TAKEN, "name is used twice") \
   X (LAW_UNKNOWN, "no law has this name") \
   X (LAW_MISSING, "contact law is missing") \
-  X (BASIS_UNSUPPORTED, "this basis is not available for this kind of law") \
   X (DILATANCY_ABOVE_FRICTION, "dilatancy exceeds friction") \
   X (HARDENING_TOO_LARGE, "hardening must be less than 1") \
   X (STRENGTH_BELOW_YIELD, "strength is below yield") \

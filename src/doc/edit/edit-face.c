@@ -47,45 +47,37 @@ replace_override (QnModel *model, const QnContactFace *face, QnFaceOverride over
   return TRUE;
 }
 
-static QnFaceOverride
-present_override (const QnModel *model, const QnContactFace *face)
-{
-  const QnFaceOverride *old = qn_model_find_override (model, face);
-  return old != NULL ? *old : (QnFaceOverride){ .law = QN_NONE };
-}
-
+/* The law where one is given, else the pairs. */
 static gboolean
-refuse_nothing (GError **error)
+set_faces (QnModel *model, QnFaceSet set, const QnId *law, const QnPairRule *rule,
+           GError **error)
 {
-  return qn_edit_refuse_nothing (error, _ ("No contact face is selected"));
+  if (set.count == 0)
+    return qn_edit_refuse_nothing (error, _ ("No contact face is selected"));
+  for (guint i = 0; i < set.count; i++) {
+    const QnFaceOverride *old = qn_model_find_override (model, &set.faces[i]);
+    QnFaceOverride override = old != NULL ? *old : (QnFaceOverride){ .law = QN_NONE };
+    if (law != NULL)
+      override.law = *law;
+    else {
+      override.has_pairs = rule != NULL;
+      override.pairs = rule != NULL ? *rule : (QnPairRule){ 0 };
+    }
+    if (!replace_override (model, &set.faces[i], override, error))
+      return FALSE;
+  }
+  return TRUE;
 }
 
 gboolean
 qn_edit_set_face_law (QnModel *model, QnFaceSet set, QnId law, GError **error)
 {
-  if (set.count == 0)
-    return refuse_nothing (error);
-  for (guint i = 0; i < set.count; i++) {
-    QnFaceOverride override = present_override (model, &set.faces[i]);
-    override.law = law;
-    if (!replace_override (model, &set.faces[i], override, error))
-      return FALSE;
-  }
-  return TRUE;
+  return set_faces (model, set, &law, NULL, error);
 }
 
 gboolean
 qn_edit_set_face_pairs (QnModel *model, QnFaceSet set, const QnPairRule *rule,
                         GError **error)
 {
-  if (set.count == 0)
-    return refuse_nothing (error);
-  for (guint i = 0; i < set.count; i++) {
-    QnFaceOverride override = present_override (model, &set.faces[i]);
-    override.has_pairs = rule != NULL;
-    override.pairs = rule != NULL ? *rule : (QnPairRule){ 0 };
-    if (!replace_override (model, &set.faces[i], override, error))
-      return FALSE;
-  }
-  return TRUE;
+  return set_faces (model, set, NULL, rule, error);
 }
