@@ -21,11 +21,11 @@ CliRun cli_run_with (const char *const *arguments, const char *variable,
 void cli_run_clear (CliRun *run);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (CliRun, cli_run_clear)
 
-/* Fails unless the run ended with this code; a failed run must have said one line that begins
- * with "quoin-cli: " and contains `part` (nullable). Clears the run. */
+/* Fails unless the run ended with this code; a failed run must have said one line, behind
+ * warnings, that begins with "quoin-cli: " and contains `part` (nullable). Clears the run. */
 void cli_assert_failed (CliRun *run, int code, const char *part);
 
-/* Fails unless the run ended well and quietly on standard error. */
+/* Fails unless the run ended well and said nothing but warnings on standard error. */
 void cli_assert_done (const CliRun *run);
 
 /* Runs, with the words of cli_run(), and fails unless that ended well and quietly. */

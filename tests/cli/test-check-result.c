@@ -257,12 +257,13 @@ solve (Source source)
   g_autofree char *model = cli_example (sources[source].example);
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
   const char *set = sources[source].set, *option = sources[source].option;
-  cli_do (sources[source].command, model, "-q", "-o", path,
-          set != NULL      ? "--set"
-          : option != NULL ? option
-                           : NULL,
-          set, option, NULL);
-  CliRun run = cli_run ("check", model, "--result", path, NULL);
+  CliRun run = cli_run (sources[source].command, model, "-q", "-o", path,
+                        set != NULL      ? "--set"
+                        : option != NULL ? option
+                                         : NULL,
+                        set, option, NULL);
+  cli_expect_done (run);
+  run = cli_run ("check", model, "--result", path, NULL);
   g_test_message ("%s%s", sources[source].example, run.err);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "passes"));

@@ -87,13 +87,49 @@ test_gap (void)
     cli_sliding_block, "\"thickness\": 1, \"unit_weight\": 10000 }\n",
     "\"thickness\": 1, \"unit_weight\": 10000 },\n"
     "    { \"name\": \"next\", \"vertices\": [[1.000003, 0], [1.5, 0], "
-    "[1.5, 0.5], [1.000003, 0.5]], \"thickness\": 1, \"unit_weight\": 1 }\n");
+    "[1.5, 0.5], [1.000003, 0.5]], \"thickness\": 1, \"unit_weight\": 10000 }\n");
   g_autofree char *model = cli_write (folder, "wall.quoin", text);
   CliRun run = cli_run ("check", model, NULL);
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "warnings: 1"));
   g_assert_nonnull (strstr (run.out, "next"));
   cli_run_clear (&run);
+}
+
+/* Numbers that are hardly meant: in check for people and programs, and in every analysis, with -q too. */
+static void
+test_doubts (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  static const char *const rows[][4] = {
+    { "\"friction\": 0.4", "\"friction\": 30", "laws[0].friction: 30, where 0.02 to 3",
+      "degrees" },
+    { "\"unit_weight\": 10000 }\n", "\"unit_weight\": 20 }\n",
+      "blocks[1].unit_weight: 20 N/m3, where", "kN/m3" },
+    { "\"kn\": 1e7", "\"kn\": 1e3", "laws[0].kn: 1000 N/m, where", "kN" },
+    { "[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]", "[[0, 0], [99, 0], [99, 500], [0, 500]]",
+      "blocks[1].vertices: 500 m, where 0.002 to 30", "mm" },
+    { "{ \"kind\": \"weight\", \"direction\": [0, -1] }", "", "loads.dead: no dead load",
+      "is 0" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
+    g_autofree char *text = cli_replace (cli_sliding_block, rows[i][0], rows[i][1]);
+    g_autofree char *model = cli_write (folder, "m.quoin", text);
+    const char *const commands[][3] = { { "check", NULL, NULL },
+                                        { "solve", "-q", NULL },
+                                        { "limit", "-q", NULL } };
+    for (gsize k = 0; k < G_N_ELEMENTS (commands); k++) {
+      g_auto (CliRun) run = cli_run (commands[k][0], model, commands[k][1], NULL);
+      const char *said = k == 0 ? run.out : run.err;
+      const char *found = strstr (said, rows[i][2]);
+      g_test_message ("%s: %s", commands[k][0], said);
+      g_assert_nonnull (found);
+      g_assert_nonnull (strstr (found, rows[i][3]));
+    }
+  }
+  g_autofree char *text = cli_replace (cli_sliding_block, rows[0][0], rows[0][1]);
+  g_autofree char *model = cli_write (folder, "m.quoin", text);
+  cli_says ("\"problem\": \"doubt-tangent\"", "check", model, "--json", NULL);
 }
 
 static void
@@ -128,5 +164,6 @@ QN_TESTS
   g_test_add_func ("/cli/check/json", test_json);
   g_test_add_func ("/cli/check/unsound", test_unsound);
   g_test_add_func ("/cli/check/gap", test_gap);
+  g_test_add_func ("/cli/check/doubts", test_doubts);
   g_test_add_func ("/cli/check/result", test_result);
 }

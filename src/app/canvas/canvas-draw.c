@@ -313,6 +313,8 @@ draw_findings (QnCanvas *self, cairo_t *cr)
     &qn_document_get_contacts (qn_canvas_get_document (self))->findings;
   gsize shown = MIN (findings->count, MOST_MARKS);
   for (gsize i = 0; i < shown; i++) {
+    if (!qn_finding_has_place (&findings->items[i]))
+      continue;
     QnVec2 s = qn_canvas_to_screen (self, findings->items[i].at);
     cairo_move_to (cr, s.x, s.y - MARK_PX);
     cairo_line_to (cr, s.x + MARK_PX, s.y + 0.7 * MARK_PX);

@@ -93,7 +93,8 @@ on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
   qn_view_state_set_view (qn_canvas_get_state (panel->canvas), QN_VIEW_CONTACTS);
   qn_selection_set (qn_canvas_get_selection (panel->canvas), QN_PART_BLOCK, blocks,
                     count);
-  qn_canvas_show_place (panel->canvas, finding->at);
+  if (qn_finding_has_place (finding))
+    qn_canvas_show_place (panel->canvas, finding->at);
 }
 
 static GMenuModel *

@@ -25,18 +25,21 @@ typedef struct Options {
   gboolean quiet, allow_outside, sensitivity, no_timings;
 } Options;
 
-/* Names of the blocks that the dead load moves, the first few of them. */
-static char *
-dup_unstable_names (const QnModel *model, const QnResult *result)
+/* Names the blocks that the dead load moves, the first few of them. */
+static QnExit
+tell_unstable (const QnInput *input, const QnResult *result)
 {
   enum { SHOWN = 5 };
-  GString *names = g_string_new (NULL);
+  const QnModel *model = &input->project.model;
+  g_autoptr (GString) names = g_string_new (NULL);
   for (size_t i = 0; i < result->unstable_count && i < SHOWN; i++)
     g_string_append_printf (names, "%s%s", i > 0 ? ", " : "",
                             model->blocks[result->unstable_blocks[i]].name);
   if (result->unstable_count > SHOWN)
     g_string_append_printf (names, _ (" and %zu more"), result->unstable_count - SHOWN);
-  return g_string_free (names, FALSE);
+  qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"),
+                input->project.name, names->str);
+  return QN_EXIT_NO_ANSWER;
 }
 
 /* How far an analysis in time went, and what its numbers are worth. */
@@ -186,12 +189,8 @@ report (const Options *options, const QnInput *input, const QnResult *result)
     return QN_EXIT_DONE;
   case QN_OUTCOME_CANCELLED:
     return qn_cli_cancelled (input->project.name);
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
-    g_autofree char *names = dup_unstable_names (&input->project.model, result);
-    qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"),
-                  input->project.name, names);
-    return QN_EXIT_NO_ANSWER;
-  }
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
+    return tell_unstable (input, result);
   case QN_OUTCOME_NOT_CONVERGED: {
     g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, result);
     qn_cli_error (_ ("%s: the analysis did not converge: %s"), input->project.name,
@@ -202,6 +201,25 @@ report (const Options *options, const QnInput *input, const QnResult *result)
     break;
   }
   g_assert_not_reached ();
+}
+
+/* A limit multiplier is about a structure that stands. By the associative theorem friction may wedge
+ * blocks between others, without a reason to be pressed together: whether the dead load stands is asked
+ * of a path. */
+static QnExit
+require_dead_load (const QnInput *input)
+{
+  QnModel model = input->project.model; /* shares all arrays */
+  QnResult result = { 0 };
+  QnExit code = QN_EXIT_DONE;
+  model.analysis.procedure = QN_PROCEDURE_LOAD;
+  model.analysis.geometry = QN_GEOMETRY_LINEAR;
+  model.analysis.max_multiplier = 0;
+  if (qn_analysis_run (&model, &input->contacts, NULL, NULL, &result, NULL) == QN_OK
+      && result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    code = tell_unstable (input, &result);
+  qn_result_clear (&result);
+  return code;
 }
 
 static QnExit
@@ -226,6 +244,9 @@ solve (const Options *options, QnInput *input)
   if (options->no_timings)
     qn_statistics_clear_timings (&result.statistics);
   QnExit code = report (options, input, &result);
+  if (code == QN_EXIT_DONE
+      && input->project.model.analysis.procedure == QN_PROCEDURE_LIMIT)
+    code = require_dead_load (input);
   qn_result_clear (&result);
   return code;
 }
@@ -306,15 +327,8 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
     code = probe_output (options.output);
   if (code == QN_EXIT_DONE)
     code = probe_output (options.csv);
-  if (code == QN_EXIT_DONE) {
-    if (!options.quiet) {
-      g_autoptr (GPtrArray) texts =
-        qn_project_dup_finding_texts (&input.project, &input.contacts.findings);
-      for (guint i = 0; i < texts->len; i++)
-        qn_cli_warning ("%s", (const char *) g_ptr_array_index (texts, i));
-    }
+  if (code == QN_EXIT_DONE)
     code = solve (&options, &input);
-  }
 
   qn_input_clear (&input);
   qn_subcommand_free_values (entries);

@@ -30,14 +30,22 @@ detect_contacts (QnInput *input)
 
 /* A command that reads a project several times tells each warning once. */
 static void
-tell_warnings (const QnProject *project)
+tell_warnings (const GPtrArray *warnings)
 {
   static GHashTable *told;
   if (told == NULL)
     told = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-  for (guint i = 0; i < project->warnings->len; i++)
-    if (g_hash_table_add (told, g_strdup (g_ptr_array_index (project->warnings, i))))
-      qn_cli_warning ("%s", (char *) g_ptr_array_index (project->warnings, i));
+  for (guint i = 0; i < warnings->len; i++)
+    if (g_hash_table_add (told, g_strdup (g_ptr_array_index (warnings, i))))
+      qn_cli_warning ("%s", (char *) g_ptr_array_index (warnings, i));
+}
+
+static void
+tell_findings (const QnInput *input)
+{
+  g_autoptr (GPtrArray) texts =
+    qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
+  tell_warnings (texts);
 }
 
 QnExit
@@ -60,7 +68,7 @@ qn_input_load (QnInput *input, const char *path, char **overrides)
 {
   QnExit code = qn_input_read (input, path, overrides);
   if (code == QN_EXIT_DONE)
-    tell_warnings (&input->project);
+    tell_warnings (input->project.warnings);
   return code;
 }
 
@@ -73,7 +81,7 @@ qn_input_read_records (QnInput *input, gboolean allow_outside)
     return QN_EXIT_DONE;
   if (!qn_project_read_records (project, NULL, allow_outside, &error))
     return qn_cli_fail (error);
-  tell_warnings (project);
+  tell_warnings (project->warnings);
   return QN_EXIT_DONE;
 }
 
@@ -81,8 +89,11 @@ QnExit
 qn_input_require_sound (const QnInput *input)
 {
   QnDiag diag = { 0 };
-  if (qn_contacts_require_sound (&input->project.model, &input->contacts, &diag) == QN_OK)
+  if (qn_contacts_require_sound (&input->project.model, &input->contacts, &diag)
+      == QN_OK) {
+    tell_findings (input);
     return QN_EXIT_DONE;
+  }
   return qn_input_refuse (&input->project, &diag);
 }
 

@@ -50,7 +50,8 @@ QnExit qn_input_read (QnInput *input, const char *path, char **overrides);
  * them. On failure the user has been told. */
 QnExit qn_input_read_records (QnInput *input, gboolean allow_outside);
 
-/* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user. */
+/* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user; else says
+ * what is to be looked at: gaps, loose blocks, numbers that are hardly meant. */
 QnExit qn_input_require_sound (const QnInput *input);
 
 /* Tells the user what is wrong with the project and where, and says how the program ends. */

@@ -39,14 +39,15 @@ check_model (const Options *options, const char *path)
   gboolean complete =
     input.project.model.analysis.procedure != QN_PROCEDURE_DYNAMIC
     || qn_project_read_records (&input.project, NULL, options->allow_outside, &unread);
-  report.sound =
-    complete
-    && qn_contacts_require_sound (&input.project.model, &input.contacts, NULL) == QN_OK;
+  QnDiag diag = { 0 };
+  gboolean sound =
+    qn_contacts_require_sound (&input.project.model, &input.contacts, &diag) == QN_OK;
+  report.sound = complete && sound;
   code = tell (options, &report);
   if (!complete)
     code = qn_cli_fail (unread);
-  else if (code == QN_EXIT_DONE)
-    code = qn_input_require_sound (&input);
+  else if (code == QN_EXIT_DONE && !sound)
+    code = qn_input_refuse (&input.project, &diag);
   qn_input_clear (&input);
   return code;
 }

@@ -139,7 +139,20 @@
   X (FLAT_ARCH_SKEW, "skew must be an acute angle") \
   X (ARCH_SHAPE, "rise does not fit the span and the shape of the arch") \
   X (PIER_TOO_NARROW, "pier is too narrow for the arches on it") \
-  X (OVERRIDE_UNUSED, "exception names two blocks without a common face")
+  X (OVERRIDE_UNUSED, "exception names two blocks without a common face") \
+  X (DOUBT_TANGENT, "friction is a tangent: is this an angle in degrees?") \
+  X (DOUBT_STRESS, "strengths are in Pa: is this in MPa, kPa or another unit?") \
+  X (DOUBT_STIFFNESS, "stiffness is in N/m, Pa/m or Pa by its basis: is this in another unit, kN, MPa or GPa?") \
+  X (DOUBT_UNIT_WEIGHT, "unit weights are in N/m3: is this in kN/m3, or a density?") \
+  X (DOUBT_DENSITY, "densities are in kg/m3: is this in t/m3, or a unit weight?") \
+  X (DOUBT_LENGTH, "lengths are in m: is this in mm or cm?") \
+  X (DOUBT_AREA, "areas are in m2: is this in mm2 or cm2?") \
+  X (DOUBT_GRAVITY, "gravity is in m/s2: is this in another unit?") \
+  X (DOUBT_FORCE, "forces are in N: is this in kN or another unit?") \
+  X (DOUBT_ACCELERATION, "accelerations are in m/s2: is this in cm/s2?") \
+  X (DOUBT_DAMPING, "damping is in 1/s by mass and in s by stiffness: is this a ratio, or in percent?") \
+  X (DOUBT_NO_DEAD_LOAD, "no dead load: joints without tension and cohesion carry nothing, and the multiplier is 0") \
+  X (DOUBT_SOFT, "joints are soft for their blocks, which sink far under the dead load: is the stiffness in another unit?")
 /* clang-format on */
 
 typedef enum {

@@ -239,8 +239,8 @@ add_gap (const QnContactSearch *search, QnFindings *findings, const Match *match
   QnVec2 between = qn_vec2_add_scaled (at, -match->width / 2, across);
   if (is_filled (search, between, a, b))
     return true;
-  return qn_findings_add (
-    findings, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, b, at, match->width, QN_NONE });
+  return qn_findings_add (findings, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, b, at,
+                                                 match->width, QN_NONE, NULL });
 }
 
 static bool

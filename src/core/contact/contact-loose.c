@@ -88,7 +88,7 @@ report_points (const QnContactSearch *search, const FaceLists *lists,
         || overlap (findings, earlier, touch, &next))
       continue;
     if (!qn_findings_add (findings, (QnFinding){ QN_PROBLEM_POINT_CONTACT, touch->a,
-                                                 touch->b, touch->at, 0, QN_NONE }))
+                                                 touch->b, touch->at, 0, QN_NONE, NULL }))
       return false;
   }
   return true;
@@ -102,7 +102,7 @@ report_blocks (const QnModel *model, QnFindings *findings, QnProblem problem,
     if (!in_order[i]
         && !qn_findings_add (findings,
                              (QnFinding){ problem, (QnId) i, QN_NONE,
-                                          model->blocks[i].centroid, 0, QN_NONE }))
+                                          model->blocks[i].centroid, 0, QN_NONE, NULL }))
       return false;
   }
   return true;

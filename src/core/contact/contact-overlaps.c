@@ -204,5 +204,5 @@ qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
                         ? QN_PROBLEM_BLOCKS_OVERLAP
                         : QN_PROBLEM_NEAR_MISS_OVERLAP;
   return qn_findings_add (findings,
-                          (QnFinding){ problem, a, b, deepest.at, depth, QN_NONE });
+                          (QnFinding){ problem, a, b, deepest.at, depth, QN_NONE, NULL });
 }

@@ -3,6 +3,7 @@
 #include "core/contact/contact-loose.h"
 #include "core/contact/contact-neighbours.h"
 #include "core/contact/pair-placement.h"
+#include "core/contact/plausible.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,22 +12,24 @@ QnStatus
 qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   *contacts = (QnContacts){ 0 };
-  if (model->block_count == 0)
-    return model->node_count > 0 ? qn_contacts_report_loose (model, contacts, diag)
-                                 : QN_OK;
+  if (model->block_count == 0 && model->node_count == 0)
+    return QN_OK;
 
-  QnContactSearch search;
-  QnStatus status =
-    qn_contact_search_init (&search, model, qn_contact_lengths (model), diag);
-  if (status != QN_OK)
-    return status;
-
-  status = qn_contact_search_all (&search, contacts, diag);
-  qn_contact_search_clear (&search);
-  if (status == QN_OK)
-    status = qn_contacts_place_pairs (model, contacts, diag);
+  QnStatus status = QN_OK;
+  if (model->block_count > 0) {
+    QnContactSearch search;
+    status = qn_contact_search_init (&search, model, qn_contact_lengths (model), diag);
+    if (status != QN_OK)
+      return status;
+    status = qn_contact_search_all (&search, contacts, diag);
+    qn_contact_search_clear (&search);
+    if (status == QN_OK)
+      status = qn_contacts_place_pairs (model, contacts, diag);
+  }
   if (status == QN_OK)
     status = qn_contacts_report_loose (model, contacts, diag);
+  if (status == QN_OK)
+    status = qn_contacts_report_doubts (model, contacts, diag);
   if (status != QN_OK)
     qn_contacts_clear (contacts);
   return status;
@@ -84,9 +87,8 @@ qn_contacts_pair_law (const QnModel *model, const QnContacts *contacts, size_t p
   return side == 0 ? face->law_a : face->law_b;
 }
 
-/* Extent of a block along a direction, m. */
-static double
-block_extent (const QnModel *model, QnId block, QnVec2 direction)
+double
+qn_contacts_block_extent (const QnModel *model, QnId block, QnVec2 direction)
 {
   const QnVec2 *v = qn_model_block_vertices (model, block);
   double low = 0, high = 0;
@@ -111,7 +113,7 @@ qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts, size
   for (int side = 0; side < 2; side++) {
     const QnLaw *law = &model->laws[qn_contacts_pair_law (model, contacts, pair, side)];
     /* The side of a block reaches to its middle; the other half belongs to the far side. */
-    double length = 0.5 * block_extent (model, blocks[side], face->normal);
+    double length = 0.5 * qn_contacts_block_extent (model, blocks[side], face->normal);
     springs[side] = qn_spring_from_law (law, area, length);
     if (p->found)
       qn_spring_lose_bond (&springs[side]);

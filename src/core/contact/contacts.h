@@ -72,6 +72,9 @@ QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *cont
 QnId qn_contacts_pair_law (const QnModel *model, const QnContacts *contacts, size_t pair,
                            int side);
 
+/* Extent of a block along a direction, m. */
+double qn_contacts_block_extent (const QnModel *model, QnId block, QnVec2 direction);
+
 /* The springs of a pair. In the material basis each is as long as half the extent of its block
  * along the face's normal: a block's other half belongs to its far side. */
 QnPairSprings qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts,

@@ -17,13 +17,23 @@ typedef struct QnFinding {
   QnId
     subject; /* BEAM_FLOATING, BEAM_END_FREE: the beam; LOAD_MEETS_NOTHING: the load, counted through the
                    dead and then the live ones; PAIRS_…: how many joints, of which this one is
-                   the worst; QN_NONE otherwise */
+                   the worst; of a range: the entity; QN_NONE otherwise */
+  const struct QnUsualRange
+    *range; /* what `value`, a number of the project, is outside of, or
+                                       NULL (plausible.h) */
 } QnFinding;
 
 typedef struct QnFindings {
   QnFinding *items;
   size_t count, capacity;
 } QnFindings;
+
+/* Whether `at` says where: numbers of laws, loads and settings stand nowhere. */
+static inline bool
+qn_finding_has_place (const QnFinding *finding)
+{
+  return finding->block_a != QN_NONE || finding->range == NULL;
+}
 
 /* Appends; false when memory runs out. */
 bool qn_findings_add (QnFindings *findings, QnFinding finding);

@@ -44,8 +44,9 @@ find_exceptions (const QnModel *model, QnContacts *contacts, const QnFaceOverrid
       own[face] = override;
     QnVec2 at = qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
     if (face == first
-        && !qn_findings_add (&contacts->findings, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED,
-                                                               a, b, at, 0, QN_NONE }))
+        && !qn_findings_add (
+          &contacts->findings,
+          (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED, a, b, at, 0, QN_NONE, NULL }))
       return false;
   }
   return true;

@@ -1,5 +1,6 @@
 #include "doc/text/explain.h"
 
+#include "core/contact/plausible.h"
 #include "core/result/first-limit.h"
 #include "io/project/project.h"
 #include "io/text/mechanism-text.h"
@@ -79,6 +80,12 @@ qn_explain_finding (const QnModel *model, const QnFinding *finding)
   const char *a = entity_name (model, QN_ENTITY_BLOCK, finding->block_a);
   const char *b = entity_name (model, QN_ENTITY_BLOCK, finding->block_b);
   const char *text = _ (qn_problem_text (finding->problem));
+  if (finding->range != NULL) {
+    const char *name = entity_name (model, finding->range->entity, finding->subject);
+    g_autofree char *doubt = qn_range_dup_text (finding);
+    return g_strdup_printf ("%s: %s %s", name != NULL ? name : _ ("Model"),
+                            finding->range->key, doubt);
+  }
   g_autofree char *value = qn_project_dup_finding_value (finding, "mm", 1e3);
   g_autofree char *width =
     value != NULL ? g_strdup_printf (" (%s)", value) : g_strdup ("");

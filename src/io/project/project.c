@@ -1,5 +1,6 @@
 #include "io/project/project.h"
 
+#include "core/contact/plausible.h"
 #include "io/json/json-locate.h"
 #include "io/json/json-path.h"
 #include "io/project/project-extras.h"
@@ -282,10 +283,40 @@ qn_project_dup_finding_value (const QnFinding *finding, const char *unit, double
                              : NULL;
 }
 
+char *
+qn_range_dup_text (const QnFinding *finding)
+{
+  const QnUsualRange *range = finding->range;
+  g_autoptr (GString) text = g_string_new (NULL);
+  if (range->least > 0)
+    g_string_printf (text, _ ("%.4g %s, where %.4g to %.4g is usual"), finding->value,
+                     range->unit, range->least, range->greatest);
+  else
+    g_string_printf (text, _ ("%.4g %s, where up to %.4g is usual"), finding->value,
+                     range->unit, range->greatest);
+  g_string_replace (text, " ,", ",", 0); /* of a bare number */
+  g_string_append_printf (text, ": %s", _ (qn_problem_text (finding->problem)));
+  return g_strdup (text->str);
+}
+
+/* The key of a number that is in doubt; blocks of walls and of masonry stand for their object. */
+static char *
+dup_range_path (const QnProject *project, const QnFinding *finding)
+{
+  const QnUsualRange *range = finding->range;
+  g_autofree char *path =
+    qn_project_dup_key_path (project, range->entity, finding->subject);
+  if (g_str_has_prefix (path, "walls["))
+    path[strcspn (path, ".")] = '\0';
+  return g_strdup_printf ("%s%s%s", path, *path != '\0' ? "." : "", range->key);
+}
+
 /* What a finding says, without its place. */
 static char *
 dup_finding_message (const QnProject *project, const QnFinding *finding)
 {
+  if (finding->range != NULL)
+    return qn_range_dup_text (finding);
   GString *message = g_string_new (_ (qn_problem_text (finding->problem)));
   append_block_names (message, &project->model, finding->block_a, finding->block_b);
   if (finding->block_b != QN_NONE)
@@ -301,7 +332,11 @@ static char *
 dup_finding_path (const QnProject *project, const QnFinding *finding)
 {
   const QnId dead = (QnId) project->model.dead_load_count;
+  if (finding->range != NULL)
+    return dup_range_path (project, finding);
   switch ((int) finding->problem) {
+  case QN_PROBLEM_DOUBT_NO_DEAD_LOAD:
+    return g_strdup ("loads.dead");
   case QN_PROBLEM_BEAM_FLOATING:
   case QN_PROBLEM_BEAM_END_FREE:
     return qn_project_dup_key_path (project, QN_ENTITY_BEAM, finding->subject);

@@ -106,6 +106,10 @@ void qn_project_set_key_error (const QnProject *project, const char *path,
 char *qn_project_dup_finding_value (const QnFinding *finding, const char *unit,
                                     double factor);
 
+/* What a finding about a range says: the number, the range and what is probably meant. Free with
+ * g_free(). */
+char *qn_range_dup_text (const QnFinding *finding);
+
 /* The findings of contact detection, each as one line in the same form as an error message: an array
  * of char *, free with g_ptr_array_unref(). */
 GPtrArray *qn_project_dup_finding_texts (const QnProject *project,

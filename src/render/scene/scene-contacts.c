@@ -152,6 +152,8 @@ qn_build_findings (QnSceneBuilder *b)
   bool used[QN_PROBLEM_COUNT] = { false };
   for (size_t i = 0; i < findings->count; i++) {
     const QnFinding *finding = &findings->items[i];
+    if (!qn_finding_has_place (finding))
+      continue;
     QnMarker marker = finding->problem == QN_PROBLEM_NEAR_MISS_GAP   ? QN_MARKER_DIAMOND
                       : finding->problem == QN_PROBLEM_POINT_CONTACT ? QN_MARKER_RING
                                                                      : QN_MARKER_CROSS;

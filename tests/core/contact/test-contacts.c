@@ -70,6 +70,16 @@ typedef struct {
   double tolerance; /* that rounding at these coordinates leaves, m of the original */
 } Motion;
 
+/* Findings of the geometry: numbers are doubted by their size. */
+static guint
+count_places (const QnContacts *contacts)
+{
+  guint count = 0;
+  for (size_t i = 0; i < contacts->findings.count; i++)
+    count += contacts->findings.items[i].problem < QN_PROBLEM_DOUBT_TANGENT;
+  return count;
+}
+
 static void
 check_same_faces (const QnModel *original, const QnContacts *expected, const Line *lines,
                   const Motion *motion, unsigned seed)
@@ -85,7 +95,7 @@ check_same_faces (const QnModel *original, const QnContacts *expected, const Lin
   test_detect (&model, &contacts);
 
   g_assert_cmpuint (contacts.face_count, ==, expected->face_count);
-  g_assert_cmpuint (contacts.findings.count, ==, expected->findings.count);
+  g_assert_cmpuint (count_places (&contacts), ==, count_places (expected));
   g_autofree Line *moved =
     describe (&model, &contacts, motion->scale, motion->angle, motion->shift);
   for (size_t i = 0; i < contacts.face_count; i++) {

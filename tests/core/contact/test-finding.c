@@ -10,7 +10,8 @@ test_add_keeps_order (void)
   for (int i = 0; i < 1000; i++)
     g_assert_true (qn_findings_add (
       &findings,
-      (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, i, i + 1, { i, -i }, 0.001 * i, QN_NONE }));
+      (QnFinding){
+        QN_PROBLEM_NEAR_MISS_GAP, i, i + 1, { i, -i }, 0.001 * i, QN_NONE, NULL }));
   g_assert_cmpuint (findings.count, ==, 1000);
   for (int i = 0; i < 1000; i++) {
     g_assert_cmpint (findings.items[i].block_a, ==, i);

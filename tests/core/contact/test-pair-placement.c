@@ -129,7 +129,7 @@ test_default_by_face (void)
     QnLaw *law = qn_model_add_law (&model, i == 0 ? "mortar" : "stone");
     law->kind = QN_LAW_ELASTIC;
     law->basis = bases[i];
-    law->kn = law->ks = 1e6;
+    law->kn = law->ks = 1e9;
     QnFaceOverride *override = qn_model_add_override (&model);
     override->block_a = i + 1;
     override->block_b = i + 2;

@@ -97,8 +97,8 @@ test_findings (void)
   g_auto (QnProject) project;
   test_parse (walls, &project);
   QnFinding items[] = {
-    { QN_PROBLEM_NEAR_MISS_GAP, 1, 2, { 1, 0.5 }, 2e-6, QN_NONE },
-    { QN_PROBLEM_BLOCK_WITHOUT_CONTACT, 0, QN_NONE, { 0, 0 }, 0, QN_NONE },
+    { QN_PROBLEM_NEAR_MISS_GAP, 1, 2, { 1, 0.5 }, 2e-6, QN_NONE, NULL },
+    { QN_PROBLEM_BLOCK_WITHOUT_CONTACT, 0, QN_NONE, { 0, 0 }, 0, QN_NONE, NULL },
   };
   const QnFindings findings = { items, G_N_ELEMENTS (items), G_N_ELEMENTS (items) };
   g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&project, &findings);

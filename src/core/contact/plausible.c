@@ -1,0 +1,452 @@
+#include "core/contact/plausible.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Findings of one row; more would hide the others. */
+#define MOST_OF_A_ROW 3
+
+/* Share of its height that a block may sink into its joints: under its own weight, and under the dead
+ * load on it where softness lowers the multiplier, in large displacements, and where not, in linear
+ * geometry and in time. */
+#define OWN_SINKING      1e-3
+#define MOST_SINKING     1e-2
+#define HARMLESS_SINKING 5e-2
+
+/* A joint bears whose normal is nearer to the dead load than to its perpendicular; blocks that bear on
+ * less than this part of their width hang or rest on an edge, whatever the joints. */
+#define LEAST_BEARING 0.25
+
+typedef enum {
+  FRICTION,
+  COHESION,
+  TENSION,
+  COMPRESSION,
+  YIELD,
+  STRENGTH,
+  KN, /* by basis, here and for KS */
+  KS = KN + QN_BASIS_COUNT,
+  UNIT_WEIGHT = KS + QN_BASIS_COUNT,
+  DENSITY,
+  THICKNESS,
+  BLOCK_SIZE,
+  EXTENT,
+  GRAVITY,
+  BAR_AREA,
+  YOUNG,
+  SECTION_AREA,
+  SECTION_HEIGHT,
+  DEAD_FORCE,
+  SETTLEMENT,
+  TARGET,
+  PULSE,
+  SIGNAL,
+  MASS_DAMPING,
+  STIFFNESS_DAMPING,
+  ROW_COUNT
+} Row;
+
+#define LAW(key, unit, least, greatest, doubt)                                           \
+  {                                                                                      \
+    QN_ENTITY_LAW, key, unit, least, greatest, QN_PROBLEM_DOUBT_##doubt                  \
+  }
+
+static const QnUsualRange ranges[ROW_COUNT] = {
+  /* Rough joints of rock at low stress reach 70 degrees, tan 2.7 (N. Barton, V. Choubey, The shear
+   * strength of rock joints in theory and practice, Rock Mechanics 10 (1977) 1-54). */
+  [FRICTION] = LAW ("friction", "", 0.02, 3, TANGENT),
+  /* EN 1996-1-1:2005, 3.6: initial shear and flexural strengths from 0.05 to 0.4 MPa. EN 1992-1-1:2004,
+   * table 3.1: concrete 1.6 to 5 MPa in tension, 12 to 90 MPa in compression. Natural stone: to 20 and
+   * 400 MPa. EN 1993-1-1:2005, table 3.1: steel from 215 MPa; wires 2 GPa. */
+  [COHESION] = LAW ("cohesion", "Pa", 100, 5e7, STRESS),
+  [TENSION] = LAW ("tension", "Pa", 100, 5e7, STRESS),
+  [COMPRESSION] = LAW ("compression", "Pa", 1e4, 1e9, STRESS),
+  [YIELD] = LAW ("yield", "Pa", 1e4, 5e9, STRESS),
+  [STRENGTH] = LAW ("strength", "Pa", 1e4, 5e9, STRESS),
+  /* From a pebble's joint up; stiffer ones stand for what is rigid, here and below. */
+  [KN + QN_BASIS_CONTACT] = LAW ("kn", "N/m", 1e4, 1e18, STIFFNESS),
+  [KS + QN_BASIS_CONTACT] = LAW ("ks", "N/m", 1e4, 1e18, STIFFNESS),
+  /* Joints of mortar have 4e10 to 1.1e11 Pa/m (P. B. Lourenço, Computational Strategies for Masonry
+   * Structures, Delft 1996), dry ones less. */
+  [KN + QN_BASIS_SURFACE] = LAW ("kn", "Pa/m", 1e7, 1e18, STIFFNESS),
+  [KS + QN_BASIS_SURFACE] = LAW ("ks", "Pa/m", 1e6, 1e18, STIFFNESS),
+  /* From rubber up; masonry has 1000 times its strength (EN 1996-1-1:2005, 3.7.2). */
+  [KN + QN_BASIS_MATERIAL] = LAW ("kn", "Pa", 1e6, 1e18, STIFFNESS),
+  [KS + QN_BASIS_MATERIAL] = LAW ("ks", "Pa", 1e5, 1e18, STIFFNESS),
+  /* EN 1991-1-1:2002, annex A: timber from 3.5, lightweight concrete from 9, masonry 16 to 30, steel
+   * 78.5, lead 114 kN/m3. */
+  [UNIT_WEIGHT] = { QN_ENTITY_BLOCK, "unit_weight", "N/m3", 2500, 1.2e5,
+                    QN_PROBLEM_DOUBT_UNIT_WEIGHT },
+  [DENSITY] = { QN_ENTITY_BLOCK, "density", "kg/m3", 250, 12000,
+                QN_PROBLEM_DOUBT_DENSITY },
+  /* From a model of cards to a barrel vault of 100 m. */
+  [THICKNESS] = { QN_ENTITY_BLOCK, "thickness", "m", 1e-3, 100, QN_PROBLEM_DOUBT_LENGTH },
+  /* The largest hewn blocks, at Baalbek, are 20 m long. */
+  [BLOCK_SIZE] = { QN_ENTITY_BLOCK, "vertices", "m", 2e-3, 30, QN_PROBLEM_DOUBT_LENGTH },
+  /* The Pont du Gard was 360 m long. */
+  [EXTENT] = { QN_ENTITY_MODEL, "blocks", "m", 0.02, 500, QN_PROBLEM_DOUBT_LENGTH },
+  /* Normal gravity is 9.780 to 9.832 m/s2 (World Geodetic System 1984); often rounded to 10. */
+  [GRAVITY] = { QN_ENTITY_MODEL, "gravity", "m/s2", 9.5, 10.5, QN_PROBLEM_DOUBT_GRAVITY },
+  /* From a wire of 1 mm to a tie of 300 mm. */
+  [BAR_AREA] = { QN_ENTITY_BAR, "area", "m2", 7e-7, 0.1, QN_PROBLEM_DOUBT_AREA },
+  [YOUNG] = { QN_ENTITY_SECTION, "young", "Pa", 1e7, 1.3e12, QN_PROBLEM_DOUBT_STIFFNESS },
+  [SECTION_AREA] = { QN_ENTITY_SECTION, "area", "m2", 7e-7, 100, QN_PROBLEM_DOUBT_AREA },
+  [SECTION_HEIGHT] = { QN_ENTITY_SECTION, "height", "m", 1e-3, 10,
+                       QN_PROBLEM_DOUBT_LENGTH },
+  /* Over the free weight: less is not seen in any result. */
+  [DEAD_FORCE] = { QN_ENTITY_DEAD_LOAD, "value", "× W", 5e-4, 1e4,
+                   QN_PROBLEM_DOUBT_FORCE },
+  /* Over the largest extent of the structure, as the target. */
+  [SETTLEMENT] = { QN_ENTITY_LIVE_LOAD, "value", "× L", 0, 0.5, QN_PROBLEM_DOUBT_LENGTH },
+  [TARGET] = { QN_ENTITY_ANALYSIS, "control.target", "× L", 0, 2,
+               QN_PROBLEM_DOUBT_LENGTH },
+  /* The strongest record has 4 g: IWTH25, Iwate-Miyagi 2008 (S. Aoi et al., Science 322 (2008)
+   * 727-730). */
+  [PULSE] = { QN_ENTITY_GROUND_MOTION, "pulse.amplitude", "m/s2", 0, 50,
+              QN_PROBLEM_DOUBT_ACCELERATION },
+  [SIGNAL] = { QN_ENTITY_GROUND_MOTION, "points", "m/s2", 0, 50,
+               QN_PROBLEM_DOUBT_ACCELERATION },
+  /* Two times damping ratio times circular frequency, and over it: a ratio of 0.2 at 10 Hz; of 0.3 at
+   * 5 Hz. */
+  [MASS_DAMPING] = { QN_ENTITY_ANALYSIS, "dynamic.damping.mass", "1/s", 0, 25,
+                     QN_PROBLEM_DOUBT_DAMPING },
+  [STIFFNESS_DAMPING] = { QN_ENTITY_ANALYSIS, "dynamic.damping.stiffness", "s", 0, 0.02,
+                          QN_PROBLEM_DOUBT_DAMPING },
+};
+
+const QnUsualRange *
+qn_usual_ranges (size_t *count)
+{
+  *count = ROW_COUNT;
+  return ranges;
+}
+
+typedef struct Doubts {
+  QnFindings *findings;
+  const QnModel *model;
+  double last[ROW_COUNT]; /* the number of a row that was found last */
+  int found[ROW_COUNT];
+  bool no_memory;
+} Doubts;
+
+/* Whether a number lies in the range of its row; `block` is the block concerned, or QN_NONE. */
+static void
+examine (Doubts *d, Row row, size_t index, QnId block, double value)
+{
+  const QnUsualRange *range = &ranges[row];
+  double size = fabs (value);
+  if (size == 0 || !isfinite (size) || (size >= range->least && size <= range->greatest)
+      || value == d->last[row] || d->found[row] == MOST_OF_A_ROW)
+    return;
+  d->last[row] = value;
+  d->found[row]++;
+  d->no_memory |= !qn_findings_add (
+    d->findings, (QnFinding){ .problem = range->doubt,
+                              .block_a = block,
+                              .block_b = QN_NONE,
+                              .at = block != QN_NONE ? d->model->blocks[block].centroid
+                                                     : qn_vec2 (0, 0),
+                              .value = value,
+                              .subject = (QnId) index,
+                              .range = range });
+}
+
+static void
+examine_laws (Doubts *d)
+{
+  static const Row strengths[] = { COHESION, TENSION, COMPRESSION, YIELD, STRENGTH };
+  for (size_t i = 0; i < d->model->law_count; i++) {
+    const QnLaw *law = &d->model->laws[i];
+    size_t count;
+    const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+    examine (d, (Row) (KN + law->basis), i, QN_NONE, law->kn);
+    examine (d, (Row) (KS + law->basis), i, QN_NONE, law->ks);
+    for (size_t k = 0; k < count; k++) {
+      double value = qn_law_get (law, &parameters[k]);
+      if (strcmp (parameters[k].key, ranges[FRICTION].key) == 0)
+        examine (d, FRICTION, i, QN_NONE, value);
+      /* A strength in N depends on the size of what it belongs to. */
+      for (size_t s = 0; law->basis != QN_BASIS_CONTACT && s < QN_N_ELEMENTS (strengths);
+           s++)
+        if (strcmp (parameters[k].key, ranges[strengths[s]].key) == 0)
+          examine (d, strengths[s], i, QN_NONE, value);
+    }
+  }
+}
+
+typedef struct Box {
+  QnVec2 low, high;
+} Box;
+
+static void
+extend (Box *box, QnVec2 point)
+{
+  box->low = qn_vec2 (fmin (box->low.x, point.x), fmin (box->low.y, point.y));
+  box->high = qn_vec2 (fmax (box->high.x, point.x), fmax (box->high.y, point.y));
+}
+
+static double
+size_of (Box box)
+{
+  return fmax (box.high.x - box.low.x, box.high.y - box.low.y);
+}
+
+static const Box nothing = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+
+/* Returns the largest extent of all, m. A ground that stands for the earth has any size. */
+static double
+examine_blocks (Doubts *d)
+{
+  const QnModel *model = d->model;
+  Box all = nothing;
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) i);
+    Box box = nothing;
+    for (QnId k = 0; k < block->vertex_count; k++)
+      extend (&box, v[k]);
+    extend (&all, box.low);
+    extend (&all, box.high);
+    examine (d, block->density >= 0 ? DENSITY : UNIT_WEIGHT, i, (QnId) i,
+             block->density >= 0 ? block->density : block->unit_weight);
+    examine (d, THICKNESS, i, (QnId) i, block->thickness);
+    if (!block->support[QN_DOF_UY])
+      examine (d, BLOCK_SIZE, i, (QnId) i, size_of (box));
+  }
+  if (model->block_count == 0)
+    return 0;
+  examine (d, EXTENT, 0, QN_NONE, size_of (all));
+  return size_of (all);
+}
+
+static double
+free_weight (const QnModel *model)
+{
+  double weight = 0;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (!model->blocks[i].support[QN_DOF_UY])
+      weight += model->blocks[i].weight;
+  return weight;
+}
+
+static void
+examine_loads (Doubts *d, double extent)
+{
+  const QnModel *model = d->model;
+  double weight = free_weight (model);
+  for (size_t i = 0; i < model->dead_load_count && weight > 0; i++)
+    if (model->dead_loads[i].kind == QN_LOAD_FORCE)
+      examine (d, DEAD_FORCE, i, model->dead_loads[i].block,
+               qn_vec2_length (model->dead_loads[i].vector) / weight);
+  for (size_t i = 0; i < model->live_load_count && extent > 0; i++)
+    if (model->live_loads[i].kind == QN_LOAD_SETTLEMENT
+        && model->live_loads[i].dof != QN_DOF_RZ)
+      examine (d, SETTLEMENT, i, model->live_loads[i].block,
+               model->live_loads[i].value / extent);
+}
+
+static void
+examine_analysis (Doubts *d, double extent)
+{
+  const QnModel *model = d->model;
+  const QnAnalysisSettings *analysis = &model->analysis;
+  if (extent > 0 && analysis->control_dof != QN_DOF_RZ
+      && (analysis->procedure == QN_PROCEDURE_DISPLACEMENT
+          || analysis->procedure == QN_PROCEDURE_ARC_LENGTH))
+    examine (d, TARGET, 0, QN_NONE, analysis->control_target / extent);
+  if (analysis->procedure != QN_PROCEDURE_DYNAMIC)
+    return;
+  examine (d, MASS_DAMPING, 0, QN_NONE, analysis->dynamic.mass_damping);
+  examine (d, STIFFNESS_DAMPING, 0, QN_NONE, analysis->dynamic.joint_damping);
+  for (size_t i = 0; i < model->ground_count; i++) {
+    const QnGroundMotion *motion = &model->ground[i];
+    double factor = motion->scale * qn_vec2_length (motion->direction), peak = 0;
+    if (motion->kind == QN_SIGNAL_PULSE)
+      examine (d, PULSE, i, QN_NONE, factor * motion->pulse.amplitude);
+    for (size_t k = 0; k < motion->point_count; k++)
+      peak = fmax (peak, fabs (motion->points[k].y));
+    examine (d, SIGNAL, i, QN_NONE, factor * peak);
+  }
+}
+
+static void
+examine_members (Doubts *d)
+{
+  const QnModel *model = d->model;
+  for (size_t i = 0; i < model->bar_count; i++)
+    examine (d, BAR_AREA, i, QN_NONE, model->bars[i].area);
+  for (size_t i = 0; i < model->section_count; i++) {
+    const QnSection *section = &model->sections[i];
+    examine (d, YOUNG, i, QN_NONE, section->young);
+    if (section->height > 0)
+      examine (d, SECTION_HEIGHT, i, QN_NONE, section->height);
+    else
+      examine (d, SECTION_AREA, i, QN_NONE, section->area);
+  }
+}
+
+/* ---- the dead load ---- */
+
+/* Sum of the dead loads on weights, as part of the weight. */
+static QnVec2
+dead_weight (const QnModel *model)
+{
+  QnVec2 sum = { 0, 0 };
+  for (size_t i = 0; i < model->dead_load_count; i++) {
+    const QnLoad *load = &model->dead_loads[i];
+    if (load->kind == QN_LOAD_WEIGHT)
+      sum = qn_vec2_add_scaled (sum, qn_model_load_factor (model, load), load->vector);
+  }
+  return sum;
+}
+
+/* Whether the joints of some law carry nothing unless they are pressed together. */
+static bool
+needs_pressure (const QnModel *model)
+{
+  for (size_t i = 0; i < model->law_count; i++) {
+    const QnLaw *law = &model->laws[i];
+    if (law->kind == QN_LAW_NO_TENSION
+        || ((law->kind == QN_LAW_COULOMB || law->kind == QN_LAW_MOHR_COULOMB)
+            && law->cohesion == 0 && law->tension == 0))
+      return true;
+  }
+  return false;
+}
+
+static void
+examine_dead_load (Doubts *d)
+{
+  const QnModel *model = d->model;
+  bool any = false;
+  for (size_t i = 0; i < model->dead_load_count; i++)
+    any |= qn_vec2_length (qn_model_load_resultant (model, i)) > 0;
+  if (any || model->live_load_count == 0 || model->block_count < 2
+      || !needs_pressure (model))
+    return;
+  d->no_memory |= !qn_findings_add (
+    d->findings, (QnFinding){ QN_PROBLEM_DOUBT_NO_DEAD_LOAD, QN_NONE, QN_NONE,
+                              qn_vec2 (0, 0), 0, QN_NONE, NULL });
+}
+
+/* A face that bears, seen along the dead load. */
+typedef struct Bearing {
+  double depth; /* of the upper block's centroid along the load */
+  QnId upper, lower;
+  double stiffness; /* along the load, N/m */
+} Bearing;
+
+static int
+compare_bearings (const void *a, const void *b)
+{
+  const Bearing *p = a, *q = b;
+  if (p->depth != q->depth)
+    return p->depth < q->depth ? -1 : 1;
+  return (p->upper > q->upper) - (p->upper < q->upper);
+}
+
+static Bearing
+bearing_of (const QnModel *model, const QnContacts *contacts, size_t face, QnVec2 down)
+{
+  const QnContactFace *of = &contacts->faces[face];
+  double a = qn_vec2_dot (model->blocks[of->a].centroid, down);
+  double b = qn_vec2_dot (model->blocks[of->b].centroid, down);
+  Bearing bearing = { fmin (a, b), a <= b ? of->a : of->b, a <= b ? of->b : of->a, 0 };
+  double n = qn_vec2_dot (of->normal, down), t = qn_vec2_dot (of->tangent, down);
+  for (int32_t k = 0; k < of->pair_count && fabs (n) >= fabs (t); k++) {
+    QnPairSprings s =
+      qn_contacts_pair_springs (model, contacts, (size_t) (of->first_pair + k));
+    double kn = s.equal ? s.a.kn : 1 / (1 / s.a.kn + 1 / s.b.kn);
+    double ks = s.equal ? s.a.ks : 1 / (1 / s.a.ks + 1 / s.b.ks);
+    bearing.stiffness += kn * n * n + ks * t * t;
+  }
+  return bearing;
+}
+
+/* What every block stands on. */
+typedef struct Seat {
+  double stiffness, width; /* N/m, m */
+  double load;             /* its own and what it got from above, N */
+} Seat;
+
+/* How many times further a block sinks than it may; 0 where nothing can be said. */
+static double
+excess_of (const QnModel *model, QnId block, const Seat *seat, double own, QnVec2 down,
+           double *sinking)
+{
+  const bool *support = model->blocks[block].support;
+  double height = qn_contacts_block_extent (model, block, down);
+  double width = qn_contacts_block_extent (model, block, qn_vec2_perp (down));
+  bool lowers = model->analysis.geometry == QN_GEOMETRY_NONLINEAR
+                && model->analysis.procedure != QN_PROCEDURE_DYNAMIC;
+  if (support[QN_DOF_UX] || support[QN_DOF_UY] || !(seat->stiffness > 0)
+      || seat->width < LEAST_BEARING * width)
+    return 0;
+  *sinking = seat->load / seat->stiffness;
+  return fmax (own / seat->stiffness / (OWN_SINKING * height),
+               *sinking / ((lowers ? MOST_SINKING : HARMLESS_SINKING) * height));
+}
+
+/* Every block hands its load and what it got from above on to the blocks below it, by the stiffness of
+ * its joints. The block that sinks most is told, where it sinks too far. */
+static bool
+examine_sinking (Doubts *d, const QnContacts *contacts)
+{
+  const QnModel *model = d->model;
+  QnVec2 weight = dead_weight (model);
+  double part = qn_vec2_length (weight), sinking = 0, deepest = 0;
+  if (!(part > 0) || contacts->face_count == 0)
+    return true;
+  QnVec2 down = qn_vec2_scale (1 / part, weight);
+  Bearing *bearings = qn_alloc (contacts->face_count, sizeof *bearings);
+  Seat *seats = qn_alloc (model->block_count, sizeof *seats);
+  bool done = bearings != NULL && seats != NULL;
+  QnId worst = QN_NONE;
+  for (size_t i = 0; done && i < model->block_count; i++)
+    seats[i].load = part * model->blocks[i].weight;
+  for (size_t i = 0; done && i < contacts->face_count; i++) {
+    bearings[i] = bearing_of (model, contacts, i, down);
+    seats[bearings[i].upper].stiffness += bearings[i].stiffness;
+    if (bearings[i].stiffness > 0)
+      seats[bearings[i].upper].width += contacts->faces[i].length;
+  }
+  if (done)
+    qsort (bearings, contacts->face_count, sizeof *bearings, compare_bearings);
+  for (size_t i = 0; done && i < contacts->face_count; i++) {
+    const Bearing *of = &bearings[i];
+    const Seat *seat = &seats[of->upper];
+    double excess = excess_of (model, of->upper, seat,
+                               part * model->blocks[of->upper].weight, down, &sinking);
+    if (excess > 1 && sinking > deepest) {
+      worst = of->upper;
+      deepest = sinking;
+    }
+    if (of->stiffness > 0)
+      seats[of->lower].load += seat->load * of->stiffness / seat->stiffness;
+  }
+  if (worst != QN_NONE)
+    done = qn_findings_add (
+      d->findings, (QnFinding){ QN_PROBLEM_DOUBT_SOFT, worst, QN_NONE,
+                                model->blocks[worst].centroid, deepest, QN_NONE, NULL });
+  free (bearings);
+  free (seats);
+  return done;
+}
+
+QnStatus
+qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  Doubts d = { .findings = &contacts->findings, .model = model };
+  double extent = examine_blocks (&d);
+  examine (&d, GRAVITY, 0, QN_NONE, model->gravity);
+  examine_laws (&d);
+  examine_members (&d);
+  examine_loads (&d, extent);
+  examine_analysis (&d, extent);
+  examine_dead_load (&d);
+  return examine_sinking (&d, contacts) && !d.no_memory ? QN_OK
+                                                        : qn_diag_no_memory (diag);
+}

@@ -1,0 +1,283 @@
+/* Every row of the table of ranges: a number inside of it is not doubted, one outside of it is, and the
+ * finding names value, range and what is probably meant. */
+#include "core/contact/plausible.h"
+
+#include "support/contacts.h"
+#include "support/models.h"
+#include "support/room.h"
+
+#include <glib.h>
+#include <string.h>
+
+/* Two blocks on a base with a bar, a beam, loads of all kinds and a ground motion. */
+static void
+init_all (QnModel *model)
+{
+  test_model_init_stack (model, 2, 1, 0.5);
+  test_model_add_weight_loads (model, 1);
+  QnLoad *force = qn_model_add_dead_load (model);
+  force->kind = QN_LOAD_FORCE;
+  force->block = 1;
+  force->vector = qn_vec2 (500, 0);
+  QnLoad *settlement = qn_model_add_live_load (model);
+  settlement->kind = QN_LOAD_SETTLEMENT;
+  settlement->block = 0;
+  settlement->dof = QN_DOF_UY;
+  settlement->value = -0.01;
+  QnLaw *steel = qn_model_add_law (model, "steel");
+  steel->kind = QN_LAW_ELASTIC;
+  steel->basis = QN_BASIS_SURFACE;
+  steel->kn = steel->ks = 2e11;
+  QnBar *bar = qn_model_add_bar (model);
+  bar->law = 1;
+  bar->area = 1e-4;
+  bar->start = qn_vec2 (0, -0.2);
+  bar->end = qn_vec2 (0, 0.9);
+  QnSection *section = qn_model_add_section (model, "s");
+  section->young = 3e10;
+  section->poisson = 0.2;
+  section->area = 0.01;
+  section->inertia = 1e-5;
+  model->analysis.control_block = 2;
+  model->analysis.control_target = 0.1;
+  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->direction = qn_vec2 (1, 0);
+  motion->pulse = (QnPulse){ QN_PULSE_SINE, 2, 0.5, 0 };
+  model->analysis.dynamic.duration = 1;
+  model->analysis.dynamic.time_step = 0.01;
+}
+
+/* Finds doubts and returns how many are of the row of `key` with this unit. */
+static guint
+count_of (QnModel *model, const QnUsualRange *range, double *value)
+{
+  QnContacts contacts = { 0 };
+  QnDiag diag = { 0 };
+  guint count = 0;
+  if (qn_model_prepare (model, &diag) != QN_OK)
+    g_error ("%s: %s", diag.field != NULL ? diag.field : "",
+             qn_problem_text (diag.problem));
+  g_assert_cmpint (qn_contacts_report_doubts (model, &contacts, &diag), ==, QN_OK);
+  for (size_t i = 0; i < contacts.findings.count; i++)
+    if (contacts.findings.items[i].range == range) {
+      count++;
+      *value = contacts.findings.items[i].value;
+      g_assert_cmpint (contacts.findings.items[i].problem, ==, range->doubt);
+    }
+  qn_contacts_clear (&contacts);
+  return count;
+}
+
+/* The largest extent, m. */
+static double
+extent_of (const QnModel *model)
+{
+  QnVec2 low = model->vertices[0], high = low;
+  for (size_t i = 0; i < model->vertex_count; i++) {
+    QnVec2 v = model->vertices[i];
+    low = qn_vec2 (fmin (low.x, v.x), fmin (low.y, v.y));
+    high = qn_vec2 (fmax (high.x, v.x), fmax (high.y, v.y));
+  }
+  return fmax (high.x - low.x, high.y - low.y);
+}
+
+/* Puts a number where the row says. */
+static void
+put (QnModel *model, const QnUsualRange *range, double number)
+{
+  QnLaw *law = &model->laws[0];
+  const char *key = range->key;
+  const gboolean of_law = range->entity == QN_ENTITY_LAW;
+  if (of_law && strcmp (key, "friction") != 0)
+    law->basis = strcmp (range->unit, "N/m") == 0    ? QN_BASIS_CONTACT
+                 : strcmp (range->unit, "Pa/m") == 0 ? QN_BASIS_SURFACE
+                                                     : QN_BASIS_MATERIAL;
+  if (of_law && strcmp (key, "kn") != 0)
+    law->kn = 1e9;
+  if (of_law && strcmp (key, "ks") != 0)
+    law->ks = 1e9;
+  if (of_law && strcmp (key, "compression") == 0) {
+    law->kind = QN_LAW_MOHR_COULOMB;
+  } else if (of_law && (strcmp (key, "yield") == 0 || strcmp (key, "strength") == 0)) {
+    law->kind = strcmp (key, "yield") == 0 ? QN_LAW_BILINEAR : QN_LAW_CONCRETE;
+    law->friction = 0;
+  }
+  if (of_law && (strcmp (key, "kn") == 0 || strcmp (key, "ks") == 0)) {
+    *(strcmp (key, "kn") == 0 ? &law->kn : &law->ks) = number;
+  } else if (of_law) {
+    size_t count;
+    const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+    for (size_t i = 0; i < count; i++)
+      if (strcmp (parameters[i].key, key) == 0)
+        *qn_law_at (law, &parameters[i]) = number;
+  } else if (strcmp (key, "unit_weight") == 0) {
+    model->blocks[1].unit_weight = number;
+  } else if (strcmp (key, "density") == 0) {
+    model->blocks[1].density = number;
+  } else if (strcmp (key, "thickness") == 0) {
+    model->blocks[1].thickness = number;
+  } else if (strcmp (key, "vertices") == 0) {
+    test_model_scale (model, number); /* the free blocks are 1 m wide */
+  } else if (strcmp (key, "blocks") == 0) {
+    test_model_scale (model, number / extent_of (model));
+  } else if (strcmp (key, "gravity") == 0) {
+    model->gravity = number;
+  } else if (range->entity == QN_ENTITY_BAR) {
+    model->bars[0].area = number;
+  } else if (strcmp (key, "young") == 0) {
+    model->sections[0].young = number;
+  } else if (strcmp (key, "area") == 0) {
+    model->sections[0].area = number;
+  } else if (strcmp (key, "height") == 0) {
+    model->sections[0].height = number;
+    model->sections[0].width = 0.1;
+  } else if (range->entity == QN_ENTITY_DEAD_LOAD) {
+    model->dead_loads[1].vector =
+      qn_vec2 (0, number * 2 * 0.5 * 10000); /* their weight */
+  } else if (range->entity == QN_ENTITY_LIVE_LOAD) {
+    model->live_loads[1].value = -extent_of (model) * number;
+  } else if (strcmp (key, "control.target") == 0) {
+    model->analysis.procedure = QN_PROCEDURE_DISPLACEMENT;
+    model->analysis.control_target = extent_of (model) * number;
+  } else {
+    model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
+    model->live_load_count = 1; /* no settlement in time */
+    if (strcmp (key, "dynamic.damping.mass") == 0)
+      model->analysis.dynamic.mass_damping = number;
+    else if (strcmp (key, "dynamic.damping.stiffness") == 0)
+      model->analysis.dynamic.joint_damping = number;
+    else if (strcmp (key, "pulse.amplitude") == 0)
+      model->ground[0].pulse.amplitude = -number;
+    else {
+      model->ground[0].kind = QN_SIGNAL_POINTS;
+      qn_ground_motion_add_point (&model->ground[0], 0, 0);
+      qn_ground_motion_add_point (&model->ground[0], 0.1, number);
+    }
+  }
+}
+
+static void
+test_rows (void)
+{
+  size_t count;
+  const QnUsualRange *ranges = qn_usual_ranges (&count);
+  for (size_t row = 0; row < count; row++) {
+    const QnUsualRange *range = &ranges[row];
+    const double numbers[] = { range->least * 1.01, range->greatest * 0.99,
+                               range->least * 0.99, range->greatest * 1.01 };
+    g_test_message ("%s, %s", range->key, range->unit);
+    g_assert_cmpfloat (range->least, <, range->greatest);
+    for (int i = 0; i < 4; i++) {
+      g_auto (QnModel) model;
+      double value = NAN;
+      if (numbers[i] == 0)
+        continue;
+      init_all (&model);
+      put (&model, range, numbers[i]);
+      guint found = count_of (&model, range, &value);
+      g_test_message ("%g: %g", numbers[i], value);
+      g_assert_cmpuint (found, ==, i < 2 ? 0 : 1);
+      if (found > 0)
+        g_assert_cmpfloat_with_epsilon (fabs (value), numbers[i], 1e-9 * numbers[i]);
+    }
+  }
+}
+
+/* Zero is no slip; equal numbers are told once, and of different ones three at most. */
+static void
+test_counts (void)
+{
+  size_t count;
+  const QnUsualRange *ranges = qn_usual_ranges (&count);
+  const QnUsualRange *weight = NULL;
+  for (size_t i = 0; i < count; i++)
+    if (strcmp (ranges[i].key, "unit_weight") == 0)
+      weight = &ranges[i];
+  double value;
+  for (int kind = 0; kind < 3; kind++) {
+    g_auto (QnModel) model;
+    test_model_init_stack (&model, 9, 1, 0.5);
+    test_model_add_weight_loads (&model, 1);
+    for (size_t i = 1; i < model.block_count; i++)
+      model.blocks[i].unit_weight = kind == 0 ? 0 : kind == 1 ? 20 : 20 + (double) i;
+    g_assert_cmpuint (count_of (&model, weight, &value), ==,
+                      kind == 0   ? 0
+                      : kind == 1 ? 1
+                                  : 3);
+  }
+}
+
+static guint
+count_problem (QnModel *model, QnProblem problem, double *value)
+{
+  g_auto (QnContacts) contacts = { 0 };
+  guint count = 0;
+  test_detect (model, &contacts);
+  for (size_t i = 0; i < contacts.findings.count; i++)
+    if (contacts.findings.items[i].problem == problem) {
+      *value = contacts.findings.items[i].value;
+      count++;
+    }
+  return count;
+}
+
+/* Joints that need pressure, and a live load without a dead one. */
+static void
+test_no_dead_load (void)
+{
+  double value;
+  for (int kind = 0; kind < 4; kind++) {
+    g_auto (QnModel) model;
+    test_model_init_stack (&model, 2, 1, 0.5);
+    test_model_add_weight_loads (&model, 1);
+    model.dead_load_count = kind == 0 ? 1 : 0;
+    if (kind == 2)
+      model.laws[0].kind = QN_LAW_ELASTIC;
+    if (kind == 3)
+      model.laws[0].tension = model.laws[0].cohesion = 100;
+    g_assert_cmpuint (count_problem (&model, QN_PROBLEM_DOUBT_NO_DEAD_LOAD, &value), ==,
+                      kind == 1 ? 1 : 0);
+  }
+}
+
+/* A stack on two pairs of two springs in series each, so that kn / 2 x 2 = kn is the stiffness of a joint:
+ * the limits of what a block sinks under its own weight, and the lowest one under all of them. Also
+ * turned with its dead load, and in linear geometry. */
+static void
+test_sinking (void)
+{
+  static const struct {
+    int blocks;
+    QnGeometry geometry;
+    double share; /* of its height, what the lowest block may sink */
+  } rows[] = {
+    { 1, QN_GEOMETRY_LINEAR, 1e-3 },     { 1, QN_GEOMETRY_NONLINEAR, 1e-3 },
+    { 20, QN_GEOMETRY_NONLINEAR, 1e-2 }, { 20, QN_GEOMETRY_LINEAR, 2e-2 },
+    { 60, QN_GEOMETRY_LINEAR, 5e-2 },
+  };
+  for (gsize row = 0; row < G_N_ELEMENTS (rows); row++)
+    for (int turn = 0; turn < 4; turn++)
+      for (int soft = 0; soft < 2; soft++) {
+        g_auto (QnModel) model;
+        double value = NAN, sinking = rows[row].share * (soft == 1 ? 1.01 : 0.99) * 0.5;
+        test_model_init_stack (&model, rows[row].blocks, 1, 0.5);
+        test_model_add_weight_loads (&model, 1);
+        model.analysis.geometry = rows[row].geometry;
+        model.laws[0].kn = rows[row].blocks * 1 * 0.5 * 10000 / sinking;
+        model.laws[0].ks = 1e-3 * model.laws[0].kn;
+        test_model_rotate (&model, turn * G_PI / 2);
+        g_assert_cmpuint (count_problem (&model, QN_PROBLEM_DOUBT_SOFT, &value), ==,
+                          soft);
+        if (soft == 1)
+          g_assert_cmpfloat_with_epsilon (value, sinking, 1e-6 * sinking);
+      }
+}
+
+QN_TESTS
+{
+  g_test_add_func ("/plausible/rows", test_rows);
+  g_test_add_func ("/plausible/counts", test_counts);
+  g_test_add_func ("/plausible/no-dead-load", test_no_dead_load);
+  g_test_add_func ("/plausible/sinking", test_sinking);
+}
