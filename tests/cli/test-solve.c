@@ -272,6 +272,36 @@ test_stiff_joints (void)
   }
 }
 
+/* By the associative theorem friction holds a block between two fixed ones; no path presses it there. Both
+ * are told, in both geometries, and where the joint's flow is that of the theorem neither is untrue. */
+static void
+test_limit_without_dead_load (void)
+{
+  static const char *const geometries[] = { "analysis.geometry=linear",
+                                            "analysis.geometry=nonlinear" };
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *wider =
+    cli_replace (cli_sliding_block, "[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]",
+                 "[[2, -0.4], [4, -0.4], [4, -0.1], [2, -0.1]]");
+  g_autofree char *held = cli_replace (
+    wider, "    { \"name\": \"stone\"",
+    "    { \"name\": \"far\", \"vertices\": [[4, -0.5], [5, -0.5], [5, 0], [4, 0]],\n"
+    "      \"thickness\": 1, \"unit_weight\": 10000, \"support\": [true, true, true] },\n"
+    "    { \"name\": \"stone\"");
+  g_autofree char *rough = cli_replace (held, "\"friction\": 0.4", "\"friction\": 0.8");
+  g_autofree char *model = cli_write (folder, "held.quoin", rough);
+  for (gsize i = 0; i < G_N_ELEMENTS (geometries); i++) {
+    g_auto (CliRun) run = cli_run ("limit", model, "--set", geometries[i], NULL);
+    g_assert_cmpint (run.code, ==, 4);
+    g_assert_nonnull (strstr (run.out, "By the associative theorem"));
+    g_assert_nonnull (
+      strstr (run.err, "no stable equilibrium under the dead load: stone"));
+    g_assert_null (strstr (run.out, "followed"));
+    cli_fails (4, "under the dead load: stone", "solve", model, "--set", geometries[i],
+               NULL);
+  }
+}
+
 /* What `limit` sets by itself nobody is blamed for; what somebody sets is named. */
 static void
 test_limit_of_beams (void)
@@ -420,6 +450,7 @@ QN_TESTS
   g_test_add_func ("/cli/solve/budgets", test_budgets);
   g_test_add_func ("/cli/solve/stiff-joints", test_stiff_joints);
   g_test_add_func ("/cli/solve/limit-of-beams", test_limit_of_beams);
+  g_test_add_func ("/cli/solve/limit-without-dead-load", test_limit_without_dead_load);
   g_test_add_func ("/cli/solve/block-on-an-edge", test_block_on_an_edge);
   g_test_add_func ("/cli/solve/rocking-sill", test_rocking_sill);
   g_test_add_func ("/cli/solve/buckling", test_buckling);

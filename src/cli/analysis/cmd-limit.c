@@ -33,6 +33,7 @@ const QnSubcommand qn_cmd_limit = {
     "multipliers "
     "can then have a mechanism, and the interval of those found is given. The interval "
     "is "
-    "no bound; the associative value bounds every other from above."),
+    "no bound; the associative value bounds every other from above. Where the dead load "
+    "alone does not stand on its path, that is told, with exit code 4."),
   .run = run,
 };

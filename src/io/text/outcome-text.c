@@ -464,6 +464,11 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
       _ ("Stopped at the first limit point, load multiplier %.4g."),
       result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
   case QN_OUTCOME_UNBOUNDED:
+    if (task->procedure == QN_PROCEDURE_LIMIT)
+      return g_strdup (
+        _ ("By the associative theorem, with joints that dilate as much as "
+           "they slide, rigid blocks carry any multiple of the live load. "
+           "Check its direction, or limit the strength of the joints."));
     if (model->analysis.geometry == QN_GEOMETRY_NONLINEAR
         && reached < (1 - AT_TARGET) * QN_UNBOUNDED)
       return g_strdup_printf (
@@ -471,14 +476,10 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
            "strength connect it to fixed blocks. It was followed to a load multiplier of "
            "%.4g, where it has moved by its own size. Limit the strength of the joints."),
         reached);
-    if (task->procedure != QN_PROCEDURE_LIMIT)
-      return g_strdup_printf (
-        _ ("No collapse up to a load multiplier of %.4g, where the path ends. Check the "
-           "direction of the live load, or limit the strength of the joints."),
-        reached);
-    return g_strdup (_ (
-      "The joints can carry any multiple of the live load: rigid blocks "
-      "have no limit here. Check its direction, or limit the strength of the joints."));
+    return g_strdup_printf (
+      _ ("No collapse up to a load multiplier of %.4g, where the path ends. Check the "
+         "direction of the live load, or limit the strength of the joints."),
+      reached);
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     return explain_unstable (model, result);
   case QN_OUTCOME_CANCELLED:
