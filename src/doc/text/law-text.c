@@ -44,7 +44,7 @@ qn_law_quantity (const char *key, QnBasis basis)
     return stiffness[basis];
   if (g_strv_contains (strengths, key))
     return basis == QN_BASIS_CONTACT ? QN_QUANTITY_FORCE : QN_QUANTITY_STRESS;
-  if (g_str_has_suffix (key, "_energy"))
+  if (strstr (key, "_energy") != NULL)
     return basis == QN_BASIS_CONTACT ? QN_QUANTITY_ENERGY : QN_QUANTITY_SURFACE_ENERGY;
   if (g_str_equal (key, "ultimate_strain"))
     return basis == QN_BASIS_MATERIAL ? QN_QUANTITY_NUMBER : QN_QUANTITY_LENGTH;

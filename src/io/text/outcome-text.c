@@ -260,6 +260,22 @@ explain_buckling (const QnResult *result)
            : NULL;
 }
 
+/* How many pairs have lost their bond; NULL where none has. */
+static char *
+explain_bonds (const QnResult *result)
+{
+  guint broken = 0, damaged = 0;
+  for (gsize p = 0; p < result->pair_count && result->step_count > 0; p++) {
+    broken += result->pairs[p].damage >= 1;
+    damaged += result->pairs[p].damage > 0 && result->pairs[p].damage < 1;
+  }
+  return broken + damaged > 0 ? g_strdup_printf (
+           _ ("At the last step the bond of %u contact pairs is broken, "
+              "and that of %u damaged."),
+           broken, damaged)
+                              : NULL;
+}
+
 /* Where linear geometry ends, and what to do; NULL where it holds. */
 static char *
 explain_linearity (const QnResult *result)
@@ -520,11 +536,12 @@ explain_in_stage (const QnModel *model, const QnResult *result, const char *what
   told.stop = stop_of (model, result);
   g_autofree char *outcome = explain (model, &task, &told);
   g_autofree char *linearity = explain_linearity (result);
+  g_autofree char *bonds = explain_bonds (result);
   g_autofree char *buckling = explain_buckling (result);
-  g_autofree char *text =
-    g_strconcat (buckling != NULL ? buckling : "", buckling != NULL ? " " : "",
-                 what != NULL ? what : "", what != NULL ? " " : "", outcome,
-                 linearity != NULL ? " " : "", linearity, NULL);
+  g_autofree char *text = g_strconcat (
+    buckling != NULL ? buckling : "", buckling != NULL ? " " : "",
+    what != NULL ? what : "", what != NULL ? " " : "", outcome, bonds != NULL ? " " : "",
+    bonds != NULL ? bonds : "", linearity != NULL ? " " : "", linearity, NULL);
   if (result->stage < 1 || (size_t) result->stage > model->stage_count)
     return g_steal_pointer (&text);
   g_autofree char *name = qn_stage_dup_name (model, result->stage);

@@ -81,8 +81,36 @@ test_refusals (ResultFixture *fixture, gconstpointer data)
   expect_refusal (text, "\"forces\": [0,", "\"forces\": [\"0\",", "forces[0]");
 }
 
+/* Damage of bonds is read as it was written, of the steps that have any; the reason counts them. */
+static void
+test_damage (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  static const double damage[4] = { 0, 0, 1, 0.125 };
+  g_auto (QnResultFile) file;
+  GError *error = NULL;
+  add_forces (fixture);
+  fixture->result.step_damage = calloc (4, sizeof (double));
+  memcpy (fixture->result.step_damage, damage, sizeof damage);
+  fixture->result.pairs[0].damage = 1;
+  fixture->result.pairs[1].damage = 0.125;
+  g_autofree char *text = result_fixture_dup_text (fixture);
+  g_assert_nonnull (strstr (text, "\"damage\": [0, 1, 1, 0.125]"));
+  g_assert_nonnull (strstr (text, "bond of 1 contact pairs is broken, and that of 1"));
+  g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
+  g_assert_no_error (error);
+  g_assert_cmpmem (file.result.step_damage, sizeof damage, damage, sizeof damage);
+  g_assert_cmpfloat (file.result.pairs[0].damage, ==, 1);
+  g_assert_cmpfloat (qn_result_pair_at (&file.result, 0, 1).damage, ==, 0);
+  expect_refusal (text, "[0, 1, 1, 0.125]", "[0, 1, 7, 0.125]", "forces");
+  expect_refusal (text, "[0, 1, 1, 0.125]", "[0, 1, 1, 1.5]", "forces");
+  expect_refusal (text, "[0, 1, 1, 0.125]", "[0, 1, 1]", "forces");
+}
+
 QN_TESTS
 {
+  g_test_add ("/io/result-forces/damage", ResultFixture, NULL, result_fixture_set_up,
+              test_damage, result_fixture_tear_down);
   g_test_add ("/io/result-forces/round-trip", ResultFixture, NULL, result_fixture_set_up,
               test_round_trip, result_fixture_tear_down);
   g_test_add ("/io/result-forces/without", ResultFixture, NULL, result_fixture_set_up,
