@@ -227,8 +227,9 @@ is_recomputed (QnCheck *check, const Stretch *stretch, const QnPathEvent *event,
                size_t start, size_t end)
 {
   const QnResult *r = check->result;
-  double held = multiplier_at (check, stretch, start);
-  double from = multiplier_at (check, stretch, end - 1), to = r->steps[end].multiplier;
+  double held = stretch->sense * multiplier_at (check, stretch, start);
+  double from = stretch->sense * multiplier_at (check, stretch, end - 1);
+  double to = stretch->sense * r->steps[end].multiplier;
   double last = largest_shift (check, stretch->base, end - 1);
   double now = largest_shift (check, stretch->base, end);
   double part = from < held && to > from ? (held - from) / (to - from) : 0;

@@ -108,7 +108,26 @@ check_settlements (QnCheck *check, size_t step)
   }
 }
 
+/* Halvings until a way is known to rounding. */
+#define WAYS 60
+
 /* --- Forces ------------------------------------------------------------------------------- */
+
+/* Whether nothing of both blocks of a pair is free to move: what lies between supports carries no load, and its
+ * state is one of rounding. */
+static bool
+is_held (const QnAssembly *as, size_t p)
+{
+  const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
+  const int32_t *a = as->unknown + QN_DOF_COUNT * face->a;
+  const int32_t *b = as->unknown + QN_DOF_COUNT * face->b;
+  bool held = true;
+
+  for (int i = 0; i < QN_DOF_COUNT; i++)
+    held = held && (a[i] == QN_NONE || as->settles[a[i]])
+           && (b[i] == QN_NONE || as->settles[b[i]]);
+  return held;
+}
 
 /* Force of a pair as the result states it at a step, at the last one in all digits; false where it
  * does not. */
@@ -283,6 +302,43 @@ force_tolerance (const QnCheck *check, const QnPairSprings *springs, const doubl
   return QN_CHECK_FORCES * check->scale + rounding;
 }
 
+/* The memory of a pair in a member that has been strained as far as `strain` (normal) since the step before,
+ * and the response at elongation q from there. */
+static bool
+respond_after (const QnPairSprings *springs, const QnPairMemory *before, double strain,
+               const double q[2], QnPairResponse *response)
+{
+  const double away[2] = { strain, q[1] };
+  QnPairResponse there;
+
+  return qn_pair_evaluate (springs, before, away, &there)
+         && qn_pair_evaluate (springs, &there.memory, q, response);
+}
+
+/* In a motion that came to rest a fibre of a member may have been strained farther than it is at last. The
+ * farther it was pulled, the less it carries now, and the farther it was pressed, the more: whether one
+ * such way leaves it with this force, and *response with it. */
+static bool
+take_way (const QnPairSprings *springs, const QnPairMemory *before, const double q[2],
+          const double force[2], double tolerance, double farthest,
+          QnPairResponse *response)
+{
+  double sense = force[0] < response->force[0] ? 1 : -1, near = 0, far = farthest;
+
+  if (qn_law_is_plastic (springs->a.kind) || qn_law_is_plastic (springs->b.kind))
+    return false;
+  for (int i = 0; i < WAYS; i++) {
+    double middle = 0.5 * (near + far);
+    if (!respond_after (springs, before, q[0] + sense * middle, q, response))
+      return false;
+    if (sense * (response->force[0] - force[0]) > 0)
+      near = middle;
+    else
+      far = middle;
+  }
+  return same_force (response->force, force, tolerance);
+}
+
 /* Whether a pair was found on the way and carried nothing at the step before: where it has slid since is
  * not known. */
 static bool
@@ -321,6 +377,51 @@ take_damage (QnCheck *check, size_t step, size_t p)
     qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
 }
 
+/* Whether a joint that dilates stands open since a motion that came to rest: how far it has risen by sliding to
+ * and fro no force tells, until it carries some again. */
+static void
+note_risen (QnCheck *check, size_t p, const double force[2], bool relaxed)
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  bool dilates = qn_law_is_plastic (springs->a.kind)
+                 && (springs->a.dilatancy > 0 || springs->b.dilatancy > 0);
+  bool open = hypot (force[0], force[1]) <= QN_CHECK_FORCES * check->scale;
+
+  check->risen[p] = dilates && open && (relaxed || check->risen[p]);
+}
+
+typedef enum { REASON_NONE, REASON_LITTLE, REASON_FLOW } Reason;
+
+/* Why a pair may have another force than its law answers to the step before, and that answer (`response` on
+ * entry) made one with this force. */
+static Reason
+explain (const QnCheck *check, size_t p, const double force[2], double tolerance,
+         bool free_to_slide, bool relaxed, QnPairResponse *response)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnPairSprings *springs = &as->springs[p];
+  const QnPairMemory *before = &as->committed[p];
+  const double *q = as->elongations + 2 * p;
+  double little = QN_CHECK_STATE * check->scale;
+  QnPairMemory memory;
+  bool taken = take_flow (check, springs, before, &response->memory, q, force, &memory);
+
+  if (check->relaxed && taken && same_force (response->force, force, little)
+      && is_near_strength (springs, &memory, response->force, little)
+      && is_near_strength (springs, &memory, force, little))
+    return REASON_LITTLE;
+  bool flows =
+    taken
+    && (free_to_slide || begins (check, p) || check->risen[p]
+        || (check->relaxed && obeys_flow (check, springs, before, &memory, force)));
+  if ((flows && qn_pair_evaluate (springs, &memory, q, response)
+       && same_force (response->force, force, tolerance))
+      || (relaxed
+          && take_way (springs, before, q, force, tolerance, check->largest, response)))
+    return REASON_FLOW;
+  return REASON_NONE;
+}
+
 /* Compares the forces of a step with what the laws answer, and leaves the answers evaluated. */
 static void
 check_forces (QnCheck *check, size_t step)
@@ -336,7 +437,6 @@ check_forces (QnCheck *check, size_t step)
   for (size_t p = 0; p < as->pair_count; p++) {
     const double *q = as->elongations + 2 * p;
     const QnPairSprings *springs = &as->springs[p];
-    QnPairMemory memory;
     QnPairState state;
     double force[2], tolerance = force_tolerance (check, springs, q);
     take_damage (check, step, p);
@@ -345,30 +445,17 @@ check_forces (QnCheck *check, size_t step)
       return;
     }
     QnPairResponse *response = &as->responses[p];
-    if (!same_force (response->force, force, tolerance)) {
+    if (!is_held (as, p) && !same_force (response->force, force, tolerance)) {
       QnPairResponse replayed = *response;
-      bool taken = take_flow (check, springs, &as->committed[p], &response->memory, q,
-                              force, &memory);
-      double little = QN_CHECK_STATE * check->scale;
-      if (check->relaxed && taken && same_force (response->force, force, little)
-          && is_near_strength (springs, &memory, response->force, little)
-          && is_near_strength (springs, &memory, force, little)) {
-        memcpy (response->force, force, sizeof force);
-        continue;
-      }
-      bool explained =
-        taken
-        && (free_to_slide || begins (check, p)
-            || (check->relaxed
-                && obeys_flow (check, springs, &as->committed[p], &memory, force)))
-        && qn_pair_evaluate (springs, &memory, q, response)
-        && same_force (response->force, force, tolerance);
+      Reason reason =
+        explain (check, p, force, tolerance, free_to_slide, told->relaxed, response);
       int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;
-      if (!explained)
+      if (reason == REASON_NONE)
         qn_check_tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse],
                             replayed.force[worse]);
-      jumped = jumped || explained;
+      jumped = jumped || reason == REASON_FLOW;
     }
+    note_risen (check, p, force, told->relaxed);
     /* What follows is checked with the forces as they are stated. */
     memcpy (response->force, force, sizeof force);
   }
@@ -389,7 +476,7 @@ find_scale (QnCheck *check, size_t step)
     if (!as->settles[i])
       scale = fmax (scale, fabs (as->dead[i]));
   for (size_t p = 0; p < as->pair_count; p++)
-    if (stated_force (check, step, p, force, &state))
+    if (!is_held (as, p) && stated_force (check, step, p, force, &state))
       scale = fmax (scale, hypot (force[0], force[1]));
   for (size_t e = 0; beams != NULL && e < check->model->element_count; e++)
     for (int end = 0; end < 2; end++)
@@ -425,7 +512,7 @@ check_strength (QnCheck *check, size_t step)
       excess = qn_worse (excess, rows[i].normal * force[0]
                                    + rows[i].shear * fabs (force[1]) - rows[i].limit);
     excess -= QN_BOND_ROUNDING * springs->a.cohesion;
-    if (!(excess <= check->tolerance * check->scale))
+    if (!is_held (as, p) && !(excess <= check->tolerance * check->scale))
       qn_check_tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
   }
 }
@@ -528,7 +615,8 @@ check_states (QnCheck *check, size_t step)
     bool told = by_force || begins (check, p) || stays (check, p)
                 || ((by_little || state != QN_PAIR_STICK)
                     && qn_pair_strength (springs, &as->responses[p].memory, rows) > 0);
-    bool suits = as->inactive[p]
+    bool suits = is_held (as, p) ? true
+                 : as->inactive[p]
                    ? state == QN_PAIR_OPEN
                    : comes_to_state (check, p, state)
                        || (told && state_suits_force (check, p, force, state));
@@ -703,8 +791,9 @@ init (QnCheck *check, QnDiag *diag)
   check->beam_forces = qn_alloc (model->element_count, sizeof *check->beam_forces);
   check->elongations = qn_alloc (2 * pairs, sizeof *check->elongations);
   check->velocity = qn_alloc (unknowns, sizeof *check->velocity);
-  return check->velocity && check->elongations && check->u && check->residual
-         && check->rows && check->forces && check->beam_forces;
+  check->risen = qn_alloc (pairs, sizeof *check->risen);
+  return check->risen && check->velocity && check->elongations && check->u
+         && check->residual && check->rows && check->forces && check->beam_forces;
 }
 
 QnStatus
@@ -765,6 +854,7 @@ qn_result_find_faults_and_report (const QnModel *model, const QnContacts *contac
   free (check.forces);
   free (check.beam_forces);
   free (check.velocity);
+  free (check.risen);
   free (check.elongations);
   free (check.mass);
   free (check.begun);

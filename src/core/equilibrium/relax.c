@@ -206,7 +206,8 @@ is_mechanism (QnEquilibrium *eq, Relaxation *relaxation)
 }
 
 /* Time in which the measure is to advance. The least damping force that any motion of this
- * speed meets is that of the velocity C^-1 direction. */
+ * speed meets is that of the velocity C^-1 direction; what settles, which has no damping, counts as a body of
+ * mean mass. */
 static double
 find_duration (const QnEquilibrium *eq, const QnTarget *target)
 {
@@ -217,7 +218,8 @@ find_duration (const QnEquilibrium *eq, const QnTarget *target)
     return 0;
   for (int32_t i = 0; i < as->unknown_count; i++)
     if (target->direction[i] != 0)
-      yielding += target->direction[i] * target->direction[i] / as->damping[i];
+      yielding += target->direction[i] * target->direction[i]
+                  / (as->settles[i] ? as->stiffness : as->damping[i]);
   double largest = qn_assembly_largest (as, target->direction, NULL);
   double force = largest * fabs (target->advance) / yielding; /* at unit duration */
   return as->force_scale > 0 ? force / (DRIVE * as->force_scale) : 0;

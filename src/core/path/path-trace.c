@@ -150,6 +150,11 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
   trace->step =
     copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
   qn_path_step_aim (trace, step);
+  trace->to_fall -= fabs (step);
+  if (trace->to_fall <= 0)
+    trace->to_fall = INFINITY; /* beyond it the structure stands again */
+  if (fabs (trace->step) > trace->to_fall / 2)
+    trace->step = copysign (trace->to_fall / 2, trace->step);
   trace->slope = trace->path->equilibrium.slope;
 }
 
@@ -366,6 +371,38 @@ leave_branch (QnPathTrace *trace)
   return qn_path_events_buckle (&trace->events, trace->buckling);
 }
 
+/* Whether the structure fell in a step that is too long to tell at which multiplier: it may drive the
+ * structure farther than it falls, or pass more of the path than the multiplier is to be exact to. */
+static bool
+falls_too_far (const QnPathTrace *trace, double step)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  double part = fabs (step) / trace->largest;
+  double exact = trace->path->settings->multiplier_tolerance
+                 * fmax (fabs (eq->committed.multiplier), trace->unit);
+
+  return part > tuning->smallest_step
+         || (fabs (trace->slope * step) > exact
+             && part > tuning->smallest_step * tuning->smallest_step);
+}
+
+/* Whether the state just solved, the first one, takes work from the driven loads on the way to the control
+ * target, or, where work or length are prescribed, leads away from that: which way a structure that has
+ * yielded goes back is not told by its tangent. */
+static bool
+goes_back (const QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  int32_t unknown = trace->measure.unknown;
+  double way = (trace->measure.end - eq->committed.u[unknown])
+               * (eq->u[unknown] - eq->committed.u[unknown]);
+  double work = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    work += eq->assembly.live[i] * (eq->u[i] - eq->committed.u[i]);
+  return way * work < 0;
+}
+
 /* One step of another measure than the multiplier. */
 static QnStatus
 advance (QnPathTrace *trace, QnDiag *diag)
@@ -383,10 +420,9 @@ advance (QnPathTrace *trace, QnDiag *diag)
     return qn_diag_no_memory (diag);
   if (again)
     return QN_OK;
-  if (status == QN_SOLVE_MECHANISM
-      && fabs (step) > tuning->smallest_step * trace->largest) {
-    /* A long step may drive the structure farther than it falls. */
-    trace->step = tuning->cut * step;
+  if (status == QN_SOLVE_MECHANISM && falls_too_far (trace, step)) {
+    trace->step = step * (isfinite (trace->to_fall) ? 0.5 : tuning->cut);
+    trace->to_fall = fabs (step);
     qn_equilibrium_restore (eq);
     return QN_OK;
   }
@@ -402,6 +438,15 @@ advance (QnPathTrace *trace, QnDiag *diag)
     return QN_OK;
   }
 
+  if (trace->reverses != NULL) {
+    *trace->reverses = goes_back (trace);
+    if (*trace->reverses) {
+      qn_equilibrium_restore (eq);
+      trace->stop = QN_STOP_DISPLACEMENT;
+      return QN_OK;
+    }
+    trace->reverses = NULL;
+  }
   if (ends_at_peak (trace) && !trace->events.below
       && !qn_equilibrium_update_slope (eq, trace->measure.direction))
     return qn_diag_no_memory (diag);
@@ -633,6 +678,7 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
   qn_path_measure_keep_last (&trace->measure);
   trace->measure.procedure = QN_PROCEDURE_LOAD;
   trace->step = trace->largest = more;
+  trace->to_fall = INFINITY;
   trace->pace = 0;
   qn_path_end_check (trace);
   return QN_OK;
@@ -730,7 +776,8 @@ run (QnPathTrace *trace, QnDiag *diag)
   }
   if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
     qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEPS);
-  return status == QN_OK ? conclude (trace, diag) : status;
+  bool reverses = trace->reverses != NULL && *trace->reverses;
+  return status == QN_OK && !reverses ? conclude (trace, diag) : status;
 }
 
 static double
@@ -758,7 +805,7 @@ see_limits (QnPathTrace *trace, QnDiag *diag)
 }
 
 QnStatus
-qn_path_trace (QnPath *path, QnDiag *diag)
+qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
   const QnAssembly *as = &eq->assembly;
@@ -768,6 +815,8 @@ qn_path_trace (QnPath *path, QnDiag *diag)
                         .long_growth = tuning->plateau_growth,
                         .above = 1,
                         .looks = tuning->most_looks,
+                        .to_fall = INFINITY,
+                        .reverses = reverses,
                         .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };

@@ -108,6 +108,7 @@ typedef struct QnPathTrace {
   bool may_jump;   /* some joint is not associative, or not known to be */
   bool may_soften; /* some joint may lose strength */
   bool jumped;     /* the last step moved on by a jump */
+  bool *reverses;  /* until the first step is solved: see qn_path_trace(); nullable */
   double end;      /* largest multiplier */
   /* Whether no load brings it down (core/check/unlimited.h) and it is followed to no end of its own: then
    * until it has moved as far as it is large, m. */
@@ -116,7 +117,9 @@ typedef struct QnPathTrace {
   double unit; /* that at which the largest live load on a block equals the dead load */
   double step; /* to try next */
   double largest; /* step so far */
-  double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
+  double
+    to_fall; /* the shortest step that is known to let the structure fall; INFINITY: none */
+  double pace; /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
   double slope; /* of the multiplier over the measure after the last step; 0: unknown */
   double *buckling; /* the motion in which an unstable equilibrium is left */

@@ -1,7 +1,7 @@
-/* Following the path of equilibria: what the procedures share.
+/* Following the path of equilibria: what the parts share.
  *
- * A procedure (path-load.c, …) drives the equilibrium solver from the state under dead load
- * and records every accepted equilibrium in the result.
+ * The path (path-trace.c), stage by stage where there are any (path-stages.c), drives the equilibrium
+ * solver from the state under dead load and records every accepted equilibrium in the result.
  */
 #ifndef QN_CORE_PATH_H
 #define QN_CORE_PATH_H
@@ -105,7 +105,9 @@ void qn_path_add_solution (QnPath *path, QnProcedure found_by, double multiplier
 QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag);
 
 /* Follows the path from the committed state under the driven loads, by the procedure of the settings
- * (path-trace.c): to the largest multiplier, the control target, a plateau, or collapse. */
-QnStatus qn_path_trace (QnPath *path, QnDiag *diag);
+ * (path-trace.c): to the largest multiplier, the control target, a plateau, or collapse. *reverses (nullable)
+ * is set, and nothing recorded, where the first step towards the control target takes work from the driven
+ * loads, or their work leads away from it: the multiplier is to fall. */
+QnStatus qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag);
 
 #endif

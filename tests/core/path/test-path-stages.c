@@ -317,6 +317,145 @@ test_energy (void)
   g_assert_cmpfloat_with_epsilon (energy_of_rocking (10), energy, 1e-3 * energy);
 }
 
+/* --- Loads that turn back ---------------------------------------------------------------- */
+
+static void
+add_push (QnModel *model, QnId block, double target)
+{
+  QnStage *stage = qn_model_add_stage (model, "push");
+  stage->sets = 1;
+  stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+  stage->control_block = block;
+  stage->control_dof = QN_DOF_UX;
+  stage->control_target = target;
+  stage->increments = 10;
+}
+
+/* Two bricks and one across their joint on a base: the top brick slides at its friction. */
+static void
+init_three_bricks (QnModel *model)
+{
+  test_model_init (model);
+  model->laws[0].kn = model->laws[0].ks = 1e9;
+  test_model_add_base (model, -1, -0.3, 3, 0.3);
+  test_model_add_rectangle (model, "left", 0, 0, 0.5, 0.4);
+  test_model_add_rectangle (model, "right", 0.5, 0, 0.5, 0.4);
+  test_model_add_rectangle (model, "top", 0.25, 0.4, 0.5, 0.4);
+  test_model_add_weight_loads (model, 1);
+}
+
+/* A structure that yields in one sense and in the other carries as much both ways, in every cycle, and its
+ * result is true. */
+static void
+push_and_pull (QnModel *model, QnId block, double amplitude, double carried)
+{
+  g_auto (TestRun) run;
+  for (int i = 0; i < 6; i++)
+    add_push (model, block, (1 + i / 2) * (i % 2 == 0 ? amplitude : -amplitude));
+  solve (&run, model);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  for (int stage = 1; stage <= 6; stage++)
+    g_assert_cmpfloat_with_epsilon (run.result.steps[end_of (&run, stage)].multiplier,
+                                    stage % 2 == 1 ? carried : -carried, 1e-4 * carried);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+}
+
+static void
+test_bricks_to_and_fro (void)
+{
+  QnModel model;
+  init_three_bricks (&model);
+  push_and_pull (&model, 3, 0.002, 0.65);
+  init_three_bricks (&model);
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  push_and_pull (&model, 3, 0.002, 0.65);
+}
+
+/* Weights that slide at the foot of a stack. */
+static void
+test_stack_to_and_fro (void)
+{
+  QnModel model;
+  test_model_init_stack (&model, 5, 0.6, 0.2);
+  model.laws[0].kn = model.laws[0].ks = 1e9;
+  model.laws[0].friction = 0.35;
+  test_model_add_weight_loads (&model, 1);
+  push_and_pull (&model, 5, 0.001, 0.35);
+}
+
+static void
+test_fibre_to_and_fro (void)
+{
+  QnModel model;
+  init_fibre (&model, QN_LAW_ELASTIC_PLASTIC, 0);
+  add_force (&model, "live", 0, YIELD);
+  for (int i = 0; i < 8; i++)
+    add_controlled_stage (&model, QN_PROCEDURE_DISPLACEMENT, 1,
+                          (i % 2 == 0 ? 3 : -3) * YIELD / STIFFNESS);
+  g_auto (TestRun) run;
+  solve (&run, &model);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  for (int stage = 1; stage <= 8; stage++)
+    g_assert_cmpfloat_with_epsilon (run.result.steps[end_of (&run, stage)].multiplier,
+                                    stage % 2 == 1 ? 1 : -1, 1e-6);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+}
+
+/* Two blocks side by side, pushed by the one that leads, then pulled by the one that follows: the other then
+ * overturns on its own, at half its width over its height, however long the steps were before. */
+static void
+test_other_block_falls (void)
+{
+  g_auto (TestRun) run;
+  QnModel model;
+  test_model_init (&model);
+  model.laws[0].kn = model.laws[0].ks = 1e9;
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  test_model_add_base (&model, -1, -0.3, 3, 0.3);
+  test_model_add_rectangle (&model, "left", 0, 0, 0.5, 1);
+  test_model_add_rectangle (&model, "right", 0.5, 0, 0.5, 1);
+  test_model_add_weight_loads (&model, 1);
+  add_push (&model, 2, 0.005);
+  add_push (&model, 2, -0.005);
+  solve (&run, &model);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpint (run.result.stage, ==, 2);
+  g_assert_cmpfloat_with_epsilon (run.result.collapse_multiplier, -0.5, 5e-4);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+}
+
+/* Jumps on the way down of a multiplier are told as on its way up. */
+static void
+test_arch_to_and_fro (void)
+{
+  g_auto (TestRun) run;
+  QnModel model;
+  test_model_init (&model);
+  model.laws[0].kn = model.laws[0].ks = 1e9;
+  model.laws[0].friction = 0.5;
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  for (int i = 0; i < 15; i++) {
+    const double radii[] = { 2, 2, 2.5, 2.5 };
+    QnVec2 vertices[4];
+    for (int k = 0; k < 4; k++) {
+      double angle = G_PI * (i + (k == 1 || k == 2)) / 15;
+      vertices[k] = qn_vec2 (-radii[k] * cos (angle), radii[k] * sin (angle));
+    }
+    g_autofree char *name = g_strdup_printf ("v%d", i);
+    QnBlock *block = qn_model_add_block (&model, name, vertices, 4);
+    block->unit_weight = 1e4;
+    block->thickness = 1;
+  }
+  test_model_add_base (&model, -2.5, -0.3, 5, 0.3);
+  test_model_add_weight_loads (&model, 1);
+  for (int i = 0; i < 4; i++)
+    add_push (&model, 5, i % 2 == 0 ? 0.003 : -0.003);
+  solve (&run, &model);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpuint (run.result.event_count, >, 0);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+}
+
 static void
 test_wrong_sign (void)
 {
@@ -359,5 +498,10 @@ QN_TESTS
   g_test_add_func ("/core/path-stages/settlement", test_settlement);
   g_test_add_func ("/core/path-stages/settlement-stage", test_settlement_stage);
   g_test_add_func ("/core/path-stages/energy", test_energy);
+  g_test_add_func ("/core/path-stages/bricks-to-and-fro", test_bricks_to_and_fro);
+  g_test_add_func ("/core/path-stages/stack-to-and-fro", test_stack_to_and_fro);
+  g_test_add_func ("/core/path-stages/fibre-to-and-fro", test_fibre_to_and_fro);
+  g_test_add_func ("/core/path-stages/other-block-falls", test_other_block_falls);
+  g_test_add_func ("/core/path-stages/arch-to-and-fro", test_arch_to_and_fro);
   g_test_add_func ("/core/path-stages/wrong-sign", test_wrong_sign);
 }

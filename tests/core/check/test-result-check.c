@@ -1,0 +1,196 @@
+/* What a result states of single joints, where the steps alone do not tell how they came to it. */
+#include "core/check/result-check.h"
+#include "support/models.h"
+#include "support/room.h"
+#include "support/run.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+/* Removes steps, as if a motion had led from the one before to the one after: which came to rest there. */
+static void
+drop_steps (QnResult *r, size_t from, size_t to)
+{
+  const struct {
+    void *items;
+    size_t size; /* of a step */
+  } arrays[] = {
+    { r->steps, sizeof *r->steps },
+    { r->displacements, qn_result_body_count (r) * QN_DOF_COUNT * sizeof (double) },
+    { r->reactions, r->support_count * QN_DOF_COUNT * sizeof (double) },
+    { r->step_forces, 2 * r->pair_count * sizeof (double) },
+    { r->step_states, r->pair_count },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (arrays); i++) {
+    char *items = arrays[i].items;
+    memmove (items + from * arrays[i].size, items + to * arrays[i].size,
+             (r->step_count - to) * arrays[i].size);
+  }
+  r->step_count -= to - from;
+  r->steps[from].relaxed = true;
+}
+
+static size_t
+end_of (const QnResult *r, int stage)
+{
+  size_t end = 0;
+  for (size_t i = 0; i < r->step_count; i++)
+    if (r->steps[i].stage == stage)
+      end = i;
+  g_assert_cmpuint (end, >, 0);
+  return end;
+}
+
+static void
+add_stage (QnModel *model, uint32_t sets, double target)
+{
+  QnStage *stage = qn_model_add_stage (model, "stage");
+  stage->sets = sets;
+  stage->has_target = true;
+  stage->target = target;
+}
+
+static void
+add_force (QnModel *model, const char *set, double fx, double fy)
+{
+  QnLoad *load = qn_model_add_live_load (model);
+  load->kind = QN_LOAD_FORCE;
+  load->set = qn_model_add_load_set (model, set);
+  load->block = 1;
+  load->vector = qn_vec2 (fx, fy);
+}
+
+static gboolean
+tells (const TestRun *run, QnClaim claim)
+{
+  QnResultFaults faults;
+  gboolean told = FALSE;
+  g_assert_cmpint (qn_result_find_faults (&run->model, &run->contacts, &run->result,
+                                          QN_CHECK_STATED, &faults, NULL),
+                   ==, QN_OK);
+  for (int i = 0; i < faults.count; i++)
+    told |= faults.items[i].claim == claim;
+  return told;
+}
+
+/* A fibre of a member that was pulled beyond yield while it came to rest carries less than its elongation alone
+ * tells; one that was not has no reason for it, and no way leaves more than its strength. */
+static void
+test_fibre_strained_on_the_way (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init (model);
+  model->laws[0].kind = QN_LAW_BILINEAR;
+  model->laws[0].yield = 1e3;
+  model->laws[0].hardening = 0.2;
+  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 1 };
+  test_model_add_base (model, -0.5, -1, 1, 1);
+  test_model_add_rectangle (model, "block", -0.5, 0, 1, 1);
+  model->blocks[1].support[QN_DOF_RZ] = true;
+  add_force (model, "live", 0, 1e3);
+  add_stage (model, 1, 1.3);
+  add_stage (model, 1, 0.4);
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+
+  drop_steps (r, 1, end_of (r, 2));
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  r->steps[1].relaxed = false;
+  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+  r->steps[1].relaxed = true;
+  r->pairs[0].normal_force = r->step_forces[2 * r->pair_count] = 3e3;
+  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+}
+
+/* How far a joint that dilates has risen by sliding is not told while it stands open. It shows once it carries
+ * again, in whatever step. */
+static void
+test_joint_that_has_risen (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init_block_on_plane (model, 1, 0.5);
+  model->laws[0].friction = 0.5;
+  model->laws[0].dilatancy = 0.2;
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->kind = QN_LOAD_WEIGHT;
+  dead->vector = qn_vec2 (0, -1);
+  add_force (model, "live", 1e4, 0);
+  add_force (model, "tilt", 0, 0);
+  model->live_loads[1].moment = -1e4;
+  for (int i = 0; i < 3; i++) {
+    static const double targets[] = { 0.01, -0.002, -0.01 };
+    QnStage *stage = qn_model_add_stage (model, "stage");
+    stage->sets = i < 2 ? 1 : 2;
+    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+    stage->control_block = 1;
+    stage->control_dof = i < 2 ? QN_DOF_UX : QN_DOF_RZ;
+    stage->control_target = targets[i];
+    stage->increments = 4;
+    if (i == 1)
+      add_stage (model, 1, 0);
+  }
+  add_stage (model, 2, 0);
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  size_t tilted = end_of (r, 4), pairs = r->pair_count;
+  const uint8_t *states = r->step_states + tilted * pairs;
+  g_assert_true (states[0] == QN_PAIR_OPEN || states[1] == QN_PAIR_OPEN);
+
+  for (size_t i = tilted; i < r->step_count; i++)
+    r->steps[i].relaxed = false; /* it closes straight */
+  drop_steps (r, 1, tilted);
+  g_assert_false (tells (&run, QN_CLAIM_FORCES));
+  r->steps[1].relaxed = false;
+  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+}
+
+/* What lies between two supports carries no load: neither its state nor its force counts. */
+static void
+test_between_supports (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init (model);
+  test_model_add_base (model, 0, -0.3, 1, 0.3);
+  QnBlock *sinks = test_model_add_base (model, 1, -0.3, 1, 0.3);
+  g_free (sinks->name);
+  sinks->name = g_strdup ("sinks");
+  test_model_add_rectangle (model, "block", 0.2, 0, 0.6, 0.5);
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->kind = QN_LOAD_WEIGHT;
+  dead->vector = qn_vec2 (0, -1);
+  QnLoad *settles = qn_model_add_live_load (model);
+  settles->kind = QN_LOAD_SETTLEMENT;
+  settles->set = 0;
+  settles->block = 1;
+  settles->dof = QN_DOF_UY;
+  settles->value = -0.05;
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  int held = 0;
+  for (size_t p = 0; p < r->pair_count; p++) {
+    const QnContactFace *face = &run.contacts.faces[run.contacts.pairs[p].face];
+    gboolean between = face->a + face->b == 1;
+    uint8_t *state = &r->step_states[r->pair_count + p], before = *state;
+    held += between;
+    *state = before == QN_PAIR_SLIP ? QN_PAIR_STICK : QN_PAIR_SLIP;
+    g_assert_true (tells (&run, QN_CLAIM_STATES) == !between);
+    *state = before;
+  }
+  g_assert_cmpint (held, >, 0);
+}
+
+QN_TESTS
+{
+  g_test_add_func ("/core/result-check/fibre-strained-on-the-way",
+                   test_fibre_strained_on_the_way);
+  g_test_add_func ("/core/result-check/joint-that-has-risen", test_joint_that_has_risen);
+  g_test_add_func ("/core/result-check/between-supports", test_between_supports);
+}
