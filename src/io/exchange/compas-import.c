@@ -87,7 +87,8 @@ place_of (const Mesh *mesh, guint index, int view, double tolerance)
 {
   QnVec2 p = seen (mesh, index, view);
   guint i = 0;
-  while (i < index && qn_vec2_length (qn_vec2_sub (seen (mesh, i, view), p)) > tolerance)
+  while (i < index
+         && !(qn_vec2_length (qn_vec2_sub (seen (mesh, i, view), p)) <= tolerance))
     i++;
   return i;
 }
