@@ -57,7 +57,8 @@ typedef struct QnLimitSolution {
 void qn_limit_solution_clear (QnLimitSolution *solution);
 
 /* Accuracy of the program. The bounds that are reported are proved afterwards, from forces put
- * into equilibrium and velocities summed up; they come out within 1e-7 of each other. */
+ * into equilibrium and velocities summed up; they come out within 1e-6 of each other, most of them
+ * within 1e-7. */
 #define QN_LIMIT_TOLERANCE 1e-8
 
 /* Iterates of a program of the same structure, to start from: of the dead load alone, and of the

@@ -81,9 +81,12 @@ check_case (QnCaseSolver *solver, const char *model, const char *path, double va
   g_assert_true (
     qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL)
     == QN_OK);
-  /* It starts from another iterate: the same to the gap of the bounds (limit.h). */
-  g_assert_cmpfloat (fabs (result.numbers[QN_STUDY_LOWER_BOUND] - solution.lower_bound),
-                     <, 1e-7 * (1 + solution.upper_bound));
+  /* It starts from another iterate: other bounds of the same multiplier, which lies between all of
+   * them, to the gap that limit.h allows. */
+  double least = fmax (result.numbers[QN_STUDY_LOWER_BOUND], solution.lower_bound);
+  double most = fmin (result.numbers[QN_STUDY_UPPER_BOUND], solution.upper_bound);
+  g_assert_cmpfloat (fabs (most - least), <, 1e-6 * (1 + solution.upper_bound));
+  g_assert_cmpfloat (least, <, most + 1e-9 * (1 + most));
   *multiplier = solution.lower_bound;
 }
 
