@@ -164,7 +164,10 @@ scan_key (QnJsonScanner *scanner)
   if (start >= scanner->length)
     return fail (scanner, start, _ ("text ends inside an object"));
   if (scanner->text[start] != '"')
-    return fail (scanner, start, _ ("expected a key in quotes"));
+    return fail (scanner, start,
+                 scanner->text[start] == '/' || scanner->text[start] == '#'
+                   ? _ ("JSON has no comments")
+                   : _ ("expected a key in quotes"));
   gsize end = string_end (scanner, start);
   if (end == 0)
     return QN_JSON_ERROR;
@@ -236,7 +239,9 @@ scan_word (QnJsonScanner *scanner)
   if (g_ascii_strncasecmp (here, "nan", 3) == 0
       || g_ascii_strncasecmp (here, "inf", 3) == 0)
     return fail (scanner, scanner->offset, _ ("number is not finite"));
-  return fail (scanner, scanner->offset, _ ("this is not a JSON value"));
+  return fail (scanner, scanner->offset,
+               scanner->text[scanner->offset] == '/' ? _ ("JSON has no comments")
+                                                     : _ ("this is not a JSON value"));
 }
 
 static QnJsonToken

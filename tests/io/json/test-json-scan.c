@@ -76,6 +76,9 @@ test_errors (void)
     { "[-Infinity]", 1, "not a number" },
     { "Infinity", 0, "not finite" },
     { "nul", 0, "not a JSON value" },
+    { "{\"a\": 1, // one\n \"b\": 2}", 9, "JSON has no comments" },
+    { "{ # one\n}", 2, "JSON has no comments" },
+    { "[ /* one */ 1]", 2, "JSON has no comments" },
     { "nullx", 0, "not a JSON value" },
     { "01", 0, "number" },
     { "1.", 0, "number" },
@@ -86,7 +89,7 @@ test_errors (void)
     { "0x10", 0, "number" },
     { "1.2.3", 0, "number" },
     { "'a'", 0, "not a JSON value" },
-    { "// c", 0, "not a JSON value" },
+    { "// c", 0, "JSON has no comments" },
     { "\"\xff\"", 1, "UTF-8" },
     { "\"\xc3\"", 1, "UTF-8" },
   };
