@@ -433,6 +433,20 @@ QnPairResult qn_result_pair_at (const QnResult *result, size_t step, size_t pair
 void qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
                              double *factors);
 
+/* What a stage (from 1) came to. */
+typedef struct QnStageFigures {
+  size_t last;            /* step */
+  double multiplier;      /* of its load sets there */
+  double lowest, highest; /* and on the way, that where it begins included */
+  double
+    work; /* of its load sets on the way, J; moments with arms as drawn. Over a cycle that closes: what
+                  the structure has dissipated */
+} QnStageFigures;
+
+/* False where the result has no step of it, or memory runs out. */
+bool qn_result_stage_figures (const QnModel *model, const QnResult *result, int32_t stage,
+                              QnStageFigures *figures);
+
 /* Keeps `velocities` (a row for every block and node), scaled so that the largest of |(ux, uy)|
  * over the rows, or of |rz| x characteristic length where that is larger, is 1. */
 QnStatus qn_result_set_mechanism (QnResult *result, const double *velocities,

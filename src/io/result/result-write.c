@@ -201,6 +201,27 @@ write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result
     qn_file_writer_puts_string (writer, i > 0 ? ", " : "", name);
     g_free (name);
   }
+  qn_file_writer_puts (writer, "],\n  \"stage_results\": [");
+  for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
+    QnStageFigures figures = { 0 };
+    gboolean known = qn_result_stage_figures (model, result, i, &figures);
+    /* An analysis ends in the first stage that does not reach its end. */
+    QnOutcome outcome = i < result->stage ? QN_OUTCOME_TARGET_REACHED : result->outcome;
+    const struct {
+      const char *key;
+      double number;
+    } numbers[] = { { "multiplier", figures.multiplier },
+                    { "lowest_multiplier", figures.lowest },
+                    { "highest_multiplier", figures.highest },
+                    { "work", figures.work } };
+    qn_file_writer_printf (writer, "%s\n    { \"stage\": %d, \"outcome\": \"%s\"",
+                           i > 1 ? "," : "", i - 1, qn_outcome_names[outcome]);
+    for (gsize k = 0; k < G_N_ELEMENTS (numbers); k++) {
+      qn_file_writer_printf (writer, ", \"%s\": ", numbers[k].key);
+      write_known (writer, known ? numbers[k].number : (double) NAN);
+    }
+    qn_file_writer_puts (writer, " }");
+  }
   qn_file_writer_puts (writer, "],\n");
 }
 

@@ -401,6 +401,38 @@ test_fibre_to_and_fro (void)
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
 }
 
+/* Over a cycle that closes the loads do the work that yielding takes: four times the yield force times the way
+ * beyond yield. */
+static void
+test_work_of_a_cycle (void)
+{
+  const double yield = YIELD / STIFFNESS, plastic = 4 * YIELD * 2 * yield;
+  g_auto (TestRun) run;
+  QnModel model;
+  double work = 0;
+  init_fibre (&model, QN_LAW_ELASTIC_PLASTIC, 0);
+  add_force (&model, "live", 0, YIELD);
+  for (int i = 0; i < 4; i++) {
+    add_controlled_stage (&model, QN_PROCEDURE_DISPLACEMENT, 1,
+                          (i % 2 == 0 ? 3 : -3) * yield);
+    model.stages[i].increments = 2000;
+  }
+  solve (&run, &model);
+  for (int stage = 3; stage <= 4; stage++) {
+    QnStageFigures figures;
+    g_assert_true (qn_result_stage_figures (&run.model, &run.result, stage, &figures));
+    g_assert_cmpuint (figures.last, ==, end_of (&run, stage));
+    g_assert_cmpfloat_with_epsilon (figures.multiplier, stage == 3 ? 1 : -1, 1e-6);
+    g_assert_cmpfloat_with_epsilon (figures.lowest, -1, 1e-6);
+    g_assert_cmpfloat_with_epsilon (figures.highest, 1, 1e-6);
+    work += figures.work;
+  }
+  g_assert_cmpfloat_with_epsilon (work, plastic, 0.01 * plastic);
+  QnStageFigures none;
+  run.result.step_count = end_of (&run, 3) + 1;
+  g_assert_false (qn_result_stage_figures (&run.model, &run.result, 4, &none));
+}
+
 /* Two blocks side by side, pushed by the one that leads, then pulled by the one that follows: the other then
  * overturns on its own, at half its width over its height, however long the steps were before. */
 static void
@@ -501,6 +533,7 @@ QN_TESTS
   g_test_add_func ("/core/path-stages/bricks-to-and-fro", test_bricks_to_and_fro);
   g_test_add_func ("/core/path-stages/stack-to-and-fro", test_stack_to_and_fro);
   g_test_add_func ("/core/path-stages/fibre-to-and-fro", test_fibre_to_and_fro);
+  g_test_add_func ("/core/path-stages/work-of-a-cycle", test_work_of_a_cycle);
   g_test_add_func ("/core/path-stages/other-block-falls", test_other_block_falls);
   g_test_add_func ("/core/path-stages/arch-to-and-fro", test_arch_to_and_fro);
   g_test_add_func ("/core/path-stages/wrong-sign", test_wrong_sign);
