@@ -27,6 +27,7 @@ if command -v ld.gold >/dev/null; then
   export CC_LD=gold CXX_LD=gold
 fi
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+ccache=$(command -v ccache || true)
 
 passed=0
 failed=0
@@ -178,7 +179,7 @@ else
   check build-sanitize -- --timeout-multiplier 6 --num-processes $waiting --suite app --no-suite all
 
   echo "== clang, optimised"
-  CC=clang CXX=clang++ check build-clang --buildtype=release -- --timeout-multiplier 3 \
+  CC="$ccache clang" CXX="$ccache clang++" check build-clang --buildtype=release -- --timeout-multiplier 3 \
     --no-suite app --no-suite all --suite core --suite io --suite stress --suite slow
 
   echo "== gcc, optimised, and without anything optional"
