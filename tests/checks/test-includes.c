@@ -60,8 +60,8 @@ static const char *const everywhere[] = {
   "assert.h",  "ctype.h",  "errno.h",    "float.h",        "inttypes.h", "limits.h",
   "locale.h",  "math.h",   "setjmp.h",   "signal.h",       "stdarg.h",   "stdint.h",
   "stdbool.h", "stddef.h", "stdio.h",    "stdlib.h",       "string.h",   "time.h",
-  "unistd.h",  "fcntl.h",  "sys/stat.h", "sys/resource.h", "sys/mman.h", "libintl.h",
-  "malloc.h",  NULL,
+  "unistd.h",  "fcntl.h",  "sys/stat.h", "sys/resource.h", "sys/mman.h", "sys/file.h",
+  "libintl.h", "malloc.h", NULL,
 };
 
 static const Layer *

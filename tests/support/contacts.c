@@ -60,6 +60,9 @@ test_detect_sound (QnModel *model, QnContacts *contacts)
 {
   test_detect (model, contacts);
   g_assert_cmpint (qn_contacts_require_sound (model, contacts, NULL), ==, QN_OK);
+  if (contacts->findings.count > 0)
+    g_test_message ("%s: %g", qn_problem_text (contacts->findings.items[0].problem),
+                    contacts->findings.items[0].value);
   g_assert_cmpuint (contacts->findings.count, ==, 0);
 }
 

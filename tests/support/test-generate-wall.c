@@ -30,6 +30,7 @@ test_openings (void)
     QnWallRecipe recipe = qn_wall_recipe_default ();
     recipe.length = 20;
     recipe.courses = 25;
+    recipe.material.stiffness = 1e9;
     recipe.openings = (int32_t) (seed % 12);
     recipe.seed = seed;
     qn_model_init (&model);

@@ -133,8 +133,9 @@ slender_wall (double off, QnPairRule pairs, int *factorizations)
   return run.result.collapse_multiplier;
 }
 
-/* The default pairs carry a slender wall within 0.5 % of what 40 even ones do, at no more
- * factorisations than end pairs, which say three and five times as much. */
+/* The default pairs carry a slender wall within 0.5 % of what 40 even ones do, at no more than twice
+ * the factorisations of end pairs, which say three and five times as much: they bend and come to their
+ * peak, which is bisected. */
 static void
 test_slender_wall (void)
 {
@@ -152,7 +153,7 @@ test_slender_wall (void)
     g_assert_cmpfloat (ends, >, times[i] * many);
   }
   g_test_message ("factorisations: %d, %d, %d", by_default, by_many, by_ends);
-  g_assert_cmpint (by_default, <=, by_ends);
+  g_assert_cmpint (by_default, <=, 2 * by_ends);
 }
 
 /* --- Elastica --------------------------------------------------------------------------- */

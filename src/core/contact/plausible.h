@@ -1,7 +1,7 @@
 /* Numbers that are probably slips: of the unit, by a factor of a thousand, degrees for a tangent.
  *
  * The ranges are wide: what lies outside can be computed, but is hardly a structure of masonry. They
- * stand in one table, each with its source (plausible.c; docs/method/plausible.md).
+ * stand in one table, each with its source (plausible.c; docs/method/contact-pairs.md).
  */
 #ifndef QN_CORE_PLAUSIBLE_H
 #define QN_CORE_PLAUSIBLE_H

@@ -100,7 +100,7 @@ test_bad_input (void)
                 "s.quoin-study:1:13: format: ", "not a study");
   expect_error ("\"version\": 1", "\"version\": 2", ":1:39: version: ", "version 1");
   expect_error ("\"solve\"", "\"guess\"", "run: ", "solve, limit, modal, dynamic");
-  expect_error ("\"solve\"", "\"dynamic\"", ":2:69: run: ", "time_step");
+  expect_error ("\"solve\"", "\"dynamic\"", ":2:", "time_step");
   expect_error ("laws[0].friction", "laws[3].friction",
                 ":4:35: parameters[0].path: ", "no such place");
   expect_error ("laws[0].friction", "laws[0].frictoin", "parameters[0].path: ",
