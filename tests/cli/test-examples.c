@@ -59,9 +59,18 @@ is_free (const char *name)
   return strcmp (name, "25-four-bricks.quoin") == 0;
 }
 
+static GPtrArray *paths;
+
+static void
+forget (void)
+{
+  g_ptr_array_unref (paths);
+}
+
 QN_TESTS
 {
-  g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
+  paths = g_ptr_array_new_with_free_func (g_free);
+  atexit (forget);
   collect (g_getenv ("QUOIN_EXAMPLES"), paths);
   g_assert_cmpuint (paths->len, >=, 12);
 

@@ -208,8 +208,7 @@ def test_compas_there_and_back(tmp_path):
 
 def test_modes():
     wall = quoin.open(WALLS / "wall1.quoin")
-    with pytest.raises(quoin.NoAnswerError):  # pairs slip: no symmetric stiffness
-        wall.modal(4)
+    assert wall.modal(4).omega[0] > 0  # closed joints are elastic
     modes = wall.set({"laws[0].dilatancy": 0.65}).modal(4)
     assert modes.omega.shape == (4,) and modes.shapes.shape == (4, 34, 3)
     assert (numpy.diff(modes.omega) >= 0).all() and modes.omega[0] > 0

@@ -139,11 +139,23 @@ allowance (const StressCase *c, const QnAnalysisSettings *settings, double relat
          + fmax (verge, 1e-3 * settings->multiplier_tolerance);
 }
 
+/* Whether joints have a bond. It breaks along the path, while limit analysis takes it as ductile: then its
+ * optimum bounds the path from above and is no longer its end. */
+static bool
+is_bonded (const QnModel *model)
+{
+  for (size_t i = 0; i < model->law_count; i++)
+    if (model->laws[i].cohesion > 0 || model->laws[i].tension > 0)
+      return true;
+  return false;
+}
+
 /* A path that claims collapse, beside the optimum of limit analysis. */
 static guint
 compare_collapse (const StressCase *c, StressFlow flow, const StressRow *row,
-                  const QnAnalysisSettings *settings)
+                  const QnModel *model)
 {
+  const QnAnalysisSettings *settings = &model->analysis;
   double found = row->paths[flow].multiplier;
   double tolerance = fmax (settings->multiplier_tolerance, STRESS_LIMIT_ACCURACY);
   guint faults = 0;
@@ -152,7 +164,7 @@ compare_collapse (const StressCase *c, StressFlow flow, const StressRow *row,
     return flow == STRESS_ASSOCIATIVE ? STRESS_OUTCOME : 0;
   if (!(found <= row->upper + allowance (c, settings, tolerance, row->upper)))
     faults |= STRESS_ABOVE;
-  if (flow == STRESS_ASSOCIATIVE
+  if (flow == STRESS_ASSOCIATIVE && !is_bonded (model)
       && !(fabs (found - row->upper)
            <= allowance (c, settings, STRESS_AGREEMENT, row->upper)))
     faults |= STRESS_DIFFERS;
@@ -161,9 +173,9 @@ compare_collapse (const StressCase *c, StressFlow flow, const StressRow *row,
 
 /* Whether a path's outcome and multiplier agree with what limit analysis has proved. */
 static guint
-compare (const StressCase *c, StressFlow flow, const StressRow *row,
-         const QnAnalysisSettings *settings)
+compare (const StressCase *c, StressFlow flow, const StressRow *row, const QnModel *model)
 {
+  const QnAnalysisSettings *settings = &model->analysis;
   const StressSolve *path = &row->paths[flow];
   QnOutcome limit = row->limit.outcome;
   bool verge = c->expectation == STRESS_EXPECT_VERGE;
@@ -175,7 +187,7 @@ compare (const StressCase *c, StressFlow flow, const StressRow *row,
   case QN_OUTCOME_COLLAPSE:
     if (limit == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
       return verge ? 0 : STRESS_OUTCOME;
-    faults = compare_collapse (c, flow, row, settings);
+    faults = compare_collapse (c, flow, row, model);
     break;
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     /* True friction may let fall what dilatancy would hold. */
@@ -196,7 +208,7 @@ compare (const StressCase *c, StressFlow flow, const StressRow *row,
   case QN_OUTCOME_COUNT:
     faults |= STRESS_OUTCOME;
   }
-  if (flow == STRESS_ASSOCIATIVE && path->check.uncertain)
+  if (flow == STRESS_ASSOCIATIVE && path->check.uncertain && !is_bonded (model))
     faults |= STRESS_UNCERTAIN;
   if (!isnan (c->exact[flow])
       && !(fabs (path->multiplier - c->exact[flow])
@@ -292,7 +304,7 @@ stress_run (const StressCase *c, StressRow *row)
     }
     if (row->problem == QN_PROBLEM_NONE) {
       run_path (&s, &row->paths[flow]);
-      row->paths[flow].faults |= compare (c, (StressFlow) flow, row, &s.model.analysis);
+      row->paths[flow].faults |= compare (c, (StressFlow) flow, row, &s.model);
     }
     structure_clear (&s);
   }

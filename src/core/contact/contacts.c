@@ -113,7 +113,9 @@ qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts, size
   for (int side = 0; side < 2; side++) {
     const QnLaw *law = &model->laws[qn_contacts_pair_law (model, contacts, pair, side)];
     /* The side of a block reaches to its middle; the other half belongs to the far side. */
-    double length = 0.5 * qn_contacts_block_extent (model, blocks[side], face->normal);
+    double length = law->basis == QN_BASIS_MATERIAL
+                      ? 0.5 * qn_contacts_block_extent (model, blocks[side], face->normal)
+                      : 0;
     springs[side] = qn_spring_from_law (law, area, length);
     if (p->found)
       qn_spring_lose_bond (&springs[side]);

@@ -418,8 +418,12 @@ examine_sinking (Doubts *d, const QnContacts *contacts)
   for (size_t i = 0; done && i < contacts->face_count; i++) {
     const Bearing *of = &bearings[i];
     const Seat *seat = &seats[of->upper];
-    double excess = excess_of (model, of->upper, seat,
-                               part * model->blocks[of->upper].weight, down, &sinking);
+    /* the bearings of a block follow one another */
+    double excess =
+      i > 0 && of->upper == bearings[i - 1].upper
+        ? 0
+        : excess_of (model, of->upper, seat, part * model->blocks[of->upper].weight, down,
+                     &sinking);
     if (excess > 1 && sinking > deepest) {
       worst = of->upper;
       deepest = sinking;
