@@ -456,7 +456,7 @@ find_parameter (const QnJsonValue *place, const QnStudy *study, guint *index)
 static gboolean
 read_pair (const QnJsonValue *pair, QnStudy *study)
 {
-  guint width = study->parameters->len, a, b;
+  guint width = study->parameters->len, a = 0, b = 0;
   double value;
   if (!qn_json_value_array (pair))
     return FALSE;
