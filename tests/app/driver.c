@@ -78,6 +78,8 @@ static const char *const told_by_gtk[] = {
   /* A popover that is laid out asks for the size of the monitor that its window is on, where that is on
    * none (any more). */
   "gdk_monitor_get_geometry: assertion 'GDK_IS_MONITOR (monitor)' failed",
+  /* Its chooser of files draws the buttons of a path that have just come, before they are laid out. */
+  "Trying to snapshot GtkButton",
 };
 
 static gboolean passes_over_gtk;

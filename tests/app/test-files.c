@@ -503,6 +503,7 @@ test_choosers (void)
     { "win.picture", "wall.JPG", "wall.dxf" },
   };
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  driver_pass_over_gtk ();
   for (gsize i = 0; i < G_N_ELEMENTS (choosers); i++) {
     begin_choosing (window, choosers[i][0], choosers[i][1], choosers[i][2]);
     respond (window, GTK_RESPONSE_CANCEL);
