@@ -43,6 +43,9 @@ driver_application (void)
     g_application_set_flags (G_APPLICATION (application),
                              G_APPLICATION_HANDLES_OPEN | G_APPLICATION_NON_UNIQUE);
     g_assert_true (g_application_register (G_APPLICATION (application), NULL, NULL));
+    /* What moves for ever never settles, and what moves for a while takes its time. */
+    g_object_set (gtk_settings_get_default (), "gtk-enable-animations", FALSE,
+                  "gtk-cursor-blink", FALSE, NULL);
   }
   return GTK_APPLICATION (application);
 }
@@ -61,6 +64,45 @@ driver_run (guint milliseconds)
   g_timeout_add (milliseconds, on_timeout, &over);
   while (!over)
     g_main_context_iteration (NULL, TRUE);
+}
+
+static gboolean
+is_late (gint64 end)
+{
+  return g_get_monotonic_time () > end;
+}
+
+/* GDK's clock of frames has a source of the main loop, whose data it is itself, for as long as a frame is
+ * due: for a layout, a drawing, an animation or pointers that have moved. */
+static gboolean
+is_frame_due (void)
+{
+  GListModel *windows = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (windows); i++) {
+    g_autoptr (GtkNative) window = g_list_model_get_item (windows, i);
+    GdkSurface *surface = gtk_native_get_surface (window);
+    if (surface != NULL
+        && g_main_context_find_source_by_user_data (NULL,
+                                                    gdk_surface_get_frame_clock (surface))
+             != NULL)
+      return TRUE;
+  }
+  return FALSE;
+}
+
+void
+driver_settle (void)
+{
+  gint64 end = g_get_monotonic_time () + LONGEST_WAIT_US;
+  do {
+    g_assert_false (is_late (end));
+    while (g_main_context_pending (NULL) || is_frame_due ()) {
+      g_assert_false (is_late (end));
+      g_main_context_iteration (NULL, TRUE);
+    }
+    /* What the server has sent by now is taken in. */
+    gdk_display_sync (gdk_display_get_default ());
+  } while (g_main_context_pending (NULL) || is_frame_due ());
 }
 
 /* ---- warnings ---- */

@@ -30,6 +30,9 @@ selection_of (QnWindow *window)
 /* Path of an example; the caller frees it. */
 char *driver_example_path (const char *name);
 
+/* Runs the main loop until nothing is left to be done: no event, no layout, no drawing, no animation. */
+void driver_settle (void);
+
 /* Runs the main loop for a while, or until a condition holds (fails after ten seconds). */
 void driver_run (guint milliseconds);
 typedef gboolean (*DriverCondition) (gpointer data);

@@ -207,6 +207,18 @@ test_in_time (void)
   driver_discard (window);
 }
 
+/* After an analysis of which one has seen progress the window is not drawn any more. */
+static void
+test_rest (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  gtk_widget_activate_action (GTK_WIDGET (window), "win.run", NULL);
+  g_signal_emit_by_name (qn_window_get_document (window), "job-progress");
+  driver_wait_for_job (window);
+  driver_settle ();
+  driver_discard (window);
+}
+
 static gboolean
 has_all_runs (gpointer window)
 {
@@ -421,6 +433,7 @@ QN_TESTS
   g_test_add_func ("/app/analysis/procedures", test_procedures);
   g_test_add_func ("/app/analysis/in-time", test_in_time);
   g_test_add_func ("/app/analysis/ground-preview", test_ground_preview);
+  g_test_add_func ("/app/analysis/rest", test_rest);
   g_test_add_func ("/app/analysis/bounds", test_bounds);
   g_test_add_func ("/app/analysis/compare-files", test_compare_files);
   g_test_add_func ("/app/analysis/compare-own-file", test_compare_own_file);

@@ -165,17 +165,13 @@ is_contact_expander (GtkWidget *widget, gconstpointer data)
                               "_Contacts");
 }
 
-/* Where a widget is in its window, once it stays there. */
+/* Where a widget is in its window. */
 static double
-settled_y (GtkWidget *widget, QnWindow *window)
+top_of (GtkWidget *widget, QnWindow *window)
 {
-  double before = NAN, now = 0;
-  for (int still = 0; still < 3; before = now) {
-    driver_run (200);
-    gtk_widget_translate_coordinates (widget, GTK_WIDGET (window), 0.0, 0.0, NULL, &now);
-    still = now == before ? still + 1 : 0;
-  }
-  return now;
+  double y = NAN;
+  gtk_widget_translate_coordinates (widget, GTK_WIDGET (window), 0.0, 0.0, NULL, &y);
+  return y;
 }
 
 static void
@@ -189,17 +185,17 @@ test_table_row (void)
     driver_find_widget (GTK_WIDGET (window), is_contact_expander, NULL);
   g_assert_nonnull (expander);
   gtk_expander_set_expanded (GTK_EXPANDER (expander), TRUE);
-  driver_run (200);
+  driver_settle ();
   GtkWidget *table = driver_find_widget (GTK_WIDGET (window), is_contact_table, NULL);
   g_assert_nonnull (table);
   const guint row = 41;
-  double before = settled_y (table, window);
+  double before = top_of (table, window);
   gtk_single_selection_set_selected (
     GTK_SINGLE_SELECTION (gtk_column_view_get_model (GTK_COLUMN_VIEW (table))), row);
-  driver_run (200);
+  driver_settle ();
   g_assert_cmpint (qn_selection_get_face (selection), ==, run->contacts.pairs[row].face);
   /* The values of the joint come in above; the next row is still under the pointer. */
-  g_assert_cmpfloat (fabs (settled_y (table, window) - before), <, 2.0);
+  g_assert_cmpfloat (fabs (top_of (table, window) - before), <, 2.0);
   driver_screenshot (GTK_WIDGET (window), "inspect-row");
   driver_discard (window);
 }

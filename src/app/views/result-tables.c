@@ -317,39 +317,44 @@ top_in_panel (const TablePlace *place)
   return y;
 }
 
-static gboolean
-put_back (gpointer data)
-{
-  const TablePlace *place = data;
-  GtkAdjustment *scroll =
-    gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (place->panel));
-  gtk_adjustment_set_value (scroll, gtk_adjustment_get_value (scroll)
-                                      + top_in_panel (place) - place->top);
-  return G_SOURCE_REMOVE;
-}
-
 static void
-free_place (gpointer data)
+free_place (gpointer data, GClosure *closure)
 {
+  (void) closure;
   TablePlace *place = data;
   g_object_unref (place->table);
   g_object_unref (place->panel);
   g_free (place);
 }
 
-/* What a row shows above the table moves it: the panel scrolls by as much, and the next row is still
- * under the pointer. */
+static void
+put_back (GdkFrameClock *clock, const TablePlace *place)
+{
+  GtkAdjustment *scroll =
+    gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (place->panel));
+  gtk_adjustment_set_value (scroll, gtk_adjustment_get_value (scroll)
+                                      + top_in_panel (place) - place->top);
+  g_signal_handlers_disconnect_by_func (clock, put_back, (gpointer) place);
+}
+
+/* What a row shows above the table moves it in the next layout: the panel scrolls by as much in the same
+ * frame, and the next row is still under the pointer. */
 static void
 keep_place (GtkWidget *table)
 {
   GtkWidget *panel = gtk_widget_get_ancestor (table, GTK_TYPE_SCROLLED_WINDOW);
-  if (panel == NULL)
+  GdkFrameClock *clock = gtk_widget_get_frame_clock (table);
+  if (panel == NULL || clock == NULL
+      || g_signal_handler_find (clock, G_SIGNAL_MATCH_FUNC, 0, 0, NULL, put_back, NULL)
+           != 0)
     return;
   TablePlace *place = g_new0 (TablePlace, 1);
   place->table = g_object_ref (table);
   place->panel = g_object_ref (panel);
   place->top = top_in_panel (place);
-  g_idle_add_full (G_PRIORITY_DEFAULT_IDLE, put_back, place, free_place);
+  g_signal_connect_data (clock, "layout", G_CALLBACK (put_back), place, free_place,
+                         G_CONNECT_AFTER);
+  gdk_frame_clock_request_phase (clock, GDK_FRAME_CLOCK_PHASE_LAYOUT);
 }
 
 static void

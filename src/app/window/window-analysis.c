@@ -157,6 +157,8 @@ on_job_changed (QnWindow *self)
     show_job_error (self);
     show_run (self);
   }
+  /* A bar that has pulsed draws the window for every frame until it is told a share. */
+  gtk_progress_bar_set_fraction (self->progress_bar, 0.0);
   update_live_label (self);
   qn_window_update_actions (self);
   if (!running && was_running)
