@@ -3,7 +3,6 @@
 #include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/dynamics/energy.h"
-#include "core/dynamics/moving-contacts.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,15 +19,15 @@
 #define STEP_ENERGY 2e-5
 
 typedef struct {
+  QnEquilibrium *eq;
   QnTimeStep step;
   QnGround ground;
   const QnModel *model;
   const QnDynamicSettings *settings;
   QnResult *result;
   QnEnergy energy;
-  QnMovingContacts moving; /* where contacts follow the blocks */
-  bool follows;
-  bool overturned; /* and is followed on; when */
+  QnMovingContacts *moving; /* where contacts follow the blocks, else NULL */
+  bool overturned;          /* and is followed on; when */
   double overturned_at;
   size_t followed;  /* place of what progress tells among displacements; SIZE_MAX: none */
   double tick;      /* s: the longest step cut CUTS times; time is counted in these */
@@ -56,23 +55,15 @@ time_of (const Run *run, int64_t tick)
   return run->tick * (double) tick;
 }
 
-static QnContactState
-contact_state (const Run *run)
-{
-  const QnInstant *now = &run->step.start;
-
-  return (QnContactState){ run->step.assembly, now->u, now->elongations, now->responses };
-}
-
 /* --- Recording --------------------------------------------------------------------------- */
 
 /* The accepted state as a step of the result. */
 static bool
 keep_step (Run *run, QnEvent event)
 {
-  QnAssembly *as = run->step.assembly;
+  QnAssembly *as = &run->eq->assembly;
   QnResult *result = run->result;
-  const QnStatistics *spent = &run->step.statistics;
+  const QnStatistics *spent = &run->eq->statistics;
   QnStep step = { .iterations = spent->iterations - run->iterations_at_step,
                   .residual = run->residual,
                   .event = event,
@@ -80,11 +71,11 @@ keep_step (Run *run, QnEvent event)
 
   run->iterations_at_step = spent->iterations;
   run->kept = run->now;
-  run->step.progress.steps++;
-  qn_assembly_expand (as, run->step.start.u, run->displacements);
+  run->eq->progress.steps++;
+  qn_assembly_expand (as, run->eq->u, run->displacements);
   if (!qn_result_add_step (result, step, run->displacements))
     return false;
-  qn_assembly_expand_rates (as, run->step.start.u, run->step.start.v, run->displacements);
+  qn_assembly_expand_rates (as, run->eq->u, run->step.start.v, run->displacements);
   if (!qn_result_add_velocities (result, run->displacements))
     return false;
   qn_beam_assembly_forces (&as->beams, 0, run->beam_forces);
@@ -94,14 +85,11 @@ keep_step (Run *run, QnEvent event)
   qn_assembly_reactions (as, 0, run->displacements);
   if (!qn_result_add_reactions (result, run->displacements))
     return false;
-  if (!run->follows)
-    qn_assembly_pair_results (as, run->step.start.u, result->pairs);
-  else {
-    QnContactState state = contact_state (run);
-    if (!qn_moving_contacts_record (&run->moving, &state, step.time,
-                                    (int32_t) result->step_count - 1, result))
-      return false;
-  }
+  if (run->moving == NULL)
+    qn_assembly_pair_results (as, run->eq->u, result->pairs);
+  else if (!qn_moving_contacts_record (run->moving, run->eq, step.time,
+                                       (int32_t) result->step_count - 1, result))
+    return false;
   return qn_result_add_forces (result, run->model->analysis.all_forces);
 }
 
@@ -111,7 +99,7 @@ keep_row (Run *run)
   double time = time_of (run, run->now);
   QnVec2 ground = qn_ground_acceleration (&run->ground, time);
 
-  qn_assembly_expand (run->step.assembly, run->step.start.u, run->displacements);
+  qn_assembly_expand (&run->eq->assembly, run->eq->u, run->displacements);
   run->row[QN_HISTORY_TIME] = time;
   run->row[QN_HISTORY_GROUND_X] = ground.x;
   run->row[QN_HISTORY_GROUND_Y] = ground.y;
@@ -128,12 +116,11 @@ keep_row (Run *run)
 static void
 note_peaks (Run *run)
 {
-  const QnAssembly *as = run->step.assembly;
+  const QnAssembly *as = &run->eq->assembly;
   QnHistory *history = &run->result->history;
-  const QnInstant *now = &run->step.start;
-  QnProgress *progress = &run->step.progress;
+  QnProgress *progress = &run->eq->progress;
 
-  qn_assembly_expand (as, now->u, run->displacements);
+  qn_assembly_expand (as, run->eq->u, run->displacements);
   progress->time = time_of (run, run->now);
   if (run->followed != SIZE_MAX)
     progress->displacement =
@@ -149,15 +136,16 @@ note_peaks (Run *run)
     }
   }
   for (size_t p = 0; p < as->pair_count; p++) {
-    const QnPairMemory *memory = &now->responses[p].memory;
+    const QnPairMemory *memory = &as->responses[p].memory;
     if (as->contacts->pairs[p].found)
       continue;
     double slip = fabs (memory->a.slip + memory->b.slip);
     double length = as->contacts->faces[as->contacts->pairs[p].face].length;
-    if (now->responses[p].force[0] < 0)
+    if (as->responses[p].force[0] < 0)
       history->largest_slip = fmax (history->largest_slip, slip / length);
   }
-  history->largest_residual = fmax (history->largest_residual, run->step.relative);
+  history->largest_residual =
+    fmax (history->largest_residual, run->step.equation.relative);
   run->largest_error = fmax (run->largest_error, fabs (qn_energy_error (&run->energy)));
   run->largest_input =
     fmax (run->largest_input, fabs (run->energy.sums[QN_ENERGY_INPUT]));
@@ -170,13 +158,13 @@ note_peaks (Run *run)
 static void
 find_distances (const Run *run, double *distances)
 {
-  const QnAssembly *as = run->step.assembly;
+  const QnAssembly *as = &run->eq->assembly;
 
   for (size_t b = 0; b < run->model->block_count; b++)
     distances[b] = INFINITY;
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
-    const double *q = run->step.start.elongations + 2 * p;
+    const double *q = as->elongations + 2 * p;
     double distance = q[0] > 0 ? hypot (q[0], q[1]) : 0;
     distances[face->a] = fmin (distances[face->a], distance);
     distances[face->b] = fmin (distances[face->b], distance);
@@ -205,7 +193,7 @@ is_at_rest (Run *run)
 {
   double time = time_of (run, run->now), fastest = 0;
 
-  for (int32_t i = 0; i < run->step.assembly->unknown_count; i++)
+  for (int32_t i = 0; i < run->eq->assembly.unknown_count; i++)
     fastest = fmax (fastest, fabs (run->step.start.v[i]));
   if (fastest > run->rest_speed || time < run->ground.end)
     run->still_since = -1;
@@ -217,7 +205,7 @@ is_at_rest (Run *run)
 static QnStatus
 keep_mechanism (Run *run, QnDiag *diag)
 {
-  qn_assembly_expand_rates (run->step.assembly, run->step.start.u, run->step.start.v,
+  qn_assembly_expand_rates (&run->eq->assembly, run->eq->u, run->step.start.v,
                             run->displacements);
   return qn_result_set_mechanism (run->result, run->displacements,
                                   run->model->characteristic_length, diag);
@@ -242,7 +230,7 @@ keeps_energy (const Run *run, const QnEnergy *after)
 
 /* One step that is accepted, after as many that are not as it takes. FAILED where none is short
  * enough. */
-static QnStepStatus
+static QnSolveStatus
 advance (Run *run)
 {
   const double allowed = run->settings->tolerance * run->model->characteristic_length;
@@ -252,16 +240,16 @@ advance (Run *run)
     double from = time_of (run, run->now), h = time_of (run, run->length);
     QnVec2 mean = qn_ground_mean (&run->ground, from, from + h),
            change = qn_ground_change (&run->ground, from, from + h);
-    QnStepStatus status =
+    QnSolveStatus status =
       qn_time_step_try (&run->step, h, within_step (run, mean, change));
-    if (status == QN_STEP_CANCELLED || status == QN_STEP_NO_MEMORY)
+    if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;
-    double error = status == QN_STEP_CONVERGED && run->settings->adaptive
+    double error = status == QN_SOLVE_CONVERGED && run->settings->adaptive
                      ? qn_time_step_error (&run->step, h, change)
                      : 0;
     bool shortest = run->length == 1, balances = false;
     QnEnergy energy = run->energy;
-    if (status == QN_STEP_CONVERGED && (error <= allowed || shortest)) {
+    if (status == QN_SOLVE_CONVERGED && (error <= allowed || shortest)) {
       energy = qn_energy_after (&run->step, &run->energy, h, mean, change);
       balances = shortest || !run->settings->adaptive
                    ? isfinite (qn_energy_error (&energy)) != 0
@@ -270,7 +258,7 @@ advance (Run *run)
     if (balances) {
       run->energy = energy;
       qn_time_step_accept (&run->step);
-      run->residual = run->step.relative;
+      run->residual = run->step.equation.relative;
       run->now += run->length;
       history->steps++;
       history->shortest_step = history->steps == 1 ? h : fmin (history->shortest_step, h);
@@ -280,7 +268,7 @@ advance (Run *run)
       return status;
     }
     if (shortest)
-      return QN_STEP_FAILED;
+      return QN_SOLVE_FAILED;
     history->rejected++;
     run->length /= 2;
   }
@@ -308,7 +296,7 @@ end_with (Run *run, QnOutcome outcome, QnDiag *diag)
 static double
 fastest (const Run *run)
 {
-  const QnAssembly *as = run->step.assembly;
+  const QnAssembly *as = &run->eq->assembly;
   double speed = 0;
 
   for (size_t b = 0; b < as->model->block_count; b++) {
@@ -318,7 +306,7 @@ fastest (const Run *run)
         v[i] = run->step.start.v[as->unknown[QN_DOF_COUNT * b + i]];
     speed =
       fmax (speed, hypot (v[0], v[1])
-                     + run->moving.follow.reach[b] * fabs (v[QN_DOF_RZ]) / as->length);
+                     + run->moving->follow.reach[b] * fabs (v[QN_DOF_RZ]) / as->length);
   }
   return speed;
 }
@@ -327,27 +315,21 @@ fastest (const Run *run)
 static QnStatus
 renew_contacts (Run *run, QnDiag *diag)
 {
-  QnMovingContacts *moving = &run->moving;
   double time = time_of (run, run->now);
-  QnContactState state = contact_state (run);
-  QnPairsChange change;
+  bool changed;
 
-  if (!run->follows)
+  if (run->moving == NULL)
     return QN_OK;
-  QnStatus status =
-    qn_moving_contacts_update (moving, &state, 2 * time_of (run, longest) * fastest (run),
-                               time, run->result, &change, diag);
-  if (status == QN_OK && change == QN_PAIRS_LISTED)
-    status = qn_time_step_move (&run->step, &moving->pairs->assembly,
-                                moving->pairs->linsys, diag);
-  else if (status == QN_OK && change == QN_PAIRS_CHANGED)
-    qn_time_step_renew (&run->step);
+  QnStatus status = qn_moving_contacts_update (run->moving, run->eq,
+                                               2 * time_of (run, longest) * fastest (run),
+                                               time, run->result, &changed, diag);
+  if (status == QN_OK && changed)
+    status = qn_time_step_renew (&run->step, diag);
   if (status != QN_OK)
     return status;
-  if (change != QN_PAIRS_SAME)
+  if (changed)
     qn_energy_renew (&run->step, &run->energy);
-  state = contact_state (run);
-  return qn_moving_contacts_record (moving, &state, time, -1, run->result)
+  return qn_moving_contacts_record (run->moving, run->eq, time, -1, run->result)
            ? QN_OK
            : qn_diag_no_memory (diag);
 }
@@ -359,9 +341,9 @@ follow (Run *run, QnDiag *diag)
   QnStatus status = renew_contacts (run, diag);
   if (status != QN_OK)
     return status;
-  QnStepStatus step =
+  QnSolveStatus step =
     qn_time_step_start (&run->step, qn_ground_acceleration (&run->ground, 0));
-  if (step == QN_STEP_NO_MEMORY)
+  if (step == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
 
   run->energy = qn_energy_start (&run->step);
@@ -374,12 +356,12 @@ follow (Run *run, QnDiag *diag)
     return qn_diag_no_memory (diag);
   while (run->now < run->end) {
     step = advance (run);
-    if (step != QN_STEP_CONVERGED) {
+    if (step != QN_SOLVE_CONVERGED) {
       qn_time_step_restore (&run->step);
-      if (step == QN_STEP_NO_MEMORY)
+      if (step == QN_SOLVE_NO_MEMORY)
         return qn_diag_no_memory (diag);
       return end_with (
-        run, step == QN_STEP_CANCELLED ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED,
+        run, step == QN_SOLVE_CANCELLED ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED,
         diag);
     }
     note_peaks (run);
@@ -427,7 +409,7 @@ extent (const QnModel *model)
 }
 
 static QnStatus
-set_up (Run *run, const double *u0, QnDiag *diag)
+set_up (Run *run, QnDiag *diag)
 {
   const QnModel *model = run->model;
   QnHistory *history = &run->result->history;
@@ -444,7 +426,7 @@ set_up (Run *run, const double *u0, QnDiag *diag)
       || run->row == NULL || run->distances == NULL || run->beam_forces == NULL
       || !qn_ground_init (&run->ground, model))
     return qn_diag_no_memory (diag);
-  qn_assembly_expand (run->step.assembly, u0, run->start);
+  qn_assembly_expand (&run->eq->assembly, run->eq->u, run->start);
   const QnDynamicSettings *s = run->settings;
   double duration = qn_model_duration (model);
   double steps = fmax (ceil (duration / s->time_step - 1e-9), 1);
@@ -463,52 +445,38 @@ set_up (Run *run, const double *u0, QnDiag *diag)
   QnDof dof;
   qn_model_followed (model, &body, &dof);
   run->followed = body == SIZE_MAX ? SIZE_MAX : QN_DOF_COUNT * body + (size_t) dof;
-  run->step.progress.end = duration;
+  run->eq->progress.end = duration;
   return QN_OK;
 }
 
 QnStatus
-qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc report,
-                 void *report_data, QnResult *result, QnDiag *diag)
+qn_dynamics_run (QnEquilibrium *eq, QnMovingContacts *moving, QnResult *result,
+                 QnDiag *diag)
 {
-  Run run = { .model = as->model,
-              .settings = &as->model->analysis.dynamic,
+  const QnModel *model = eq->assembly.model;
+  Run run = { .eq = eq,
+              .moving = moving,
+              .model = model,
+              .settings = &model->analysis.dynamic,
+              .iterations_at_step = eq->statistics.iterations,
               .result = result };
   QnStatus status = QN_OK;
 
-  for (size_t i = 0; i < as->model->ground_count && status == QN_OK; i++)
-    if (as->model->ground[i].kind == QN_SIGNAL_RECORD)
-      status = qn_model_check_signal (as->model, (QnId) i, diag);
+  for (size_t i = 0; i < model->ground_count && status == QN_OK; i++)
+    if (model->ground[i].kind == QN_SIGNAL_RECORD)
+      status = qn_model_check_signal (model, (QnId) i, diag);
   if (status == QN_OK)
-    status = qn_model_check_steps (as->model, diag);
-  run.follows = run.settings->follow && as->nonlinear;
-  if (status == QN_OK && run.follows)
-    status = qn_moving_contacts_init (&run.moving, as, diag);
+    status = qn_model_check_steps (model, diag);
   if (status == QN_OK)
-    status = qn_time_step_setup (&run.step, as, linsys, u0, diag);
-  if (status != QN_OK) {
-    qn_moving_contacts_clear (&run.moving);
-    return status;
-  }
-  run.step.report = report;
-  run.step.report_data = report_data;
-  status = set_up (&run, u0, diag);
+    status = set_up (&run, diag);
+  if (status == QN_OK)
+    status = qn_time_step_setup (&run.step, eq, diag);
   if (status == QN_OK)
     status = follow (&run, diag);
 
   result->history.end = time_of (&run, run.now);
   result->history.energy_error =
     run.largest_input > 0 ? run.largest_error / run.largest_input : 0;
-  memcpy (u0, run.step.start.u, (size_t) as->unknown_count * sizeof *u0);
-  qn_statistics_add (&result->statistics, &run.step.statistics);
-  if (run.moving.pairs
-      != NULL) { /* the assembly as drawn ends where that of the step has come to */
-    const QnAssembly *last = run.step.assembly;
-    memcpy (as->responses, last->responses, as->pair_count * sizeof *as->responses);
-    memcpy (as->inactive, last->inactive, as->pair_count * sizeof *as->inactive);
-    qn_beam_state_set (&run.step.start.beams, &as->beams);
-    qn_assembly_update_kinematics (as, u0);
-  }
   qn_ground_clear (&run.ground);
   free (run.start);
   free (run.displacements);
@@ -516,6 +484,5 @@ qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc re
   free (run.row);
   free (run.beam_forces);
   qn_time_step_clear (&run.step);
-  qn_moving_contacts_clear (&run.moving);
   return status;
 }

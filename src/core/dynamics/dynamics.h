@@ -14,20 +14,16 @@
 #ifndef QN_CORE_DYNAMICS_H
 #define QN_CORE_DYNAMICS_H
 
-#include "core/assembly/assembly.h"
-#include "core/base/progress.h"
-#include "core/linalg/linsys.h"
+#include "core/dynamics/moving-contacts.h"
 
 /* Speed below which a structure is at rest, in sqrt(g x characteristic length); rotations times the
  * length that they are scaled with. */
 #define QN_REST_SPEED 1e-5
 
-/* From the equilibrium under dead load, at displacements u0, that the assembly was last evaluated
- * and committed at, and that is the only step of *result. `linsys` has the assembly's pattern.
- * Adds steps and history to the result; sets its outcome, and its statistics but for the time.
- * The assembly is left at the last accepted state, u0 overwritten with its displacements. */
-QnStatus qn_dynamics_run (QnAssembly *assembly, QnLinsys *linsys, double *u0,
-                          QnProgressFunc report, void *report_data, QnResult *result,
+/* From the equilibrium under dead load that eq was last evaluated and committed at, and that is the only step
+ * of *result. Adds steps and history to the result, and sets its outcome. eq is left at the last accepted
+ * state. Where contacts follow the blocks `moving` is theirs, else NULL. */
+QnStatus qn_dynamics_run (QnEquilibrium *eq, QnMovingContacts *moving, QnResult *result,
                           QnDiag *diag);
 
 #endif

@@ -5,17 +5,18 @@ pair_at (const QnInstant *instant, size_t p)
 {
   return (
     QnPairInstant){ .q = { instant->elongations[2 * p], instant->elongations[2 * p + 1] },
-                    .response = &instant->responses[p] };
+                    .response = &instant->at.responses[p] };
 }
 
 static double
 elastic (const QnTimeStep *step, const QnInstant *instant)
 {
+  const QnAssembly *as = &step->equation.eq->assembly;
   double sum = instant->beam_energy;
 
-  for (size_t p = 0; p < step->assembly->pair_count; p++) {
+  for (size_t p = 0; p < as->pair_count; p++) {
     QnPairInstant at = pair_at (instant, p);
-    if (step->assembly->inactive[p])
+    if (as->inactive[p])
       continue;
     sum += qn_pair_elastic_energy (&step->elasticity[p], &at);
   }
@@ -26,10 +27,12 @@ elastic (const QnTimeStep *step, const QnInstant *instant)
 static double
 product (const QnTimeStep *step, const double *ax, const double *x, const double *y)
 {
-  qn_assembly_multiply (step->assembly, ax, y, step->product);
+  QnEquilibrium *eq = step->equation.eq;
   double sum = 0;
-  for (int32_t i = 0; i < step->assembly->unknown_count; i++)
-    sum += x[i] * step->product[i];
+
+  qn_assembly_multiply (&eq->assembly, ax, y, eq->trial);
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    sum += x[i] * eq->trial[i];
   return sum;
 }
 
@@ -50,7 +53,7 @@ qn_energy_start (const QnTimeStep *step)
 static void
 add_losses (const QnTimeStep *step, QnEnergy *energy)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
   const QnInstant *start = &step->start, *end = &step->end;
   double friction = 0;
 
@@ -65,8 +68,8 @@ add_losses (const QnTimeStep *step, QnEnergy *energy)
         step->forces[p].dashpot[i] * (after.q[i] - before.q[i]);
   }
   for (size_t b = 0; b < as->beams.count; b++) {
-    const QnBeamResponse *before = &start->beams.responses[b],
-                         *after = &end->beams.responses[b];
+    const QnBeamResponse *before = &start->at.beams.responses[b],
+                         *after = &end->at.beams.responses[b];
     for (int i = 0; i < 2; i++)
       friction += 0.5 * (before->force[1 + i] + after->force[1 + i])
                   * (after->memory.plastic[i] - before->memory.plastic[i]);
@@ -78,17 +81,18 @@ QnEnergy
 qn_energy_after (const QnTimeStep *step, const QnEnergy *before, double h, QnVec2 mean,
                  QnVec2 change)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
   const QnTimeScheme *s = &step->scheme;
   const QnInstant *start = &step->start, *end = &step->end;
-  double *motion = step->mean_motion, *jump = step->step;
+  double *motion = step->equation.eq->live_step, *jump = step->equation.eq->step;
+  double *drag = step->equation.eq->trial;
   double damping = 0, input = 0, numerical = 0;
   QnEnergy energy = *before;
 
   /* dashpots on masses and beams */
   for (int32_t i = 0; i < as->unknown_count; i++) {
     motion[i] = (1 - s->alpha_f) * end->v[i] + s->alpha_f * start->v[i];
-    jump[i] = end->u[i] - start->u[i];
+    jump[i] = end->at.u[i] - start->at.u[i];
   }
   if (step->settings->mass_damping > 0)
     damping += step->settings->mass_damping * product (step, step->mass, jump, motion);
@@ -100,15 +104,15 @@ qn_energy_after (const QnTimeStep *step, const QnEnergy *before, double h, QnVec
   /* D, with [R] = -[residual] + M i [g] */
   for (int32_t i = 0; i < as->unknown_count; i++)
     motion[i] = end->a[i] - start->a[i];
-  qn_assembly_multiply (as, step->mass, motion, step->product);
+  qn_assembly_multiply (as, step->mass, motion, drag);
   for (int32_t i = 0; i < as->unknown_count; i++) {
-    double du = end->u[i] - start->u[i], dv = end->v[i] - start->v[i];
+    double du = end->at.u[i] - start->at.u[i], dv = end->v[i] - start->v[i];
     double ground = step->inertia[0][i] * mean.x + step->inertia[1][i] * mean.y;
     double r = start->residual[i] - end->residual[i] + step->inertia[0][i] * change.x
                + step->inertia[1][i] * change.y;
     input += (0.5 * (start->dead[i] + end->dead[i]) - ground) * du;
-    numerical += (0.5 - s->alpha_f) * du * (r + step->product[i])
-                 + h * (s->beta - 0.5 * s->gamma) * step->product[i] * dv;
+    numerical += (0.5 - s->alpha_f) * du * (r + drag[i])
+                 + h * (s->beta - 0.5 * s->gamma) * drag[i] * dv;
   }
   energy.sums[QN_ENERGY_INPUT] += input;
   energy.sums[QN_ENERGY_NUMERICAL] += numerical;

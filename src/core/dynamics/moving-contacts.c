@@ -26,22 +26,18 @@ qn_moving_contacts_init (QnMovingContacts *moving, const QnAssembly *as, QnDiag 
 }
 
 static void
-moved_pairs_free (QnMovedPairs *pairs)
+contacts_free (QnContacts *contacts)
 {
-  if (pairs == NULL)
-    return;
-  qn_linsys_free (pairs->linsys);
-  qn_assembly_clear (&pairs->assembly);
-  qn_contacts_clear (&pairs->contacts);
-  free (pairs);
+  if (contacts != NULL)
+    qn_contacts_clear (contacts);
+  free (contacts);
 }
 
 void
 qn_moving_contacts_clear (QnMovingContacts *moving)
 {
   qn_contact_follow_clear (&moving->follow);
-  moved_pairs_free (moving->pairs);
-  moved_pairs_free (moving->before);
+  contacts_free (moving->contacts);
   free (moving->displacements);
   free (moving->noted);
   free (moving->slips);
@@ -58,15 +54,14 @@ typedef struct {
 } Exchange;
 
 static void
-add_exchange (const QnContactState *state, size_t pair, bool becomes_inactive,
-              Exchange *sum)
+add_exchange (const QnAssembly *old, size_t pair, bool becomes_inactive, Exchange *sum)
 {
-  if (state->assembly->inactive[pair])
+  if (old->inactive[pair])
     return;
-  QnPairElasticity elastic = qn_pair_elasticity (&state->assembly->springs[pair]);
+  QnPairElasticity elastic = qn_pair_elasticity (&old->springs[pair]);
   QnPairInstant at = {
-    .q = { state->elongations[2 * pair], state->elongations[2 * pair + 1] },
-    .response = &state->responses[pair],
+    .q = { old->elongations[2 * pair], old->elongations[2 * pair + 1] },
+    .response = &old->responses[pair],
   };
   sum->normal += at.response->force[0];
   sum->shear += at.response->force[1];
@@ -74,9 +69,9 @@ add_exchange (const QnContactState *state, size_t pair, bool becomes_inactive,
 }
 
 /* Between the blocks of the listed contacts from `first` to `end`; origins: places of the listed
- * contacts in the list of `state`, or QN_NONE (NULL: the same). */
+ * contacts in the list of `old`, or QN_NONE (NULL: the same). */
 static Exchange
-exchange (const QnContactFollow *follow, const QnContactState *state, const QnId *origins,
+exchange (const QnContactFollow *follow, const QnAssembly *old, const QnId *origins,
           size_t first, size_t end)
 {
   const QnContacts *drawn = follow->drawn;
@@ -88,12 +83,12 @@ exchange (const QnContactFollow *follow, const QnContactState *state, const QnId
   for (; f < last; f++) {
     const QnContactFace *face = &drawn->faces[f];
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
-      add_exchange (state, (size_t) p, follow->left[f], &sum);
+      add_exchange (old, (size_t) p, follow->left[f], &sum);
   }
   for (size_t i = first; i < end; i++) {
     QnId origin = origins != NULL ? origins[i] : (QnId) i;
     if (origin != QN_NONE)
-      add_exchange (state, drawn->pair_count + (size_t) origin, !follow->active[i], &sum);
+      add_exchange (old, drawn->pair_count + (size_t) origin, !follow->active[i], &sum);
   }
   return sum;
 }
@@ -120,17 +115,16 @@ carry_nothing (QnAssembly *as, size_t pair)
 
 /* Loads, memory and forces of all pairs, and which are inactive, of `as`. */
 static void
-transfer (QnMovingContacts *moving, const QnContactState *state, QnAssembly *as,
+transfer (QnMovingContacts *moving, const QnAssembly *old, QnAssembly *as,
           const QnId *origins)
 {
-  const QnAssembly *old = state->assembly;
   const QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
 
   qn_assembly_set_loads (as, old->held, old->driven);
   as->commits = old->commits;
   memcpy (as->committed, old->committed, drawn * sizeof *as->committed);
-  memcpy (as->responses, state->responses, drawn * sizeof *as->responses);
+  memcpy (as->responses, old->responses, drawn * sizeof *as->responses);
   for (size_t p = 0; p < drawn; p++) {
     as->inactive[p] = follow->left[follow->drawn->pairs[p].face];
     if (as->inactive[p])
@@ -142,7 +136,7 @@ transfer (QnMovingContacts *moving, const QnContactState *state, QnAssembly *as,
     if (origins[i] == QN_NONE)
       continue;
     as->committed[drawn + i] = old->committed[drawn + (size_t) origins[i]];
-    as->responses[drawn + i] = state->responses[drawn + (size_t) origins[i]];
+    as->responses[drawn + i] = old->responses[drawn + (size_t) origins[i]];
     as->inactive[drawn + i] = old->inactive[drawn + (size_t) origins[i]];
   }
 }
@@ -173,12 +167,12 @@ activate (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, doub
 
 /* Pairs between the same two blocks that become inactive or active, from `first` to `end`. */
 static void
-set_inactive (QnMovingContacts *moving, const QnContactState *state, QnAssembly *as,
+set_inactive (QnMovingContacts *moving, const QnAssembly *old, QnAssembly *as,
               const QnId *origins, size_t first, size_t end)
 {
   QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
-  Exchange before = exchange (follow, state, origins, first, end);
+  Exchange before = exchange (follow, old, origins, first, end);
   double ratio = before.normal < 0 ? before.shear / before.normal : 0, stored = 0;
 
   for (size_t i = first; i < end; i++)
@@ -204,7 +198,7 @@ set_inactive (QnMovingContacts *moving, const QnContactState *state, QnAssembly 
 
 /* Takes up which pairs are inactive now, and where their contact begins. */
 static void
-take_changes (QnMovingContacts *moving, const QnContactState *state, QnContacts *contacts,
+take_changes (QnMovingContacts *moving, const QnAssembly *old, QnContacts *contacts,
               QnAssembly *as, const QnId *origins)
 {
   QnContactFollow *follow = &moving->follow;
@@ -212,7 +206,7 @@ take_changes (QnMovingContacts *moving, const QnContactState *state, QnContacts 
 
   for (size_t first = 0, end; first < follow->count; first = end) {
     end = qn_contact_follow_end (follow, first);
-    set_inactive (moving, state, as, origins, first, end);
+    set_inactive (moving, old, as, origins, first, end);
   }
   for (size_t i = 0; i < follow->count; i++)
     if (qn_contacts_set_inset (contacts, drawn + i, follow->found[i].inset))
@@ -221,60 +215,50 @@ take_changes (QnMovingContacts *moving, const QnContactState *state, QnContacts 
 
 /* A new assembly for a new list. */
 static QnStatus
-rebuild (QnMovingContacts *moving, const QnContactState *state, const QnId *origins,
-         QnDiag *diag)
+rebuild (QnMovingContacts *moving, QnEquilibrium *eq, const QnId *origins, QnDiag *diag)
 {
   const QnContactFollow *follow = &moving->follow;
-  const QnModel *model = follow->model;
-  QnMovedPairs *next = qn_alloc (1, sizeof *next);
+  QnContacts *contacts = qn_alloc (1, sizeof *contacts);
+  QnAssembly next = { 0 };
   QnStatus status =
-    next == NULL
+    contacts == NULL
       ? qn_diag_no_memory (diag)
-      : qn_contacts_with_found (model, follow->drawn, &follow->sides, follow->found,
-                                follow->count, &next->contacts, diag);
+      : qn_contacts_with_found (follow->model, follow->drawn, &follow->sides,
+                                follow->found, follow->count, contacts, diag);
+
   if (status == QN_OK)
-    status = qn_assembly_setup (&next->assembly, model, &next->contacts, diag);
+    status = qn_assembly_setup (&next, follow->model, contacts, diag);
   if (status == QN_OK) {
-    QnAssembly *as = &next->assembly;
-    QnVec2 *points = qn_assembly_points (as);
-    if (points != NULL)
-      next->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai, points,
-                                    model->analysis.workers);
-    free (points);
-    if (next->linsys == NULL)
-      status = qn_diag_no_memory (diag);
+    transfer (moving, &eq->assembly, &next, origins);
+    take_changes (moving, &eq->assembly, contacts, &next, origins);
+    status = qn_equilibrium_exchange (eq, &next, diag);
   }
-  if (status != QN_OK) {
-    moved_pairs_free (next);
-    return status;
-  }
-  transfer (moving, state, &next->assembly, origins);
-  take_changes (moving, state, &next->contacts, &next->assembly, origins);
-  moved_pairs_free (moving->before);
-  moving->before = moving->pairs;
-  moving->pairs = next;
-  moving->rebuilds++;
-  return QN_OK;
+  if (status == QN_OK) {
+    contacts_free (moving->contacts);
+    moving->contacts = contacts;
+  } else
+    contacts_free (contacts);
+  return status;
 }
 
 /* --- After a step ------------------------------------------------------------------------ */
 
 static bool
-leave_joints (QnMovingContacts *moving, const QnContactState *state, double time,
+leave_joints (QnMovingContacts *moving, const QnAssembly *old, double time,
               QnResult *result, bool *any)
 {
   QnContactFollow *follow = &moving->follow;
   const QnContacts *drawn = follow->drawn;
 
   for (size_t p = 0; p < drawn->pair_count; p++) {
-    const QnPairMemory *memory = &state->responses[p].memory;
+    const QnPairMemory *memory = &old->responses[p].memory;
     moving->slips[p] = memory->a.slip + memory->b.slip;
   }
   *any = qn_contact_follow_leave (follow, moving->displacements, moving->slips);
   if (!*any)
     return true;
   for (size_t f = 0; f < drawn->face_count; f++) {
-    bool before = state->assembly->inactive[drawn->faces[f].first_pair];
+    bool before = old->inactive[drawn->faces[f].first_pair];
     if (follow->left[f] && !before
         && !qn_result_add_left (result, (QnLeftFace){ (QnId) f, time }))
       return false;
@@ -319,9 +303,8 @@ search (QnMovingContacts *moving, double margin, bool *changed, QnId **origins,
 }
 
 QnStatus
-qn_moving_contacts_update (QnMovingContacts *moving, const QnContactState *state,
-                           double margin, double time, QnResult *result,
-                           QnPairsChange *change, QnDiag *diag)
+qn_moving_contacts_update (QnMovingContacts *moving, QnEquilibrium *eq, double margin,
+                           double time, QnResult *result, bool *changed, QnDiag *diag)
 {
   QnContactFollow *follow = &moving->follow;
   QnId *origins = NULL;
@@ -329,45 +312,42 @@ qn_moving_contacts_update (QnMovingContacts *moving, const QnContactState *state
   bool left, listed = false;
   QnStatus status = QN_OK;
 
-  *change = QN_PAIRS_SAME;
   for (size_t b = 0; b < follow->model->block_count; b++)
     smallest = fmin (smallest, follow->sizes[b]);
   margin = fmax (
     margin, fmax (QN_FOLLOW_MARGIN * smallest, 2 * QN_FOLLOW_OVERLAP * follow->overlap));
-  qn_assembly_expand (state->assembly, state->u, moving->displacements);
-  if (!leave_joints (moving, state, time, result, &left))
+  qn_assembly_expand (&eq->assembly, eq->u, moving->displacements);
+  if (!leave_joints (moving, &eq->assembly, time, result, &left))
     return qn_diag_no_memory (diag);
   if (left || qn_contact_follow_is_due (follow, moving->displacements, margin))
     status = search (moving, 2 * margin, &listed, &origins, diag);
   bool activated =
     status == QN_OK && qn_contact_follow_activate (follow, moving->displacements);
-  if (status == QN_OK && (listed || left)) {
-    status = rebuild (moving, state, origins, diag);
-    *change = QN_PAIRS_LISTED;
-  } else if (status == QN_OK && activated) {
-    take_changes (moving, state, &moving->pairs->contacts, state->assembly, NULL);
-    *change = QN_PAIRS_CHANGED;
-  }
+  *changed = listed || left || activated;
+  if (status == QN_OK && (listed || left))
+    status = rebuild (moving, eq, origins, diag);
+  else if (activated)
+    take_changes (moving, &eq->assembly, moving->contacts, &eq->assembly, NULL);
   free (origins);
   return status;
 }
 
 bool
-qn_moving_contacts_record (QnMovingContacts *moving, const QnContactState *state,
-                           double time, int32_t step_index, QnResult *result)
+qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq, double time,
+                           int32_t step_index, QnResult *result)
 {
-  const QnAssembly *as = state->assembly;
+  const QnAssembly *as = &eq->assembly;
   size_t drawn = moving->follow.drawn->pair_count;
 
   if (step_index >= 0) {
     if (!qn_array_reserve (&moving->results, &moving->result_capacity, as->pair_count,
                            sizeof *moving->results))
       return false;
-    qn_assembly_pair_results (as, state->u, moving->results);
+    qn_assembly_pair_results (as, eq->u, moving->results);
     memcpy (result->pairs, moving->results, drawn * sizeof *moving->results);
   }
   for (size_t p = drawn; p < as->pair_count; p++) {
-    const double *force = state->responses[p].force;
+    const double *force = as->responses[p].force;
     QnId *noted = &moving->noted[p - drawn];
     QnFound found = { moving->follow.found[p - drawn], time };
     bool acts = force[0] != 0 || force[1] != 0 || found.contact.inset > 0;

@@ -12,45 +12,19 @@
 #ifndef QN_CORE_MOVING_CONTACTS_H
 #define QN_CORE_MOVING_CONTACTS_H
 
-#include "core/assembly/assembly.h"
 #include "core/contact/contact-follow.h"
-#include "core/linalg/linsys.h"
-#include "core/result/result.h"
-
-/* An accepted state, in which contacts change. */
-typedef struct QnContactState {
-  QnAssembly *assembly;            /* with the memory of its pairs committed */
-  const double *u;                 /* unknown_count */
-  const double *elongations;       /* pair_count x 2, m */
-  const QnPairResponse *responses; /* pair_count */
-} QnContactState;
-
-/* What has become of the pairs. */
-typedef enum {
-  QN_PAIRS_SAME,
-  QN_PAIRS_CHANGED, /* in the same assembly other ones carry: it is to be evaluated anew */
-  QN_PAIRS_LISTED   /* moving->pairs are to take the place of the assembly */
-} QnPairsChange;
-
-/* Contacts as drawn and those found, with an assembly of them and its linear system. */
-typedef struct QnMovedPairs {
-  QnContacts contacts;
-  QnAssembly assembly;
-  QnLinsys *linsys;
-} QnMovedPairs;
+#include "core/equilibrium/equilibrium.h"
 
 typedef struct QnMovingContacts {
   QnContactFollow follow;
-  QnMovedPairs
-    *pairs,  /* of the last list; NULL as long as there are those as drawn alone */
-    *before; /* and of the one before, until the next list */
+  QnContacts *contacts; /* as drawn and of the last list, which the assembly refers to;
+                           NULL as long as there are those as drawn alone */
   QnId *
     noted; /* of listed contacts: place among the result's where they were last, or QN_NONE */
   double *displacements; /* scratch, a row for every body */
   double *slips;         /* scratch, of the pairs as drawn */
   QnPairResult *results; /* scratch, of all pairs */
   size_t result_capacity;
-  int32_t rebuilds; /* how often the list changed */
 } QnMovingContacts;
 
 /* From the state under the dead load. `moving` is overwritten without being cleared. */
@@ -59,16 +33,17 @@ QnStatus qn_moving_contacts_init (QnMovingContacts *moving, const QnAssembly *as
 
 void qn_moving_contacts_clear (QnMovingContacts *moving);
 
-/* Looks whether contacts change in this state, and changes them. Corners are listed within twice the
- * margin (m) at least, which is more than anything moves until the next call. Joints that are left are
- * noted in `result` with this time: seconds, or the number of the step where there is no time. */
-QnStatus qn_moving_contacts_update (QnMovingContacts *moving, const QnContactState *state,
+/* Looks whether contacts change in the current state, which is committed, and changes them. Corners are
+ * listed within twice the margin (m) at least, which is more than anything moves until the next call. Joints
+ * that are left are noted in `result` with this time: seconds, or the number of the step where there is no
+ * time. *changed: other pairs carry, perhaps of another assembly of eq, and are to be evaluated anew. */
+QnStatus qn_moving_contacts_update (QnMovingContacts *moving, QnEquilibrium *eq,
                                     double margin, double time, QnResult *result,
-                                    QnPairsChange *change, QnDiag *diag);
+                                    bool *changed, QnDiag *diag);
 
-/* The state: pairs as drawn into result->pairs, and, where `step_index` is not negative, forces of found
- * contacts for that step. Found contacts that carry something are noted. */
-bool qn_moving_contacts_record (QnMovingContacts *moving, const QnContactState *state,
+/* The current state: pairs as drawn into result->pairs, and, where `step_index` is not negative, forces of
+ * found contacts for that step. Found contacts that carry something are noted. */
+bool qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq,
                                 double time, int32_t step_index, QnResult *result);
 
 #endif

@@ -33,6 +33,10 @@ scheme_of (double rho)
                          .gamma = both - 0.5 };
 }
 
+static void measure (QnStepEquation *equation);
+static QnFactorStatus solve_direction (QnStepEquation *equation);
+static bool advance (QnStepEquation *equation, int iteration);
+
 /* --- Setting up -------------------------------------------------------------------------- */
 
 static bool
@@ -40,37 +44,32 @@ instant_init (QnInstant *instant, const QnAssembly *as)
 {
   size_t n = (size_t) as->unknown_count, pairs = as->pair_count;
 
-  instant->u = qn_alloc (n, sizeof (double));
   instant->v = qn_alloc (n, sizeof (double));
   instant->a = qn_alloc (n, sizeof (double));
   instant->dead = qn_alloc (n, sizeof (double));
   instant->residual = qn_alloc (n, sizeof (double));
   instant->elongations = qn_alloc (2 * pairs, sizeof (double));
   instant->rates = qn_alloc (2 * pairs, sizeof (double));
-  instant->responses = qn_alloc (pairs, sizeof *instant->responses);
-  return qn_beam_state_init (&instant->beams, &as->beams) && instant->u && instant->v
-         && instant->a && instant->dead && instant->residual && instant->elongations
-         && instant->rates && instant->responses;
+  return qn_equilibrium_state_init (&instant->at, as) && instant->v && instant->a
+         && instant->dead && instant->residual && instant->elongations && instant->rates;
 }
 
 static void
 instant_clear (QnInstant *instant)
 {
-  free (instant->u);
   free (instant->v);
   free (instant->a);
   free (instant->dead);
   free (instant->residual);
   free (instant->elongations);
   free (instant->rates);
-  free (instant->responses);
-  qn_beam_state_clear (&instant->beams);
+  qn_equilibrium_state_clear (&instant->at);
 }
 
 static bool
 allocate (QnTimeStep *step)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
   size_t n = (size_t) as->unknown_count, entries = (size_t) as->ap[n],
          pairs = as->pair_count;
   const struct {
@@ -81,11 +80,7 @@ allocate (QnTimeStep *step)
     { &step->beam_damping, entries },
     { &step->inertia[0], n },
     { &step->inertia[1], n },
-    { &step->residual, n },
-    { &step->step, n },
     { &step->increment, n },
-    { &step->mean_motion, n },
-    { &step->product, n },
     { &step->tangents, 4 * pairs },
     { &step->sums, 2 * pairs },
     { &step->branches, QN_BRANCH * pairs },
@@ -106,7 +101,7 @@ allocate (QnTimeStep *step)
 static void
 renew_beam_damping (QnTimeStep *step)
 {
-  QnAssembly *as = step->assembly;
+  QnAssembly *as = &step->equation.eq->assembly;
 
   if (as->beams.count == 0 || step->settings->joint_damping == 0)
     return;
@@ -136,27 +131,25 @@ beam_energy (const QnBeamAssembly *beams)
   return sum;
 }
 
-/* Copies what the assembly found at instant->u. */
+/* Copies what the assembly found at eq->u. */
 static void
 take_evaluation (const QnTimeStep *step, QnInstant *instant)
 {
-  QnAssembly *as = step->assembly;
-  size_t bytes = (size_t) as->unknown_count * sizeof (double);
+  const QnAssembly *as = &step->equation.eq->assembly;
 
-  memcpy (instant->dead, as->dead, bytes);
+  qn_equilibrium_save (step->equation.eq, &instant->at);
+  memcpy (instant->dead, as->dead, (size_t) as->unknown_count * sizeof (double));
   memcpy (instant->elongations, as->elongations,
           2 * as->pair_count * sizeof *as->elongations);
-  memcpy (instant->responses, as->responses, as->pair_count * sizeof *as->responses);
   qn_assembly_elongation_rates (as, instant->v, instant->rates);
   qn_assembly_residual (as, 0, instant->residual);
-  qn_beam_state_save (&instant->beams, &as->beams);
   instant->beam_energy = beam_energy (&as->beams);
 }
 
 static void
 add_initial_motion (QnTimeStep *step)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
 
   for (size_t i = 0; i < as->model->initial_count; i++) {
     const QnInitialMotion *motion = &as->model->initial[i];
@@ -165,7 +158,7 @@ add_initial_motion (QnTimeStep *step)
       double scale = dof == QN_DOF_RZ ? as->length : 1;
       if (unknown == QN_NONE || as->settles[unknown])
         continue;
-      step->start.u[unknown] += scale * motion->displacement[dof];
+      step->equation.eq->u[unknown] += scale * motion->displacement[dof];
       step->start.v[unknown] += scale * motion->velocity[dof];
     }
   }
@@ -175,7 +168,7 @@ add_initial_motion (QnTimeStep *step)
 static QnStatus
 prepare (QnTimeStep *step, QnDiag *diag)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
   QnStatus status = allocate (step) ? QN_OK : qn_diag_no_memory (diag);
 
   if (status == QN_OK)
@@ -193,9 +186,9 @@ prepare (QnTimeStep *step, QnDiag *diag)
 static void
 commit (QnTimeStep *step)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
 
-  qn_assembly_commit (step->assembly);
+  qn_assembly_commit (&step->equation.eq->assembly);
   for (size_t p = 0; p < as->pair_count; p++)
     if (qn_pair_damage (&as->springs[p], &as->committed[p]) >= 1) {
       const QnPairSprings broken = qn_pair_springs_broken (&as->springs[p]);
@@ -203,69 +196,57 @@ commit (QnTimeStep *step)
     }
 }
 
-QnStatus
-qn_time_step_setup (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, const double *u0,
-                    QnDiag *diag)
+/* The state at the start, as the workspace has it. */
+static void
+begin (QnTimeStep *step)
 {
-  const QnModel *model = as->model;
+  QnEquilibrium *eq = step->equation.eq;
 
-  *step = (QnTimeStep){ .assembly = as,
-                        .linsys = linsys,
-                        .scheme = scheme_of (model->analysis.dynamic.rho),
-                        .settings = &model->analysis.dynamic,
-                        .tolerance = model->analysis.residual_tolerance };
+  qn_assembly_evaluate (&eq->assembly, eq->u);
+  commit (step);
+  take_evaluation (step, &step->start);
+  renew_beam_damping (step);
+}
+
+QnStatus
+qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag)
+{
+  const QnDynamicSettings *settings = &eq->assembly.model->analysis.dynamic;
+
+  *step = (QnTimeStep){ .equation = { .eq = eq,
+                                      .measure = measure,
+                                      .solve = solve_direction,
+                                      .advance = advance },
+                        .scheme = scheme_of (settings->rho),
+                        .settings = settings };
+  eq->factored = false;
   QnStatus status = prepare (step, diag);
-  if (status != QN_OK) {
+  if (status == QN_OK) {
+    add_initial_motion (step);
+    begin (step);
+  } else
     qn_time_step_clear (step);
-    return status;
-  }
-
-  memcpy (step->start.u, u0, (size_t) as->unknown_count * sizeof *u0);
-  add_initial_motion (step);
-  qn_assembly_evaluate (as, step->start.u);
-  commit (step);
-  take_evaluation (step, &step->start);
-  renew_beam_damping (step);
-  return QN_OK;
-}
-
-void
-qn_time_step_renew (QnTimeStep *step)
-{
-  qn_assembly_evaluate (step->assembly, step->start.u);
-  commit (step);
-  take_evaluation (step, &step->start);
-  renew_beam_damping (step);
-  step->factored_length = 0;
+  return status;
 }
 
 QnStatus
-qn_time_step_move (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, QnDiag *diag)
+qn_time_step_renew (QnTimeStep *step, QnDiag *diag)
 {
-  size_t bytes = (size_t) as->unknown_count * sizeof (double);
-  QnTimeStep next = { .assembly = as,
-                      .linsys = linsys,
+  size_t bytes = (size_t) step->equation.eq->assembly.unknown_count * sizeof (double);
+  QnTimeStep next = { .equation = step->equation,
                       .scheme = step->scheme,
-                      .settings = step->settings,
-                      .tolerance = step->tolerance,
-                      .relative = step->relative,
-                      .statistics = step->statistics,
-                      .progress = step->progress,
-                      .report = step->report,
-                      .report_data = step->report_data };
+                      .settings = step->settings };
   QnStatus status = prepare (&next, diag);
 
   if (status != QN_OK) {
     qn_time_step_clear (&next);
     return status;
   }
-  memcpy (next.start.u, step->start.u, bytes);
   memcpy (next.start.v, step->start.v, bytes);
   memcpy (next.start.a, step->start.a, bytes);
-  qn_beam_state_set (&step->start.beams, &as->beams);
   qn_time_step_clear (step);
   *step = next;
-  qn_time_step_renew (step);
+  begin (step);
   return QN_OK;
 }
 
@@ -279,11 +260,7 @@ qn_time_step_clear (QnTimeStep *step)
   free (step->inertia[0]);
   free (step->inertia[1]);
   free (step->elasticity);
-  free (step->residual);
-  free (step->step);
   free (step->increment);
-  free (step->mean_motion);
-  free (step->product);
   free (step->forces);
   free (step->tangents);
   free (step->sums);
@@ -292,26 +269,12 @@ qn_time_step_clear (QnTimeStep *step)
   *step = (QnTimeStep){ 0 };
 }
 
-static QnStepStatus
-judge_factor (QnFactorStatus status)
-{
-  switch (status) {
-  case QN_FACTOR_OK:
-    return QN_STEP_CONVERGED;
-  case QN_FACTOR_SINGULAR:
-    return QN_STEP_FAILED;
-  case QN_FACTOR_NO_MEMORY:
-    break;
-  }
-  return QN_STEP_NO_MEMORY;
-}
-
 /* a = M \ (F - P - a0 M v - M i g), without the dashpots of joints and beams, which the first step
  * takes up. */
-QnStepStatus
+QnSolveStatus
 qn_time_step_start (QnTimeStep *step, QnVec2 ground)
 {
-  QnAssembly *as = step->assembly;
+  QnAssembly *as = &step->equation.eq->assembly;
   QnInstant *start = &step->start;
 
   memcpy (as->ax, step->mass, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
@@ -324,25 +287,27 @@ qn_time_step_start (QnTimeStep *step, QnVec2 ground)
       start->a[i] = 0;
     }
   }
-  QnFactorStatus status =
-    qn_linsys_factor_and_solve (step->linsys, as->ax, QN_LINSYS_ONCE, start->a);
+  QnFactorStatus status = qn_linsys_factor_and_solve (step->equation.eq->linsys, as->ax,
+                                                      QN_LINSYS_ONCE, start->a);
   for (int32_t i = 0; status == QN_FACTOR_OK && i < as->unknown_count; i++)
     start->a[i] -= step->settings->mass_damping * start->v[i];
-  return judge_factor (status);
+  return qn_solve_status_of (status);
 }
 
 /* --- Newton's iteration ------------------------------------------------------------------ */
 
 /* u1, v1 and a1 from the increment. */
 static void
-move (QnTimeStep *step, double h)
+move (QnTimeStep *step)
 {
+  QnEquilibrium *eq = step->equation.eq;
   const QnTimeScheme *s = &step->scheme;
   const QnInstant *start = &step->start;
   QnInstant *end = &step->end;
+  double h = step->h;
 
-  for (int32_t i = 0; i < step->assembly->unknown_count; i++) {
-    end->u[i] = start->u[i] + step->increment[i];
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++) {
+    eq->u[i] = start->at.u[i] + step->increment[i];
     end->a[i] = (step->increment[i] - h * start->v[i]) / (s->beta * h * h)
                 - (0.5 / s->beta - 1) * start->a[i];
     end->v[i] = start->v[i] + h * ((1 - s->gamma) * start->a[i] + s->gamma * end->a[i]);
@@ -359,13 +324,13 @@ pair_at (const QnInstant *instant, const QnPairResponse *responses, size_t p)
 }
 
 static void
-evaluate_pairs (QnTimeStep *step, double h)
+evaluate_pairs (QnTimeStep *step)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
   const QnTimeScheme *s = &step->scheme;
   const QnPairStep pair_step = { .alpha_f = s->alpha_f,
-                                 .rate_gain = s->gamma / (s->beta * h),
-                                 .length = h,
+                                 .rate_gain = s->gamma / (s->beta * step->h),
+                                 .length = step->h,
                                  .damping = step->settings->joint_damping,
                                  .of = step->settings->of };
 
@@ -374,7 +339,7 @@ evaluate_pairs (QnTimeStep *step, double h)
   if (pair_step.damping > 0)
     qn_assembly_elongation_rates (as, step->end.v, step->end.rates);
   for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairInstant start = pair_at (&step->start, step->start.responses, p);
+    QnPairInstant start = pair_at (&step->start, step->start.at.responses, p);
     QnPairInstant end = pair_at (&step->end, as->responses, p);
     QnPairForces *forces = &step->forces[p];
     if (as->inactive[p]) {
@@ -396,58 +361,63 @@ evaluate_pairs (QnTimeStep *step, double h)
   }
 }
 
-/* residual = (F - M a - C v - P - M i g)_(1-a) / (1 - af) at end.u. Returns its largest entry
- * over the largest force; INFINITY where it cannot be had. */
-static double
-measure (QnTimeStep *step, double h, QnVec2 ground)
+/* residual = (F - M a - C v - P - M i g)_(1-a) / (1 - af) at the increment; relative: its largest entry
+ * over the largest force, INFINITY where it cannot be had. */
+static void
+measure (QnStepEquation *equation)
 {
-  QnAssembly *as = step->assembly;
+  QnTimeStep *step = (QnTimeStep *) equation;
+  QnEquilibrium *eq = equation->eq;
+  QnAssembly *as = &eq->assembly;
   const QnTimeScheme *s = &step->scheme;
   const QnInstant *start = &step->start, *end = &step->end;
-  double weight = 1 - s->alpha_f, largest = 0, *r = step->residual;
+  double weight = 1 - s->alpha_f, largest = 0;
+  double *r = eq->residual, *mean_motion = eq->live_step, *product = eq->trial;
   double begun = qn_clock_seconds ();
 
-  move (step, h);
-  if (!qn_assembly_evaluate (as, end->u))
-    return INFINITY;
-  evaluate_pairs (step, h);
+  equation->norm = equation->relative = INFINITY;
+  move (step);
+  if (!qn_assembly_evaluate (as, eq->u))
+    return;
+  evaluate_pairs (step);
   double evaluated = qn_clock_seconds ();
-  step->statistics.law_seconds += evaluated - begun;
+  eq->statistics.law_seconds += evaluated - begun;
   double scale = qn_assembly_residual_of (as, 0, step->sums, 2, r);
   bool damps_beams = as->beams.count > 0 && step->settings->joint_damping > 0;
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
     double v = weight * end->v[i] + s->alpha_f * start->v[i];
-    step->mean_motion[i] = (1 - s->alpha_m) * end->a[i] + s->alpha_m * start->a[i]
-                           + step->settings->mass_damping * v;
+    mean_motion[i] = (1 - s->alpha_m) * end->a[i] + s->alpha_m * start->a[i]
+                     + step->settings->mass_damping * v;
   }
-  qn_assembly_multiply (as, step->mass, step->mean_motion, step->product);
+  qn_assembly_multiply (as, step->mass, mean_motion, product);
   for (int32_t i = 0; i < as->unknown_count; i++) {
-    double drag = step->inertia[0][i] * ground.x + step->inertia[1][i] * ground.y;
-    scale = fmax (scale, fmax (fabs (step->product[i]), fabs (drag)));
-    r[i] += (s->alpha_f * start->residual[i] - step->product[i] - drag) / weight;
+    double drag =
+      step->inertia[0][i] * step->ground.x + step->inertia[1][i] * step->ground.y;
+    scale = fmax (scale, fmax (fabs (product[i]), fabs (drag)));
+    r[i] += (s->alpha_f * start->residual[i] - product[i] - drag) / weight;
   }
   if (damps_beams) {
     for (int32_t i = 0; i < as->unknown_count; i++)
-      step->mean_motion[i] = weight * end->v[i] + s->alpha_f * start->v[i];
-    qn_assembly_multiply (as, step->beam_damping, step->mean_motion, step->product);
+      mean_motion[i] = weight * end->v[i] + s->alpha_f * start->v[i];
+    qn_assembly_multiply (as, step->beam_damping, mean_motion, product);
     for (int32_t i = 0; i < as->unknown_count; i++)
-      r[i] -= step->settings->joint_damping * step->product[i] / weight;
+      r[i] -= step->settings->joint_damping * product[i] / weight;
   }
   for (int32_t i = 0; i < as->unknown_count; i++)
     largest = as->settles[i] ? largest : qn_worse (largest, fabs (r[i]));
-  step->statistics.assembly_seconds += qn_clock_seconds () - evaluated;
-  return scale > 0 ? largest / scale : largest;
+  eq->statistics.assembly_seconds += qn_clock_seconds () - evaluated;
+  equation->norm = equation->relative = scale > 0 ? largest / scale : largest;
 }
 
 /* Whether the factorisation at hand is of this tangent, but for what elongations and motion have
  * changed since. */
 static bool
-is_factored (const QnTimeStep *step, double h)
+is_factored (const QnTimeStep *step)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
 
-  return step->factored_length == h && !step->stale
+  return step->factored_length == step->h && !step->stale
          && !qn_beam_assembly_has_changed (&as->beams)
          && memcmp (step->factored, step->branches,
                     QN_BRANCH * as->pair_count * sizeof *step->branches)
@@ -460,25 +430,28 @@ is_still (const QnTimeStep *step)
 {
   size_t p = 0;
 
-  while (p < step->assembly->pair_count
+  while (p < step->equation.eq->assembly.pair_count
          && qn_pair_branch_is_still ((int) step->factored[QN_BRANCH * p + QN_BRANCH - 1]))
     p++;
-  return p == step->assembly->pair_count;
+  return p == step->equation.eq->assembly.pair_count;
 }
 
 /* step = K \ residual, K = (M (1-am)/(beta h^2) + C (1-af) gamma/(beta h))/(1-af) + dP/du */
 static QnFactorStatus
-solve_direction (QnTimeStep *step, double h)
+solve_direction (QnStepEquation *equation)
 {
-  QnAssembly *as = step->assembly;
+  QnTimeStep *step = (QnTimeStep *) equation;
+  QnEquilibrium *eq = equation->eq;
+  QnAssembly *as = &eq->assembly;
   const QnTimeScheme *s = &step->scheme;
-  double gain = s->gamma / (s->beta * h);
+  double h = step->h, gain = s->gamma / (s->beta * h);
   double begun = qn_clock_seconds ();
 
-  memcpy (step->step, step->residual, (size_t) as->unknown_count * sizeof *step->step);
-  if (is_factored (step, h)) {
-    qn_linsys_solve (step->linsys, step->step);
-    step->statistics.factor_seconds += qn_clock_seconds () - begun;
+  memcpy (eq->step, eq->residual, (size_t) as->unknown_count * sizeof *eq->step);
+  step->kept = is_factored (step);
+  if (step->kept) {
+    qn_linsys_solve (eq->linsys, eq->step);
+    eq->statistics.factor_seconds += qn_clock_seconds () - begun;
     return QN_FACTOR_OK;
   }
   double mass = (1 - s->alpha_m) / (s->beta * h * h * (1 - s->alpha_f))
@@ -489,96 +462,66 @@ solve_direction (QnTimeStep *step, double h)
       mass * step->mass[k] + step->settings->joint_damping * gain * step->beam_damping[k];
   double assembled = qn_clock_seconds ();
   QnFactorStatus status =
-    qn_linsys_factor_and_solve (step->linsys, as->ax, QN_LINSYS_REPEATED, step->step);
+    qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_REPEATED, eq->step);
   memcpy (step->factored, step->branches,
           QN_BRANCH * as->pair_count * sizeof *step->factored);
   step->factored_length = status == QN_FACTOR_OK ? h : 0;
-  step->statistics.factorizations += qn_linsys_work (step->linsys) > 0;
-  step->statistics.factorization_work += qn_linsys_work (step->linsys);
-  step->statistics.assembly_seconds += assembled - begun;
-  step->statistics.factor_seconds += qn_clock_seconds () - assembled;
+  qn_equilibrium_count_factorization (eq);
+  eq->statistics.assembly_seconds += assembled - begun;
+  eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
   return status;
 }
 
-static bool
-go_on (QnTimeStep *step)
-{
-  step->progress.iterations = ++step->statistics.iterations;
-  step->progress.factorizations = step->statistics.factorizations;
-  return step->report == NULL || step->report (&step->progress, step->report_data);
-}
-
 /* Takes the direction, or a part of it where the residual grows although joints should have found
- * their states. Returns the residual. */
-static double
-advance (QnTimeStep *step, double h, QnVec2 ground, int iteration, double before)
+ * their states. */
+static bool
+advance (QnStepEquation *equation, int iteration)
 {
-  int32_t n = step->assembly->unknown_count;
-  double part = 1;
+  QnTimeStep *step = (QnTimeStep *) equation;
+  int32_t n = equation->eq->assembly.unknown_count;
+  double part = 1, before = equation->relative;
 
   for (int32_t i = 0; i < n; i++)
-    step->increment[i] += step->step[i];
-  double after = measure (step, h, ground);
-  for (int i = 0; i < HALVINGS && iteration >= PATIENCE && !(after < before); i++) {
+    step->increment[i] += equation->eq->step[i];
+  measure (equation);
+  for (int i = 0; i < HALVINGS && iteration >= PATIENCE && !(equation->relative < before);
+       i++) {
     part /= 2;
     for (int32_t k = 0; k < n; k++)
-      step->increment[k] -= part * step->step[k];
-    after = measure (step, h, ground);
+      step->increment[k] -= part * equation->eq->step[k];
+    measure (equation);
   }
-  return after;
+  step->stale = step->kept && equation->relative > WORTH_KEEPING * before;
+  return true;
 }
 
-/* The residual where the step begins to iterate: so far on with the speed at its start, which sliding
- * and open joints keep. */
-static double
-predict (QnTimeStep *step, double h, double part, QnVec2 ground)
+/* Where the step begins to iterate: so far on with the speed at its start, which sliding and open joints
+ * keep. */
+static void
+predict (QnTimeStep *step, double part)
 {
-  for (int32_t i = 0; i < step->assembly->unknown_count; i++)
-    step->increment[i] = part * h * step->start.v[i];
-  return measure (step, h, ground);
+  for (int32_t i = 0; i < step->equation.eq->assembly.unknown_count; i++)
+    step->increment[i] = part * step->h * step->start.v[i];
+  measure (&step->equation);
 }
 
-/* With bonds as they are, from where the increment is. */
-static QnStepStatus
-iterate (QnTimeStep *step, double h, QnVec2 ground)
-{
-  for (int iteration = 0; !(step->relative <= step->tolerance); iteration++) {
-    if (iteration == BUDGET || !isfinite (step->relative))
-      return QN_STEP_FAILED;
-    if (!go_on (step))
-      return QN_STEP_CANCELLED;
-    int32_t factorizations = step->statistics.factorizations;
-    QnStepStatus status = judge_factor (solve_direction (step, h));
-    if (status != QN_STEP_CONVERGED)
-      return status;
-    bool kept = factorizations == step->statistics.factorizations;
-    double after = advance (step, h, ground, iteration, step->relative);
-    step->stale = kept && after > WORTH_KEEPING * step->relative;
-    step->relative = after;
-  }
-  return QN_STEP_CONVERGED;
-}
-
-QnStepStatus
+QnSolveStatus
 qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground)
 {
-  QnStepStatus status;
-
+  step->h = h;
+  step->ground = ground;
   step->stale = false;
-  qn_assembly_hold_bonds (step->assembly);
-  step->relative = predict (step, h, 1, ground);
+  qn_assembly_hold_bonds (&step->equation.eq->assembly);
+  predict (step, 1);
   /* Joints that vibrate faster than the steps would leave their branch for a moment and come back:
    * where they stand still nothing is factorised for that. */
-  if (step->factored_length == h && is_still (step) && !is_factored (step, h)) {
-    step->relative = predict (step, h, 0, ground);
-    if (!is_factored (step, h))
-      step->relative = predict (step, h, 1, ground);
+  if (step->factored_length == h && is_still (step) && !is_factored (step)) {
+    predict (step, 0);
+    if (!is_factored (step))
+      predict (step, 1);
   }
-  while ((status = iterate (step, h, ground)) == QN_STEP_CONVERGED
-         && qn_assembly_break_bonds (step->assembly))
-    step->relative = measure (step, h, ground);
-  qn_assembly_let_bonds (step->assembly, status == QN_STEP_CONVERGED);
-  if (status == QN_STEP_CONVERGED)
+  QnSolveStatus status = qn_equilibrium_iterate (&step->equation, BUDGET);
+  if (status == QN_SOLVE_CONVERGED)
     take_evaluation (step, &step->end);
   return status;
 }
@@ -586,7 +529,7 @@ qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground)
 double
 qn_time_step_error (const QnTimeStep *step, double h, QnVec2 change)
 {
-  const QnAssembly *as = step->assembly;
+  const QnAssembly *as = &step->equation.eq->assembly;
   double largest = 0;
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
@@ -607,17 +550,13 @@ qn_time_step_accept (QnTimeStep *step)
   commit (step);
   step->start = step->end;
   step->end = before;
-  qn_beam_state_save (&step->start.beams, &step->assembly->beams);
-  if (step->settings->of == QN_DAMPING_CURRENT || step->assembly->nonlinear)
+  qn_equilibrium_save (step->equation.eq, &step->start.at);
+  if (step->settings->of == QN_DAMPING_CURRENT || step->equation.eq->assembly.nonlinear)
     renew_beam_damping (step);
 }
 
 void
 qn_time_step_restore (QnTimeStep *step)
 {
-  QnAssembly *as = step->assembly;
-
-  memcpy (as->responses, step->start.responses, as->pair_count * sizeof *as->responses);
-  qn_beam_state_set (&step->start.beams, &as->beams);
-  qn_assembly_update_kinematics (as, step->start.u);
+  qn_equilibrium_set_state (step->equation.eq, &step->start.at);
 }

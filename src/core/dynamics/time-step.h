@@ -33,11 +33,9 @@
 #ifndef QN_CORE_TIME_STEP_H
 #define QN_CORE_TIME_STEP_H
 
-#include "core/assembly/assembly.h"
-#include "core/base/progress.h"
 #include "core/dynamics/ground.h"
 #include "core/dynamics/pair-motion.h"
-#include "core/linalg/linsys.h"
+#include "core/equilibrium/equilibrium.h"
 
 /* Numbers that tell the branch of a pair. */
 #define QN_BRANCH 5
@@ -48,29 +46,22 @@ typedef struct QnTimeScheme {
 
 /* The structure at one time. */
 typedef struct QnInstant {
-  double *u, *v, *a;         /* unknown_count: m, m/s, m/s2, rotations scaled */
-  double *dead;              /* dead loads as they have turned, N */
-  double *residual;          /* F - P, N */
-  double *elongations;       /* pair_count x 2, m */
-  double *rates;             /* pair_count x 2, m/s */
-  QnPairResponse *responses; /* pair_count */
-  QnBeamState beams;
-  double beam_energy; /* that beams store, J */
+  QnEquilibriumState at;
+  double *v, *a;       /* unknown_count: m/s, m/s2, rotations scaled */
+  double *dead;        /* dead loads as they have turned, N */
+  double *residual;    /* F - P, N */
+  double *elongations; /* pair_count x 2, m */
+  double *rates;       /* pair_count x 2, m/s */
+  double beam_energy;  /* that beams store, J */
 } QnInstant;
 
-typedef enum {
-  QN_STEP_CONVERGED,
-  QN_STEP_FAILED, /* Newton's iteration did not converge: try a shorter step */
-  QN_STEP_CANCELLED,
-  QN_STEP_NO_MEMORY
-} QnStepStatus;
-
 typedef struct QnTimeStep {
-  QnAssembly *assembly; /* borrowed, with the system that factorises its tangent */
-  QnLinsys *linsys;
+  QnStepEquation
+    equation; /* with the workspace, borrowed: its residual, step, and scratch */
   QnTimeScheme scheme;
   const QnDynamicSettings *settings;
-  double tolerance; /* of the residual, relative to the forces */
+  double h;      /* length of the step tried, s, */
+  QnVec2 ground; /* and the ground's acceleration within it */
 
   double *mass;         /* M, in the pattern of K */
   double *beam_damping; /* of beams, over the damping's factor: K, in the pattern of K */
@@ -78,49 +69,35 @@ typedef struct QnTimeStep {
   QnPairElasticity *elasticity;
   QnInstant start, end; /* the state that was accepted, and the one tried */
 
-  double *residual, *step; /* of Newton's iteration */
   double
     *increment; /* end.u - start.u, with the digits that u itself has not: in short steps
                               accelerations need them */
-  double *mean_motion;  /* scratch: an acceleration or a velocity within the step */
-  double *product;      /* scratch */
   QnPairForces *forces; /* of all pairs */
   double *tangents;     /* pair_count x 4 */
   double *sums;         /* pair_count x 2: forces of pairs over 1 - af */
   double *branches; /* pair_count x QN_BRANCH: tangents of their laws, qn_pair_branch() */
   double *factored; /* those that are factorised */
   double factored_length; /* and the length of their step; 0: nothing is */
-  bool stale;             /* the last iteration with what is factorised was a slow one */
-
-  double relative; /* residual of the last step over its forces */
-  QnStatistics statistics;
-  QnProgress progress;
-  QnProgressFunc report;
-  void *report_data;
+  bool kept;              /* the last iteration was with what had been factorised, */
+  bool stale;             /* and was a slow one */
 } QnTimeStep;
 
-/* Prepares a step from the state that the assembly was last evaluated and committed at, u0 plus
- * the initial motion of the model. Refuses what has no mass. `step` is overwritten without being
- * cleared. */
-QnStatus qn_time_step_setup (QnTimeStep *step, QnAssembly *assembly, QnLinsys *linsys,
-                             const double *u0, QnDiag *diag);
+/* Prepares a step from the state that eq was last evaluated and committed at, plus the initial motion of the
+ * model. Refuses what has no mass. `step` is overwritten without being cleared. */
+QnStatus qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag);
 
 void qn_time_step_clear (QnTimeStep *step);
 
-/* Goes over to another assembly of the same model with its system, whose pairs hold the memory that is
- * committed: the state at the start is evaluated there. On failure the step stays where it was. */
-QnStatus qn_time_step_move (QnTimeStep *step, QnAssembly *assembly, QnLinsys *linsys,
-                            QnDiag *diag);
-
-/* Evaluates the state at the start anew, where pairs became inactive or active. */
-void qn_time_step_renew (QnTimeStep *step);
+/* Evaluates the state at the start anew, where other pairs carry from now on, perhaps of another
+ * assembly. */
+QnStatus qn_time_step_renew (QnTimeStep *step, QnDiag *diag);
 
 /* Accelerations at the start, from equilibrium under the ground's acceleration. */
-QnStepStatus qn_time_step_start (QnTimeStep *step, QnVec2 ground);
+QnSolveStatus qn_time_step_start (QnTimeStep *step, QnVec2 ground);
 
 /* From `start`, h seconds on, to `end`, which is only tried: nothing is committed. ground: the
  * acceleration within the step, mean + (1/2 - af) change. */
-QnStepStatus qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground);
+QnSolveStatus qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground);
 
 /* What the step just tried missed by, m: the largest of the local error of its displacements,
  * |beta - 1/6| h^2 [acceleration], accelerations being those of equilibrium at both ends
@@ -130,7 +107,7 @@ double qn_time_step_error (const QnTimeStep *step, double h, QnVec2 ground_chang
 /* Makes `end` the start of the next step and commits what joints and beams remember. */
 void qn_time_step_accept (QnTimeStep *step);
 
-/* Brings the assembly back to `start`. */
+/* Brings the workspace back to `start`. */
 void qn_time_step_restore (QnTimeStep *step);
 
 #endif

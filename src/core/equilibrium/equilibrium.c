@@ -71,6 +71,42 @@ qn_equilibrium_restore (QnEquilibrium *eq)
   qn_equilibrium_set_state (eq, &eq->committed);
 }
 
+/* The linear system, and all that has the size of the assembly's pairs. False when memory runs out. */
+static bool
+allocate_for_pairs (QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+  const QnAnalysisSettings *settings = &as->model->analysis;
+  QnVec2 *points = qn_assembly_points (as);
+
+  eq->linsys = points == NULL ? NULL
+                              : qn_linsys_new (as->unknown_count, as->ap, as->ai, points,
+                                               settings->workers);
+  free (points);
+  eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
+  eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);
+  QnEquilibriumState *states[] = { &eq->committed, &eq->recorded, &eq->anchor };
+  bool ok = eq->linsys != NULL && eq->factored_phases != NULL && eq->gaps != NULL;
+  for (size_t i = 0; i < QN_N_ELEMENTS (states); i++)
+    ok = qn_equilibrium_state_init (states[i], as) && ok;
+  if (ok)
+    qn_linsys_always_factor_whole (
+      eq->linsys, (settings->no_shortcuts & QN_SHORTCUT_PARTIAL_ELIMINATION) != 0);
+  return ok;
+}
+
+static void
+free_for_pairs (QnEquilibrium *eq)
+{
+  qn_linsys_free (eq->linsys);
+  free (eq->factored_phases);
+  free (eq->gaps);
+  qn_equilibrium_state_clear (&eq->committed);
+  qn_equilibrium_state_clear (&eq->recorded);
+  qn_equilibrium_state_clear (&eq->anchor);
+  qn_assembly_clear (&eq->assembly);
+}
+
 QnStatus
 qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts *contacts,
                       QnProgressFunc report, void *report_data, QnDiag *diag)
@@ -84,29 +120,17 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
   if (status != QN_OK)
     return status;
 
-  const QnAssembly *as = &eq->assembly;
   double **vectors[] = { &eq->u,     &eq->residual,  &eq->step,
                          &eq->trial, &eq->live_step, &eq->motion };
-  QnVec2 *points = qn_assembly_points (as);
-  if (points != NULL)
-    eq->linsys =
-      qn_linsys_new (as->unknown_count, as->ap, as->ai, points, model->analysis.workers);
-  free (points);
-  eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
-  eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);
-  bool ok = eq->linsys != NULL && eq->factored_phases != NULL && eq->gaps != NULL;
+  bool ok = allocate_for_pairs (eq);
   for (size_t i = 0; i < QN_N_ELEMENTS (vectors); i++) {
-    *vectors[i] = qn_alloc ((size_t) as->unknown_count, sizeof (double));
+    *vectors[i] = qn_alloc ((size_t) eq->assembly.unknown_count, sizeof (double));
     ok &= *vectors[i] != NULL;
   }
-  if (!ok || !qn_equilibrium_state_init (&eq->committed, as)
-      || !qn_equilibrium_state_init (&eq->recorded, as)
-      || !qn_equilibrium_state_init (&eq->anchor, as)) {
+  if (!ok) {
     qn_equilibrium_clear (eq);
     return qn_diag_no_memory (diag);
   }
-  qn_linsys_always_factor_whole (
-    eq->linsys, (model->analysis.no_shortcuts & QN_SHORTCUT_PARTIAL_ELIMINATION) != 0);
   qn_assembly_evaluate (&eq->assembly, eq->u);
   qn_equilibrium_save (eq, &eq->committed);
   qn_equilibrium_save (eq, &eq->recorded);
@@ -129,56 +153,33 @@ qn_equilibrium_renew (QnEquilibrium *eq)
 }
 
 QnStatus
-qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnLinsys **linsys,
-                         QnDiag *diag)
+qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnDiag *diag)
 {
-  QnEquilibrium next = { .gaps = qn_alloc (assembly->pair_count, sizeof *next.gaps),
-                         .factored_phases = qn_alloc (assembly->pair_count,
-                                                      sizeof *next.factored_phases) };
-  QnAssembly as = eq->assembly;
-  QnLinsys *system = eq->linsys;
+  QnEquilibrium next = *eq;
 
-  if (next.gaps == NULL || next.factored_phases == NULL
-      || !qn_equilibrium_state_init (&next.committed, assembly)
-      || !qn_equilibrium_state_init (&next.recorded, assembly)
-      || !qn_equilibrium_state_init (&next.anchor, assembly)) {
-    qn_equilibrium_clear (&next);
+  next.assembly = *assembly;
+  next.committed = next.recorded = next.anchor = (QnEquilibriumState){ 0 };
+  if (!allocate_for_pairs (&next)) {
+    free_for_pairs (&next);
     return qn_diag_no_memory (diag);
   }
-  qn_beam_state_set (&eq->committed.beams, &assembly->beams);
-  free (eq->gaps);
-  free (eq->factored_phases);
-  qn_equilibrium_state_clear (&eq->committed);
-  qn_equilibrium_state_clear (&eq->recorded);
-  qn_equilibrium_state_clear (&eq->anchor);
-  eq->gaps = next.gaps;
-  eq->factored_phases = next.factored_phases;
-  eq->committed = next.committed;
-  eq->recorded = next.recorded;
-  eq->anchor = next.anchor;
-  eq->assembly = *assembly;
-  eq->linsys = *linsys;
-  *assembly = as;
-  *linsys = system;
-  qn_equilibrium_renew (eq);
+  qn_beam_state_save (&next.committed.beams, &eq->assembly.beams);
+  qn_beam_state_set (&next.committed.beams, &next.assembly.beams);
+  free_for_pairs (eq);
+  *eq = next;
+  eq->factored = false;
   return QN_OK;
 }
 
 void
 qn_equilibrium_clear (QnEquilibrium *eq)
 {
-  qn_linsys_free (eq->linsys);
+  free_for_pairs (eq);
   free (eq->u);
   free (eq->residual);
   free (eq->step);
   free (eq->trial);
   free (eq->live_step);
-  free (eq->gaps);
   free (eq->motion);
-  free (eq->factored_phases);
-  qn_equilibrium_state_clear (&eq->committed);
-  qn_equilibrium_state_clear (&eq->recorded);
-  qn_equilibrium_state_clear (&eq->anchor);
-  qn_assembly_clear (&eq->assembly);
   *eq = (QnEquilibrium){ 0 };
 }

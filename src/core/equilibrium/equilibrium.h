@@ -56,6 +56,15 @@ qn_target_multiplier (double multiplier)
 }
 
 typedef struct QnCentralPath QnCentralPath;
+typedef struct QnStepEquation QnStepEquation;
+
+static inline QnSolveStatus
+qn_solve_status_of (QnFactorStatus status)
+{
+  return status == QN_FACTOR_OK         ? QN_SOLVE_CONVERGED
+         : status == QN_FACTOR_SINGULAR ? QN_SOLVE_FAILED
+                                        : QN_SOLVE_NO_MEMORY;
+}
 
 typedef struct QnEquilibrium {
   QnAssembly assembly;
@@ -110,14 +119,31 @@ QnStatus qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model,
 
 void qn_equilibrium_clear (QnEquilibrium *eq);
 
-/* In the committed state: exchanges the assembly, and its linear system, for another one of the same model
- * that has other pairs, with their responses. Those that have begun to carry are evaluated. It is the
- * committed state from now on, in equilibrium once a next one is found. On failure nothing is exchanged. */
-QnStatus qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly,
-                                  QnLinsys **linsys, QnDiag *diag);
+/* In the committed state: takes another assembly of the same model, with other pairs and their responses,
+ * and makes a linear system for it. To be evaluated. Where memory runs out all is as it was; the assembly is
+ * taken over or cleared. */
+QnStatus qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnDiag *diag);
 
-/* The same where pairs of the assembly itself have begun or ceased to carry. */
+/* Evaluates pairs that have begun to carry in the committed state, which is one to go on from then: in
+ * equilibrium once a next one is found. */
 void qn_equilibrium_renew (QnEquilibrium *eq);
+
+/* What Newton's method solves: equilibrium, and what motion adds to it. newton.c has the equation of statics
+ * and of viscous motion, core/dynamics/time-step.c that of a step in time. */
+struct QnStepEquation {
+  QnEquilibrium *eq;
+  double relative; /* what is out of balance over the forces, and */
+  double norm;     /* what says whether it can be had at all (finite) */
+  void (*measure) (QnStepEquation *);         /* sets both, with bonds as they are now */
+  QnFactorStatus (*solve) (QnStepEquation *); /* finds a direction, */
+  bool (*advance) (QnStepEquation *, int iteration); /* goes along it and measures; false
+                                                        where no part of it leads on */
+  void (*refine) (QnStepEquation *);                 /* once it is solved; nullable */
+};
+
+/* Newton's iteration of an equation that was measured with bonds held (qn_assembly_hold_bonds()), and again for
+ * each set of them that breaks: CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
+QnSolveStatus qn_equilibrium_iterate (QnStepEquation *equation, int budget);
 
 /* Newton iterations from the current displacements towards
  *

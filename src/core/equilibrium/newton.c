@@ -25,12 +25,11 @@
 
 /* One solution in progress. */
 typedef struct {
+  QnStepEquation equation; /* norm: of residual and target together, N */
   QnEquilibrium *eq;
   const QnTarget *target;
   double viscosity;
   double stiffness; /* force that the target's equation is worth per unit, N or N/m */
-  double norm;      /* of residual and target together, N */
-  double relative;  /* largest residual of a body relative to the loads */
   double multiplier_step; /* that belongs to eq->step */
 } Newton;
 
@@ -84,10 +83,10 @@ measure (Newton *newton, const double *u, double multiplier)
   }
   if (newton->viscosity > 0)
     largest = qn_assembly_largest (as, eq->residual, NULL);
-  newton->relative = scale > 0 ? largest / scale : 0;
+  newton->equation.relative = scale > 0 ? largest / scale : 0;
   if (gap != 0)
-    newton->relative = INFINITY; /* the target is met exactly or not at all */
-  newton->norm = sqrt (sum);
+    newton->equation.relative = INFINITY; /* the target is met exactly or not at all */
+  newton->equation.norm = sqrt (sum);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
 }
 
@@ -102,7 +101,7 @@ evaluate (Newton *newton, const double *u, double multiplier)
   if (evaluated)
     measure (newton, u, multiplier);
   else
-    newton->norm = INFINITY;
+    newton->equation.norm = INFINITY;
 }
 
 /* Whether the tangent is factorised already: it depends on the phases of the pairs and the viscosity
@@ -200,8 +199,9 @@ viscosity_of_tangent (const Newton *newton)
 
 /* The Newton direction: eq->step and multiplier_step. */
 static QnFactorStatus
-solve_direction (Newton *newton)
+solve_direction (QnStepEquation *equation)
 {
+  Newton *newton = (Newton *) equation;
   QnEquilibrium *eq = newton->eq;
   const QnTarget *target = newton->target;
   int32_t n = eq->assembly.unknown_count;
@@ -240,7 +240,7 @@ line_search (Newton *newton, double norm)
     for (int32_t i = 0; i < n; i++)
       eq->trial[i] = eq->u[i] + alpha * eq->step[i];
     evaluate (newton, eq->trial, multiplier);
-    if (newton->norm <= (1 - SUFFICIENT_DECREASE * alpha) * norm) {
+    if (newton->equation.norm <= (1 - SUFFICIENT_DECREASE * alpha) * norm) {
       memcpy (eq->u, eq->trial, (size_t) n * sizeof *eq->u);
       eq->multiplier = multiplier;
       return true;
@@ -252,50 +252,71 @@ line_search (Newton *newton, double norm)
 /* One more iteration of a solution that has converged, where it costs no factorisation: on a plateau the
  * multiplier then has all its digits, not only those of the tolerance. */
 static void
-refine (Newton *newton)
+refine (QnStepEquation *equation)
 {
+  Newton *newton = (Newton *) equation;
   QnEquilibrium *eq = newton->eq;
 
-  if (newton->target->direction == NULL || newton->relative <= FINER * eq->tolerance
+  if (newton->target->direction == NULL
+      || newton->equation.relative <= FINER * eq->tolerance
       || !is_factored (eq, viscosity_of_tangent (newton)))
     return;
-  if (solve_direction (newton) != QN_FACTOR_OK || !line_search (newton, newton->norm))
+  if (solve_direction (equation) != QN_FACTOR_OK
+      || !line_search (newton, newton->equation.norm))
     evaluate (newton, eq->u, eq->multiplier);
+}
+
+static void
+measure_current (QnStepEquation *equation)
+{
+  measure ((Newton *) equation, equation->eq->u, equation->eq->multiplier);
+}
+
+/* The first step is free: it takes pairs across the corner they rest in, which costs balance before it
+ * gains. */
+static bool
+advance (QnStepEquation *equation, int iteration)
+{
+  return line_search ((Newton *) equation, iteration == 0 ? INFINITY : equation->norm);
 }
 
 /* With bonds as they are. */
 static QnSolveStatus
-iterate (QnEquilibrium *eq, const QnTarget *target, double viscosity, int budget)
+iterate (QnStepEquation *equation, int budget)
 {
-  Newton newton = { .eq = eq, .target = target, .viscosity = viscosity, .stiffness = 1 };
+  QnEquilibrium *eq = equation->eq;
 
-  if (target->direction == NULL)
-    eq->multiplier = target->multiplier;
-  measure (&newton, eq->u, eq->multiplier);
   for (int iteration = 0;; iteration++) {
-    if (newton.relative <= eq->tolerance) {
-      if (budget != QN_MEASURE_ONLY)
-        refine (&newton);
+    if (equation->relative <= eq->tolerance)
       return QN_SOLVE_CONVERGED;
-    }
-    if (iteration >= budget || !isfinite (newton.norm))
+    if (iteration >= budget || !isfinite (equation->norm))
       return QN_SOLVE_FAILED;
     if (!qn_equilibrium_go_on (eq))
       return QN_SOLVE_CANCELLED;
-
-    switch (solve_direction (&newton)) {
-    case QN_FACTOR_OK:
-      break;
-    case QN_FACTOR_SINGULAR:
-      return QN_SOLVE_FAILED;
-    case QN_FACTOR_NO_MEMORY:
-      return QN_SOLVE_NO_MEMORY;
-    }
-    /* The first step is free: it takes pairs across the corner they rest in, which costs
-     * balance before it gains. */
-    if (!line_search (&newton, iteration == 0 ? INFINITY : newton.norm))
+    QnSolveStatus status = qn_solve_status_of (equation->solve (equation));
+    if (status != QN_SOLVE_CONVERGED)
+      return status;
+    if (!equation->advance (equation, iteration))
       return QN_SOLVE_FAILED;
   }
+}
+
+QnSolveStatus
+qn_equilibrium_iterate (QnStepEquation *equation, int budget)
+{
+  QnAssembly *as = &equation->eq->assembly;
+  QnSolveStatus status;
+
+  for (;;) {
+    status = iterate (equation, budget);
+    if (status == QN_SOLVE_CONVERGED && equation->refine != NULL)
+      equation->refine (equation);
+    if (status != QN_SOLVE_CONVERGED || !qn_assembly_break_bonds (as))
+      break;
+    equation->measure (equation);
+  }
+  qn_assembly_let_bonds (as, status == QN_SOLVE_CONVERGED);
+  return status;
 }
 
 /* Whether the laws by themselves, from the state before, break all that is broken. */
@@ -320,17 +341,26 @@ QnSolveStatus
 qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosity,
                        int budget)
 {
-  QnAssembly *as = &eq->assembly;
-  QnSolveStatus status;
+  Newton newton = { .equation = { .eq = eq,
+                                  .measure = measure_current,
+                                  .solve = solve_direction,
+                                  .advance = advance,
+                                  .refine = refine },
+                    .eq = eq,
+                    .target = target,
+                    .viscosity = viscosity,
+                    .stiffness = 1 };
 
-  if (!as->has_bonds || budget == QN_MEASURE_ONLY)
-    return iterate (eq, target, viscosity, budget);
-  qn_assembly_hold_bonds (as);
-  do
-    status = iterate (eq, target, viscosity, budget);
-  while (status == QN_SOLVE_CONVERGED && qn_assembly_break_bonds (as));
-  qn_assembly_let_bonds (as, status == QN_SOLVE_CONVERGED);
-  if (status == QN_SOLVE_CONVERGED && !breaks_by_law (as))
+  if (target->direction == NULL)
+    eq->multiplier = target->multiplier;
+  if (budget != QN_MEASURE_ONLY)
+    qn_assembly_hold_bonds (&eq->assembly);
+  measure_current (&newton.equation);
+  if (budget == QN_MEASURE_ONLY)
+    return newton.equation.relative <= eq->tolerance ? QN_SOLVE_CONVERGED
+                                                     : QN_SOLVE_FAILED;
+  QnSolveStatus status = qn_equilibrium_iterate (&newton.equation, budget);
+  if (status == QN_SOLVE_CONVERGED && !breaks_by_law (&eq->assembly))
     eq->keeps_forces = true;
   return status;
 }
@@ -372,13 +402,5 @@ QnSolveStatus
 qn_equilibrium_rate (QnEquilibrium *eq, double *rate)
 {
   memcpy (rate, eq->assembly.live, (size_t) eq->assembly.unknown_count * sizeof *rate);
-  switch (apply_inverse (eq, 0, rate)) {
-  case QN_FACTOR_OK:
-    return QN_SOLVE_CONVERGED;
-  case QN_FACTOR_SINGULAR:
-    return QN_SOLVE_FAILED;
-  case QN_FACTOR_NO_MEMORY:
-    break;
-  }
-  return QN_SOLVE_NO_MEMORY;
+  return qn_solve_status_of (apply_inverse (eq, 0, rate));
 }

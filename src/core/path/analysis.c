@@ -34,12 +34,10 @@ run_in_time (QnPath *path, QnDiag *diag)
 
   if (status != QN_OK || !stands)
     return status;
-  QnResult *result = path->result;
-  status = qn_dynamics_run (&eq->assembly, eq->linsys, eq->u, eq->report, eq->report_data,
-                            result, diag);
-  eq->factored = false;
-  qn_statistics_add (&eq->statistics, &result->statistics);
-  return status;
+  status = qn_path_begin_to_follow (path, path->model->analysis.dynamic.follow, diag);
+  return status == QN_OK ? qn_dynamics_run (eq, path->follows ? &path->moving : NULL,
+                                            path->result, diag)
+                         : status;
 }
 
 /* --- How it moves ------------------------------------------------------------------------- */

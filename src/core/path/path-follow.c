@@ -12,44 +12,29 @@
  * in a step (QnPathTuning.largest_motion). */
 #define MARGIN 0.1
 
-static QnContactState
-committed_state (QnPath *path)
-{
-  QnEquilibrium *eq = &path->equilibrium;
-  QnAssembly *as = &eq->assembly;
-
-  return (QnContactState){ as, eq->committed.u, as->elongations, as->responses };
-}
-
 QnStatus
 qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
-  QnMovingContacts *moving = &path->moving;
-  QnContactState state = committed_state (path);
-  QnPairsChange change;
 
   qn_equilibrium_restore (eq);
   QnStatus status = qn_moving_contacts_update (
-    moving, &state, MARGIN * eq->assembly.length, (double) path->result->step_count,
-    path->result, &change, diag);
-  if (status == QN_OK && change == QN_PAIRS_LISTED) {
-    qn_inertia_free (path->inertia);
-    path->inertia = NULL;
-    status = qn_equilibrium_exchange (eq, &moving->pairs->assembly,
-                                      &moving->pairs->linsys, diag);
-  } else if (status == QN_OK && change == QN_PAIRS_CHANGED)
-    qn_equilibrium_renew (eq);
-  *changed = change != QN_PAIRS_SAME;
-  return status;
+    &path->moving, eq, MARGIN * eq->assembly.length, (double) path->result->step_count,
+    path->result, changed, diag);
+  if (status != QN_OK || !*changed)
+    return status;
+  qn_inertia_free (path->inertia);
+  path->inertia = NULL;
+  qn_equilibrium_renew (eq);
+  return QN_OK;
 }
 
 QnStatus
-qn_path_begin_to_follow (QnPath *path, QnDiag *diag)
+qn_path_begin_to_follow (QnPath *path, bool asked, QnDiag *diag)
 {
   const QnAssembly *as = &path->equilibrium.assembly;
 
-  if (!path->model->analysis.follow || !as->nonlinear)
+  if (!asked || !as->nonlinear)
     return QN_OK;
   path->follows = true;
   return qn_moving_contacts_init (&path->moving, as, diag);
@@ -61,11 +46,10 @@ qn_path_record_pairs (QnPath *path)
   QnEquilibrium *eq = &path->equilibrium;
   QnResult *result = path->result;
   size_t step = result->step_count - 1;
-  QnContactState state = committed_state (path);
 
   if (path->follows)
-    return qn_moving_contacts_record (&path->moving, &state, (double) step,
-                                      (int32_t) step, result);
+    return qn_moving_contacts_record (&path->moving, eq, (double) step, (int32_t) step,
+                                      result);
   qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
   return true;
 }

@@ -151,7 +151,7 @@ qn_path_run (QnPath *path, bool *stands, QnDiag *diag)
     return status;
   path->own_settings = path->model->analysis;
   path->settings = &path->own_settings;
-  status = qn_path_begin_to_follow (path, diag);
+  status = qn_path_begin_to_follow (path, path->model->analysis.follow, diag);
   if (status != QN_OK)
     return status;
   return path->model->stage_count > 0 ? run_stages (path, diag)

@@ -48,9 +48,9 @@ qn_path_finish (QnPath *path, QnStatus status, double start)
   QnResult *result = path->result;
 
   if (status == QN_OK) {
-    if (path->follows) /* the pairs are those of the last step */
+    if (path->follows && result->history.width == 0)
       qn_result_keep_steps (result, result->step_count);
-    else
+    if (!path->follows) /* else the pairs are those of the last step */
       qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
     result->statistics = eq->statistics;
     result->statistics.seconds = qn_clock_seconds () - start;

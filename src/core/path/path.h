@@ -79,9 +79,9 @@ QnSolveStatus qn_path_stay (QnPath *path, double far);
  * (path-stages.c). *stands is false where there is no equilibrium under dead load. */
 QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
 
-/* From the state under the dead load on contacts follow the blocks, where the settings ask for it
- * (path-follow.c). */
-QnStatus qn_path_begin_to_follow (QnPath *path, QnDiag *diag);
+/* From the state under the dead load on contacts follow the blocks, where that is asked for and geometry is
+ * not linear (path-follow.c). */
+QnStatus qn_path_begin_to_follow (QnPath *path, bool asked, QnDiag *diag);
 
 /* Changes the contacts at the committed state. *changed: what belonged to the pairs of the assembly is to
  * be made anew. */
