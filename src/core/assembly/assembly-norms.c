@@ -51,7 +51,7 @@ qn_assembly_largest (const QnAssembly *as, const double *v, const double *base)
   return largest_of_bodies (as, v, base, NULL);
 }
 
-/* Bodies with a support, and those at the ends of members, are held; `loose` is every other one. */
+/* Bodies with a support, and those at the ends of beams, are held; `loose` is every other one. */
 static void
 find_supported (const QnAssembly *as, bool *loose)
 {
@@ -72,6 +72,7 @@ find_supported (const QnAssembly *as, bool *loose)
 double
 qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
 {
+  const QnBeamAssembly *members = &as->beams;
   bool *loose = as->loose;
   bool found = true;
   double largest = 0;
@@ -87,6 +88,19 @@ qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
       if (loose[face->a] == loose[face->b] || hypot (force[0], force[1]) <= HOLDS * load)
         continue;
       loose[face->a] = loose[face->b] = false;
+      found = true;
+    }
+    for (size_t m = as->model->element_count; m < members->count; m++) { /* ties */
+      const size_t *ends = members->beams[m].bodies;
+      bool first = ends[0] != QN_GROUND && loose[ends[0]];
+      bool second = ends[1] != QN_GROUND && loose[ends[1]];
+      if (first == second)
+        continue;
+      size_t next = first ? ends[0] : ends[1];
+      double load = sqrt (size_squared (as, next, as->dead, NULL, NULL));
+      if (members->responses[m].force[0] <= HOLDS * load)
+        continue;
+      loose[next] = false;
       found = true;
     }
   }

@@ -223,7 +223,7 @@ mean_stiffness (const QnAssembly *as)
   return exp (sum / (double) as->pair_count);
 }
 
-/* The softest spring of all pairs, in either direction, as a part of the mean stiffness, at
+/* The softest spring of all pairs, in either direction, and of ties, as a part of the mean stiffness, at
  * most 1: what makes ordinary elastic motion that much larger. */
 static double
 softness (const QnAssembly *as)
@@ -236,6 +236,8 @@ softness (const QnAssembly *as)
     double ks = s->equal ? s->a.ks : 1 / (1 / s->a.ks + 1 / s->b.ks);
     softest = fmin (softest, fmin (kn, ks));
   }
+  for (size_t b = as->model->element_count; b < as->beams.count; b++)
+    softest = fmin (softest, as->beams.beams[b].properties.axial);
   return softest / as->stiffness;
 }
 

@@ -39,22 +39,49 @@ qn_beam_properties (const QnModel *model, QnId index)
   return p;
 }
 
+static QnBeamProperties
+tie_properties (const QnTie *tie)
+{
+  QnBeamProperties p = { .tie = tie,
+                         .chord = qn_vec2_sub (tie->ends[1].at, tie->ends[0].at),
+                         .length = qn_tie_length (tie),
+                         .axial = qn_tie_stiffness (tie) };
+
+  p.rest = tie->slack - tie->prestress / p.axial;
+  return p;
+}
+
 static void
 place (QnBeamAssembly *as, size_t index, const int32_t *unknowns)
 {
   const QnModel *model = as->model;
-  const QnBeamElement *element = &model->elements[index];
+  const size_t elements = model->element_count;
+  const QnTie *tie = index < elements ? NULL : &model->ties[index - elements];
   QnAssembledBeam *beam = &as->beams[index];
 
-  beam->properties = qn_beam_properties (model, (QnId) index);
+  beam->properties =
+    tie != NULL ? tie_properties (tie) : qn_beam_properties (model, (QnId) index);
   for (int end = 0; end < 2; end++) {
-    const QnNode *node = &model->nodes[element->nodes[end]];
-    size_t body = qn_model_node_body (model, element->nodes[end]);
-    if (node->block != QN_NONE)
-      beam->arms[end] = qn_vec2_sub (node->at, model->blocks[node->block].centroid);
+    QnVec2 at;
+    QnId block;
+    if (tie != NULL) {
+      block = tie->ends[end].block;
+      at = tie->ends[end].at;
+      beam->bodies[end] = block != QN_NONE ? (size_t) block : QN_GROUND;
+    } else {
+      QnId node = model->elements[index].nodes[end];
+      block = model->nodes[node].block;
+      at = model->nodes[node].at;
+      beam->bodies[end] = qn_model_node_body (model, node);
+    }
+    if (block != QN_NONE)
+      beam->arms[end] = qn_vec2_sub (at, model->blocks[block].centroid);
     beam->turned[end] = beam->arms[end];
     for (int i = 0; i < QN_DOF_COUNT; i++)
-      beam->unknowns[3 * end + i] = unknowns[QN_DOF_COUNT * body + (size_t) i];
+      beam->unknowns[3 * end + i] =
+        beam->bodies[end] == QN_GROUND
+          ? QN_NONE
+          : unknowns[QN_DOF_COUNT * beam->bodies[end] + (size_t) i];
   }
   qn_beam_kinematics_init (&beam->kinematics, &beam->properties);
 }
@@ -64,7 +91,7 @@ share_out (QnBeamAssembly *as)
 {
   const QnModel *model = as->model;
 
-  for (size_t i = 0; i < as->count; i++) {
+  for (size_t i = 0; i < model->element_count; i++) {
     const QnBeamElement *element = &model->elements[i];
     const QnSection *section = &model->sections[model->beams[element->beam].section];
     double length = as->beams[i].properties.length;
@@ -94,7 +121,9 @@ qn_beam_assembly_stiffness (const QnBeamAssembly *as)
   double extent = qn_vec2_length (qn_vec2_sub (high, low));
   for (size_t i = 0; i < as->count; i++) {
     const QnBeamProperties *p = &as->beams[i].properties;
-    sum += log (12 * p->bending * p->length / (extent * extent * extent));
+    sum +=
+      log (p->tie != NULL ? p->axial
+                          : 12 * p->bending * p->length / (extent * extent * extent));
   }
   return exp (sum / (double) as->count);
 }
@@ -102,7 +131,7 @@ qn_beam_assembly_stiffness (const QnBeamAssembly *as)
 bool
 qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t *unknowns)
 {
-  size_t count = model->element_count;
+  size_t count = model->element_count + model->tie_count;
 
   *as = (QnBeamAssembly){ .model = model,
                           .length = model->characteristic_length,
@@ -350,8 +379,9 @@ qn_beam_assembly_add_body_forces (const QnBeamAssembly *as, double multiplier,
     node_forces (beam, &as->responses[b], p);
     node_loads (as, b, q, loads, moments);
     for (int end = 0; end < 2; end++) {
-      size_t body = qn_model_node_body (as->model, as->model->elements[b].nodes[end]);
-      double *out = forces + QN_DOF_COUNT * body;
+      if (beam->bodies[end] == QN_GROUND)
+        continue;
+      double *out = forces + QN_DOF_COUNT * beam->bodies[end];
       QnVec2 force = qn_vec2_sub (qn_vec2 (p[3 * end], p[3 * end + 1]), loads[end]);
       out[QN_DOF_UX] += force.x;
       out[QN_DOF_UY] += force.y;
@@ -366,9 +396,11 @@ qn_beam_assembly_add_body_forces (const QnBeamAssembly *as, double multiplier,
 void
 qn_beam_assembly_evaluate (QnBeamAssembly *as)
 {
-  for (size_t b = 0; b < as->count; b++)
-    qn_beam_evaluate (&as->beams[b].properties, &as->committed[b],
-                      as->beams[b].kinematics.deformation, &as->responses[b]);
+  for (size_t b = 0; b < as->count; b++) {
+    const QnBeamProperties *p = &as->beams[b].properties;
+    (p->tie != NULL ? qn_tie_evaluate : qn_beam_evaluate) (
+      p, &as->committed[b], as->beams[b].kinematics.deformation, &as->responses[b]);
+  }
 }
 
 void
@@ -522,10 +554,58 @@ qn_beam_assembly_commit (QnBeamAssembly *as)
 }
 
 void
+qn_beam_assembly_ties (const QnBeamAssembly *as, QnTieResult *ties)
+{
+  const size_t elements = as->model->element_count;
+
+  for (size_t b = elements; b < as->count; b++) {
+    double force = as->responses[b].force[0];
+    ties[b - elements] =
+      (QnTieResult){ .force = force,
+                     .elongation = as->beams[b].kinematics.deformation[0],
+                     .state = qn_tie_state (as->beams[b].properties.tie, force, 0) };
+  }
+}
+
+double
+qn_beam_assembly_tie_rate (const QnBeamAssembly *as, size_t tie, const double *v)
+{
+  const QnAssembledBeam *beam = &as->beams[as->model->element_count + tie];
+  double rate = 0;
+
+  for (int end = 0; end < 2; end++) {
+    const int32_t *unknowns = beam->unknowns + 3 * end;
+    double at[3];
+    for (int i = 0; i < QN_DOF_COUNT; i++)
+      at[i] = unknowns[i] != QN_NONE ? v[unknowns[i]] : 0;
+    QnVec2 moves = qn_vec2_add_scaled (qn_vec2 (at[0], at[1]), at[2] / as->length,
+                                       qn_vec2_perp (beam->turned[end]));
+    rate += (end == 0 ? -1 : 1) * qn_vec2_dot (beam->kinematics.axis, moves);
+  }
+  return rate;
+}
+
+void
+qn_beam_assembly_tension (QnBeamAssembly *as)
+{
+  for (size_t b = as->model->element_count; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    QnBeamResponse *response = &as->responses[b];
+    if (beam->properties.tie->prestress == 0)
+      continue;
+    QnBeamMemory memory = { .stretch = beam->kinematics.deformation[0]
+                                       - beam->properties.rest
+                                       - response->force[0] / beam->properties.axial,
+                            .tensioned = true };
+    qn_tie_evaluate (&beam->properties, &memory, beam->kinematics.deformation, response);
+  }
+}
+
+void
 qn_beam_assembly_forces (const QnBeamAssembly *as, double multiplier,
                          QnBeamForces *forces)
 {
-  for (size_t b = 0; b < as->count; b++) {
+  for (size_t b = 0; b < as->model->element_count; b++) {
     const QnAssembledBeam *beam = &as->beams[b];
     const double *force = as->responses[b].force;
     QnVec2 q = qn_vec2_add_scaled (as->loads[0][b], multiplier, as->loads[1][b]);

@@ -1,4 +1,5 @@
-/* Beam elements within the assembled structure.
+/* Beam elements and ties within the assembled structure: a tie is an element between two points of
+ * blocks, or of the ground, that has a normal force alone.
  *
  * The unknowns are those of the bodies: blocks, and nodes that stand free. A node that rides on
  * a block moves with it: its displacement is u + (R - 1) r, with r the arm from the centroid,
@@ -16,9 +17,12 @@
 #include "core/linalg/sparse.h"
 #include "core/model/model.h"
 
+#define QN_GROUND SIZE_MAX
+
 /* One element in its place. Unknowns: ux, uy, L rz of the bodies at both ends. */
 typedef struct QnAssembledBeam {
   QnBeamProperties properties;
+  size_t bodies[2];    /* at both ends; QN_GROUND: none */
   int32_t unknowns[6]; /* QN_NONE where fixed */
   QnVec2 arms[2];      /* from the bodies' centroids to the nodes, undeformed, m */
   int32_t scatter[36];
@@ -39,7 +43,7 @@ typedef struct QnBeamAssembly {
   const QnModel *model;
   double length; /* by which rotations are scaled, m */
   bool nonlinear;
-  size_t count;
+  size_t count; /* of the elements of beams, then the ties */
   QnAssembledBeam *beams;
   QnBeamMemory *committed;   /* from which every evaluation starts */
   QnBeamResponse *responses; /* of the last evaluation, or of a state taken back */
@@ -66,7 +70,7 @@ bool qn_beam_assembly_setup (QnBeamAssembly *beams, const QnModel *model,
 void qn_beam_assembly_clear (QnBeamAssembly *beams);
 
 /* Geometric mean of 12 EI / D^3, D the extent of all nodes: what the elements offer against
- * sway, however finely members are cut. 1 without elements. */
+ * sway, however finely members are cut; and of EA / L of ties. 1 without elements. */
 double qn_beam_assembly_stiffness (const QnBeamAssembly *beams);
 
 /* Adds what the elements couple; and, once it is compressed, looks up where they go. */
@@ -128,7 +132,18 @@ void qn_beam_assembly_add_inertia (const QnBeamAssembly *beams, QnVec2 accelerat
  * negative, as damping needs it. */
 void qn_beam_assembly_add_material_tangent (const QnBeamAssembly *beams, double *ax);
 
-/* Section forces of every element at the last evaluation under dead + multiplier live load. */
+/* Every tie at the last evaluation. */
+void qn_beam_assembly_ties (const QnBeamAssembly *beams, QnTieResult *ties);
+
+/* How fast the ends of a tie move apart at the last evaluation with velocities v of the unknowns. */
+double qn_beam_assembly_tie_rate (const QnBeamAssembly *beams, size_t tie,
+                                  const double *v);
+
+/* Ties are tensioned: from the last evaluation on they are elastic with the forces that they have there.
+ * To be followed by a commit. */
+void qn_beam_assembly_tension (QnBeamAssembly *beams);
+
+/* Section forces of every element of beams at the last evaluation under dead + multiplier live load. */
 void qn_beam_assembly_forces (const QnBeamAssembly *beams, double multiplier,
                               QnBeamForces *forces);
 

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* What remains of the stiffness of an end that yields, in the tangent only: a node between two
- * ends that yield is held by no stiffness at all. Far below what Newton's method notices. */
+/* What remains of the stiffness of an end or a tie that yields or is slack, in the tangent only: a node
+ * between two ends that yield is held by no stiffness at all. Far below what Newton's method notices. */
 #define TRACE 1e-9
 
 #define FULL_TURN 6.283185307179586
@@ -196,6 +196,36 @@ qn_beam_evaluate (const QnBeamProperties *p, const QnBeamMemory *committed,
     if (sense[i] != 0 && p->moments[i] > 0)
       response->tangent[1 + i][1 + i] += TRACE * full[i];
   }
+}
+
+/* --- Ties ------------------------------------------------------------------------------- */
+
+void
+qn_tie_evaluate (const QnBeamProperties *p, const QnBeamMemory *committed,
+                 const double deformation[3], QnBeamResponse *response)
+{
+  enum { PULLS, SLACK, FLOWS, TENSIONED };
+  const QnTie *tie = p->tie;
+  const double strength = qn_tie_strength (tie);
+  double trial = p->axial * (deformation[0] - p->rest - committed->stretch);
+  double force = trial;
+  int8_t phase = PULLS;
+
+  *response = (QnBeamResponse){ .memory = *committed };
+  if (trial > strength) {
+    phase = FLOWS;
+    force = strength;
+    response->memory.stretch += (trial - strength) / p->axial;
+  } else if (!committed->tensioned && trial < tie->prestress) {
+    phase = TENSIONED;
+    force = tie->prestress;
+  } else if (trial < 0) {
+    phase = SLACK;
+    force = 0;
+  }
+  response->force[0] = force;
+  response->phase = phase;
+  response->tangent[0][0] = phase == PULLS ? p->axial : TRACE * p->axial;
 }
 
 /* --- Loads, mass, shape ------------------------------------------------------------------ */

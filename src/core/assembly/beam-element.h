@@ -21,6 +21,7 @@
 #define QN_CORE_BEAM_ELEMENT_H
 
 #include "core/model/beam.h"
+#include "core/model/tie.h"
 
 typedef struct QnBeamProperties {
   QnVec2 chord;      /* from end to end, undeformed, m */
@@ -31,18 +32,23 @@ typedef struct QnBeamProperties {
   double moments[2]; /* plastic moments of the ends: 0 hinged, INFINITY rigid */
   double mass;       /* kg/m */
   double rotary;     /* rho I, kg m */
+  const QnTie *tie;  /* borrowed; NULL: a beam. Of a tie: hinged ends, no mass, and */
+  double rest;       /* elongation beyond which it pulls, with nothing plastic, m */
 } QnBeamProperties;
 
-/* Plastic state of a yielding end, rad. */
+/* Plastic rotation of a yielding end, rad. */
 typedef struct QnBeamMemory {
   double plastic[2];
+  double stretch; /* of a tie: plastic elongation, m, */
+  bool tensioned; /* and whether its prestress has been applied */
 } QnBeamMemory;
 
 typedef struct QnBeamResponse {
   QnBeamMemory memory;
   double force[3];      /* N, M1, M2 */
   double tangent[3][3]; /* d force / d (e, theta1, theta2) */
-  int8_t phase;         /* which ends yield, and in which sense; 0: none */
+  int8_t
+    phase; /* which ends yield, and in which sense; 0: none. Of a tie: whether it pulls */
 } QnBeamResponse;
 
 /* Where the element is and how its deformations depend on its displacements. */
@@ -68,6 +74,10 @@ void qn_beam_kinematics_add_stiffness (const QnBeamKinematics *kinematics,
 /* Forces and consistent tangent at a deformation, from the committed memory. */
 void qn_beam_evaluate (const QnBeamProperties *properties, const QnBeamMemory *committed,
                        const double deformation[3], QnBeamResponse *response);
+
+/* The same of a tie (core/model/tie.h). */
+void qn_tie_evaluate (const QnBeamProperties *properties, const QnBeamMemory *committed,
+                      const double deformation[3], QnBeamResponse *response);
 
 /* Moments on the ends that hold a load q (N/m along y) over the length; hinged ends hold
  * none. */

@@ -47,6 +47,12 @@
   X (BAR_SHORT, "bar has no length") \
   X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \
   X (BAR_UNUSED, "bar crosses no contact face") \
+  X (TIE_SHORT, "tie has no length") \
+  X (TIE_ON_GROUND, "both ends of the tie are on the ground") \
+  X (TIE_ON_ONE_BLOCK, "both ends of the tie are on the same block") \
+  X (TIE_PRESTRESS, "prestress is more than the tie or its anchor holds") \
+  X (TIE_SLACK, "a tie with prestress has no slack") \
+  X (TIE_OFF_BLOCK, "end of the tie lies outside its block") \
   X (LAW_WITHOUT_LIMIT, "limit analysis covers the strengths of joints only, not of this kind of law") \
   X (BLOCK_WITHOUT_MASS, "block has no mass to vibrate with") \
   X (STATE_SLIPS, "pairs slip without dilatancy in this state: no symmetric stiffness") \

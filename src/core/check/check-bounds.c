@@ -114,6 +114,7 @@ kinematic_multiplier (QnCheck *check)
       return NAN;
     dissipated += away * hypot (pair->normal_force, pair->shear_force);
   }
+  dissipated += qn_check_tie_dissipation (check);
   double unit = power_of (as, as->live, check->velocity);
   return unit > 0 ? (dissipated - power_of (as, as->dead, check->velocity)) / unit : NAN;
 }

@@ -282,7 +282,7 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     { QN_ENERGY_KINETIC, r->velocities != NULL,
       r->velocities != NULL ? kinetic_energy (check) : 0, QN_CHECK_EXACT },
     { QN_ENERGY_ELASTIC,
-      check->model->element_count == 0 && r->found_count == 0 && r->left_count == 0,
+      check->assembly.beams.count == 0 && r->found_count == 0 && r->left_count == 0,
       elastic_energy (check), QN_CHECK_FORCES },
     { QN_ENERGY_INPUT, moves_freely (check->model),
       first[QN_ENERGY_INPUT] + work_of_weights (check), QN_CHECK_EXACT },

@@ -99,7 +99,7 @@ check_beams (QnCheck *check, double none)
   QnBeamAssembly *beams = &check->assembly.beams;
 
   qn_beam_assembly_update_kinematics (beams, check->velocity);
-  for (size_t e = 0; e < beams->count; e++) {
+  for (size_t e = 0; e < check->model->element_count; e++) {
     const QnBeamProperties *p = &beams->beams[e].properties;
     const double *rate = beams->beams[e].kinematics.deformation;
     bool flows = fabs (rate[0]) <= none;
@@ -316,6 +316,7 @@ qn_check_mechanism (QnCheck *check, QnDiag *diag)
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p])
       check_joint (check, p, rates + 2 * p, none);
+  qn_check_tie_rates (check, none, LITTLE * check->scale);
   if (!as->nonlinear)
     check_beams (check, none);
   return QN_OK;

@@ -106,6 +106,15 @@ QnStatus qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag);
 /* Joints are left once they have slid or turned too far, and no other is. Likewise. */
 void qn_check_left (QnCheck *check, size_t step);
 
+/* Forces, elongations and states of the ties at a step, its displacements evaluated; the same of rigid
+ * blocks, whose balance then has the forces stated. */
+void qn_check_ties (QnCheck *check, size_t step);
+
+/* Ties give in the mechanism where they hang slack or have their strength; forces are none or reach the
+ * strength within `little`, N. What all dissipate at most. */
+void qn_check_tie_rates (QnCheck *check, double none, double little);
+double qn_check_tie_dissipation (const QnCheck *check);
+
 /* Unknowns from a row of displacements or velocities for every body. */
 void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);
 

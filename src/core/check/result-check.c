@@ -463,12 +463,13 @@ check_forces (QnCheck *check, size_t step)
   check->faults->jumps += free_to_slide && jumped;
 }
 
-/* Largest force at a step, in the loads or in joints and beams. */
+/* Largest force at a step, in the loads or in joints, beams and ties. */
 static double
 find_scale (QnCheck *check, size_t step)
 {
   const QnAssembly *as = &check->assembly;
   const QnBeamForces *beams = qn_result_step_beam_forces (check->result, step);
+  const QnTieResult *ties = qn_result_step_ties (check->result, step);
   double scale = as->force_scale, force[2];
   QnPairState state;
 
@@ -481,6 +482,8 @@ find_scale (QnCheck *check, size_t step)
   for (size_t e = 0; beams != NULL && e < check->model->element_count; e++)
     for (int end = 0; end < 2; end++)
       scale = fmax (scale, hypot (beams[e].normal[end], beams[e].shear[end]));
+  for (size_t i = 0; ties != NULL && i < check->result->tie_count; i++)
+    scale = fmax (scale, fabs (ties[i].force));
   return scale;
 }
 
@@ -750,6 +753,7 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
     check_forces (check, step);
     check_beam_forces (check, step);
   }
+  qn_check_ties (check, step);
   /* These say nothing where forces are not known. */
   check_strength (check, step);
   check_states (check, step);
@@ -766,6 +770,8 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
     status = qn_check_found_missing (check, step, diag);
     qn_check_left (check, step);
   }
+  if (step == 0)
+    qn_beam_assembly_tension (&as->beams);
   qn_assembly_commit (as);
   return status;
 }

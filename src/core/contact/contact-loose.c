@@ -181,13 +181,36 @@ report_loads (const QnModel *model, QnFindings *findings)
   return true;
 }
 
+/* Ends of ties that lie outside their blocks by more than joints may be wide. */
+static bool
+report_ties (const QnModel *model, QnFindings *findings)
+{
+  double tolerance = model->contact.tolerance * model->characteristic_length;
+
+  for (size_t i = 0; i < 2 * model->tie_count; i++) {
+    const QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
+    if (end->block == QN_NONE
+        || qn_polygon_depth (qn_model_block_vertices (model, end->block),
+                             (size_t) model->blocks[end->block].vertex_count, end->at)
+             >= -tolerance)
+      continue;
+    if (!qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_TIE_OFF_BLOCK,
+                                                 .block_a = end->block,
+                                                 .block_b = QN_NONE,
+                                                 .subject = (QnId) (i / 2),
+                                                 .at = end->at }))
+      return false;
+  }
+  return true;
+}
+
 QnStatus
 qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   size_t blocks = model->block_count, bodies = qn_model_body_count (model);
   size_t held_count = 0;
   QnFindings *findings = &contacts->findings;
-  /* Blocks that have a face, a point contact, an overlap or a beam; sets of bodies that hang together;
+  /* Blocks that have a face, a point contact, an overlap, a beam or a tie; sets of bodies that hang together;
    * bodies in a set with a support. */
   bool *touching = qn_alloc (blocks, sizeof *touching);
   QnId *sets = qn_alloc_unset (bodies, sizeof *sets);
@@ -215,6 +238,21 @@ qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *di
       const QnId *nodes = model->elements[i].nodes;
       qn_sets_join (sets, (QnId) qn_model_node_body (model, nodes[0]),
                     (QnId) qn_model_node_body (model, nodes[1]));
+    }
+    for (size_t i = 0; i < model->tie_count; i++) {
+      QnId a = model->ties[i].ends[0].block, b = model->ties[i].ends[1].block;
+      if (a != QN_NONE)
+        touching[a] = true;
+      if (b != QN_NONE)
+        touching[b] = true;
+      if (a != QN_NONE && b != QN_NONE)
+        qn_sets_join (sets, a, b);
+    }
+    for (size_t i = 0; i < model->tie_count; i++) {
+      const QnTieEnd *ends = model->ties[i].ends;
+      if (ends[0].block == QN_NONE || ends[1].block == QN_NONE)
+        held[qn_sets_root (sets, ends[0].block != QN_NONE ? ends[0].block
+                                                          : ends[1].block)] = true;
     }
     for (size_t i = 0; i < bodies; i++) {
       const bool *support =
@@ -244,7 +282,8 @@ qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *di
         done = report_beam (findings, QN_PROBLEM_BEAM_FLOATING, i, model->nodes[node].at);
     }
   }
-  done = done && report_free_ends (model, findings) && report_loads (model, findings);
+  done = done && report_free_ends (model, findings) && report_loads (model, findings)
+         && report_ties (model, findings);
   free (touching);
   free (sets);
   free (held);

@@ -15,7 +15,7 @@ typedef struct QnFinding {
     value; /* width of the gap, depth of the overlap, m; PAIRS_BENDING and PAIRS_CRUSHING:
                    how many times what is right; 0 where there is none */
   QnId
-    subject; /* BEAM_FLOATING, BEAM_END_FREE: the beam; LOAD_MEETS_NOTHING: the load, counted through the
+    subject; /* BEAM_FLOATING, BEAM_END_FREE: the beam; TIE_OFF_BLOCK: the tie; LOAD_MEETS_NOTHING: the load, counted through the
                    dead and then the live ones; PAIRS_…: how many joints, of which this one is
                    the worst; of a range: the entity; QN_NONE otherwise */
   const struct QnUsualRange

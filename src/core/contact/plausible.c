@@ -36,6 +36,12 @@ typedef enum {
   EXTENT,
   GRAVITY,
   BAR_AREA,
+  TIE_AREA,
+  TIE_ELASTICITY,
+  TIE_YIELD,
+  TIE_PRESTRESS,
+  TIE_ANCHOR,
+  TIE_SLACK,
   YOUNG,
   SECTION_AREA,
   SECTION_HEIGHT,
@@ -92,6 +98,16 @@ static const QnUsualRange ranges[ROW_COUNT] = {
   [GRAVITY] = { QN_ENTITY_MODEL, "gravity", "m/s2", 9.5, 10.5, QN_PROBLEM_DOUBT_GRAVITY },
   /* From a wire of 1 mm to a tie of 300 mm. */
   [BAR_AREA] = { QN_ENTITY_BAR, "area", "m2", 7e-7, 0.1, QN_PROBLEM_DOUBT_AREA },
+  [TIE_AREA] = { QN_ENTITY_TIE, "area", "m2", 7e-7, 0.1, QN_PROBLEM_DOUBT_AREA },
+  /* Ropes of fibres from 1 GPa, carbon up to 600 GPa; yield as of laws. */
+  [TIE_ELASTICITY] = { QN_ENTITY_TIE, "elasticity", "Pa", 1e9, 1e12,
+                       QN_PROBLEM_DOUBT_STIFFNESS },
+  [TIE_YIELD] = { QN_ENTITY_TIE, "yield", "Pa", 1e6, 5e9, QN_PROBLEM_DOUBT_STRESS },
+  /* Over the free weight, as forces. */
+  [TIE_PRESTRESS] = { QN_ENTITY_TIE, "prestress", "× W", 5e-5, 1e3,
+                      QN_PROBLEM_DOUBT_FORCE },
+  [TIE_ANCHOR] = { QN_ENTITY_TIE, "anchor", "× W", 5e-5, 1e4, QN_PROBLEM_DOUBT_FORCE },
+  [TIE_SLACK] = { QN_ENTITY_TIE, "slack", "m", 0, 0.1, QN_PROBLEM_DOUBT_LENGTH },
   [YOUNG] = { QN_ENTITY_SECTION, "young", "Pa", 1e7, 1.3e12, QN_PROBLEM_DOUBT_STIFFNESS },
   [SECTION_AREA] = { QN_ENTITY_SECTION, "area", "m2", 7e-7, 100, QN_PROBLEM_DOUBT_AREA },
   [SECTION_HEIGHT] = { QN_ENTITY_SECTION, "height", "m", 1e-3, 10,
@@ -278,6 +294,18 @@ examine_members (Doubts *d)
   const QnModel *model = d->model;
   for (size_t i = 0; i < model->bar_count; i++)
     examine (d, BAR_AREA, i, QN_NONE, model->bars[i].area);
+  const double weight = free_weight (model);
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    examine (d, TIE_AREA, i, QN_NONE, tie->area);
+    examine (d, TIE_ELASTICITY, i, QN_NONE, tie->elasticity);
+    examine (d, TIE_YIELD, i, QN_NONE, tie->yield);
+    examine (d, TIE_SLACK, i, QN_NONE, tie->slack);
+    if (weight > 0) {
+      examine (d, TIE_PRESTRESS, i, QN_NONE, tie->prestress / weight);
+      examine (d, TIE_ANCHOR, i, QN_NONE, tie->anchor / weight);
+    }
+  }
   for (size_t i = 0; i < model->section_count; i++) {
     const QnSection *section = &model->sections[i];
     examine (d, YOUNG, i, QN_NONE, section->young);

@@ -39,6 +39,7 @@ typedef struct {
   double *distances;     /* scratch, of blocks, m */
   double *row;           /* scratch, of the history */
   QnBeamForces *beam_forces;
+  QnTieResult *ties;
   double peak;                         /* largest displacement so far, m */
   double largest_error, largest_input; /* of the energy balance, J */
   double rest_speed, rest_time;        /* m/s, s */
@@ -81,6 +82,9 @@ keep_step (Run *run, QnEvent event)
   qn_beam_assembly_forces (&as->beams, 0, run->beam_forces);
   if (run->model->element_count > 0
       && !qn_result_add_beam_forces (result, run->beam_forces))
+    return false;
+  qn_beam_assembly_ties (&as->beams, run->ties);
+  if (!qn_result_add_ties (result, run->ties))
     return false;
   qn_assembly_reactions (as, 0, run->displacements);
   if (!qn_result_add_reactions (result, run->displacements))
@@ -422,9 +426,10 @@ set_up (Run *run, QnDiag *diag)
   run->distances = qn_alloc (model->block_count, sizeof *run->distances);
   run->row = qn_alloc (history->width, sizeof *run->row);
   run->beam_forces = qn_alloc (model->element_count, sizeof *run->beam_forces);
+  run->ties = qn_alloc (model->tie_count, sizeof *run->ties);
   if (history->peaks == NULL || run->start == NULL || run->displacements == NULL
       || run->row == NULL || run->distances == NULL || run->beam_forces == NULL
-      || !qn_ground_init (&run->ground, model))
+      || run->ties == NULL || !qn_ground_init (&run->ground, model))
     return qn_diag_no_memory (diag);
   qn_assembly_expand (&run->eq->assembly, run->eq->u, run->start);
   const QnDynamicSettings *s = run->settings;
@@ -483,6 +488,7 @@ qn_dynamics_run (QnEquilibrium *eq, QnMovingContacts *moving, QnResult *result,
   free (run.distances);
   free (run.row);
   free (run.beam_forces);
+  free (run.ties);
   qn_time_step_clear (&run.step);
   return status;
 }

@@ -73,6 +73,8 @@ add_losses (const QnTimeStep *step, QnEnergy *energy)
     for (int i = 0; i < 2; i++)
       friction += 0.5 * (before->force[1 + i] + after->force[1 + i])
                   * (after->memory.plastic[i] - before->memory.plastic[i]);
+    friction += 0.5 * (before->force[0] + after->force[0])
+                * (after->memory.stretch - before->memory.stretch);
   }
   energy->sums[QN_ENERGY_FRICTION] += friction;
 }

@@ -124,7 +124,8 @@ beam_energy (const QnBeamAssembly *beams)
   for (size_t b = 0; b < beams->count; b++) {
     const QnBeamResponse *r = &beams->responses[b];
     const double *deformation = beams->beams[b].kinematics.deformation;
-    sum += 0.5 * r->force[0] * deformation[0];
+    sum += 0.5 * r->force[0]
+           * (deformation[0] - beams->beams[b].properties.rest - r->memory.stretch);
     for (int end = 0; end < 2; end++)
       sum += 0.5 * r->force[1 + end] * (deformation[1 + end] - r->memory.plastic[end]);
   }

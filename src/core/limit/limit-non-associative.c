@@ -352,6 +352,8 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
     return status;
   for (int32_t c = 0; c < limit.ip.cell_count; c++) {
     const QnIpCell *cell = &limit.cells[c];
+    if ((size_t) limit.cell_pairs[c] >= contacts->pair_count)
+      continue; /* ties flow as they are strong */
     double normal = pairs[limit.cell_pairs[c]].normal_force / limit.force_unit;
     for (int32_t i = 0; i < cell->bound_count; i++) {
       QnIpBound *bound = &limit.bounds[cell->first_bound + i];

@@ -233,6 +233,44 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
   }
 }
 
+/* A group, a cell and its bounds for each tie that pulls at a free degree of freedom. */
+static void
+fill_ties (QnLimitProblem *limit, const QnModel *model, const QnContacts *contacts)
+{
+  QnIpProblem *ip = &limit->ip;
+
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    QnIpGroup group = { .first_cell = ip->cell_count, .cell_count = 1 };
+    QnIpCell cell = { .first_bound = ip->bound_count, .no_shear = true };
+    QnVec2 axis = qn_vec2_scale (1 / qn_tie_length (tie),
+                                 qn_vec2_sub (tie->ends[1].at, tie->ends[0].at));
+    double strength = qn_tie_strength (tie) / limit->force_unit;
+    bool free_row = false;
+
+    for (int end = 0; end < 2; end++) {
+      QnId block = tie->ends[end].block;
+      int32_t *rows = group.rows + QN_DOF_COUNT * end;
+      for (int d = 0; d < QN_DOF_COUNT; d++) {
+        rows[d] = block == QN_NONE ? -1 : limit->rows[block * QN_DOF_COUNT + d];
+        free_row |= rows[d] >= 0;
+      }
+      if (block != QN_NONE)
+        map_force (model, block, tie->ends[end].at, axis, end == 0 ? 1.0 : -1.0,
+                   limit->length_unit, 0, cell.map + QN_DOF_COUNT * end);
+    }
+    if (!free_row)
+      continue;
+    limit->bounds[ip->bound_count++] = (QnIpBound){ -1.0, 0.0, 0.0, -1.0 };
+    if (isfinite (strength))
+      limit->bounds[ip->bound_count++] = (QnIpBound){ 1.0, 0.0, strength, 1.0 };
+    cell.bound_count = ip->bound_count - cell.first_bound;
+    limit->groups[ip->group_count++] = group;
+    limit->cell_pairs[ip->cell_count] = (QnId) (contacts->pair_count + i);
+    limit->cells[ip->cell_count++] = cell;
+  }
+}
+
 /* The strengths of fibres have no place in the rows of a pair, beams have no pairs at all. */
 static QnStatus
 check_kinds (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
@@ -261,16 +299,17 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     return status;
   *limit = (QnLimitProblem){
     .block_count = model->block_count,
-    .pair_count = contacts->pair_count,
+    .pair_count = contacts->pair_count + model->tie_count,
     .length_unit = model->characteristic_length,
     .own_flow = own_flow,
   };
   limit->rows = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->rows);
   limit->mass = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->mass);
-  limit->groups = qn_alloc (contacts->face_count, sizeof *limit->groups);
-  limit->cells = qn_alloc (contacts->pair_count, sizeof *limit->cells);
-  limit->cell_pairs = qn_alloc (contacts->pair_count, sizeof *limit->cell_pairs);
-  limit->bounds = qn_alloc (contacts->pair_count * MOST_BOUNDS, sizeof *limit->bounds);
+  limit->groups =
+    qn_alloc (contacts->face_count + model->tie_count, sizeof *limit->groups);
+  limit->cells = qn_alloc (limit->pair_count, sizeof *limit->cells);
+  limit->cell_pairs = qn_alloc (limit->pair_count, sizeof *limit->cell_pairs);
+  limit->bounds = qn_alloc (limit->pair_count * MOST_BOUNDS, sizeof *limit->bounds);
   if (!limit->rows || !limit->mass || !limit->groups || !limit->cells
       || !limit->cell_pairs || !limit->bounds) {
     status = qn_diag_no_memory (diag);
@@ -291,6 +330,7 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
   }
   fill_masses (limit, model);
   fill_faces (limit, model, contacts);
+  fill_ties (limit, model, contacts);
   limit->ip.groups = limit->groups;
   limit->ip.cells = limit->cells;
   limit->ip.bounds = limit->bounds;

@@ -3,7 +3,7 @@
  * One cell per contact pair that touches a free block, holding the pair's normal and shear
  * force (tension positive, tangent as in contacts.h); its bounds are the strengths of the two
  * springs in series, that is the intersection of what their laws allow
- * (qn_spring_rigid_strength()).
+ * (qn_spring_rigid_strength()). Ties are further cells, of a normal force between 0 and their strength.
  *
  * Without friction and cohesion there is no shear, and the cell is marked. Stiffness plays no part.
  * Forces are divided by `force_unit`, lengths by `length_unit`, the live load by its own
@@ -21,14 +21,14 @@ typedef struct QnLimitProblem {
   QnIpCell *cells;
   QnIpBound *bounds;
   double *constant, *load;
-  QnId *cell_pairs; /* contact pair of every cell */
+  QnId *cell_pairs; /* contact pair of every cell; ties count on behind the pairs */
   int32_t *rows;    /* block_count x 3: equilibrium row, or -1 where supported */
   double *mass;     /* block_count x 3: inertia of every degree of freedom, scaled; > 0 */
-  size_t block_count, pair_count;
-  bool own_flow;      /* joints flow as their laws say; else associatively */
-  double force_unit;  /* N */
-  double length_unit; /* m */
-  double load_unit;   /* N; multiplier = lambda x force_unit / load_unit */
+  size_t block_count, pair_count; /* the ties with the pairs */
+  bool own_flow;                  /* joints flow as their laws say; else associatively */
+  double force_unit;              /* N */
+  double length_unit;             /* m */
+  double load_unit;               /* N; multiplier = lambda x force_unit / load_unit */
 } QnLimitProblem;
 
 /* `limit` is overwritten without being cleared. A model none of whose free blocks carries a

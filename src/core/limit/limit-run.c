@@ -99,14 +99,26 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
     }
     /* Rigid blocks have not moved when they collapse: both steps have no displacements. */
     double *none = qn_alloc (result->block_count * QN_DOF_COUNT, sizeof *none);
+    QnTieResult *ties = qn_alloc (model->tie_count, sizeof *ties);
+    for (size_t i = 0; ties != NULL && i < model->tie_count; i++) {
+      double force = solution->forces[2 * (contacts->pair_count + i)];
+      ties[i] = (QnTieResult){
+        .force = force,
+        .state = qn_tie_state (&model->ties[i], force, STATE_TOLERANCE * largest),
+      };
+    }
+    result->tie_count = model->tie_count;
     QnStep collapse = { .multiplier = solution->lower_bound,
                         .iterations = solution->effort.iterations,
                         .residual = solution->check.static_residual,
                         .event = QN_EVENT_COLLAPSE };
-    if (none == NULL || !qn_result_add_step (result, (QnStep){ 0 }, none)
-        || !qn_result_add_step (result, collapse, none))
+    if (none == NULL || ties == NULL || !qn_result_add_step (result, (QnStep){ 0 }, none)
+        || !qn_result_add_ties (result, NULL)
+        || !qn_result_add_step (result, collapse, none)
+        || !qn_result_add_ties (result, ties))
       status = qn_diag_no_memory (diag);
     free (none);
+    free (ties);
     break;
   }
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:

@@ -45,7 +45,8 @@ typedef struct QnLimitSolution {
     outcome; /* COLLAPSE, DEAD_LOAD_UNSTABLE, UNBOUNDED, CANCELLED, NOT_CONVERGED */
   double lower_bound; /* COLLAPSE: carried by `forces`; UNBOUNDED: INFINITY */
   double upper_bound; /* COLLAPSE: proved by `velocities` */
-  double *forces;     /* pair_count x 2: normal and shear force, N, as in QnPairResult;
+  double *
+    forces; /* a row for every pair and then tie: normal and shear force, N, as in QnPairResult;
                          UNBOUNDED: the growth of the forces per unit of the multiplier */
   double
     *velocities; /* block_count x 3; COLLAPSE: the mechanism, live load at unit power in

@@ -1,4 +1,4 @@
-/* The rules that nodes, sections and beams must keep. */
+/* The rules that nodes, sections, beams and ties must keep. */
 #include "core/base/memory.h"
 #include "core/model/beam-model.h"
 #include "core/model/model-check.h"
@@ -121,6 +121,53 @@ check_beam (const QnModel *model, QnId index, QnDiag *diag)
   return QN_OK;
 }
 
+static QnStatus
+check_tie (const QnModel *model, QnId index, QnDiag *diag)
+{
+  const QnTie *tie = &model->ties[index];
+  const QnEntity entity = QN_ENTITY_TIE;
+  const QnTieEnd *ends = tie->ends;
+  const QnNumberRule rules[] = {
+    { "area", tie->area, QN_NUMBER_POSITIVE },
+    { "elasticity", tie->elasticity, QN_NUMBER_POSITIVE },
+    { "yield", tie->yield, QN_NUMBER_NOT_NEGATIVE },
+    { "prestress", tie->prestress, QN_NUMBER_NOT_NEGATIVE },
+    { "slack", tie->slack, QN_NUMBER_NOT_NEGATIVE },
+    { "anchor", tie->anchor, QN_NUMBER_NOT_NEGATIVE },
+  };
+  QnStatus status =
+    check_name (tie->name, qn_model_find_tie (model, tie->name), entity, index, diag);
+
+  if (status == QN_OK)
+    status = qn_check_numbers (rules, QN_N_ELEMENTS (rules), entity, index, diag);
+  for (int end = 0; end < 2 && status == QN_OK; end++) {
+    if (ends[end].block != QN_NONE)
+      status =
+        qn_check_block_reference (model, ends[end].block, entity, index, "ends", diag);
+    if (status == QN_OK)
+      status = qn_check_vector (ends[end].at, entity, index, "ends", diag);
+  }
+  if (status != QN_OK)
+    return status;
+  if (ends[0].block == ends[1].block)
+    return qn_diag_set_field (diag,
+                              ends[0].block == QN_NONE ? QN_PROBLEM_TIE_ON_GROUND
+                                                       : QN_PROBLEM_TIE_ON_ONE_BLOCK,
+                              entity, index, "ends", ends[0].block);
+  if (!(qn_tie_length (tie) > 0))
+    return qn_diag_set_field (diag, QN_PROBLEM_TIE_SHORT, entity, index, "ends", 0);
+  if (!isfinite (qn_tie_stiffness (tie)))
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index, "elasticity",
+                              tie->elasticity);
+  if (tie->prestress > qn_tie_strength (tie))
+    return qn_diag_set_field (diag, QN_PROBLEM_TIE_PRESTRESS, entity, index, "prestress",
+                              tie->prestress);
+  if (tie->prestress > 0 && tie->slack > 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_TIE_SLACK, entity, index, "slack",
+                              tie->slack);
+  return QN_OK;
+}
+
 /* A node that stands free must carry a beam: nothing else holds it. */
 static QnStatus
 check_use (const QnModel *model, QnDiag *diag)
@@ -153,5 +200,7 @@ qn_model_check_beams (const QnModel *model, QnDiag *diag)
     status = check_node (model, (QnId) i, diag);
   for (size_t i = 0; i < model->beam_count && status == QN_OK; i++)
     status = check_beam (model, (QnId) i, diag);
+  for (size_t i = 0; i < model->tie_count && status == QN_OK; i++)
+    status = check_tie (model, (QnId) i, diag);
   return status == QN_OK ? check_use (model, diag) : status;
 }

@@ -69,6 +69,12 @@ qn_model_find_beam (const QnModel *model, const char *name)
                              name);
 }
 
+QnId
+qn_model_find_tie (const QnModel *model, const char *name)
+{
+  return qn_name_index_find (&model->tie_names, model->ties, sizeof *model->ties, name);
+}
+
 /* --- Expanding --------------------------------------------------------------------------- */
 
 static bool

@@ -1,11 +1,11 @@
-/* The rules of nodes, sections and beams, and what is derived of them; part of
+/* The rules of nodes, sections, beams and ties, and what is derived of them; part of
  * qn_model_prepare(). */
 #ifndef QN_CORE_BEAM_MODEL_H
 #define QN_CORE_BEAM_MODEL_H
 
 #include "core/model/model.h"
 
-/* Checks numbers and references of expanded beams. */
+/* Checks numbers and references of ties and of expanded beams. */
 QnStatus qn_model_check_beams (const QnModel *model, QnDiag *diag);
 
 /* Finds out which nodes have a rotation of their own. Beams must be checked. */

@@ -67,6 +67,8 @@ qn_model_clear (QnModel *model)
     free (model->sections[i].name);
   for (size_t i = 0; i < model->beam_count; i++)
     free (model->beams[i].name);
+  for (size_t i = 0; i < model->tie_count; i++)
+    free (model->ties[i].name);
 
   free (model->title);
   free (model->vertices);
@@ -75,6 +77,7 @@ qn_model_clear (QnModel *model)
   free (model->walls);
   free (model->overrides);
   free (model->bars);
+  free (model->ties);
   free (model->dead_loads);
   free (model->live_loads);
   free (model->load_sets);
@@ -93,6 +96,7 @@ qn_model_clear (QnModel *model)
   qn_name_index_clear (&model->node_names);
   qn_name_index_clear (&model->section_names);
   qn_name_index_clear (&model->beam_names);
+  qn_name_index_clear (&model->tie_names);
   *model = (QnModel){ 0 };
 }
 
@@ -153,6 +157,7 @@ copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
   COPY_ARRAY (walls, wall_count, wall_capacity);
   COPY_ARRAY (overrides, override_count, override_capacity);
   COPY_ARRAY (bars, bar_count, bar_capacity);
+  COPY_ARRAY (ties, tie_count, tie_capacity);
   COPY_ARRAY (dead_loads, dead_load_count, dead_load_capacity);
   COPY_ARRAY (live_loads, live_load_count, live_load_capacity);
   COPY_ARRAY (nodes, node_count, node_capacity);
@@ -180,6 +185,7 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
   copy->node_names = duplicate_index (source->node_names, &failed);
   copy->section_names = duplicate_index (source->section_names, &failed);
   copy->beam_names = duplicate_index (source->beam_names, &failed);
+  copy->tie_names = duplicate_index (source->tie_names, &failed);
   copy_arrays (source, copy, &failed);
 
   for (size_t i = 0; i < copy->law_count; i++) {
@@ -194,6 +200,8 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
     copy->sections[i].name = duplicate_name (source->sections[i].name, &failed);
   for (size_t i = 0; i < copy->beam_count; i++)
     copy->beams[i].name = duplicate_name (source->beams[i].name, &failed);
+  for (size_t i = 0; i < copy->tie_count; i++)
+    copy->ties[i].name = duplicate_name (source->ties[i].name, &failed);
   for (size_t i = 0; i < copy->load_set_count; i++)
     copy->load_sets[i] = duplicate_name (source->load_sets[i], &failed);
   for (size_t i = 0; i < copy->load_case_count; i++)
@@ -291,6 +299,16 @@ qn_model_add_bar (QnModel *model)
   if (bar != NULL)
     bar->law = QN_NONE;
   return bar;
+}
+
+QnTie *
+qn_model_add_tie (QnModel *model, const char *name)
+{
+  QnTie *tie = QN_MODEL_ADD_NAMED (model, ties, tie, &model->tie_names, name);
+
+  if (tie != NULL)
+    tie->ends[0].block = tie->ends[1].block = QN_NONE;
+  return tie;
 }
 
 static QnLoad *

@@ -14,6 +14,7 @@
 #include "core/law/law.h"
 #include "core/model/beam.h"
 #include "core/model/ground-motion.h"
+#include "core/model/tie.h"
 
 /* Most blocks that one model may have; far above what a plane masonry structure needs, far
  * below what would exhaust a machine. */
@@ -333,6 +334,9 @@ typedef struct QnModel {
   size_t override_count, override_capacity;
   QnBar *bars;
   size_t bar_count, bar_capacity;
+  QnTie *ties;
+  size_t tie_count, tie_capacity;
+  QnNameIndex tie_names;
   QnLoad *dead_loads;
   size_t dead_load_count, dead_load_capacity;
   QnLoad *live_loads; /* those of all sets */
@@ -369,7 +373,7 @@ void qn_model_clear (QnModel *model);
 QnStatus qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag);
 
 /* Each returns a pointer to the new, zeroed entity (valid until the next addition of its
- * kind), or NULL when memory runs out. A new block or wall has law = wall = masonry = QN_NONE and
+ * kind), or NULL when memory runs out. Both ends of a new tie are on the ground. A new block or wall has law = wall = masonry = QN_NONE and
  * density = -1; a new node stands free; a new section has density = -1, shear_factor = 5/6; a new
  * beam is a Timoshenko beam of one element. */
 QnLaw *qn_model_add_law (QnModel *model, const char *name);
@@ -381,6 +385,7 @@ QnNode *qn_model_add_node (QnModel *model, const char *name);
 QnSection *qn_model_add_section (QnModel *model, const char *name);
 QnBeam *qn_model_add_beam (QnModel *model, const char *name);
 QnBar *qn_model_add_bar (QnModel *model);
+QnTie *qn_model_add_tie (QnModel *model, const char *name);
 QnLoad *qn_model_add_dead_load (QnModel *model);
 QnLoad *qn_model_add_live_load (QnModel *model);
 QnStage *qn_model_add_stage (QnModel *model, const char *name);
@@ -445,6 +450,7 @@ QnId qn_model_find_block (const QnModel *model, const char *name);
 QnId qn_model_find_node (const QnModel *model, const char *name);
 QnId qn_model_find_section (const QnModel *model, const char *name);
 QnId qn_model_find_beam (const QnModel *model, const char *name);
+QnId qn_model_find_tie (const QnModel *model, const char *name);
 
 /* Expands walls, orients polygons counter-clockwise, computes areas, centroids and weights,
  * and checks every number and reference that can be checked without contacts. The first

@@ -26,6 +26,7 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
     qn_result_init (result, model->block_count, contacts->pair_count, diag);
   result->node_count = model->node_count;
   result->element_count = model->element_count;
+  result->tie_count = model->tie_count;
   if (status == QN_OK)
     status = qn_equilibrium_setup (&path->equilibrium, model, contacts, report,
                                    report_data, diag);
@@ -35,7 +36,8 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
   path->displacements =
     qn_alloc (qn_model_body_count (model) * QN_DOF_COUNT, sizeof (double));
   path->beam_forces = qn_alloc (model->element_count, sizeof *path->beam_forces);
-  return path->displacements != NULL && path->beam_forces != NULL
+  path->ties = qn_alloc (model->tie_count, sizeof *path->ties);
+  return path->displacements != NULL && path->beam_forces != NULL && path->ties != NULL
              && qn_result_set_supports (result, model)
            ? QN_OK
            : qn_diag_no_memory (diag);
@@ -70,6 +72,7 @@ qn_path_clear (QnPath *path)
   qn_inertia_free (path->inertia);
   free (path->displacements);
   free (path->beam_forces);
+  free (path->ties);
   *path = (QnPath){ 0 };
 }
 
@@ -99,6 +102,9 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
   qn_beam_assembly_forces (&eq->assembly.beams, multiplier, path->beam_forces);
   if (path->model->element_count > 0
       && !qn_result_add_beam_forces (path->result, path->beam_forces))
+    return false;
+  qn_beam_assembly_ties (&eq->assembly.beams, path->ties);
+  if (!qn_result_add_ties (path->result, path->ties))
     return false;
   qn_assembly_reactions (&eq->assembly, multiplier, path->displacements);
   if (!qn_result_add_reactions (path->result, path->displacements))
@@ -335,6 +341,7 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
 
   switch (solve) {
   case QN_SOLVE_CONVERGED:
+    qn_beam_assembly_tension (&eq->assembly.beams);
     return qn_path_accept (path, 0, QN_EVENT_NONE) ? QN_OK : qn_diag_no_memory (diag);
   case QN_SOLVE_MECHANISM: {
     path->result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;

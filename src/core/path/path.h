@@ -44,6 +44,7 @@ typedef struct QnPath {
   QnInertia *inertia;         /* of the tangent; NULL until it is asked for */
   double *displacements;      /* scratch, a row for every body; reactions too */
   QnBeamForces *beam_forces;  /* scratch, by element */
+  QnTieResult *ties;          /* scratch */
   int32_t iterations_at_step; /* statistics when the last step was recorded, */
   int64_t commits_at_step;    /* and commits of the assembly */
 } QnPath;

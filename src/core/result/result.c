@@ -76,6 +76,7 @@ qn_result_clear (QnResult *result)
   free (result->steps);
   free (result->displacements);
   free (result->beam_forces);
+  free (result->ties);
   free (result->pairs);
   free (result->mechanism);
   free (result->unstable_blocks);
@@ -375,6 +376,19 @@ qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces)
                          sizeof *result->beam_forces))
     return false;
   memcpy (result->beam_forces + end - count, forces, count * sizeof *result->beam_forces);
+  return true;
+}
+
+bool
+qn_result_add_ties (QnResult *result, const QnTieResult *ties)
+{
+  QN_ASSERT (result->step_count > 0);
+  size_t count = result->tie_count, end = result->step_count * count;
+  if (!qn_array_reserve (&result->ties, &result->tie_capacity, end, sizeof *result->ties))
+    return false;
+  for (size_t i = 0; i < count; i++)
+    result->ties[end - count + i] =
+      ties != NULL ? ties[i] : (QnTieResult){ .force = NAN, .elongation = NAN };
   return true;
 }
 

@@ -291,6 +291,9 @@ typedef struct QnResult {
   QnBeamForces
     *beam_forces; /* step_count x element_count; NULL where they are not known */
   size_t beam_force_capacity;
+  size_t tie_count;
+  QnTieResult *ties; /* step_count x tie_count; NULL where there are none */
+  size_t tie_capacity;
 
   QnId *supports; /* blocks with a fixed degree of freedom, ascending; none in limit
                      analysis */
@@ -338,7 +341,7 @@ extern const char *const qn_outcome_names[QN_OUTCOME_COUNT];
 extern const char *const qn_pair_state_names[QN_PAIR_STATE_COUNT];
 
 /* An empty result for a model with this many blocks and pairs; where it has beams, node_count and
- * element_count are to be set before the first step. */
+ * element_count are to be set before the first step, where it has ties, tie_count. */
 QnStatus qn_result_init (QnResult *result, size_t block_count, size_t pair_count,
                          QnDiag *diag);
 
@@ -394,6 +397,9 @@ void qn_result_clear_events (QnResult *result);
 
 /* Section forces by element of the step that was added last. False when memory runs out. */
 bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);
+
+/* The same of ties; NULL: not known. */
+bool qn_result_add_ties (QnResult *result, const QnTieResult *ties);
 
 /* Keeps which blocks have reactions, and appends those of the last step added: reactions:
  * block_count x 3, of which the rows of the supports are kept. False when memory runs out. */
@@ -467,6 +473,15 @@ qn_result_step_displacements (const QnResult *result, size_t step)
 }
 
 /* Section forces of one step by element; NULL where they are not known. */
+/* Ties at a step; NULL where they are not known. */
+static inline const QnTieResult *
+qn_result_step_ties (const QnResult *result, size_t step)
+{
+  const QnTieResult *ties =
+    result->ties != NULL ? result->ties + step * result->tie_count : NULL;
+  return ties != NULL && !isnan (ties->force) ? ties : NULL;
+}
+
 static inline const QnBeamForces *
 qn_result_step_beam_forces (const QnResult *result, size_t step)
 {

@@ -23,6 +23,10 @@ void qn_project_append_walls (GString *json, const QnModel *model, GHashTable *i
 gboolean qn_read_beams (const QnJsonValue *root, QnModel *model);
 void qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner);
 
+/* In project-tie.c; likewise. */
+gboolean qn_read_ties (const QnJsonValue *root, QnModel *model);
+void qn_project_append_ties (GString *json, const QnModel *model, GHashTable *inner);
+
 /* In project-contact.c; the walls must be expanded, so that their blocks have names. */
 gboolean qn_read_contact (const QnJsonValue *root, QnModel *model);
 void qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inner);

@@ -15,13 +15,13 @@
 
 /* Members of the document: those that become part of the model, and behind them those that it does
  * not hold, which are kept and written back as they are. */
-#define MODEL_KEYS 14
-static const char *const keys[] = { "format", "version",        "title",    "gravity",
-                                    "laws",   "blocks",         "walls",    "contact",
-                                    "loads",  "bars",           "analysis", "sections",
-                                    "nodes",  "beams",          "view",     "figures",
-                                    "guides", "underlay",       "history",  "capacity",
-                                    "report", QN_MASONRY_MEMBER };
+#define MODEL_KEYS 15
+static const char *const keys[] = { "format",   "version", "title",          "gravity",
+                                    "laws",     "blocks",  "walls",          "contact",
+                                    "loads",    "bars",    "ties",           "analysis",
+                                    "sections", "nodes",   "beams",          "view",
+                                    "figures",  "guides",  "underlay",       "history",
+                                    "capacity", "report",  QN_MASONRY_MEMBER };
 
 static gboolean
 check_format (const QnJsonValue *root)
@@ -117,8 +117,9 @@ read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
          && take_status (root, project, qn_model_expand_walls (model, &diag), &diag)
          && qn_read_beams (root, model)
          && take_status (root, project, qn_model_expand_beams (model, &diag), &diag)
-         && qn_read_bars (root, model) && qn_read_contact (root, model)
-         && qn_read_loads (root, model) && qn_read_analysis (root, model)
+         && qn_read_bars (root, model) && qn_read_ties (root, model)
+         && qn_read_contact (root, model) && qn_read_loads (root, model)
+         && qn_read_analysis (root, model)
          && take_status (root, project, qn_model_prepare (model, &diag), &diag);
 }
 

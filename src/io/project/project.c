@@ -122,6 +122,7 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     [QN_ENTITY_CONTACT] = "contact",
     [QN_ENTITY_FACE_OVERRIDE] = "contact.faces",
     [QN_ENTITY_BAR] = "bars",
+    [QN_ENTITY_TIE] = "ties",
     [QN_ENTITY_NODE] = "nodes",
     [QN_ENTITY_SECTION] = "sections",
     [QN_ENTITY_BEAM] = "beams",
@@ -340,6 +341,8 @@ dup_finding_path (const QnProject *project, const QnFinding *finding)
   case QN_PROBLEM_BEAM_FLOATING:
   case QN_PROBLEM_BEAM_END_FREE:
     return qn_project_dup_key_path (project, QN_ENTITY_BEAM, finding->subject);
+  case QN_PROBLEM_TIE_OFF_BLOCK:
+    return qn_project_dup_key_path (project, QN_ENTITY_TIE, finding->subject);
   case QN_PROBLEM_LOAD_MEETS_NOTHING:
     return finding->subject < dead
              ? qn_project_dup_key_path (project, QN_ENTITY_DEAD_LOAD, finding->subject)

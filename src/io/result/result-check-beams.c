@@ -91,3 +91,42 @@ qn_result_check_add_beams (const QnResultFile *file, const QnModel *model,
       check->beam_scale, fmax (qn_vec2_length (on_node[0]), qn_vec2_length (on_node[1])));
   }
 }
+
+void
+qn_result_check_add_ties (const QnResultFile *file, const QnModel *model,
+                          const double *deformation, double *balance,
+                          QnResultCheck *check)
+{
+  const QnResult *result = &file->result;
+  const QnTieResult *ties = qn_result_step_ties (result, result->step_count - 1);
+
+  for (size_t i = 0; ties != NULL && i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    double force = ties[i].force, steel = tie->area * tie->yield;
+    QnVec2 at[2];
+    for (int end = 0; end < 2; end++) {
+      at[end] = tie->ends[end].at;
+      if (tie->ends[end].block != QN_NONE && deformation != NULL)
+        at[end] = qn_block_place (model, tie->ends[end].block, deformation, at[end]);
+    }
+    QnVec2 along = qn_vec2_sub (at[1], at[0]);
+    QnVec2 pull = qn_vec2_scale (force / qn_vec2_length (along), along);
+    for (int end = 0; end < 2; end++) {
+      QnId block = tie->ends[end].block;
+      if (block == QN_NONE)
+        continue;
+      double *sum = balance + (size_t) block * QN_DOF_COUNT;
+      QnVec2 on_block = qn_vec2_scale (end == 0 ? 1 : -1, pull);
+      QnVec2 arm = qn_vec2_sub (at[end], place_of (model, (size_t) block, deformation));
+      sum[QN_DOF_UX] += on_block.x;
+      sum[QN_DOF_UY] += on_block.y;
+      sum[QN_DOF_RZ] += qn_vec2_cross (arm, on_block);
+    }
+    check->beam_scale = fmax (check->beam_scale, force);
+    check->tie_excess = fmax (check->tie_excess, -force);
+    if (tie->yield > 0)
+      check->tie_excess = fmax (check->tie_excess, force - steel);
+    if (tie->anchor > 0)
+      check->tie_excess = fmax (check->tie_excess, force - tie->anchor);
+  }
+}

@@ -1,4 +1,4 @@
-/* Part of the independent check of a result: the section forces of beams. */
+/* Part of the independent check of a result: the section forces of beams, the forces of ties. */
 #ifndef QN_IO_RESULT_CHECK_BEAMS_H
 #define QN_IO_RESULT_CHECK_BEAMS_H
 
@@ -11,5 +11,11 @@
 void qn_result_check_add_beams (const QnResultFile *file, const QnModel *model,
                                 const double *deformation, const double *factors,
                                 double *balance, QnResultCheck *check);
+
+/* The same of the ties, whose ends have moved with their blocks; and how much their forces are outside of
+ * what they carry. */
+void qn_result_check_add_ties (const QnResultFile *file, const QnModel *model,
+                               const double *deformation, double *balance,
+                               QnResultCheck *check);
 
 #endif

@@ -302,6 +302,10 @@ find_obstacle (const QnResultFile *file, const QnModel *model)
       "its energy balance");
   if (model->element_count > 0 && file->result.beam_forces == NULL)
     return _ ("the result holds no forces of the beams");
+  if (model->tie_count > 0
+      && (file->result.tie_count != model->tie_count
+          || qn_result_step_ties (&file->result, file->result.step_count - 1) == NULL))
+    return _ ("the result holds no forces of the ties");
   gboolean by_area = FALSE;
   for (size_t i = 0; i < model->law_count; i++)
     by_area = by_area || needs_area (&model->laws[i]);
@@ -371,7 +375,11 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
   if (deformation != NULL)
     check_found (result, model, deformation, balance, check);
   qn_result_check_add_beams (file, model, deformation, factors, balance, check);
+  qn_result_check_add_ties (file, model, deformation, balance, check);
   find_worst_block (model, balance, check);
+  if (check->tie_excess > 0)
+    check->yield_violation =
+      MAX (check->yield_violation, check->tie_excess / check->force_scale);
   free (vectors);
   return TRUE;
 }

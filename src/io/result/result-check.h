@@ -20,14 +20,17 @@ typedef struct QnResultCheck {
   QnId unbalanced_node;  /* the same for a node of beams, */
   QnId unbalanced_element;       /* or for an element of a beam under its own load */
   double element_out_of_balance; /* N: the largest of these */
-  double beam_scale;             /* N: largest end force of an element */
+  double beam_scale; /* N: largest end force of an element, or force of a tie */
+  double tie_excess; /* N: most that a tie has above its strength, or below none */
   double
     force_scale; /* N: largest weight of a free block, or load where they are weightless, or
                         force of a contact or beam */
 
-  double yield_violation; /* largest over the pairs, over `contact_scale` */
-  QnId violating_pair;    /* where, or QN_NONE */
-  double contact_scale;   /* N: largest contact force */
+  double
+    yield_violation; /* largest over the pairs, over `contact_scale`; of the ties, over the
+                             largest force */
+  QnId violating_pair;  /* where, or QN_NONE */
+  double contact_scale; /* N: largest contact force */
 
   double
     point_distance;  /* m: largest distance of a contact point from the outline of either

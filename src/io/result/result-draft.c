@@ -57,6 +57,10 @@ check_beam_counts (QnJsonStream *stream, const QnResultDraft *draft)
       && draft->beam_force_count != result->step_count * draft->element_count)
     return qn_json_stream_fail_at (
       stream, "steps", _ ("there are not as many beam forces as elements in every step"));
+  gsize ties = draft->tie_names.items != NULL ? draft->tie_names.items->len : 0;
+  if (draft->tie_count != result->step_count * ties)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many ties in every step as names"));
   if (draft->has_mechanism && draft->node_mechanism.count != nodes * QN_DOF_COUNT)
     return qn_json_stream_fail_at (stream, "node_mechanism",
                                    _ ("there are not as many velocities as nodes"));
@@ -160,6 +164,9 @@ take_arrays (QnJsonStream *stream, QnResultDraft *draft)
     draft->displacements.count + draft->node_displacements.count;
   result->beam_forces = g_steal_pointer (&draft->beam_forces);
   result->beam_force_capacity = draft->beam_force_capacity;
+  result->tie_count = draft->tie_names.items != NULL ? draft->tie_names.items->len : 0;
+  result->ties = g_steal_pointer (&draft->ties);
+  result->tie_capacity = draft->tie_capacity;
   result->step_capacity = draft->step_capacity;
   if (draft->has_mechanism)
     result->mechanism = join_rows (stream, &draft->mechanism, result->block_count,
@@ -213,5 +220,7 @@ qn_result_draft_clear (QnResultDraft *draft)
   free (draft->node_displacements.items);
   free (draft->node_mechanism.items);
   free (draft->beam_forces);
+  free (draft->ties);
+  g_clear_pointer (&draft->tie_names.items, g_ptr_array_unref);
   g_clear_pointer (&draft->nodes.items, g_ptr_array_unref);
 }

@@ -32,7 +32,7 @@ typedef struct QnOptionalNumber {
 /* What is read before it is known to fit together. */
 typedef struct QnResultDraft {
   QnResultFile file;
-  QnResultNames blocks, overrides, nodes;
+  QnResultNames blocks, overrides, nodes, tie_names;
   QnOptionalNumber collapse, first_limit, associative_bound, broken_bound, beyond_linear,
     unproved;
   QnResultIds unstable, supports;
@@ -43,6 +43,8 @@ typedef struct QnResultDraft {
   QnResultRows node_displacements, node_mechanism;
   QnBeamForces *beam_forces;
   size_t beam_force_count, beam_force_capacity, element_count;
+  QnTieResult *ties;
+  size_t tie_count, tie_capacity;
   gboolean has_mechanism;
   double fixed_points[QN_RESULT_SOLUTIONS];
   gint32 fixed_point_count;

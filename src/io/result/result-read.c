@@ -215,6 +215,32 @@ read_element_forces (QnJsonStream *stream, gpointer target)
   return TRUE;
 }
 
+static gboolean
+read_tie_state (QnJsonStream *stream, gpointer target)
+{
+  return read_word (stream, qn_tie_state_names, QN_TIE_STATE_COUNT,
+                    _ ("this is not a state of a tie"), target);
+}
+
+static gboolean
+read_tie (QnJsonStream *stream, gpointer target)
+{
+  static const QnJsonMember members[] = {
+    { "force", qn_json_stream_number, offsetof (QnTieResult, force), QN_JSON_REQUIRED },
+    { "elongation", qn_json_stream_number, offsetof (QnTieResult, elongation),
+      QN_JSON_REQUIRED },
+    { "state", read_tie_state, offsetof (QnTieResult, state), QN_JSON_REQUIRED },
+  };
+  QnResultDraft *draft = target;
+  QnTieResult tie = { 0 };
+  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &tie)
+      || !grow (stream, &draft->ties, draft->tie_count, &draft->tie_capacity,
+                sizeof *draft->ties))
+    return FALSE;
+  draft->ties[draft->tie_count++] = tie;
+  return TRUE;
+}
+
 /* Only how many there are is of interest: which they are is the model's knowledge. */
 static gboolean
 read_element (QnJsonStream *stream, gpointer target)
@@ -263,10 +289,11 @@ read_step (QnJsonStream *stream, gpointer target)
     { "node_displacements", read_row, offsetof (QnResultDraft, node_displacements),
       QN_JSON_EACH },
     { "beam_forces", read_element_forces, 0, QN_JSON_EACH },
+    { "ties", read_tie, 0, QN_JSON_EACH },
   };
   QnResultDraft *draft = target;
   QnResult *result = &draft->file.result;
-  size_t before = draft->displacements.count;
+  size_t before = draft->displacements.count, ties = draft->tie_count;
   draft->step = (QnStep){ 0 };
   draft->forces.step = result->step_count;
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), draft)
@@ -274,6 +301,15 @@ read_step (QnJsonStream *stream, gpointer target)
                 sizeof *result->steps))
     return FALSE;
 
+  /* A step may leave them out. */
+  gsize names = draft->tie_names.items != NULL ? draft->tie_names.items->len : 0;
+  for (gsize i = 0; draft->tie_count == ties + i && i < names; i++) {
+    if (!grow (stream, &draft->ties, draft->tie_count, &draft->tie_capacity,
+               sizeof *draft->ties))
+      return FALSE;
+    draft->ties[draft->tie_count++] =
+      (QnTieResult){ .force = (double) NAN, .elongation = (double) NAN };
+  }
   size_t rows = draft->displacements.count - before;
   if (result->step_count == 0)
     draft->rows_per_step = rows;
@@ -464,7 +500,7 @@ read_refused (QnJsonStream *stream, gpointer target)
   typedef struct RefusedDraft {
     QnFault fault;
     QnOptionalNumber stated, found;
-    QnId pair, block, node, beam, event;
+    QnId pair, block, node, beam, tie, event;
   } RefusedDraft;
   static const QnJsonMember members[] = {
     { "claim", read_claim, offsetof (RefusedDraft, fault.claim), QN_JSON_REQUIRED },
@@ -473,24 +509,26 @@ read_refused (QnJsonStream *stream, gpointer target)
     { "block", qn_json_stream_int32, offsetof (RefusedDraft, block), QN_JSON_OPTIONAL },
     { "node", qn_json_stream_int32, offsetof (RefusedDraft, node), QN_JSON_OPTIONAL },
     { "beam", qn_json_stream_int32, offsetof (RefusedDraft, beam), QN_JSON_OPTIONAL },
+    { "tie", qn_json_stream_int32, offsetof (RefusedDraft, tie), QN_JSON_OPTIONAL },
     { "event", qn_json_stream_int32, offsetof (RefusedDraft, event), QN_JSON_OPTIONAL },
     { "stated", read_optional, offsetof (RefusedDraft, stated), QN_JSON_OPTIONAL },
     { "found", read_optional, offsetof (RefusedDraft, found), QN_JSON_OPTIONAL },
   };
   QnResult *result = target;
-  RefusedDraft read = {
-    .pair = QN_NONE, .block = QN_NONE, .node = QN_NONE, .beam = QN_NONE, .event = QN_NONE
-  };
+  RefusedDraft read = { .pair = QN_NONE,
+                        .block = QN_NONE,
+                        .node = QN_NONE,
+                        .beam = QN_NONE,
+                        .tie = QN_NONE,
+                        .event = QN_NONE };
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read))
     return FALSE;
   const struct {
     QnEntity entity;
     QnId index;
-  } places[] = { { QN_ENTITY_CONTACT, read.pair },
-                 { QN_ENTITY_BLOCK, read.block },
-                 { QN_ENTITY_NODE, read.node },
-                 { QN_ENTITY_BEAM, read.beam },
-                 { QN_ENTITY_ANALYSIS, read.event } };
+  } places[] = { { QN_ENTITY_CONTACT, read.pair }, { QN_ENTITY_BLOCK, read.block },
+                 { QN_ENTITY_NODE, read.node },    { QN_ENTITY_BEAM, read.beam },
+                 { QN_ENTITY_TIE, read.tie },      { QN_ENTITY_ANALYSIS, read.event } };
   read.fault.entity = QN_ENTITY_MODEL;
   read.fault.index = QN_NONE;
   for (gsize i = 0; i < G_N_ELEMENTS (places); i++)
@@ -611,6 +649,7 @@ read_document (QnJsonStream *stream, gpointer target)
     { "blocks", read_names, OF (blocks), QN_JSON_REQUIRED },
     { "nodes", read_names, OF (nodes), QN_JSON_OPTIONAL },
     { "elements", read_element, 0, QN_JSON_EACH },
+    { "ties", read_names, OF (tie_names), QN_JSON_OPTIONAL },
     { "steps", read_step, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
     { "contacts", read_contact, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
     { "vibration", read_vibration, RESULT (vibration), QN_JSON_OPTIONAL },

@@ -284,6 +284,21 @@ write_step_beams (QnFileWriter *writer, const QnResult *result, size_t step)
   qn_file_writer_puts (writer, result->element_count > 0 ? "]]" : "]");
 }
 
+/* Every tie in the order of the model; nothing where their forces are not known. */
+static void
+write_step_ties (QnFileWriter *writer, const QnResult *result, size_t step)
+{
+  const QnTieResult *ties = qn_result_step_ties (result, step);
+  for (size_t i = 0; ties != NULL && i < result->tie_count; i++) {
+    qn_file_writer_puts_number (
+      writer, i == 0 ? ", \"ties\": [{ \"force\": " : "{ \"force\": ", ties[i].force);
+    qn_file_writer_puts_number (writer, ", \"elongation\": ", ties[i].elongation);
+    qn_file_writer_printf (writer, ", \"state\": \"%s\" }%s",
+                           qn_tie_state_names[ties[i].state],
+                           i + 1 < result->tie_count ? ", " : "]");
+  }
+}
+
 static void
 write_steps (QnFileWriter *writer, const QnResult *result)
 {
@@ -311,6 +326,7 @@ write_steps (QnFileWriter *writer, const QnResult *result)
       }
     }
     write_step_beams (writer, result, i);
+    write_step_ties (writer, result, i);
     if (result->support_count > 0 && result->reactions != NULL) {
       qn_file_writer_puts (writer, ", \"reactions\": ");
       write_rows (writer, qn_result_step_reactions (result, i), result->support_count);
@@ -473,6 +489,11 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
     qn_file_writer_puts_string (writer, i > 0 ? ", " : "", project->model.blocks[i].name);
   qn_file_writer_puts (writer, "],\n");
   write_beams (writer, &project->model);
+  for (size_t i = 0; i < project->model.tie_count; i++)
+    qn_file_writer_puts_string (writer, i > 0 ? ", " : "  \"ties\": [",
+                                project->model.ties[i].name);
+  if (project->model.tie_count > 0)
+    qn_file_writer_puts (writer, "],\n");
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
   /* What the mechanism is where it is no collapse. */

@@ -27,6 +27,10 @@ static const struct {
   [QN_CLAIM_STATES] = { "states", N_ ("the state of the joint is not that of its force"),
                         NULL },
   [QN_CLAIM_BALANCE] = { "balance", N_ ("forces and loads are out of balance"), "N" },
+  [QN_CLAIM_TIES] = { "ties",
+                      N_ ("force, elongation or state of the tie is not that of its "
+                          "ends, or exceeds its strength"),
+                      "N" },
   [QN_CLAIM_REACTIONS] = { "reactions",
                            N_ ("the reaction is not what forces and loads leave"), "N" },
   [QN_CLAIM_EVENTS] = { "events", N_ ("the event is not one of the steps"), "" },
@@ -78,6 +82,7 @@ qn_fault_place_name (QnEntity entity)
          : entity == QN_ENTITY_BLOCK ? "block"
          : entity == QN_ENTITY_NODE  ? "node"
          : entity == QN_ENTITY_BEAM  ? "beam"
+         : entity == QN_ENTITY_TIE   ? "tie"
                                      : "event";
 }
 
@@ -101,6 +106,8 @@ dup_place (const QnModel *model, const QnContacts *contacts, const QnFault *faul
     return g_strdup_printf (_ ("node “%s”"), model->nodes[at].name);
   if (fault->entity == QN_ENTITY_BEAM && at < model->beam_count)
     return g_strdup_printf (_ ("beam “%s”"), model->beams[at].name);
+  if (fault->entity == QN_ENTITY_TIE && at < model->tie_count)
+    return g_strdup_printf (_ ("tie “%s”"), model->ties[at].name);
   return g_strdup_printf (_ ("number %d"), fault->index);
 }
 

@@ -64,8 +64,20 @@ add_node_load (QnModel *model, bool live, QnId node, double x, double y, double 
   return load;
 }
 
+static QnTie *
+add_tie (QnModel *model, const char *name, QnId first, QnVec2 from, QnId second,
+         QnVec2 to)
+{
+  QnTie *tie = qn_model_add_tie (model, name);
+  tie->ends[0] = (QnTieEnd){ first, from };
+  tie->ends[1] = (QnTieEnd){ second, to };
+  tie->area = 1e-3;
+  tie->elasticity = 2e11;
+  return tie;
+}
+
 /* A wall with beams between its blocks, at every kind of seat, with hinges and loads of every
- * kind. */
+ * kind; and ties that pull, hang slack, flow and are being tensioned. */
 static void
 init_mixture (QnModel *model, QnGeometry geometry)
 {
@@ -80,6 +92,11 @@ init_mixture (QnModel *model, QnGeometry geometry)
   add_beam (model, "b1", shared, point, 3);
   add_beam (model, "b2", point, free, 2)->hinge[0] = true;
   add_beam (model, "b3", free, side, 1)->kind = QN_BEAM_EULER_BERNOULLI;
+  QnVec2 low = qn_vec2 (0.5, 0.7), high = qn_vec2 (2.1, 1.8);
+  add_tie (model, "t1", 4, low, 20, high)->prestress = 3e5;
+  add_tie (model, "t2", 20, high, 10, low)->slack = 0.1;
+  add_tie (model, "t3", QN_NONE, qn_vec2 (-3, 1), 40, high)->yield = 1e4;
+  add_tie (model, "t4", 12, high, QN_NONE, qn_vec2 (4, 0));
   for (int live = 0; live < 2; live++) {
     add_line_load (model, live, 1, 2e6, -3e6);
     add_node_load (model, live, point, 1e6, 5e6, 2e5);

@@ -38,7 +38,7 @@ forces (const QnBeamProperties *p, const QnBeamMemory *memory, const double v[6]
 static void
 check_tangent (const QnBeamProperties *p, const double v[6], bool nonlinear)
 {
-  const QnBeamMemory memory = { { 1e-3, -2e-3 } };
+  const QnBeamMemory memory = { .plastic = { 1e-3, -2e-3 } };
   QnBeamKinematics kinematics, near;
   QnBeamResponse response, moved;
   double at[6], k[6][6] = { { 0 } }, here[6], largest = 0;
@@ -143,7 +143,8 @@ test_yielding (void)
   for (int trial = 0; trial < 20000; trial++) {
     QnBeamProperties p = sample (g_rand_double_range (random, 1e3, 1e5),
                                  g_rand_double_range (random, 1e3, 1e5));
-    const QnBeamMemory memory = { { g_rand_double_range (random, -0.01, 0.01),
+    const QnBeamMemory memory = { .plastic = {
+                                    g_rand_double_range (random, -0.01, 0.01),
                                     g_rand_double_range (random, -0.01, 0.01) } };
     const double deformation[3] = { 0, g_rand_double_range (random, -0.05, 0.05),
                                     g_rand_double_range (random, -0.05, 0.05) };

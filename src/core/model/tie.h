@@ -1,0 +1,69 @@
+/* Ties: unbonded tension members between two points of blocks, or of a block and the ground.
+ *
+ * A tie pulls along the straight line between its ends, with the force
+ *
+ *   N = E A / L (e - slack - plastic),   0 <= N <= min (A yield, anchor)
+ *
+ * where e is how much farther its ends are apart than as drawn and L the length as drawn. Beyond
+ * the strength the steel yields or the anchor gives, without losing force: `plastic` grows, and
+ * stays. Pushed together it hangs slack.
+ *
+ * With a prestress P it is tensioned while the dead load acts: it has the force P there, however
+ * much the structure gives, or more where the dead load stretches it,
+ *
+ *   N = max (P, P + E A / L e)
+ *
+ * and from then on it is an elastic tie that has this force. A tie has no weight.
+ */
+#ifndef QN_CORE_TIE_H
+#define QN_CORE_TIE_H
+
+#include "core/base/base.h"
+#include "core/base/vec2.h"
+
+typedef struct QnTieEnd {
+  QnId block; /* that the end is fixed to, or QN_NONE: the ground */
+  QnVec2 at;  /* m, as drawn */
+} QnTieEnd;
+
+typedef struct QnTie {
+  char *name; /* owned, unique among ties */
+  QnTieEnd ends[2];
+  double area;       /* A, m2, > 0 */
+  double elasticity; /* E, Pa, > 0 */
+  double yield;      /* Pa; 0: does not yield */
+  double prestress;  /* P, N, >= 0, at most the strength */
+  double slack;      /* m, >= 0; 0 where there is prestress */
+  double anchor;     /* what an anchor holds, N; 0: no limit */
+  int32_t note;      /* as in QnBlock */
+} QnTie;
+
+typedef enum {
+  QN_TIE_SLACK,
+  QN_TIE_ELASTIC,
+  QN_TIE_YIELDS, /* the steel has its strength */
+  QN_TIE_ANCHOR, /* the anchor has */
+  QN_TIE_STATE_COUNT
+} QnTieState;
+
+/* What a tie does at a step. */
+typedef struct QnTieResult {
+  double force;      /* N, >= 0; NAN: not known */
+  double elongation; /* e, m */
+  QnTieState state;
+} QnTieResult;
+
+/* Spelling in result files: "slack", "elastic", "yields", "anchor". */
+extern const char *const qn_tie_state_names[QN_TIE_STATE_COUNT];
+
+double qn_tie_length (const QnTie *tie);    /* L, m */
+double qn_tie_stiffness (const QnTie *tie); /* E A / L, N/m */
+
+/* The largest force, N, INFINITY where nothing limits it; and which of both limits it is. */
+double qn_tie_strength (const QnTie *tie);
+QnTieState qn_tie_weakest (const QnTie *tie);
+
+/* What a tie with this force is; a limit is reached within `little`, N. */
+QnTieState qn_tie_state (const QnTie *tie, double force, double little);
+
+#endif
