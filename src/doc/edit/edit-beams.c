@@ -150,4 +150,9 @@ qn_edit_transform_nodes (QnModel *model, const gboolean *flags, QnTransform tran
     if (moves && (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT))
       node->at = qn_transform_apply (transform, node->at);
   }
+  for (gsize i = 0; i < 2 * model->tie_count; i++) {
+    QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
+    if (end->block != QN_NONE ? flags[end->block] : all)
+      end->at = qn_transform_apply (transform, end->at);
+  }
 }

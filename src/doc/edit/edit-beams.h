@@ -21,7 +21,8 @@ gboolean qn_edit_copy_beams (const QnModel *from, QnModel *to,
 void qn_beam_rebuild_clear (QnBeamRebuild *rebuild);
 
 /* Nodes at given points of the blocks go where the transform takes those blocks; so do nodes
- * that stand free where every block of the model is among them. flags: one per block. */
+ * that stand free where every block of the model is among them; and so do the ends of ties. flags: one per
+ * block. */
 void qn_edit_transform_nodes (QnModel *model, const gboolean *flags,
                               QnTransform transform);
 

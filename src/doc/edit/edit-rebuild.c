@@ -287,6 +287,29 @@ copy_bars (const Rebuild *r)
   return TRUE;
 }
 
+/* Without those whose block is gone, or whose blocks have become one. */
+static gboolean
+copy_ties (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->tie_count; i++) {
+    QnTie tie = r->from->ties[i];
+    gboolean gone = FALSE;
+    for (int end = 0; end < 2; end++) {
+      QnId block = tie.ends[end].block;
+      tie.ends[end].block = follow_block (r, block);
+      gone = gone || (block != QN_NONE && tie.ends[end].block == QN_NONE);
+    }
+    if (gone || tie.ends[0].block == tie.ends[1].block)
+      continue;
+    QnTie *added = qn_model_add_tie (r->to, tie.name);
+    if (added == NULL)
+      return FALSE;
+    tie.name = added->name;
+    *added = tie;
+  }
+  return TRUE;
+}
+
 static gboolean
 copy_load_cases (const Rebuild *r)
 {
@@ -400,7 +423,8 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     && copy_load_cases (&r)
     && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
     && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
-    && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r) && copy_dynamics (&r);
+    && copy_overrides (&r) && copy_bars (&r) && copy_ties (&r) && copy_stages (&r)
+    && copy_dynamics (&r);
   if (done) {
     fresh.analysis.control_block = follow_block (&r, model->analysis.control_block);
     fresh.analysis.control_node = follow_node (&r, model->analysis.control_node);

@@ -106,6 +106,11 @@ redirect (QnModel *model, QnId gone, QnId first, QnId main)
   model->override_count = kept;
   if (model->analysis.control_block == gone)
     model->analysis.control_block = main;
+  for (gsize i = 0; i < 2 * model->tie_count; i++) {
+    QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
+    if (end->block == gone)
+      end->block = block_at (model, first, end->at);
+  }
   for (gsize i = 0; i < model->node_count; i++) {
     QnNode *node = &model->nodes[i];
     if (node->block != gone)
