@@ -18,13 +18,11 @@
 /* How often that length is halved where closing spoils a stone. */
 #define CLOSING_ROUNDS 8
 
+/* How often sites are moved to the centroids of their cells. */
+#define RELAXING_ROUNDS 10
+
 /* Courses are lower than stones are long, as they lie. */
 #define FLATNESS 0.75
-
-typedef struct Site {
-  QnVec2 at;
-  int32_t row, column;
-} Site;
 
 /* A number in [-1, 1) for each stone and direction, whatever the size of the wall. */
 static double
@@ -66,8 +64,8 @@ half_width (const QnRubble *rubble, double y)
 static int32_t
 row_count (const QnRubble *rubble)
 {
-  return (int32_t) qn_to_integer (round (rubble->height / (FLATNESS * rubble->stone)), 1,
-                                  QN_MAX_BLOCKS);
+  double height = rubble->stone * (rubble->relaxed ? 1 : FLATNESS);
+  return (int32_t) qn_to_integer (round (rubble->height / height), 1, QN_MAX_BLOCKS);
 }
 
 static int32_t
@@ -86,62 +84,73 @@ site_at (const QnRubble *rubble, int32_t row, int32_t column)
   int32_t columns = column_count (rubble, y);
   double half = half_width (rubble, y), length = 2 * half / columns;
   double shift = columns > 1 ? (row % 2 == 0 ? 0.25 : -0.25) : 0;
-  double stray = 0.35 * rubble->irregularity;
+  double stray = rubble->relaxed ? 1 : 0.35 * rubble->irregularity;
   double x = rubble->width / 2 - half + (column + 0.5 + shift / 2) * length
              + stray * length * noise (rubble, row, column, 0);
   y += stray * height * noise (rubble, row, column, 1);
+  if (rubble->relaxed) { /* those that have strayed beyond the outline */
+    x = fmin (fmax (x, 0.1 * length), rubble->width - 0.1 * length);
+    y = fmin (fmax (y, 0.1 * height), rubble->height - 0.1 * height);
+  }
   return qn_vec2 (x, y);
 }
 
-static GEOSGeometry *
-sites_geometry (QnGeos *geos, const QnRubble *rubble, size_t *count)
+/* The sites of all stones, row by row; NULL when memory runs out. */
+static QnVec2 *
+lay_sites (const QnRubble *rubble, size_t *count)
 {
-  GEOSContextHandle_t h = geos->handle;
   int32_t rows = row_count (rubble);
-  size_t total = 0;
+  size_t total = 0, i = 0;
   for (int32_t row = 0; row < rows; row++)
     total += (size_t) column_count (rubble, (row + 0.5) * rubble->height / rows);
-  GEOSCoordSequence *sequence = GEOSCoordSeq_create_r (h, (unsigned) total, 2);
-  if (sequence == NULL)
-    return NULL;
-  unsigned i = 0;
-  for (int32_t row = 0; row < rows; row++) {
+  QnVec2 *sites = qn_alloc (total, sizeof *sites);
+  for (int32_t row = 0; sites != NULL && row < rows; row++) {
     int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
-    for (int32_t column = 0; column < columns; column++) {
-      QnVec2 p = site_at (rubble, row, column);
-      GEOSCoordSeq_setXY_r (h, sequence, i++, p.x, p.y);
-    }
+    for (int32_t column = 0; column < columns; column++)
+      sites[i++] = site_at (rubble, row, column);
   }
   *count = total;
-  return total > 1 ? GEOSGeom_createLineString_r (h, sequence)
-                   : GEOSGeom_createPoint_r (h, sequence);
+  return sites;
+}
+
+static GEOSGeometry *
+sites_geometry (QnGeos *geos, const QnVec2 *sites, size_t count)
+{
+  GEOSContextHandle_t h = geos->handle;
+  GEOSCoordSequence *sequence = GEOSCoordSeq_create_r (h, (unsigned) count, 2);
+  if (sequence == NULL)
+    return NULL;
+  for (size_t i = 0; i < count; i++)
+    GEOSCoordSeq_setXY_r (h, sequence, (unsigned) i, sites[i].x, sites[i].y);
+  return GEOSGeom_createLineString_r (h, sequence);
 }
 
 /* All cells, in no particular order, clipped to nothing yet. */
 static QnStatus
-tessellate (const QnRubble *rubble, const QnRing *outline, QnRings *cells, QnDiag *diag)
+divide (const QnVec2 *sites, size_t count, const QnRing *outline, QnRings *cells,
+        QnDiag *diag)
 {
+  if (count == 1)
+    return qn_rings_add (cells, outline->points, outline->count)
+             ? QN_OK
+             : qn_diag_no_memory (diag);
   QnGeos geos = { 0 };
   QnStatus status = qn_geos_init (&geos, diag);
   if (status != QN_OK)
     return status;
-  size_t count = 0;
-  GEOSGeometry *sites = sites_geometry (&geos, rubble, &count);
+  GEOSGeometry *line = sites_geometry (&geos, sites, count);
   GEOSGeometry *frame = qn_geos_polygon (&geos, outline->points, outline->count);
-  if (sites == NULL || frame == NULL) {
+  if (line == NULL || frame == NULL) {
     status = qn_diag_no_memory (diag);
-  } else if (count == 1) {
-    if (!qn_rings_add (cells, outline->points, outline->count))
-      status = qn_diag_no_memory (diag);
   } else {
-    GEOSGeometry *diagram = GEOSVoronoiDiagram_r (geos.handle, sites, frame, 0, 0);
+    GEOSGeometry *diagram = GEOSVoronoiDiagram_r (geos.handle, line, frame, 0, 0);
     if (diagram == NULL)
       status = qn_geos_failed (&geos, diag);
     else if (!qn_geos_read_polygons (&geos, diagram, cells, NULL))
       status = qn_diag_no_memory (diag);
     GEOSGeom_destroy_r (geos.handle, diagram);
   }
-  GEOSGeom_destroy_r (geos.handle, sites);
+  GEOSGeom_destroy_r (geos.handle, line);
   GEOSGeom_destroy_r (geos.handle, frame);
   qn_geos_clear (&geos);
   return status;
@@ -160,46 +169,98 @@ cell_of (const QnRings *cells, const QnBoxTree *tree, QnVec2 site)
   return QN_NONE;
 }
 
-/* Clips the cell of a site to the outline and names it. */
+/* The cell of every site within the outline, in the order of the sites; without points where there
+ * is none. */
 static QnStatus
-add_stone (const QnMasonry *masonry, const QnRing *outline, const QnRings *cells,
-           const QnBoxTree *tree, int32_t row, int32_t column, QnPieces *pieces,
-           QnDiag *diag)
+tessellate (const QnVec2 *sites, size_t count, const QnRing *outline, QnRing *stones,
+            QnDiag *diag)
 {
-  QnId cell = cell_of (cells, tree, site_at (&masonry->rubble, row, column));
-  if (cell == QN_NONE)
-    return QN_OK;
-  QnRings parts = { 0 };
-  QnStatus status = qn_polygon_intersection (&cells->items[cell], outline, &parts, diag);
-  if (status == QN_OK && parts.count > 0
-      && qn_pieces_add (pieces, parts.items[0].points, parts.items[0].count, "%s.%d.%d",
-                        masonry->name, row + 1, column + 1)
-           == NULL)
-    status = qn_diag_no_memory (diag);
-  qn_rings_clear (&parts);
-  return status;
-}
-
-static QnStatus
-lay_stones (const QnMasonry *masonry, const QnRing *outline, const QnRings *cells,
-            QnPieces *pieces, QnDiag *diag)
-{
-  const QnRubble *rubble = &masonry->rubble;
-  QnBox *boxes = qn_alloc (cells->count, sizeof *boxes);
+  QnRings cells = { 0 };
+  QnStatus status = divide (sites, count, outline, &cells, diag);
+  QnBox *boxes = qn_alloc (cells.count, sizeof *boxes);
   QnBoxTree tree = { 0 };
-  for (size_t i = 0; boxes != NULL && i < cells->count; i++)
-    boxes[i] = qn_box_of_points (cells->items[i].points, cells->items[i].count);
-  QnStatus status = boxes != NULL && qn_box_tree_init (&tree, boxes, cells->count)
-                      ? QN_OK
-                      : qn_diag_no_memory (diag);
-  int32_t rows = row_count (rubble);
-  for (int32_t row = 0; row < rows && status == QN_OK; row++) {
-    int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
-    for (int32_t column = 0; column < columns && status == QN_OK; column++)
-      status = add_stone (masonry, outline, cells, &tree, row, column, pieces, diag);
+  for (size_t i = 0; boxes != NULL && i < cells.count; i++)
+    boxes[i] = qn_box_of_points (cells.items[i].points, cells.items[i].count);
+  if (status == QN_OK && (boxes == NULL || !qn_box_tree_init (&tree, boxes, cells.count)))
+    status = qn_diag_no_memory (diag);
+  for (size_t i = 0; i < count && status == QN_OK; i++) {
+    QnId cell = cell_of (&cells, &tree, sites[i]);
+    QnRings parts = { 0 };
+    if (cell != QN_NONE)
+      status = qn_polygon_intersection (&cells.items[cell], outline, &parts, diag);
+    if (status == QN_OK && parts.count > 0) {
+      stones[i] = parts.items[0];
+      parts.items[0] = (QnRing){ 0 };
+    }
+    qn_rings_clear (&parts);
   }
   qn_box_tree_clear (&tree);
   free (boxes);
+  qn_rings_clear (&cells);
+  return status;
+}
+
+static void
+clear_stones (QnRing *stones, size_t count)
+{
+  for (size_t i = 0; i < count; i++)
+    qn_ring_clear (&stones[i]);
+}
+
+/* Moves every site to the centroid of its cell (S. Lloyd, Least squares quantization in PCM, IEEE
+ * Transactions on Information Theory 28 (1982) 129-137). */
+static QnStatus
+relax (QnVec2 *sites, size_t count, const QnRing *outline, QnRing *stones, QnDiag *diag)
+{
+  QnStatus status = QN_OK;
+  for (int round = 0; round < RELAXING_ROUNDS && status == QN_OK; round++) {
+    clear_stones (stones, count);
+    status = tessellate (sites, count, outline, stones, diag);
+    for (size_t i = 0; i < count && status == QN_OK; i++)
+      if (stones[i].count > 0)
+        sites[i] = qn_ring_centroid (&stones[i]);
+  }
+  clear_stones (stones, count);
+  return status;
+}
+
+/* Names the stones by row and column. */
+static QnStatus
+name_stones (const QnMasonry *masonry, const QnRing *stones, QnPieces *pieces,
+             QnDiag *diag)
+{
+  const QnRubble *rubble = &masonry->rubble;
+  int32_t rows = row_count (rubble);
+  for (int32_t row = 0; row < rows; row++) {
+    int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
+    for (int32_t column = 0; column < columns; column++, stones++)
+      if (stones->count > 0
+          && qn_pieces_add (pieces, stones->points, stones->count, "%s.%d.%d",
+                            masonry->name, row + 1, column + 1)
+               == NULL)
+        return qn_diag_no_memory (diag);
+  }
+  return QN_OK;
+}
+
+static QnStatus
+lay_stones (const QnMasonry *masonry, const QnRing *outline, QnPieces *pieces,
+            QnDiag *diag)
+{
+  size_t count;
+  QnVec2 *sites = lay_sites (&masonry->rubble, &count);
+  QnRing *stones = qn_alloc (count, sizeof *stones);
+  QnStatus status = sites != NULL && stones != NULL ? QN_OK : qn_diag_no_memory (diag);
+  if (status == QN_OK && masonry->rubble.relaxed)
+    status = relax (sites, count, outline, stones, diag);
+  if (status == QN_OK)
+    status = tessellate (sites, count, outline, stones, diag);
+  if (status == QN_OK)
+    status = name_stones (masonry, stones, pieces, diag);
+  if (stones != NULL)
+    clear_stones (stones, count);
+  free (stones);
+  free (sites);
   return status;
 }
 
@@ -244,13 +305,9 @@ qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
                        { middle + top, rubble->height },
                        { middle - top, rubble->height } };
   const QnRing outline = { corners, 4 };
-  QnRings cells = { 0 };
-  status = tessellate (rubble, &outline, &cells, diag);
-  if (status == QN_OK)
-    status = lay_stones (masonry, &outline, &cells, pieces, diag);
+  status = lay_stones (masonry, &outline, pieces, diag);
   if (status == QN_OK)
     status = close_short_edges (pieces, SHORT_EDGE * rubble->stone, &outline, diag);
-  qn_rings_clear (&cells);
   if (status == QN_OK && masonry->foundation > 0) {
     QnVec2 base[4];
     qn_rectangle (0, -masonry->foundation, rubble->width, 0, base);

@@ -192,6 +192,7 @@ add_blocks (const QnMasonry *masonry, const QnPieces *pieces, QnModel *model,
     block->unit_weight = masonry->unit_weight;
     block->density = masonry->density;
     block->law = masonry->law;
+    block->rigid = piece->fixed;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = piece->fixed;
   }
@@ -224,7 +225,7 @@ qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag 
 }
 
 /* clang-format off */
-const char *const qn_masonry_kind_names[QN_MASONRY_KIND_COUNT] = { "wall", "arch", "column", "buttress", "portal", "rubble" };
+const char *const qn_masonry_kind_names[QN_MASONRY_NAME_COUNT] = { "wall", "arch", "column", "buttress", "portal", "rubble", "grid", "voronoi" };
 const char *const qn_bond_names[QN_BOND_COUNT] = { "running", "stack", "header", "english", "flemish", "custom" };
 const char *const qn_closer_names[QN_CLOSER_COUNT] = { "none", "queen", "three-quarter" };
 const char *const qn_edge_names[QN_EDGE_COUNT] = { "straight", "toothed" };

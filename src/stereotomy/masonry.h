@@ -44,6 +44,14 @@ typedef enum {
   QN_MASONRY_KIND_COUNT
 } QnMasonryKind;
 
+/* Project files have names for varieties of these besides: cells of continuous walls. */
+enum {
+  QN_MASONRY_GRID =
+    QN_MASONRY_KIND_COUNT, /* a wall in stack bond, so many cells each way */
+  QN_MASONRY_VORONOI, /* rubble between upright sides, relaxed to cells of like size */
+  QN_MASONRY_NAME_COUNT
+};
+
 typedef enum {
   QN_BOND_RUNNING, /* stretchers, every other course shifted by `lap` of a unit */
   QN_BOND_STACK,   /* all joints above each other */
@@ -132,7 +140,9 @@ typedef struct QnMasonryWall {
   QnWall courses; /* CUSTOM: only lengths, course_ends, course_count are used */
   QnEdge left, right;
   double minimum_piece; /* 0 <= minimum_piece < 1; 0 turns the rule off */
-  QnOpening *openings;  /* owned */
+  bool
+    grid; /* written by the number of its cells, as long as one leaf is in stack bond */
+  QnOpening *openings; /* owned */
   size_t opening_count, opening_capacity;
 } QnMasonryWall;
 
@@ -181,6 +191,7 @@ typedef struct QnRubble {
   double width, top, height; /* m, > 0: lower and upper width, centred on x = width / 2 */
   double stone;              /* m, > 0: mean size */
   double irregularity;       /* 0 (brick-like hexagons) … 1 */
+  bool relaxed; /* every stone lies about its centroid, in no rows; `top` is `width` */
   uint32_t seed;
 } QnRubble;
 
@@ -234,7 +245,7 @@ QnStatus qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model
                             QnDiag *diag);
 
 /* The spelling in project files. */
-extern const char *const qn_masonry_kind_names[QN_MASONRY_KIND_COUNT];
+extern const char *const qn_masonry_kind_names[QN_MASONRY_NAME_COUNT];
 extern const char *const qn_bond_names[QN_BOND_COUNT];
 extern const char *const qn_closer_names[QN_CLOSER_COUNT];
 extern const char *const qn_edge_names[QN_EDGE_COUNT];

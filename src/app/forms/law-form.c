@@ -12,11 +12,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers by the keys of project files; the first three belong to every law. */
+/* Numbers by the keys of project files; the first ones belong to every law. */
 static const struct {
   const char *key;
   QnFieldInfo info;
 } numbers[] = {
+  { "elasticity", { N_ ("Elasticity"), .least = 1e-12, .most = 1e18 } },
+  { "poisson", { N_ ("Poisson's ratio"), .most = 0.4999 } },
   { "kn", { N_ ("Normal stiffness"), .least = 1e-12, .most = 1e18 } },
   { "ks", { N_ ("Shear stiffness"), .least = 1e-12, .most = 1e18 } },
   { "shear_factor", { N_ ("Shear factor (0: 1)"), .most = 1e18 } },
@@ -46,6 +48,7 @@ enum {
   JOINT,
   KIND,
   BASIS,
+  CELLS,
   POINTS,
   VIEW,
   ADD,
@@ -65,6 +68,7 @@ static const QnFormField fields[] = {
   [JOINT] = { .id = "joint", .step = N_ ("Use Typical Joint") },
   [KIND] = { .id = "kind", .step = N_ ("Change Law") },
   [BASIS] = { .id = "basis", .step = N_ ("Change Law") },
+  [CELLS] = { .id = "cells", .step = N_ ("Change Law") },
   [POINTS] = { .id = "points", .step = N_ ("Change Law") },
   [VIEW] = { .id = "view" },
   [ADD] = { .id = "add", .step = N_ ("Add Law") },
@@ -92,7 +96,10 @@ row_step (guint row)
 static double *
 number_of (QnLaw *law, guint row)
 {
-  double *all[] = { &law->kn, &law->ks, &law->shear_factor };
+  const gboolean derived = law->elasticity > 0.0;
+  double *all[] = { derived ? &law->elasticity : NULL, derived ? &law->poisson : NULL,
+                    derived ? NULL : &law->kn, derived ? NULL : &law->ks,
+                    &law->shear_factor };
   if (row < G_N_ELEMENTS (all))
     return all[row];
   size_t count;
@@ -162,6 +169,12 @@ show (gpointer data, guint field, QnValue *value)
       qn_value_add_row (value, _ (qn_basis_words[i]));
     value->number = law.basis;
     return TRUE;
+  case CELLS:
+    qn_value_add_row (value, _ ("Given"));
+    qn_value_add_row (value, _ ("Of the material, blocks in a chain"));
+    qn_value_add_row (value, _ ("Of the material, blocks in a grid"));
+    value->number = law.elasticity > 0.0 ? 1 + (int) law.arrangement : 0;
+    return law.basis == QN_BASIS_MATERIAL;
   case POINTS:
     value->text = qn_law_points_dup_text (law.points, law.point_count);
     return law.kind == QN_LAW_CURVE;
@@ -323,6 +336,14 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case BASIS:
     law->basis = (QnBasis) value->number;
+    if (law->basis != QN_BASIS_MATERIAL)
+      law->elasticity = 0.0;
+    return TRUE;
+  case CELLS:
+    law->elasticity = value->number > 0.0 ? law->kn : 0.0;
+    if (law->elasticity > 0.0)
+      law->arrangement = (QnArrangement) (value->number - 1.0);
+    qn_law_derive (law);
     return TRUE;
   case POINTS:
     if (!qn_law_points_parse (value->text, points, &count))
@@ -348,6 +369,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
                                form->by == form->shown ? QN_NONE : form->by, error);
   default:
     *number_of (law, field - FIRST_NUMBER) = value->number;
+    qn_law_derive (law);
     return TRUE;
   }
 }

@@ -99,6 +99,20 @@ print_loads (const QnModel *model)
   }
 }
 
+/* What follows from the elasticity of a material. */
+static void
+print_elasticities (const QnModel *model)
+{
+  for (size_t i = 0; i < model->law_count; i++) {
+    const QnLaw *law = &model->laws[i];
+    if (law->elasticity > 0)
+      printf (_ ("law %s: elasticity %.6g Pa, Poisson's ratio %.6g, blocks in a %s: "
+                 "kn %.6g, ks %.6g Pa\n"),
+              law->name, law->elasticity, law->poisson,
+              qn_arrangement_names[law->arrangement], law->kn, law->ks);
+  }
+}
+
 /* What moves the ground: a wrong unit, step or end shows in these numbers. */
 static void
 print_ground (const QnModel *model)
@@ -271,6 +285,7 @@ qn_check_report_print (const QnCheckReport *report)
   if (model->beam_count > 0)
     printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
             model->element_count, model->node_count);
+  print_elasticities (model);
   print_loads (model);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     print_ground (model);

@@ -19,16 +19,20 @@ typedef struct Kind {
   const char *parameters; /* JSON members */
   const char *choice;     /* one more, or NULL, */
   const char *instead;    /* unless a key that begins like this is given */
+  const char
+    *poisson; /* of the elastic material that its cells are of; NULL: dry joints */
 } Kind;
 
 /* clang-format off */
 static const Kind kinds[] = {
-  { "wall", "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"", NULL, NULL },
-  { "arch", "\"shape\": \"circular\", \"span\": 4, \"rise\": 2, \"ring\": 0.5, \"voussoirs\": 15", NULL, NULL },
-  { "column", "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6", NULL, NULL },
-  { "buttress", "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"", NULL, NULL },
-  { "portal", "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6", "\"lintel\": 0.4", "arch" },
-  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1", NULL, NULL },
+  { "wall", "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"", NULL, NULL, NULL },
+  { "arch", "\"shape\": \"circular\", \"span\": 4, \"rise\": 2, \"ring\": 0.5, \"voussoirs\": 15", NULL, NULL, NULL },
+  { "column", "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6", NULL, NULL, NULL },
+  { "buttress", "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"", NULL, NULL, NULL },
+  { "portal", "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6", "\"lintel\": 0.4", "arch", NULL },
+  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1", NULL, NULL, NULL },
+  { "grid", "\"size\": [3, 3], \"cells\": [12, 12]", NULL, NULL, "0.2" },
+  { "voronoi", "\"size\": [3, 3], \"cell\": 0.3, \"seed\": 1", NULL, NULL, "0" },
 };
 /* clang-format on */
 
@@ -92,7 +96,18 @@ dup_document (const Kind *kind, const Options *options, char **arguments,
                                     " \"foundation\": 0.2, %s%s%s }]",
                                     kind->name, kind->name, kind->parameters,
                                     chosen ? "" : ", ", chosen ? "" : kind->choice));
-  g_ptr_array_add (overrides, g_strdup_printf ("laws[0].friction=%s", friction));
+  if (kind->poisson == NULL) {
+    g_ptr_array_add (overrides, g_strdup_printf ("laws[0].friction=%s", friction));
+  } else {
+    g_ptr_array_add (overrides,
+                     g_strdup_printf ("laws=[{ \"name\": \"concrete\", \"kind\": "
+                                      "\"elastic\", \"basis\": \"material\","
+                                      " \"elasticity\": 3e10, \"poisson\": %s,"
+                                      " \"arrangement\": \"grid\" }]",
+                                      kind->poisson));
+    g_ptr_array_add (overrides, g_strdup ("contact.law=concrete"));
+    g_ptr_array_add (overrides, g_strdup ("analysis.max_multiplier=1"));
+  }
   QnProject begun;
   if (!qn_project_begin (&begun, "dry joint", error))
     return NULL;
@@ -204,8 +219,8 @@ run (const QnSubcommand *self, int argc, char **argv)
     rest[count] = NULL;
     const Kind *kind = find_kind (rest[1]);
     if (kind == NULL)
-      qn_cli_usage_error (
-        self->name, _ ("expected wall, arch, column, buttress, portal or rubble first"));
+      qn_cli_usage_error (self->name, _ ("expected wall, arch, column, buttress, portal, "
+                                         "rubble, grid or voronoi first"));
     else if (options.output == NULL)
       qn_cli_usage_error (self->name, _ ("-o is missing"));
     else
@@ -218,7 +233,8 @@ run (const QnSubcommand *self, int argc, char **argv)
 
 const QnSubcommand qn_cmd_generate = {
   .name = "generate",
-  .arguments = "wall|arch|column|buttress|portal|rubble [KEY=VALUE]… -o MODEL.quoin",
+  .arguments =
+    "wall|arch|column|buttress|portal|rubble|grid|voronoi [KEY=VALUE]… -o MODEL.quoin",
   .summary = N_ ("Write a project with parametric masonry"),
   .help =
     N_ ("Keys are those of the object in the project file, as KEY=VALUE or --KEY VALUE: "

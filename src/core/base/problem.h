@@ -43,6 +43,9 @@
   X (BASES_DIFFER, "laws on the two sides of a face have different bases") \
   X (PAIR_POSITION, "positions must increase from 0 to 1") \
   X (PAIR_WEIGHTS, "weights must be positive and add up to 1") \
+  X (RIGID_JOINT, "both sides of a joint by material are rigid: nothing can deform") \
+  X (LAW_CHAIN, "law of a chain joins blocks that have neighbours in two directions: its shear is twice too soft") \
+  X (LAW_GRID, "law of a grid joins blocks in one direction only: its shear is twice too stiff") \
   X (BAR_BASIS, "a bar needs a law by area: basis surface or material") \
   X (BAR_SHORT, "bar has no length") \
   X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \
@@ -75,6 +78,7 @@
   X (NODE_SUPPORTED_BY_BLOCK, "a node on a block has no support of its own") \
   X (NODE_MOMENT, "moment acts on a node where every beam is hinged") \
   X (POISSON_RATIO, "Poisson's ratio must be above -1 and at most 0.5") \
+  X (LAW_POISSON, "Poisson's ratio of a law must be at least 0 and below 0.5") \
   X (YIELD_SHAPELESS, "only a rectangle yields by a stress: give the plastic moment") \
   X (BEAM_SHORT, "beam has no length") \
   X (BEAM_ON_ONE_BLOCK, "both ends of the beam are on the same block") \

@@ -8,6 +8,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* A centroid less far behind a face than this part of the block's extent says nothing of how much
+ * deforms there. */
+#define LEAST_DEPTH 0.05
+
 QnStatus
 qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
@@ -101,6 +105,21 @@ qn_contacts_block_extent (const QnModel *model, QnId block, QnVec2 direction)
   return high - low;
 }
 
+/* How far the side of a block reaches behind a face: to its centroid, so that the two sides together
+ * reach from centroid to centroid. Where a hollow outline leaves the centroid in front of the face,
+ * half of its extent. */
+static double
+side_length (const QnModel *model, const QnContactFace *face, int side)
+{
+  QnId block = side == 0 ? face->a : face->b;
+  QnVec2 inwards = side == 0 ? qn_vec2_scale (-1, face->normal) : face->normal;
+  QnVec2 behind = qn_vec2_sub (model->blocks[block].centroid, face->start);
+  double extent = qn_contacts_block_extent (model, block, face->normal);
+  double depth = qn_vec2_dot (behind, inwards);
+
+  return depth > LEAST_DEPTH * extent ? depth : 0.5 * extent;
+}
+
 QnPairSprings
 qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts, size_t pair)
 {
@@ -109,18 +128,25 @@ qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts, size
   const QnId blocks[2] = { face->a, face->b };
   double area = p->tributary * face->thickness;
   QnSpring springs[2];
+  bool rigid[2] = { false, false };
 
   for (int side = 0; side < 2; side++) {
     const QnLaw *law = &model->laws[qn_contacts_pair_law (model, contacts, pair, side)];
-    /* The side of a block reaches to its middle; the other half belongs to the far side. */
-    double length = law->basis == QN_BASIS_MATERIAL
-                      ? 0.5 * qn_contacts_block_extent (model, blocks[side], face->normal)
-                      : 0;
+    bool by_length = law->basis == QN_BASIS_MATERIAL;
+    double length = by_length ? side_length (model, face, side) : 0;
+    rigid[side] = by_length && model->blocks[blocks[side]].rigid;
     springs[side] = qn_spring_from_law (law, area, length);
     if (p->found)
       qn_spring_lose_bond (&springs[side]);
   }
-  return qn_pair_springs (springs[0], springs[1]);
+  if (rigid[0] == rigid[1])
+    return qn_pair_springs (springs[0], springs[1]);
+  /* The spring of the side that deforms stands for the whole pair. */
+  QnSpring soft = springs[rigid[0] ? 1 : 0];
+  QnPairSprings pair_springs = { .a = soft, .b = soft, .equal = true };
+  if (rigid[1])
+    pair_springs.b.kn = INFINITY;
+  return pair_springs;
 }
 
 void

@@ -3,12 +3,16 @@
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/contact/pair-abscissae.h"
+#include "core/model/support.h"
 
 #include <stdlib.h>
 
 /* What pairs may make of the bending stiffness and of the moment of a crushed joint before that is a
  * finding. Two evenly spaced pairs have 3/4 of the stiffness, two Gauss points 1.15 times the moment. */
 static const double least_bending = 0.8, most_bending = 1.25, most_crushing = 1.1;
+
+/* Sine of the angle between two faces of a block from which on its neighbours lie in two directions. */
+#define SIDEWAYS 0.5
 
 /* The first face between two blocks, or where it would be. */
 static size_t
@@ -181,6 +185,10 @@ check_springs (const QnModel *model, const QnContacts *contacts, QnId index, QnD
 
   if (model->laws[face->law_a].basis != model->laws[face->law_b].basis)
     return refuse (face, QN_PROBLEM_BASES_DIFFER, diag);
+  const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
+  if (a->rigid && b->rigid && model->laws[face->law_a].basis == QN_BASIS_MATERIAL
+      && !(qn_support_is_full (a->support) && qn_support_is_full (b->support)))
+    return refuse (face, QN_PROBLEM_RIGID_JOINT, diag);
   for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
     /* Whether a pair snaps back does not depend on its area: the first one and the bars show it. */
     if ((p > face->first_pair && contacts->pairs[p].bar == QN_NONE)
@@ -251,6 +259,47 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   return status == QN_OK ? check_springs (model, contacts, (QnId) index, diag) : status;
 }
 
+/* How the blocks lie that laws with an elasticity join: a law of a chain whose blocks have neighbours
+ * in two directions, or of a grid where none has, is a finding of its first block. */
+static QnStatus
+judge_arrangements (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  QnVec2 *first = qn_alloc (model->block_count, sizeof *first);
+  QnFinding *found = qn_alloc (model->law_count, sizeof *found);
+  bool room = first != NULL && found != NULL;
+
+  for (size_t i = 0; room && i < 2 * contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i / 2];
+    QnId block = i % 2 == 0 ? face->a : face->b;
+    QnId id = i % 2 == 0 ? face->law_a : face->law_b;
+    if (!(model->laws[id].elasticity > 0) || model->blocks[block].rigid)
+      continue;
+    QnFinding *finding = &found[id];
+    bool chain = model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN;
+    if (finding->problem == QN_PROBLEM_NONE)
+      *finding =
+        (QnFinding){ .problem = chain ? QN_PROBLEM_LAW_CHAIN : QN_PROBLEM_LAW_GRID,
+                     .block_a = block,
+                     .block_b = QN_NONE,
+                     .subject = id };
+    if (qn_vec2_length (first[block]) == 0)
+      first[block] = face->normal;
+    else if (fabs (qn_vec2_cross (first[block], face->normal)) > SIDEWAYS
+             && finding->value++ == 0 && chain)
+      finding->block_a = block;
+  }
+  for (size_t i = 0; room && i < model->law_count; i++) {
+    if (found[i].problem == QN_PROBLEM_NONE
+        || (found[i].problem == QN_PROBLEM_LAW_CHAIN) != (found[i].value > 0))
+      continue;
+    found[i].value = 0;
+    room = qn_findings_add (&contacts->findings, found[i]);
+  }
+  free (first);
+  free (found);
+  return room ? QN_OK : qn_diag_no_memory (diag);
+}
+
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
@@ -273,6 +322,8 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
   for (size_t i = 0; status == QN_OK && i < QN_N_ELEMENTS (judged); i++)
     if (judged[i].block_a != QN_NONE && !qn_findings_add (&contacts->findings, judged[i]))
       status = qn_diag_no_memory (diag);
+  if (status == QN_OK)
+    status = judge_arrangements (model, contacts, diag);
   free (own);
   free (used_bars);
   return status;

@@ -14,6 +14,22 @@ const char *const qn_basis_names[QN_BASIS_COUNT] = {
   [QN_BASIS_MATERIAL] = "material",
 };
 
+const char *const qn_arrangement_names[QN_ARRANGEMENT_COUNT] = {
+  [QN_ARRANGEMENT_CHAIN] = "chain",
+  [QN_ARRANGEMENT_GRID] = "grid",
+};
+
+void
+qn_law_derive (QnLaw *law)
+{
+  if (!(law->elasticity > 0))
+    return;
+  law->kn = law->elasticity;
+  law->ks = law->elasticity / (1 + law->poisson);
+  if (law->arrangement == QN_ARRANGEMENT_CHAIN)
+    law->ks *= 0.5;
+}
+
 const QnLawParameter *
 qn_law_parameters (QnLawKind kind, size_t *count)
 {
@@ -65,6 +81,11 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
       qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LAW, index, "ks", law->ks);
   if (status == QN_OK)
     status = check_number (law->shear_factor, false, "shear_factor", index, diag);
+  if (status == QN_OK)
+    status = check_number (law->elasticity, false, "elasticity", index, diag);
+  if (status == QN_OK && !(law->poisson >= 0 && law->poisson < 0.5))
+    status = qn_diag_set_field (diag, QN_PROBLEM_LAW_POISSON, QN_ENTITY_LAW, index,
+                                "poisson", law->poisson);
   for (size_t i = 0; i < ops->parameter_count && status == QN_OK; i++) {
     const QnLawParameter *parameter = &ops->parameters[i];
     double value = qn_law_get (law, parameter);

@@ -36,6 +36,14 @@ typedef enum {
   QN_BASIS_COUNT
 } QnBasis;
 
+/* How the blocks of a continuous member lie, on which the shear stiffness of its joints depends. */
+typedef enum {
+  QN_ARRANGEMENT_CHAIN, /* one behind the other: G = E / (2 (1 + nu)) */
+  QN_ARRANGEMENT_GRID, /* side by side as well: 2 G, for blocks that turn freely share shear
+                           between both families of joints */
+  QN_ARRANGEMENT_COUNT
+} QnArrangement;
+
 /* Strengths are forces per pair (contact) or stresses (surface, material); energies are J per
  * pair or J/m2. What a kind uses and requires stands in qn_law_parameters(); the rest is
  * ignored. */
@@ -49,8 +57,12 @@ typedef struct QnLaw {
   double ks;           /* > 0, the same, tangential */
   double shear_factor; /* > 0, multiplies ks: 5/6 for the section of a rectangular member;
                           0 stands for 1 */
-  double friction;     /* mu >= 0, tangent of the friction angle */
-  double cohesion;     /* c >= 0, of a joint whose bond is whole */
+  double elasticity;   /* E, Pa, of the basis material: what kn and ks follow from, by
+                          qn_law_derive(); 0: they were given themselves */
+  double poisson;      /* 0 <= nu < 1/2, with an elasticity */
+  QnArrangement arrangement; /* with an elasticity */
+  double friction;           /* mu >= 0, tangent of the friction angle */
+  double cohesion;           /* c >= 0, of a joint whose bond is whole */
   double
     tension; /* ft >= 0, likewise, of joints; the cone's apex c/mu bounds it as well */
   double residual_friction; /* > 0, once the bond is broken; 0 stands for `friction` */
@@ -93,6 +105,13 @@ double *qn_law_at (QnLaw *law, const QnLawParameter *parameter);
  * "elastic-plastic", "concrete", "steel", "curve". */
 extern const char *const qn_law_kind_names[QN_LAW_KIND_COUNT];
 extern const char *const qn_basis_names[QN_BASIS_COUNT];
+extern const char *const qn_arrangement_names[QN_ARRANGEMENT_COUNT];
+
+/* Stiffnesses from the elasticity, where there is one: kn = E, and ks so that the member has the
+ * shear stiffness of the continuum. In a grid of rigid blocks with ks = k the shear strain gamma
+ * costs the least over their rotations phi of k [(u_y,x - phi)^2 + (u_x,y + phi)^2] / 2, which is
+ * k gamma^2 / 4: half of what it is where they cannot turn. */
+void qn_law_derive (QnLaw *law);
 
 /* Checks the parameters of one law; `index` is for the diagnostic. */
 QnStatus qn_law_check (const QnLaw *law, QnId index, QnDiag *diag);

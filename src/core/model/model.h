@@ -61,6 +61,7 @@ typedef struct QnBlock {
   double unit_weight; /* N/m3, >= 0; follows from density where that was given */
   double density;     /* kg/m3 as given in the file, or < 0 where unit_weight was given */
   bool support[QN_DOF_COUNT]; /* fixed degrees of freedom */
+  bool rigid;                 /* its side of a joint by material does not deform */
   QnId law;  /* law of the springs on this block's side, or QN_NONE: contact law */
   QnId wall; /* wall that this block came from, or QN_NONE */
   int32_t wall_entry; /* which of the wall's lengths it is */

@@ -68,6 +68,7 @@ add_blocks (QnModel *model, gpointer data, GError **error)
       return qn_edit_no_memory (error);
     block->thickness = from->thickness;
     block->unit_weight = from->unit_weight;
+    block->rigid = from->rigid;
     memcpy (block->support, from->support, sizeof block->support);
   }
   return TRUE;

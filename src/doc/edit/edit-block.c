@@ -249,6 +249,7 @@ qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int 
       if (!add_named (model, name, vertices, count, style, error))
         return FALSE;
       model->blocks[model->block_count - 1].density = old.density;
+      model->blocks[model->block_count - 1].rigid = old.rigid;
     }
   }
   return TRUE;

@@ -97,6 +97,7 @@ copy_blocks (Rebuild *r, gboolean laid, const gboolean *drop)
     block->unit_weight = old->unit_weight;
     block->density = old->density;
     block->law = old->law;
+    block->rigid = old->rigid;
     block->masonry = old->masonry;
     block->note = old->note;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)

@@ -139,6 +139,7 @@ qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
     block->unit_weight = old.unit_weight;
     block->density = old.density;
     block->law = old.law;
+    block->rigid = old.rigid;
     block->note = i == keeper ? old.note : 0;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = old.support[dof];

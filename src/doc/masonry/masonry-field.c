@@ -111,6 +111,9 @@ qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field)
   const Field *f = &fields[field];
   if (f->kind != ALL && f->kind != (int) masonry->kind)
     return FALSE;
+  if (masonry->rubble.relaxed
+      && (field == QN_MASONRY_RUBBLE_TOP || field == QN_MASONRY_RUBBLE_IRREGULARITY))
+    return FALSE;
   if (masonry->kind != QN_MASONRY_WALL)
     return TRUE;
   QnBond bond = masonry->wall.leaves[0].bond;
@@ -174,6 +177,8 @@ follow (QnMasonry *masonry, QnMasonryField field)
   QnColumn *column = &masonry->column;
   if (masonry->kind == QN_MASONRY_ARCH && arch->shape != QN_ARCH_ELLIPTIC)
     arch->shape = arch->rise > 0.5 * arch->span ? QN_ARCH_POINTED : QN_ARCH_CIRCULAR;
+  if (masonry->rubble.relaxed)
+    masonry->rubble.top = masonry->rubble.width;
   if (field == QN_MASONRY_PLINTH_HEIGHT && column->plinth_width <= 0.0)
     column->plinth_width = 1.25 * column->bottom;
   if (field == QN_MASONRY_CAPITAL_HEIGHT && column->capital_width <= 0.0)

@@ -35,8 +35,9 @@ QnQuantity
 qn_law_quantity (const char *key, QnBasis basis)
 {
   static const char *const stiffnesses[] = { "kn", "ks", NULL };
-  static const char *const strengths[] = { "cohesion", "tension",  "compression",
-                                           "yield",    "strength", NULL };
+  static const char *const strengths[] = { "elasticity",  "cohesion", "tension",
+                                           "compression", "yield",    "strength",
+                                           NULL };
   static const QnQuantity stiffness[QN_BASIS_COUNT] = { QN_QUANTITY_STIFFNESS,
                                                         QN_QUANTITY_SURFACE_STIFFNESS,
                                                         QN_QUANTITY_STRESS };
@@ -113,6 +114,13 @@ qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUn
         append_number (text, parameters[k].key, main_numbers[i].symbol, value, law->basis,
                        units);
     }
+  if (law->elasticity > 0.0)
+    append_number (text, "elasticity",
+                   law->arrangement == QN_ARRANGEMENT_GRID ? _ ("grid of E")
+                                                           : _ ("chain of E"),
+                   law->elasticity, law->basis, units);
+  if (law->elasticity > 0.0)
+    append_number (text, "poisson", "ν", law->poisson, law->basis, units);
   append_number (text, "kn", "kn", law->kn, law->basis, units);
   append_number (text, "ks", "ks", law->ks, law->basis, units);
   if (source != NULL)

@@ -236,6 +236,15 @@ dup_law_numbers (const QnLaw *law, QnUnits units)
     qn_units_format_full (units, qn_law_quantity ("kn", law->basis), law->kn, 6));
   g_autofree char *ks = qn_label_power (
     qn_units_format_full (units, qn_law_quantity ("ks", law->basis), law->ks, 6));
+  if (law->elasticity > 0) {
+    g_autofree char *E = qn_label_power (qn_units_format_full (
+      units, qn_law_quantity ("elasticity", law->basis), law->elasticity, 6));
+    g_string_append_printf (text,
+                            law->arrangement == QN_ARRANGEMENT_GRID
+                              ? _ ("E = %s, ν = %.6g, blocks in a grid: ")
+                              : _ ("E = %s, ν = %.6g, blocks in a chain: "),
+                            E, law->poisson);
+  }
   g_string_append_printf (text, "kn = %s, ks = %s", kn, ks);
   for (size_t i = 0; i < count; i++) {
     double value = qn_law_get (law, &parameters[i]);

@@ -22,8 +22,10 @@ add_keys (GPtrArray *keys, QnLawKind kind)
 static gboolean
 check_keys (const QnJsonValue *place, QnLawKind kind)
 {
-  static const char *const common[] = { "name", "source", "kind",        "basis",
-                                        "kn",   "ks",     "shear_factor" };
+  static const char *const common[] = { "name",        "source",  "kind",
+                                        "basis",       "kn",      "ks",
+                                        "elasticity",  "poisson", "arrangement",
+                                        "shear_factor" };
   g_autoptr (GPtrArray) keys = g_ptr_array_new ();
   for (gsize i = 0; i < G_N_ELEMENTS (common); i++)
     g_ptr_array_add (keys, (gpointer) common[i]);
@@ -75,6 +77,38 @@ read_parameters (const QnJsonValue *place, QnLaw *law)
   return law->kind != QN_LAW_CURVE || read_points (place, law);
 }
 
+/* Either stiffnesses, or the elasticity of a material from which they follow. */
+static gboolean
+read_stiffness (const QnJsonValue *place, QnLaw *law)
+{
+  QnJsonValue elasticity = qn_json_value_member (place, "elasticity");
+  const gboolean derived = elasticity.json != NULL;
+  static const char *const ours[] = { "poisson", "arrangement" }, *const theirs[] = {
+    "kn", "ks"
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (ours); i++) {
+    QnJsonValue member = qn_json_value_member (place, derived ? theirs[i] : ours[i]);
+    if (member.json != NULL)
+      return qn_json_value_fail (
+        &member, derived ? _ ("elasticity and stiffnesses exclude each other")
+                         : _ ("this belongs to elasticity, which is missing"));
+  }
+  if (!derived)
+    return qn_member_number (place, "kn", QN_REQUIRED, QN_RANGE_POSITIVE, &law->kn)
+           && qn_member_number (place, "ks", QN_REQUIRED, QN_RANGE_POSITIVE, &law->ks);
+  if (law->basis != QN_BASIS_MATERIAL)
+    return qn_json_value_fail (&elasticity,
+                               _ ("elasticity needs the basis \"material\""));
+  if (!qn_json_value_number (&elasticity, QN_RANGE_POSITIVE, &law->elasticity)
+      || !qn_member_number (place, "poisson", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
+                            &law->poisson)
+      || !qn_member_choice (place, "arrangement", QN_OPTIONAL, qn_arrangement_names,
+                            QN_ARRANGEMENT_COUNT, &law->arrangement))
+    return FALSE;
+  qn_law_derive (law);
+  return TRUE;
+}
+
 static gboolean
 read_law (const QnJsonValue *place, QnModel *model)
 {
@@ -103,8 +137,7 @@ read_law (const QnJsonValue *place, QnModel *model)
     return qn_json_value_no_memory (place);
   law->kind = kind;
   law->basis = basis;
-  return qn_member_number (place, "kn", QN_REQUIRED, QN_RANGE_POSITIVE, &law->kn)
-         && qn_member_number (place, "ks", QN_REQUIRED, QN_RANGE_POSITIVE, &law->ks)
+  return read_stiffness (place, law)
          && qn_member_number (place, "shear_factor", QN_OPTIONAL, QN_RANGE_POSITIVE,
                               &law->shear_factor)
          && read_parameters (place, law);
@@ -132,8 +165,14 @@ append_law (GString *json, const QnModel *model, size_t index)
     qn_json_put_string (json, "source", law->source);
   qn_json_put_string (json, "kind", qn_law_kind_names[law->kind]);
   qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
-  qn_json_put_number (json, "kn", law->kn);
-  qn_json_put_number (json, "ks", law->ks);
+  if (law->elasticity > 0) {
+    qn_json_put_number (json, "elasticity", law->elasticity);
+    qn_json_put_number (json, "poisson", law->poisson);
+    qn_json_put_string (json, "arrangement", qn_arrangement_names[law->arrangement]);
+  } else {
+    qn_json_put_number (json, "kn", law->kn);
+    qn_json_put_number (json, "ks", law->ks);
+  }
   qn_json_put_unusual (json, "shear_factor", law->shear_factor, 0);
   for (size_t i = 0; i < count; i++) {
     double value = qn_law_get (law, &parameters[i]);

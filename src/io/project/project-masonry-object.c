@@ -128,10 +128,25 @@ static const QnMember rubble_members[] = {
   { 0 },
 };
 
-static const QnMember *const kind_members[QN_MASONRY_KIND_COUNT] = {
+static const QnMember grid_members[] = {
+  QN_KNOWN ("size"),
+  QN_KNOWN ("cells"),
+  QN_KNOWN ("openings"),
+  { 0 },
+};
+
+static const QnMember voronoi_members[] = {
+  QN_KNOWN ("size"),
+  QN_NUMBER ("cell", REQUIRED, POSITIVE, QnMasonry, rubble.stone),
+  QN_KNOWN ("seed"),
+  { 0 },
+};
+
+static const QnMember *const kind_members[QN_MASONRY_NAME_COUNT] = {
   [QN_MASONRY_WALL] = wall_members,     [QN_MASONRY_ARCH] = arch_members,
   [QN_MASONRY_COLUMN] = column_members, [QN_MASONRY_BUTTRESS] = buttress_members,
   [QN_MASONRY_PORTAL] = portal_members, [QN_MASONRY_RUBBLE] = rubble_members,
+  [QN_MASONRY_GRID] = grid_members,     [QN_MASONRY_VORONOI] = voronoi_members,
 };
 
 /* ---- reading ---- */
@@ -296,9 +311,47 @@ read_seed (const QnJsonValue *place, const char *key, uint32_t *seed)
 }
 
 static gboolean
-read_object (const QnJsonValue *place, const QnModel *model, QnMasonry *masonry)
+read_grid (const QnJsonValue *place, QnMasonry *masonry)
 {
-  const QnMasonryKind kind = masonry->kind;
+  QnMasonryWall *wall = &masonry->wall;
+  QnLeaf *leaf = &wall->leaves[0];
+  QnVec2 size, cells;
+  if (!qn_member_vec2 (place, "size", QN_REQUIRED, &size)
+      || !qn_member_vec2 (place, "cells", QN_REQUIRED, &cells))
+    return FALSE;
+  if (!(cells.x >= 1 && cells.y >= 1) || cells.x != floor (cells.x)
+      || cells.y != floor (cells.y) || cells.x * cells.y > MAX_COUNT) {
+    QnJsonValue member = qn_json_value_member (place, "cells");
+    return qn_json_value_failf (
+      &member, _ ("expected two whole numbers from 1 on, not more than %d cells in all"),
+      MAX_COUNT);
+  }
+  wall->grid = true;
+  wall->height = size.y;
+  leaf->bond = QN_BOND_STACK;
+  leaf->length = size.x;
+  leaf->unit = qn_vec2 (size.x / cells.x, size.y / cells.y);
+  return read_openings (place, masonry);
+}
+
+static gboolean
+read_voronoi (const QnJsonValue *place, QnRubble *rubble)
+{
+  QnVec2 size;
+  if (!qn_member_vec2 (place, "size", QN_REQUIRED, &size))
+    return FALSE;
+  *rubble = (QnRubble){ .width = size.x,
+                        .top = size.x,
+                        .height = size.y,
+                        .stone = rubble->stone,
+                        .irregularity = 1,
+                        .relaxed = true };
+  return read_seed (place, "seed", &rubble->seed);
+}
+
+static gboolean
+read_object (const QnJsonValue *place, const QnModel *model, int kind, QnMasonry *masonry)
+{
   masonry->portal.bays = 1;
   masonry->rubble.irregularity = 0.7;
   return qn_members_check (place, common_members, kind_members[kind],
@@ -311,7 +364,9 @@ read_object (const QnJsonValue *place, const QnModel *model, QnMasonry *masonry)
          && (kind != QN_MASONRY_WALL || read_wall (place, masonry))
          && (kind != QN_MASONRY_PORTAL || read_portal (place, &masonry->portal))
          && (kind != QN_MASONRY_RUBBLE
-             || read_seed (place, "seed", &masonry->rubble.seed));
+             || read_seed (place, "seed", &masonry->rubble.seed))
+         && (kind != QN_MASONRY_GRID || read_grid (place, masonry))
+         && (kind != QN_MASONRY_VORONOI || read_voronoi (place, &masonry->rubble));
 }
 
 gboolean
@@ -320,16 +375,19 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
 {
   char text[QN_NAME_TEXT_SIZE];
   const char *name;
-  QnMasonryKind kind;
+  int kind;
   *masonry = (QnMasonry){ 0 };
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_masonry_kind_names,
-                            QN_MASONRY_KIND_COUNT, &kind)
+                            QN_MASONRY_NAME_COUNT, &kind)
       || !qn_read_own_name (place, "m", text, &name))
     return FALSE;
-  if (qn_masonry_init (masonry, kind, name, NULL) != QN_OK)
+  const QnMasonryKind of = kind == QN_MASONRY_GRID      ? QN_MASONRY_WALL
+                           : kind == QN_MASONRY_VORONOI ? QN_MASONRY_RUBBLE
+                                                        : (QnMasonryKind) kind;
+  if (qn_masonry_init (masonry, of, name, NULL) != QN_OK)
     return qn_json_value_no_memory (place);
-  if (read_object (place, model, masonry))
+  if (read_object (place, model, kind, masonry))
     return TRUE;
   qn_masonry_clear (masonry);
   return FALSE;
@@ -370,6 +428,30 @@ append_opening (GString *json, QnOpening o)
 }
 
 static void
+put_openings (GString *json, const QnMasonryWall *wall)
+{
+  if (wall->opening_count == 0)
+    return;
+  qn_json_begin_member (json, "openings");
+  for (gsize i = 0; i < wall->opening_count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    append_opening (json, wall->openings[i]);
+  }
+  g_string_append_c (json, ']');
+}
+
+static void
+put_grid (GString *json, const QnMasonryWall *wall)
+{
+  const QnLeaf *leaf = &wall->leaves[0];
+  const double cells[] = { fmax (round (leaf->length / leaf->unit.x), 1),
+                           fmax (round (wall->height / leaf->unit.y), 1) };
+  qn_json_put_vec2 (json, "size", qn_vec2 (leaf->length, wall->height));
+  qn_json_put_numbers (json, "cells", cells, 2);
+  put_openings (json, wall);
+}
+
+static void
 put_wall (GString *json, const QnMasonryWall *wall)
 {
   gboolean listed = wall->leaves[0].bond == QN_BOND_CUSTOM;
@@ -407,14 +489,20 @@ put_wall (GString *json, const QnMasonryWall *wall)
                             qn_edge_names[wall->right]);
   }
   qn_json_put_number (json, "minimum_piece", wall->minimum_piece);
-  if (wall->opening_count == 0)
-    return;
-  qn_json_begin_member (json, "openings");
-  for (gsize i = 0; i < wall->opening_count; i++) {
-    g_string_append (json, i > 0 ? ", " : "[");
-    append_opening (json, wall->openings[i]);
-  }
-  g_string_append_c (json, ']');
+  put_openings (json, wall);
+}
+
+/* The name of the kind, or of its variety. */
+static int
+name_of (const QnMasonry *masonry)
+{
+  const QnMasonryWall *wall = &masonry->wall;
+  if (masonry->kind == QN_MASONRY_WALL && wall->grid && wall->leaf_count == 1
+      && wall->leaves[0].bond == QN_BOND_STACK)
+    return QN_MASONRY_GRID;
+  return masonry->kind == QN_MASONRY_RUBBLE && masonry->rubble.relaxed
+           ? QN_MASONRY_VORONOI
+           : (int) masonry->kind;
 }
 
 static void
@@ -422,11 +510,17 @@ put_kind (GString *json, const QnMasonry *masonry)
 {
   const QnMasonry usual = { 0 };
   const QnColumn *column = &masonry->column;
-  if (masonry->kind == QN_MASONRY_WALL) {
+  const int name = name_of (masonry);
+  if (name == QN_MASONRY_WALL) {
     put_wall (json, &masonry->wall);
     return;
   }
-  qn_members_write (json, kind_members[masonry->kind], NULL, masonry, &usual);
+  if (name == QN_MASONRY_GRID)
+    put_grid (json, &masonry->wall);
+  if (name == QN_MASONRY_VORONOI)
+    qn_json_put_vec2 (json, "size",
+                      qn_vec2 (masonry->rubble.width, masonry->rubble.height));
+  qn_members_write (json, kind_members[name], NULL, masonry, &usual);
   if (masonry->kind == QN_MASONRY_COLUMN && column->plinth_height > 0)
     qn_json_put_numbers (json, "plinth", &column->plinth_width, 2);
   if (masonry->kind == QN_MASONRY_COLUMN && column->capital_height > 0)
@@ -442,7 +536,7 @@ qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *
 {
   const QnMasonry usual = { 0 };
   g_string_append_c (json, '{');
-  qn_json_put_string (json, "kind", qn_masonry_kind_names[masonry->kind]);
+  qn_json_put_string (json, "kind", qn_masonry_kind_names[name_of (masonry)]);
   qn_json_put_string (json, "name", masonry->name);
   qn_members_write (json, common_members, model, masonry, &usual);
   qn_json_put_weight (json, masonry->unit_weight, masonry->density);

@@ -95,14 +95,16 @@ read_block_properties (const QnJsonValue *place, const QnModel *model, QnBlock *
                            &block->thickness)
          && qn_read_weight (place, model, &block->unit_weight, &block->density)
          && qn_read_support (place, block->support)
+         && qn_member_bool (place, "rigid", QN_OPTIONAL, &block->rigid)
          && qn_read_own_law (place, model, &block->law);
 }
 
 static gboolean
 read_block (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = { "name",    "vertices", "thickness", "unit_weight",
-                                      "density", "support",  "law",       "material" };
+  static const char *const keys[] = { "name",        "vertices", "thickness",
+                                      "unit_weight", "density",  "support",
+                                      "rigid",       "law",      "material" };
   char text[QN_NAME_TEXT_SIZE];
   const char *name;
   if (!qn_json_value_object (place) || !qn_read_own_name (place, "b", text, &name)
@@ -215,6 +217,10 @@ qn_project_append_block (GString *json, const QnModel *model, size_t index)
   qn_json_put_number (json, "thickness", block->thickness);
   qn_json_put_weight (json, block->unit_weight, block->density);
   qn_json_put_support (json, block->support);
+  if (block->rigid) {
+    qn_json_begin_member (json, "rigid");
+    g_string_append (json, "true");
+  }
   qn_json_put_law (json, model, block->law);
   return block->note;
 }

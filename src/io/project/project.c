@@ -348,6 +348,9 @@ dup_finding_path (const QnProject *project, const QnFinding *finding)
              ? qn_project_dup_key_path (project, QN_ENTITY_DEAD_LOAD, finding->subject)
              : qn_project_dup_key_path (project, QN_ENTITY_LIVE_LOAD,
                                         finding->subject - dead);
+  case QN_PROBLEM_LAW_CHAIN:
+  case QN_PROBLEM_LAW_GRID:
+    return g_strdup_printf ("laws[%d].arrangement", (int) finding->subject);
   case QN_PROBLEM_PAIRS_BENDING:
   case QN_PROBLEM_PAIRS_CRUSHING:
     return g_strdup ("contact.pairs");

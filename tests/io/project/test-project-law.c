@@ -61,6 +61,32 @@ assert_same (const QnLaw *a, const QnLaw *b)
   g_assert_cmpmem (a->points, sizeof a->points, b->points, sizeof b->points);
 }
 
+/* kn and ks follow from the elasticity, and are written as it again. */
+static void
+test_elasticity (void)
+{
+  static const struct {
+    const char *arrangement;
+    double ks;
+  } laws[] = { { "chain", 1.25e10 }, { "grid", 2.5e10 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (laws); i++) {
+    g_auto (QnProject) project, again;
+    g_autofree char *law = g_strdup_printf (
+      "{ \"name\": \"joint\", \"kind\": \"elastic\", \"basis\": \"material\", "
+      "\"elasticity\": 3e10, \"poisson\": 0.2, \"arrangement\": \"%s\" }",
+      laws[i].arrangement);
+    g_autofree char *text = with_laws (law);
+    test_parse (text, &project);
+    g_assert_cmpfloat (project.model.laws[0].kn, ==, 3e10);
+    g_assert_cmpfloat_with_epsilon (project.model.laws[0].ks, laws[i].ks, 1);
+    g_autofree char *written = qn_project_to_text (&project, NULL);
+    g_assert_nonnull (strstr (written, laws[i].arrangement));
+    g_assert_null (strstr (written, "\"ks\""));
+    test_parse (written, &again);
+    assert_same (&project.model.laws[0], &again.model.laws[0]);
+  }
+}
+
 static void
 test_round_trip (void)
 {
@@ -150,6 +176,15 @@ test_refused (void)
       "laws[0].points[2]: curve rises more steeply than kn" },
     { QN_LAW_CURVE, "[0.3, 14]", "[0.3]", "laws[0].points[3]: expected two numbers" },
     { QN_LAW_ELASTIC, "0.8", "0", "laws[0].shear_factor: number must be positive" },
+    { QN_LAW_ELASTIC, "\"ks\": 1e10", "\"elasticity\": 1e10",
+      "laws[0].kn: elasticity and stiffnesses exclude each other" },
+    { QN_LAW_ELASTIC, "\"kn\": 3e10, \"ks\": 1e10",
+      "\"elasticity\": 3e10, \"poisson\": 0.5",
+      "laws[0].poisson: Poisson's ratio of a law must be at least 0 and below 0.5" },
+    { QN_LAW_ELASTIC, "\"ks\": 1e10", "\"ks\": 1e10, \"arrangement\": \"grid\"",
+      "laws[0].arrangement: this belongs to elasticity, which is missing" },
+    { QN_LAW_NO_TENSION, "\"kn\": 3, \"ks\": 2", "\"elasticity\": 3",
+      "laws[0].elasticity: elasticity needs the basis \"material\"" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *text = with_laws (kinds[cases[i].kind]);
@@ -276,6 +311,7 @@ test_too_many_points (void)
 QN_TESTS
 {
   g_test_add_func ("/project-law/round-trip", test_round_trip);
+  g_test_add_func ("/project-law/elasticity", test_elasticity);
   g_test_add_func ("/project-law/values", test_values);
   g_test_add_func ("/project-law/warnings", test_warnings);
   g_test_add_func ("/project-law/refused", test_refused);

@@ -43,6 +43,12 @@ static const char *const objects[] = {
   "{ \"kind\": \"rubble\", \"name\": \"r\", " COMMON
   "\"width\": [2, 1.5], \"height\": 2, "
   "\"stone\": 0.4, \"seed\": 3 }",
+  "{ \"kind\": \"grid\", \"name\": \"g\", " COMMON
+  "\"origin\": [1, 2], \"size\": [3, 2], "
+  "\"cells\": [7, 4], \"openings\": [ { \"at\": [1, 0.5], \"width\": 0.8, \"height\": 1 "
+  "} ] }",
+  "{ \"kind\": \"voronoi\", \"name\": \"z\", " COMMON
+  "\"size\": [2, 1.5], \"cell\": 0.4, \"seed\": 3 }",
 };
 
 static void
@@ -76,6 +82,8 @@ test_round_trip (void)
     g_assert_cmpuint (project.model.block_count, >, 4);
     g_autofree char *text = qn_project_to_text (&project, NULL);
     g_assert_nonnull (strstr (text, "\"masonry\""));
+    g_autofree char *kind = g_strndup (objects[i] + 2, strcspn (objects[i] + 2, ","));
+    g_assert_nonnull (strstr (text, kind));
     g_assert_null (strstr (text, "\"vertices\""));
     g_assert_true (qn_project_parse (text, strlen (text), "again", NULL, &again, NULL));
     assert_same_blocks (&project.model, &again.model);
@@ -165,6 +173,18 @@ test_refuses (void)
                   "\"bays\": 2, \"span\": 2, \"pier\": [1, 2], \"courses\": 4, "
                   "\"arch\": 3 }",
                   "masonry[0].arch", "expected an object");
+  assert_refused ("{ \"kind\": \"grid\", " COMMON
+                  "\"size\": [3, 2], \"cells\": [2.5, 4] }",
+                  "masonry[0].cells", "whole numbers");
+  assert_refused ("{ \"kind\": \"grid\", " COMMON
+                  "\"size\": [3, 2], \"cells\": [10000, 1000] }",
+                  "masonry[0].cells", "not more than 200000 cells");
+  assert_refused ("{ \"kind\": \"grid\", " COMMON "\"size\": [3, 0], \"cells\": [2, 4] }",
+                  "masonry[0]", "positive");
+  assert_refused ("{ \"kind\": \"voronoi\", " COMMON "\"size\": [3, 2], \"cell\": 0 }",
+                  "masonry[0].cell", "");
+  assert_refused ("{ \"kind\": \"voronoi\", " COMMON "\"size\": [3, 2], \"cell\": 1e-4 }",
+                  "masonry[0]", "more blocks");
   static const char *const seeds[] = { "1.5", "4294967296" };
   for (gsize i = 0; i < G_N_ELEMENTS (seeds); i++) {
     g_autofree char *rubble = g_strdup_printf (
