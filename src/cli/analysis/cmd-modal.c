@@ -135,8 +135,8 @@ solve (const Options *options, const QnInput *input)
       print_damping (options->damping, &modes);
     if (modes.open + modes.slides > 0)
       printf (_ ("closed joints are elastic, also %zu contact pairs that slide under the "
-                 "load; %zu of %zu, which are open or pressed together by nothing, are "
-                 "left out\n"),
+                 "load; %zu of %zu, which are open or carry no compression, are left "
+                 "out\n"),
               modes.slides, modes.open, input->contacts.pair_count);
   }
   if (code == QN_EXIT_DONE && options->csv != NULL)
@@ -159,9 +159,8 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("About the last equilibrium of the analysis instead of the dead load's"),
       NULL },
     { "damping", 0, 0, G_OPTION_ARG_DOUBLE, &options.damping,
-      N_ (
-        "Tell which damping of an analysis in time is this part of the critical one for "
-        "the first and the last mode"),
+      N_ ("Print the damping coefficients that give the first and the last mode this "
+          "fraction of critical damping"),
       N_ ("RATIO") },
     { "slip", 0, 0, G_OPTION_ARG_NONE, &options.slip,
       N_ ("With the tangent of joints that slide; else closed joints are elastic"),

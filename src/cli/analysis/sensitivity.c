@@ -35,9 +35,9 @@ qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
   for (size_t i = 0; i < project->model.live_load_count; i++)
     if (project->model.live_loads[i].set == 0)
       printf (_ ("live load %zu: %.6g\n"), i + 1, sensitivity.live_loads[i]);
-  printf (
-    _ ("Friction per 1, cohesion and tension per N or Pa as the law has them; weight, "
-       "thickness and loads per factor: of 1 %% more, a hundredth.\n"));
+  printf (_ (
+    "Change of the multiplier per unit of friction, per N or Pa of cohesion and tension "
+    "(as the law has them), and per relative change of weight, thickness and loads.\n"));
   qn_limit_sensitivity_clear (&sensitivity);
   return QN_EXIT_DONE;
 }

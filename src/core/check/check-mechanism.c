@@ -64,7 +64,7 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
   QnStrengthRow rows[QN_STRENGTH_ROWS];
   double little = LITTLE * check->scale;
 
-  /* What yields otherwise moves otherwise. */
+  /* Laws without strength rows are not checked. */
   if (qn_spring_strength (&springs->a, rows) == 0
       || qn_spring_strength (&springs->b, rows) == 0)
     return;

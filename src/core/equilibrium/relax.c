@@ -300,7 +300,7 @@ remembers_way (const QnSpring *spring)
 }
 
 /* A structure has come to rest, and its joints may have been strained farther on the way than they are in the
- * end. The damping that let them is none of the structure's. The same rest is reached straight from the last
+ * end. That strain came from artificial damping and must not stay. The same rest is reached straight from the last
  * equilibrium that is recorded, as in every other step, where there is one next to it: then displacements tell
  * all forces. */
 static QnSolveStatus

@@ -4,8 +4,7 @@
 
 #include "core/base/base.h"
 
-/* Numbers in a vector, which the processor must have room for; two, as every one has, where the
- * build does not say. */
+/* Doubles per SIMD vector; 2, which every processor has, unless the build says otherwise. */
 #ifndef QN_VECTOR_LANES
 #define QN_VECTOR_LANES 2
 #endif

@@ -11,10 +11,10 @@
 
 /* The numbers of the method. docs/experiments/load-path.md has what other values do. */
 typedef struct QnPathTuning {
-  /* A step that Newton's method solves within so many iterations lets the next one grow; by less where
-   * friction may make the path turn, for slip that a long step finds is not that of the path; by more
-   * where the motion has turned by no more than `turn` of itself, for then hardly a joint slips that did
-   * not before. */
+  /* If Newton's method needs at most `easy` iterations, the next step is `growth` times longer;
+   * `growth_no_jumps` where friction without dilatancy may make the path turn, because a long step finds
+   * slip that the path has not; `growth_steady` if the motion changed its direction by less than `turn`,
+   * because then hardly a joint slips that did not before. */
   int easy;
   double growth, growth_no_jumps, growth_steady, turn;
 
@@ -44,8 +44,8 @@ typedef struct QnPathTuning {
    * of it is left in a step that is cut. */
   double jump, jump_stays;
 
-  /* What may slide too early where a central path turns back, as a part of the motion: more, and
-   * relaxation finds equilibria above the mechanism that moves on for good. */
+  /* Largest complementarity gap, relative to the motion, at which slip may be committed where a central
+   * path turns back; with more, relaxation finds equilibria above the collapse load. */
   double undecided;
 
   /* Load control: from so many factorisations on a structure that settles in one place after the other

@@ -224,7 +224,8 @@ has_run_away (const QnEquilibrium *eq)
 
 /* Viscous relaxation and relaxation along central paths in turns, from where the last left off. The
  * first creeps, but knows what falls; the others slide as far as they like from far away, and from
- * nearer by reach a rest at once. That it falls is not for them to say.
+ * nearer by reach a rest at once. Only viscous motion may conclude that
+ * it falls.
  *
  * Without dilatancy the central path from no load may find blocks pressed together by nothing, where no motion
  * leads. So it waits until the first motion has told of what falls; what stands is best begun with amid all

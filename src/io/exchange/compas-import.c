@@ -205,7 +205,7 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
   for (guint i = 0; i < meshes->len; i++) {
     const Mesh *mesh = meshes->pdata[i];
     if (!outline_of (mesh, view, outline))
-      return g_strdup_printf (_ ("block %s is no prism along %c"), mesh->name,
+      return g_strdup_printf (_ ("block %s is not a prism along %c"), mesh->name,
                               'x' + views[view].depth);
     QnRing ring = { (QnVec2 *) (void *) outline->data, outline->len };
     qn_ring_orient (&ring);
@@ -248,7 +248,7 @@ choose_view (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
     drawing->unit = 1;
   }
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-               _ ("%s:1: the blocks are no prisms of one direction: %s"), name, first);
+               _ ("%s:1: the blocks are not prisms of one direction: %s"), name, first);
   return FALSE;
 }
 

@@ -113,7 +113,7 @@ add_polyline (QnDrawingPath *path, const QnDxfEntity *entity, const QnDxfPoint *
   }
 }
 
-/* From one angle to another, rad, anticlockwise; the whole of it where they are the same. */
+/* From one angle to another, rad, counter-clockwise; the whole of it where they are the same. */
 static void
 add_round (QnDrawingPath *path, QnVec2 centre, QnVec2 major, QnVec2 minor, double from,
            double to)

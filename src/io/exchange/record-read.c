@@ -347,7 +347,7 @@ choose_columns (Reading *r, char **names)
     }
   }
   if (times == 0)
-    return fail (r, line, _ ("no column is named as that of the time"));
+    return fail (r, line, _ ("no column has the name of a time"));
   if (accelerations == 0 && unknown == 1)
     r->value = other;
   else if (accelerations == 0 && !check_quantity (r, line, wrong))
@@ -463,11 +463,12 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
                       .points = g_array_new (FALSE, FALSE, sizeof (QnVec2)),
                       .error = error };
   *record = (QnRecord){ 0 };
-  gboolean done = strlen (decoded) == length
-                    ? read_any (&reading)
-                    : fail (&reading, 0,
-                            _ ("no text: records in binary form (SAC, miniSEED) are read "
-                               "after their program has written them as text"));
+  gboolean done =
+    strlen (decoded) == length
+      ? read_any (&reading)
+      : fail (&reading, 0,
+              _ ("not a text file: records in binary form (SAC, miniSEED) must be "
+                 "written as text by their program first"));
   if (done && reading.points->len < 2)
     done = fail (&reading, 0, _ (qn_problem_text (QN_PROBLEM_SIGNAL_EMPTY)));
   done = done && take_off_offset (&reading, record);

@@ -240,7 +240,7 @@ read_shape (Importer *importer, QnSvgPen *pen, const xmlNode *node, const State 
 
 /* A part of a shape of several. */
 typedef struct Part {
-  QnRing ring; /* of the path, anticlockwise; empty where it is open */
+  QnRing ring; /* of the path, counter-clockwise; empty where it is open */
   double area; /* negative where they were drawn clockwise */
   QnBox box;
   QnVec2 inner;  /* a point in it */
@@ -619,7 +619,7 @@ set_xml_error (xmlParserCtxt *context, const char *name, GError **error)
 {
   const xmlError *problem = xmlCtxtGetLastError (context);
   g_autofree char *reason = g_utf8_make_valid (
-    problem != NULL && problem->message != NULL ? problem->message : _ ("no XML"), -1);
+    problem != NULL && problem->message != NULL ? problem->message : _ ("not an XML file"), -1);
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%d: %s", name,
                problem != NULL ? MAX (problem->line, 1) : 1,
                g_strstrip (g_strdelimit (reason, "\r\n", ' ')));

@@ -481,7 +481,7 @@ read_claim (QnJsonStream *stream, gpointer target)
     return FALSE;
   *(QnClaim *) target = qn_claim_from_name (name);
   return *(QnClaim *) target < QN_CLAIM_COUNT
-         || qn_json_stream_fail (stream, _ ("this is not a claim of a result"));
+         || qn_json_stream_fail (stream, _ ("unknown kind of claim"));
 }
 
 static gboolean

@@ -116,7 +116,7 @@ dup_body (const QnModel *model, const QnMechanism *mechanism, QnId id)
   }
   return g_strdup_printf (
     body->rotation < 0 ? _ ("%s: turns clockwise about (%.3g, %.3g) m")
-                       : _ ("%s: turns anticlockwise about (%.3g, %.3g) m"),
+                       : _ ("%s: turns counter-clockwise about (%.3g, %.3g) m"),
     blocks, legible (body->centre.x, body), legible (body->centre.y, body));
 }
 

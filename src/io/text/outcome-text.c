@@ -366,7 +366,7 @@ explain_refused (const QnModel *model, const QnResult *result)
     g_string_append_printf (text, "%s%s", i == 0 ? " " : "; ", fault);
   }
   if (result->refused_count > 0)
-    g_string_append (text, _ (". What is true before that is kept."));
+    g_string_append (text, _ (". The steps before that are proved and kept."));
   if (result->has_unproved_multiplier)
     g_string_append_printf (text,
                             _ (" Collapse at a load multiplier of %.4g: not proved."),

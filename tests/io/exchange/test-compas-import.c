@@ -121,12 +121,12 @@ test_views (void)
   parse (BOX ("a", "0", "1", "0", "1", "0", "1") BOX ("b", "0", "1", "1", "2", "0", "1"),
          "seen from above, along z; blocks; block a lies behind another one along y; ",
          2);
-  parse (
-    BOX ("a", "0", "1", "0", "1", "0",
-         "1") "o c\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv .2 .2 1\n"
-              "f 9 11 10\nf 9 10 12\nf 10 11 12\nf 11 9 12\n",
-    "test.obj:1: the blocks are no prisms of one direction: block c is no prism along y",
-    0);
+  parse (BOX ("a", "0", "1", "0", "1", "0",
+              "1") "o c\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv .2 .2 1\n"
+                   "f 9 11 10\nf 9 10 12\nf 10 11 12\nf 11 9 12\n",
+         "test.obj:1: the blocks are not prisms of one direction: block c is not a prism "
+         "along y",
+         0);
 }
 
 static void
