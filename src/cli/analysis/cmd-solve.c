@@ -10,6 +10,7 @@
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
+#include "io/text/tie-text.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>
@@ -109,6 +110,9 @@ print_summary (const QnProject *project, const QnResult *result)
     printf ("%s\n", interval);
   g_autofree char *cause = qn_outcome_dup_cause (&project->model, result);
   printf ("%s\n", cause);
+  g_autofree char *ties = qn_ties_dup_text (&project->model, result);
+  if (ties != NULL)
+    printf ("%s\n", ties);
   printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
              "assembly %.0f %%, laws %.0f %%)\n"),
           result->step_count, spent->iterations, spent->factorizations, spent->seconds,

@@ -77,6 +77,25 @@ write_beams (QnFileWriter *out, const QnModel *model)
 }
 
 static void
+write_ties (QnFileWriter *out, const QnModel *model)
+{
+  qn_file_writer_puts (out, "  \"ties\": [");
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    qn_file_writer_puts_string (
+      out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ", tie->name);
+    qn_file_writer_printf (out, ", \"blocks\": [%d, %d]", tie->ends[0].block,
+                           tie->ends[1].block);
+    qn_file_writer_puts_number (out, ", \"length\": ", qn_tie_length (tie));
+    qn_file_writer_puts_number (out, ", \"stiffness\": ", qn_tie_stiffness (tie));
+    if (isfinite (qn_tie_strength (tie)))
+      qn_file_writer_puts_number (out, ", \"strength\": ", qn_tie_strength (tie));
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
+static void
 write_faces (QnFileWriter *out, const QnContacts *contacts)
 {
   qn_file_writer_puts (out, "  \"faces\": [");
@@ -268,6 +287,7 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
   qn_file_writer_puts (out, "\n  ],\n");
   write_nodes (out, &input->project.model);
   write_beams (out, &input->project.model);
+  write_ties (out, &input->project.model);
   write_loads (out, &input->project.model);
   if (input->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
     write_ground (out, &input->project.model);

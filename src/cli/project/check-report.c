@@ -8,6 +8,7 @@
 #include "io/text/fault-text.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
 #include <stdio.h>
 
 gboolean
@@ -185,6 +186,34 @@ print_faces (const QnModel *model, const QnContacts *contacts)
   }
 }
 
+/* "tie t: from b (0, 2) to ground (-3, 2), length 3 m, stiffness 2e+07 N/m, strength 3000 N (anchor)" */
+static void
+print_ties (const QnModel *model)
+{
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    double strength = qn_tie_strength (tie);
+    printf (_ ("tie %s: "), tie->name);
+    for (int end = 0; end < 2; end++) {
+      QnId block = tie->ends[end].block;
+      printf (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),
+              block != QN_NONE ? model->blocks[block].name : _ ("ground"),
+              tie->ends[end].at.x, tie->ends[end].at.y);
+    }
+    printf (_ (", length %.6g m, stiffness %.6g N/m"), qn_tie_length (tie),
+            qn_tie_stiffness (tie));
+    if (isfinite (strength))
+      printf (qn_tie_weakest (tie) == QN_TIE_ANCHOR ? _ (", strength %.6g N (anchor)")
+                                                    : _ (", strength %.6g N (steel)"),
+              strength);
+    if (tie->prestress > 0)
+      printf (_ (", prestress %.6g N"), tie->prestress);
+    if (tie->slack > 0)
+      printf (_ (", slack %.6g m"), tie->slack);
+    printf ("\n");
+  }
+}
+
 /* "beam b: from a (0, 0) to c (3, 0), hinged, length 3 m, section s, 4 elements" */
 static void
 print_beams (const QnModel *model)
@@ -294,4 +323,5 @@ qn_check_report_print (const QnCheckReport *report)
     print_result (report);
   print_faces (&input->project.model, &input->contacts);
   print_beams (&input->project.model);
+  print_ties (&input->project.model);
 }

@@ -38,7 +38,8 @@ static const QnVerifyCase associative_walls[] = {
 
 /* Sliding at mu; overturning at b/h, (b - 2r)/h; on a slope at tan (phi - theta) with
  * tan phi = mu = 0.65, tan theta = 7/24; the stack overturns at its base; a tower
- * whose toe is crushed at (b - W/fc t)/h, in pairs 20 mm apart. */
+ * whose toe is crushed at (b - W/fc t)/h, in pairs 20 mm apart; walls that a thrust turns
+ * about their outer edge at (W b/2 + N z)/(H y), N what the anchor of the tie holds. */
 static const QnVerifyCase closed_forms[] = {
   COLLAPSE (N_ ("Block slides"), "01-sliding-block.quoin", 0.4, 1e-6, 0),
   COLLAPSE (N_ ("Block overturns"), "02-overturning-block.quoin", 0.5, 1e-6, 0),
@@ -47,6 +48,8 @@ static const QnVerifyCase closed_forms[] = {
             (0.65 - 7. / 24.) / (1 + 0.65 * 7. / 24.), 1e-6, 0),
   COLLAPSE (N_ ("Stack overturns"), "05-stack.quoin", 0.4, 1e-6, 0),
   COLLAPSE (N_ ("Tower, toe crushed"), "26-crushing-tower.quoin", 0.08, 1e-4, 0),
+  COLLAPSE (N_ ("Walls with a tie"), "38-tied-walls.quoin", (10 + 4.5 * 3.25) / 2.75,
+            1e-5, 0),
 };
 
 /* Cantilever L = 3 m, 0.2 x 0.5 m, E = 30 GPa, nu = 0: PL^3/3EI + PL/kGA; fy bh^2/4L in kN; and

@@ -169,6 +169,10 @@ elastic_energy (const QnCheck *check)
                          .response = &as->responses[p] };
     sum += qn_pair_elastic_energy (&pair, &at);
   }
+  for (size_t b = check->model->element_count; b < as->beams.count; b++) { /* ties */
+    double force = as->beams.responses[b].force[0];
+    sum += 0.5 * force * force / as->beams.beams[b].properties.axial;
+  }
   return sum;
 }
 
@@ -282,7 +286,7 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     { QN_ENERGY_KINETIC, r->velocities != NULL,
       r->velocities != NULL ? kinetic_energy (check) : 0, QN_CHECK_EXACT },
     { QN_ENERGY_ELASTIC,
-      check->assembly.beams.count == 0 && r->found_count == 0 && r->left_count == 0,
+      check->model->element_count == 0 && r->found_count == 0 && r->left_count == 0,
       elastic_energy (check), QN_CHECK_FORCES },
     { QN_ENERGY_INPUT, moves_freely (check->model),
       first[QN_ENERGY_INPUT] + work_of_weights (check), QN_CHECK_EXACT },

@@ -5,6 +5,7 @@
 #include "io/project/project.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
+#include "io/text/tie-text.h"
 #include "render/drawing/text.h"
 
 #include <glib/gi18n.h>
@@ -20,6 +21,7 @@ entity_word (QnEntity entity)
     [QN_ENTITY_CONTACT] = N_ ("Contacts"),
     [QN_ENTITY_FACE_OVERRIDE] = N_ ("Contact face"),
     [QN_ENTITY_BAR] = N_ ("Reinforcing bar"),
+    [QN_ENTITY_TIE] = N_ ("Tie"),
     [QN_ENTITY_NODE] = N_ ("Node"),
     [QN_ENTITY_SECTION] = N_ ("Section"),
     [QN_ENTITY_BEAM] = N_ ("Beam"),
@@ -55,6 +57,8 @@ entity_name (const QnModel *model, QnEntity entity, QnId index)
     return model->sections[i].name;
   if (entity == QN_ENTITY_BEAM && i < model->beam_count)
     return model->beams[i].name;
+  if (entity == QN_ENTITY_TIE && i < model->tie_count)
+    return model->ties[i].name;
   return NULL;
 }
 
@@ -150,8 +154,13 @@ qn_explain_outcome (const QnModel *model, const QnResult *result)
     return g_strdup (_ ("Small vibrations about an equilibrium."));
   g_autofree char *reason = qn_outcome_dup_reason (model, result);
   g_autofree char *peak = dup_peak (model, result);
-  return peak != NULL ? g_strdup_printf ("%s %s", reason, peak)
-                      : g_steal_pointer (&reason);
+  g_autofree char *ties = qn_ties_dup_text (model, result);
+  GString *text = g_string_new (reason);
+  if (peak != NULL)
+    g_string_append_printf (text, " %s", peak);
+  if (ties != NULL)
+    g_string_append_printf (text, " %s", ties);
+  return g_string_free (text, FALSE);
 }
 
 /* What the motion is that a result has in place of a mechanism, or NULL where it is one. */

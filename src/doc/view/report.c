@@ -11,6 +11,7 @@
 #include "doc/view/load-text.h"
 #include "doc/view/pair-text.h"
 #include "io/text/outcome-text.h"
+#include "io/text/tie-text.h"
 #include "render/drawing/camera.h"
 #include "render/drawing/text.h"
 #include "render/figure/curve-plot.h"
@@ -339,6 +340,78 @@ write_bars (QnPages *pages, const QnReport *report)
   write_table (pages, cells, 5);
 }
 
+/* "Ø 20 mm, E 200 GPa, fy 235 MPa, prestress 10 kN, anchor 30 kN" */
+static char *
+dup_tie_numbers (const QnTie *tie, QnUnits units)
+{
+  g_autofree char *diameter = qn_units_format_full (units, QN_QUANTITY_DIAMETER,
+                                                    qn_bar_get_diameter (tie->area), 3);
+  g_autoptr (GString) text = g_string_new (NULL);
+  g_string_printf (text, "Ø %s", diameter);
+  append_number (text, "E", QN_QUANTITY_STRESS, tie->elasticity, "");
+  append_number (text, "fy", QN_QUANTITY_STRESS, tie->yield, "");
+  append_number (text, _ ("prestress"), QN_QUANTITY_FORCE, tie->prestress, "");
+  append_number (text, _ ("slack"), QN_QUANTITY_LENGTH, tie->slack, "");
+  append_number (text, _ ("anchor"), QN_QUANTITY_FORCE, tie->anchor, "");
+  return g_strdup (text->str);
+}
+
+static void
+write_ties (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->tie_count == 0)
+    return;
+  add_cell (cells, g_strdup (_ ("Tie")));
+  add_cell (cells, g_strdup (_ ("Numbers")));
+  add_cell (cells, g_strdup_printf (_ ("Length (%s)"),
+                                    qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    add_cell (cells, g_strdup (tie->name));
+    add_cell (cells, dup_tie_numbers (tie, report->units));
+    add_cell (
+      cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, qn_tie_length (tie), 5));
+  }
+  write_table (pages, cells, 3);
+}
+
+/* The largest force of every tie, and what it uses of its strength. */
+static void
+write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->tie_count == 0 || result->tie_count != model->tie_count)
+    return;
+  add_cell (cells, g_strdup (_ ("Tie")));
+  add_cell (cells, g_strdup_printf (_ ("Largest force (%s)"),
+                                    qn_units_symbol (units, QN_QUANTITY_FORCE)));
+  add_cell (cells, g_strdup_printf (_ ("Strength (%s)"),
+                                    qn_units_symbol (units, QN_QUANTITY_FORCE)));
+  add_cell (cells, g_strdup (_ ("Used (%)")));
+  add_cell (cells, g_strdup (_ ("State")));
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    gssize step = qn_tie_worst_step (result, i);
+    if (step < 0)
+      return;
+    const QnTieResult *at = &qn_result_step_ties (result, (gsize) step)[i];
+    gboolean limited = isfinite (qn_tie_strength (tie));
+    add_cell (cells, g_strdup (tie->name));
+    add_cell (cells, qn_units_format (units, QN_QUANTITY_FORCE, at->force, 4));
+    add_cell (cells, limited ? qn_units_format (units, QN_QUANTITY_FORCE,
+                                                qn_tie_strength (tie), 4)
+                             : g_strdup ("–"));
+    add_number (cells, "%.3g",
+                limited ? 100 * qn_tie_utilisation (tie, at->force) : (double) NAN);
+    add_cell (cells, g_strdup (qn_tie_state_text (at->state)));
+  }
+  write_table (pages, cells, 5);
+}
+
 static gboolean
 same_stuff (const QnBlock *a, const QnBlock *b)
 {
@@ -396,6 +469,7 @@ write_materials (QnPages *pages, const QnReport *report)
     write_table (pages, blocks, G_N_ELEMENTS (block_head));
   write_sections (pages, model);
   write_bars (pages, report);
+  write_ties (pages, report);
 }
 
 static void
@@ -890,6 +964,7 @@ write_result (QnPages *pages, const QnReportRun *run, QnUnits units, GError **er
   if (interval != NULL)
     qn_pages_paragraph (pages, interval);
   write_crack (pages, run, units);
+  write_tie_forces (pages, run, units);
   g_autofree char *words = qn_explain_mechanism (model, run->contacts, result);
   if (words != NULL)
     qn_pages_paragraph (pages, words);

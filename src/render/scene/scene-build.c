@@ -232,6 +232,7 @@ build_view (QnSceneBuilder *b)
   qn_build_supports (b);
   qn_build_beams (b);
   qn_build_bars (b);
+  qn_build_ties (b);
   if (options->view == QN_VIEW_CONTACTS)
     qn_build_contacts (b);
   if (options->view == QN_VIEW_CONTACTS && options->symbols)
@@ -273,6 +274,8 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
     qn_box_add_point (&b.box, model->vertices[i]);
   for (size_t i = 0; i < model->node_count; i++)
     qn_box_add_point (&b.box, model->nodes[i].at);
+  for (size_t i = 0; i < 2 * model->tie_count; i++)
+    qn_box_add_point (&b.box, model->ties[i / 2].ends[i % 2].at);
   b.block_size = model->characteristic_length;
   if (model->block_count == 0) /* what follows beams' lengths is no size for symbols */
     b.block_size = 0.08 * qn_box_diagonal (b.box);

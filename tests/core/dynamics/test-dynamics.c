@@ -438,6 +438,49 @@ test_beam (void)
   g_assert_cmpfloat (c.result.history.energy_error, <, 1e-9);
 }
 
+/* A block hangs on a tie, and the ground is lifted: it swings about its new elongation m (g + a) L / EA
+ * and keeps its energy. Let go again it flies until the tie catches it; the energy adds up then too. */
+static void
+test_tie (void)
+{
+  for (int flies = 0; flies < 2; flies++) {
+    g_auto (TestRun) c = { 0 };
+    test_model_init (&c.model);
+    test_model_add_rectangle (&c.model, "block", -0.5, 0, 1, 1);
+    QnTie *tie = qn_model_add_tie (&c.model, "tie");
+    tie->ends[0] = (QnTieEnd){ 0, qn_vec2 (0, 1) };
+    tie->ends[1] = (QnTieEnd){ QN_NONE, qn_vec2 (0, 3) };
+    tie->area = 1e-4;
+    tie->elasticity = 2e11;
+    QnLoad *dead = qn_model_add_dead_load (&c.model);
+    dead->kind = QN_LOAD_WEIGHT;
+    dead->vector = qn_vec2 (0, -1);
+    c.model.analysis.procedure = QN_PROCEDURE_DYNAMIC;
+    c.model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    c.model.analysis.dynamic.duration = flies ? 1 : 0.2;
+    c.model.analysis.dynamic.time_step = 0.0005;
+    c.model.analysis.dynamic.adaptive = flies;
+    QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+    motion->kind = QN_SIGNAL_PULSE;
+    motion->direction = qn_vec2 (0, flies ? -1 : 1);
+    motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, flies ? 20 : 1, flies ? 0.05 : 10, 0 };
+    test_run_solve (&c);
+    g_assert_cmpint (test_run_count_faults (&c), ==, 0);
+    double mass = c.model.blocks[0].weight / G, k = qn_tie_stiffness (tie), most = 0;
+    bool slack = false;
+    for (size_t i = 0; i < c.result.step_count; i++) {
+      most = fmax (most, c.result.ties[i].elongation);
+      slack |= c.result.ties[i].state == QN_TIE_SLACK;
+    }
+    g_test_message ("most %.6g mm, slack %d, energy error %.1e", 1e3 * most, slack,
+                    c.result.history.energy_error);
+    g_assert_true (slack == flies);
+    if (!flies)
+      g_assert_cmpfloat_with_epsilon (most, mass * (G + 2) / k, 2e-3 * mass * G / k);
+    g_assert_cmpfloat (c.result.history.energy_error, <, flies ? 1e-4 : 1e-9);
+  }
+}
+
 /* --- What ends it, and what is refused ------------------------------------------------------ */
 
 static bool
@@ -581,6 +624,7 @@ QN_TESTS
   g_test_add_func ("/dynamics/rock", test_rock);
   g_test_add_func ("/dynamics/overturn", test_overturn);
   g_test_add_func ("/dynamics/beam", test_beam);
+  g_test_add_func ("/dynamics/tie", test_tie);
   g_test_add_func ("/dynamics/cancel", test_cancel);
   g_test_add_func ("/dynamics/refuse", test_refuse);
 }

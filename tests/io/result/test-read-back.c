@@ -97,6 +97,7 @@ static const Row rows[] = {
   { "unloading", ANALYSIS, "17-unloading", { NULL }, QN_OUTCOME_TARGET_REACHED },
   { "settlement", ANALYSIS, "18-spreading-arch", { NULL }, QN_OUTCOME_TARGET_REACHED },
   { "beams", ANALYSIS, "34-frame-hybrid", { NULL }, QN_OUTCOME_COLLAPSE },
+  { "tie", ANALYSIS, "38-tied-walls", { NULL }, QN_OUTCOME_COLLAPSE },
   { "bars", ANALYSIS, "09-reinforced-cantilever", { NULL }, QN_OUTCOME_COLLAPSE },
   { "in time", ANALYSIS, "40-rocking-in-time", { NULL }, QN_OUTCOME_TARGET_REACHED },
   { "cancelled in time",

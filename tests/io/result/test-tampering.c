@@ -64,6 +64,7 @@ static const Source sources[] = {
   { "crushing", "26-crushing-tower.quoin", TRUE, { NULL } },
   { "beams", "32-frame-beams.quoin", FALSE, { NULL } },
   { "mast", "36-mast-on-block.quoin", FALSE, { NULL } },
+  { "tie", "38-tied-walls.quoin", FALSE, { NULL } },
   { "no tension", "05-stack.quoin", FALSE, { "laws[0].kind=no-tension", NULL } },
   { "cohesion",
     "05-stack.quoin",

@@ -1,0 +1,91 @@
+#include "io/text/tie-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+/* Ties named one by one; the rest are counted. */
+#define TIES_IN_WORDS 4
+
+const char *
+qn_tie_state_text (QnTieState state)
+{
+  static const char *const words[QN_TIE_STATE_COUNT] = {
+    [QN_TIE_SLACK] = N_ ("slack"),
+    [QN_TIE_ELASTIC] = N_ ("elastic"),
+    [QN_TIE_YIELDS] = N_ ("yields"),
+    [QN_TIE_ANCHOR] = N_ ("anchor gives"),
+  };
+  return _ (words[state]);
+}
+
+gssize
+qn_tie_worst_step (const QnResult *result, gsize tie)
+{
+  gssize worst = -1;
+  double most = -INFINITY;
+  for (gsize s = 0; s < result->step_count; s++) {
+    const QnTieResult *ties = qn_result_step_ties (result, s);
+    if (ties != NULL && ties[tie].force > most) {
+      most = ties[tie].force;
+      worst = (gssize) s;
+    }
+  }
+  return worst;
+}
+
+double
+qn_tie_utilisation (const QnTie *tie, double force)
+{
+  return force / qn_tie_strength (tie);
+}
+
+typedef struct Worst {
+  const QnTie *tie;
+  QnTieResult at;
+} Worst;
+
+static int
+compare_worst (gconstpointer a, gconstpointer b)
+{
+  const Worst *x = a, *y = b;
+  double u = qn_tie_utilisation (x->tie, x->at.force),
+         v = qn_tie_utilisation (y->tie, y->at.force);
+  if (u != v)
+    return u > v ? -1 : 1;
+  return (x->at.force < y->at.force) - (x->at.force > y->at.force);
+}
+
+static void
+append_worst (GString *text, const Worst *worst)
+{
+  g_string_append (text, text->len > 0 ? _ (", ") : "");
+  g_string_append_printf (text, _ ("“%s” %.4g N"), worst->tie->name, worst->at.force);
+  double used = qn_tie_utilisation (worst->tie, worst->at.force);
+  if (used > 0)
+    g_string_append_printf (text, _ (", %.0f %% of its strength"), 100 * used);
+  if (worst->at.state >= QN_TIE_YIELDS)
+    g_string_append_printf (text, " (%s)", qn_tie_state_text (worst->at.state));
+}
+
+char *
+qn_ties_dup_text (const QnModel *model, const QnResult *result)
+{
+  g_autoptr (GArray) all = g_array_new (FALSE, FALSE, sizeof (Worst));
+  for (gsize i = 0; result->tie_count == model->tie_count && i < model->tie_count; i++) {
+    gssize step = qn_tie_worst_step (result, i);
+    if (step < 0)
+      break;
+    Worst worst = { &model->ties[i], qn_result_step_ties (result, (gsize) step)[i] };
+    g_array_append_val (all, worst);
+  }
+  if (all->len == 0)
+    return NULL;
+  g_array_sort (all, compare_worst);
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (guint i = 0; i < MIN (all->len, TIES_IN_WORDS); i++)
+    append_worst (text, &g_array_index (all, Worst, i));
+  if (all->len > TIES_IN_WORDS)
+    g_string_append (text, "…");
+  return g_strdup_printf (ngettext ("Tie at most: %s.", "Ties at most: %s.", all->len),
+                          text->str);
+}

@@ -1,0 +1,23 @@
+/* Ties in words, translated. */
+#ifndef QN_IO_TIE_TEXT_H
+#define QN_IO_TIE_TEXT_H
+
+#include "core/model/model.h"
+#include "core/result/result.h"
+
+#include <glib.h>
+
+/* "slack", "elastic", "yields", "anchor gives". */
+const char *qn_tie_state_text (QnTieState state);
+
+/* The step at which a tie has its largest force, the first of equal ones; -1 where no step tells it. */
+gssize qn_tie_worst_step (const QnResult *result, gsize tie);
+
+/* What a tie uses of its strength; 0 where nothing limits it. */
+double qn_tie_utilisation (const QnTie *tie, double force);
+
+/* "Ties at most: “T” 3000 N, 100 % of its strength (anchor gives), “S” 1200 N, 40 %.", those that use most
+ * first; NULL where there are none or their forces are not known. Free with g_free(). */
+char *qn_ties_dup_text (const QnModel *model, const QnResult *result);
+
+#endif

@@ -1,0 +1,97 @@
+/* Ties: lines between their ends as these have moved, with a plate across either end; of a result with the
+ * force, dashed where they hang slack, in the colour of what opens where they have their strength. */
+#include "core/model/bar.h"
+#include "render/drawing/text.h"
+#include "render/scene/scene-builder.h"
+
+#include <glib/gi18n-lib.h>
+
+#define WIDTH_TIE   1.4F
+#define WIDTH_PLATE 3.2F
+
+/* Half the length of a plate, as a part of the structure's diagonal. */
+#define PLATE 0.009
+
+/* What the legend says of ties in a state. */
+static const char *const state_words[QN_TIE_STATE_COUNT] = {
+  [QN_TIE_SLACK] = N_ ("tie, slack"),
+  [QN_TIE_ELASTIC] = N_ ("tie, elastic"),
+  [QN_TIE_YIELDS] = N_ ("tie that yields"),
+  [QN_TIE_ANCHOR] = N_ ("tie whose anchor gives"),
+};
+
+/* The ties at the step shown; NULL where the view is not one of a result, or they are not known. */
+static const QnTieResult *
+find_ties (const QnSceneBuilder *b)
+{
+  bool shown = b->result != NULL && b->result->step_count > 0
+               && b->options->view != QN_VIEW_MODEL
+               && b->options->view != QN_VIEW_CONTACTS;
+  return shown ? qn_result_step_ties (b->result, b->step) : NULL;
+}
+
+static QnColor
+color_of (const QnSceneBuilder *b, QnTieState state)
+{
+  return qn_builder_ink (b, state == QN_TIE_SLACK     ? QN_INK_FAINT
+                            : state == QN_TIE_ELASTIC ? QN_INK_BAR
+                                                      : QN_INK_OPEN);
+}
+
+QnVec2
+qn_builder_place_tie_end (const QnSceneBuilder *b, const QnTieEnd *end)
+{
+  return end->block != QN_NONE ? qn_builder_place (b, end->block, end->at) : end->at;
+}
+
+static void
+add_tie (QnSceneBuilder *b, const QnTie *tie, const QnTieResult *result)
+{
+  const QnTieState state = result != NULL ? result->state : QN_TIE_ELASTIC;
+  const QnColor color = color_of (b, state);
+  QnVec2 line[2];
+  for (int end = 0; end < 2; end++)
+    line[end] = qn_builder_place_tie_end (b, &tie->ends[end]);
+  QnVec2 along = qn_vec2_sub (line[1], line[0]);
+  QnVec2 across = qn_vec2_scale (
+    PLATE * qn_box_diagonal (b->box) / qn_vec2_length (along), qn_vec2_perp (along));
+  qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false, WIDTH_TIE, color)->dashed =
+    state == QN_TIE_SLACK;
+  for (int end = 0; end < 2; end++) {
+    QnVec2 plate[2] = { qn_vec2_sub (line[end], across),
+                        qn_vec2_add (line[end], across) };
+    qn_scene_stroke (b->scene, QN_LAYER_JOINTS, plate, 2, false, WIDTH_PLATE, color);
+  }
+  if (!b->options->names && (result == NULL || !b->options->symbols))
+    return;
+  g_autoptr (GString) label = g_string_new (b->options->names ? tie->name : NULL);
+  if (result != NULL && b->options->symbols) {
+    g_autofree char *force = qn_label_number ("%.3g", 1e-3 * result->force);
+    g_string_append (label, label->len > 0 ? ": " : "");
+    g_string_append_printf (label, _ ("%s kN"), force);
+  }
+  qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_lerp (line[0], line[1], 0.5),
+                 QN_SIZE_LABEL, label->str, color)
+    ->align_y = -0.4f;
+}
+
+void
+qn_build_ties (QnSceneBuilder *b)
+{
+  const QnTieResult *results = find_ties (b);
+  bool met[QN_TIE_STATE_COUNT] = { false };
+  for (size_t i = 0; i < b->model->tie_count; i++) {
+    const QnTieResult *result = results != NULL ? &results[i] : NULL;
+    add_tie (b, &b->model->ties[i], result);
+    met[result != NULL ? result->state : QN_TIE_ELASTIC] = true;
+  }
+  for (int state = 0; state < QN_TIE_STATE_COUNT; state++) {
+    if (!met[state])
+      continue;
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_STROKE, color_of (b, (QnTieState) state),
+                       "%s", results != NULL ? _ (state_words[state]) : _ ("tie"));
+    entry->size = WIDTH_TIE;
+    entry->dashed = state == QN_TIE_SLACK;
+  }
+}
