@@ -158,9 +158,7 @@ read_history (const cJSON *root, const char *text, QnHistory *history)
 QnHistory *
 qn_history_from_json (const char *json, const char *text)
 {
-  QnJsonProblem problem = { 0 };
-  cJSON *root = qn_json_parse (json, strlen (json), &problem);
-  g_free (problem.path);
+  cJSON *root = qn_json_parse (json, strlen (json), "", NULL);
   QnHistory *history = qn_history_new ();
   if (root == NULL || !read_history (root, text, history))
     g_clear_pointer (&history, qn_history_free);

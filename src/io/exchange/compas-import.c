@@ -415,16 +415,13 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
                   GError **error)
 {
   g_autoptr (GPtrArray) meshes = g_ptr_array_new_with_free_func (free_mesh);
-  QnJsonProblem problem = { 0 };
   const char *first = text + strspn (text, " \t\r\n");
   gboolean json = length == 0 || *first == '{' || *first == '[';
-  cJSON *document = json ? qn_json_parse (text, length, &problem) : NULL;
+  cJSON *document = json ? qn_json_parse (text, length, name, error) : NULL;
   qn_drawing_init (drawing);
   drawing->unit = 1;
   gboolean done = FALSE;
-  if (json && document == NULL) {
-    g_propagate_error (error, qn_json_problem_to_error (&problem, name, text));
-  } else {
+  if (!json || document != NULL) {
     if (json)
       collect (meshes, document, NULL, "1", FALSE, NULL);
     else
@@ -435,7 +432,6 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
     else
       done = choose_view (meshes, name, drawing, error);
   }
-  g_free (problem.path);
   cJSON_Delete (document);
   if (!done)
     qn_drawing_clear (drawing);

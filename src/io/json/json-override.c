@@ -98,10 +98,11 @@ place (cJSON *container, const QnJsonStep *step, cJSON *value)
 static cJSON *
 parse_value (const char *text)
 {
-  QnJsonProblem problem;
-  cJSON *value = qn_json_parse (text, strlen (text), &problem);
-  g_free (problem.path);
-  return value != NULL || problem.no_memory ? value : cJSON_CreateString (text);
+  g_autoptr (GError) error = NULL;
+  cJSON *value = qn_json_parse (text, strlen (text), "", &error);
+  return value != NULL || g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY)
+           ? value
+           : cJSON_CreateString (text);
 }
 
 /* "laws[7].kn=1": the project has no such place */

@@ -1,6 +1,6 @@
 #include "io/json/json-path.h"
 
-#include "io/json/json-scan.h"
+#include "io/json/json-tokens.h"
 #include "io/text/json-text.h"
 
 #include <string.h>
@@ -34,12 +34,11 @@ parse_step (const char *text, gboolean first, QnJsonStep *step)
     /* Reads [3] or ["key"]; returns what follows, or NULL. */
     text++;
     if (*text == '"') {
-      QnJsonScanner scanner;
-      qn_json_scanner_init (&scanner, text, strlen (text));
-      if (qn_json_next (&scanner) != QN_JSON_STRING || text[scanner.end] != ']')
+      const gsize length = qn_json_string_length (text);
+      if (length == 0 || text[length] != ']')
         return NULL;
-      step->key = qn_json_dup_string (&scanner);
-      return text + scanner.end + 1;
+      step->key = qn_json_unescape (text);
+      return text + length + 1;
     }
 
     char *end;

@@ -104,8 +104,7 @@ qn_reader_dup_line (const QnReader *reader, const char *path, const char *messag
   QnJsonPlace place;
   if (reader->text == NULL)
     return qn_reader_dup_line_at (reader, path, NULL, message);
-  qn_json_position (reader->text, qn_json_locate (reader->text, reader->length, path),
-                    &place.line, &place.column);
+  place = qn_json_locate (reader->text, reader->length, path);
   return qn_reader_dup_line_at (reader, path, &place, message);
 }
 

@@ -8,22 +8,11 @@
 #include <string.h>
 
 /* The value of a JSON text, or NULL with an error that starts with the member's name. */
-static cJSON *
-parse_member (const char *member, const char *json, GError **error)
-{
-  QnJsonProblem problem;
-  cJSON *value = qn_json_parse (json, strlen (json), &problem);
-  if (value == NULL)
-    g_propagate_error (error, qn_json_problem_to_error (&problem, member, json));
-  g_free (problem.path);
-  return value;
-}
-
 cJSON *
 qn_project_extras_with (const QnProject *project, const char *member, const char *json,
                         GError **error)
 {
-  cJSON *value = json != NULL ? parse_member (member, json, error) : NULL;
+  cJSON *value = json != NULL ? qn_json_parse (json, strlen (json), member, error) : NULL;
   if (json != NULL && value == NULL)
     return NULL;
 

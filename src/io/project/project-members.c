@@ -75,6 +75,12 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
     *(bool *) (target + m->given) = cJSON_HasObjectItem (object->json, m->key);
   switch (m->kind) {
   case QN_MEMBER_KNOWN:
+  case QN_MEMBER_MAYBE:
+  case QN_MEMBER_WHOLE:
+  case QN_MEMBER_BYTES:
+  case QN_MEMBER_PAIR:
+  case QN_MEMBER_STAGE:
+  case QN_MEMBER_PLACE:
     break;
   case QN_MEMBER_NUMBER:
     return qn_member_number (object, m->key, need, (QnRange) m->detail, at);
@@ -214,13 +220,20 @@ is_usual (QnMemberKind kind, gconstpointer value, gconstpointer usual)
   const double *number = value, *usual_number = usual;
   switch (kind) {
   case QN_MEMBER_KNOWN:
+  case QN_MEMBER_PLACE:
     return TRUE;
+  case QN_MEMBER_MAYBE:
+  case QN_MEMBER_BYTES:
+  case QN_MEMBER_PAIR:
+    return FALSE;
   case QN_MEMBER_NUMBER:
-    return number[0] == usual_number[0];
+    return number[0] == usual_number[0] || (isnan (number[0]) && isnan (usual_number[0]));
   case QN_MEMBER_TWO:
     return number[0] == usual_number[0] && number[1] == usual_number[1];
   case QN_MEMBER_COUNT:
   case QN_MEMBER_CHOICE:
+  case QN_MEMBER_WHOLE:
+  case QN_MEMBER_STAGE:
     return *(const int *) value == *(const int *) usual;
   case QN_MEMBER_BOOL:
   case QN_MEMBER_SWITCH:
@@ -236,13 +249,26 @@ is_usual (QnMemberKind kind, gconstpointer value, gconstpointer usual)
 static void
 write_member (GString *json, const QnMember *m, const QnModel *model, gconstpointer value)
 {
+  const QnId *id = value;
   switch (m->kind) {
   case QN_MEMBER_KNOWN:
+  case QN_MEMBER_PLACE:
     break;
   case QN_MEMBER_NUMBER:
+  case QN_MEMBER_MAYBE:
     qn_json_put_number (json, m->key, *(const double *) value);
     break;
+  case QN_MEMBER_BYTES:
+    qn_json_put_number (json, m->key, (double) *(const int64_t *) value);
+    break;
+  case QN_MEMBER_PAIR:
+    qn_json_put_numbers (json, m->key, (const double[]){ id[0], id[1] }, 2);
+    break;
+  case QN_MEMBER_STAGE:
+    qn_json_put_number (json, m->key, *id - 1);
+    break;
   case QN_MEMBER_COUNT:
+  case QN_MEMBER_WHOLE:
     qn_json_put_number (json, m->key, *(const int32_t *) value);
     break;
   case QN_MEMBER_BOOL:
@@ -253,7 +279,10 @@ write_member (GString *json, const QnMember *m, const QnModel *model, gconstpoin
     qn_json_put_vec2 (json, m->key, *(const QnVec2 *) value);
     break;
   case QN_MEMBER_CHOICE:
-    qn_json_put_string (json, m->key, m->names[*(const int *) value]);
+    if (m->names[*id] != NULL)
+      qn_json_put_string (json, m->key, m->names[*id]);
+    else
+      qn_json_put_number (json, m->key, NAN);
     break;
   case QN_MEMBER_SWITCH:
     qn_json_put_string (json, m->key, m->names[*(const bool *) value ? 1 : 0]);
@@ -274,11 +303,13 @@ qn_members_write (GString *json, const QnMember *members, const QnModel *model,
 {
   const char *from = source, *other = usual != NULL ? usual : source;
   for (const QnMember *m = members; m->key != NULL; m++) {
-    if (m->kind == QN_MEMBER_KNOWN || m->use == QN_USE_READ)
+    if (m->kind == QN_MEMBER_KNOWN || m->kind == QN_MEMBER_PLACE || m->use == QN_USE_READ)
       continue;
-    if (m->given > 0 ? *(const bool *) (from + m->given)
-                     : m->use != QN_USE_OPTIONAL
-                         || !is_usual (m->kind, from + m->offset, other + m->offset))
+    if (m->kind == QN_MEMBER_MAYBE && m->given > 0 && !*(const bool *) (from + m->given))
+      qn_json_put_number (json, m->key, NAN);
+    else if (m->given > 0 ? *(const bool *) (from + m->given)
+                          : m->use != QN_USE_OPTIONAL
+                              || !is_usual (m->kind, from + m->offset, other + m->offset))
       write_member (json, m, model, from + m->offset);
   }
 }

@@ -1,5 +1,5 @@
-/* Members of an object of a project file as a table: which keys are known, how each is read into a
- * struct and written from it. Tables are read and written in their order, and end with { 0 }.
+/* Members of an object of a project or result file as a table: which keys are known, how each is read
+ * into a struct and written from it. Tables are read and written in their order, and end with { 0 }.
  */
 #ifndef QN_IO_PROJECT_MEMBERS_H
 #define QN_IO_PROJECT_MEMBERS_H
@@ -18,7 +18,15 @@ typedef enum {
   QN_MEMBER_CHOICE, /* an enumeration, by its names */
   QN_MEMBER_SWITCH, /* bool, by two names: that of false first */
   QN_MEMBER_STRING, /* char *, owned; NULL: none */
-  QN_MEMBER_ENTITY  /* QnId, by the name of the entity; QN_NONE: none */
+  QN_MEMBER_ENTITY, /* QnId, by the name of the entity; QN_NONE: none */
+
+  /* In results alone, which are read by io/result/result-members.h. */
+  QN_MEMBER_MAYBE, /* double; null: NAN, or not `given` */
+  QN_MEMBER_WHOLE, /* int32_t, not below `detail` */
+  QN_MEMBER_BYTES, /* int64_t, not negative */
+  QN_MEMBER_PAIR,  /* two QnId that follow each other */
+  QN_MEMBER_STAGE, /* int32_t from 1, which files count from 0; 0: none */
+  QN_MEMBER_PLACE  /* gsize: the token of the value, which code reads and writes */
 } QnMemberKind;
 
 typedef enum {
@@ -45,7 +53,7 @@ typedef struct QnMember {
   QnMemberUse use;
   gsize offset;             /* in the struct */
   int detail;               /* QnRange, largest count, number of names, or QnNamed */
-  const char *const *names; /* of a choice or a switch */
+  const char *const *names; /* of a choice or a switch; NULL among them: null */
   gsize given; /* offset of a bool that says whether the member is there; 0: none */
 } QnMember;
 

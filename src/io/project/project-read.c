@@ -127,12 +127,8 @@ read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
 static cJSON *
 parse_text (QnReader *reader)
 {
-  QnJsonProblem problem;
-  cJSON *document = qn_json_parse (reader->text, reader->length, &problem);
-  if (document == NULL)
-    reader->error = qn_json_problem_to_error (&problem, reader->name, reader->text);
-  g_free (problem.path);
-
+  cJSON *document =
+    qn_json_parse (reader->text, reader->length, reader->name, &reader->error);
   for (gsize i = 0; document != NULL && reader->overrides != NULL && reader->overrides[i];
        i++) {
     if (!qn_json_override (document, reader->overrides[i], &reader->error)) {

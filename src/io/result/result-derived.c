@@ -1,7 +1,6 @@
 #include "io/result/result-derived.h"
 
-#include "io/json/json-path.h"
-#include "io/json/json-scan.h"
+#include "io/json/json-tokens.h"
 #include "io/text/io-error.h"
 #include "io/text/outcome-text.h"
 
@@ -14,11 +13,11 @@
 #define SAME 1e-9
 
 typedef struct Walk {
-  QnJsonScanner stated, found; /* both at the same place */
-  GString *path;               /* of this place */
+  QnJson stated, found;
   const QnProject *project;
   const QnResult *result;
   GPtrArray *unproved;
+  GError **error;
 } Walk;
 
 /* --- What nothing proves ------------------------------------------------------------------ */
@@ -211,139 +210,117 @@ suits_reason (Walk *walk, const char *stated)
 
 /* --- Comparing ---------------------------------------------------------------------------- */
 
-static gboolean compare_value (Walk *walk);
-
-/* What depends on where, when and by which program the file was written. */
-static gboolean
-is_outside (const char *path)
+/* The text of a token that is no more than a word or a number; 0: none. */
+static char *
+dup_token (const QnJson *json, gsize at)
 {
-  static const char *const members[] = { "generator", "model", "overrides" };
-  for (gsize i = 0; i < G_N_ELEMENTS (members); i++)
-    if (strcmp (path, members[i]) == 0)
-      return TRUE;
+  const char *text = json->text + json->tokens[at].start;
+  if (json->tokens[at].type == QN_JSON_STRING)
+    return g_strndup (text, qn_json_string_length (text));
+  gsize length = strspn (text, "+-.0123456789abcdefghijklmnopqrstuvwxyzE");
+  return at > 0 && length > 0 ? g_strndup (text, length) : g_strdup ("…");
+}
+
+/* Keeps the first place where the texts differ, inside `outer` of the stated one. */
+static gboolean
+differ (Walk *walk, gsize outer, gsize stated, gsize found)
+{
+  g_autofree char *path = qn_json_dup_path (&walk->stated, MAX (outer, stated));
+  g_autofree char *states = dup_token (&walk->stated, stated);
+  g_autofree char *instead = dup_token (&walk->found, found);
+  g_set_error (walk->error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+               _ ("%s: %s: this contradicts the rest of the result: %s instead of %s"),
+               walk->stated.name, path, states, instead);
   return FALSE;
 }
 
 /* "contacts[3].hinge" without the numbers. */
 static void
-add_unknown (Walk *walk)
+add_unknown (Walk *walk, gsize at)
 {
+  g_autofree char *path = qn_json_dup_path (&walk->stated, at);
   g_autoptr (GString) member = g_string_new (NULL);
   gboolean skips = FALSE;
-  for (const char *at = walk->path->str; *at != '\0'; at++) {
-    skips = skips && *at != ']';
+  for (const char *c = path; *c != '\0'; c++) {
+    skips = skips && *c != ']';
     if (!skips)
-      g_string_append_c (member, *at);
-    skips = skips || *at == '[';
+      g_string_append_c (member, *c);
+    skips = skips || *c == '[';
   }
   add_unproved (walk->unproved, member->str);
 }
 
-/* Goes to the value of a member of `object`, a scanner at its beginning. `found`, which stands somewhere
- * inside it, is often next to it already. */
+/* What depends on where, when and by which program the file was written. */
 static gboolean
-find_member (const char *key, const QnJsonScanner *object, QnJsonScanner *found)
+is_outside (const char *key)
 {
-  if (qn_json_next (found) == QN_JSON_KEY && found->depth == object->depth
-      && qn_json_string_is (found, key)) {
-    qn_json_next (found);
-    return TRUE;
-  }
-  *found = *object;
-  while (qn_json_next (found) == QN_JSON_KEY) {
-    gboolean same = qn_json_string_is (found, key);
-    qn_json_next (found);
-    if (same)
+  static const char *const members[] = { "generator", "model", "overrides" };
+  for (gsize i = 0; i < G_N_ELEMENTS (members); i++)
+    if (strcmp (key, members[i]) == 0)
       return TRUE;
-    qn_json_skip (found);
-  }
   return FALSE;
 }
 
+static gboolean compare_values (Walk *walk, gsize stated, gsize found);
+
 static gboolean
-compare_object (Walk *walk)
+compare_objects (Walk *walk, gsize stated, gsize found)
 {
-  const QnJsonScanner object = walk->found;
-  gsize length = walk->path->len;
-  while (qn_json_next (&walk->stated) == QN_JSON_KEY) {
-    g_autofree char *key = qn_json_dup_string (&walk->stated);
-    qn_json_path_append_key (walk->path, key);
-    gboolean known = find_member (key, &object, &walk->found);
-    qn_json_next (&walk->stated);
-    if (known && !is_outside (walk->path->str)) {
-      if (!compare_value (walk))
-        return FALSE;
-    } else {
-      if (known)
-        qn_json_skip (&walk->found);
-      else
-        add_unknown (walk);
-      qn_json_skip (&walk->stated);
+  const QnJsonToken *s = walk->stated.tokens, *f = walk->found.tokens;
+  gsize next = found + 1; /* mostly members have the same order */
+  for (gsize i = stated + 1; i < s[stated].next; i = s[i].next) {
+    g_autofree char *key = qn_json_dup_string (&walk->stated, i);
+    gsize value = next < f[found].next && qn_json_string_is (&walk->found, next, key)
+                    ? next + 1
+                    : qn_json_member (&walk->found, found, key);
+    if (value == 0) {
+      add_unknown (walk, i);
+      continue;
     }
-    g_string_truncate (walk->path, length);
-  }
-  walk->found = object; /* to its end */
-  return qn_json_skip (&walk->found);
-}
-
-static gboolean
-compare_array (Walk *walk)
-{
-  gsize length = walk->path->len;
-  for (gsize i = 0;; i++) {
-    QnJsonToken stated = qn_json_next (&walk->stated);
-    QnJsonToken found = qn_json_next (&walk->found);
-    if (stated == QN_JSON_END_ARRAY && found == QN_JSON_END_ARRAY)
-      return TRUE;
-    qn_json_path_append_index (walk->path, i);
-    if (stated == QN_JSON_END_ARRAY || found == QN_JSON_END_ARRAY
-        || !compare_value (walk))
+    next = f[value].next;
+    if (stated == 0 && is_outside (key))
+      continue;
+    if (stated == 0 && strcmp (key, "reason") == 0 && s[i + 1].type == QN_JSON_STRING) {
+      g_autofree char *reason = qn_json_dup_string (&walk->stated, i + 1);
+      if (!suits_reason (walk, reason))
+        return differ (walk, stated, i + 1, value);
+    } else if (!compare_values (walk, i + 1, value)) {
       return FALSE;
-    g_string_truncate (walk->path, length);
+    }
   }
+  return TRUE;
 }
 
 static gboolean
-compare_value (Walk *walk)
+compare_arrays (Walk *walk, gsize stated, gsize found)
 {
-  if (walk->stated.token != walk->found.token)
-    return FALSE;
-  switch (walk->stated.token) {
-  case QN_JSON_BEGIN_OBJECT:
-    return compare_object (walk);
-  case QN_JSON_BEGIN_ARRAY:
-    return compare_array (walk);
-  case QN_JSON_NUMBER: {
-    double stated = qn_json_number (&walk->stated), found = qn_json_number (&walk->found);
-    return fabs (stated - found) <= SAME * (1 + fabs (found));
-  }
-  case QN_JSON_STRING: {
-    g_autofree char *stated = qn_json_dup_string (&walk->stated);
-    return strcmp (walk->path->str, "reason") == 0
-             ? suits_reason (walk, stated)
-             : qn_json_string_is (&walk->found, stated);
-  }
-  case QN_JSON_TRUE:
-  case QN_JSON_FALSE:
-  case QN_JSON_NULL:
-    return TRUE;
-  case QN_JSON_END_OBJECT:
-  case QN_JSON_END_ARRAY:
-  case QN_JSON_KEY:
-  case QN_JSON_END:
-  case QN_JSON_ERROR:
-    break;
-  }
-  return FALSE;
+  const QnJsonToken *s = walk->stated.tokens, *f = walk->found.tokens;
+  gsize i = stated + 1, k = found + 1;
+  for (; i < s[stated].next && k < f[found].next; i = s[i].next, k = f[k].next)
+    if (!compare_values (walk, i, k))
+      return FALSE;
+  return (i == s[stated].next && k == f[found].next)
+         || differ (walk, stated, i < s[stated].next ? i : 0, k < f[found].next ? k : 0);
 }
 
-/* The token at a scanner, if it is no more than a word or a number. */
-static char *
-dup_token (const QnJsonScanner *scanner)
+static gboolean
+compare_values (Walk *walk, gsize stated, gsize found)
 {
-  gsize length = scanner->end - scanner->start;
-  gboolean single = scanner->token >= QN_JSON_STRING && scanner->token <= QN_JSON_NULL;
-  return single ? g_strndup (scanner->text + scanner->start, length) : g_strdup ("…");
+  const QnJsonType type = walk->stated.tokens[stated].type;
+  gboolean same = type == walk->found.tokens[found].type;
+  if (same && type == QN_JSON_OBJECT)
+    return compare_objects (walk, stated, found);
+  if (same && type == QN_JSON_ARRAY)
+    return compare_arrays (walk, stated, found);
+  if (same && type == QN_JSON_NUMBER) {
+    double number = qn_json_number (&walk->found, found);
+    same = fabs (qn_json_number (&walk->stated, stated) - number)
+           <= SAME * (1 + fabs (number));
+  } else if (same && type == QN_JSON_STRING) {
+    g_autofree char *text = qn_json_dup_string (&walk->stated, stated);
+    same = qn_json_string_is (&walk->found, found, text);
+  }
+  return same || differ (walk, stated, stated, found);
 }
 
 gboolean
@@ -354,22 +331,18 @@ qn_result_text_agrees (const char *text, gsize length, const char *name,
   gsize written_length;
   g_autofree char *written =
     qn_result_dup_text (project, contacts, &file->result, &written_length);
-  g_autoptr (GString) path = g_string_new (NULL);
   Walk walk = {
-    .path = path, .project = project, .result = &file->result, .unproved = unproved
+    .project = project, .result = &file->result, .unproved = unproved, .error = error
   };
-
   list_unproved (&project->model, file, unproved);
-  qn_json_scanner_init (&walk.stated, text, length);
-  qn_json_scanner_init (&walk.found, written, written_length);
-  qn_json_next (&walk.stated);
-  qn_json_next (&walk.found);
-  if (compare_value (&walk))
-    return TRUE;
-  g_autofree char *stated = dup_token (&walk.stated);
-  g_autofree char *found = dup_token (&walk.found);
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-               _ ("%s: %s: this contradicts the rest of the result: %s instead of %s"),
-               name, path->str, stated, found);
-  return FALSE;
+  gboolean scanned = qn_json_scan (&walk.stated, text, length, name)
+                     && qn_json_scan (&walk.found, written, written_length, name);
+  gboolean agrees = scanned && compare_values (&walk, 0, 0);
+  if (!scanned) {
+    GError **trouble = walk.stated.error != NULL ? &walk.stated.error : &walk.found.error;
+    g_propagate_error (error, g_steal_pointer (trouble));
+  }
+  qn_json_clear (&walk.stated);
+  qn_json_clear (&walk.found);
+  return agrees;
 }

@@ -1,10 +1,10 @@
 #include "io/result/result-forces.h"
 
 #include "core/base/memory.h"
+#include "io/result/result-members.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Digits of a force: more than any picture or table shows, half of what a double holds. The
@@ -48,88 +48,62 @@ qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t ste
   qn_file_writer_puts (writer, any ? "]" : "");
 }
 
-gboolean
-qn_result_force_read (QnJsonStream *stream, gpointer target)
+/* Numbers of pairs and the damage of their bonds, in turns. */
+static gboolean
+read_damage (QnJson *json, gsize at, QnResult *result, size_t step)
 {
-  QnStepForces *all = target;
-  if (!qn_array_reserve (&all->forces, &all->force_capacity, all->force_count + 1,
-                         sizeof *all->forces))
-    return qn_json_stream_no_memory (stream);
-  return qn_json_stream_number (stream, &all->forces[all->force_count++]);
+  const size_t count = result->pair_count, numbers = qn_json_count (json, at);
+  if (result->step_damage == NULL)
+    result->step_damage =
+      qn_alloc (result->step_count * count, sizeof *result->step_damage);
+  g_autofree double *read = g_new (double, numbers + 1);
+  if (result->step_damage == NULL)
+    return qn_json_no_memory (json);
+  result->step_damage_capacity = result->step_count * count;
+  if (!qn_result_read_numbers (json, at, read, 1, numbers, NULL))
+    return FALSE;
+  gboolean fits = numbers % 2 == 0;
+  for (size_t i = 0; fits && i < numbers; i += 2) {
+    fits = read[i] >= 0 && read[i] < (double) count && read[i] == floor (read[i])
+           && read[i + 1] >= 0 && read[i + 1] <= 1;
+    if (fits)
+      result->step_damage[step * count + (size_t) read[i]] = read[i + 1];
+  }
+  return fits || qn_json_fail (json, at, _ ("there are not as many forces as contacts"));
 }
 
 gboolean
-qn_result_states_read (QnJsonStream *stream, gpointer target)
+qn_result_forces_read (QnJson *json, gsize at, gsize forces, gsize states, gsize damage,
+                       QnResult *result, size_t step)
 {
-  QnStepForces *all = target;
-  g_autofree char *text = NULL;
-  if (!qn_json_stream_string (stream, &text))
-    return FALSE;
-  size_t length = strlen (text);
-  if (!qn_array_reserve (&all->states, &all->state_capacity, all->state_count + length,
-                         sizeof *all->states))
-    return qn_json_stream_no_memory (stream);
-  for (size_t i = 0; i < length; i++) {
+  const char *refusal = _ ("there are not as many forces as contacts");
+  const size_t count = result->pair_count, all = result->step_count * count;
+  const gboolean given = forces > 0 && states > 0;
+  if (step == 0 && given) {
+    result->step_forces =
+      qn_result_room (json, at, 2 * all, sizeof *result->step_forces, refusal);
+    result->step_states = qn_alloc (all, sizeof *result->step_states);
+    if (result->step_forces == NULL || result->step_states == NULL)
+      return qn_json_no_memory (json);
+    result->step_force_capacity = 2 * all;
+    result->step_state_capacity = all;
+  }
+  if ((result->step_forces != NULL) != given || (forces > 0) != (states > 0))
+    return qn_json_fail (json, at, refusal);
+  if (!given)
+    return TRUE;
+  if (json->tokens[states].type != QN_JSON_STRING)
+    return qn_json_fail (json, states, _ ("expected a string"));
+  g_autofree char *text = qn_json_dup_string (json, states);
+  if (strlen (text) != count)
+    return qn_json_fail (json, states, refusal);
+  for (size_t i = 0; i < count; i++) {
     const char *letter = strchr (letters, text[i]);
     if (letter == NULL)
-      return qn_json_stream_fail (stream, _ ("states are letters k, s and o"));
-    all->states[all->state_count++] = (uint8_t) (letter - letters);
+      return qn_json_fail (json, states, _ ("states are letters k, s and o"));
+    result->step_states[count * step + i] = (uint8_t) (letter - letters);
   }
-  return TRUE;
-}
-
-gboolean
-qn_result_damage_read (QnJsonStream *stream, gpointer target)
-{
-  QnStepForces *all = target;
-  if (!qn_array_reserve (&all->damage, &all->damage_capacity, all->damage_count + 1,
-                         sizeof *all->damage))
-    return qn_json_stream_no_memory (stream);
-  all->damage[all->damage_count].step = all->step;
-  return qn_json_stream_number (stream, &all->damage[all->damage_count++].number);
-}
-
-/* False where it is not damage of pairs. */
-static gboolean
-take_damage (const QnStepForces *all, QnResult *result)
-{
-  if (all->damage_count == 0)
-    return TRUE;
-  size_t wanted = result->step_count * result->pair_count;
-  result->step_damage = qn_alloc (wanted, sizeof *result->step_damage);
-  if (result->step_damage == NULL || all->damage_count % 2 != 0)
-    return FALSE;
-  result->step_damage_capacity = wanted;
-  for (size_t i = 0; i < all->damage_count; i += 2) {
-    double pair = all->damage[i].number, value = all->damage[i + 1].number;
-    if (!(pair >= 0 && pair < (double) result->pair_count && pair == floor (pair)
-          && value >= 0 && value <= 1))
-      return FALSE;
-    result->step_damage[all->damage[i].step * result->pair_count + (size_t) pair] = value;
-  }
-  return TRUE;
-}
-
-gboolean
-qn_result_forces_take (QnStepForces *all, QnResult *result)
-{
-  if (all->force_count == 0 && all->state_count == 0)
-    return TRUE;
-  size_t wanted = result->step_count * result->pair_count;
-  if (all->force_count != 2 * wanted || all->state_count != wanted)
-    return FALSE;
-  result->step_forces = g_steal_pointer (&all->forces);
-  result->step_states = g_steal_pointer (&all->states);
-  result->step_force_capacity = all->force_capacity;
-  result->step_state_capacity = all->state_capacity;
-  return take_damage (all, result);
-}
-
-void
-qn_result_forces_clear (QnStepForces *all)
-{
-  free (all->forces);
-  free (all->states);
-  free (all->damage);
-  *all = (QnStepForces){ 0 };
+  return qn_result_read_numbers (json, forces, result->step_forces + 2 * count * step, 1,
+                                 2 * count, refusal)
+         && (damage == 0 || read_damage (json, damage, result, step));
 }

@@ -2,11 +2,62 @@
 
 #include "core/base/memory.h"
 #include "io/project/project-names.h"
+#include "io/result/result-members.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
+
+static const QnMember scalars[] = {
+  QN_NUMBER ("end", REQUIRED, FINITE, QnHistory, end),
+  QN_NUMBER ("energy_error", REQUIRED, FINITE, QnHistory, energy_error),
+  QN_NUMBER ("largest_residual", REQUIRED, FINITE, QnHistory, largest_residual),
+  QN_NUMBER ("largest_slip", REQUIRED, FINITE, QnHistory, largest_slip),
+  QN_NUMBER ("shortest_step", REQUIRED, FINITE, QnHistory, shortest_step),
+  QN_WHOLE ("steps", REQUIRED, 0, QnHistory, steps),
+  QN_WHOLE ("rejected", REQUIRED, 0, QnHistory, rejected),
+  QN_NUMBER ("time_of_peak", OPTIONAL, FINITE, QnHistory, peak_time),
+  QN_MAYBE ("time_of_collapse", REQUIRED, QnHistory, collapse_time),
+  { 0 },
+};
+
+/* Where the lists of a history are. */
+typedef struct Lists {
+  QnHistory history;
+  gsize time, ground, energy, tracks, peak, found, left;
+} Lists;
+
+static const QnMember lists[] = {
+  QN_PLACE ("time", REQUIRED, Lists, time),
+  QN_PLACE ("ground", REQUIRED, Lists, ground),
+  QN_PLACE ("energy", REQUIRED, Lists, energy),
+  QN_PLACE ("tracks", REQUIRED, Lists, tracks),
+  QN_PLACE ("peak", REQUIRED, Lists, peak),
+  QN_PLACE ("found", OPTIONAL, Lists, found),
+  QN_PLACE ("left", OPTIONAL, Lists, left),
+  { 0 },
+};
+
+/* A contact that was found on the way, by time or by step. */
+typedef struct Found {
+  QnFound found;
+  gsize forces;
+} Found;
+
+#define FOUND_MEMBERS(when)                                                              \
+  {                                                                                      \
+    QN_PAIR ("side", REQUIRED, Found, found.contact.block),                              \
+      QN_PAIR ("corner", REQUIRED, Found, found.contact.other),                          \
+      QN_NUMBER ("foot", REQUIRED, FINITE, Found, found.contact.foot),                   \
+      QN_NUMBER ("inset", WRITTEN, FINITE, Found, found.contact.inset),                  \
+      QN_NUMBER (when, REQUIRED, FINITE, Found, found.time),                             \
+      QN_PLACE ("forces", REQUIRED, Found, forces),                                      \
+    {                                                                                    \
+      0                                                                                  \
+    }                                                                                    \
+  }
+static const QnMember found_by_time[] = FOUND_MEMBERS ("time");
+static const QnMember found_by_step[] = FOUND_MEMBERS ("step");
 
 /* --- Writing ------------------------------------------------------------------------------ */
 
@@ -23,35 +74,6 @@ static void
 write_column (QnFileWriter *writer, const QnHistory *history, size_t column)
 {
   write_list (writer, history->rows + column, history->width, history->row_count);
-}
-
-static void
-write_scalars (QnFileWriter *writer, const QnResult *result)
-{
-  const QnHistory *h = &result->history;
-  const struct {
-    const char *key;
-    double number;
-  } numbers[] = {
-    { "end", h->end },
-    { "energy_error", h->energy_error },
-    { "largest_residual", h->largest_residual },
-    { "largest_slip", h->largest_slip },
-    { "shortest_step", h->shortest_step },
-    { "steps", h->steps },
-    { "rejected", h->rejected },
-  };
-  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++) {
-    qn_file_writer_printf (writer, "%s\"%s\": ", i > 0 ? ", " : "\n    ", numbers[i].key);
-    qn_file_writer_number (writer, numbers[i].number);
-  }
-  if (!isnan (h->peak_time))
-    qn_file_writer_puts_number (writer, ", \"time_of_peak\": ", h->peak_time);
-  qn_file_writer_puts (writer, ", \"time_of_collapse\": ");
-  if (result->outcome == QN_OUTCOME_COLLAPSE)
-    qn_file_writer_number (writer, h->collapse_time);
-  else
-    qn_file_writer_puts (writer, "null");
 }
 
 /* The forces of found contacts, which the result has by step, by contact: those of contact i from
@@ -77,16 +99,10 @@ qn_result_found_write (QnFileWriter *writer, const QnResult *result)
   g_autofree gsize *places = sort_by_contact (result, first);
   qn_file_writer_puts (writer, "\"found\": [");
   for (size_t i = 0; i < result->found_count; i++) {
-    const QnFoundContact *c = &result->found[i].contact;
     const char *separator = "";
-    qn_file_writer_printf (
-      writer, "%s\n      { \"side\": [%d, %d], \"corner\": [%d, %d], \"foot\": ",
-      i > 0 ? "," : "", c->block, c->side, c->other, c->corner);
-    qn_file_writer_number (writer, c->foot);
-    qn_file_writer_puts_number (writer, ", \"inset\": ", c->inset);
-    qn_file_writer_puts_number (
-      writer, in_time ? ", \"time\": " : ", \"step\": ", result->found[i].time);
-    qn_file_writer_puts (writer, ", \"forces\": [");
+    qn_result_members_write (writer, i > 0 ? ",\n      { " : "\n      { ",
+                             in_time ? found_by_time : found_by_step, &result->found[i],
+                             NULL, ", \"forces\": [");
     for (gsize k = first[i]; k < first[i + 1]; k++) {
       const QnFoundForce *force = &result->found_forces[places[k]];
       qn_file_writer_printf (writer, "%s[%d, ", separator, force->step);
@@ -110,10 +126,12 @@ void
 qn_result_history_write (QnFileWriter *writer, const QnModel *model,
                          const QnResult *result)
 {
-  const QnHistory *h = &result->history;
-  qn_file_writer_puts (writer, "  \"history\": {");
-  write_scalars (writer, result);
-  qn_file_writer_puts (writer, ",\n    \"time\": ");
+  const QnHistory *h = &result->history, usual = { .peak_time = NAN };
+  QnHistory told = *h;
+  if (result->outcome != QN_OUTCOME_COLLAPSE)
+    told.collapse_time = NAN;
+  qn_result_members_write (writer, "  \"history\": {\n    ", scalars, &told, &usual,
+                           ",\n    \"time\": ");
   write_column (writer, h, QN_HISTORY_TIME);
   qn_file_writer_puts (writer, ",\n    \"ground\": { \"x\": ");
   write_column (writer, h, QN_HISTORY_GROUND_X);
@@ -147,242 +165,6 @@ qn_result_history_write (QnFileWriter *writer, const QnModel *model,
 
 /* --- Reading ------------------------------------------------------------------------------ */
 
-static gboolean
-read_number (QnJsonStream *stream, gpointer target)
-{
-  double number;
-  if (!qn_json_stream_number (stream, &number))
-    return FALSE;
-  g_array_append_val ((GArray *) target, number);
-  return TRUE;
-}
-
-static gboolean
-read_list (QnJsonStream *stream, gpointer target)
-{
-  GArray **list = target;
-  *list = g_array_new (FALSE, FALSE, sizeof (double));
-  return qn_json_stream_array (stream, read_number, *list);
-}
-
-static gboolean
-read_collapse_time (QnJsonStream *stream, gpointer target)
-{
-  return stream->scanner.token == QN_JSON_NULL || qn_json_stream_number (stream, target);
-}
-
-/* Targets of the next three are lists by the columns of the history. */
-#define COLUMN(name, index)                                                              \
-  {                                                                                      \
-    name, read_list, (index) * sizeof (GArray *), QN_JSON_REQUIRED                       \
-  }
-
-static gboolean
-read_ground (QnJsonStream *stream, gpointer target)
-{
-  static const QnJsonMember members[] = { COLUMN ("x", QN_HISTORY_GROUND_X),
-                                          COLUMN ("y", QN_HISTORY_GROUND_Y) };
-  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
-}
-
-static gboolean
-read_energy (QnJsonStream *stream, gpointer target)
-{
-  QnJsonMember members[QN_ENERGY_KIND_COUNT];
-  for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
-    members[kind] =
-      (QnJsonMember) COLUMN (qn_energy_names[kind], (gsize) (QN_HISTORY_ENERGY + kind));
-  return qn_json_stream_object (stream, members, QN_ENERGY_KIND_COUNT, target);
-}
-
-/* Which block and component is the project's knowledge. */
-static gboolean
-read_track (QnJsonStream *stream, gpointer target)
-{
-  static const QnJsonMember members[] = { { "values", read_list, 0, QN_JSON_REQUIRED } };
-  GArray *values = NULL;
-  gboolean done =
-    qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &values);
-  if (values != NULL)
-    g_ptr_array_add (*(GPtrArray **) target, values);
-  return done;
-}
-
-static void
-free_list (gpointer list)
-{
-  if (list != NULL)
-    g_array_unref (list);
-}
-
-/* A number that counts something. */
-static gboolean
-take_count (QnJsonStream *stream, double number, int32_t *count)
-{
-  if (!(number >= 0 && number < INT32_MAX && number == floor (number)))
-    return qn_json_stream_fail (stream,
-                                _ ("expected a whole number that is not negative"));
-  *count = (int32_t) number;
-  return TRUE;
-}
-
-static gboolean
-read_place (QnJsonStream *stream, gpointer target)
-{
-  double numbers[2];
-  QnId *place = target;
-  return qn_json_stream_numbers (stream, numbers, 2)
-         && take_count (stream, numbers[0], &place[0])
-         && take_count (stream, numbers[1], &place[1]);
-}
-
-/* One contact that was found on the way, while it is read. */
-typedef struct ReadingFound {
-  QnId side[2], corner[2];
-  double foot, inset, time;
-  GArray *forces; /* of the whole list */
-  QnId index;
-} ReadingFound;
-
-static gboolean
-read_found_force (QnJsonStream *stream, gpointer target)
-{
-  ReadingFound *found = target;
-  double numbers[4];
-  QnFoundForce force = { .found = found->index };
-  int32_t state = 0;
-  if (!qn_json_stream_numbers (stream, numbers, 4)
-      || !take_count (stream, numbers[0], &force.step)
-      || !take_count (stream, numbers[3], &state))
-    return FALSE;
-  if (state >= QN_PAIR_STATE_COUNT)
-    return qn_json_stream_fail (stream, _ ("this is not a state of a contact pair"));
-  force.normal = numbers[1];
-  force.shear = numbers[2];
-  force.state = (QnPairState) state;
-  g_array_append_val (found->forces, force);
-  return TRUE;
-}
-
-/* `when`: the key of when it was found. */
-static gboolean
-read_found_by (QnJsonStream *stream, const char *when, QnHistoryDraft *draft)
-{
-  const QnJsonMember members[] = {
-    { "side", read_place, offsetof (ReadingFound, side), QN_JSON_REQUIRED },
-    { "corner", read_place, offsetof (ReadingFound, corner), QN_JSON_REQUIRED },
-    { "foot", qn_json_stream_number, offsetof (ReadingFound, foot), QN_JSON_REQUIRED },
-    { "inset", qn_json_stream_number, offsetof (ReadingFound, inset), 0 },
-    { when, qn_json_stream_number, offsetof (ReadingFound, time), QN_JSON_REQUIRED },
-    { "forces", read_found_force, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
-  };
-  if (draft->found == NULL) {
-    draft->found = g_array_new (FALSE, FALSE, sizeof (QnFound));
-    draft->found_forces = g_array_new (FALSE, FALSE, sizeof (QnFoundForce));
-  }
-  ReadingFound read = { .forces = draft->found_forces,
-                        .index = (QnId) draft->found->len };
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read))
-    return FALSE;
-  QnFound found = { .contact = { .block = read.side[0],
-                                 .side = read.side[1],
-                                 .other = read.corner[0],
-                                 .corner = read.corner[1],
-                                 .foot = read.foot,
-                                 .inset = read.inset },
-                    .time = read.time };
-  g_array_append_val (draft->found, found);
-  return TRUE;
-}
-
-static gboolean
-read_found (QnJsonStream *stream, gpointer target)
-{
-  return read_found_by (stream, "time", target);
-}
-
-gboolean
-qn_result_found_read (QnJsonStream *stream, gpointer target)
-{
-  QnHistoryDraft *draft = target;
-  draft->by_step = TRUE;
-  return read_found_by (stream, "step", draft);
-}
-
-static gboolean
-read_left (QnJsonStream *stream, gpointer target)
-{
-  QnHistoryDraft *draft = target;
-  double numbers[2];
-  QnLeftFace left;
-  if (!qn_json_stream_numbers (stream, numbers, 2)
-      || !take_count (stream, numbers[0], &left.face))
-    return FALSE;
-  left.time = numbers[1];
-  if (draft->left == NULL)
-    draft->left = g_array_new (FALSE, FALSE, sizeof (QnLeftFace));
-  g_array_append_val (draft->left, left);
-  return TRUE;
-}
-
-gboolean
-qn_result_left_read (QnJsonStream *stream, gpointer target)
-{
-  ((QnHistoryDraft *) target)->by_step = TRUE;
-  return read_left (stream, target);
-}
-
-/* The whole member. */
-typedef struct Reading {
-  GArray *columns[QN_HISTORY_TRACK];
-  QnHistory history;
-  GPtrArray *tracks;
-  GArray *peaks;
-  QnHistoryDraft draft; /* what was found on the way */
-} Reading;
-
-gboolean
-qn_result_history_read (QnJsonStream *stream, gpointer target)
-{
-#define SCALAR(name, member, read)                                                       \
-  {                                                                                      \
-    name, read, offsetof (Reading, history.member), QN_JSON_REQUIRED                     \
-  }
-  static const QnJsonMember members[] = {
-    SCALAR ("end", end, qn_json_stream_number),
-    { "time_of_peak", qn_json_stream_number, offsetof (Reading, history.peak_time),
-      QN_JSON_OPTIONAL },
-    SCALAR ("energy_error", energy_error, qn_json_stream_number),
-    SCALAR ("largest_residual", largest_residual, qn_json_stream_number),
-    SCALAR ("largest_slip", largest_slip, qn_json_stream_number),
-    SCALAR ("shortest_step", shortest_step, qn_json_stream_number),
-    SCALAR ("steps", steps, qn_json_stream_int32),
-    SCALAR ("rejected", rejected, qn_json_stream_int32),
-    SCALAR ("time_of_collapse", collapse_time, read_collapse_time),
-    COLUMN ("time", QN_HISTORY_TIME),
-    { "ground", read_ground, 0, QN_JSON_REQUIRED },
-    { "energy", read_energy, 0, QN_JSON_REQUIRED },
-    { "tracks", read_track, offsetof (Reading, tracks), QN_JSON_REQUIRED | QN_JSON_EACH },
-    { "peak", read_list, offsetof (Reading, peaks), QN_JSON_REQUIRED },
-    { "found", read_found, offsetof (Reading, draft), QN_JSON_EACH },
-    { "left", read_left, offsetof (Reading, draft), QN_JSON_EACH },
-  };
-#undef SCALAR
-  Reading read = { .tracks = g_ptr_array_new_with_free_func (free_list),
-                   .history.peak_time = NAN };
-  gboolean done = qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read);
-  QnHistoryDraft *draft = target;
-  read.draft.by_step = draft->by_step;
-  qn_history_draft_clear (draft);
-  *draft = read.draft;
-  draft->history = read.history;
-  draft->peaks = read.peaks;
-  draft->columns = read.tracks;
-  for (gint i = 0; i < QN_HISTORY_TRACK; i++)
-    g_ptr_array_insert (draft->columns, i, read.columns[i]);
-  return done;
-}
-
 static int
 compare_forces (const void *a, const void *b)
 {
@@ -391,83 +173,130 @@ compare_forces (const void *a, const void *b)
                             : (f->found > g->found) - (f->found < g->found);
 }
 
-/* A copy of a list as the core keeps it; false when memory runs out. */
+/* The forces of the contact that was found last. */
 static gboolean
-copy_list (const GArray *list, gpointer items, size_t *count, size_t *capacity)
+read_found_forces (QnJson *json, gsize at, QnResult *result)
 {
-  gsize size = g_array_get_element_size ((GArray *) list);
-  void *copy = qn_alloc (list->len, size);
-  if (copy == NULL)
+  if (!qn_result_read_array (json, at))
     return FALSE;
-  if (list->len > 0)
-    memcpy (copy, list->data, list->len * size);
-  *(void **) items = copy;
-  *count = *capacity = list->len;
+  for (gsize i = at + 1; i < json->tokens[at].next; i = json->tokens[i].next) {
+    QnFoundForce force = { .found = (QnId) result->found_count - 1 };
+    double numbers[4];
+    int32_t state;
+    if (!qn_result_read_numbers (json, i, numbers, 1, 4, NULL)
+        || !qn_result_read_id (json, i + 1, &force.step)
+        || !qn_result_read_id (json, i + 4, &state))
+      return FALSE;
+    if (state >= QN_PAIR_STATE_COUNT)
+      return qn_json_fail (json, i, _ ("this is not a state of a contact pair"));
+    force.normal = numbers[1];
+    force.shear = numbers[2];
+    force.state = (QnPairState) state;
+    if (!qn_result_add_found_force (result, force))
+      return qn_json_no_memory (json);
+  }
   return TRUE;
 }
 
 static gboolean
-take_found (const QnHistoryDraft *draft, QnResult *result)
+read_found (QnJson *json, gsize found, gsize left, const QnMember *members,
+            QnResult *result)
 {
-  if (draft->found_forces != NULL && draft->found_forces->len > 0)
-    qsort (draft->found_forces->data, draft->found_forces->len, sizeof (QnFoundForce),
+  const QnMember *const tables[] = { members, NULL };
+  if ((found > 0 && !qn_result_read_array (json, found))
+      || (left > 0 && !qn_result_read_array (json, left)))
+    return FALSE;
+  for (gsize i = found + 1; found > 0 && i < json->tokens[found].next;
+       i = json->tokens[i].next) {
+    Found read = { 0 };
+    if (!qn_result_members_read (json, i, tables, &read))
+      return FALSE;
+    if (!qn_result_add_found (result, read.found))
+      return qn_json_no_memory (json);
+    if (!read_found_forces (json, read.forces, result))
+      return FALSE;
+  }
+  for (gsize i = left + 1; left > 0 && i < json->tokens[left].next;
+       i = json->tokens[i].next) {
+    double numbers[2];
+    QnLeftFace face;
+    if (!qn_result_read_numbers (json, i, numbers, 1, 2, NULL)
+        || !qn_result_read_id (json, i + 1, &face.face))
+      return FALSE;
+    face.time = numbers[1];
+    if (!qn_result_add_left (result, face))
+      return qn_json_no_memory (json);
+  }
+  if (result->found_force_count > 0)
+    qsort (result->found_forces, result->found_force_count, sizeof (QnFoundForce),
            compare_forces);
-  return (draft->found == NULL
-          || (copy_list (draft->found, &result->found, &result->found_count,
-                         &result->found_capacity)
-              && copy_list (draft->found_forces, &result->found_forces,
-                            &result->found_force_count, &result->found_force_capacity)))
-         && (draft->left == NULL
-             || copy_list (draft->left, &result->left, &result->left_count,
-                           &result->left_capacity));
+  return TRUE;
+}
+
+/* A list, the member `key` of an object, into a column of the rows. */
+static gboolean
+read_column (QnJson *json, gsize object, const char *key, QnHistory *history,
+             size_t column)
+{
+  gsize list = qn_json_member (json, object, key);
+  return list > 0 ? qn_result_read_numbers (json, list, history->rows + column,
+                                            history->width, history->row_count,
+                                            _ ("lists of the history differ in length"))
+                  : qn_json_fail_missing (json, object, key);
+}
+
+/* Which block and component a track is of is the project's knowledge. */
+static gboolean
+read_columns (QnJson *json, gsize at, const Lists *places, QnHistory *history)
+{
+  gboolean done =
+    read_column (json, at, "time", history, QN_HISTORY_TIME)
+    && read_column (json, places->ground, "x", history, QN_HISTORY_GROUND_X)
+    && read_column (json, places->ground, "y", history, QN_HISTORY_GROUND_Y);
+  for (size_t kind = 0; done && kind < QN_ENERGY_KIND_COUNT; kind++)
+    done = read_column (json, places->energy, qn_energy_names[kind], history,
+                        QN_HISTORY_ENERGY + kind);
+  gsize track = places->tracks + 1;
+  for (size_t i = QN_HISTORY_TRACK; done && i < history->width; i++) {
+    done = read_column (json, track, "values", history, i);
+    track = json->tokens[track].next;
+  }
+  return done;
 }
 
 gboolean
-qn_result_history_take (QnHistoryDraft *draft, QnJsonStream *stream, QnResult *result)
+qn_result_history_read (QnJson *json, gsize at, gsize found, gsize left, QnResult *result)
 {
-  if (draft->by_step && draft->columns != NULL)
-    return qn_json_stream_fail_at (
-      stream, "found",
-      _ ("contacts that an analysis in time found belong to its history"));
-  if (draft->by_step) /* the number of a step stands for its time */
-    for (gsize i = 0; i < result->step_count; i++)
-      result->steps[i].time = (double) i;
-  if (draft->columns == NULL)
-    return take_found (draft, result) || qn_json_stream_no_memory (stream);
-  const GArray *time = g_ptr_array_index (draft->columns, 0);
-  gsize rows = time->len, width = draft->columns->len;
-  gboolean fits = draft->peaks->len == result->block_count;
-  for (gsize c = 0; c < width; c++)
-    fits = fits && ((GArray *) g_ptr_array_index (draft->columns, c))->len == rows;
-  if (!fits)
-    return qn_json_stream_fail_at (stream, "history",
-                                   _ ("lists of the history differ in length"));
+  static const QnMember *const tables[] = { scalars, lists, NULL };
   QnHistory *history = &result->history;
-  *history = draft->history;
-  history->width = width;
-  history->row_count = rows;
-  history->capacity = rows * width;
-  history->rows = qn_alloc (rows * width, sizeof *history->rows);
-  history->peaks = qn_alloc (result->block_count, sizeof *history->peaks);
-  if (history->rows == NULL || history->peaks == NULL || !take_found (draft, result))
-    return qn_json_stream_no_memory (stream);
-  for (gsize c = 0; c < width; c++) {
-    const GArray *column = g_ptr_array_index (draft->columns, c);
-    for (gsize i = 0; i < rows; i++)
-      history->rows[i * width + c] = g_array_index (column, double, i);
+  Lists read = { .history.peak_time = NAN };
+  if (at == 0) {
+    for (size_t i = 0; found + left > 0 && i < result->step_count; i++)
+      result->steps[i].time = (double) i; /* its number stands for its time */
+    return read_found (json, found, left, found_by_step, result);
   }
-  if (result->block_count > 0)
-    memcpy (history->peaks, draft->peaks->data,
-            result->block_count * sizeof *history->peaks);
-  return TRUE;
-}
-
-void
-qn_history_draft_clear (QnHistoryDraft *draft)
-{
-  g_clear_pointer (&draft->columns, g_ptr_array_unref);
-  g_clear_pointer (&draft->peaks, g_array_unref);
-  g_clear_pointer (&draft->found, g_array_unref);
-  g_clear_pointer (&draft->found_forces, g_array_unref);
-  g_clear_pointer (&draft->left, g_array_unref);
+  if (found + left > 0)
+    return qn_json_fail (
+      json, MAX (found, left),
+      _ ("contacts that an analysis in time found belong to its history"));
+  if (!qn_result_members_read (json, at, tables, &read)
+      || !qn_result_read_array (json, read.time)
+      || !qn_result_read_array (json, read.tracks))
+    return FALSE;
+  *history = read.history;
+  if (isnan (history->collapse_time))
+    history->collapse_time = 0;
+  history->row_count = qn_json_count (json, read.time);
+  history->width = QN_HISTORY_TRACK + qn_json_count (json, read.tracks);
+  history->capacity = history->row_count * history->width;
+  history->rows = qn_result_room (json, at, history->capacity, sizeof *history->rows,
+                                  _ ("lists of the history differ in length"));
+  history->peaks = qn_alloc (result->block_count, sizeof *history->peaks);
+  if (history->rows == NULL || history->peaks == NULL)
+    return qn_json_no_memory (json);
+  return read_columns (json, at, &read, history)
+         && qn_result_read_numbers (json, read.peak, history->peaks, 1,
+                                    result->block_count,
+                                    _ ("lists of the history differ in length"))
+         && read_found (json, read.found, read.left, found_by_time, result);
 }

@@ -1,7 +1,7 @@
-#include "core/base/integer.h"
 #include "core/base/memory.h"
-#include "io/project/project-names.h"
-#include "io/result/result-draft.h"
+#include "io/result/result-forces.h"
+#include "io/result/result-history.h"
+#include "io/result/result-members.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-read.h"
 
@@ -10,396 +10,158 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FORMAT         "quoin-result"
 #define FORMAT_VERSION 1
 
-/* Room for one more item; FALSE with an error where memory runs out. */
-static gboolean
-grow (QnJsonStream *stream, gpointer array, size_t count, size_t *capacity, size_t size)
-{
-  return qn_array_reserve (array, capacity, count + 1, size)
-         || qn_json_stream_no_memory (stream);
-}
+/* A file that is being read: what the tables of members fill, and where the rest is. */
+typedef struct Document {
+  QnResult result;
+  char *generator, *model, *model_sha256;
+  int32_t version;
+  bool has_linearity, is_beyond_linear;
+  gsize overrides, events, fixed_points, solutions, interval, unstable, supports, refused,
+    blocks, nodes, elements, ties, steps, contacts, vibration, mechanism, node_mechanism,
+    history, found, left, timings, statistics;
+} Document;
+
+static const QnMember document_members[] = {
+  QN_WHOLE ("version", REQUIRED, 0, Document, version),
+  QN_STRING ("generator", OPTIONAL, Document, generator),
+  QN_STRING ("model", OPTIONAL, Document, model),
+  QN_STRING ("model_sha256", OPTIONAL, Document, model_sha256),
+  QN_STAGE ("stage", Document, result.stage),
+  QN_CHOICE ("stability", OPTIONAL, qn_stability_names, Document, result.stability),
+  QN_BOOL ("mechanism_uncertain", OPTIONAL, Document, result.mechanism_uncertain),
+  QN_BOOL ("mechanism_by_work", OPTIONAL, Document, result.mechanism_by_work),
+  QN_PLACE ("overrides", OPTIONAL, Document, overrides),
+  QN_PLACE ("events", OPTIONAL, Document, events),
+  QN_PLACE ("fixed_points", OPTIONAL, Document, fixed_points),
+  QN_PLACE ("solutions", OPTIONAL, Document, solutions),
+  QN_PLACE ("collapse_interval", OPTIONAL, Document, interval),
+  QN_GIVEN ("beyond_linear", BOOL, 0, Document, is_beyond_linear, has_linearity),
+  QN_PLACE ("unstable_blocks", OPTIONAL, Document, unstable),
+  QN_PLACE ("supports", OPTIONAL, Document, supports),
+  QN_PLACE ("refused", OPTIONAL, Document, refused),
+  QN_PLACE ("blocks", REQUIRED, Document, blocks),
+  QN_PLACE ("nodes", OPTIONAL, Document, nodes),
+  QN_PLACE ("elements", OPTIONAL, Document, elements),
+  QN_PLACE ("ties", OPTIONAL, Document, ties),
+  QN_PLACE ("steps", REQUIRED, Document, steps),
+  QN_PLACE ("contacts", REQUIRED, Document, contacts),
+  QN_PLACE ("vibration", OPTIONAL, Document, vibration),
+  QN_PLACE ("mechanism", OPTIONAL, Document, mechanism),
+  QN_PLACE ("node_mechanism", OPTIONAL, Document, node_mechanism),
+  QN_PLACE ("history", OPTIONAL, Document, history),
+  QN_PLACE ("found", OPTIONAL, Document, found),
+  QN_PLACE ("left", OPTIONAL, Document, left),
+  QN_PLACE ("timings", OPTIONAL, Document, timings),
+  QN_PLACE ("statistics", OPTIONAL, Document, statistics),
+  { 0 },
+};
+
+/* Calls for every element of a list, if it is there. */
+typedef gboolean (*ReadFunc) (QnJson *json, gsize at, QnResultFile *file);
 
 static gboolean
-read_row (QnJsonStream *stream, gpointer target)
+read_each (QnJson *json, gsize list, ReadFunc read, QnResultFile *file)
 {
-  QnResultRows *rows = target;
-  double row[QN_DOF_COUNT];
-  if (!qn_json_stream_numbers (stream, row, QN_DOF_COUNT)
-      || !grow (stream, &rows->items, rows->count + QN_DOF_COUNT, &rows->capacity,
-                sizeof *rows->items))
+  if (list > 0 && !qn_result_read_array (json, list))
     return FALSE;
-  memcpy (rows->items + rows->count, row, sizeof row);
-  rows->count += QN_DOF_COUNT;
+  for (gsize i = list + 1; list > 0 && i < json->tokens[list].next;
+       i = json->tokens[i].next)
+    if (!read (json, i, file))
+      return FALSE;
   return TRUE;
 }
 
+/* NULL-terminated strings; `count` is nullable. */
 static gboolean
-read_name (QnJsonStream *stream, gpointer target)
+read_names (QnJson *json, gsize at, char ***names, size_t *count)
 {
-  QnResultNames *names = target;
-  char *name = NULL;
-  if (!qn_json_stream_string (stream, &name))
-    return FALSE;
-  g_ptr_array_add (names->items, name);
-  return TRUE;
-}
-
-static gboolean
-read_names (QnJsonStream *stream, gpointer target)
-{
-  QnResultNames *names = target;
-  names->items = g_ptr_array_new_with_free_func (g_free);
-  return qn_json_stream_array (stream, read_name, names);
-}
-
-/* A number or null. */
-static gboolean
-read_optional (QnJsonStream *stream, gpointer target)
-{
-  QnOptionalNumber *optional = target;
-  if (stream->scanner.token == QN_JSON_NULL)
+  if (at == 0)
     return TRUE;
-  optional->given = true;
-  return qn_json_stream_number (stream, &optional->number);
-}
-
-/* Only written where it is true. */
-static gboolean
-read_true (QnJsonStream *stream, gpointer target)
-{
-  *(bool *) target = stream->scanner.token == QN_JSON_TRUE;
-  return *(bool *) target || stream->scanner.token == QN_JSON_FALSE
-         || qn_json_stream_fail (stream, _ ("expected true or false"));
-}
-
-static gboolean
-read_lower_bound (QnJsonStream *stream, gpointer target)
-{
-  QnLimitFigures *limit = target;
-  limit->given = true;
-  return qn_json_stream_number (stream, &limit->lower_bound);
-}
-
-/* The string at the scanner is one of `names`, whose place among them an enumeration's value is. */
-static gboolean
-read_word (QnJsonStream *stream, const char *const *names, int count, const char *refusal,
-           gpointer target)
-{
-  if (stream->scanner.token == QN_JSON_STRING)
-    for (int i = 0; i < count; i++)
-      if (qn_json_string_is (&stream->scanner, names[i])) {
-        *(int *) target = i;
-        return TRUE;
-      }
-  return qn_json_stream_fail (stream, refusal);
+  if (!qn_result_read_array (json, at))
+    return FALSE;
+  gsize length = 0;
+  *names = g_new0 (char *, qn_json_count (json, at) + 1);
+  for (gsize i = at + 1; i < json->tokens[at].next; i = json->tokens[i].next) {
+    if (json->tokens[i].type != QN_JSON_STRING)
+      return qn_json_fail (json, i, _ ("expected a string"));
+    (*names)[length++] = qn_json_dup_string (json, i);
+  }
+  if (count != NULL)
+    *count = length;
+  return TRUE;
 }
 
 static gboolean
-read_outcome (QnJsonStream *stream, gpointer target)
+read_event (QnJson *json, gsize at, QnResultFile *file)
 {
-  return read_word (stream, qn_outcome_names, QN_OUTCOME_COUNT,
-                    _ ("this is not an outcome of an analysis"), target);
-}
-
-static gboolean
-read_flow (QnJsonStream *stream, gpointer target)
-{
-  return read_word (stream, qn_flow_names, QN_FLOW_COUNT,
-                    _ ("this is not a flow rule of limit analysis"), target);
-}
-
-static gboolean
-read_procedure (QnJsonStream *stream, gpointer target)
-{
-  return read_word (stream, qn_procedure_names, QN_PROCEDURE_COUNT,
-                    _ ("this is not a procedure of an analysis"), target);
+  static const QnMember *const tables[] = { qn_event_members, NULL };
+  QnResult *result = &file->result;
+  QnEventMembers read = { 0 };
+  if (!qn_result_members_read (json, at, tables, &read))
+    return FALSE;
+  if (!QN_ARRAY_PUSH (result->events, result->event_count, result->event_capacity,
+                      read.event))
+    return qn_json_no_memory (json);
+  QnPathEvent *event = &result->events[result->event_count - 1];
+  return qn_result_read_ids (json, read.blocks, result->block_count, &event->blocks,
+                             &event->block_count);
 }
 
 /* More than a result keeps is read and left out. */
 static gboolean
-read_solution (QnJsonStream *stream, gpointer target)
+read_solution (QnJson *json, gsize at, QnResultFile *file)
 {
-  typedef struct SolutionDraft {
-    QnSolution solution;
-    QnOptionalNumber displacement;
-  } SolutionDraft;
-  static const QnJsonMember members[] = {
-    { "multiplier", qn_json_stream_number, offsetof (SolutionDraft, solution.multiplier),
-      QN_JSON_REQUIRED },
-    { "found_by", read_procedure, offsetof (SolutionDraft, solution.found_by),
-      QN_JSON_REQUIRED },
-    { "displacement", read_optional, offsetof (SolutionDraft, displacement),
-      QN_JSON_OPTIONAL },
-  };
-  SolutionDraft draft = { 0 };
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &draft))
+  static const QnMember *const tables[] = { qn_solution_members, NULL };
+  QnSolution solution = { .displacement = NAN };
+  if (!qn_result_members_read (json, at, tables, &solution))
     return FALSE;
-  draft.solution.displacement =
-    draft.displacement.given ? draft.displacement.number : (double) NAN;
-  qn_result_add_solution (target, draft.solution);
+  qn_result_add_solution (&file->result, solution);
   return TRUE;
 }
 
 static gboolean
-read_fixed_point (QnJsonStream *stream, gpointer target)
+read_refused (QnJson *json, gsize at, QnResultFile *file)
 {
-  QnResultDraft *draft = target;
-  double number;
-  if (!qn_json_stream_number (stream, &number))
-    return FALSE;
-  if (draft->fixed_point_count < QN_RESULT_SOLUTIONS)
-    draft->fixed_points[draft->fixed_point_count++] = number;
-  return TRUE;
-}
-
-static gboolean
-read_interval_end (QnJsonStream *stream, gpointer target)
-{
-  QnResultDraft *draft = target;
-  QnOptionalNumber optional = { false, (double) NAN };
-  if (draft->interval_ends == 2)
-    return qn_json_stream_fail (stream, _ ("expected two numbers or null"));
-  if (!read_optional (stream, &optional))
-    return FALSE;
-  draft->interval[draft->interval_ends++] = optional.number;
-  return TRUE;
-}
-
-static gboolean
-read_interval (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_interval_end, target)
-         && (((QnResultDraft *) target)->interval_ends == 2
-             || qn_json_stream_fail (stream, _ ("expected two numbers or null")));
-}
-
-static gboolean
-read_beyond_linear (QnJsonStream *stream, gpointer target)
-{
-  bool beyond;
-  if (!read_true (stream, &beyond))
-    return FALSE;
-  *(QnLinearity *) target = beyond ? QN_LINEARITY_BEYOND : QN_LINEARITY_HOLDS;
-  return TRUE;
-}
-
-static gboolean
-read_event (QnJsonStream *stream, gpointer target)
-{
-  QnEvent *event = target;
-  if (stream->scanner.token == QN_JSON_NULL)
-    return TRUE;
-  if (stream->scanner.token == QN_JSON_STRING) {
-    *event = qn_json_string_is (&stream->scanner, "snap")       ? QN_EVENT_SNAP
-             : qn_json_string_is (&stream->scanner, "collapse") ? QN_EVENT_COLLAPSE
-                                                                : QN_EVENT_NONE;
-    if (*event != QN_EVENT_NONE)
-      return TRUE;
-  }
-  return qn_json_stream_fail (stream, _ ("expected null, \"snap\" or \"collapse\""));
-}
-
-/* N, V, M at the first and the second end of an element. */
-static gboolean
-read_element_forces (QnJsonStream *stream, gpointer target)
-{
-  QnResultDraft *draft = target;
-  double n[6];
-  if (!qn_json_stream_numbers (stream, n, G_N_ELEMENTS (n))
-      || !grow (stream, &draft->beam_forces, draft->beam_force_count,
-                &draft->beam_force_capacity, sizeof *draft->beam_forces))
-    return FALSE;
-  draft->beam_forces[draft->beam_force_count++] =
-    (QnBeamForces){ { n[0], n[3] }, { n[1], n[4] }, { n[2], n[5] } };
-  return TRUE;
-}
-
-static gboolean
-read_tie_state (QnJsonStream *stream, gpointer target)
-{
-  return read_word (stream, qn_tie_state_names, QN_TIE_STATE_COUNT,
-                    _ ("this is not a state of a tie"), target);
-}
-
-static gboolean
-read_tie (QnJsonStream *stream, gpointer target)
-{
-  static const QnJsonMember members[] = {
-    { "force", qn_json_stream_number, offsetof (QnTieResult, force), QN_JSON_REQUIRED },
-    { "elongation", qn_json_stream_number, offsetof (QnTieResult, elongation),
-      QN_JSON_REQUIRED },
-    { "state", read_tie_state, offsetof (QnTieResult, state), QN_JSON_REQUIRED },
-  };
-  QnResultDraft *draft = target;
-  QnTieResult tie = { 0 };
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &tie)
-      || !grow (stream, &draft->ties, draft->tie_count, &draft->tie_capacity,
-                sizeof *draft->ties))
-    return FALSE;
-  draft->ties[draft->tie_count++] = tie;
-  return TRUE;
-}
-
-/* Only how many there are is of interest: which they are is the model's knowledge. */
-static gboolean
-read_element (QnJsonStream *stream, gpointer target)
-{
-  double numbers[3];
-  ((QnResultDraft *) target)->element_count++;
-  return qn_json_stream_numbers (stream, numbers, G_N_ELEMENTS (numbers));
-}
-
-/* Number of a stage, which the file counts from 0. */
-static gboolean
-read_stage (QnJsonStream *stream, gpointer target)
-{
-  int32_t *stage = target;
-  if (!qn_json_stream_int32 (stream, stage))
-    return FALSE;
-  if (*stage >= QN_MAX_STAGES)
-    return qn_json_stream_fail (stream, _ ("there is no such stage"));
-  ++*stage;
-  return TRUE;
-}
-
-static gboolean
-read_step (QnJsonStream *stream, gpointer target)
-{
-  static const QnJsonMember members[] = {
-    { "multiplier", qn_json_stream_number, offsetof (QnResultDraft, step.multiplier),
-      QN_JSON_REQUIRED },
-    { "displacements", read_row, offsetof (QnResultDraft, displacements),
-      QN_JSON_REQUIRED | QN_JSON_EACH },
-    { "iterations", qn_json_stream_int32, offsetof (QnResultDraft, step.iterations),
-      QN_JSON_OPTIONAL },
-    { "residual", qn_json_stream_number, offsetof (QnResultDraft, step.residual),
-      QN_JSON_OPTIONAL },
-    { "event", read_event, offsetof (QnResultDraft, step.event), QN_JSON_OPTIONAL },
-    { "stage", read_stage, offsetof (QnResultDraft, step.stage), QN_JSON_OPTIONAL },
-    { "relaxed", read_true, offsetof (QnResultDraft, step.relaxed), QN_JSON_OPTIONAL },
-    { "time", qn_json_stream_number, offsetof (QnResultDraft, step.time),
-      QN_JSON_OPTIONAL },
-    { "velocities", read_row, offsetof (QnResultDraft, velocities), QN_JSON_EACH },
-    { "reactions", read_row, offsetof (QnResultDraft, reactions), QN_JSON_EACH },
-    { "forces", qn_result_force_read, offsetof (QnResultDraft, forces), QN_JSON_EACH },
-    { "states", qn_result_states_read, offsetof (QnResultDraft, forces),
-      QN_JSON_OPTIONAL },
-    { "damage", qn_result_damage_read, offsetof (QnResultDraft, forces), QN_JSON_EACH },
-    { "node_displacements", read_row, offsetof (QnResultDraft, node_displacements),
-      QN_JSON_EACH },
-    { "beam_forces", read_element_forces, 0, QN_JSON_EACH },
-    { "ties", read_tie, 0, QN_JSON_EACH },
-  };
-  QnResultDraft *draft = target;
-  QnResult *result = &draft->file.result;
-  size_t before = draft->displacements.count, ties = draft->tie_count;
-  draft->step = (QnStep){ 0 };
-  draft->forces.step = result->step_count;
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), draft)
-      || !grow (stream, &result->steps, result->step_count, &draft->step_capacity,
-                sizeof *result->steps))
-    return FALSE;
-
-  /* A step may leave them out. */
-  gsize names = draft->tie_names.items != NULL ? draft->tie_names.items->len : 0;
-  for (gsize i = 0; draft->tie_count == ties + i && i < names; i++) {
-    if (!grow (stream, &draft->ties, draft->tie_count, &draft->tie_capacity,
-               sizeof *draft->ties))
-      return FALSE;
-    draft->ties[draft->tie_count++] =
-      (QnTieResult){ .force = (double) NAN, .elongation = (double) NAN };
-  }
-  size_t rows = draft->displacements.count - before;
-  if (result->step_count == 0)
-    draft->rows_per_step = rows;
-  result->steps[result->step_count++] = draft->step;
-  return rows == draft->rows_per_step
-         || qn_json_stream_fail (stream,
-                                 _ ("step has displacements of another number of blocks "
-                                    "than the first"));
-}
-
-static gboolean
-read_vec2 (QnJsonStream *stream, gpointer target)
-{
-  QnVec2 *vector = target;
-  double numbers[2];
-  if (!qn_json_stream_numbers (stream, numbers, 2))
-    return FALSE;
-  *vector = qn_vec2 (numbers[0], numbers[1]);
-  return TRUE;
-}
-
-static gboolean
-read_state (QnJsonStream *stream, gpointer target)
-{
-  return read_word (stream, qn_pair_state_names, QN_PAIR_STATE_COUNT,
-                    _ ("this is not a state of a contact pair"), target);
-}
-
-static gboolean
-read_normal (QnJsonStream *stream, gpointer target)
-{
-  return read_vec2 (stream, target)
-         && (fabs (qn_vec2_length (*(QnVec2 *) target) - 1) <= 1e-6
-             || qn_json_stream_fail (stream, _ ("normal is not of length 1")));
-}
-
-typedef struct ContactDraft {
-  QnResultContact contact;
-  QnPairResult pair;
-  QnId blocks[2];
-} ContactDraft;
-
-static gboolean
-read_contact_blocks (QnJsonStream *stream, gpointer target)
-{
-  QnId *blocks = target;
-  double numbers[2];
-  if (!qn_json_stream_numbers (stream, numbers, 2))
-    return FALSE;
-  for (int i = 0; i < 2; i++) {
-    if (!(numbers[i] >= 0 && numbers[i] < QN_MAX_BLOCKS
-          && numbers[i] == floor (numbers[i])))
-      return qn_json_stream_fail (stream, _ ("blocks are given by their numbers from 0"));
-    blocks[i] = (QnId) qn_to_integer (numbers[i], 0, QN_MAX_BLOCKS - 1);
-  }
-  return TRUE;
-}
-
-static gboolean
-read_contact (QnJsonStream *stream, gpointer target)
-{
-  static const QnJsonMember members[] = {
-    { "face", qn_json_stream_int32, offsetof (ContactDraft, contact.face),
-      QN_JSON_REQUIRED },
-    { "blocks", read_contact_blocks, offsetof (ContactDraft, blocks), QN_JSON_REQUIRED },
-    { "point", read_vec2, offsetof (ContactDraft, contact.point), QN_JSON_REQUIRED },
-    { "normal", read_normal, offsetof (ContactDraft, contact.normal), QN_JSON_REQUIRED },
-    { "area", qn_json_stream_number, offsetof (ContactDraft, contact.area),
-      QN_JSON_OPTIONAL },
-    { "bar", qn_json_stream_int32, offsetof (ContactDraft, contact.bar),
-      QN_JSON_OPTIONAL },
-    { "state", read_state, offsetof (ContactDraft, pair.state), QN_JSON_REQUIRED },
-    { "normal_force", qn_json_stream_number, offsetof (ContactDraft, pair.normal_force),
-      QN_JSON_REQUIRED },
-    { "shear_force", qn_json_stream_number, offsetof (ContactDraft, pair.shear_force),
-      QN_JSON_REQUIRED },
-    { "damage", qn_json_stream_number, offsetof (ContactDraft, pair.damage),
-      QN_JSON_OPTIONAL },
-  };
-  QnResultDraft *draft = target;
-  QnResultFile *file = &draft->file;
+  static const QnMember *const tables[] = { qn_refused_members, NULL };
   QnResult *result = &file->result;
-  ContactDraft read = { .contact = { .area = -1, .bar = QN_NONE } };
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read)
-      || !grow (stream, &file->contacts, result->pair_count, &draft->contact_capacity,
-                sizeof *file->contacts)
-      || !grow (stream, &result->pairs, result->pair_count, &draft->pair_capacity,
-                sizeof *result->pairs))
-    return FALSE;
+  QnRefusedMembers read = {
+    .fault = { .entity = QN_ENTITY_MODEL, .index = QN_NONE, .stated = NAN, .found = NAN }
+  };
+  for (gsize i = 0; i < QN_FAULT_PLACES; i++)
+    read.places[i] = QN_NONE;
+  gboolean done = qn_result_members_read (json, at, tables, &read);
+  read.fault.claim = qn_claim_from_name (read.claim);
+  g_free (read.claim);
+  if (done && read.fault.claim == QN_CLAIM_COUNT)
+    return qn_json_fail (json, at, _ ("unknown kind of claim"));
+  for (gsize i = 0; i < QN_FAULT_PLACES; i++)
+    if (read.places[i] != QN_NONE) {
+      read.fault.entity = qn_fault_entities[i];
+      read.fault.index = read.places[i];
+    }
+  if (done && result->refused_count < QN_CLAIM_COUNT)
+    result->refused[result->refused_count++] = read.fault;
+  return done;
+}
 
+static gboolean
+read_contact (QnJson *json, gsize at, QnResultFile *file)
+{
+  static const QnMember *const tables[] = { qn_contact_members, NULL };
+  QnResult *result = &file->result;
+  QnContactMembers read = { .contact = { .area = -1, .bar = QN_NONE } };
+  if (!qn_result_members_read (json, at, tables, &read))
+    return FALSE;
+  const size_t a = (size_t) read.blocks[0], b = (size_t) read.blocks[1];
+  if (a >= result->block_count || b >= result->block_count || a == b)
+    return qn_json_fail (json, qn_json_member (json, at, "blocks"),
+                         _ ("there are no such two blocks"));
+  if (!(fabs (qn_vec2_length (read.contact.normal) - 1) <= 1e-6))
+    return qn_json_fail (json, qn_json_member (json, at, "normal"),
+                         _ ("normal is not of length 1"));
   read.contact.block_a = read.blocks[0];
   read.contact.block_b = read.blocks[1];
   file->contacts[result->pair_count] = read.contact;
@@ -408,265 +170,299 @@ read_contact (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
-read_mechanism (QnJsonStream *stream, gpointer target)
+read_contacts (QnJson *json, gsize at, QnResultFile *file)
 {
-  QnResultDraft *draft = target;
-  if (stream->scanner.token == QN_JSON_NULL)
-    return TRUE;
-  draft->has_mechanism = TRUE;
-  return qn_json_stream_array (stream, read_row, &draft->mechanism);
-}
-
-static gboolean
-read_id (QnJsonStream *stream, gpointer target)
-{
-  QnResultIds *ids = target;
-  if (!grow (stream, &ids->items, ids->count, &ids->capacity, sizeof *ids->items)
-      || !qn_json_stream_int32 (stream, &ids->items[ids->count]))
+  if (!qn_result_read_array (json, at))
     return FALSE;
-  ids->count++;
-  return TRUE;
+  const size_t count = qn_json_count (json, at);
+  file->contacts = qn_alloc (count, sizeof *file->contacts);
+  file->result.pairs = qn_alloc (count, sizeof *file->result.pairs);
+  if (file->contacts == NULL || file->result.pairs == NULL)
+    return qn_json_no_memory (json);
+  return read_each (json, at, read_contact, file);
 }
 
+/* Rows of a list that all steps have, or none: `rows` rows of a step, behind those of the steps before. */
 static gboolean
-read_event_kind (QnJsonStream *stream, gpointer target)
+read_step_rows (QnJson *json, gsize at, gsize list, size_t step, size_t rows,
+                const QnResult *result, double **numbers, size_t *capacity,
+                const char *refusal)
 {
-  return read_word (stream, qn_event_kind_names, QN_EVENT_KIND_COUNT,
-                    _ ("expected \"local\", \"snap\" or \"collapse\""), target);
-}
-
-static gboolean
-read_path_event (QnJsonStream *stream, gpointer target)
-{
-  typedef struct EventDraft {
-    QnPathEvent event;
-    QnResultIds blocks;
-  } EventDraft;
-  static const QnJsonMember members[] = {
-    { "multiplier", qn_json_stream_number, offsetof (EventDraft, event.multiplier),
-      QN_JSON_REQUIRED },
-    { "kind", read_event_kind, offsetof (EventDraft, event.kind), QN_JSON_REQUIRED },
-    { "stage", read_stage, offsetof (EventDraft, event.stage), QN_JSON_OPTIONAL },
-    { "displacement_before", qn_json_stream_number,
-      offsetof (EventDraft, event.displacement_before), QN_JSON_REQUIRED },
-    { "displacement_after", qn_json_stream_number,
-      offsetof (EventDraft, event.displacement_after), QN_JSON_REQUIRED },
-    { "energy", qn_json_stream_number, offsetof (EventDraft, event.energy),
-      QN_JSON_REQUIRED },
-    { "blocks", read_id, offsetof (EventDraft, blocks), QN_JSON_REQUIRED | QN_JSON_EACH },
-  };
-  EventDraft draft = { 0 };
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &draft)) {
-    free (draft.blocks.items);
-    return FALSE;
+  const size_t width = rows * QN_DOF_COUNT;
+  if (step == 0 && list > 0 && rows > 0) {
+    *capacity = result->step_count * width;
+    *numbers = qn_result_room (json, at, *capacity, sizeof **numbers, refusal);
+    if (*numbers == NULL)
+      return FALSE;
   }
-  draft.event.blocks = draft.blocks.items;
-  draft.event.block_count = draft.blocks.count;
-  return qn_result_add_event (target, draft.event) || qn_json_stream_no_memory (stream);
+  if ((*numbers != NULL) != (list > 0 && rows > 0))
+    return qn_json_fail (json, at, refusal);
+  return *numbers == NULL
+         || qn_result_read_rows (json, list, *numbers + step * width, rows, refusal);
 }
 
+/* N, V, M at the first and the second end of every element. */
 static gboolean
-read_events (QnJsonStream *stream, gpointer target)
+read_beam_forces (QnJson *json, gsize at, gsize list, size_t step, QnResult *result)
 {
-  QnResult *result = target;
-  result->events_unknown = false;
-  return qn_json_stream_array (stream, read_path_event, result);
-}
-
-static gboolean
-read_claim (QnJsonStream *stream, gpointer target)
-{
-  g_autofree char *name = NULL;
-  if (!qn_json_stream_string (stream, &name))
-    return FALSE;
-  *(QnClaim *) target = qn_claim_from_name (name);
-  return *(QnClaim *) target < QN_CLAIM_COUNT
-         || qn_json_stream_fail (stream, _ ("unknown kind of claim"));
-}
-
-static gboolean
-read_step_or_none (QnJsonStream *stream, gpointer target)
-{
-  double number;
-  if (!qn_json_stream_number (stream, &number))
-    return FALSE;
-  *(QnId *) target = number < 0 ? QN_NONE : (QnId) qn_to_integer (number, 0, INT32_MAX);
+  const char *refusal = _ ("there are not as many beam forces as elements in every step");
+  const size_t count = result->element_count;
+  if (step == 0 && list > 0) {
+    result->beam_force_capacity = result->step_count * count;
+    result->beam_forces = qn_result_room (json, at, result->beam_force_capacity,
+                                          sizeof *result->beam_forces, refusal);
+    if (result->beam_forces == NULL)
+      return FALSE;
+  }
+  if ((result->beam_forces != NULL) != (list > 0)
+      || (list > 0 && qn_json_count (json, list) != count))
+    return qn_json_fail (json, at, refusal);
+  for (size_t i = 0; list > 0 && i < count; i++) {
+    double n[6];
+    at = i == 0 ? list + 1 : json->tokens[at].next;
+    if (!qn_result_read_numbers (json, at, n, 1, G_N_ELEMENTS (n), NULL))
+      return FALSE;
+    result->beam_forces[step * count + i] =
+      (QnBeamForces){ { n[0], n[3] }, { n[1], n[4] }, { n[2], n[5] } };
+  }
   return TRUE;
 }
 
+/* Not known of a step that leaves them out: NAN. */
 static gboolean
-read_refused (QnJsonStream *stream, gpointer target)
+read_ties (QnJson *json, gsize list, size_t step, QnResult *result)
 {
-  typedef struct RefusedDraft {
-    QnFault fault;
-    QnOptionalNumber stated, found;
-    QnId pair, block, node, beam, tie, event;
-  } RefusedDraft;
-  static const QnJsonMember members[] = {
-    { "claim", read_claim, offsetof (RefusedDraft, fault.claim), QN_JSON_REQUIRED },
-    { "step", read_step_or_none, offsetof (RefusedDraft, fault.step), QN_JSON_REQUIRED },
-    { "pair", qn_json_stream_int32, offsetof (RefusedDraft, pair), QN_JSON_OPTIONAL },
-    { "block", qn_json_stream_int32, offsetof (RefusedDraft, block), QN_JSON_OPTIONAL },
-    { "node", qn_json_stream_int32, offsetof (RefusedDraft, node), QN_JSON_OPTIONAL },
-    { "beam", qn_json_stream_int32, offsetof (RefusedDraft, beam), QN_JSON_OPTIONAL },
-    { "tie", qn_json_stream_int32, offsetof (RefusedDraft, tie), QN_JSON_OPTIONAL },
-    { "event", qn_json_stream_int32, offsetof (RefusedDraft, event), QN_JSON_OPTIONAL },
-    { "stated", read_optional, offsetof (RefusedDraft, stated), QN_JSON_OPTIONAL },
-    { "found", read_optional, offsetof (RefusedDraft, found), QN_JSON_OPTIONAL },
-  };
-  QnResult *result = target;
-  RefusedDraft read = { .pair = QN_NONE,
-                        .block = QN_NONE,
-                        .node = QN_NONE,
-                        .beam = QN_NONE,
-                        .tie = QN_NONE,
-                        .event = QN_NONE };
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read))
-    return FALSE;
-  const struct {
-    QnEntity entity;
-    QnId index;
-  } places[] = { { QN_ENTITY_CONTACT, read.pair }, { QN_ENTITY_BLOCK, read.block },
-                 { QN_ENTITY_NODE, read.node },    { QN_ENTITY_BEAM, read.beam },
-                 { QN_ENTITY_TIE, read.tie },      { QN_ENTITY_ANALYSIS, read.event } };
-  read.fault.entity = QN_ENTITY_MODEL;
-  read.fault.index = QN_NONE;
-  for (gsize i = 0; i < G_N_ELEMENTS (places); i++)
-    if (places[i].index != QN_NONE) {
-      read.fault.entity = places[i].entity;
-      read.fault.index = places[i].index;
-    }
-  read.fault.stated = read.stated.given ? read.stated.number : (double) NAN;
-  read.fault.found = read.found.given ? read.found.number : (double) NAN;
-  if (result->refused_count < QN_CLAIM_COUNT)
-    result->refused[result->refused_count++] = read.fault;
-  return TRUE;
-}
-
-static gboolean
-read_vibration (QnJsonStream *stream, gpointer target)
-{
-  static const QnJsonMember members[] = {
-    { "dead_load", read_true, offsetof (QnVibration, dead_load), QN_JSON_REQUIRED },
-    { "mode", qn_json_stream_int32, offsetof (QnVibration, mode), QN_JSON_REQUIRED },
-    { "omega", qn_json_stream_number, offsetof (QnVibration, omega), QN_JSON_REQUIRED },
-    { "sliding", read_true, offsetof (QnVibration, sliding), QN_JSON_OPTIONAL },
-  };
-  QnVibration *vibration = target;
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target))
-    return FALSE;
-  /* Counted from 1, and 0 where none is told: what says 0 is compared with the first. */
-  vibration->mode = MAX (vibration->mode, 1);
-  return TRUE;
-}
-
-static gboolean
-read_stability (QnJsonStream *stream, gpointer target)
-{
-  return read_word (stream, qn_stability_names, QN_STABILITY_COUNT,
-                    _ ("expected \"kept\" or \"lost\""), target);
-}
-
-static gboolean
-read_statistics (QnJsonStream *stream, gpointer target)
-{
-  static const QnJsonMember members[] = {
-    { "seconds", qn_json_stream_number, offsetof (QnStatistics, seconds),
-      QN_JSON_OPTIONAL },
-    { "factor_seconds", qn_json_stream_number, offsetof (QnStatistics, factor_seconds),
-      QN_JSON_OPTIONAL },
-    { "assembly_seconds", qn_json_stream_number,
-      offsetof (QnStatistics, assembly_seconds), QN_JSON_OPTIONAL },
-    { "law_seconds", qn_json_stream_number, offsetof (QnStatistics, law_seconds),
-      QN_JSON_OPTIONAL },
-    { "iterations", qn_json_stream_int32, offsetof (QnStatistics, iterations),
-      QN_JSON_OPTIONAL },
-    { "factorizations", qn_json_stream_int32, offsetof (QnStatistics, factorizations),
-      QN_JSON_OPTIONAL },
-    { "peak_memory_bytes", qn_json_stream_int64,
-      offsetof (QnStatistics, peak_memory_bytes), QN_JSON_OPTIONAL },
-  };
-  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
-}
-
-/* What is not a result is told so at its first line, before its members are. */
-static gboolean
-read_format (QnJsonStream *stream, gpointer target)
-{
-  (void) target;
-  return (stream->scanner.token == QN_JSON_STRING
-          && qn_json_string_is (&stream->scanner, "quoin-result"))
-         || qn_json_stream_fail (stream,
-                                 _ ("this is not a result: expected \"quoin-result\""));
-}
-
-static gboolean
-read_version (QnJsonStream *stream, gpointer target)
-{
-  gint32 version;
-  (void) target;
-  if (!qn_json_stream_int32 (stream, &version))
-    return FALSE;
-  if (version == FORMAT_VERSION)
+  static const QnMember *const tables[] = { qn_tie_members, NULL };
+  QnTieResult *ties = result->ties + step * result->tie_count;
+  size_t count = 0;
+  for (size_t i = 0; list == 0 && i < result->tie_count; i++)
+    ties[i] = (QnTieResult){ .force = (double) NAN, .elongation = (double) NAN };
+  if (list == 0)
     return TRUE;
-  g_autofree char *reason = g_strdup_printf (
-    _ ("this program reads version %d of the format only"), FORMAT_VERSION);
-  return qn_json_stream_fail (stream, reason);
+  if (!qn_result_read_array (json, list))
+    return FALSE;
+  if (qn_json_count (json, list) != result->tie_count)
+    return qn_json_fail (json, list,
+                         _ ("there are not as many ties in every step as names"));
+  for (gsize i = list + 1; i < json->tokens[list].next; i = json->tokens[i].next)
+    if (!qn_result_members_read (json, i, tables, &ties[count++]))
+      return FALSE;
+  return TRUE;
 }
 
 static gboolean
-read_document (QnJsonStream *stream, gpointer target)
+read_step (QnJson *json, gsize at, size_t step, QnResult *result)
 {
-#define OF(member)     offsetof (QnResultDraft, member)
-#define RESULT(member) offsetof (QnResultDraft, file.result.member)
-  static const QnJsonMember members[] = {
-    { "format", read_format, 0, QN_JSON_REQUIRED },
-    { "version", read_version, 0, QN_JSON_REQUIRED },
-    { "generator", qn_json_stream_string, OF (file.generator), QN_JSON_OPTIONAL },
-    { "model", qn_json_stream_string, OF (file.model), QN_JSON_OPTIONAL },
-    { "model_sha256", qn_json_stream_string, OF (file.model_sha256), QN_JSON_OPTIONAL },
-    { "overrides", read_names, OF (overrides), QN_JSON_OPTIONAL },
-    { "outcome", read_outcome, RESULT (outcome), QN_JSON_REQUIRED },
-    { "collapse_multiplier", read_optional, OF (collapse), QN_JSON_OPTIONAL },
-    { "first_limit_multiplier", read_optional, OF (first_limit), QN_JSON_OPTIONAL },
-    { "events", read_events, OF (file.result), QN_JSON_OPTIONAL },
-    { "lower_bound", read_lower_bound, RESULT (limit), QN_JSON_OPTIONAL },
-    { "upper_bound", qn_json_stream_number, RESULT (limit.upper_bound),
-      QN_JSON_OPTIONAL },
-    { "flow", read_flow, RESULT (limit.flow), QN_JSON_OPTIONAL },
-    { "associative_bound", read_optional, OF (associative_bound), QN_JSON_OPTIONAL },
-    { "broken_bond_bound", read_optional, OF (broken_bound), QN_JSON_OPTIONAL },
-    { "fixed_points", read_fixed_point, 0, QN_JSON_EACH },
-    { "solutions", read_solution, OF (file.result), QN_JSON_EACH },
-    { "collapse_interval", read_interval, 0, QN_JSON_OPTIONAL },
-    { "beyond_linear", read_beyond_linear, RESULT (linearity), QN_JSON_OPTIONAL },
-    { "beyond_linear_multiplier", read_optional, OF (beyond_linear), QN_JSON_OPTIONAL },
-    { "unstable_blocks", read_id, OF (unstable), QN_JSON_EACH },
-    { "supports", read_id, OF (supports), QN_JSON_EACH },
-    { "stage", read_stage, RESULT (stage), QN_JSON_OPTIONAL },
-    { "unproved_multiplier", read_optional, OF (unproved), QN_JSON_OPTIONAL },
-    { "refused", read_refused, OF (file.result), QN_JSON_EACH },
-    { "blocks", read_names, OF (blocks), QN_JSON_REQUIRED },
-    { "nodes", read_names, OF (nodes), QN_JSON_OPTIONAL },
-    { "elements", read_element, 0, QN_JSON_EACH },
-    { "ties", read_names, OF (tie_names), QN_JSON_OPTIONAL },
-    { "steps", read_step, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
-    { "contacts", read_contact, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
-    { "vibration", read_vibration, RESULT (vibration), QN_JSON_OPTIONAL },
-    { "stability", read_stability, RESULT (stability), QN_JSON_OPTIONAL },
-    { "mechanism", read_mechanism, 0, QN_JSON_OPTIONAL },
-    { "mechanism_uncertain", read_true, RESULT (mechanism_uncertain), QN_JSON_OPTIONAL },
-    { "mechanism_by_work", read_true, RESULT (mechanism_by_work), QN_JSON_OPTIONAL },
-    { "node_mechanism", read_row, OF (node_mechanism), QN_JSON_EACH },
-    { "history", qn_result_history_read, OF (history), QN_JSON_OPTIONAL },
-    { "found", qn_result_found_read, OF (history), QN_JSON_EACH },
-    { "left", qn_result_left_read, OF (history), QN_JSON_EACH },
-    { "timings", read_statistics, RESULT (statistics), QN_JSON_OPTIONAL },
-    { "statistics", read_statistics, RESULT (statistics), QN_JSON_OPTIONAL },
-  };
-#undef OF
-#undef RESULT
-  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
+  static const QnMember *const tables[] = { qn_step_members, qn_step_rest, qn_step_time,
+                                            qn_step_lists, NULL };
+  const size_t blocks = result->block_count, nodes = result->node_count;
+  double *rows =
+    result->displacements + step * qn_result_body_count (result) * QN_DOF_COUNT;
+  QnStepMembers read = { 0 };
+  if (!qn_result_members_read (json, at, tables, &read))
+    return FALSE;
+  result->steps[step] = read.step;
+  if (!qn_result_read_rows (json, read.displacements, rows, blocks,
+                            _ ("there are not as many displacements as blocks")))
+    return FALSE;
+  const char *nodes_refusal =
+    _ ("there are not as many displacements as nodes in every step");
+  if (read.node_displacements == 0 && nodes > 0)
+    return qn_json_fail (json, at, nodes_refusal);
+  return (read.node_displacements == 0
+          || qn_result_read_rows (json, read.node_displacements,
+                                  rows + blocks * QN_DOF_COUNT, nodes, nodes_refusal))
+         && read_step_rows (
+           json, at, read.velocities, step, qn_result_body_count (result), result,
+           &result->velocities, &result->velocity_capacity,
+           _ ("there are not as many velocities as bodies in every step"))
+         && read_step_rows (
+           json, at, read.reactions, step, result->support_count, result,
+           &result->reactions, &result->reaction_capacity,
+           _ ("there are not as many reactions as supports in every step"))
+         && read_beam_forces (json, at, read.beam_forces, step, result)
+         && read_ties (json, read.ties, step, result)
+         && qn_result_forces_read (json, at, read.forces, read.states, read.damage,
+                                   result, step);
+}
+
+static gboolean
+read_steps (QnJson *json, gsize at, QnResult *result)
+{
+  if (!qn_result_read_array (json, at))
+    return FALSE;
+  const size_t count = qn_json_count (json, at);
+  result->displacement_capacity = count * qn_result_body_count (result) * QN_DOF_COUNT;
+  result->displacements = qn_result_room (
+    json, count > 0 ? at + 1 : at, result->displacement_capacity,
+    sizeof *result->displacements, _ ("there are not as many displacements as blocks"));
+  result->steps = qn_alloc (count, sizeof *result->steps);
+  result->tie_capacity = count * result->tie_count;
+  if (result->tie_count > 0)
+    result->ties =
+      qn_result_room (json, at, result->tie_capacity, sizeof *result->ties,
+                      _ ("there are not as many ties in every step as names"));
+  if (result->displacements == NULL || result->steps == NULL
+      || (result->tie_count > 0 && result->ties == NULL))
+    return qn_json_no_memory (json);
+  result->step_count = result->step_capacity = count;
+  for (size_t i = 0; i < count; i++) {
+    at = i == 0 ? at + 1 : json->tokens[at].next;
+    if (!read_step (json, at, i, result))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+/* Velocities of blocks and nodes; null where there is none. */
+static gboolean
+read_mechanism (QnJson *json, gsize at, gsize of_nodes, QnResult *result)
+{
+  const size_t rows = qn_result_body_count (result);
+  if (at == 0 || json->tokens[at].type == QN_JSON_NULL)
+    return TRUE;
+  result->mechanism =
+    qn_result_room (json, at, rows * QN_DOF_COUNT, sizeof *result->mechanism,
+                    _ ("there are not as many velocities as blocks"));
+  if (result->mechanism == NULL
+      || !qn_result_read_rows (json, at, result->mechanism, result->block_count,
+                               _ ("there are not as many velocities as blocks")))
+    return FALSE;
+  if (result->node_count == 0)
+    return TRUE;
+  if (of_nodes == 0)
+    return qn_json_fail_missing (json, 0, "node_mechanism");
+  return qn_result_read_rows (
+    json, of_nodes, result->mechanism + result->block_count * QN_DOF_COUNT,
+    result->node_count, _ ("there are not as many velocities as nodes"));
+}
+
+static gboolean
+same_number (const QnJson *json, gsize at, double number)
+{
+  return json->tokens[at].type == QN_JSON_NUMBER ? qn_json_number (json, at) == number
+                                                 : isnan (number);
+}
+
+/* Solutions and bound stand in a file twice, or in older ones once, as fixed points. */
+static gboolean
+check_solutions (QnJson *json, const Document *places, QnResult *result)
+{
+  QnProcedure found_by;
+  double fixed_points[QN_RESULT_SOLUTIONS], least, bound;
+  size_t count =
+    places->fixed_points > 0 ? qn_json_count (json, places->fixed_points) : 0;
+  gsize interval = places->interval, second = interval + 2;
+  if (count > QN_RESULT_SOLUTIONS)
+    return qn_json_fail (json, places->fixed_points,
+                         _ ("these are not the multipliers of the solutions"));
+  if (places->fixed_points > 0
+      && !qn_result_read_numbers (json, places->fixed_points, fixed_points, 1, count,
+                                  NULL))
+    return FALSE;
+  const gboolean older = result->solution_count == 0;
+  for (size_t i = 0; i < count; i++) {
+    if (older)
+      qn_result_add_solution (
+        result, (QnSolution){ fixed_points[i], QN_PROCEDURE_LIMIT, (double) NAN });
+    if (i >= (size_t) result->solution_count
+        || fixed_points[i] != result->solutions[i].multiplier)
+      return qn_json_fail (json, places->fixed_points,
+                           _ ("these are not the multipliers of the solutions"));
+  }
+  if (interval == 0)
+    return TRUE;
+  if (!qn_result_read_array (json, interval))
+    return FALSE;
+  if (qn_json_count (json, interval) != 2 || json->tokens[interval].next != interval + 3)
+    return qn_json_fail (json, interval, _ ("expected two numbers or null"));
+  if (!result->has_associative_bound && json->tokens[second].type == QN_JSON_NUMBER) {
+    result->has_associative_bound = true;
+    result->associative_bound = qn_json_number (json, second);
+  }
+  qn_result_collapse_interval (result, &least, &found_by, &bound);
+  return (same_number (json, interval + 1, least) && same_number (json, second, bound))
+         || qn_json_fail (json, interval,
+                          _ ("this is not the interval from the least solution to "
+                             "the associative bound"));
+}
+
+/* Parts whose meaning depends on how many blocks, nodes, steps or pairs there are. */
+static gboolean
+read_parts (QnJson *json, const Document *places, QnResultFile *file)
+{
+  static const QnMember *const vibration[] = { qn_vibration_members, NULL };
+  static const QnMember *const statistics[] = { qn_statistics_members, NULL };
+  QnResult *result = &file->result;
+  if (places->elements > 0)
+    result->element_count = qn_json_count (json, places->elements);
+  if (places->ties > 0)
+    result->tie_count = qn_json_count (json, places->ties);
+  if (places->has_linearity)
+    result->linearity =
+      places->is_beyond_linear ? QN_LINEARITY_BEYOND : QN_LINEARITY_HOLDS;
+  if (isnan (result->beyond_linear_multiplier))
+    result->beyond_linear_multiplier = 0;
+  result->events_unknown = places->events == 0;
+  if (places->vibration > 0) {
+    if (!qn_result_members_read (json, places->vibration, vibration, &result->vibration))
+      return FALSE;
+    /* Counted from 1, and 0 where none is told: what says 0 is compared with the first. */
+    result->vibration.mode = MAX (result->vibration.mode, 1);
+  }
+  return read_names (json, places->overrides, &file->overrides, NULL)
+         && read_names (json, places->blocks, &file->block_names, &result->block_count)
+         && read_names (json, places->nodes, &file->node_names, &result->node_count)
+         && (places->unstable == 0
+             || qn_result_read_ids (json, places->unstable, result->block_count,
+                                    &result->unstable_blocks, &result->unstable_count))
+         && (places->supports == 0
+             || qn_result_read_ids (json, places->supports, result->block_count,
+                                    &result->supports, &result->support_count))
+         && read_each (json, places->events, read_event, file)
+         && read_each (json, places->solutions, read_solution, file)
+         && read_each (json, places->refused, read_refused, file)
+         && read_contacts (json, places->contacts, file)
+         && read_steps (json, places->steps, result)
+         && read_mechanism (json, places->mechanism, places->node_mechanism, result)
+         && check_solutions (json, places, result)
+         && qn_result_history_read (json, places->history, places->found, places->left,
+                                    result)
+         && (places->timings == 0
+             || qn_result_members_read (json, places->timings, statistics,
+                                        &result->statistics))
+         && (places->statistics == 0
+             || qn_result_members_read (json, places->statistics, statistics,
+                                        &result->statistics));
+}
+
+static gboolean
+read_document (QnJson *json, QnResultFile *file)
+{
+  static const QnMember *const tables[] = { document_members,    qn_outcome_members,
+                                            qn_limit_members,    qn_bound_members,
+                                            qn_broken_members,   qn_beyond_members,
+                                            qn_unproved_members, NULL };
+  Document read = { 0 };
+  /* What is not a result is told so before its members are. */
+  gsize format = qn_json_member (json, 0, "format");
+  if (format > 0
+      && (json->tokens[format].type != QN_JSON_STRING
+          || !qn_json_string_is (json, format, FORMAT)))
+    return qn_json_fail (json, format,
+                         _ ("this is not a result: expected \"quoin-result\""));
+  gboolean done = qn_result_members_read (json, 0, tables, &read);
+  file->generator = read.generator;
+  file->model = read.model;
+  file->model_sha256 = read.model_sha256;
+  file->result = read.result;
+  if (done && format == 0)
+    return qn_json_fail_missing (json, 0, "format");
+  if (done && read.version != FORMAT_VERSION)
+    return qn_json_failf (json, qn_json_member (json, 0, "version"),
+                          _ ("this program reads version %d of the format only"),
+                          FORMAT_VERSION);
+  return done && read_parts (json, &read, file);
 }
 
 /* `text` is NUL-terminated. */
@@ -674,17 +470,14 @@ static gboolean
 parse (const char *text, gsize length, const char *name, QnResultFile *file,
        GError **error)
 {
-  QnResultDraft draft = { .file.result.events_unknown = true };
-  QnJsonStream stream;
-  qn_json_stream_init (&stream, text, length, name);
-  gboolean done = qn_json_stream_document (&stream, read_document, &draft)
-                  && qn_result_draft_take (&draft, &stream);
+  QnJson json;
+  *file = (QnResultFile){ 0 };
+  gboolean done = qn_json_scan (&json, text, length, name) && read_document (&json, file);
   if (!done) {
-    qn_result_file_clear (&draft.file);
-    g_propagate_error (error, stream.error);
+    qn_result_file_clear (file);
+    g_propagate_error (error, g_steal_pointer (&json.error));
   }
-  *file = draft.file;
-  qn_result_draft_clear (&draft);
+  qn_json_clear (&json);
   return done;
 }
 
@@ -705,11 +498,9 @@ gboolean
 qn_result_file_parse (const char *text, gsize length, const char *name,
                       QnResultFile *file, GError **error)
 {
-  char *copy = g_malloc (length + 1);
+  g_autofree char *copy = g_malloc (length + 1);
   if (length > 0)
     memcpy (copy, text, length);
   copy[length] = '\0';
-  gboolean done = parse (copy, length, name, file, error);
-  g_free (copy);
-  return done;
+  return parse (copy, length, name, file, error);
 }

@@ -3,48 +3,11 @@
 #include "io/result/result-file.h"
 #include "io/result/result-forces.h"
 #include "io/result/result-history.h"
+#include "io/result/result-members.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
-
-/* What the file spells for an event, with its quotes. */
-static const char *const event_texts[QN_EVENT_COUNT] = {
-  [QN_EVENT_NONE] = "null",
-  [QN_EVENT_SNAP] = "\"snap\"",
-  [QN_EVENT_COLLAPSE] = "\"collapse\"",
-};
-
-static void
-write_optional (QnFileWriter *writer, const char *key, bool given, double number)
-{
-  qn_file_writer_printf (writer, "  \"%s\": ", key);
-  if (given)
-    qn_file_writer_number (writer, number);
-  else
-    qn_file_writer_puts (writer, "null");
-  qn_file_writer_puts (writer, ",\n");
-}
-
-static void
-write_limit (QnFileWriter *writer, const QnResult *result)
-{
-  const QnLimitFigures *limit = &result->limit;
-  if (!limit->given)
-    return;
-  write_optional (writer, "lower_bound", TRUE, limit->lower_bound);
-  write_optional (writer, "upper_bound", TRUE, limit->upper_bound);
-  qn_file_writer_printf (writer, "  \"flow\": \"%s\",\n", qn_flow_names[limit->flow]);
-  if (limit->flow != QN_FLOW_NON_ASSOCIATIVE)
-    return;
-  write_optional (writer, "associative_bound", result->has_associative_bound,
-                  result->associative_bound);
-  qn_file_writer_puts (writer, "  \"fixed_points\": [");
-  for (int32_t i = 0; i < result->solution_count; i++)
-    qn_file_writer_puts_number (writer, i > 0 ? ", " : "",
-                                result->solutions[i].multiplier);
-  qn_file_writer_puts (writer, "],\n");
-}
 
 static void
 write_known (QnFileWriter *writer, double number)
@@ -55,22 +18,38 @@ write_known (QnFileWriter *writer, double number)
     qn_file_writer_puts (writer, "null");
 }
 
+/* The members of a document each have a line of their own. */
+static void
+write_lines (QnFileWriter *writer, const QnMember *members, const QnResult *result)
+{
+  for (const QnMember *m = members; m->key != NULL; m++) {
+    const QnMember one[] = { *m, { 0 } };
+    qn_result_members_write (writer, "  ", one, result, NULL, ",\n");
+  }
+}
+
 /* What is proved of collapse, the interval in which it lies, and whether linear geometry holds so far. */
 static void
 write_answer (QnFileWriter *writer, const QnResult *result)
 {
   QnProcedure found_by = QN_PROCEDURE_LOAD;
   double least, bound;
-  qn_file_writer_puts (writer, "  \"solutions\": [");
-  for (int32_t i = 0; i < result->solution_count; i++) {
-    const QnSolution *solution = &result->solutions[i];
-    qn_file_writer_printf (writer, "%s{ \"multiplier\": ", i > 0 ? ", " : "");
-    qn_file_writer_number (writer, solution->multiplier);
-    qn_file_writer_printf (writer, ", \"found_by\": \"%s\", \"displacement\": ",
-                           qn_procedure_names[solution->found_by]);
-    write_known (writer, solution->displacement);
-    qn_file_writer_puts (writer, " }");
+  const gboolean non_associative =
+    result->limit.given && result->limit.flow == QN_FLOW_NON_ASSOCIATIVE;
+  if (result->limit.given)
+    write_lines (writer, qn_limit_members, result);
+  if (non_associative) {
+    write_lines (writer, qn_bound_members, result);
+    qn_file_writer_puts (writer, "  \"fixed_points\": [");
+    for (int32_t i = 0; i < result->solution_count; i++)
+      qn_file_writer_puts_number (writer, i > 0 ? ", " : "",
+                                  result->solutions[i].multiplier);
+    qn_file_writer_puts (writer, "],\n");
   }
+  qn_file_writer_puts (writer, "  \"solutions\": [");
+  for (int32_t i = 0; i < result->solution_count; i++)
+    qn_result_members_write (writer, i > 0 ? ", { " : "{ ", qn_solution_members,
+                             &result->solutions[i], NULL, " }");
   qn_result_collapse_interval (result, &least, &found_by, &bound);
   qn_file_writer_puts (writer, "],\n  \"collapse_interval\": [");
   write_known (writer, least);
@@ -82,13 +61,15 @@ write_answer (QnFileWriter *writer, const QnResult *result)
                          isfinite (least) ? "\"" : "",
                          isfinite (bound) ? "\"associative-bound\"" : "null");
   if (result->has_broken_bound)
-    write_optional (writer, "broken_bond_bound", TRUE, result->broken_bound);
+    write_lines (writer, qn_broken_members, result);
   if (result->linearity == QN_LINEARITY_UNKNOWN)
     return;
   gboolean beyond = result->linearity == QN_LINEARITY_BEYOND;
+  QnResult told = *result; /* whose arrays stay the result's */
+  if (!beyond || result->history.width > 0)
+    told.beyond_linear_multiplier = NAN;
   qn_file_writer_printf (writer, "  \"beyond_linear\": %s,\n", beyond ? "true" : "false");
-  write_optional (writer, "beyond_linear_multiplier",
-                  beyond && result->history.width == 0, result->beyond_linear_multiplier);
+  write_lines (writer, qn_beyond_members, &told);
 }
 
 static void
@@ -109,17 +90,9 @@ write_events (QnFileWriter *writer, const QnResult *result)
   qn_file_writer_puts (writer, "  \"events\": [");
   for (size_t i = 0; i < result->event_count; i++) {
     const QnPathEvent *event = &result->events[i];
-    qn_file_writer_puts (writer, i > 0 ? "," : "");
-    qn_file_writer_puts_number (writer, "\n    { \"multiplier\": ", event->multiplier);
-    qn_file_writer_printf (writer, ", \"kind\": \"%s\"",
-                           qn_event_kind_names[event->kind]);
-    if (event->stage > 0)
-      qn_file_writer_printf (writer, ", \"stage\": %d", event->stage - 1);
-    qn_file_writer_puts_number (
-      writer, ", \"displacement_before\": ", event->displacement_before);
-    qn_file_writer_puts_number (writer,
-                                ", \"displacement_after\": ", event->displacement_after);
-    qn_file_writer_puts_number (writer, ", \"energy\": ", event->energy);
+    const QnEventMembers members = { .event = *event }, usual = { 0 };
+    qn_result_members_write (writer, i > 0 ? ",\n    { " : "\n    { ", qn_event_members,
+                             &members, &usual, "");
     write_ids (writer, ", \"blocks\": ", event->blocks, event->block_count);
     qn_file_writer_puts (writer, " }");
   }
@@ -146,14 +119,8 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
     qn_file_writer_puts (writer, "],\n");
   }
 
-  qn_file_writer_printf (writer, "  \"outcome\": \"%s\",\n",
-                         qn_outcome_names[result->outcome]);
-  write_optional (writer, "collapse_multiplier", result->has_collapse_multiplier,
-                  result->collapse_multiplier);
-  write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
-                  result->first_limit_multiplier);
+  write_lines (writer, qn_outcome_members, result);
   write_events (writer, result);
-  write_limit (writer, result);
   write_answer (writer, result);
   char *reason = qn_outcome_dup_reason (&project->model, result);
   qn_file_writer_puts_string (writer, "  \"reason\": ", reason);
@@ -167,22 +134,22 @@ write_refused (QnFileWriter *writer, const QnModel *model, const QnContacts *con
                const QnResult *result)
 {
   if (result->has_unproved_multiplier)
-    write_optional (writer, "unproved_multiplier", TRUE, result->unproved_multiplier);
+    write_lines (writer, qn_unproved_members, result);
   if (result->refused_count == 0)
     return;
+  QnRefusedMembers usual = { 0 };
+  for (gsize k = 0; k < QN_FAULT_PLACES; k++)
+    usual.places[k] = QN_NONE;
   qn_file_writer_puts (writer, "  \"refused\": [");
   for (int32_t i = 0; i < result->refused_count; i++) {
     const QnFault *fault = &result->refused[i];
     g_autofree char *text = qn_fault_dup_text (model, contacts, fault);
-    qn_file_writer_printf (writer, "%s\n    { \"claim\": \"%s\", \"step\": %d",
-                           i > 0 ? "," : "", qn_claim_name (fault->claim), fault->step);
-    if (fault->index != QN_NONE)
-      qn_file_writer_printf (writer, ", \"%s\": %d", qn_fault_place_name (fault->entity),
-                             fault->index);
-    qn_file_writer_puts (writer, ", \"stated\": ");
-    write_known (writer, fault->stated);
-    qn_file_writer_puts (writer, ", \"found\": ");
-    write_known (writer, fault->found);
+    QnRefusedMembers members = { .fault = *fault,
+                                 .claim = (char *) qn_claim_name (fault->claim) };
+    for (gsize k = 0; k < QN_FAULT_PLACES; k++)
+      members.places[k] = fault->entity == qn_fault_entities[k] ? fault->index : QN_NONE;
+    qn_result_members_write (writer, i > 0 ? ",\n    { " : "\n    { ", qn_refused_members,
+                             &members, &usual, "");
     qn_file_writer_puts_string (writer, ", \"text\": ", text);
     qn_file_writer_puts (writer, " }");
   }
@@ -289,14 +256,10 @@ static void
 write_step_ties (QnFileWriter *writer, const QnResult *result, size_t step)
 {
   const QnTieResult *ties = qn_result_step_ties (result, step);
-  for (size_t i = 0; ties != NULL && i < result->tie_count; i++) {
-    qn_file_writer_puts_number (
-      writer, i == 0 ? ", \"ties\": [{ \"force\": " : "{ \"force\": ", ties[i].force);
-    qn_file_writer_puts_number (writer, ", \"elongation\": ", ties[i].elongation);
-    qn_file_writer_printf (writer, ", \"state\": \"%s\" }%s",
-                           qn_tie_state_names[ties[i].state],
-                           i + 1 < result->tie_count ? ", " : "]");
-  }
+  for (size_t i = 0; ties != NULL && i < result->tie_count; i++)
+    qn_result_members_write (writer, i == 0 ? ", \"ties\": [{ " : ", { ", qn_tie_members,
+                             &ties[i], NULL, " }");
+  qn_file_writer_puts (writer, ties != NULL && result->tie_count > 0 ? "]" : "");
 }
 
 static void
@@ -305,21 +268,13 @@ write_steps (QnFileWriter *writer, const QnResult *result)
   size_t bodies = qn_result_body_count (result);
   qn_file_writer_puts (writer, "  \"steps\": [");
   for (size_t i = 0; i < result->step_count && !qn_file_writer_failed (writer); i++) {
-    const QnStep *step = &result->steps[i];
-    qn_file_writer_puts (writer, i > 0 ? "," : "");
-    qn_file_writer_puts_number (writer, "\n    { \"multiplier\": ", step->multiplier);
-    qn_file_writer_puts (writer, ", \"displacements\": ");
+    const QnStepMembers step = { .step = result->steps[i] }, usual = { 0 };
+    qn_result_members_write (writer, i > 0 ? ",\n    { " : "\n    { ", qn_step_members,
+                             &step, NULL, ", \"displacements\": ");
     write_rows (writer, qn_result_step_displacements (result, i), result->block_count);
-    qn_file_writer_printf (writer,
-                           ", \"iterations\": %d, \"residual\": ", step->iterations);
-    qn_file_writer_number (writer, step->residual);
-    qn_file_writer_printf (writer, ", \"event\": %s", event_texts[step->event]);
-    if (step->relaxed)
-      qn_file_writer_puts (writer, ", \"relaxed\": true");
-    if (step->stage > 0)
-      qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
+    qn_result_members_write (writer, ", ", qn_step_rest, &step, &usual, "");
     if (result->history.width > 0) {
-      qn_file_writer_puts_number (writer, ", \"time\": ", step->time);
+      qn_result_members_write (writer, ", ", qn_step_time, &step, NULL, "");
       if (result->velocities != NULL) {
         qn_file_writer_puts (writer, ", \"velocities\": ");
         write_rows (writer, result->velocities + i * bodies * QN_DOF_COUNT, bodies);
@@ -344,24 +299,15 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   const QnContactPair *pair = &contacts->pairs[index];
   const QnContactFace *face = &contacts->faces[pair->face];
   const QnPairResult *forces = &result->pairs[index];
-  QnVec2 point, normal;
+  QnContactMembers members = { .contact = { .face = pair->face,
+                                            .area = pair->tributary * face->thickness,
+                                            .bar = pair->bar },
+                               .pair = *forces,
+                               .blocks = { face->a, face->b } };
+  const QnContactMembers usual = { .contact.bar = QN_NONE };
   qn_result_contact_place (model, contacts, index, qn_result_deformation (model, result),
-                           &point, &normal);
-  qn_file_writer_printf (writer,
-                         "{ \"face\": %d, \"blocks\": [%d, %d], \"point\": ", pair->face,
-                         face->a, face->b);
-  qn_file_writer_vec2 (writer, point);
-  qn_file_writer_puts (writer, ", \"normal\": ");
-  qn_file_writer_vec2 (writer, normal);
-  qn_file_writer_puts_number (writer, ", \"area\": ", pair->tributary * face->thickness);
-  if (pair->bar != QN_NONE)
-    qn_file_writer_printf (writer, ", \"bar\": %d", pair->bar);
-  qn_file_writer_printf (writer, ", \"state\": \"%s\", \"normal_force\": ",
-                         qn_pair_state_names[forces->state]);
-  qn_file_writer_number (writer, forces->normal_force);
-  qn_file_writer_puts_number (writer, ", \"shear_force\": ", forces->shear_force);
-  if (forces->damage > 0)
-    qn_file_writer_puts_number (writer, ", \"damage\": ", forces->damage);
+                           &members.contact.point, &members.contact.normal);
+  qn_result_members_write (writer, "{ ", qn_contact_members, &members, &usual, "");
   if (detail == QN_DETAIL_PAIRS && forces->has_springs) {
     /* The two springs between A, C and B; both carry the pair's force. */
     const double *elongations[2] = { forces->elongation_a, forces->elongation_b };
@@ -400,31 +346,17 @@ write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *co
 static void
 write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
 {
-  const struct {
-    const char *key;
-    double number;
-    gboolean varies;
-  } figures[] = {
-    { "seconds", statistics->seconds, TRUE },
-    { "factor_seconds", statistics->factor_seconds, TRUE },
-    { "assembly_seconds", statistics->assembly_seconds, TRUE },
-    { "law_seconds", statistics->law_seconds, TRUE },
-    { "iterations", statistics->iterations, FALSE },
-    { "factorizations", statistics->factorizations, FALSE },
-    { "peak_memory_bytes", (double) statistics->peak_memory_bytes, TRUE },
-  };
-  gboolean timed = statistics->seconds > 0;
+  const gboolean timed = statistics->seconds > 0;
   for (int all = timed ? 0 : 1; all < 2; all++) {
-    const char *separator = "";
-    qn_file_writer_puts (writer, all ? "  \"statistics\": {" : "  \"timings\": {");
-    for (gsize i = 0; i < G_N_ELEMENTS (figures); i++) {
-      if (figures[i].varies ? !timed : !all)
-        continue;
-      qn_file_writer_printf (writer, "%s \"%s\": ", separator, figures[i].key);
-      qn_file_writer_number (writer, figures[i].number);
-      separator = ",";
+    QnMember members[16] = { { 0 } };
+    gsize count = 0;
+    for (const QnMember *m = qn_statistics_members; m->key != NULL; m++) {
+      const gboolean varies = m->kind != QN_MEMBER_WHOLE;
+      if (varies ? timed : all)
+        members[count++] = *m;
     }
-    qn_file_writer_puts (writer, all ? " }\n}\n" : " },\n");
+    qn_result_members_write (writer, all ? "  \"statistics\": { " : "  \"timings\": { ",
+                             members, statistics, NULL, all ? " }\n}\n" : " },\n");
   }
 }
 
@@ -497,15 +429,9 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
   /* What the mechanism is where it is no collapse. */
-  const QnVibration *vibration = &result->vibration;
-  if (vibration->mode > 0) {
-    qn_file_writer_printf (
-      writer, "  \"vibration\": { \"dead_load\": %s, \"mode\": %d, \"omega\": ",
-      vibration->dead_load ? "true" : "false", vibration->mode);
-    qn_file_writer_number (writer, vibration->omega);
-    qn_file_writer_printf (writer, ", \"sliding\": %s },\n",
-                           vibration->sliding ? "true" : "false");
-  }
+  if (result->vibration.mode > 0)
+    qn_result_members_write (writer, "  \"vibration\": { ", qn_vibration_members,
+                             &result->vibration, NULL, " },\n");
   if (result->stability != QN_STABILITY_UNKNOWN)
     qn_file_writer_printf (writer, "  \"stability\": \"%s\",\n",
                            qn_stability_names[result->stability]);

@@ -161,6 +161,13 @@ qn_file_writer_json_string (QnFileWriter *writer, const char *text)
   flush_when_full (writer);
 }
 
+GString *
+qn_file_writer_buffer (QnFileWriter *writer)
+{
+  flush_when_full (writer);
+  return writer->buffer;
+}
+
 gboolean
 qn_file_writer_failed (const QnFileWriter *writer)
 {

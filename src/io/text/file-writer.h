@@ -56,6 +56,9 @@ void qn_file_writer_json_string (QnFileWriter *writer, const char *text);
 void qn_file_writer_puts_string (QnFileWriter *writer, const char *text,
                                  const char *string);
 
+/* What has been written and not yet been handed on, to append to. */
+GString *qn_file_writer_buffer (QnFileWriter *writer);
+
 /* Whether something has already gone wrong: a long writing loop may stop early. */
 gboolean qn_file_writer_failed (const QnFileWriter *writer);
 

@@ -117,7 +117,7 @@ void
 qn_json_begin_member (GString *json, const char *key)
 {
   char last = json->str[json->len - 1];
-  g_string_append (json, last == '{' ? " " : ", ");
+  g_string_append (json, last == '{' ? " " : last == ' ' ? "" : ", ");
   qn_json_append_string (json, key);
   g_string_append (json, ": ");
 }

@@ -16,8 +16,8 @@ void qn_json_append_number (GString *json, double number);
  * indented by two more spaces than `indent`. */
 void qn_json_append_value (GString *json, const struct cJSON *value, guint indent);
 
-/* Members of an object on one line: each puts a comma before itself unless it is the first. The
- * value follows qn_json_begin_member(). */
+/* Members of an object on one line: each puts a comma before itself unless it is the first, behind a
+ * bracket or a space. The value follows qn_json_begin_member(). */
 void qn_json_begin_member (GString *json, const char *key);
 void qn_json_put_string (GString *json, const char *key, const char *text);
 void qn_json_put_number (GString *json, const char *key, double number);

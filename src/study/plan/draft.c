@@ -123,18 +123,14 @@ QnDraft *
 qn_draft_load (const char *path, GError **error)
 {
   gsize length;
-  QnJsonProblem problem = { 0 };
   char *text = qn_file_read (path, &length, error);
   if (text == NULL)
     return NULL;
-  cJSON *tree = qn_json_parse (text, length, &problem);
+  cJSON *tree = qn_json_parse (text, length, path, error);
   if (!cJSON_IsObject (tree)) {
-    GError *cause =
-      tree == NULL ? qn_json_problem_to_error (&problem, path, text)
-                   : g_error_new (QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:1:1: {…}?", path);
-    g_propagate_error (error, cause);
+    if (tree != NULL)
+      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:1:1: {…}?", path);
     cJSON_Delete (tree);
-    g_free (problem.path);
     g_free (text);
     return NULL;
   }

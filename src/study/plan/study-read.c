@@ -420,7 +420,6 @@ static gboolean
 read_parameters (const QnJsonValue *root, QnStudy *study)
 {
   QnJsonValue list = qn_json_value_member (root, "parameters");
-  QnJsonProblem problem = { 0 };
   if (!qn_json_value_array (&list))
     return FALSE;
   if (cJSON_GetArraySize (list.json) < 1
@@ -428,8 +427,7 @@ read_parameters (const QnJsonValue *root, QnStudy *study)
     return qn_json_value_failf (&list, _ ("expected 1 to %d parameters"),
                                 QN_STUDY_MAX_PARAMETERS);
   cJSON *document =
-    qn_json_parse (study->project.text, study->project.text_length, &problem);
-  g_free (problem.path);
+    qn_json_parse (study->project.text, study->project.text_length, "", NULL);
   if (document == NULL)
     return qn_json_value_no_memory (&list);
   gboolean ok = TRUE;
@@ -706,7 +704,6 @@ add_records (GChecksum *sum, const QnStudy *study, GError **error)
 gboolean
 qn_study_read (const char *path, const char *model_path, QnStudy *study, GError **error)
 {
-  QnJsonProblem problem = { 0 };
   qn_study_init (study);
   /* Errors of GSL come back as values that are checked; it must not end the program. */
   gsl_set_error_handler_off ();
@@ -720,14 +717,12 @@ qn_study_read (const char *path, const char *model_path, QnStudy *study, GError 
                       .text = study->text,
                       .length = study->length,
                       .warnings = study->warnings };
-  cJSON *document = qn_json_parse (study->text, study->length, &problem);
-  if (document == NULL) {
-    reader.error = qn_json_problem_to_error (&problem, study->name, study->text);
-  } else {
+  cJSON *document =
+    qn_json_parse (study->text, study->length, study->name, &reader.error);
+  if (document != NULL) {
     QnJsonValue root = qn_json_value_root (&reader, document);
     read_document (&root, path, model_path, study);
   }
-  g_free (problem.path);
   cJSON_Delete (document);
   if (reader.error != NULL) {
     g_propagate_error (error, reader.error);

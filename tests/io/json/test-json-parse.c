@@ -10,8 +10,7 @@
 static void
 expect_same (const char *text)
 {
-  QnJsonProblem problem;
-  cJSON *value = qn_json_parse (text, strlen (text), &problem);
+  cJSON *value = qn_json_parse (text, strlen (text), "f", NULL);
   g_assert_nonnull (value);
   g_autoptr (GString) written = g_string_new (NULL);
   qn_json_append_value (written, value, 0);
@@ -32,8 +31,7 @@ test_tree (void)
 static void
 test_infinite (void)
 {
-  QnJsonProblem problem;
-  cJSON *value = qn_json_parse ("1e999", 5, &problem);
+  cJSON *value = qn_json_parse ("1e999", 5, "f", NULL);
   g_assert_true (cJSON_IsNumber (value));
   g_assert_true (isinf (value->valuedouble));
   cJSON_Delete (value);
@@ -42,13 +40,10 @@ test_infinite (void)
 static void
 expect_error (const char *text, const char *message)
 {
-  QnJsonProblem problem;
-  g_assert_null (qn_json_parse (text, strlen (text), &problem));
-  g_assert_false (problem.no_memory);
-  g_autoptr (GError) error = qn_json_problem_to_error (&problem, "wall.quoin", text);
+  g_autoptr (GError) error = NULL;
+  g_assert_null (qn_json_parse (text, strlen (text), "wall.quoin", &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_cmpstr (error->message, ==, message);
-  g_free (problem.path);
 }
 
 static void
@@ -74,16 +69,15 @@ test_duplicate_keys (void)
   for (int i = 0; i < 100000; i++)
     g_string_append_printf (text, ", \"k%d\": [%d]", i, i);
   g_string_append (text, " }");
-  QnJsonProblem problem;
-  cJSON *value = qn_json_parse (text->str, text->len, &problem);
+  g_autoptr (GError) error = NULL;
+  cJSON *value = qn_json_parse (text->str, text->len, "f", NULL);
   g_assert_nonnull (value);
   cJSON_Delete (value);
 
   g_string_truncate (text, text->len - 2);
   g_string_append (text, ", \"k99999\": 0 }");
-  g_assert_null (qn_json_parse (text->str, text->len, &problem));
-  g_assert_cmpstr (problem.path, ==, "k99999");
-  g_free (problem.path);
+  g_assert_null (qn_json_parse (text->str, text->len, "f", &error));
+  g_assert_nonnull (strstr (error->message, ": k99999: key is given twice"));
 }
 
 QN_TESTS

@@ -224,7 +224,7 @@ test_history (void)
   g_assert_true (g_file_get_contents (path, &bytes, &length, NULL));
   g_autofree char *cut = test_replace (bytes, "\"x\": [0, ", "\"x\": [");
   g_assert_false (qn_result_file_parse (cut, strlen (cut), "r", &file, &error));
-  g_assert_nonnull (strstr (error->message, "history: lists"));
+  g_assert_nonnull (strstr (error->message, "history.ground.x: lists"));
   g_clear_error (&error);
 }
 

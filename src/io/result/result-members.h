@@ -1,0 +1,95 @@
+/* Private to result files: how values of tokens are read, and the tables of members by which objects
+ * are read and written (io/project/project-members.h).
+ *
+ * What reads takes the token of the value and returns FALSE with the error of `json` set. */
+#ifndef QN_IO_RESULT_MEMBERS_H
+#define QN_IO_RESULT_MEMBERS_H
+
+#include "core/result/result.h"
+#include "io/json/json-tokens.h"
+#include "io/project/project-members.h"
+#include "io/result/result-file.h"
+#include "io/text/file-writer.h"
+
+#define QN_MAYBE(key, use, type, member)                                                 \
+  QN_MEMBER (key, MAYBE, use, type, member, 0, NULL)
+#define QN_WHOLE(key, use, least, type, member)                                          \
+  QN_MEMBER (key, WHOLE, use, type, member, least, NULL)
+#define QN_PAIR(key, use, type, member) QN_MEMBER (key, PAIR, use, type, member, 0, NULL)
+#define QN_STAGE(key, type, member)                                                      \
+  QN_MEMBER (key, STAGE, OPTIONAL, type, member, 0, NULL)
+#define QN_PLACE(key, use, type, member)                                                 \
+  QN_MEMBER (key, PLACE, use, type, member, 0, NULL)
+
+/* A step, and where its lists are. */
+typedef struct QnStepMembers {
+  QnStep step;
+  gsize displacements, node_displacements, velocities, reactions, beam_forces, ties,
+    forces, states, damage;
+} QnStepMembers;
+
+typedef struct QnContactMembers {
+  QnResultContact contact;
+  QnPairResult pair;
+  QnId blocks[2];
+} QnContactMembers;
+
+typedef struct QnEventMembers {
+  QnPathEvent event;
+  gsize blocks;
+} QnEventMembers;
+
+/* Places of a fault: as many as kinds of what it may be at, all but one QN_NONE. */
+#define QN_FAULT_PLACES 6
+extern const QnEntity qn_fault_entities[QN_FAULT_PLACES];
+
+typedef struct QnRefusedMembers {
+  QnFault fault;
+  char *claim;
+  QnId places[QN_FAULT_PLACES];
+} QnRefusedMembers;
+
+/* Of a result: the document's head, limit analysis, and what stands alone. */
+extern const QnMember qn_outcome_members[], qn_limit_members[], qn_bound_members[],
+  qn_broken_members[], qn_beyond_members[], qn_unproved_members[];
+
+/* Of QnSolution, QnVibration, QnStatistics, QnTieResult and the structs above. A step's come in three parts: what is
+ * before the displacements, behind them, and in time. */
+extern const QnMember qn_solution_members[], qn_vibration_members[],
+  qn_statistics_members[], qn_tie_members[], qn_event_members[], qn_refused_members[],
+  qn_contact_members[], qn_step_members[], qn_step_rest[], qn_step_time[],
+  qn_step_lists[];
+
+/* Reads an object by tables, up to a NULL, of together at most 64 members: those given twice and
+ * required ones that are missing are errors, unknown ones are skipped. What is not there is left as
+ * it is. */
+gboolean qn_result_members_read (QnJson *json, gsize at, const QnMember *const *tables,
+                                 gpointer target);
+
+/* Writes a text, which ends with a space, the members of a struct, and another text. */
+void qn_result_members_write (QnFileWriter *writer, const char *before,
+                              const QnMember *members, gconstpointer source,
+                              gconstpointer usual, const char *after);
+
+gboolean qn_result_read_array (QnJson *json, gsize at);
+
+/* `count` numbers, `stride` doubles apart. `refusal` says that there are more or less of them; NULL:
+ * the message counts them itself. */
+gboolean qn_result_read_numbers (QnJson *json, gsize at, double *numbers, size_t stride,
+                                 size_t count, const char *refusal);
+
+/* `count` rows of QN_DOF_COUNT numbers, one behind the other. */
+gboolean qn_result_read_rows (QnJson *json, gsize at, double *rows, size_t count,
+                              const char *refusal);
+
+/* A whole number that is not negative; numbers of blocks, into a list to be freed with free(). */
+gboolean qn_result_read_id (QnJson *json, gsize at, int32_t *id);
+gboolean qn_result_read_ids (QnJson *json, gsize at, size_t block_count, QnId **ids,
+                             size_t *count);
+
+/* Room for `count` items, each of which needs a token, of a list at `at`; NULL with an error where the
+ * text is too short for them, which `refusal` says, or memory runs out. */
+void *qn_result_room (QnJson *json, gsize at, size_t count, size_t size,
+                      const char *refusal);
+
+#endif
