@@ -11,15 +11,20 @@ import re
 import sys
 
 
+def choices(value, between):
+    """Words to choose from: all of "cairo|gl" and "A|B|C", "last" of "N|last", none of "TEXT"."""
+    words = value.split(between)
+    letters = all(re.fullmatch("[A-Z]", word) for word in words)
+    return [w for w in words if len(words) > 1 and (letters or re.fullmatch("[a-z][a-z0-9/-]*", w))]
+
+
 class Option:
     def __init__(self, name, short, kind, many, value, text):
         self.name, self.kind, self.many, self.value, self.text = name, kind, many == "many", value, text
         self.short = None if short == "-" else short
-        # "cairo|gl" is a choice; "OUT.png|svg" and "N|last" are not.
-        words = value.split("|")
-        self.choices = words if kind == "text" and len(words) > 1 and all(
-            re.fullmatch("[a-z-]+|[A-Z]", word) for word in words) else []
-        if words[0] == "N" and len(words) == 2:
+        self.listed = "," in value and "|" not in value  # several, with commas between
+        self.choices = choices(value, "," if self.listed else "|")
+        if kind == "file" and value[:1].isupper():  # "OUT.png|svg": endings
             self.choices = []
 
     def spelled(self):
@@ -32,7 +37,8 @@ class Subcommand:
         self.name, self.arguments, self.summary, self.text = name, arguments, summary, text
         self.options = []
         first = arguments.split(" ")[0]
-        self.choices = first.split("|") if re.fullmatch(r"[a-z]+(\|[a-z]+)+", first) else []
+        self.choices = choices(first.strip("[]…"), "|")
+        self.repeated = first.endswith("…")
 
     def all_options(self):
         return self.options + [Option("help", "h", "flag", "once", "", "Show help options")]
@@ -60,7 +66,7 @@ def actions(subcommands, name):
 def bash(subcommands):
     """Words for the subcommand, then for the option before the cursor, then options or files."""
     out = ["# Completion of quoin-cli for bash.", "_quoin_cli()", "{",
-           "  local cur prev words cword command i", "  COMPREPLY=()",
+           "  local cur prev command head", "  COMPREPLY=()",
            "  cur=${COMP_WORDS[COMP_CWORD]}", "  prev=${COMP_WORDS[COMP_CWORD-1]}",
            "  command=${COMP_WORDS[1]}", "  if ((COMP_CWORD == 1)); then",
            f"    COMPREPLY=($(compgen -W '{' '.join(s.name for s in top(subcommands))} --help --version'"
@@ -80,10 +86,16 @@ def bash(subcommands):
             if option.kind == "flag":
                 continue
             keys = [f"'{s.name} --{option.name}'"] + ([f"'{s.name} -{option.short}'"] if option.short else [])
-            reply = (f"COMPREPLY=($(compgen -W '{' '.join(option.choices)}' -- \"$cur\"))"
-                     if option.choices else
-                     'COMPREPLY=($(compgen -f -- "$cur")); compopt -o filenames 2>/dev/null'
-                     if option.kind == "file" else ":")
+            words, files = f"compgen -W '{' '.join(option.choices)}'", option.kind == "file"
+            if option.listed:
+                words = 'head=${cur%"${cur##*,}"}; ' + words + ' -P "$head" -- "${cur##*,}"'
+            else:
+                words += ' -- "$cur"'
+            if files:
+                words += '; compgen -f -- "$cur"'
+            reply = f"COMPREPLY=($({words}))" if option.choices or files else ":"
+            if files:
+                reply += "; compopt -o filenames 2>/dev/null"
             out.append(f"    {'|'.join(keys)}) {reply}; return ;;")
     out += ["  esac", '  case "$command" in']
     for s in subcommands:
@@ -110,7 +122,10 @@ def zsh_arguments(s):
     for o in s.all_options():
         value = ""
         if o.kind != "flag":
-            action = f"({' '.join(o.choices)})" if o.choices else "_files" if o.kind == "file" else " "
+            words = " ".join(o.choices)
+            action = (f"_values -s , value {words}" if o.listed
+                      else f"_alternative \"words:value:({words})\" \"files:file:_files\"" if words and o.kind == "file"
+                      else f"({words})" if words else "_files" if o.kind == "file" else " ")
             value = f":{zsh_text(o.value)}:{action}"
         repeat = "*" if o.many else ""
         text = f"[{zsh_text(o.text)}]{value}'"
@@ -119,8 +134,9 @@ def zsh_arguments(s):
         if o.short:
             lines.append(f"'{repeat}-{o.short}{text}")
     if s.choices:
-        lines.append(f"'1:kind:({' '.join(s.choices)})'")
-    lines.append("'*:file:_files'")
+        lines.append(f"'{'*' if s.repeated else '1'}:name:({' '.join(s.choices)})'")
+    if not (s.choices and s.repeated):
+        lines.append("'*:file:_files'")
     return " \\\n        ".join(lines)
 
 
@@ -175,8 +191,11 @@ def fish(subcommands):
         for o in s.all_options():
             line = f"complete -c quoin-cli -n '{seen}' -l {o.name}"
             line += f" -s {o.short}" if o.short else ""
-            if o.choices:
-                line += f" -x -a '{' '.join(o.choices)}'"
+            words = " ".join(o.choices)
+            if o.listed:
+                line += f" -x -a '(__fish_complete_list , \"string split \\\" \\\" \\\"{words}\\\"\")'"
+            elif o.choices:
+                line += f" {'-r' if o.kind == 'file' else '-x'} -a '{words}'"
             elif o.kind != "flag":
                 line += " -r" if o.kind == "file" else " -x"
             out.append(f"{line} -d {fish_text(o.text)}")

@@ -67,7 +67,6 @@ test_render_usage (void)
   g_autofree char *model = cli_example ("01-sliding-block.quoin");
   static const char *const wrong[][4] = {
     { "--view", "plan", "o.png", "plan" },
-    { "--view", "mechanism", "o.png", "--result" },
     { "--step", "-1", "o.png", "-1" },
     { "--step", "first", "o.png", "first" },
     { "--scale", "0", "o.png", "0" },

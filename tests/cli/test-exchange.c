@@ -114,6 +114,29 @@ test_export_results (void)
   cli_fails (2, ".dxf", "export", model, "-o", "out.stl", NULL);
 }
 
+/* Walls and masonry become polygons of the same names; nothing else is changed. */
+static void
+test_export_polygons (void)
+{
+  static const char *const models[] = { "14-pointed-arch.quoin",
+                                        "ferris-tin-loi/wall3.quoin",
+                                        "01-sliding-block.quoin" };
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *polygons = file_in (folder, "polygons.quoin");
+  for (gsize i = 0; i < G_N_ELEMENTS (models); i++) {
+    g_autofree char *model = cli_example (models[i]);
+    cli_do ("export", model, "-o", polygons, NULL);
+    g_autofree char *text = cli_read (polygons);
+    g_assert_null (strstr (text, "\"masonry\""));
+    g_assert_null (strstr (text, "\"walls\""));
+    CliRun before = cli_run ("check", model, NULL),
+           after = cli_run ("check", polygons, NULL);
+    g_assert_cmpstr (strchr (before.out, '\n'), ==, strchr (after.out, '\n'));
+    cli_run_clear (&before);
+    cli_run_clear (&after);
+  }
+}
+
 static void
 test_bad_import (void)
 {
@@ -132,5 +155,6 @@ QN_TESTS
   g_test_add_func ("/cli/exchange/round-trip", test_round_trip);
   g_test_add_func ("/cli/exchange/mortar", test_mortar);
   g_test_add_func ("/cli/exchange/export-results", test_export_results);
+  g_test_add_func ("/cli/exchange/export-polygons", test_export_polygons);
   g_test_add_func ("/cli/exchange/bad-import", test_bad_import);
 }

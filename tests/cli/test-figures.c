@@ -136,7 +136,6 @@ test_animate (void)
   g_autofree char *third = g_build_filename (frames, "frame-0003.png", NULL);
   assert_begins (third, "\x89PNG");
 
-  cli_fails (2, "--result", "animate", model, "-o", gif, NULL);
   cli_fails (2, "a.mp4", "animate", model, "--result", result, "-o", "a.mp4", NULL);
   cli_fails (2, "1000000", "animate", model, "--result", result, "--size",
              "1000000x1000000", "-o", gif, NULL);
@@ -151,6 +150,52 @@ test_animate (void)
   cli_run_clear (&run);
   cli_fails (5, "/nonexistent/a.gif", "animate", model, "--result", result, "-o",
              "/nonexistent/a.gif", NULL);
+}
+
+/* What has no result is solved, with the values of --set and the files of --allow-outside, whatever
+ * shows it. */
+static void
+test_solved_alike (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *inner = g_build_filename (folder, "inner", NULL);
+  g_autofree char *recipes =
+    with_figures ("[{\"name\": \"f\", \"file\": \"f.png\", \"view\": \"deformed\", "
+                  "\"size\": \"90x90\"}]");
+  g_assert_cmpint (g_mkdir (inner, 0700), ==, 0);
+  g_autofree char *model = cli_write (inner, "m.quoin", recipes);
+  g_free (cli_write (folder, "r.csv", "0, 0\n0.01, 0.5\n0.02, 0\n"));
+  const char *const in_time =
+    "analysis={\"procedure\":\"dynamic\",\"geometry\":\"nonlinear\",\"dynamic\":{"
+    "\"time_step\":0.01,\"ground\":[{\"record\":\"../"
+    "r.csv\",\"unit\":\"m/s2\",\"direction\":[1,0]}]}}";
+  static const char *const commands[][4] = {
+    { "report", "o.pdf" },
+    { "figures", "" },
+    { "curve", "o.csv" },
+    { "compare", "o.csv" },
+    { "animate", "o.gif", "--frames", "4" },
+    { "render", "o.svg", "--view", "deformed" },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (commands); i++) {
+    const char *const *c = commands[i];
+    g_autofree char *output = g_build_filename (inner, c[1], NULL);
+    cli_fails (2, "laws[0].frictoin", c[0], model, "-o", output, "--set",
+               "laws[0].frictoin=0.3", c[2], c[3], NULL);
+    cli_fails (3, "loads.live", c[0], model, "-o", output, "--set", "loads.live=[]", c[2],
+               c[3], NULL);
+    cli_fails (5, "--allow-outside", c[0], model, "-o", output, "--set", in_time, c[2],
+               c[3], NULL);
+    cli_do (c[0], model, "-o", output, "--set", in_time, "--allow-outside", c[2], c[3],
+            NULL);
+    cli_do (c[0], model, "-o", output, "--set", "laws[0].friction=0.3", c[2], c[3], NULL);
+    if (g_str_has_suffix (output, ".csv")) {
+      g_autofree char *table = cli_read (output);
+      g_assert_nonnull (strstr (table, ",0.3"));
+      g_assert_null (strstr (table, ",0.4"));
+    }
+  }
+  cli_fails (2, ".csv", "curve", model, "-o", "o.txt", NULL);
 }
 
 /* Three seconds at five pictures a second, in real time and four times slower. */
@@ -194,6 +239,7 @@ QN_TESTS
   g_test_add_func ("/cli/figures/outside", test_outside);
   g_test_add_func ("/cli/figures/changed-model", test_changed_model_is_said);
   g_test_add_func ("/cli/figures/wrong-recipe", test_wrong_recipe);
+  g_test_add_func ("/cli/figures/solved-alike", test_solved_alike);
   g_test_add_func ("/cli/animate", test_animate);
   g_test_add_func ("/cli/animate/speed", test_speed);
 }

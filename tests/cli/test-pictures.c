@@ -20,7 +20,6 @@ typedef struct Kind {
 } Kind;
 
 static const Kind kinds[] = {
-  { "no-result", "06-arch.quoin", NULL, NULL, HAS_NOTHING },
   { "collapse", "06-arch.quoin", "solve", NULL, HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
   { "target-reached", "06-arch.quoin", "solve", "analysis.max_multiplier=0.01",
     HAS_STEPS | HAS_FORCES },

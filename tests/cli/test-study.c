@@ -548,7 +548,7 @@ test_figures (void)
     }
     /* One parameter has no surface; no output, no figure. */
     cli_fails (2, "--by", "study", "plot", results, "-k", "surface", "-o", "x.svg", NULL);
-    cli_fails (2, "--kind", "study", "plot", results, "-k", "pie", "-o", "x.svg", NULL);
+    cli_fails (2, "pie", "study", "plot", results, "-k", "pie", "-o", "x.svg", NULL);
     cli_fails (2, "--of", "study", "plot", results, "-k", "histogram", "--of", "steps",
                "-o", "x.svg", NULL);
   }

@@ -4,7 +4,8 @@
     commands.py SOURCE-ROOT QUOIN-CLI [PAGE...]
 
 Blocks marked sh and python are run page by page, in the order of the page, in a copy of the folder
-of examples. All must succeed. Every mention of "quoin-cli " at the beginning of a line must stand in
+of examples. All must succeed, and without a warning: a page shows no command that has nothing to
+show. Every mention of "quoin-cli " at the beginning of a line must stand in
 such a block, so that none is left out. Environment: PYTHONPATH and so on for Python; without
 QUOIN_LIBRARY its blocks are passed over.
 """
@@ -59,7 +60,7 @@ def run(page, text, program, examples):
             else:
                 continue
             done = subprocess.run(command, cwd=work, env=environment, capture_output=True, text=True)
-            if done.returncode != 0:
+            if done.returncode != 0 or "quoin-cli: warning: " in done.stderr:
                 yield f"{page}:{number}: exit code {done.returncode}\n{content}{done.stdout}{done.stderr}"
 
 
@@ -103,6 +104,8 @@ def self_test(program, examples):
     assert list(run("test", wrong, program, examples))
     right = "```sh\nquoin-cli check 01-sliding-block.quoin\n```\n"
     assert not list(run("test", right, program, examples))
+    told = "```sh\nquoin-cli check 01-sliding-block.quoin\nquoin-cli figures 01-sliding-block.quoin\n```\n"
+    assert list(run("test", told, program, examples))
     assert not list(unmarked("test", right))
     assert list(unmarked("test", "```\nquoin-cli check a.quoin\n```\n"))
     assert list(unmarked("test", "text\n\n    quoin-cli check a.quoin\n"))

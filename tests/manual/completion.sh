@@ -40,12 +40,53 @@ done < <(grep -v '^study$' <<<"$names"; sed 's/^/study /' <<<"$actions")
 [ "$(complete_bash quoin-cli generate co)" = column ]
 [ "$(complete_bash quoin-cli render --view mo)" = model ]
 [ "$(complete_bash quoin-cli render --no-such)" = "" ]
+[ "$(complete_bash quoin-cli render --step l)" = last ]
+[ "$(complete_bash quoin-cli report --sections title,jo)" = title,joints ]
+
+# Values are those that a refusal lists.
+offered_are_known() {
+  local refused known
+  refused=$("$program" "$@" zzz -o "$scratch/out.$ending" 2>&1 || true)
+  known=$(sed -n 's/^.* is not one of \(.*\) (see .*$/\1/p' <<<"$refused" | tr -d ' ' | tr ',' '\n' | sort)
+  [ -n "$known" ] && [ "$known" = "$(complete_bash quoin-cli "${@:1:$#-2}" "${@: -1}" "")" ] \
+    || { echo "$*: offered: $(complete_bash quoin-cli "${@:1:$#-2}" "${@: -1}" "")"; echo "$refused"; exit 1; }
+}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+echo '{}' >"$scratch/x.quoin"
+ending=png
+offered_are_known render "$scratch/x.quoin" --view
+offered_are_known render "$scratch/x.quoin" --field
+offered_are_known render "$scratch/x.quoin" --diagram
+offered_are_known render "$scratch/x.quoin" --show
+offered_are_known study plot "$scratch" --kind
+ending=csv
+offered_are_known export "$scratch/x.quoin" --table
+
+# Those without a list of their own: each is taken, another one is refused.
+for unit in $(complete_bash quoin-cli export --unit ""); do
+  said=$("$program" export "$scratch/x.quoin" --unit "$unit" -o "$scratch/out.dxf" 2>&1 || true)
+  [[ $said != *--unit* ]]
+done
+[ "$(complete_bash quoin-cli import --unit "")" = "$(complete_bash quoin-cli export --unit "")" ]
+[ "$(complete_bash quoin-cli export --unit "" | wc -l)" = 6 ]
+for law in $(complete_bash quoin-cli law ""); do
+  "$program" law "$law" --csv "$scratch/law.csv"
+done
+for group in $(complete_bash quoin-cli verify ""); do
+  said=$("$program" verify "$group" zzz 2>&1 || true)
+  [[ $said == *zzz* && $said != *"$group"* ]]
+done
+[ "$(complete_bash quoin-cli law "" | wc -l)" = 9 ]
+[ "$(complete_bash quoin-cli verify "" | wc -l)" = 14 ]
+[ "$(complete_bash quoin-cli capacity --spectrum type)" = $'type1\ntype2' ]
 
 if command -v fish >/dev/null; then
   offered() { fish --no-config -c 'source $argv[1]; complete -C $argv[2]' "$fish" "$1" | cut -f1; }
   [ "$(offered 'quoin-cli so')" = solve ]
   [ "$(offered 'quoin-cli study plot --kin')" = --kind ]
   [ "$(offered 'quoin-cli render --view mo')" = model ]
+  [ "$(offered 'quoin-cli report --sections title,jo')" = title,joints ]
 fi
 if command -v zsh >/dev/null; then
   zsh -n "$zsh"

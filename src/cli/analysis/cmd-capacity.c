@@ -27,7 +27,7 @@
 typedef struct Options {
   QnPictureOptions picture;
   char *json, *csv, *spectrum, *ag, *soil, *unit, *control;
-  char **overrides;
+  QnInputOptions input;
   double damping, confidence;
   gboolean quiet;
 } Options;
@@ -79,7 +79,8 @@ take_kept (Options *options, const QnProject *project, GError **error)
   take_text (&options->control, kept.control);
   if (named && kept.spectrum != NULL && !is_of_code (kept.spectrum)) {
     g_autofree char *folder = g_path_get_dirname (project->path);
-    options->spectrum = qn_file_inside (folder, kept.spectrum, FALSE, error);
+    options->spectrum =
+      qn_file_inside (folder, kept.spectrum, options->input.allow_outside, error);
     found = options->spectrum != NULL;
   } else
     take_text (&options->spectrum, kept.spectrum);
@@ -395,7 +396,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
       N_ ("Write the curve here; - is standard output"), N_ ("OUT.csv") },
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
-    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_ENTRIES (options.input),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
@@ -410,7 +411,7 @@ run (const QnSubcommand *self, int argc, char **argv)
              ? qn_picture_output (self, &options.picture, &output)
              : QN_EXIT_DONE;
   if (code == QN_EXIT_DONE)
-    code = qn_input_load (&input, argv[1], options.overrides);
+    code = qn_input_load (&input, argv[1], &options.input);
   if (code == QN_EXIT_DONE && !take_kept (&options, &input.project, &error))
     code = qn_cli_fail (error);
   if (code == QN_EXIT_DONE)

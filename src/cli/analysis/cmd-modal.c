@@ -11,7 +11,7 @@
 
 typedef struct Options {
   char *output, *csv;
-  char **overrides;
+  QnInputOptions input;
   int count, mode;
   double damping;
   gboolean loaded, slip, quiet, no_timings;
@@ -172,7 +172,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("RESULT.json") },
     { "mode", 0, 0, G_OPTION_ARG_INT, &options.mode,
       N_ ("Number of the mode, from 1 (1)"), N_ ("K") },
-    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_ENTRIES (options.input),
     QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
@@ -186,7 +186,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     else if (!(options.damping >= 0 && options.damping < 1))
       qn_cli_usage_error (self->name, _ ("--damping is from 0 to less than 1"));
     else
-      code = qn_input_load (&input, argv[1], options.overrides);
+      code = qn_input_load (&input, argv[1], &options.input);
   }
   if (code == QN_EXIT_DONE)
     code = solve (&options, &input);

@@ -22,8 +22,8 @@
 typedef struct Options {
   char *output, *csv, *detail;
   QnResultDetail level; /* of `detail` */
-  char **overrides;
-  gboolean quiet, allow_outside, sensitivity, no_timings;
+  QnInputOptions input;
+  gboolean quiet, sensitivity, no_timings;
 } Options;
 
 /* Names the blocks that the dead load moves, the first few of them. */
@@ -157,28 +157,6 @@ probe_output (const char *path)
     return qn_cli_fail (error);
   qn_file_writer_discard (writer);
   return QN_EXIT_DONE;
-}
-
-/* A path without a live load has no answer, unless it is that of the dead load alone. Limit
- * analysis and stages refuse it themselves. */
-static QnExit
-require_live_load (const QnProject *project)
-{
-  const QnAnalysisSettings *analysis = &project->model.analysis;
-  gboolean lacks = qn_model_lacks_live_load (&project->model);
-  if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
-    if (!lacks)
-      qn_cli_warning ("%s: loads.live: %s", project->name,
-                      _ ("has no effect in an analysis in time"));
-    return QN_EXIT_DONE;
-  }
-  if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
-      || analysis->max_multiplier == 0 || !lacks)
-    return QN_EXIT_DONE;
-  qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or set "
-                   "analysis.max_multiplier=0 for the dead load alone"),
-                project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
-  return QN_EXIT_INVALID;
 }
 
 static QnExit
@@ -316,8 +294,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
           "hinges "
           "and springs too, or steps: forces of all steps, however many"),
       N_ ("forces|pairs|steps") },
-    QN_INPUT_SET_ENTRY (&options.overrides),
-    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    QN_INPUT_ENTRIES (options.input),
     QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     /* Of limit analysis alone. */
@@ -332,17 +309,13 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
 
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)
       && parse_detail (self, &options)) {
-    add_override (&options.overrides, override);
+    add_override (&options.input.overrides, override);
     qn_cli_set_own_override (override, self->name);
-    code = qn_input_load (&input, argv[1], options.overrides);
+    code = qn_input_load (&input, argv[1], &options.input);
   } else
     memset (&input, 0, sizeof input);
   if (code == QN_EXIT_DONE)
-    code = qn_input_read_records (&input, options.allow_outside);
-  if (code == QN_EXIT_DONE)
-    code = qn_input_require_sound (&input);
-  if (code == QN_EXIT_DONE)
-    code = require_live_load (&input.project);
+    code = qn_input_prepare (&input, &options.input);
   if (code == QN_EXIT_DONE)
     code = probe_output (options.output);
   if (code == QN_EXIT_DONE)

@@ -11,7 +11,7 @@
 
 typedef struct Options {
   char *output;
-  char **overrides;
+  QnInputOptions input;
   gboolean quiet, no_timings;
 } Options;
 
@@ -94,7 +94,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Write a result here whose mechanism is the buckling mode"),
       N_ ("RESULT.json") },
-    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_ENTRIES (options.input),
     QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
@@ -103,7 +103,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   QnExit code = QN_EXIT_USAGE;
 
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = qn_input_load (&input, argv[1], options.overrides);
+    code = qn_input_load (&input, argv[1], &options.input);
   if (code == QN_EXIT_DONE)
     code = require_nonlinear (&input);
   if (code == QN_EXIT_DONE)

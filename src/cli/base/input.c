@@ -3,6 +3,7 @@
 #include "cli/base/message.h"
 #include "doc/document/threads.h"
 #include "io/exchange/record.h"
+#include "io/text/outcome-text.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -49,11 +50,12 @@ tell_findings (const QnInput *input)
 }
 
 QnExit
-qn_input_read (QnInput *input, const char *path, char **overrides)
+qn_input_read (QnInput *input, const char *path, const QnInputOptions *options)
 {
   GError *error = NULL;
   memset (input, 0, sizeof *input);
-  if (!qn_project_load (path, (const char *const *) overrides, &input->project, &error))
+  if (!qn_project_load (path, (const char *const *) options->overrides, &input->project,
+                        &error))
     return qn_cli_fail (error);
   input->project.model.analysis.workers = qn_threads_get ();
 
@@ -64,16 +66,16 @@ qn_input_read (QnInput *input, const char *path, char **overrides)
 }
 
 QnExit
-qn_input_load (QnInput *input, const char *path, char **overrides)
+qn_input_load (QnInput *input, const char *path, const QnInputOptions *options)
 {
-  QnExit code = qn_input_read (input, path, overrides);
+  QnExit code = qn_input_read (input, path, options);
   if (code == QN_EXIT_DONE)
     tell_warnings (input->project.warnings);
   return code;
 }
 
-QnExit
-qn_input_read_records (QnInput *input, gboolean allow_outside)
+static QnExit
+read_records (QnInput *input, gboolean allow_outside)
 {
   QnProject *project = &input->project;
   GError *error = NULL;
@@ -95,6 +97,37 @@ qn_input_require_sound (const QnInput *input)
     return QN_EXIT_DONE;
   }
   return qn_input_refuse (&input->project, &diag);
+}
+
+/* A path without a live load has no answer, unless it is that of the dead load alone. Limit
+ * analysis and stages refuse it themselves. */
+static QnExit
+require_live_load (const QnProject *project)
+{
+  const QnAnalysisSettings *analysis = &project->model.analysis;
+  gboolean lacks = qn_model_lacks_live_load (&project->model);
+  if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
+    if (!lacks)
+      qn_cli_warning ("%s: loads.live: %s", project->name,
+                      _ ("has no effect in an analysis in time"));
+    return QN_EXIT_DONE;
+  }
+  if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
+      || analysis->max_multiplier == 0 || !lacks)
+    return QN_EXIT_DONE;
+  qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or set "
+                   "analysis.max_multiplier=0 for the dead load alone"),
+                project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
+  return QN_EXIT_INVALID;
+}
+
+QnExit
+qn_input_prepare (QnInput *input, const QnInputOptions *options)
+{
+  QnExit code = read_records (input, options->allow_outside);
+  if (code == QN_EXIT_DONE)
+    code = qn_input_require_sound (input);
+  return code == QN_EXIT_DONE ? require_live_load (&input->project) : code;
 }
 
 /* The sentence of a problem that lies in the state, translated; NULL for one of the input. */
@@ -136,7 +169,7 @@ join_overrides (char **first, char **second)
 
 QnExit
 qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
-                           const char *result_path, char **overrides)
+                           const char *result_path, const QnInputOptions *options)
 {
   GError *error = NULL;
   memset (input, 0, sizeof *input);
@@ -144,7 +177,7 @@ qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
     return qn_cli_fail (error);
   gboolean same_bytes = TRUE;
   QnExit code =
-    qn_input_load_for_result (input, file, path, result_path, overrides, &same_bytes);
+    qn_input_load_for_result (input, file, path, result_path, options, &same_bytes);
   if (code == QN_EXIT_DONE && !same_bytes)
     qn_cli_warning (_ ("%s has changed since %s was computed"), path, result_path);
   return code;
@@ -152,11 +185,12 @@ qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
 
 QnExit
 qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
-                          const char *result_path, char **overrides, gboolean *same_bytes)
+                          const char *result_path, const QnInputOptions *options,
+                          gboolean *same_bytes)
 {
   GError *error = NULL;
-  g_autofree char **joined = join_overrides (file->overrides, overrides);
-  QnExit code = qn_input_load (input, path, joined);
+  g_autofree char **joined = join_overrides (file->overrides, options->overrides);
+  QnExit code = qn_input_load (input, path, &(QnInputOptions){ .overrides = joined });
   if (code != QN_EXIT_DONE) {
     qn_result_file_clear (file);
     return code;

@@ -113,6 +113,13 @@ exit_code_of (const GError *error)
 }
 
 static const char *own_override, *own_subcommand;
+static gboolean outside_offered;
+
+void
+qn_cli_offer_outside (void)
+{
+  outside_offered = TRUE;
+}
 
 void
 qn_cli_set_own_override (const char *override, const char *subcommand)
@@ -132,6 +139,8 @@ qn_cli_fail (GError *error)
     qn_json_append_string (quoted, own_override);
     g_string_replace (message, quoted->str, command, 0);
   }
+  if (outside_offered && g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
+    g_string_append (message, _ ("; --allow-outside permits it"));
   qn_cli_error ("%s", message->str);
   g_error_free (error);
   return code;

@@ -24,6 +24,9 @@ QnExit qn_cli_refuse_name (const char *subcommand, const char *value,
  * value, the subcommand is named instead. Both are borrowed for good. */
 void qn_cli_set_own_override (const char *override, const char *subcommand);
 
+/* The subcommand has --allow-outside: an error about a file outside the project's folder names it. */
+void qn_cli_offer_outside (void);
+
 /* Prints the error, frees it and says how the program ends. */
 QnExit qn_cli_fail (GError *error);
 

@@ -13,7 +13,16 @@ kind_of (const GOptionEntry *entry)
 {
   if (entry->arg == G_OPTION_ARG_NONE)
     return "flag";
-  return entry->arg == G_OPTION_ARG_FILENAME ? "file" : "text";
+  return entry->arg == G_OPTION_ARG_FILENAME || entry->arg == G_OPTION_ARG_FILENAME_ARRAY
+           ? "file"
+           : "text";
+}
+
+static gboolean
+is_repeated (const GOptionEntry *entry)
+{
+  return entry->arg == G_OPTION_ARG_STRING_ARRAY
+         || entry->arg == G_OPTION_ARG_FILENAME_ARRAY;
 }
 
 static gboolean
@@ -104,7 +113,7 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
     for (; entries->long_name != NULL; entries++)
       printf ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", entries->long_name,
               entries->short_name != 0 ? entries->short_name : '-', kind_of (entries),
-              entries->arg == G_OPTION_ARG_STRING_ARRAY ? "many" : "once",
+              is_repeated (entries) ? "many" : "once",
               entries->arg_description != NULL ? entries->arg_description : "",
               entries->description);
     return FALSE;
@@ -116,6 +125,9 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
   if (self->help != NULL)
     g_option_context_set_description (context, _ (self->help));
 
+  for (const GOptionEntry *e = entries; e->long_name != NULL; e++)
+    if (strcmp (e->long_name, "allow-outside") == 0)
+      qn_cli_offer_outside ();
   gboolean parsed = g_option_context_parse (context, argc, argv, &error);
   g_set_prgname ("quoin-cli");
   if (!parsed) {
@@ -136,8 +148,7 @@ qn_subcommand_free_values (const GOptionEntry *entries)
   for (; entries->long_name != NULL; entries++) {
     if (entries->arg == G_OPTION_ARG_STRING || entries->arg == G_OPTION_ARG_FILENAME)
       g_clear_pointer ((char **) entries->arg_data, g_free);
-    else if (entries->arg == G_OPTION_ARG_STRING_ARRAY
-             || entries->arg == G_OPTION_ARG_FILENAME_ARRAY)
+    else if (is_repeated (entries))
       g_clear_pointer ((char ***) entries->arg_data, g_strfreev);
   }
 }

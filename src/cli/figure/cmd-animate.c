@@ -1,8 +1,8 @@
-#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
+#include "cli/figure/sheet-input.h"
 #include "core/base/integer.h"
 #include "render/movie/animation.h"
 
@@ -14,11 +14,11 @@
 
 typedef struct Options {
   QnPictureOptions picture;
+  QnInputOptions input;
   char *result, *view, *scale;
   int frames;
   double rate, speed;
   gboolean once, no_curve, quiet;
-  char **overrides;
 } Options;
 
 /* What can be judged before any file is read. */
@@ -27,8 +27,6 @@ check (const QnSubcommand *self, const Options *options, double *scale)
 {
   char *end = NULL;
   GError *error = NULL;
-  if (options->result == NULL)
-    return qn_cli_usage_error (self->name, _ ("--result is missing"));
   if (options->view != NULL && strcmp (options->view, "mechanism") != 0
       && strcmp (options->view, "deformed") != 0)
     return qn_cli_usage_error (self->name, _ ("--view is mechanism or deformed"));
@@ -100,31 +98,29 @@ choose_frames (QnAnimation *animation, const Options *options, GError **error)
 static QnExit
 animate (const Options *options, const QnOutput *output, double scale, const char *path)
 {
-  QnInput input;
-  QnResultFile file;
-  QnExit code =
-    qn_input_load_with_result (&input, &file, path, options->result, options->overrides);
+  QnSheetItem item;
+  QnExit code = qn_sheet_item_load (&item, path, options->result, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
 
-  QnView view = file.result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
+  const QnInput *input = &item.input;
+  const QnResult *result = &item.file.result;
+  QnView view = result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
   if (options->view != NULL)
     qn_view_parse (options->view, &view);
   gboolean shown = !options->quiet && isatty (STDERR_FILENO);
   QnAnimation animation;
   QnMetadata metadata;
   GError *error = NULL;
-  qn_animation_init (&animation, &input.project.model, &input.contacts, &file.result,
-                     view);
+  qn_animation_init (&animation, &input->project.model, &input->contacts, result, view);
   fill (&animation, options, scale, &shown);
-  qn_picture_metadata (&input.project, &metadata);
+  qn_picture_metadata (&input->project, &metadata);
   qn_interrupt_install ();
   if (!choose_frames (&animation, options, &error)
       || !qn_animation_export (&animation, options->picture.path, output, &metadata,
                                &error))
     code = qn_cli_fail (error);
-  qn_result_file_clear (&file);
-  qn_input_clear (&input);
+  qn_sheet_item_clear (&item);
   return code;
 }
 
@@ -152,7 +148,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Without the load–displacement curve"), NULL },
     { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("No progress"), NULL },
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.gif|webm|FOLDER/")),
-    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   QnOutput output;
@@ -177,7 +173,9 @@ const QnSubcommand qn_cmd_animate = {
   .name = "animate",
   .arguments = "MODEL",
   .summary = N_ ("Animate a mechanism or a load path: GIF, WebM or numbered pictures"),
-  .help = N_ ("The ending of the output chooses the format; a name that ends in / is a "
-              "folder for pictures frame-0001.png and so on."),
+  .help =
+    N_ ("The ending of the output chooses the format; a name that ends in / is a "
+        "folder for pictures frame-0001.png and so on. A project without a result is "
+        "solved first."),
   .run = run,
 };

@@ -12,6 +12,7 @@
 
 typedef struct Options {
   QnPictureOptions picture;
+  QnInputOptions input;
   char *title;
   int columns;
 } Options;
@@ -64,6 +65,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "title", 0, 0, G_OPTION_ARG_STRING, &options.title, N_ ("Title of the sheet"),
       N_ ("TEXT") },
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf|csv")),
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   QnOutput output;
@@ -75,12 +77,11 @@ run (const QnSubcommand *self, int argc, char **argv)
     if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
       qn_cli_usage_error (self->name, _ ("--columns must be positive"));
     else
-      code = (qn_is_table (options.picture.path) ? qn_picture_page : qn_picture_output) (
-        self, &options.picture, &output);
+      code = qn_picture_or_table (self, &options.picture, &output);
   }
   gsize count = (gsize) MAX (argc - 1, 0);
   if (code == QN_EXIT_DONE)
-    code = qn_sheet_items_load (argv + 1, count, &items);
+    code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
   if (code == QN_EXIT_DONE)
     code = draw (&options, &output, items, count);
 

@@ -12,6 +12,7 @@
 
 typedef struct Options {
   QnPictureOptions picture;
+  QnInputOptions input;
   char *title;
   double until; /* m or rad, or 0 */
   gboolean whole, energy;
@@ -162,6 +163,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Draw a line at this multiplier, for a known value; may be given again"),
       N_ ("VALUE[=TEXT]") },
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf|csv")),
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   QnOutput output;
@@ -177,15 +179,14 @@ run (const QnSubcommand *self, int argc, char **argv)
         self->name, _ ("--energy draws one analysis, as a picture; the history that "
                        "solve --csv writes is its table"));
     else
-      code = (qn_is_table (options.picture.path) ? qn_picture_page : qn_picture_output) (
-        self, &options.picture, &output);
+      code = qn_picture_or_table (self, &options.picture, &output);
   }
   options.lines = g_array_new (FALSE, FALSE, sizeof (QnReferenceLine));
   if (code == QN_EXIT_DONE)
     code = parse_references (self, &options);
   gsize count = (gsize) MAX (argc - 1, 0);
   if (code == QN_EXIT_DONE)
-    code = qn_sheet_items_load (argv + 1, count, &items);
+    code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
   if (code == QN_EXIT_DONE)
     code = options.energy ? draw_energy (&options, &output, &items[0])
                           : draw (&options, &output, items, argv + 1, count);

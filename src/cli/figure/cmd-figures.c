@@ -14,7 +14,8 @@
 typedef struct Options {
   char *folder;
   char **names; /* make only these; NULL: all */
-  gboolean list, allow_outside;
+  gboolean list;
+  QnInputOptions input;
 } Options;
 
 /* The project with what was computed for its figures so far. */
@@ -23,7 +24,8 @@ typedef struct Workshop {
   char *folder;        /* where pictures go */
   char *result_folder; /* where results that recipes name are looked for */
   QnSheetItem solved;  /* the project, and its own result once solved */
-  gboolean is_solved, allow_outside;
+  gboolean is_solved;
+  const QnInputOptions *options;
 } Workshop;
 
 static QnExit
@@ -42,7 +44,7 @@ draw (const QnRecipe *recipe, const QnInput *input, const QnResult *result,
   GError *error = NULL;
   qn_recipe_fill (recipe, &input->project.model, &input->contacts, result, &figure);
   qn_picture_metadata (&input->project, &metadata);
-  bool done = qn_underlay_read (&input->project, shop->allow_outside,
+  bool done = qn_underlay_read (&input->project, shop->options->allow_outside,
                                 &figure.options.underlay, &error)
               && qn_figure_export (&figure, path, &recipe->output, &metadata, &error);
   g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
@@ -55,19 +57,17 @@ draw (const QnRecipe *recipe, const QnInput *input, const QnResult *result,
 static QnExit
 draw_with_file (const QnRecipe *recipe, const Workshop *shop, const char *path)
 {
-  QnInput input;
-  QnResultFile file;
+  QnSheetItem item;
   GError *error = NULL;
-  g_autofree char *result =
-    qn_file_inside (shop->result_folder, recipe->result, shop->allow_outside, &error);
+  g_autofree char *result = qn_file_inside (shop->result_folder, recipe->result,
+                                            shop->options->allow_outside, &error);
   if (result == NULL)
     return fail (recipe, error);
-  QnExit code = qn_input_load_with_result (&input, &file, shop->path, result, NULL);
+  QnExit code = qn_sheet_item_load (&item, shop->path, result, shop->options);
   if (code != QN_EXIT_DONE)
     return code;
-  code = draw (recipe, &input, &file.result, shop, path);
-  qn_result_file_clear (&file);
-  qn_input_clear (&input);
+  code = draw (recipe, &item.input, &item.file.result, shop, path);
+  qn_sheet_item_clear (&item);
   return code;
 }
 
@@ -76,7 +76,7 @@ make (const QnRecipe *recipe, Workshop *shop)
 {
   GError *error = NULL;
   g_autofree char *path =
-    qn_file_inside (shop->folder, recipe->file, shop->allow_outside, &error);
+    qn_file_inside (shop->folder, recipe->file, shop->options->allow_outside, &error);
   if (path == NULL)
     return fail (recipe, error);
   QnExit code = QN_EXIT_DONE;
@@ -85,7 +85,7 @@ make (const QnRecipe *recipe, Workshop *shop)
   } else {
     /* One analysis serves all figures that need one. */
     if (qn_recipe_needs_result (recipe) && !shop->is_solved) {
-      code = qn_sheet_item_solve (&shop->solved);
+      code = qn_sheet_item_solve (&shop->solved, shop->options);
       shop->is_solved = code == QN_EXIT_DONE;
     }
     if (code == QN_EXIT_DONE)
@@ -156,9 +156,9 @@ run_with (const Options *options, const char *path)
 {
   Workshop shop = { .path = path,
                     .result_folder = g_path_get_dirname (path),
-                    .allow_outside = options->allow_outside };
+                    .options = &options->input };
   shop.folder = g_strdup (options->folder != NULL ? options->folder : shop.result_folder);
-  QnExit code = qn_input_load (&shop.solved.input, path, NULL);
+  QnExit code = qn_input_load (&shop.solved.input, path, &options->input);
   if (code == QN_EXIT_DONE) {
     GError *error = NULL;
     g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
@@ -185,7 +185,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Make this figure only; may be given many times"), N_ ("NAME") },
     { "list", 0, 0, G_OPTION_ARG_NONE, &options.list,
       N_ ("Only list the figures and whether the model changed since"), NULL },
-    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   QnExit code = QN_EXIT_USAGE;

@@ -1,20 +1,22 @@
-#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
+#include "cli/figure/sheet-input.h"
 #include "doc/document/underlay.h"
+#include "doc/view/view-state.h"
 #include "render/figure/figure.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 #include <string.h>
 
+#define SWITCHES "ghost,symbols,loads,dimensions,names,values,legend,titles,monochrome"
+
 typedef struct Options {
   QnPictureOptions picture;
+  QnInputOptions input;
   char *result, *onion, *view, *step, *scale, *field, *diagram;
   char **show, **hide;
-  char **overrides;
-  gboolean allow_outside;
 } Options;
 
 static gboolean
@@ -85,9 +87,6 @@ parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *vie
   if (!parse_scale (options->scale, &view->scale))
     return qn_cli_usage_error (self->name, "%s: %s", options->scale,
                                _ ("a scale is a positive number, auto or true"));
-  if (options->result == NULL && kind != QN_VIEW_MODEL && kind != QN_VIEW_CONTACTS)
-    return qn_cli_usage_error (self->name, "%s: %s", options->view,
-                               _ ("this view needs --result"));
   if (options->onion != NULL && kind != QN_VIEW_DEFORMED && kind != QN_VIEW_MECHANISM)
     return qn_cli_usage_error (
       self->name, "%s: %s", options->onion,
@@ -110,8 +109,8 @@ draw (const Options *options, const QnViewOptions *view, const QnOutput *output,
   figure.options.onion = onion;
   qn_picture_metadata (&input->project, &metadata);
   bool done =
-    qn_underlay_read (&input->project, options->allow_outside, &figure.options.underlay,
-                      &error)
+    qn_underlay_read (&input->project, options->input.allow_outside,
+                      &figure.options.underlay, &error)
     && qn_figure_export (&figure, options->picture.path, output, &metadata, &error);
   g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
   return done ? QN_EXIT_DONE : qn_cli_fail (error);
@@ -122,14 +121,12 @@ static QnExit
 draw_onion (const Options *options, const QnViewOptions *view, const QnOutput *output,
             const QnInput *input, const QnResult *result, const char *path)
 {
-  QnInput other;
-  QnResultFile file;
-  QnExit code = qn_input_load_with_result (&other, &file, path, options->onion, NULL);
+  QnSheetItem other;
+  QnExit code = qn_sheet_item_load (&other, path, options->onion, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
-  code = draw (options, view, output, input, result, &file.result);
-  qn_result_file_clear (&file);
-  qn_input_clear (&other);
+  code = draw (options, view, output, input, result, &other.file.result);
+  qn_sheet_item_clear (&other);
   return code;
 }
 
@@ -137,21 +134,20 @@ static QnExit
 render (const Options *options, const QnViewOptions *view, const QnOutput *output,
         const char *path)
 {
-  QnInput input;
-  QnResultFile file = { 0 };
-  QnExit code = options->result != NULL
-                  ? qn_input_load_with_result (&input, &file, path, options->result,
-                                               options->overrides)
-                  : qn_input_load (&input, path, options->overrides);
+  QnSheetItem item = { 0 };
+  gboolean solved = options->result != NULL || qn_view_needs_result (view->view)
+                    || view->field != QN_FIELD_NONE;
+  QnExit code = solved
+                  ? qn_sheet_item_load (&item, path, options->result, &options->input)
+                  : qn_input_load (&item.input, path, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
 
-  const QnResult *result = options->result != NULL ? &file.result : NULL;
-  code = options->onion != NULL ? draw_onion (options, view, output, &input, result, path)
-                                : draw (options, view, output, &input, result, NULL);
-  if (result != NULL)
-    qn_result_file_clear (&file);
-  qn_input_clear (&input);
+  const QnResult *result = solved ? &item.file.result : NULL;
+  code = options->onion != NULL
+           ? draw_onion (options, view, output, &item.input, result, path)
+           : draw (options, view, output, &item.input, result, NULL);
+  qn_sheet_item_clear (&item);
   return code;
 }
 
@@ -171,20 +167,17 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("F|auto|true") },
     { "diagram", 0, 0, G_OPTION_ARG_STRING, &options.diagram,
       N_ ("with --view diagrams: section force of the beams, N, V or M (M)"), "N|V|M" },
-    { "field", 0, 0, G_OPTION_ARG_STRING, &options.field,
-      N_ ("Quantity shown by colour: displacement, rotation, stress, opening, …"),
-      N_ ("NAME") },
+    { "field", 0, 0, G_OPTION_ARG_STRING, &options.field, N_ ("Quantity shown by colour"),
+      "none|displacement|displacement-x|displacement-y|rotation|stress|opening|sliding" },
     { "onion", 0, 0, G_OPTION_ARG_FILENAME, &options.onion,
       N_ ("Second result of the same project, drawn over the first as outlines"),
       N_ ("RESULT.json") },
     { "show", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.show,
-      N_ ("Show also: ghost, symbols, loads, dimensions, names, values, legend, titles"),
-      N_ ("LIST") },
-    { "hide", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.hide,
-      N_ ("Leave out any of these"), N_ ("LIST") },
+      N_ ("Show these also, commas between them"), SWITCHES },
+    { "hide", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.hide, N_ ("Leave out these"),
+      SWITCHES },
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
-    QN_INPUT_SET_ENTRY (&options.overrides),
-    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   QnViewOptions view;
@@ -207,6 +200,7 @@ const QnSubcommand qn_cmd_render = {
   .name = "render",
   .arguments = "MODEL",
   .summary = N_ ("Draw a project or a result of it as PNG, SVG or PDF"),
-  .help = N_ ("The ending of the output file chooses the format; - is PNG."),
+  .help = N_ ("The ending of the output file chooses the format; - is PNG. A view of a "
+              "result is solved first where none is given."),
   .run = run,
 };

@@ -1,5 +1,4 @@
 #include "cli/base/message.h"
-#include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
 #include "doc/view/report-item.h"
@@ -12,6 +11,7 @@
 typedef struct Options {
   char *output, *paper, *sections;
   char **results;
+  QnInputOptions input;
 } Options;
 
 /* One result, and the project it was computed of. */
@@ -47,10 +47,11 @@ choose_sections (const QnSubcommand *self, const char *list, bool *sections)
 }
 
 static QnExit
-load_item (Item *item, const char *model, const char *result)
+load_item (Item *item, const char *model, const char *result,
+           const QnInputOptions *options)
 {
   QnExit code =
-    qn_input_load_with_result (&item->input, &item->report.file, model, result, NULL);
+    qn_input_load_with_result (&item->input, &item->report.file, model, result, options);
   if (code != QN_EXIT_DONE)
     return code;
   item->report.name = g_path_get_basename (result);
@@ -58,30 +59,28 @@ load_item (Item *item, const char *model, const char *result)
                         result);
   /* What shook the structure is shown where its records are still there. */
   if (item->input.project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    qn_project_read_records (&item->input.project, NULL, FALSE, NULL);
+    qn_project_read_records (&item->input.project, NULL, options->allow_outside, NULL);
   return QN_EXIT_DONE;
 }
 
 /* A project without results is solved; what comes out is read again as a file, so that the check
  * and the report see what a file would hold. */
 static QnExit
-solve (Item *item, const char *model)
+solve (Item *item, const char *model, const QnInputOptions *options)
 {
   QnSheetItem solved;
   GError *error = NULL;
-  memset (&solved, 0, sizeof solved);
-  QnExit code = qn_input_load (&solved.input, model, NULL);
+  QnExit code = qn_sheet_item_load (&solved, model, NULL, options);
   if (code != QN_EXIT_DONE)
     return code;
-  qn_interrupt_install ();
-  code = qn_sheet_item_solve (&solved);
-  g_autofree char *folder =
-    code == QN_EXIT_DONE ? g_dir_make_tmp ("quoin-XXXXXX", &error) : NULL;
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", &error);
   if (folder != NULL) {
     g_autofree char *path = g_build_filename (folder, "result.json", NULL);
     if (qn_result_file_write (path, &solved.input.project, &solved.input.contacts,
                               &solved.file.result, &error)) {
-      code = load_item (item, model, path);
+      /* The file names the overrides. */
+      QnInputOptions again = { .allow_outside = options->allow_outside };
+      code = load_item (item, model, path, &again);
       g_free (item->report.name);
       item->report.name =
         code == QN_EXIT_DONE ? g_strdup (_ ("Analysis of the project")) : NULL;
@@ -144,16 +143,16 @@ make (const QnSubcommand *self, const Options *options, const char *model)
   g_autofree Item *items = g_new0 (Item, given + 1);
   gsize count = 0;
   QnInput input;
-  QnExit code = qn_input_load (&input, model, NULL);
+  QnExit code = qn_input_load (&input, model, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
   code = plan_report (self, options, &input.project, &report.plan);
   for (guint i = 0; i < given && code == QN_EXIT_DONE; i++) {
-    code = load_item (&items[i], model, options->results[i]);
+    code = load_item (&items[i], model, options->results[i], &options->input);
     count += code == QN_EXIT_DONE;
   }
   if (given == 0 && code == QN_EXIT_DONE) {
-    code = solve (&items[0], model);
+    code = solve (&items[0], model, &options->input);
     count += code == QN_EXIT_DONE;
   }
   if (code == QN_EXIT_DONE)
@@ -177,9 +176,10 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "paper", 0, 0, G_OPTION_ARG_STRING, &options.paper, N_ ("Size of the pages (a4)"),
       "a4|letter" },
     { "sections", 0, 0, G_OPTION_ARG_STRING, &options.sections,
-      N_ ("Only these, commas between them: title, model, materials, loads, findings, "
-          "contacts, results, joints, certificate, comparison, files"),
-      N_ ("LIST") },
+      N_ ("Only these, commas between them"),
+      "title,model,materials,loads,findings,contacts,results,joints,certificate,"
+      "comparison,files" },
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   QnExit code = QN_EXIT_USAGE;

@@ -1,14 +1,30 @@
 #include "cli/figure/curve-table.h"
 
+#include "cli/base/message.h"
 #include "core/result/mechanism.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
+
+#include <glib/gi18n.h>
 
 gboolean
 qn_is_table (const char *path)
 {
   g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
   return lower != NULL && g_str_has_suffix (lower, ".csv");
+}
+
+QnExit
+qn_picture_or_table (const QnSubcommand *self, const QnPictureOptions *options,
+                     QnOutput *output)
+{
+  QnFormat format;
+  QnExit code = qn_picture_page (self, options, output);
+  if (code == QN_EXIT_DONE && !qn_is_table (options->path)
+      && !qn_format_of_path (options->path, &format, NULL))
+    return qn_cli_usage_error (self->name, "%s: %s", options->path,
+                               _ ("the name ends in .png, .svg, .pdf or .csv"));
+  return code;
 }
 
 /* A field in quotes, which are doubled within. */

@@ -2,8 +2,13 @@
 #ifndef QN_CLI_CURVE_TABLE_H
 #define QN_CLI_CURVE_TABLE_H
 
+#include "cli/base/picture.h"
 #include "cli/figure/sheet-input.h"
 #include "render/figure/curve-plot.h"
+
+/* Fills `output` as qn_picture_output() does, for a picture or a table. */
+QnExit qn_picture_or_table (const QnSubcommand *self, const QnPictureOptions *options,
+                            QnOutput *output);
 
 /* Whether a file of this name (nullable) is a table: the ending .csv. */
 gboolean qn_is_table (const char *path);

@@ -3,47 +3,51 @@
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
 #include "core/path/analysis.h"
+#include "io/text/outcome-text.h"
 
 #include <string.h>
 
 QnExit
-qn_sheet_item_solve (QnSheetItem *item)
+qn_sheet_item_solve (QnSheetItem *item, const QnInputOptions *options)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  QnExit code = qn_input_read_records (&item->input, FALSE);
-  if (code == QN_EXIT_DONE)
-    code = qn_input_require_sound (&item->input);
+  const QnProject *project = &item->input.project;
+  QnResult *result = &item->file.result;
+  QnExit code = qn_input_prepare (&item->input, options);
   if (code != QN_EXIT_DONE)
     return code;
 
+  qn_interrupt_install ();
   qn_terminal_progress_init (&progress, FALSE);
   QnStatus status =
-    qn_analysis_run (&item->input.project.model, &item->input.contacts,
-                     qn_terminal_progress_update, &progress, &item->file.result, &diag);
+    qn_analysis_run (&project->model, &item->input.contacts, qn_terminal_progress_update,
+                     &progress, result, &diag);
   qn_terminal_progress_done (&progress);
   if (qn_interrupt_seen ())
-    return qn_cli_cancelled (item->input.project.name);
-  return status == QN_OK ? QN_EXIT_DONE : qn_input_refuse (&item->input.project, &diag);
+    return qn_cli_cancelled (project->name);
+  if (status != QN_OK)
+    return qn_input_refuse (project, &diag);
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED
+      || result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE) {
+    g_autofree char *cause = qn_outcome_dup_cause (&project->model, result);
+    qn_cli_warning ("%s: %s", project->name, cause);
+  }
+  return QN_EXIT_DONE;
 }
 
-/* Reads the result named behind "=", or solves the project where none is named. An argument that is
- * itself the name of a file is taken as that, "=" or not. On failure the error is printed and *item
- * is empty. */
-static QnExit
-load_item (QnSheetItem *item, const char *argument)
+QnExit
+qn_sheet_item_load (QnSheetItem *item, const char *model, const char *result,
+                    const QnInputOptions *options)
 {
-  const char *equals = strrchr (argument, '=');
   memset (item, 0, sizeof *item);
-  if (equals != NULL && !g_file_test (argument, G_FILE_TEST_EXISTS)) {
-    g_autofree char *model = g_strndup (argument, (gsize) (equals - argument));
-    return qn_input_load_with_result (&item->input, &item->file, model, equals + 1, NULL);
-  }
+  if (result != NULL)
+    return qn_input_load_with_result (&item->input, &item->file, model, result, options);
 
-  QnExit code = qn_input_load (&item->input, argument, NULL);
+  QnExit code = qn_input_load (&item->input, model, options);
   if (code != QN_EXIT_DONE)
     return code;
-  code = qn_sheet_item_solve (item);
+  code = qn_sheet_item_solve (item, options);
   if (code != QN_EXIT_DONE)
     qn_sheet_item_clear (item);
   return code;
@@ -57,12 +61,19 @@ qn_sheet_item_clear (QnSheetItem *item)
 }
 
 QnExit
-qn_sheet_items_load (char **arguments, gsize count, QnSheetItem **items)
+qn_sheet_items_load (char **arguments, gsize count, const QnInputOptions *options,
+                     QnSheetItem **items)
 {
   *items = g_new0 (QnSheetItem, count);
-  qn_interrupt_install ();
   for (gsize i = 0; i < count; i++) {
-    QnExit code = load_item (&(*items)[i], arguments[i]);
+    const char *argument = arguments[i], *equals = strrchr (argument, '=');
+    if (g_file_test (argument, G_FILE_TEST_EXISTS))
+      equals = NULL;
+    g_autofree char *model = equals != NULL
+                               ? g_strndup (argument, (gsize) (equals - argument))
+                               : g_strdup (argument);
+    QnExit code = qn_sheet_item_load (&(*items)[i], model,
+                                      equals != NULL ? equals + 1 : NULL, options);
     if (code != QN_EXIT_DONE) {
       qn_sheet_items_free (*items, i);
       *items = NULL;

@@ -1,5 +1,5 @@
-/* Arguments of the form MODEL[=RESULT]: several projects, each with a result, as the
- * subcommands that put many of them side by side need it. */
+/* A project with its result, as the subcommands that show results need it: what is not there is
+ * solved. */
 #ifndef QN_CLI_SHEET_INPUT_H
 #define QN_CLI_SHEET_INPUT_H
 
@@ -10,15 +10,22 @@ typedef struct QnSheetItem {
   QnResultFile file; /* only `result` is filled where it was computed here */
 } QnSheetItem;
 
-/* Solves the project that item->input holds; on failure the user has been told. */
-QnExit qn_sheet_item_solve (QnSheetItem *item);
+/* Solves the project that item->input holds; on failure the user has been told. An end without an
+ * answer is a warning: what there is can be shown. */
+QnExit qn_sheet_item_solve (QnSheetItem *item, const QnInputOptions *options);
+
+/* Reads a project with the result of that name, or solves it where `result` is NULL. On failure the
+ * user has been told and *item is empty. */
+QnExit qn_sheet_item_load (QnSheetItem *item, const char *model, const char *result,
+                           const QnInputOptions *options);
 
 void qn_sheet_item_clear (QnSheetItem *item);
 
-/* Loads count items: reads the result named behind "=", or solves the project where none is named.
+/* Loads count items of the form MODEL[=RESULT], several projects that are put side by side.
  * An argument that is itself the name of a file is taken as that, "=" or not. On failure the user
  * has been told and nothing is left. Free with qn_sheet_items_free(). */
-QnExit qn_sheet_items_load (char **arguments, gsize count, QnSheetItem **items);
+QnExit qn_sheet_items_load (char **arguments, gsize count, const QnInputOptions *options,
+                            QnSheetItem **items);
 void qn_sheet_items_free (QnSheetItem *items, gsize count);
 
 /* Title of the project, or else the name of its file without folders; borrowed. */

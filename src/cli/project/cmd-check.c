@@ -11,8 +11,8 @@
 
 typedef struct Options {
   char *result;
-  char **overrides;
-  gboolean json, allow_outside;
+  QnInputOptions input;
+  gboolean json;
 } Options;
 
 static QnExit
@@ -30,15 +30,15 @@ static QnExit
 check_model (const Options *options, const char *path)
 {
   QnInput input;
-  QnExit code = qn_input_read (&input, path, options->overrides);
+  QnExit code = qn_input_read (&input, path, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
 
   QnCheckReport report = { .input = &input };
   GError *unread = NULL;
-  gboolean complete =
-    input.project.model.analysis.procedure != QN_PROCEDURE_DYNAMIC
-    || qn_project_read_records (&input.project, NULL, options->allow_outside, &unread);
+  gboolean complete = input.project.model.analysis.procedure != QN_PROCEDURE_DYNAMIC
+                      || qn_project_read_records (&input.project, NULL,
+                                                  options->input.allow_outside, &unread);
   QnDiag diag = { 0 };
   gboolean sound =
     qn_contacts_require_sound (&input.project.model, &input.contacts, &diag) == QN_OK;
@@ -74,7 +74,8 @@ find_faults (const Options *options, QnInput *input, const QnResultFile *file,
 {
   const char *name = options->result;
   if (file->result.history.width > 0
-      && !qn_project_read_records (&input->project, NULL, options->allow_outside, error))
+      && !qn_project_read_records (&input->project, NULL, options->input.allow_outside,
+                                   error))
     return FALSE;
   return qn_result_file_find_faults (file, name, &input->project, &input->contacts,
                                      faults, error)
@@ -97,7 +98,7 @@ check_result (const Options *options, const char *path)
     return qn_cli_fail (error);
   gboolean same_bytes;
   QnExit code = qn_input_load_for_result (&input, &file, path, options->result,
-                                          options->overrides, &same_bytes);
+                                          &options->input, &same_bytes);
   if (code != QN_EXIT_DONE)
     return code;
 
@@ -135,8 +136,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Print a form that programs can read"), NULL },
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Check everything in this result as well"), N_ ("RESULT.json") },
-    QN_INPUT_SET_ENTRY (&options.overrides),
-    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   QnExit code = QN_EXIT_USAGE;

@@ -1,6 +1,7 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/subcommand.h"
+#include "doc/edit/edit.h"
 #include "io/exchange/drawing-import.h"
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"
@@ -11,13 +12,13 @@
 
 typedef struct Options {
   char *output, *result, *unit, *table;
-  char **overrides;
+  QnInputOptions input;
   double scale;
 } Options;
 
-typedef enum { FORMAT_DXF, FORMAT_PVD, FORMAT_CSV, FORMAT_COUNT } Format;
+typedef enum { FORMAT_DXF, FORMAT_PVD, FORMAT_CSV, FORMAT_QUOIN, FORMAT_COUNT } Format;
 
-static const char *const endings[] = { ".dxf", ".pvd", ".csv" };
+static const char *const endings[] = { ".dxf", ".pvd", ".csv", ".quoin" };
 
 static Format
 format_of (const char *path)
@@ -45,15 +46,32 @@ write_csv (const Options *options, const QnInput *input, const QnResult *result,
   return qn_curve_csv_write (options->output, project, result, error);
 }
 
+/* Walls and masonry become the polygons that they expand to, of the same names. */
+static gboolean
+write_polygons (const Options *options, QnInput *input, GError **error)
+{
+  QnModel *model = &input->project.model;
+  gboolean bound = FALSE;
+  g_autofree QnId *all = g_new (QnId, model->block_count + 1);
+  for (gsize i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    bound = bound || block->wall != QN_NONE || block->masonry != QN_NONE;
+    all[i] = (QnId) i;
+  }
+  QnBlockSet set = { all, (guint) model->block_count };
+  return (!bound || qn_edit_detach (model, set, error))
+         && qn_project_save (&input->project, options->output, error);
+}
+
 static QnExit
 load_and_export (const Options *options, Format format, const char *path)
 {
   QnInput input;
   QnResultFile file;
   gboolean with_result = options->result != NULL;
-  QnExit code = with_result ? qn_input_load_with_result (
-                  &input, &file, path, options->result, options->overrides)
-                            : qn_input_load (&input, path, options->overrides);
+  QnExit code = with_result ? qn_input_load_with_result (&input, &file, path,
+                                                         options->result, &options->input)
+                            : qn_input_load (&input, path, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
   const QnResult *result = with_result ? &file.result : NULL;
@@ -72,6 +90,9 @@ load_and_export (const Options *options, Format format, const char *path)
   case FORMAT_CSV:
     done = write_csv (options, &input, result, &error);
     break;
+  case FORMAT_QUOIN:
+    done = write_polygons (options, &input, &error);
+    break;
   case FORMAT_COUNT:
     break;
   }
@@ -85,19 +106,22 @@ load_and_export (const Options *options, Format format, const char *path)
 static QnExit
 check_options (const QnSubcommand *self, const Options *options, Format *format)
 {
-  static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
-                                        NULL };
+  static const char *const tables[] = { "curve", "displacements", "contacts", "beams" };
   const char *problem = NULL;
+  gsize table = 0;
+  while (options->table != NULL && table < G_N_ELEMENTS (tables)
+         && strcmp (tables[table], options->table) != 0)
+    table++;
+  if (table == G_N_ELEMENTS (tables))
+    return qn_cli_refuse_name (self->name, options->table, tables, table);
   if (options->output == NULL)
     problem = _ ("-o is missing");
   else if ((*format = format_of (options->output)) == FORMAT_COUNT)
-    problem = _ ("the output must end in .dxf, .pvd or .csv");
+    problem = _ ("the output must end in .dxf, .pvd, .csv or .quoin");
   else if (options->unit != NULL && qn_import_unit (options->unit) == 0)
     problem = _ ("--unit must be mm, cm, dm, m, in or ft");
   else if (*format == FORMAT_CSV && options->result == NULL)
     problem = _ ("a table needs --result");
-  else if (options->table != NULL && !g_strv_contains (tables, options->table))
-    problem = _ ("--table must be curve, displacements, contacts or beams");
   if (problem == NULL)
     return QN_EXIT_DONE;
   return qn_cli_usage_error (self->name, "%s", problem);
@@ -109,18 +133,17 @@ run (const QnSubcommand *self, int argc, char **argv)
   Options options = { .scale = 1 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("File to write; its ending chooses the format"), N_ ("OUT.dxf|pvd|csv") },
+      N_ ("File to write; its ending chooses the format"), N_ ("OUT.dxf|pvd|csv|quoin") },
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result of the project, for the deformed shape, steps and tables"),
       N_ ("RESULT.json") },
-    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit,
-      N_ ("Unit of the DXF file: mm, cm, dm, m (default), in or ft"), N_ ("UNIT") },
+    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit, N_ ("Unit of the DXF file (m)"),
+      "mm|cm|dm|m|in|ft" },
     { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &options.scale,
       N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
     { "table", 0, 0, G_OPTION_ARG_STRING, &options.table,
-      N_ ("Table of the CSV file: curve (default), displacements, contacts or beams"),
-      N_ ("TABLE") },
-    QN_INPUT_SET_ENTRY (&options.overrides),
+      N_ ("Table of the CSV file (curve)"), "curve|displacements|contacts|beams" },
+    QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
   Format format = FORMAT_COUNT;
@@ -135,12 +158,13 @@ run (const QnSubcommand *self, int argc, char **argv)
 
 const QnSubcommand qn_cmd_export = {
   .name = "export",
-  .arguments = "MODEL -o OUT.dxf|pvd|csv",
-  .summary = N_ ("Write DXF for CAD programs, PVD for ParaView, tables as CSV"),
+  .arguments = "MODEL -o OUT.dxf|pvd|csv|quoin",
+  .summary = N_ ("Write DXF for CAD programs, PVD for ParaView, tables as CSV, polygons"),
   .help =
     N_ ("DXF has the layers BLOCKS, SUPPORTS, CONTACTS, BEAM_AXES where there are any "
         "and, with "
         "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
-        "beams one more, and one with the contact forces."),
+        "beams one more, and one with the contact forces. A project is written with its "
+        "walls and masonry as polygons."),
   .run = run,
 };

@@ -82,8 +82,8 @@ run (const QnSubcommand *self, int argc, char **argv)
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Project file to write"), N_ ("MODEL.quoin") },
-    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit,
-      N_ ("Unit of the drawing: mm, cm, dm, m, in or ft"), N_ ("UNIT") },
+    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit, N_ ("Unit of the drawing"),
+      "mm|cm|dm|m|in|ft" },
     { "report", 0, 0, G_OPTION_ARG_NONE, &options.report,
       N_ ("List everything that was repaired or left out"), NULL },
     { "layer", 0, 0, G_OPTION_ARG_STRING_ARRAY, &settings->layers,

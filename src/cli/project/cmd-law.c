@@ -258,12 +258,11 @@ run (const QnSubcommand *self, int argc, char **argv)
 
 const QnSubcommand qn_cmd_law = {
   .name = "law",
-  .arguments = "NAME",
+  .arguments = "elastic|no-tension|coulomb|mohr-coulomb|bilinear|elastic-plastic|"
+               "concrete|steel|curve|NAME",
   .summary = N_ ("Show how a constitutive law responds to a history of elongations"),
   .help =
-    N_ ("NAME is elastic, no-tension, coulomb, mohr-coulomb, bilinear, elastic-plastic, "
-        "concrete, steel or curve, with typical numbers, or a law of the project that "
-        "--model "
-        "names. Without --plot the table goes to standard output."),
+    N_ ("A kind has typical numbers; NAME is a law of the project that --model names. "
+        "Without --plot the table goes to standard output."),
   .run = run,
 };

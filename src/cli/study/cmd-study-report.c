@@ -148,10 +148,12 @@ plot (const QnSubcommand *self, const PlotOptions *options, const char *folder)
   GError *error = NULL;
   QnStudyFigure figure = { .monochrome = options->picture.monochrome };
   qn_output_init (&output);
+  if (options->kind == NULL)
+    return qn_cli_usage_error (self->name, _ ("--kind is missing"));
   if (!find_kind (options->kind, &figure.kind))
-    return qn_cli_usage_error (self->name, _ ("--kind is scatter, histogram, cumulative, "
-                                              "tornado, surface, envelope or "
-                                              "mechanisms"));
+    return qn_cli_refuse_name (self->name,
+                               options->kind != NULL ? options->kind : "--kind",
+                               qn_study_figure_names, QN_STUDY_FIGURE_COUNT);
   QnExit code = qn_picture_output (self, &options->picture, &output);
   if (code == QN_EXIT_DONE)
     code = load_table (folder, &study, &table);
@@ -172,9 +174,8 @@ run_plot (const QnSubcommand *self, int argc, char **argv)
 {
   PlotOptions options = { 0 };
   const GOptionEntry entries[] = {
-    { "kind", 'k', 0, G_OPTION_ARG_STRING, &options.kind,
-      N_ ("scatter, histogram, cumulative, tornado, surface, envelope or mechanisms"),
-      N_ ("KIND") },
+    { "kind", 'k', 0, G_OPTION_ARG_STRING, &options.kind, N_ ("What is drawn"),
+      "scatter|histogram|cumulative|tornado|surface|envelope|mechanisms" },
     { "of", 0, 0, G_OPTION_ARG_STRING, &options.of,
       N_ ("The output; the first one by default"), N_ ("NAME") },
     { "by", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.by,
