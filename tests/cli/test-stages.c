@@ -196,6 +196,48 @@ test_verify_uncertain (void)
   cli_run_clear (&run);
 }
 
+/* A loss of stability is told of every stage: in text, events, curve and table, and the check of the result
+ * finds its step. */
+static void
+test_buckled_before (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = example ("35-beam-column.quoin");
+  g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+  g_autofree char *table = g_build_filename (folder, "r.csv", NULL);
+  g_autofree char *item = g_strconcat (model, "=", result, NULL);
+  g_autofree char *curve = g_build_filename (folder, "c.csv", NULL);
+  static const char *const stages[] = {
+    "analysis={\"geometry\":\"nonlinear\",\"stages\":[{\"loads\":\"live\",\"target\":700}"
+    "]}",
+    "analysis={\"geometry\":\"nonlinear\",\"stages\":[{\"loads\":\"live\",\"target\":700}"
+    ","
+    "{\"loads\":\"live\",\"target\":10}]}",
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (stages); i++) {
+    cli_says (i == 0 ? "Stability is lost at a load multiplier of 617.3"
+                     : "Stability was lost in stage 1, at a load multiplier of 617.3",
+              "solve", model, "--set", stages[i], "-o", result, "--csv", table, NULL);
+    cli_do ("check", model, "--result", result, NULL);
+    g_autofree char *json = cli_read (result), *rows = cli_read (table);
+    g_assert_nonnull (strstr (json, "\"kind\": \"buckling\", \"stage\": 0"));
+    g_assert_nonnull (strstr (rows, "buckling"));
+    cli_do ("curve", item, "-o", curve, NULL);
+    g_autofree char *points = cli_read (curve);
+    const char *point = strstr (points, "limit point");
+    g_assert_nonnull (point);
+    while (point > points && point[-1] != '\n')
+      point--;
+    g_assert_nonnull (g_strstr_len (point, 80, ",617.3"));
+
+    /* At another multiplier it is not true. */
+    g_autofree char *moved =
+      cli_replace (json, "{ \"multiplier\": 617.3", "{ \"multiplier\": 618.3");
+    g_assert_true (g_file_set_contents (result, moved, -1, NULL));
+    cli_fails (3, "not true", "check", model, "--result", result, NULL);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/cli/stages/refused", test_refused);
@@ -204,6 +246,7 @@ QN_TESTS
   g_test_add_func ("/cli/stages/reasons", test_reasons);
   g_test_add_func ("/cli/stages/stability", test_stability);
   g_test_add_func ("/cli/stages/stability-linear", test_stability_linear);
+  g_test_add_func ("/cli/stages/buckled-before", test_buckled_before);
   g_test_add_func ("/cli/stages/verify", test_verify);
   g_test_add_func ("/cli/stages/verify-uncertain", test_verify_uncertain);
 }

@@ -81,7 +81,7 @@ print_summary (const QnProject *project, const QnResult *result)
 {
   const QnStatistics *spent = &result->statistics;
   const char *title = project->model.title != NULL ? project->model.title : project->name;
-  double buckled;
+  const QnPathEvent *buckled = qn_result_find_buckling (result);
 
   if (result->history.width > 0)
     print_history (title, project, result);
@@ -95,8 +95,9 @@ print_summary (const QnProject *project, const QnResult *result)
   else if (result->outcome == QN_OUTCOME_SNAP)
     printf (_ ("%s: stopped at the first limit point, load multiplier %.5f\n"), title,
             result->first_limit_multiplier);
-  else if (qn_result_has_buckled (result, &buckled))
-    printf (_ ("%s: stability is lost at load multiplier %.6g\n"), title, buckled);
+  else if (buckled != NULL)
+    printf (_ ("%s: stability is lost at load multiplier %.6g\n"), title,
+            buckled->multiplier);
   else if (result->step_count > 0)
     printf (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
             result->steps[result->step_count - 1].multiplier);

@@ -15,8 +15,9 @@
 /* Whether a block takes part is not told by rounding. */
 #define NEARLY 1e-6
 
-/* The steps of the last stage: the one that it begins with, and the last. */
+/* The steps of a stage: the one that it begins with, and the last. */
 typedef struct {
+  int32_t stage;
   size_t base, last;
   double origin; /* multiplier where it begins */
   double sense;  /* -1: it falls */
@@ -37,20 +38,23 @@ multiplier_at (const QnCheck *check, const Stretch *stretch, size_t step)
 }
 
 static Stretch
-find_stretch (const QnCheck *check)
+find_stretch (const QnCheck *check, int32_t number)
 {
   const QnResult *r = check->result;
   const QnModel *model = check->model;
-  Stretch stretch = { .last = r->step_count - 1, .sense = 1, .sets = 1 };
+  Stretch stretch = { .stage = number, .last = r->step_count - 1, .sense = 1, .sets = 1 };
   double factors[QN_MAX_LOAD_SETS] = { 0 };
   QnProcedure procedure = model->analysis.procedure;
 
-  if (r->stage > 0 && (size_t) r->stage <= model->stage_count) {
-    const QnStage *stage = &model->stages[r->stage - 1];
+  if (number > 0 && (size_t) number <= model->stage_count) {
+    const QnStage *stage = &model->stages[number - 1];
     int set = QN_MAX_LOAD_SETS - 1;
+    while (number < r->stage && stretch.last > 0
+           && r->steps[stretch.last].stage != number)
+      stretch.last--;
     stretch.sets = stage->sets;
     stretch.base = stretch.last;
-    while (stretch.base > 0 && r->steps[stretch.base].stage == r->stage)
+    while (stretch.base > 0 && r->steps[stretch.base].stage == number)
       stretch.base--;
     qn_result_load_factors (model, r, stretch.base, factors);
     while (set > 0 && (stage->sets >> set & 1) == 0)
@@ -278,7 +282,7 @@ is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_
   bool collapses = event->kind == QN_EVENT_KIND_COLLAPSE;
 
   *start = (size_t) found;
-  if (found < 0 || event->stage != r->stage || !suits_kind (event)
+  if (found < 0 || event->stage != stretch->stage || !suits_kind (event)
       || !(event->energy >= 0) || !(event->displacement_after >= 0)
       || !has_movers (check, event))
     return false;
@@ -336,16 +340,18 @@ qn_check_events (QnCheck *check)
   if (r->events_unknown || r->stability != QN_STABILITY_UNKNOWN || r->limit.given
       || r->history.width > 0 || r->step_count == 0)
     return;
-  Stretch stretch = find_stretch (check);
+  Stretch stretch = find_stretch (check, r->stage);
   for (size_t i = 0; i < r->event_count; i++) {
     const QnPathEvent *event = &r->events[i];
     size_t start;
+    bool earlier = event->stage < r->stage && event->kind == QN_EVENT_KIND_BUCKLING;
+    Stretch own = earlier ? find_stretch (check, event->stage) : stretch;
     collapses += event->kind == QN_EVENT_KIND_COLLAPSE;
-    bool in_order = (i == 0
+    bool in_order = (i == 0 || event->stage > r->events[i - 1].stage
                      || stretch.sense * event->multiplier
                           >= stretch.sense * r->events[i - 1].multiplier)
                     && (event->kind != QN_EVENT_KIND_COLLAPSE || i + 1 == r->event_count);
-    if (!in_order || !is_true (check, &stretch, event, &start)) {
+    if (!in_order || !is_true (check, &own, event, &start)) {
       qn_check_tell (check, QN_CLAIM_EVENTS, QN_NONE, QN_ENTITY_ANALYSIS, (QnId) i,
                      event->multiplier, NAN);
       return;

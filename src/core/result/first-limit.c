@@ -3,6 +3,7 @@
 #include <math.h>
 
 #define FELT 1e-3 /* of the collapse multiplier */
+#define SAME 1e-9 /* numbers that stand in a result twice */
 
 static bool
 is_felt_at (const QnResult *result, double multiplier)
@@ -24,14 +25,23 @@ qn_result_is_felt (const QnResult *result, const QnPathEvent *event)
   return event->kind != QN_EVENT_KIND_LOCAL && is_felt_at (result, event->multiplier);
 }
 
-bool
-qn_result_has_buckled (const QnResult *result, double *multiplier)
+const QnPathEvent *
+qn_result_find_buckling (const QnResult *result)
 {
   for (size_t i = 0; i < result->event_count; i++)
-    if (result->events[i].kind == QN_EVENT_KIND_BUCKLING) {
-      if (multiplier != NULL)
-        *multiplier = result->events[i].multiplier;
-      return true;
-    }
-  return false;
+    if (result->events[i].kind == QN_EVENT_KIND_BUCKLING)
+      return &result->events[i];
+  return NULL;
+}
+
+ptrdiff_t
+qn_result_buckling_step (const QnResult *result, const QnPathEvent *event)
+{
+  double at = event->multiplier;
+
+  for (size_t s = 0; s < result->step_count; s++)
+    if (result->steps[s].stage == event->stage
+        && fabs (result->steps[s].multiplier - at) <= SAME * fabs (at))
+      return (ptrdiff_t) s;
+  return -1;
 }

@@ -13,8 +13,11 @@ bool qn_result_has_felt_limit (const QnResult *result);
  * load that is not felt. */
 bool qn_result_is_felt (const QnResult *result, const QnPathEvent *event);
 
-/* Whether the branch that a path came on has lost its stability (an event "buckling"), and at which
- * multiplier (nullable). */
-bool qn_result_has_buckled (const QnResult *result, double *multiplier);
+/* Where the branch that a path came on has lost its stability first: its event "buckling", or NULL. */
+const QnPathEvent *qn_result_find_buckling (const QnResult *result);
+
+/* The step where a branch loses its stability: the first of the event's stage at its multiplier. -1 for
+ * none. */
+ptrdiff_t qn_result_buckling_step (const QnResult *result, const QnPathEvent *event);
 
 #endif

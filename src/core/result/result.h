@@ -252,7 +252,9 @@ typedef struct QnResult {
   double
     first_limit_multiplier; /* of the first snap, or where `stability` finds the limit */
 
-  QnPathEvent *events; /* by multiplier, those of the last stage */
+  QnPathEvent
+    *events; /* by multiplier, those of the last stage; before them where earlier ones
+                          have lost their stability */
   size_t event_count, event_capacity;
   bool events_unknown; /* read from a file of an earlier version, which has none */
 
@@ -394,6 +396,9 @@ extern const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT];
 
 /* Drops all events, and first_limit_multiplier. */
 void qn_result_clear_events (QnResult *result);
+
+/* The same, but for losses of stability, which are told of every stage. */
+void qn_result_keep_buckling (QnResult *result);
 
 /* Section forces by element of the step that was added last. False when memory runs out. */
 bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);

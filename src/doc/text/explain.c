@@ -114,7 +114,7 @@ qn_explain_outcome_label (const QnResult *result)
   if (result->outcome == QN_OUTCOME_TARGET_REACHED && result->history.width > 0)
     return _ ("End of the duration");
   if (result->outcome == QN_OUTCOME_TARGET_REACHED
-      && qn_result_has_buckled (result, NULL))
+      && qn_result_find_buckling (result) != NULL)
     return _ ("Buckled");
   return _ (texts[result->outcome]);
 }

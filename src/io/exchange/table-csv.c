@@ -1,6 +1,7 @@
 #include "io/exchange/table-csv.h"
 
 #include "core/result/curve-motion.h"
+#include "core/result/first-limit.h"
 #include "io/result/result-contact.h"
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
@@ -129,6 +130,8 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   if (writer == NULL)
     return FALSE;
   QnId block = qn_result_curve_motion (&project->model, result).body;
+  const QnPathEvent *buckling = qn_result_find_buckling (result);
+  ptrdiff_t buckles = buckling != NULL ? qn_result_buckling_step (result, buckling) : -1;
 
   qn_file_writer_puts (writer, "step,multiplier [-]");
   for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
@@ -151,7 +154,8 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
         QN_DOF_COUNT);
     qn_file_writer_printf (writer, ",%d", step->iterations);
     write_numbers (writer, &step->residual, 1);
-    qn_file_writer_printf (writer, ",%s", events[step->event]);
+    qn_file_writer_printf (writer, ",%s",
+                           (ptrdiff_t) i == buckles ? "buckling" : events[step->event]);
     if (project->model.stage_count > 0)
       qn_file_writer_puts (writer, ",");
     if (step->stage > 0 && (size_t) step->stage <= project->model.stage_count) {

@@ -251,13 +251,18 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
 static char *
 explain_buckling (const QnResult *result)
 {
-  double multiplier;
-  return qn_result_has_buckled (result, &multiplier)
-           ? g_strdup_printf (_ ("Stability is lost at a load multiplier of %.5g: the "
-                                 "structure buckles, and what follows is the path of the "
-                                 "buckled structure."),
-                              multiplier)
-           : NULL;
+  const QnPathEvent *event = qn_result_find_buckling (result);
+  if (event == NULL)
+    return NULL;
+  if (event->stage < result->stage)
+    return g_strdup_printf (
+      _ ("Stability was lost in stage %d, at a load multiplier of %.5g: the structure "
+         "buckled, and all that follows is the path of the buckled structure."),
+      event->stage, event->multiplier);
+  return g_strdup_printf (_ ("Stability is lost at a load multiplier of %.5g: the "
+                             "structure buckles, and what follows is the path of the "
+                             "buckled structure."),
+                          event->multiplier);
 }
 
 /* How many pairs have lost their bond; NULL where none has. */

@@ -12,8 +12,11 @@ static ptrdiff_t
 find_limit_point (const QnResult *result)
 {
   double limit = result->first_limit_multiplier;
+  const QnPathEvent *buckling = qn_result_find_buckling (result);
 
-  if (!qn_result_has_buckled (result, &limit) && !qn_result_has_felt_limit (result))
+  if (buckling != NULL)
+    return qn_result_buckling_step (result, buckling);
+  if (!qn_result_has_felt_limit (result))
     return -1;
   double blur = 1e-9 * fabs (limit) + 1e-12;
   for (size_t s = 0; s < result->step_count; s++)
