@@ -1,14 +1,19 @@
 #define _GNU_SOURCE /* renameat2() */
 #include "disk/file-group.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+/* Name of the hidden folder, as mkdtemp() takes it. */
+#define PATTERN ".gather.XXXXXX"
 
 static char *
 join (const char *folder, const char *name)
@@ -20,15 +25,78 @@ join (const char *folder, const char *name)
   return path;
 }
 
+/* Makes the hidden folder and locks it, which tells others that it is in use. */
+static int
+make_hidden (QnFileGroup *group)
+{
+  char *name = group->hidden + strlen (group->hidden) - strlen (PATTERN);
+  struct stat status;
+
+  do {
+    strcpy (name, PATTERN);
+    if (mkdtemp (group->hidden) == NULL)
+      return errno;
+    group->lock = open (group->hidden, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (group->lock < 0) {
+      int trouble = errno;
+      rmdir (group->hidden);
+      return trouble;
+    }
+    (void) !flock (group->lock,
+                   LOCK_EX | LOCK_NB); /* no matter where there are no locks */
+    /* Another writer may have taken it for one that was left, before the lock. */
+  } while (fstat (group->lock, &status) == 0 && status.st_nlink == 0
+           && close (group->lock) == 0);
+  return 0;
+}
+
+/* Removes a hidden folder whose writer is no more: nobody holds its lock. */
+static void
+remove_left (const char *path)
+{
+  int lock = open (path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  DIR *left = lock >= 0 && flock (lock, LOCK_EX | LOCK_NB) == 0 ? fdopendir (lock) : NULL;
+
+  if (left == NULL) {
+    if (lock >= 0)
+      close (lock);
+    return;
+  }
+  for (struct dirent *entry = readdir (left); entry != NULL; entry = readdir (left))
+    (void) !unlinkat (lock, entry->d_name, 0); /* "." and ".." are no files */
+  (void) !rmdir (path);
+  closedir (left);
+}
+
+/* A program that was killed leaves its hidden folder: the next one in the same place removes it. */
+static void
+remove_all_left (const char *folder)
+{
+  DIR *entries = opendir (folder);
+
+  for (struct dirent *entry = entries != NULL ? readdir (entries) : NULL; entry != NULL;
+       entry = readdir (entries)) {
+    if (strlen (entry->d_name) != strlen (PATTERN)
+        || strncmp (entry->d_name, PATTERN, strlen (PATTERN) - 6) != 0)
+      continue;
+    char *path = join (folder, entry->d_name);
+    if (path != NULL)
+      remove_left (path);
+    free (path);
+  }
+  if (entries != NULL)
+    closedir (entries);
+}
+
 int
 qn_file_group_open (QnFileGroup *group, const char *folder)
 {
-  int trouble = ENOMEM;
-
-  *group = (QnFileGroup){ .folder = strdup (folder[0] != '\0' ? folder : ".") };
-  group->hidden = group->folder != NULL ? join (group->folder, ".gather.XXXXXX") : NULL;
+  *group =
+    (QnFileGroup){ .folder = strdup (folder[0] != '\0' ? folder : "."), .lock = -1 };
+  group->hidden = group->folder != NULL ? join (group->folder, PATTERN) : NULL;
   if (group->hidden != NULL)
-    trouble = mkdtemp (group->hidden) != NULL ? 0 : errno;
+    remove_all_left (group->folder);
+  int trouble = group->hidden != NULL ? make_hidden (group) : ENOMEM;
   if (trouble != 0) {
     free (group->folder);
     free (group->hidden);
@@ -109,8 +177,10 @@ qn_file_group_discard (QnFileGroup *group)
     free (path);
     free (group->names[i]);
   }
-  if (group->hidden != NULL)
+  if (group->hidden != NULL) {
     rmdir (group->hidden);
+    close (group->lock);
+  }
   free (group->names);
   free (group->folder);
   free (group->hidden);

@@ -3,7 +3,7 @@
  * They are collected in a hidden folder beside their places, ".gather.XXXXXX", and replace what was
  * there when all of them are complete. What goes wrong until then, or while they do,
  * leaves the old files as they were; only a kill in the moment of the exchange can leave some new
- * and some old, and a kill before it the hidden folder.
+ * and some old, and a kill before it the hidden folder, which the next group in the same place removes.
  *
  *   QnFileGroup group;
  *   int trouble = qn_file_group_open (&group, "frames");
@@ -22,6 +22,7 @@ typedef struct QnFileGroup {
   char *hidden; /* the folder that they gather in */
   char **names; /* of the files, in the order they were added */
   size_t count;
+  int lock; /* descriptor of the hidden folder, locked as long as its writer lives */
 } QnFileGroup;
 
 /* The folder must exist. On failure there is nothing to give up. */

@@ -20,7 +20,7 @@ static const Layer layers[] = {
       "limit", "dynamics", "check", "path", "modal", "capacity" },
     { "core/" },
     { "klu.h", "cholmod.h", "amd.h", "camd.h", "colamd.h", "SuiteSparse_config.h" } },
-  { "disk", { NULL }, { "disk/" }, { NULL } },
+  { "disk", { NULL }, { "disk/" }, { "dirent.h" } },
   { "stereotomy", { NULL }, { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",
     { "text", "json", "project", "result", "exchange" },
@@ -57,11 +57,13 @@ static const Layer layers[] = {
 
 /* Of the C and POSIX libraries. What of them the core may call is another check. */
 static const char *const everywhere[] = {
-  "assert.h",  "ctype.h",  "errno.h",    "float.h",        "inttypes.h", "limits.h",
-  "locale.h",  "math.h",   "setjmp.h",   "signal.h",       "stdarg.h",   "stdint.h",
-  "stdbool.h", "stddef.h", "stdio.h",    "stdlib.h",       "string.h",   "time.h",
-  "unistd.h",  "fcntl.h",  "sys/stat.h", "sys/resource.h", "sys/mman.h", "sys/file.h",
-  "libintl.h", "malloc.h", NULL,
+  "assert.h",   "ctype.h",        "errno.h",    "float.h",
+  "inttypes.h", "limits.h",       "locale.h",   "math.h",
+  "setjmp.h",   "signal.h",       "stdarg.h",   "stdint.h",
+  "stdbool.h",  "stddef.h",       "stdio.h",    "stdlib.h",
+  "string.h",   "time.h",         "unistd.h",   "fcntl.h",
+  "sys/stat.h", "sys/resource.h", "sys/mman.h", "sys/file.h",
+  "libintl.h",  "malloc.h",       NULL,         NULL,
 };
 
 static const Layer *

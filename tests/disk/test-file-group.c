@@ -97,10 +97,32 @@ test_refused (void)
   test_scratch_free (folder);
 }
 
+/* What a killed writer has left goes with the next group; what a living one gathers does not. */
+static void
+test_left (void)
+{
+  QnFileGroup living, next;
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *dead = g_build_filename (folder, ".gather.abcdef", NULL);
+  g_assert_cmpint (g_mkdir (dead, 0700), ==, 0);
+  set (dead, "a", "half");
+  g_assert_cmpint (qn_file_group_open (&living, folder), ==, 0);
+  g_assert_false (g_file_test (dead, G_FILE_TEST_EXISTS));
+  put (&living, "a", "new a");
+  g_assert_cmpint (qn_file_group_open (&next, folder), ==, 0);
+  put (&next, "b", "new b");
+  g_assert_cmpint (qn_file_group_commit (&living), ==, 0);
+  g_assert_cmpint (qn_file_group_commit (&next), ==, 0);
+  expect (folder, "a", "new a");
+  expect (folder, "b", "new b");
+  g_assert_cmpuint (test_scratch_count (folder), ==, 2);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/disk/file-group/commit", test_commit);
   g_test_add_func ("/disk/file-group/discard", test_discard);
   g_test_add_func ("/disk/file-group/undone", test_undone);
   g_test_add_func ("/disk/file-group/refused", test_refused);
+  g_test_add_func ("/disk/file-group/left", test_left);
 }
