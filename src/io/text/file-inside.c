@@ -58,7 +58,13 @@ qn_file_inside (const char *folder, const char *file, gboolean allow_outside,
   g_autofree char *path = folder == NULL || g_path_is_absolute (file)
                             ? g_strdup (file)
                             : g_build_filename (folder, file, NULL);
+  g_autofree char *parent = g_path_get_dirname (path);
   gboolean inside = folder != NULL && is_inside (folder, path);
+  if (!allow_outside && folder != NULL && !inside
+      && !g_file_test (parent, G_FILE_TEST_EXISTS)) {
+    qn_io_error_set_errno (error, path, _ ("cannot be opened"), ENOENT);
+    return NULL;
+  }
   if (allow_outside || (inside && !is_stream (path)))
     return g_steal_pointer (&path);
   g_autofree char *shown = g_filename_display_name (file);

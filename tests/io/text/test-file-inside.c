@@ -55,18 +55,10 @@ test_outside (void)
 {
   char *root = make_folders ();
   g_autofree char *project = g_build_filename (root, "project", NULL);
-  const char *outside[] = { "/etc/passwd",
-                            "../a.png",
-                            "../project-2/a.png",
-                            "out/a.png",
-                            "out",
-                            "..",
-                            ".",
-                            "nowhere.png",
-                            "pictures/../../a.png",
-                            "none/x/a.png",
-                            "round.png",
-                            "in/../../a.png" };
+  const char *outside[] = { "/etc/passwd", "../a.png",      "../project-2/a.png",
+                            "out/a.png",   "out",           "..",
+                            ".",           "nowhere.png",   "pictures/../../a.png",
+                            "round.png",   "in/../../a.png" };
   for (guint i = 0; i < G_N_ELEMENTS (outside); i++) {
     g_autoptr (GError) error = NULL;
     g_autofree char *path = qn_file_inside (project, outside[i], FALSE, &error);
@@ -74,6 +66,13 @@ test_outside (void)
     g_assert_null (path);
     g_autofree char *allowed = qn_file_inside (project, outside[i], TRUE, NULL);
     g_assert_nonnull (allowed);
+  }
+  /* A folder that is missing is told as that. */
+  const char *missing[] = { "none/a.png", "none/x/a.png", "../none/a.png" };
+  for (guint i = 0; i < G_N_ELEMENTS (missing); i++) {
+    g_autoptr (GError) absent = NULL;
+    g_assert_null (qn_file_inside (project, missing[i], FALSE, &absent));
+    g_assert_error (absent, QN_IO_ERROR, QN_IO_ERROR_FILE);
   }
   /* A project without a place has no inside. */
   g_autoptr (GError) error = NULL;
