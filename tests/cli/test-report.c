@@ -35,6 +35,17 @@ report (const char *folder, const char *name, const char *option, const char *va
   return path;
 }
 
+/* Nothing is written beside the report: a machine without temporary files is no hindrance. */
+static void
+test_without_temporary (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("02-overturning-block.quoin");
+  g_autofree char *path = g_build_filename (folder, "r.pdf", NULL);
+  const char *arguments[] = { "report", model, "-o", path, NULL };
+  cli_expect_done (cli_run_with (arguments, "TMPDIR", "/nonexistent"));
+}
+
 /* All sections of a project that is solved first; the same bytes each time. */
 static void
 test_whole (void)
@@ -269,6 +280,7 @@ test_refused (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/cli/report/without-temporary", test_without_temporary);
   g_test_add_func ("/cli/report/whole", test_whole);
   g_test_add_func ("/cli/report/pages", test_pages);
   g_test_add_func ("/cli/report/sections", test_sections);

@@ -5,7 +5,6 @@
 #include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
-#include <glib/gstdio.h>
 #include <string.h>
 
 typedef struct Options {
@@ -63,8 +62,7 @@ load_item (Item *item, const char *model, const char *result,
   return QN_EXIT_DONE;
 }
 
-/* A project without results is solved; what comes out is read again as a file, so that the check
- * and the report see what a file would hold. */
+/* A project without results is solved. */
 static QnExit
 solve (Item *item, const char *model, const QnInputOptions *options)
 {
@@ -73,23 +71,18 @@ solve (Item *item, const char *model, const QnInputOptions *options)
   QnExit code = qn_sheet_item_load (&solved, model, NULL, options);
   if (code != QN_EXIT_DONE)
     return code;
-  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", &error);
-  if (folder != NULL) {
-    g_autofree char *path = g_build_filename (folder, "result.json", NULL);
-    if (qn_result_file_write (path, &solved.input.project, &solved.input.contacts,
-                              &solved.file.result, &error)) {
-      /* The file names the overrides. */
-      QnInputOptions again = { .allow_outside = options->allow_outside };
-      code = load_item (item, model, path, &again);
-      g_free (item->report.name);
-      item->report.name =
-        code == QN_EXIT_DONE ? g_strdup (_ ("Analysis of the project")) : NULL;
-    }
-    g_unlink (path);
-    g_rmdir (folder);
+  gsize length;
+  g_autofree char *text = qn_result_dup_text (
+    &solved.input.project, &solved.input.contacts, &solved.file.result, &length);
+  item->input = solved.input;
+  solved.input = (QnInput){ 0 };
+  if (!qn_report_item_parse (&item->report, text, length, _ ("Analysis of the project"),
+                             &item->input.project, &item->input.contacts, &error)) {
+    qn_input_clear (&item->input);
+    code = qn_cli_fail (error);
   }
   qn_sheet_item_clear (&solved);
-  return error != NULL ? qn_cli_fail (error) : code;
+  return code;
 }
 
 static QnExit

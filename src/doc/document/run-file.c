@@ -5,6 +5,8 @@
 #include "doc/text/explain.h"
 #include "io/project/project-names.h"
 #include "io/result/result-file.h"
+#include "io/text/file-writer.h"
+
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -23,17 +25,18 @@ dup_overrides (const QnAnalysisSettings *own, const QnAnalysisSettings *projects
   return g_memdup2 (overrides, sizeof overrides);
 }
 
-gboolean
-qn_document_write_result (QnDocument *self, const QnRun *run, const char *path,
-                          GError **error)
+char *
+qn_document_dup_result (QnDocument *self, const QnRun *run, gsize *length, GError **error)
 {
-  if (run->kind != QN_RUN_ANALYSIS)
-    return qn_edit_refuse (error,
-                           _ ("Only load paths and limit analyses have result files"));
-  if (qn_document_is_stale (self, run))
-    return qn_edit_refuse (error,
-                           _ ("The model has changed since this run: solve it again, or "
+  if (run->kind != QN_RUN_ANALYSIS) {
+    qn_edit_refuse (error, _ ("Only load paths and limit analyses have result files"));
+    return NULL;
+  }
+  if (qn_document_is_stale (self, run)) {
+    qn_edit_refuse (error, _ ("The model has changed since this run: solve it again, or "
                               "undo the changes, before its result is kept"));
+    return NULL;
+  }
   QnProject project = *qn_document_get_project (self);
   g_auto (GStrv) overrides =
     dup_overrides (&run->model.analysis, &self->project.model.analysis);
@@ -42,7 +45,16 @@ qn_document_write_result (QnDocument *self, const QnRun *run, const char *path,
     project.overrides = overrides;
   if (self->path != NULL)
     project.name = self->path;
-  return qn_result_file_write (path, &project, &run->contacts, &run->result, error);
+  return qn_result_dup_text (&project, &run->contacts, &run->result, length);
+}
+
+gboolean
+qn_document_write_result (QnDocument *self, const QnRun *run, const char *path,
+                          GError **error)
+{
+  gsize length;
+  g_autofree char *text = qn_document_dup_result (self, run, &length, error);
+  return text != NULL && qn_file_write (path, text, length, error);
 }
 
 /* ---- reading ---- */

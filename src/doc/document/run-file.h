@@ -10,6 +10,10 @@
 gboolean qn_document_write_result (QnDocument *document, const QnRun *run,
                                    const char *path, GError **error);
 
+/* The text of that file; free with g_free(). */
+char *qn_document_dup_result (QnDocument *document, const QnRun *run, gsize *length,
+                              GError **error);
+
 /* Whether the file says of itself, at its beginning, that it is a result. */
 gboolean qn_is_result_file (const char *path);
 

@@ -4,7 +4,6 @@
 #include "render/backend/output.h"
 
 #include <glib/gi18n.h>
-#include <glib/gstdio.h>
 
 void
 qn_report_item_clear (QnReportItem *item)
@@ -44,24 +43,27 @@ qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
   };
 }
 
-/* A run as a file, read again: the check and the report see what a file would hold. */
+gboolean
+qn_report_item_parse (QnReportItem *item, const char *text, gsize length,
+                      const char *name, const QnProject *project,
+                      const QnContacts *contacts, GError **error)
+{
+  if (!qn_result_file_parse (text, length, name, &item->file, error))
+    return FALSE;
+  item->name = g_strdup (name);
+  qn_report_item_check (item, project, contacts, name);
+  return TRUE;
+}
+
 static gboolean
 load_item (QnReportItem *item, QnDocument *document, const QnRun *run,
            const QnProject *project, GError **error)
 {
-  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", error);
-  if (folder == NULL)
-    return FALSE;
-  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
-  gboolean done = qn_document_write_result (document, run, path, error)
-                  && qn_result_file_read (path, &item->file, error);
-  if (done) {
-    item->name = g_strdup (run->name);
-    qn_report_item_check (item, project, &run->contacts, path);
-  }
-  g_unlink (path);
-  g_rmdir (folder);
-  return done;
+  gsize length;
+  g_autofree char *text = qn_document_dup_result (document, run, &length, error);
+  return text != NULL
+         && qn_report_item_parse (item, text, length, run->name, project, &run->contacts,
+                                  error);
 }
 
 gboolean

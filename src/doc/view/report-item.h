@@ -19,6 +19,12 @@ typedef struct QnReportItem {
 void qn_report_item_check (QnReportItem *item, const QnProject *project,
                            const QnContacts *contacts, const char *path);
 
+/* What a file with this text would hold, read and checked: neither the check nor the report sees more of
+ * an analysis than its file. */
+gboolean qn_report_item_parse (QnReportItem *item, const char *text, gsize length,
+                               const char *name, const QnProject *project,
+                               const QnContacts *contacts, GError **error);
+
 /* As the report takes it; all borrowed. */
 QnReportRun qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
                                     const QnContacts *contacts);
