@@ -221,12 +221,11 @@ lay_listed_course (Course *course, QnDiag *diag)
   QnStatus status = QN_OK;
   for (; i < listed->course_ends[course->index] && status == QN_OK; i++) {
     double begin = end, length = listed->lengths[i];
-    if (!isfinite (length) || fabs (length) > QN_MAX_COURSE_LENGTH)
-      return qn_masonry_problem (
-        diag, isfinite (length) ? QN_PROBLEM_TOO_LARGE : QN_PROBLEM_NOT_FINITE, "courses",
-        length);
-    if (length == 0)
-      return qn_masonry_problem (diag, QN_PROBLEM_COURSE_LENGTH_ZERO, "courses", 0);
+    QnProblem problem =
+      length == 0 ? QN_PROBLEM_COURSE_LENGTH_ZERO
+                  : qn_number_problem (length, QN_RANGE_FINITE, QN_MAX_COURSE_LENGTH);
+    if (problem != QN_PROBLEM_NONE)
+      return qn_masonry_problem (diag, problem, "courses", length);
     end += fabs (length);
     if (length > 0)
       status = lay_unit (course, course->leaf->unit.x * begin, course->leaf->unit.x * end,

@@ -4,15 +4,15 @@
 QnStatus
 qn_arch_check (const QnArch *arch, QnDiag *diag)
 {
-  QnStatus status = qn_masonry_require_positive (arch->span, "span", diag);
+  QnStatus status = qn_masonry_require (arch->span, QN_RANGE_POSITIVE, "span", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (arch->rise, "rise", diag);
+    status = qn_masonry_require (arch->rise, QN_RANGE_POSITIVE, "rise", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (arch->ring, "ring", diag);
+    status = qn_masonry_require (arch->ring, QN_RANGE_POSITIVE, "ring", diag);
   if (status == QN_OK)
     status = qn_masonry_require_count (arch->voussoirs, 2, "voussoirs", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (arch->springer, "springer", diag);
+    status = qn_masonry_require (arch->springer, QN_RANGE_NOT_NEGATIVE, "springer", diag);
   if (status != QN_OK)
     return status;
   double half = arch->span / 2;

@@ -3,6 +3,7 @@
 #ifndef QN_STEREOTOMY_MASONRY_PARTS_H
 #define QN_STEREOTOMY_MASONRY_PARTS_H
 
+#include "core/base/numbers.h"
 #include "stereotomy/masonry.h"
 #include "stereotomy/pieces.h"
 
@@ -34,9 +35,9 @@ QnStatus qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag)
 QnStatus qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field,
                              double value);
 
-/* QN_OK if value is finite, within the coordinate limit and positive (or not negative). */
-QnStatus qn_masonry_require_positive (double value, const char *field, QnDiag *diag);
-QnStatus qn_masonry_require_not_negative (double value, const char *field, QnDiag *diag);
+/* QN_OK if a length keeps the range and the limit of coordinates. */
+QnStatus qn_masonry_require (double value, QnRange range, const char *field,
+                             QnDiag *diag);
 QnStatus qn_masonry_require_count (int32_t value, int32_t least, const char *field,
                                    QnDiag *diag);
 

@@ -14,13 +14,14 @@ check_portal (const QnPortal *portal, QnDiag *diag)
   if (status == QN_OK)
     status = qn_masonry_require_count (portal->courses, 1, "courses", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (portal->span, "span", diag);
+    status = qn_masonry_require (portal->span, QN_RANGE_POSITIVE, "span", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (portal->pier_width, "pier", diag);
+    status = qn_masonry_require (portal->pier_width, QN_RANGE_POSITIVE, "pier", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (portal->pier_height, "pier", diag);
+    status = qn_masonry_require (portal->pier_height, QN_RANGE_POSITIVE, "pier", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (portal->lintel_height, "lintel", diag);
+    status =
+      qn_masonry_require (portal->lintel_height, QN_RANGE_NOT_NEGATIVE, "lintel", diag);
   if (status == QN_OK
       && ((double) portal->bays + 1) * portal->courses
              + (double) portal->bays * portal->arch.voussoirs

@@ -34,13 +34,13 @@ noise (const QnRubble *rubble, int32_t row, int32_t column, uint32_t direction)
 static QnStatus
 check_rubble (const QnRubble *rubble, QnDiag *diag)
 {
-  QnStatus status = qn_masonry_require_positive (rubble->width, "width", diag);
+  QnStatus status = qn_masonry_require (rubble->width, QN_RANGE_POSITIVE, "width", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (rubble->top, "width", diag);
+    status = qn_masonry_require (rubble->top, QN_RANGE_POSITIVE, "width", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (rubble->height, "height", diag);
+    status = qn_masonry_require (rubble->height, QN_RANGE_POSITIVE, "height", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (rubble->stone, "stone", diag);
+    status = qn_masonry_require (rubble->stone, QN_RANGE_POSITIVE, "stone", diag);
   if (status == QN_OK && !(rubble->irregularity >= 0 && rubble->irregularity <= 1))
     status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "irregularity",
                                  rubble->irregularity);

@@ -33,21 +33,25 @@ add_centred (QnPieces *pieces, double width, double y0, double y1, bool fixed,
 static QnStatus
 check_column (const QnColumn *column, QnDiag *diag)
 {
-  QnStatus status = qn_masonry_require_positive (column->height, "height", diag);
+  QnStatus status =
+    qn_masonry_require (column->height, QN_RANGE_POSITIVE, "height", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (column->bottom, "width", diag);
+    status = qn_masonry_require (column->bottom, QN_RANGE_POSITIVE, "width", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (column->top, "width", diag);
+    status = qn_masonry_require (column->top, QN_RANGE_POSITIVE, "width", diag);
   if (status == QN_OK)
     status = qn_masonry_require_count (column->drums, 1, "drums", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (column->plinth_height, "plinth", diag);
+    status =
+      qn_masonry_require (column->plinth_height, QN_RANGE_NOT_NEGATIVE, "plinth", diag);
   if (status == QN_OK && column->plinth_height > 0)
-    status = qn_masonry_require_positive (column->plinth_width, "plinth", diag);
+    status = qn_masonry_require (column->plinth_width, QN_RANGE_POSITIVE, "plinth", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (column->capital_height, "capital", diag);
+    status =
+      qn_masonry_require (column->capital_height, QN_RANGE_NOT_NEGATIVE, "capital", diag);
   if (status == QN_OK && column->capital_height > 0)
-    status = qn_masonry_require_positive (column->capital_width, "capital", diag);
+    status =
+      qn_masonry_require (column->capital_width, QN_RANGE_POSITIVE, "capital", diag);
   return status;
 }
 
@@ -86,11 +90,12 @@ QnStatus
 qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
 {
   const QnButtress *buttress = &masonry->buttress;
-  QnStatus status = qn_masonry_require_positive (buttress->height, "height", diag);
+  QnStatus status =
+    qn_masonry_require (buttress->height, QN_RANGE_POSITIVE, "height", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (buttress->bottom, "width", diag);
+    status = qn_masonry_require (buttress->bottom, QN_RANGE_POSITIVE, "width", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (buttress->top, "width", diag);
+    status = qn_masonry_require (buttress->top, QN_RANGE_POSITIVE, "width", diag);
   if (status == QN_OK)
     status = qn_masonry_require_count (buttress->courses, 1, "courses", diag);
 

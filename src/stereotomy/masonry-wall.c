@@ -4,13 +4,13 @@ static QnStatus
 check_leaf (const QnMasonryWall *wall, const QnLeaf *leaf, QnDiag *diag)
 {
   bool listed = leaf->bond == QN_BOND_CUSTOM;
-  QnStatus status = qn_masonry_require_positive (leaf->unit.x, "unit", diag);
+  QnStatus status = qn_masonry_require (leaf->unit.x, QN_RANGE_POSITIVE, "unit", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (leaf->unit.y, "unit", diag);
+    status = qn_masonry_require (leaf->unit.y, QN_RANGE_POSITIVE, "unit", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (leaf->header, "header", diag);
+    status = qn_masonry_require (leaf->header, QN_RANGE_NOT_NEGATIVE, "header", diag);
   if (status == QN_OK && !listed)
-    status = qn_masonry_require_positive (leaf->length, "length", diag);
+    status = qn_masonry_require (leaf->length, QN_RANGE_POSITIVE, "length", diag);
   if (status == QN_OK && !(leaf->lap >= 0 && leaf->lap < 1))
     status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "lap", leaf->lap);
   if (status == QN_OK && leaf->bond == QN_BOND_FLEMISH && leaf->header >= leaf->unit.x)
@@ -43,10 +43,10 @@ check_wall (const QnMasonry *masonry, QnDiag *diag)
   QN_ASSERT (wall->leaf_count > 0);
   QnStatus status = QN_OK;
   if (wall->leaves[0].bond != QN_BOND_CUSTOM)
-    status = qn_masonry_require_positive (wall->height, "height", diag);
+    status = qn_masonry_require (wall->height, QN_RANGE_POSITIVE, "height", diag);
   for (size_t i = 0; i < wall->course_height_count && status == QN_OK; i++)
-    status =
-      qn_masonry_require_positive (wall->course_heights[i], "course_heights", diag);
+    status = qn_masonry_require (wall->course_heights[i], QN_RANGE_POSITIVE,
+                                 "course_heights", diag);
   if (status == QN_OK && !(wall->minimum_piece >= 0 && wall->minimum_piece < 1))
     status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "minimum_piece",
                                  wall->minimum_piece);

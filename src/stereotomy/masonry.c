@@ -86,30 +86,10 @@ qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field, double v
   return qn_diag_set_field (diag, problem, QN_ENTITY_MASONRY, QN_NONE, field, value);
 }
 
-static QnProblem
-range_problem (double value)
-{
-  return !isfinite (value)                  ? QN_PROBLEM_NOT_FINITE
-         : fabs (value) > QN_MAX_COORDINATE ? QN_PROBLEM_TOO_LARGE
-                                            : QN_PROBLEM_NONE;
-}
-
 QnStatus
-qn_masonry_require_positive (double value, const char *field, QnDiag *diag)
+qn_masonry_require (double value, QnRange range, const char *field, QnDiag *diag)
 {
-  QnProblem problem = range_problem (value);
-  if (problem == QN_PROBLEM_NONE && value <= 0)
-    problem = QN_PROBLEM_NOT_POSITIVE;
-  return problem == QN_PROBLEM_NONE ? QN_OK
-                                    : qn_masonry_problem (diag, problem, field, value);
-}
-
-QnStatus
-qn_masonry_require_not_negative (double value, const char *field, QnDiag *diag)
-{
-  QnProblem problem = range_problem (value);
-  if (problem == QN_PROBLEM_NONE && value < 0)
-    problem = QN_PROBLEM_NEGATIVE;
+  QnProblem problem = qn_number_problem (value, range, QN_MAX_COORDINATE);
   return problem == QN_PROBLEM_NONE ? QN_OK
                                     : qn_masonry_problem (diag, problem, field, value);
 }
@@ -130,13 +110,16 @@ check_common (const QnMasonry *masonry, QnDiag *diag)
   if (masonry->name == NULL || masonry->name[0] == '\0')
     return qn_masonry_problem (diag, QN_PROBLEM_NAME_MISSING, "name", 0);
   const double place[] = { masonry->origin.x, masonry->origin.y, masonry->rotation };
-  for (size_t i = 0; i < QN_N_ELEMENTS (place); i++)
-    if (range_problem (place[i]) != QN_PROBLEM_NONE)
-      return qn_masonry_problem (diag, range_problem (place[i]),
-                                 i < 2 ? "origin" : "rotation", place[i]);
-  QnStatus status = qn_masonry_require_positive (masonry->thickness, "thickness", diag);
+  QnStatus status = QN_OK;
+  for (size_t i = 0; i < QN_N_ELEMENTS (place) && status == QN_OK; i++)
+    status =
+      qn_masonry_require (place[i], QN_RANGE_FINITE, i < 2 ? "origin" : "rotation", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (masonry->foundation, "foundation", diag);
+    status =
+      qn_masonry_require (masonry->thickness, QN_RANGE_POSITIVE, "thickness", diag);
+  if (status == QN_OK)
+    status =
+      qn_masonry_require (masonry->foundation, QN_RANGE_NOT_NEGATIVE, "foundation", diag);
   if (status == QN_OK
       && !(masonry->perturbation >= 0 && masonry->perturbation <= QN_MAX_PERTURBATION))
     status = qn_masonry_problem (diag, QN_PROBLEM_PERTURBATION, "perturbation",

@@ -58,30 +58,31 @@ check_head (const QnOpening *opening, QnDiag *diag)
 static QnStatus
 check_opening (const QnOpening *opening, QnDiag *diag)
 {
-  double x = opening->at.x, y = opening->at.y;
-  if (!isfinite (x) || !isfinite (y))
-    return qn_masonry_problem (diag, QN_PROBLEM_NOT_FINITE, "at", isfinite (x) ? y : x);
-  if (fmax (fabs (x), fabs (y)) > QN_MAX_COORDINATE)
-    return qn_masonry_problem (diag, QN_PROBLEM_TOO_LARGE, "at",
-                               fmax (fabs (x), fabs (y)));
-  QnStatus status = qn_masonry_require_positive (opening->width, "width", diag);
+  QnStatus status = qn_masonry_require (opening->at.x, QN_RANGE_FINITE, "at", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_positive (opening->height, "height", diag);
+    status = qn_masonry_require (opening->at.y, QN_RANGE_FINITE, "at", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require (opening->width, QN_RANGE_POSITIVE, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require (opening->height, QN_RANGE_POSITIVE, "height", diag);
   if (status == QN_OK)
     status = check_head (opening, diag);
   if (status == QN_OK && opening->span != QN_SPAN_NONE)
-    status = qn_masonry_require_positive (opening->depth, "depth", diag);
+    status = qn_masonry_require (opening->depth, QN_RANGE_POSITIVE, "depth", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (opening->bearing, "bearing", diag);
+    status =
+      qn_masonry_require (opening->bearing, QN_RANGE_NOT_NEGATIVE, "bearing", diag);
   if (status == QN_OK
       && (opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS))
     status = qn_masonry_require_count (opening->voussoirs, 1, "voussoirs", diag);
   if (status == QN_OK && !(opening->skew >= 0 && opening->skew < M_PI_2 - 0.01))
     status = qn_masonry_problem (diag, QN_PROBLEM_FLAT_ARCH_SKEW, "skew", opening->skew);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (opening->sill_height, "sill", diag);
+    status =
+      qn_masonry_require (opening->sill_height, QN_RANGE_NOT_NEGATIVE, "sill", diag);
   if (status == QN_OK)
-    status = qn_masonry_require_not_negative (opening->sill_bearing, "sill", diag);
+    status =
+      qn_masonry_require (opening->sill_bearing, QN_RANGE_NOT_NEGATIVE, "sill", diag);
   return status;
 }
 

@@ -1,6 +1,8 @@
-/* Largest and smallest numbers, their order. */
+/* Largest and smallest numbers, their order, and the range that given ones must keep. */
 #ifndef QN_CORE_NUMBERS_H
 #define QN_CORE_NUMBERS_H
+
+#include "core/base/problem.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -33,6 +35,26 @@ qn_compare_doubles (const void *a, const void *b)
   double x = *(const double *) a, y = *(const double *) b;
 
   return (x > y) - (x < y);
+}
+
+/* What double precision serves of given numbers: products of as many as meet in a stiffness, a moment
+ * or an energy have finite squares, and where one is divided by, the quotient is finite. The lightest
+ * and the heaviest things of physics, in SI units, are closer together. */
+#define QN_LARGEST_NUMBER 1e30
+#define QN_LEAST_NUMBER   1e-30
+
+typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRange;
+
+/* What is wrong with a number that must keep a range and have at most this size. */
+static inline QnProblem
+qn_number_problem (double value, QnRange range, double largest)
+{
+  return !isfinite (value)                                       ? QN_PROBLEM_NOT_FINITE
+         : range == QN_RANGE_POSITIVE && value <= 0              ? QN_PROBLEM_NOT_POSITIVE
+         : range == QN_RANGE_NOT_NEGATIVE && value < 0           ? QN_PROBLEM_NEGATIVE
+         : fabs (value) > largest                                ? QN_PROBLEM_TOO_LARGE
+         : range == QN_RANGE_POSITIVE && value < QN_LEAST_NUMBER ? QN_PROBLEM_TOO_SMALL
+                                                                 : QN_PROBLEM_NONE;
 }
 
 /* Largest absolute value; those that are NaN do not count. */

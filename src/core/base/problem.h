@@ -16,6 +16,7 @@
   X (NOT_POSITIVE, "number must be positive") \
   X (NEGATIVE, "number must not be negative") \
   X (TOO_LARGE, "number is too large") \
+  X (TOO_SMALL, "number is too small") \
   X (TOLERANCE_FINE, "tolerance is below what double precision resolves") \
   X (TOLERANCE_COARSE, "tolerance is too coarse to distinguish equilibrium from collapse") \
   X (TOO_FEW_VERTICES, "polygon has fewer than three vertices") \

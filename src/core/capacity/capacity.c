@@ -37,7 +37,10 @@ check_loads (const QnModel *model, QnDiag *diag)
   if (model->beam_count > 0)
     return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_BEAMS, QN_ENTITY_BEAM,
                         0, QN_NONE);
-  return QN_OK;
+  return model->gravity > 0
+           ? QN_OK
+           : qn_diag_set_field (diag, QN_PROBLEM_NOT_POSITIVE, QN_ENTITY_MODEL, QN_NONE,
+                                "gravity", model->gravity);
 }
 
 static double

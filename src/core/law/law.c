@@ -1,6 +1,7 @@
 #include "core/law/law.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
 
 #include "core/law/law-ops.h"
@@ -51,12 +52,10 @@ qn_law_at (QnLaw *law, const QnLawParameter *parameter)
 }
 
 static QnStatus
-check_number (double value, bool positive, const char *field, QnId index, QnDiag *diag)
+check_number (double value, QnRange range, double largest, const char *field, QnId index,
+              QnDiag *diag)
 {
-  QnProblem problem = !isfinite (value)        ? QN_PROBLEM_NOT_FINITE
-                      : positive && value <= 0 ? QN_PROBLEM_NOT_POSITIVE
-                      : value < 0              ? QN_PROBLEM_NEGATIVE
-                                               : QN_PROBLEM_NONE;
+  QnProblem problem = qn_number_problem (value, range, largest);
   if (problem == QN_PROBLEM_NONE)
     return QN_OK;
   return qn_diag_set_field (diag, problem, QN_ENTITY_LAW, index, field, value);
@@ -70,19 +69,17 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
                               0);
 
   const QnLawOps *ops = qn_law_ops (law->kind);
-  QnStatus status = check_number (law->kn, true, "kn", index, diag);
+  QnStatus status =
+    check_number (law->kn, QN_RANGE_POSITIVE, QN_LARGEST_STIFFNESS, "kn", index, diag);
   if (status == QN_OK)
-    status = check_number (law->ks, true, "ks", index, diag);
-  if (status == QN_OK && law->kn > QN_LARGEST_STIFFNESS)
     status =
-      qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LAW, index, "kn", law->kn);
-  if (status == QN_OK && law->ks > QN_LARGEST_STIFFNESS)
-    status =
-      qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LAW, index, "ks", law->ks);
+      check_number (law->ks, QN_RANGE_POSITIVE, QN_LARGEST_STIFFNESS, "ks", index, diag);
   if (status == QN_OK)
-    status = check_number (law->shear_factor, false, "shear_factor", index, diag);
+    status = check_number (law->shear_factor, QN_RANGE_NOT_NEGATIVE, QN_LARGEST_NUMBER,
+                           "shear_factor", index, diag);
   if (status == QN_OK)
-    status = check_number (law->elasticity, false, "elasticity", index, diag);
+    status = check_number (law->elasticity, QN_RANGE_NOT_NEGATIVE, QN_LARGEST_STIFFNESS,
+                           "elasticity", index, diag);
   if (status == QN_OK && !(law->poisson >= 0 && law->poisson < 0.5))
     status = qn_diag_set_field (diag, QN_PROBLEM_LAW_POISSON, QN_ENTITY_LAW, index,
                                 "poisson", law->poisson);
@@ -90,7 +87,8 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
     const QnLawParameter *parameter = &ops->parameters[i];
     double value = qn_law_get (law, parameter);
     bool positive = parameter->positive && (parameter->required || value != 0);
-    status = check_number (value, positive, parameter->key, index, diag);
+    status = check_number (value, positive ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE,
+                           QN_LARGEST_NUMBER, parameter->key, index, diag);
   }
   return status == QN_OK && ops->check != NULL ? ops->check (law, index, diag) : status;
 }

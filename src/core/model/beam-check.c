@@ -40,10 +40,11 @@ check_node (const QnModel *model, QnId index, QnDiag *diag)
     return qn_diag_set_field (diag, QN_PROBLEM_NODE_SUPPORTED_BY_BLOCK, entity, index,
                               "support", 0);
   if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT) {
-    if (!isfinite (node->at.x) || !isfinite (node->at.y))
-      return qn_diag_set_field (diag, QN_PROBLEM_NOT_FINITE, entity, index, "at", 0);
-    if (fmax (fabs (node->at.x), fabs (node->at.y)) > QN_MAX_COORDINATE)
-      return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index, "at", 0);
+    QnProblem problem =
+      qn_number_problem (qn_worse (fabs (node->at.x), fabs (node->at.y)), QN_RANGE_FINITE,
+                         QN_MAX_COORDINATE);
+    if (problem != QN_PROBLEM_NONE)
+      return qn_diag_set_field (diag, problem, entity, index, "at", 0);
   }
   return QN_OK;
 }
@@ -54,19 +55,19 @@ check_section (const QnModel *model, QnId index, QnDiag *diag)
   const QnSection *section = &model->sections[index];
   const QnEntity entity = QN_ENTITY_SECTION;
   const QnNumberRule elastic[] = {
-    { "young", section->young, QN_NUMBER_POSITIVE },
-    { "shear_modulus", section->shear_modulus, QN_NUMBER_NOT_NEGATIVE },
+    { "young", section->young, QN_RANGE_POSITIVE },
+    { "shear_modulus", section->shear_modulus, QN_RANGE_NOT_NEGATIVE },
   };
   const QnNumberRule strength[] = {
-    { "shear_factor", section->shear_factor, QN_NUMBER_POSITIVE },
-    { "yield", section->yield, QN_NUMBER_NOT_NEGATIVE },
-    { "plastic_moment", section->plastic_moment, QN_NUMBER_NOT_NEGATIVE },
+    { "shear_factor", section->shear_factor, QN_RANGE_POSITIVE },
+    { "yield", section->yield, QN_RANGE_NOT_NEGATIVE },
+    { "plastic_moment", section->plastic_moment, QN_RANGE_NOT_NEGATIVE },
   };
-  const QnNumberRule rectangle[] = { { "width", section->width, QN_NUMBER_POSITIVE },
-                                     { "height", section->height, QN_NUMBER_POSITIVE } };
+  const QnNumberRule rectangle[] = { { "width", section->width, QN_RANGE_POSITIVE },
+                                     { "height", section->height, QN_RANGE_POSITIVE } };
   const QnNumberRule shapeless[] = {
-    { "area", section->area, QN_NUMBER_POSITIVE },
-    { "inertia", section->inertia, QN_NUMBER_POSITIVE },
+    { "area", section->area, QN_RANGE_POSITIVE },
+    { "inertia", section->inertia, QN_RANGE_POSITIVE },
   };
   bool has_shape = section->height != 0 || section->width != 0;
   QnStatus status = check_name (
@@ -85,10 +86,10 @@ check_section (const QnModel *model, QnId index, QnDiag *diag)
   if (status == QN_OK)
     status = qn_check_numbers (has_shape ? rectangle : shapeless, 2, entity, index, diag);
   /* A negative density means that the unit weight counts. */
-  if (status == QN_OK && !isfinite (section->density))
-    status = qn_diag_set_field (diag, QN_PROBLEM_NOT_FINITE, entity, index, "density",
-                                section->density);
-  return status == QN_OK ? qn_check_number (section->unit_weight, QN_NUMBER_NOT_NEGATIVE,
+  if (status == QN_OK)
+    status =
+      qn_check_number (section->density, QN_RANGE_FINITE, entity, index, "density", diag);
+  return status == QN_OK ? qn_check_number (section->unit_weight, QN_RANGE_NOT_NEGATIVE,
                                             entity, index, "unit_weight", diag)
                          : status;
 }
@@ -128,12 +129,12 @@ check_tie (const QnModel *model, QnId index, QnDiag *diag)
   const QnEntity entity = QN_ENTITY_TIE;
   const QnTieEnd *ends = tie->ends;
   const QnNumberRule rules[] = {
-    { "area", tie->area, QN_NUMBER_POSITIVE },
-    { "elasticity", tie->elasticity, QN_NUMBER_POSITIVE },
-    { "yield", tie->yield, QN_NUMBER_NOT_NEGATIVE },
-    { "prestress", tie->prestress, QN_NUMBER_NOT_NEGATIVE },
-    { "slack", tie->slack, QN_NUMBER_NOT_NEGATIVE },
-    { "anchor", tie->anchor, QN_NUMBER_NOT_NEGATIVE },
+    { "area", tie->area, QN_RANGE_POSITIVE },
+    { "elasticity", tie->elasticity, QN_RANGE_POSITIVE },
+    { "yield", tie->yield, QN_RANGE_NOT_NEGATIVE },
+    { "prestress", tie->prestress, QN_RANGE_NOT_NEGATIVE },
+    { "slack", tie->slack, QN_RANGE_NOT_NEGATIVE },
+    { "anchor", tie->anchor, QN_RANGE_NOT_NEGATIVE },
   };
   QnStatus status =
     check_name (tie->name, qn_model_find_tie (model, tie->name), entity, index, diag);

@@ -4,6 +4,7 @@
 
 #include "core/base/decimal.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
 #include "core/model/model-list.h"
 #include "core/model/outline.h"
@@ -176,6 +177,17 @@ derive_beam (QnModel *model, QnId index, QnDiag *diag)
   if (!(qn_vec2_length (qn_vec2_sub (b, a)) > QN_TOLERANCE_COORDINATE * size))
     return qn_diag_set_field (diag, QN_PROBLEM_BEAM_SHORT, QN_ENTITY_BEAM, index, "nodes",
                               0);
+  const QnSection *section = &model->sections[beam->section];
+  double length = qn_vec2_length (qn_vec2_sub (b, a)) / beam->element_count;
+  const double stiffness[] = { section->young * section->area / length,
+                               section->young * section->inertia / pow (length, 3) };
+  for (int i = 0; i < 2; i++) {
+    QnProblem problem =
+      qn_number_problem (stiffness[i], QN_RANGE_POSITIVE, QN_LARGEST_NUMBER);
+    if (problem != QN_PROBLEM_NONE)
+      return qn_diag_set_field (diag, problem, QN_ENTITY_BEAM, index, "section",
+                                stiffness[i]);
+  }
   for (int32_t i = 0; i < beam->element_count; i++) {
     const QnBeamElement *element = &model->elements[beam->first_element + i];
     QnNode *end = &model->nodes[element->nodes[1]];

@@ -23,8 +23,10 @@ qn_model_check_signal (const QnModel *model, QnId ground, QnDiag *diag)
                               ground, "points", (double) motion->point_count);
   for (size_t i = 0; i < motion->point_count; i++) {
     QnVec2 point = motion->points[i];
-    if (!isfinite (point.x) || !isfinite (point.y))
-      return refuse_point (diag, QN_PROBLEM_NOT_FINITE, ground, i, point.x);
+    QnProblem problem = qn_number_problem (qn_worse (fabs (point.x), fabs (point.y)),
+                                           QN_RANGE_FINITE, QN_LARGEST_NUMBER);
+    if (problem != QN_PROBLEM_NONE)
+      return refuse_point (diag, problem, ground, i, point.x);
     if (i == 0 ? point.x < 0 : point.x <= motion->points[i - 1].x)
       return refuse_point (diag, i == 0 ? QN_PROBLEM_NEGATIVE : QN_PROBLEM_SIGNAL_ORDER,
                            ground, i, point.x);
@@ -48,13 +50,13 @@ check_ground (const QnModel *model, QnId index, QnDiag *diag)
   const QnGroundMotion *motion = &model->ground[index];
   const QnEntity entity = QN_ENTITY_GROUND_MOTION;
   const QnNumberRule numbers[] = {
-    { "scale", motion->scale, QN_NUMBER_ANY },
-    { "peak", motion->peak, QN_NUMBER_NOT_NEGATIVE },
-    { "time_step", motion->time_step, QN_NUMBER_NOT_NEGATIVE },
+    { "scale", motion->scale, QN_RANGE_FINITE },
+    { "peak", motion->peak, QN_RANGE_NOT_NEGATIVE },
+    { "time_step", motion->time_step, QN_RANGE_NOT_NEGATIVE },
     /* of pulses alone */
-    { "pulse.amplitude", motion->pulse.amplitude, QN_NUMBER_ANY },
-    { "pulse.duration", motion->pulse.duration, QN_NUMBER_POSITIVE },
-    { "pulse.start", motion->pulse.start, QN_NUMBER_NOT_NEGATIVE },
+    { "pulse.amplitude", motion->pulse.amplitude, QN_RANGE_FINITE },
+    { "pulse.duration", motion->pulse.duration, QN_RANGE_POSITIVE },
+    { "pulse.start", motion->pulse.start, QN_RANGE_NOT_NEGATIVE },
   };
   bool pulse = motion->kind == QN_SIGNAL_PULSE;
   QnStatus status = qn_check_vector (motion->direction, entity, index, "direction", diag);
@@ -81,10 +83,10 @@ check_initial (const QnModel *model, QnId index, QnDiag *diag)
     qn_check_block_reference (model, motion->block, entity, index, "block", diag);
 
   for (int i = 0; i < QN_DOF_COUNT && status == QN_OK; i++) {
-    status = qn_check_number (motion->displacement[i], QN_NUMBER_ANY, entity, index,
+    status = qn_check_number (motion->displacement[i], QN_RANGE_FINITE, entity, index,
                               "displacement", diag);
     if (status == QN_OK)
-      status = qn_check_number (motion->velocity[i], QN_NUMBER_ANY, entity, index,
+      status = qn_check_number (motion->velocity[i], QN_RANGE_FINITE, entity, index,
                                 "velocity", diag);
     bool moves = motion->displacement[i] != 0 || motion->velocity[i] != 0;
     if (status == QN_OK && moves && model->blocks[motion->block].support[i])
@@ -112,12 +114,12 @@ check_integration (const QnModel *model, QnDiag *diag)
   const QnDynamicSettings *s = &model->analysis.dynamic;
   const QnNumberRule numbers[] = {
     { "dynamic.duration", s->duration,
-      model->ground_count > 0 ? QN_NUMBER_NOT_NEGATIVE : QN_NUMBER_POSITIVE },
-    { "dynamic.time_step", s->time_step, QN_NUMBER_POSITIVE },
-    { "dynamic.damping.mass", s->mass_damping, QN_NUMBER_NOT_NEGATIVE },
-    { "dynamic.damping.stiffness", s->joint_damping, QN_NUMBER_NOT_NEGATIVE },
-    { "dynamic.tolerance", s->tolerance, QN_NUMBER_POSITIVE },
-    { "dynamic.output_interval", s->output_interval, QN_NUMBER_NOT_NEGATIVE },
+      model->ground_count > 0 ? QN_RANGE_NOT_NEGATIVE : QN_RANGE_POSITIVE },
+    { "dynamic.time_step", s->time_step, QN_RANGE_POSITIVE },
+    { "dynamic.damping.mass", s->mass_damping, QN_RANGE_NOT_NEGATIVE },
+    { "dynamic.damping.stiffness", s->joint_damping, QN_RANGE_NOT_NEGATIVE },
+    { "dynamic.tolerance", s->tolerance, QN_RANGE_POSITIVE },
+    { "dynamic.output_interval", s->output_interval, QN_RANGE_NOT_NEGATIVE },
   };
   const QnEntity entity = QN_ENTITY_ANALYSIS;
   QnStatus status =

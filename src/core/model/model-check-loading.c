@@ -12,7 +12,7 @@ check_settlement (const QnModel *model, const QnLoad *load, QnEntity entity, QnI
   if (!model->blocks[load->block].support[load->dof])
     return qn_diag_set_field (diag, QN_PROBLEM_SETTLEMENT_FREE, entity, index,
                               "component", 0);
-  return qn_check_number (load->value, QN_NUMBER_ANY, entity, index, "value", diag);
+  return qn_check_number (load->value, QN_RANGE_FINITE, entity, index, "value", diag);
 }
 
 static QnStatus
@@ -63,7 +63,7 @@ check_edge_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId
       check_index (load->edge_count - 1, (size_t) model->blocks[load->block].vertex_count,
                    QN_PROBLEM_EDGE_UNKNOWN, entity, index, "count", diag);
   for (int end = 0; end < 2 && status == QN_OK; end++)
-    status = qn_check_number (load->intensity[end], QN_NUMBER_ANY, entity, index,
+    status = qn_check_number (load->intensity[end], QN_RANGE_FINITE, entity, index,
                               "intensity", diag);
   if (status == QN_OK && !(load->part[0] >= 0 && load->part[1] <= 1))
     status = qn_diag_set_field (diag, QN_PROBLEM_FRACTION, entity, index, "part", 0);
@@ -96,10 +96,10 @@ check_fill (const QnLoad *load, QnEntity entity, QnId index, QnDiag *diag)
   static const char *const across[] = { "from", "to" }, *const up[] = { "bottom", "top" };
   bool backfill = load->kind == QN_LOAD_BACKFILL;
   const QnNumberRule rules[] = {
-    { backfill ? "surcharge" : "pressure", load->pressure, QN_NUMBER_NOT_NEGATIVE },
-    { "unit_weight", load->unit_weight, QN_NUMBER_NOT_NEGATIVE },
-    { "level", load->level, QN_NUMBER_ANY },
-    { "coefficient", load->coefficient, QN_NUMBER_NOT_NEGATIVE },
+    { backfill ? "surcharge" : "pressure", load->pressure, QN_RANGE_NOT_NEGATIVE },
+    { "unit_weight", load->unit_weight, QN_RANGE_NOT_NEGATIVE },
+    { "level", load->level, QN_RANGE_FINITE },
+    { "coefficient", load->coefficient, QN_RANGE_NOT_NEGATIVE },
   };
   QnStatus status = qn_check_numbers (rules, QN_N_ELEMENTS (rules), entity, index, diag);
   if (status == QN_OK)
@@ -108,7 +108,7 @@ check_fill (const QnLoad *load, QnEntity entity, QnId index, QnDiag *diag)
     return status;
   if (load->side != QN_BLOCK_SIDE_LEFT && load->side != QN_BLOCK_SIDE_RIGHT)
     return qn_diag_set_field (diag, QN_PROBLEM_EARTH_SIDE, entity, index, "side", 0);
-  status = qn_check_number (load->span[1], QN_NUMBER_ANY, entity, index, "top", diag);
+  status = qn_check_number (load->span[1], QN_RANGE_FINITE, entity, index, "top", diag);
   if (status == QN_OK
       && !(load->friction_angle >= 0 && load->friction_angle < RIGHT_ANGLE))
     status = qn_diag_set_field (diag, QN_PROBLEM_EARTH_ANGLE, entity, index,
@@ -136,7 +136,8 @@ check_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId inde
   if (status == QN_OK)
     status = qn_check_vector (load->vector, entity, index, "value", diag);
   if (status == QN_OK)
-    status = qn_check_number (load->moment, QN_NUMBER_ANY, entity, index, "moment", diag);
+    status =
+      qn_check_number (load->moment, QN_RANGE_FINITE, entity, index, "moment", diag);
   if (status == QN_OK && load->has_at)
     status = qn_check_vector (load->at, entity, index, "at", diag);
   return status;
@@ -148,7 +149,7 @@ qn_model_check_loads (const QnModel *model, QnDiag *diag)
   QnStatus status = QN_OK;
   for (size_t i = 0; i < model->load_case_count && status == QN_OK; i++) {
     double factor = model->load_cases[i].factor;
-    status = qn_check_number (factor, QN_NUMBER_NOT_NEGATIVE, QN_ENTITY_LOAD_CASE,
+    status = qn_check_number (factor, QN_RANGE_NOT_NEGATIVE, QN_ENTITY_LOAD_CASE,
                               (QnId) i, NULL, diag);
     if (status == QN_OK && factor > QN_LARGEST_DIRECTION)
       status = qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LOAD_CASE,
@@ -200,7 +201,7 @@ check_control (const QnModel *model, QnDiag *diag)
     check_controlled (model, analysis->control_block, analysis->control_node,
                       analysis->control_dof, entity, QN_NONE, diag);
   if (status == QN_OK)
-    status = qn_check_number (analysis->control_target, QN_NUMBER_ANY, entity, QN_NONE,
+    status = qn_check_number (analysis->control_target, QN_RANGE_FINITE, entity, QN_NONE,
                               "control.target", diag);
   if (status == QN_OK && analysis->control_target == 0)
     status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, entity, QN_NONE,
@@ -281,7 +282,7 @@ check_stage_control (const QnModel *model, QnId index, QnDiag *diag)
   QnStatus status = check_controlled (model, stage->control_block, stage->control_node,
                                       stage->control_dof, entity, index, diag);
   if (status == QN_OK)
-    status = qn_check_number (stage->control_target, QN_NUMBER_ANY, entity, index,
+    status = qn_check_number (stage->control_target, QN_RANGE_FINITE, entity, index,
                               "control.target", diag);
   if (status == QN_OK && index == 0 && stage->control_target == 0)
     status = refuse_stage (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, index, "control.target");
@@ -308,7 +309,7 @@ check_stage (const QnModel *model, SetStates *states, QnId index, QnDiag *diag)
   if (status == QN_OK && stage->increments < 0)
     status = refuse_stage (diag, QN_PROBLEM_NOT_POSITIVE, index, "increments");
   if (status == QN_OK && stage->has_target)
-    status = qn_check_number (stage->target, QN_NUMBER_ANY, QN_ENTITY_STAGE, index,
+    status = qn_check_number (stage->target, QN_RANGE_FINITE, QN_ENTITY_STAGE, index,
                               "target", diag);
   if (status == QN_OK)
     status = check_stage_control (model, index, diag);
@@ -362,7 +363,7 @@ check_tolerance (double value, double least, double largest, const char *field,
                  QnDiag *diag)
 {
   QnStatus status =
-    qn_check_number (value, QN_NUMBER_POSITIVE, QN_ENTITY_ANALYSIS, QN_NONE, field, diag);
+    qn_check_number (value, QN_RANGE_POSITIVE, QN_ENTITY_ANALYSIS, QN_NONE, field, diag);
   if (status != QN_OK || (value >= least && value <= largest))
     return status;
   return qn_diag_set_field (
@@ -375,7 +376,7 @@ qn_model_check_analysis (const QnModel *model, QnDiag *diag)
 {
   const QnAnalysisSettings *analysis = &model->analysis;
   const QnEntity entity = QN_ENTITY_ANALYSIS;
-  QnStatus status = qn_check_number (analysis->increments, QN_NUMBER_POSITIVE, entity,
+  QnStatus status = qn_check_number (analysis->increments, QN_RANGE_POSITIVE, entity,
                                      QN_NONE, "increments", diag);
   /* Infinity is the default and allowed here. */
   if (status == QN_OK && !(analysis->max_multiplier >= 0))
@@ -391,7 +392,7 @@ qn_model_check_analysis (const QnModel *model, QnDiag *diag)
     status = check_tolerance (analysis->residual_tolerance, QN_LEAST_RESIDUAL_TOLERANCE,
                               QN_LARGEST_RESIDUAL_TOLERANCE, "residual_tolerance", diag);
   if (status == QN_OK)
-    status = qn_check_number (analysis->max_factorizations, QN_NUMBER_POSITIVE, entity,
+    status = qn_check_number (analysis->max_factorizations, QN_RANGE_POSITIVE, entity,
                               QN_NONE, "max_factorizations", diag);
   if (status == QN_OK && !(analysis->max_seconds > 0))
     status = qn_diag_set_field (diag,

@@ -4,17 +4,10 @@
 #include "core/base/tolerance.h"
 
 QnStatus
-qn_check_number (double value, QnNumberRange range, QnEntity entity, QnId index,
+qn_check_number (double value, QnRange range, QnEntity entity, QnId index,
                  const char *field, QnDiag *diag)
 {
-  QnProblem problem = QN_PROBLEM_NONE;
-
-  if (!isfinite (value))
-    problem = QN_PROBLEM_NOT_FINITE;
-  else if (range == QN_NUMBER_POSITIVE && value <= 0)
-    problem = QN_PROBLEM_NOT_POSITIVE;
-  else if (range == QN_NUMBER_NOT_NEGATIVE && value < 0)
-    problem = QN_PROBLEM_NEGATIVE;
+  QnProblem problem = qn_number_problem (value, range, QN_LARGEST_NUMBER);
   return problem == QN_PROBLEM_NONE
            ? QN_OK
            : qn_diag_set_field (diag, problem, entity, index, field, value);
@@ -36,8 +29,8 @@ QnStatus
 qn_check_vector (QnVec2 vector, QnEntity entity, QnId index, const char *field,
                  QnDiag *diag)
 {
-  const QnNumberRule rules[] = { { field, vector.x, QN_NUMBER_ANY },
-                                 { field, vector.y, QN_NUMBER_ANY } };
+  const QnNumberRule rules[] = { { field, vector.x, QN_RANGE_FINITE },
+                                 { field, vector.y, QN_RANGE_FINITE } };
   return qn_check_numbers (rules, 2, entity, index, diag);
 }
 
@@ -100,14 +93,14 @@ qn_model_check_block (const QnModel *model, QnId index, QnDiag *diag)
 
   QnStatus status = check_polygon (model, index, entity, owner, diag);
   if (status == QN_OK)
-    status = qn_check_number (block->thickness, QN_NUMBER_POSITIVE, entity, owner,
+    status = qn_check_number (block->thickness, QN_RANGE_POSITIVE, entity, owner,
                               "thickness", diag);
   /* A negative density means that the unit weight counts. */
-  if (status == QN_OK && !isfinite (block->density))
+  if (status == QN_OK)
     status =
-      qn_check_number (block->density, QN_NUMBER_ANY, entity, owner, "density", diag);
+      qn_check_number (block->density, QN_RANGE_FINITE, entity, owner, "density", diag);
   if (status == QN_OK && block->density < 0)
-    status = qn_check_number (block->unit_weight, QN_NUMBER_NOT_NEGATIVE, entity, owner,
+    status = qn_check_number (block->unit_weight, QN_RANGE_NOT_NEGATIVE, entity, owner,
                               "unit_weight", diag);
   if (status == QN_OK)
     status = check_law_reference (model, block->law, entity, owner, diag);
@@ -159,7 +152,7 @@ check_pairs (const QnPairRule *rule, QnEntity entity, QnId index, QnDiag *diag)
     return qn_diag_set_field (diag, QN_PROBLEM_LOBATTO_COUNT, entity, index,
                               "pairs.count", rule->count);
   if (rule->placement <= QN_PLACEMENT_LOBATTO)
-    return qn_check_number (rule->offset, QN_NUMBER_NOT_NEGATIVE, entity, index,
+    return qn_check_number (rule->offset, QN_RANGE_NOT_NEGATIVE, entity, index,
                             "pairs.offset", diag);
   if (rule->count < 1)
     return qn_diag_set_field (diag, QN_PROBLEM_PAIR_COUNT, entity, index, "pairs.count",
@@ -184,7 +177,7 @@ check_bar (const QnModel *model, QnId index, QnDiag *diag)
   if (status == QN_OK && model->laws[bar->law].basis == QN_BASIS_CONTACT)
     status = qn_diag_set_field (diag, QN_PROBLEM_BAR_BASIS, entity, index, "law", 0);
   if (status == QN_OK)
-    status = qn_check_number (bar->area, QN_NUMBER_POSITIVE, entity, index, "area", diag);
+    status = qn_check_number (bar->area, QN_RANGE_POSITIVE, entity, index, "area", diag);
   if (status == QN_OK)
     status = qn_check_vector (bar->start, entity, index, "start", diag);
   if (status == QN_OK)
@@ -198,7 +191,7 @@ static QnStatus
 check_contact (const QnModel *model, QnDiag *diag)
 {
   const QnContactSettings *contact = &model->contact;
-  QnStatus status = qn_check_number (contact->tolerance, QN_NUMBER_NOT_NEGATIVE,
+  QnStatus status = qn_check_number (contact->tolerance, QN_RANGE_NOT_NEGATIVE,
                                      QN_ENTITY_CONTACT, QN_NONE, "tolerance", diag);
   if (status == QN_OK && contact->tolerance > QN_MAX_CONTACT_TOLERANCE)
     status = qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_CONTACT, QN_NONE,
@@ -241,8 +234,10 @@ check_override (const QnModel *model, QnId index, QnDiag *diag)
 QnStatus
 qn_model_check_settings (const QnModel *model, QnDiag *diag)
 {
-  QnStatus status = qn_check_number (model->gravity, QN_NUMBER_NOT_NEGATIVE,
-                                     QN_ENTITY_MODEL, QN_NONE, "gravity", diag);
+  /* Masses are weights over gravity: none or one to divide by. */
+  QnStatus status = qn_check_number (
+    model->gravity, model->gravity > 0 ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE,
+    QN_ENTITY_MODEL, QN_NONE, "gravity", diag);
   if (status == QN_OK)
     status = check_laws (model, diag);
   if (status == QN_OK)

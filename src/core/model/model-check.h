@@ -2,6 +2,7 @@
 #ifndef QN_CORE_MODEL_CHECK_H
 #define QN_CORE_MODEL_CHECK_H
 
+#include "core/base/numbers.h"
 #include "core/model/model.h"
 
 /* Checks one block of a model: name, polygon, numbers. A fault in a block that came from a wall
@@ -20,19 +21,16 @@ QnStatus qn_model_check_analysis (const QnModel *model, QnDiag *diag);
  * is dynamic. Records are checked once they have been read: qn_model_check_signal(). */
 QnStatus qn_model_check_dynamic (const QnModel *model, QnDiag *diag);
 
-/* Range that a number must keep. */
-typedef enum { QN_NUMBER_ANY, QN_NUMBER_NOT_NEGATIVE, QN_NUMBER_POSITIVE } QnNumberRange;
-
 typedef struct QnNumberRule {
   const char *field;
   double value;
-  QnNumberRange range;
+  QnRange range;
 } QnNumberRule;
 
 /* Numbers, one, both of a vector, or the index of a block: the first problem as the field's. */
 QnStatus qn_check_numbers (const QnNumberRule *rules, size_t count, QnEntity entity,
                            QnId index, QnDiag *diag);
-QnStatus qn_check_number (double value, QnNumberRange range, QnEntity entity, QnId index,
+QnStatus qn_check_number (double value, QnRange range, QnEntity entity, QnId index,
                           const char *field, QnDiag *diag);
 QnStatus qn_check_vector (QnVec2 vector, QnEntity entity, QnId index, const char *field,
                           QnDiag *diag);

@@ -1,5 +1,6 @@
 #include "core/base/box-tree.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
 #include "core/model/model.h"
@@ -21,10 +22,11 @@ static QnPolygonFlaw
 check_numbers (const QnVec2 *vertices, size_t count)
 {
   for (size_t i = 0; i < count; i++) {
-    if (!isfinite (vertices[i].x) || !isfinite (vertices[i].y))
-      return (QnPolygonFlaw){ QN_PROBLEM_NOT_FINITE, (QnId) i, QN_NONE };
-    if (fmax (fabs (vertices[i].x), fabs (vertices[i].y)) > QN_MAX_COORDINATE)
-      return (QnPolygonFlaw){ QN_PROBLEM_TOO_LARGE, (QnId) i, QN_NONE };
+    QnProblem problem =
+      qn_number_problem (qn_worse (fabs (vertices[i].x), fabs (vertices[i].y)),
+                         QN_RANGE_FINITE, QN_MAX_COORDINATE);
+    if (problem != QN_PROBLEM_NONE)
+      return flaw (problem, i, (size_t) QN_NONE);
   }
   return no_flaw;
 }

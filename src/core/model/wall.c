@@ -1,5 +1,6 @@
 #include "core/base/decimal.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/model/model.h"
 
 #include <stdlib.h>
@@ -52,10 +53,9 @@ check_courses (const QnWall *wall, QnId index, size_t *block_count, QnDiag *diag
       return course_problem (diag, QN_PROBLEM_COURSE_EMPTY, index, course, QN_NONE, 0);
     for (int32_t i = begin; i < end; i++) {
       double length = wall->lengths[i];
-      QnProblem problem = !isfinite (length) ? QN_PROBLEM_NOT_FINITE
-                          : length == 0      ? QN_PROBLEM_COURSE_LENGTH_ZERO
-                          : fabs (length) > QN_MAX_COURSE_LENGTH ? QN_PROBLEM_TOO_LARGE
-                                                                 : QN_PROBLEM_NONE;
+      QnProblem problem =
+        length == 0 ? QN_PROBLEM_COURSE_LENGTH_ZERO
+                    : qn_number_problem (length, QN_RANGE_FINITE, QN_MAX_COURSE_LENGTH);
       if (problem != QN_PROBLEM_NONE)
         return course_problem (diag, problem, index, course, i - begin, length);
       if (length > 0)
@@ -76,9 +76,7 @@ check_wall (const QnModel *model, QnId index, size_t *block_count, QnDiag *diag)
 
   const double origin[] = { wall->origin.x, wall->origin.y };
   for (size_t i = 0; i < QN_N_ELEMENTS (origin); i++) {
-    QnProblem problem = !isfinite (origin[i])                  ? QN_PROBLEM_NOT_FINITE
-                        : fabs (origin[i]) > QN_MAX_COORDINATE ? QN_PROBLEM_TOO_LARGE
-                                                               : QN_PROBLEM_NONE;
+    QnProblem problem = qn_number_problem (origin[i], QN_RANGE_FINITE, QN_MAX_COORDINATE);
     if (problem != QN_PROBLEM_NONE)
       return qn_diag_set_field (diag, problem, QN_ENTITY_WALL, index, "origin",
                                 origin[i]);
@@ -86,10 +84,7 @@ check_wall (const QnModel *model, QnId index, size_t *block_count, QnDiag *diag)
 
   const double unit[] = { wall->unit.x, wall->unit.y };
   for (size_t i = 0; i < QN_N_ELEMENTS (unit); i++) {
-    QnProblem problem = !isfinite (unit[i])           ? QN_PROBLEM_NOT_FINITE
-                        : unit[i] <= 0                ? QN_PROBLEM_NOT_POSITIVE
-                        : unit[i] > QN_MAX_COORDINATE ? QN_PROBLEM_TOO_LARGE
-                                                      : QN_PROBLEM_NONE;
+    QnProblem problem = qn_number_problem (unit[i], QN_RANGE_POSITIVE, QN_MAX_COORDINATE);
     if (problem != QN_PROBLEM_NONE)
       return qn_diag_set_field (diag, problem, QN_ENTITY_WALL, index, "unit", unit[i]);
   }

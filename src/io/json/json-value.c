@@ -306,13 +306,7 @@ qn_json_value_number (const QnJsonValue *place, QnRange range, double *number)
     return FALSE;
 
   double value = place->json->valuedouble;
-  QnProblem problem = QN_PROBLEM_NONE;
-  if (!isfinite (value))
-    problem = QN_PROBLEM_NOT_FINITE;
-  else if (range == QN_RANGE_NOT_NEGATIVE && value < 0)
-    problem = QN_PROBLEM_NEGATIVE;
-  else if (range == QN_RANGE_POSITIVE && value <= 0)
-    problem = QN_PROBLEM_NOT_POSITIVE;
+  QnProblem problem = qn_number_problem (value, range, QN_LARGEST_NUMBER);
   if (problem != QN_PROBLEM_NONE)
     return qn_json_value_fail (place, _ (qn_problem_text (problem)));
   *number = value;

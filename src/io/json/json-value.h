@@ -7,6 +7,7 @@
 #ifndef QN_IO_JSON_VALUE_H
 #define QN_IO_JSON_VALUE_H
 
+#include "core/base/numbers.h"
 #include "core/base/status.h"
 #include "io/json/json-locate.h"
 
@@ -38,7 +39,6 @@ typedef struct QnJsonValue {
 } QnJsonValue;
 
 typedef enum { QN_OPTIONAL, QN_REQUIRED } QnNeed;
-typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRange;
 
 /* The document; a member of an object (json NULL where it is not there), or one at hand that need
  * not be searched for; an element of an array.

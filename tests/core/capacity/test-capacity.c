@@ -217,6 +217,10 @@ test_refuse (void)
   test_model_add_weight_loads (&model, 1);
   g_assert_cmpint (refusal (&model, multipliers, along, 0), ==,
                    QN_PROBLEM_CAPACITY_MOTION);
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  model.gravity = 0; /* no mass can be told from a weight */
+  g_assert_cmpint (refusal (&model, multipliers, along, 1), ==, QN_PROBLEM_NOT_POSITIVE);
 }
 
 QN_TESTS

@@ -576,6 +576,13 @@ test_refuse (void)
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_NOT_FINITE);
 
   init_refused (&c);
+  motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion->direction = qn_vec2 (1, 0);
+  qn_ground_motion_add_point (motion, 0, 1e300);
+  qn_ground_motion_add_point (motion, 1, 1e300);
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_TOO_LARGE);
+
+  init_refused (&c);
   motion = qn_model_add_ground_motion (&c.model, "missing.csv"); /* never read */
   motion->direction = qn_vec2 (1, 0);
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_SIGNAL_EMPTY);
@@ -591,25 +598,22 @@ test_refuse (void)
 static void
 test_not_finite (void)
 {
-  static const double cases[][2] = { { 1e-300, 1 }, { 1, 1e300 } }; /* s, m/s2 */
-  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
-    g_auto (TestRun) c;
-    init_case (&c, 1, 1);
-    add_weight (&c);
-    c.model.analysis.dynamic.duration = cases[i][0];
-    c.model.analysis.dynamic.time_step = 0.005;
-    QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
-    motion->kind = QN_SIGNAL_POINTS;
-    motion->direction = qn_vec2 (1, 0);
-    g_assert_true (qn_ground_motion_add_point (motion, 0, cases[i][1]));
-    g_assert_true (qn_ground_motion_add_point (motion, 10, cases[i][1]));
-    test_run_solve (&c);
-    g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_NOT_CONVERGED);
-    g_assert_cmpint (c.result.stop, !=, QN_STOP_CHECK);
-    for (size_t step = 0; step < c.result.step_count; step++)
-      for (size_t k = 0; k < 2 * QN_DOF_COUNT; k++)
-        g_assert_true (isfinite (qn_result_step_displacements (&c.result, step)[k]));
-  }
+  g_auto (TestRun) c;
+  init_case (&c, 1, 1);
+  add_weight (&c);
+  c.model.analysis.dynamic.duration = 1e-300;
+  c.model.analysis.dynamic.time_step = 0.005;
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion->kind = QN_SIGNAL_POINTS;
+  motion->direction = qn_vec2 (1, 0);
+  g_assert_true (qn_ground_motion_add_point (motion, 0, 1));
+  g_assert_true (qn_ground_motion_add_point (motion, 10, 1));
+  test_run_solve (&c);
+  g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_NOT_CONVERGED);
+  g_assert_cmpint (c.result.stop, !=, QN_STOP_CHECK);
+  for (size_t step = 0; step < c.result.step_count; step++)
+    for (size_t k = 0; k < 2 * QN_DOF_COUNT; k++)
+      g_assert_true (isfinite (qn_result_step_displacements (&c.result, step)[k]));
 }
 
 QN_TESTS

@@ -107,6 +107,8 @@ SPOIL (width, m->sections[0].width = 0)
 SPOIL (height, m->sections[0].height = -1)
 SPOIL (area, m->sections[0].width = m->sections[0].height = 0)
 SPOIL (inertia, m->sections[0].width = m->sections[0].height = 0; m->sections[0].area = 1)
+SPOIL (soft, m->sections[0].young = 1e-20; m->sections[0].height = 1e-6)
+SPOIL (stiff, m->sections[0].young = 1e20; m->sections[0].height = 1e6)
 SPOIL (yield, m->sections[0].width = m->sections[0].height = 0;
        m->sections[0].area = m->sections[0].inertia = 1; m->sections[0].yield = 1e6)
 SPOIL (hinged_moment, m->beams[0].hinge[1] = true;
@@ -145,6 +147,8 @@ static const Rule rules[] = {
   RULE (height, NOT_POSITIVE, SECTION, "height"),
   RULE (area, NOT_POSITIVE, SECTION, "area"),
   RULE (inertia, NOT_POSITIVE, SECTION, "inertia"),
+  RULE (soft, TOO_SMALL, BEAM, "section"),
+  RULE (stiff, TOO_LARGE, BEAM, "section"),
   RULE (yield, YIELD_SHAPELESS, SECTION, "yield"),
   RULE (hinged_moment, NODE_MOMENT, LIVE_LOAD, "moment"),
   RULE (load_beam, BEAM_UNKNOWN, DEAD_LOAD, "beam"),

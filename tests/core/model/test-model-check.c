@@ -82,6 +82,14 @@ SPOIL (residual_coarse, m->analysis.residual_tolerance = 0.1)
 SPOIL (factorizations, m->analysis.max_factorizations = 0)
 SPOIL (seconds, m->analysis.max_seconds = 0)
 SPOIL (seconds_nan, m->analysis.max_seconds = NAN)
+SPOIL (gravity_small, m->gravity = 1e-320)
+SPOIL (thickness_small, m->blocks[1].thickness = 1e-31)
+SPOIL (thickness_large, m->blocks[1].thickness = 2e30)
+SPOIL (unit_weight_large, m->blocks[2].unit_weight = 1e300)
+SPOIL (density_large, m->blocks[2].density = 1e300)
+SPOIL (force_large, m->live_loads[1].vector.x = -1e300)
+SPOIL (stiffness_small, m->laws[0].kn = 1e-300)
+SPOIL (cohesion_large, m->laws[0].cohesion = 1e300)
 SPOIL (stiffness, m->laws[0].kn = 1e308)
 SPOIL (shear_stiffness, m->laws[0].ks = 1e21)
 SPOIL (direction_large, m->dead_loads[0].vector.y = -1e30)
@@ -107,6 +115,14 @@ typedef struct {
 
 static const Case cases[] = {
   CASE (gravity, NEGATIVE, MODEL, QN_NONE, "gravity"),
+  CASE (gravity_small, TOO_SMALL, MODEL, QN_NONE, "gravity"),
+  CASE (thickness_small, TOO_SMALL, BLOCK, 1, "thickness"),
+  CASE (thickness_large, TOO_LARGE, BLOCK, 1, "thickness"),
+  CASE (unit_weight_large, TOO_LARGE, BLOCK, 2, "unit_weight"),
+  CASE (density_large, TOO_LARGE, BLOCK, 2, "density"),
+  CASE (force_large, TOO_LARGE, LIVE_LOAD, 1, "value"),
+  CASE (stiffness_small, TOO_SMALL, LAW, 0, "kn"),
+  CASE (cohesion_large, TOO_LARGE, LAW, 0, "cohesion"),
   CASE (name_missing, NAME_MISSING, BLOCK, 1, "name"),
   CASE (name_taken, NAME_TAKEN, BLOCK, 2, "name"),
   CASE (vertex, NOT_FINITE, BLOCK, 1, "vertices"),
