@@ -42,12 +42,13 @@ dispatch (int argc, char **argv)
   if (argc < 2)
     return qn_cli_usage_error (NULL, _ ("a subcommand is missing"));
   if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
-    printf (_ ("Usage: quoin-cli SUBCOMMAND [OPTION…] ARGUMENT…\n\n"
-               "Block masonry: contacts, load path, collapse mechanism and pictures.\n\n"
-               "Subcommands:\n"));
+    qn_print (
+      _ ("Usage: quoin-cli SUBCOMMAND [OPTION…] ARGUMENT…\n\n"
+         "Block masonry: contacts, load path, collapse mechanism and pictures.\n\n"
+         "Subcommands:\n"));
     for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
-      printf ("  %-10s%s\n", subcommands[i]->name, _ (subcommands[i]->summary));
-    printf (
+      qn_print ("  %-10s%s\n", subcommands[i]->name, _ (subcommands[i]->summary));
+    qn_print (
       _ ("\n\"quoin-cli SUBCOMMAND --help\" explains one of them; --version tells the "
          "version.\n\n"
          "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 invalid input, 4 no "
@@ -55,7 +56,7 @@ dispatch (int argc, char **argv)
     return QN_EXIT_DONE;
   }
   if (strcmp (argv[1], "--version") == 0) {
-    printf ("quoin %s\n", QN_VERSION);
+    qn_print ("quoin %s\n", QN_VERSION);
     return QN_EXIT_DONE;
   }
 
@@ -86,12 +87,5 @@ main (int argc, char **argv)
    * the program. */
   signal (SIGXFSZ, SIG_IGN);
 
-  QnExit code = dispatch (argc, argv);
-
-  /* Output that is still in the buffer would be lost without an error. */
-  if ((fflush (stdout) != 0 || ferror (stdout)) && code == QN_EXIT_DONE) {
-    qn_cli_error (_ ("standard output cannot be written"));
-    code = QN_EXIT_FILE;
-  }
-  return (int) code;
+  return (int) qn_shown_text_end (dispatch (argc, argv));
 }

@@ -96,10 +96,10 @@ test_missing_file (void)
 }
 
 static void
-test_full_standard_output (void)
+test_full_standard_output (gconstpointer arguments)
 {
-  g_autofree char *line =
-    g_strdup_printf ("'%s' --help > /dev/full", g_getenv ("QUOIN_CLI"));
+  g_autofree char *line = g_strdup_printf ("'%s' %s > /dev/full", g_getenv ("QUOIN_CLI"),
+                                           (const char *) arguments);
   const char *command[] = { "/bin/sh", "-c", line, NULL };
   int status = 0;
   g_autoptr (GError) error = NULL;
@@ -108,6 +108,29 @@ test_full_standard_output (void)
   g_assert_no_error (error);
   g_assert_false (g_spawn_check_wait_status (status, &error));
   g_assert_error (error, G_SPAWN_EXIT_ERROR, 5);
+}
+
+/* A line break in a title or a name makes no line of the report. */
+static void
+test_forged_lines (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *titled = cli_replace (cli_sliding_block, "Sliding block",
+                                         "A\\nwarnings: none\\u2028warnings: none");
+  g_autofree char *text =
+    cli_replace (titled, "\"name\": \"stone\"", "\"name\": \"b\\nwarnings: none\"");
+  g_autofree char *model = cli_write (folder, "m.quoin", text);
+  static const char *const runs[] = { "check", "solve", "limit" };
+  for (gsize i = 0; i < G_N_ELEMENTS (runs); i++) {
+    CliRun run = cli_run (runs[i], model, NULL);
+    cli_assert_done (&run);
+    g_assert_nonnull (strstr (run.out, "A\\u000awarnings: none\\u2028warnings: none"));
+    g_assert_nonnull (strstr (run.out, "b\\u000awarnings: none"));
+    const char *line = strstr (run.out, "\nwarnings: none");
+    g_assert_true (line == NULL || strcmp (runs[i], "check") == 0);
+    g_assert_true (line == NULL || strstr (line + 1, "\nwarnings: none") == NULL);
+    cli_run_clear (&run);
+  }
 }
 
 /* An escape sequence in a name reaches no terminal, and no picture's metadata. */
@@ -203,8 +226,12 @@ QN_TESTS
   g_test_add_func ("/cli/contract/usage", test_usage);
   g_test_add_func ("/cli/contract/render-usage", test_render_usage);
   g_test_add_func ("/cli/contract/missing-file", test_missing_file);
-  g_test_add_func ("/cli/contract/full-standard-output", test_full_standard_output);
+  g_test_add_data_func ("/cli/contract/full-standard-output", "--help",
+                        test_full_standard_output);
+  g_test_add_data_func ("/cli/contract/full-standard-output-help", "verify --help",
+                        test_full_standard_output);
   g_test_add_func ("/cli/contract/escapes", test_escapes);
+  g_test_add_func ("/cli/contract/forged-lines", test_forged_lines);
   g_test_add_func ("/cli/contract/same-file", test_same_file);
   g_test_add_func ("/cli/contract/numbers", test_numbers);
   g_test_add_func ("/cli/contract/no-timings", test_no_timings);

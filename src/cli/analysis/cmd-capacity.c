@@ -2,7 +2,9 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
+#include "core/base/numbers.h"
 #include "doc/view/capacity-answer.h"
 #include "doc/view/capacity-settings.h"
 #include "io/exchange/record.h"
@@ -51,7 +53,10 @@ parse_acceleration (const char *text)
     value *= STANDARD_GRAVITY;
   else if (end == text || *end != '\0')
     return 0;
-  return isfinite (value) && value > 0 ? value : 0;
+  return qn_number_problem (value, QN_RANGE_POSITIVE, QN_LARGEST_NUMBER)
+             == QN_PROBLEM_NONE
+           ? value
+           : 0;
 }
 
 static gboolean
@@ -195,46 +200,46 @@ print (const Answer *answer)
   const QnCapacity *c = &answer->answer.capacity;
   const QnModel *model = &answer->input->project.model;
   const QnCapacityPoint *peak = &c->points[c->peak];
-  printf (_ ("%s: controlled by ux of block %s\n"),
-          model->title != NULL ? model->title : answer->input->project.name,
-          model->blocks[c->block].name);
-  printf (
+  qn_print (_ ("%s: controlled by ux of block %s\n"),
+            model->title != NULL ? model->title : answer->input->project.name,
+            model->blocks[c->block].name);
+  qn_print (
     _ ("%zu of %zu blocks take part, %.6g kg; participating mass M* %.6g kg, e* %.4f\n"),
     c->participating, model->block_count, c->moving_mass, c->mass, c->share);
   if (c->left_out > 0)
-    printf (_ ("%.1f %% of the mass that is not fixed does not take part\n"),
-            100 * c->left_out / (c->left_out + c->moving_mass));
-  printf (_ ("peak: multiplier %.5f at %.4g m; d* %.4g m, a* %.4g m/s2\n"),
-          peak->multiplier, peak->control, peak->displacement, peak->acceleration);
+    qn_print (_ ("%.1f %% of the mass that is not fixed does not take part\n"),
+              100 * c->left_out / (c->left_out + c->moving_mass));
+  qn_print (_ ("peak: multiplier %.5f at %.4g m; d* %.4g m, a* %.4g m/s2\n"),
+            peak->multiplier, peak->control, peak->displacement, peak->acceleration);
   if (c->reaches_zero)
-    printf (_ ("multiplier back at zero: d0* %.4g m\n"), c->end);
+    qn_print (_ ("multiplier back at zero: d0* %.4g m\n"), c->end);
   else
-    printf (_ ("the path ends at d* %.4g m, multiplier %.5f, before zero: its end is "
-               "taken as d0*. %s\n"),
-            c->end, c->points[c->count - 1].multiplier, answer->reason);
+    qn_print (_ ("the path ends at d* %.4g m, multiplier %.5f, before zero: its end is "
+                 "taken as d0*. %s\n"),
+              c->end, c->points[c->count - 1].multiplier, answer->reason);
   if (c->share < SMALL_SHARE)
-    printf (
+    qn_print (
       _ ("e* is small: the blocks move very differently, and a* of the codes is %.1f "
          "times what virtual work gives, multiplier times g\n"),
       1 / c->share);
   if (!answer->answer.has_spectrum)
     return;
-  printf ("%-36s %5s %12s %12s %10s %12s %10s\n", _ ("code"), _ ("state"),
-          _ ("capacity [m]"), _ ("a* [m/s2]"), _ ("T [s]"), _ ("demand [m]"),
-          _ ("ratio"));
+  qn_print ("%-36s %5s %12s %12s %10s %12s %10s\n", _ ("code"), _ ("state"),
+            _ ("capacity [m]"), _ ("a* [m/s2]"), _ ("T [s]"), _ ("demand [m]"),
+            _ ("ratio"));
   for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
     const QnCapacityState *s = &answer->answer.states[i];
     g_autofree char *verdict = qn_capacity_dup_verdict (s);
-    printf ("%-36s %5s %12.5g %12.5g %10.4g %12.5g  %s\n",
-            qn_capacity_check_code ((QnCapacityCheck) i),
-            qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
-            s->period, s->demand, verdict);
+    qn_print ("%-36s %5s %12.5g %12.5g %10.4g %12.5g  %s\n",
+              qn_capacity_check_code ((QnCapacityCheck) i),
+              qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
+              s->period, s->demand, verdict);
   }
-  printf (_ ("ratio: capacity over demand; the check is met from 1 on\n"));
+  qn_print (_ ("ratio: capacity over demand; the check is met from 1 on\n"));
   for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
     g_autofree char *rests =
       qn_capacity_dup_basis (&answer->answer.states[i], (QnCapacityCheck) i);
-    printf ("%s\n", rests);
+    qn_print ("%s\n", rests);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "cli/analysis/cmd-solve.h"
+#include "cli/base/shown-text.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>
@@ -8,11 +9,11 @@ qn_cmd_limit_print (const char *title, const QnResult *result)
 {
   const QnLimitFigures *figures = &result->limit;
   if (figures->flow == QN_FLOW_ASSOCIATIVE)
-    printf (_ ("%s: limit multiplier between %.8f (forces) and %.8f (mechanism)\n"),
-            title, figures->lower_bound, figures->upper_bound);
+    qn_print (_ ("%s: limit multiplier between %.8f (forces) and %.8f (mechanism)\n"),
+              title, figures->lower_bound, figures->upper_bound);
   else
-    printf (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found)\n"),
-            title, figures->lower_bound, figures->upper_bound, result->solution_count);
+    qn_print (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found)\n"),
+              title, figures->lower_bound, figures->upper_bound, result->solution_count);
 }
 
 static QnExit

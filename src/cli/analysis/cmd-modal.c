@@ -1,6 +1,8 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
+#include "cli/base/shown-text.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/modal/modal.h"
 #include "io/text/file-writer.h"
@@ -79,7 +81,7 @@ print_damping (double ratio, const QnModes *modes)
     first++;
   double sum = modes->omega[first] + modes->omega[last];
   double stiffness = sum > 0 ? 2 * ratio / sum : 0;
-  printf (
+  qn_print (
     _ ("damping by mass %.6g 1/s and by stiffness %.6g s: %.4g of critical for modes "
        "%zu and %zu\n"),
     stiffness * modes->omega[first] * modes->omega[last], stiffness, ratio, first + 1,
@@ -121,23 +123,24 @@ solve (const Options *options, const QnInput *input)
     code = QN_EXIT_NO_ANSWER;
   } else if (!options->quiet && g_strcmp0 (options->output, "-") != 0
              && g_strcmp0 (options->csv, "-") != 0) {
-    printf ("%6s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
-            _ ("frequency [Hz]"), _ ("period [s]"));
+    qn_print ("%6s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
+              _ ("frequency [Hz]"), _ ("period [s]"));
     for (size_t i = 0; i < modes.count; i++) {
       double hertz = modes.omega[i] / (2 * G_PI);
-      printf ("%6zu  %14.6f  %14.6f  ", i + 1, modes.omega[i], hertz);
+      qn_print ("%6zu  %14.6f  %14.6f  ", i + 1, modes.omega[i], hertz);
       if (hertz > 0)
-        printf ("%14.6g\n", 1 / hertz);
+        qn_print ("%14.6g\n", 1 / hertz);
       else
-        printf ("%14s\n", _ ("rigid motion"));
+        qn_print ("%14s\n", _ ("rigid motion"));
     }
     if (options->damping > 0)
       print_damping (options->damping, &modes);
     if (modes.open + modes.slides > 0)
-      printf (_ ("closed joints are elastic, also %zu contact pairs that slide under the "
-                 "load; %zu of %zu, which are open or carry no compression, are left "
-                 "out\n"),
-              modes.slides, modes.open, input->contacts.pair_count);
+      qn_print (
+        _ ("closed joints are elastic, also %zu contact pairs that slide under the "
+           "load; %zu of %zu, which are open or carry no compression, are left "
+           "out\n"),
+        modes.slides, modes.open, input->contacts.pair_count);
   }
   if (code == QN_EXIT_DONE && options->csv != NULL)
     code = write_csv (options, &input->project.model, &modes);

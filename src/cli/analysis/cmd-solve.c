@@ -3,6 +3,8 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
+#include "cli/base/shown-text.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/path/analysis.h"
 #include "core/result/first-limit.h"
@@ -48,14 +50,14 @@ static void
 print_history (const char *title, const QnProject *project, const QnResult *result)
 {
   const QnHistory *history = &result->history;
-  printf (_ ("%s: followed to %.4g s, largest displacement %.4g m at %.4g s\n"), title,
-          history->end, qn_result_peak (result, NULL), history->peak_time);
-  printf (
+  qn_print (_ ("%s: followed to %.4g s, largest displacement %.4g m at %.4g s\n"), title,
+            history->end, qn_result_peak (result, NULL), history->peak_time);
+  qn_print (
     _ ("%d time steps, %d more given up for shorter ones; error of the energy balance "
        "%.1e of the input\n"),
     history->steps, history->rejected, history->energy_error);
   if (history->largest_slip > FAR_SLIP && !project->model.analysis.follow)
-    printf (
+    qn_print (
       _ ("a joint has slid by %.0f %% of its length: contacts stay where they were on "
          "their blocks, so that forces are less certain from then on\n"),
       100 * history->largest_slip);
@@ -70,9 +72,10 @@ print_stages (const QnModel *model, const QnResult *result)
     if (!qn_result_stage_figures (model, result, i, &stage))
       continue;
     g_autofree char *name = qn_stage_dup_name (model, i);
-    printf (_ ("stage %d, “%s”: ends at load multiplier %.5g; lowest %.5g, highest %.5g; "
-               "work %.5g J\n"),
-            i, name, stage.multiplier, stage.lowest, stage.highest, stage.work);
+    qn_print (
+      _ ("stage %d, “%s”: ends at load multiplier %.5g; lowest %.5g, highest %.5g; "
+         "work %.5g J\n"),
+      i, name, stage.multiplier, stage.lowest, stage.highest, stage.work);
   }
 }
 
@@ -86,40 +89,41 @@ print_summary (const QnProject *project, const QnResult *result)
   if (result->history.width > 0)
     print_history (title, project, result);
   else if (result->outcome == QN_OUTCOME_UNBOUNDED)
-    printf (_ ("%s: no collapse found\n"), title);
+    qn_print (_ ("%s: no collapse found\n"), title);
   else if (result->limit.given)
     qn_cmd_limit_print (title, result);
   else if (result->outcome == QN_OUTCOME_COLLAPSE)
-    printf (_ ("%s: collapse at load multiplier %.5f\n"), title,
-            result->collapse_multiplier);
+    qn_print (_ ("%s: collapse at load multiplier %.5f\n"), title,
+              result->collapse_multiplier);
   else if (result->outcome == QN_OUTCOME_SNAP)
-    printf (_ ("%s: stopped at the first limit point, load multiplier %.5f\n"), title,
-            result->first_limit_multiplier);
+    qn_print (_ ("%s: stopped at the first limit point, load multiplier %.5f\n"), title,
+              result->first_limit_multiplier);
   else if (buckled != NULL)
-    printf (_ ("%s: stability is lost at load multiplier %.6g\n"), title,
-            buckled->multiplier);
+    qn_print (_ ("%s: stability is lost at load multiplier %.6g\n"), title,
+              buckled->multiplier);
   else if (result->step_count > 0)
-    printf (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
-            result->steps[result->step_count - 1].multiplier);
+    qn_print (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
+              result->steps[result->step_count - 1].multiplier);
   if (result->outcome == QN_OUTCOME_COLLAPSE && qn_result_has_felt_limit (result)
       && result->first_limit_multiplier < result->collapse_multiplier)
-    printf (_ ("first limit point at %.5f: the path jumps to another equilibrium\n"),
-            result->first_limit_multiplier);
+    qn_print (_ ("first limit point at %.5f: the path jumps to another equilibrium\n"),
+              result->first_limit_multiplier);
   print_stages (&project->model, result);
   g_autofree char *interval = qn_outcome_dup_interval (&project->model, result);
   if (interval != NULL)
-    printf ("%s\n", interval);
+    qn_print ("%s\n", interval);
   g_autofree char *cause = qn_outcome_dup_cause (&project->model, result);
-  printf ("%s\n", cause);
+  qn_print ("%s\n", cause);
   g_autofree char *ties = qn_ties_dup_text (&project->model, result);
   if (ties != NULL)
-    printf ("%s\n", ties);
-  printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
-             "assembly %.0f %%, laws %.0f %%)\n"),
-          result->step_count, spent->iterations, spent->factorizations, spent->seconds,
-          100 * spent->factor_seconds / MAX (spent->seconds, 1e-9),
-          100 * spent->assembly_seconds / MAX (spent->seconds, 1e-9),
-          100 * spent->law_seconds / MAX (spent->seconds, 1e-9));
+    qn_print ("%s\n", ties);
+  qn_print (
+    _ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
+       "assembly %.0f %%, laws %.0f %%)\n"),
+    result->step_count, spent->iterations, spent->factorizations, spent->seconds,
+    100 * spent->factor_seconds / MAX (spent->seconds, 1e-9),
+    100 * spent->assembly_seconds / MAX (spent->seconds, 1e-9),
+    100 * spent->law_seconds / MAX (spent->seconds, 1e-9));
 }
 
 static gboolean
@@ -171,7 +175,7 @@ report (const Options *options, const QnInput *input, const QnResult *result)
     g_autofree char *text =
       qn_collapse_dup_text (&input->project.model, &input->contacts, result);
     if (text != NULL)
-      printf ("%s\n", text);
+      qn_print ("%s\n", text);
   }
   if (options->sensitivity) {
     code = qn_sensitivity_print (&input->project, &input->contacts, result);

@@ -1,6 +1,7 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/path/stability.h"
 #include "io/result/result-file.h"
@@ -20,14 +21,14 @@ print_summary (const QnProject *project, const QnResult *result)
 {
   const char *title = project->model.title != NULL ? project->model.title : project->name;
   if (result->outcome == QN_OUTCOME_SNAP) {
-    printf (_ ("%s: stability is lost at load multiplier %.6g\n"), title,
-            result->first_limit_multiplier);
+    qn_print (_ ("%s: stability is lost at load multiplier %.6g\n"), title,
+              result->first_limit_multiplier);
     return;
   }
   g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
   if (result->outcome == QN_OUTCOME_TARGET_REACHED)
-    printf (_ ("%s: stable along the whole path\n"), title);
-  printf ("%s\n", reason);
+    qn_print (_ ("%s: stable along the whole path\n"), title);
+  qn_print ("%s\n", reason);
 }
 
 static QnExit

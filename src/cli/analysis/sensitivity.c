@@ -1,7 +1,9 @@
 #include "cli/analysis/sensitivity.h"
+#include "cli/base/shown-text.h"
 
 #include "cli/base/input.h"
 #include "cli/base/message.h"
+#include "cli/base/shown-text.h"
 #include "core/limit/limit-sensitivity.h"
 
 #include <glib/gi18n.h>
@@ -21,21 +23,21 @@ qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
   if (qn_limit_sensitivity (&project->model, contacts, result, &sensitivity, &diag)
       != QN_OK)
     return qn_input_refuse (project, &diag);
-  printf (_ ("Change of the associative multiplier %.6f, of this mechanism:\n"),
-          sensitivity.multiplier);
-  printf ("%-24s %12s %12s %12s %12s %12s\n", _ ("law"), _ ("friction"), _ ("cohesion"),
-          _ ("tension"), _ ("weight"), _ ("thickness"));
+  qn_print (_ ("Change of the associative multiplier %.6f, of this mechanism:\n"),
+            sensitivity.multiplier);
+  qn_print ("%-24s %12s %12s %12s %12s %12s\n", _ ("law"), _ ("friction"), _ ("cohesion"),
+            _ ("tension"), _ ("weight"), _ ("thickness"));
   for (size_t i = 0; i < project->model.law_count; i++)
-    printf ("%-24s %12.6g %12.6g %12.6g %12.6g %12.6g\n", project->model.laws[i].name,
-            sensitivity.laws[i].friction, sensitivity.laws[i].cohesion,
-            sensitivity.laws[i].tension, sensitivity.laws[i].weight,
-            sensitivity.laws[i].thickness);
+    qn_print ("%-24s %12.6g %12.6g %12.6g %12.6g %12.6g\n", project->model.laws[i].name,
+              sensitivity.laws[i].friction, sensitivity.laws[i].cohesion,
+              sensitivity.laws[i].tension, sensitivity.laws[i].weight,
+              sensitivity.laws[i].thickness);
   for (size_t i = 0; i < project->model.dead_load_count; i++)
-    printf (_ ("dead load %zu: %.6g\n"), i + 1, sensitivity.dead_loads[i]);
+    qn_print (_ ("dead load %zu: %.6g\n"), i + 1, sensitivity.dead_loads[i]);
   for (size_t i = 0; i < project->model.live_load_count; i++)
     if (project->model.live_loads[i].set == 0)
-      printf (_ ("live load %zu: %.6g\n"), i + 1, sensitivity.live_loads[i]);
-  printf (_ (
+      qn_print (_ ("live load %zu: %.6g\n"), i + 1, sensitivity.live_loads[i]);
+  qn_print (_ (
     "Change of the multiplier per unit of friction, per N or Pa of cohesion and tension "
     "(as the law has them), and per relative change of weight, thickness and loads.\n"));
   qn_limit_sensitivity_clear (&sensitivity);

@@ -1,9 +1,12 @@
 #define _GNU_SOURCE /* fopencookie */
 #include "cli/base/shown-text.h"
 
+#include "cli/base/message.h"
 #include "io/text/plain-character.h"
+#include "io/text/text-format.h"
 
 #include <errno.h>
+#include <glib/gi18n.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -30,6 +33,33 @@ qn_shown_text_append (GString *shown, const char *text, gsize length)
     at += bytes;
   }
   return at;
+}
+
+static gboolean all_finite = TRUE;
+
+void
+qn_print (const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  g_autofree char *text = qn_text_vprintf (&all_finite, format, arguments);
+  va_end (arguments);
+  fputs (text, stdout);
+}
+
+QnExit
+qn_shown_text_end (QnExit code)
+{
+  if (!all_finite && code == QN_EXIT_DONE) {
+    qn_cli_error (_ ("this answer has numbers that are not finite"));
+    code = QN_EXIT_NO_ANSWER;
+  }
+  /* Output that is still in the buffer would be lost without an error. */
+  if ((fflush (stdout) != 0 || ferror (stdout)) && code == QN_EXIT_DONE) {
+    qn_cli_error (_ ("standard output cannot be written"));
+    code = QN_EXIT_FILE;
+  }
+  return code;
 }
 
 /* Bytes of a character whose rest has not been printed yet. */

@@ -1,10 +1,12 @@
 #include "cli/base/subcommand.h"
 
 #include "cli/base/message.h"
+#include "cli/base/shown-text.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -97,6 +99,19 @@ check_files (const QnSubcommand *self, const GOptionEntry *entries, int count,
   return TRUE;
 }
 
+/* GLib's own answer to --help ends the program with 0 where nobody can read it. */
+static void
+end_by_help (GOptionContext *context, int argc, char **argv)
+{
+  for (int i = 1; i < argc && strcmp (argv[i], "--") != 0; i++)
+    if (strcmp (argv[i], "--help") == 0 || strcmp (argv[i], "-h") == 0
+        || strcmp (argv[i], "-?") == 0) {
+      g_autofree char *help = g_option_context_get_help (context, TRUE, NULL);
+      fputs (help, stdout);
+      exit ((int) qn_shown_text_end (QN_EXIT_DONE));
+    }
+}
+
 gboolean
 qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int least,
                      int most, int *argc, char ***argv)
@@ -108,14 +123,14 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
   if (*argc == 2 && strcmp ((*argv)[1], QN_DESCRIBE) == 0) {
     /* One line for the subcommand, one for each option, fields parted by tabs; in
      * English, since manual pages and completions are made from it. */
-    printf ("subcommand\t%s\t%s\t%s\t%s\n", self->name, self->arguments, self->summary,
-            self->help != NULL ? self->help : "");
+    qn_print ("subcommand\t%s\t%s\t%s\t%s\n", self->name, self->arguments, self->summary,
+              self->help != NULL ? self->help : "");
     for (; entries->long_name != NULL; entries++)
-      printf ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", entries->long_name,
-              entries->short_name != 0 ? entries->short_name : '-', kind_of (entries),
-              is_repeated (entries) ? "many" : "once",
-              entries->arg_description != NULL ? entries->arg_description : "",
-              entries->description);
+      qn_print ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", entries->long_name,
+                entries->short_name != 0 ? entries->short_name : '-', kind_of (entries),
+                is_repeated (entries) ? "many" : "once",
+                entries->arg_description != NULL ? entries->arg_description : "",
+                entries->description);
     return FALSE;
   }
   g_set_prgname (name);
@@ -128,6 +143,7 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
   for (const GOptionEntry *e = entries; e->long_name != NULL; e++)
     if (strcmp (e->long_name, "allow-outside") == 0)
       qn_cli_offer_outside ();
+  end_by_help (context, *argc, *argv);
   gboolean parsed = g_option_context_parse (context, argc, argv, &error);
   g_set_prgname ("quoin-cli");
   if (!parsed) {

@@ -1,6 +1,7 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
 #include "doc/document/underlay.h"
@@ -94,7 +95,7 @@ make (const QnRecipe *recipe, Workshop *shop)
   }
   if (code != QN_EXIT_DONE)
     return code;
-  printf ("%s\n", path);
+  qn_print ("%s\n", path);
   if (qn_recipe_is_stale (recipe, &shop->solved.input.project))
     qn_cli_warning (_ ("figure \"%s\": the model changed since the figure was stored"),
                     recipe->name);
@@ -143,7 +144,7 @@ make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
       code = make (recipe, shop);
       continue;
     }
-    printf (
+    qn_print (
       "%s\t%s\t%s\t%s\n", recipe->name, qn_view_names[recipe->view.view], recipe->file,
       qn_recipe_is_stale (recipe, &shop->solved.input.project) ? _ ("the model changed")
                                                                : _ ("current"));

@@ -1,4 +1,5 @@
 #include "cli/project/check-report.h"
+#include "cli/base/shown-text.h"
 
 #include "core/model/support.h"
 #include "doc/edit/edit-dynamic.h"
@@ -23,20 +24,20 @@ print_support (const char *separator, const char *name, const bool support[QN_DO
 {
   static const char *const dofs[QN_DOF_COUNT] = { "ux", "uy", "rz" };
   const char *comma = "";
-  printf ("%s%s (", separator, name);
+  qn_print ("%s%s (", separator, name);
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)
     if (support[dof]) {
-      printf ("%s%s", comma, dofs[dof]);
+      qn_print ("%s%s", comma, dofs[dof]);
       comma = ", ";
     }
-  printf (")");
+  qn_print (")");
 }
 
 /* For every supported block and node. */
 static void
 print_supports (const QnModel *model)
 {
-  printf (_ ("supports:"));
+  qn_print (_ ("supports:"));
   const char *separator = " ";
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
@@ -52,7 +53,7 @@ print_supports (const QnModel *model)
     print_support (separator, node->name, node->support);
     separator = ", ";
   }
-  printf ("\n");
+  qn_print ("\n");
 }
 
 /* The dead loads, or those of one set. */
@@ -65,20 +66,20 @@ print_load_list (const QnModel *model, const char *name, size_t from, size_t to,
     if (qn_model_load (model, i)->set != set)
       continue;
     if (!any)
-      printf (_ ("loads, %s:\n"), name);
+      qn_print (_ ("loads, %s:\n"), name);
     any = TRUE;
     /* "load backfill (traffic × 1.5): resultant (12000, 0) N" */
     const QnLoad *load = qn_model_load (model, i);
     const QnVec2 sum = qn_model_load_resultant (model, i);
     g_autofree char *text = qn_load_dup_text (model, load, QN_UNITS_SI);
-    printf ("  %s", text);
+    qn_print ("  %s", text);
     if (load->load_case > 0) {
       const QnLoadCase *of = &model->load_cases[load->load_case - 1];
-      printf (_ (", case %s × %.6g"), of->name, of->factor);
+      qn_print (_ (", case %s × %.6g"), of->name, of->factor);
     }
     if (load->kind != QN_LOAD_SETTLEMENT)
-      printf (_ (", resultant (%.6g, %.6g) N"), sum.x, sum.y);
-    printf ("\n");
+      qn_print (_ (", resultant (%.6g, %.6g) N"), sum.x, sum.y);
+    qn_print ("\n");
   }
 }
 
@@ -95,8 +96,8 @@ print_loads (const QnModel *model)
     for (size_t i = 0; i < qn_model_load_count (model); i++)
       if (qn_model_load (model, i)->load_case == (int32_t) k + 1)
         sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
-    printf (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
-            model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
+    qn_print (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
+              model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
   }
 }
 
@@ -107,10 +108,10 @@ print_elasticities (const QnModel *model)
   for (size_t i = 0; i < model->law_count; i++) {
     const QnLaw *law = &model->laws[i];
     if (law->elasticity > 0)
-      printf (_ ("law %s: elasticity %.6g Pa, Poisson's ratio %.6g, blocks in a %s: "
-                 "kn %.6g, ks %.6g Pa\n"),
-              law->name, law->elasticity, law->poisson,
-              qn_arrangement_names[law->arrangement], law->kn, law->ks);
+      qn_print (_ ("law %s: elasticity %.6g Pa, Poisson's ratio %.6g, blocks in a %s: "
+                   "kn %.6g, ks %.6g Pa\n"),
+                law->name, law->elasticity, law->poisson,
+                qn_arrangement_names[law->arrangement], law->kn, law->ks);
   }
 }
 
@@ -121,18 +122,19 @@ print_ground (const QnModel *model)
   for (size_t i = 0; i < model->ground_count; i++) {
     const QnGroundMotion *motion = &model->ground[i];
     g_autofree char *text = qn_ground_motion_dup_text (motion);
-    printf (_ ("ground motion %zu: %s, factor %.6g along (%.6g, %.6g)\n"), i, text,
-            motion->scale, motion->direction.x, motion->direction.y);
+    qn_print (_ ("ground motion %zu: %s, factor %.6g along (%.6g, %.6g)\n"), i, text,
+              motion->scale, motion->direction.x, motion->direction.y);
     if (motion->point_count == 0)
       continue;
     QnRecordFacts facts = qn_record_facts (
       &(QnRecord){ .points = motion->points, .count = motion->point_count });
-    printf (_ ("  %zu samples every %.4g s to %.4g s, unit %s; peak %.4g m/s2 (%.3g g), "
-               "%.4g m/s, %.4g m; drift at the end %.3g m/s, %.3g m\n"),
-            motion->point_count, facts.time_step, facts.duration,
-            motion->record == NULL ? "m/s2" : motion->record_unit, facts.peak,
-            facts.peak / 9.80665, facts.velocity, facts.displacement, facts.end_velocity,
-            facts.end_displacement);
+    qn_print (
+      _ ("  %zu samples every %.4g s to %.4g s, unit %s; peak %.4g m/s2 (%.3g g), "
+         "%.4g m/s, %.4g m; drift at the end %.3g m/s, %.3g m\n"),
+      motion->point_count, facts.time_step, facts.duration,
+      motion->record == NULL ? "m/s2" : motion->record_unit, facts.peak,
+      facts.peak / 9.80665, facts.velocity, facts.displacement, facts.end_velocity,
+      facts.end_displacement);
   }
 }
 
@@ -145,9 +147,9 @@ print_gaps (const QnModel *model)
     return;
   g_autofree char *text = qn_gaps_dup_text (&gaps);
   if (text != NULL)
-    printf (_ ("%s, open: the blocks beside them do not touch; import the drawing with "
-               "--close-joints\n"),
-            text);
+    qn_print (_ ("%s, open: the blocks beside them do not touch; import the drawing with "
+                 "--close-joints\n"),
+              text);
   qn_gaps_clear (&gaps);
 }
 
@@ -158,15 +160,15 @@ print_findings (const QnInput *input)
   const QnFindings *findings = &input->contacts.findings;
   const GPtrArray *warnings = input->project.warnings;
   if (findings->count + warnings->len == 0) {
-    printf (_ ("warnings: none\n"));
+    qn_print (_ ("warnings: none\n"));
     return;
   }
-  printf (_ ("warnings: %zu\n"), findings->count + warnings->len);
+  qn_print (_ ("warnings: %zu\n"), findings->count + warnings->len);
   for (guint i = 0; i < warnings->len; i++)
-    printf ("  %s\n", (char *) g_ptr_array_index (warnings, i));
+    qn_print ("  %s\n", (char *) g_ptr_array_index (warnings, i));
   g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&input->project, findings);
   for (guint i = 0; i < texts->len; i++)
-    printf ("  %s\n", (const char *) g_ptr_array_index (texts, i));
+    qn_print ("  %s\n", (const char *) g_ptr_array_index (texts, i));
 }
 
 static void
@@ -174,15 +176,15 @@ print_faces (const QnModel *model, const QnContacts *contacts)
 {
   for (size_t i = 0; i < contacts->face_count; i++) {
     const QnContactFace *face = &contacts->faces[i];
-    printf (
+    qn_print (
       _ ("face %zu: %s – %s, from (%.6g, %.6g) to (%.6g, %.6g), length %.6g m, pairs "
          "at"),
       i, model->blocks[face->a].name, model->blocks[face->b].name, face->start.x,
       face->start.y, face->end.x, face->end.y, face->length);
     for (int32_t k = 0; k < face->pair_count; k++)
-      printf ("%s %.6g", k > 0 ? "," : "",
-              contacts->pairs[face->first_pair + k].abscissa);
-    printf (" m\n");
+      qn_print ("%s %.6g", k > 0 ? "," : "",
+                contacts->pairs[face->first_pair + k].abscissa);
+    qn_print (" m\n");
   }
 }
 
@@ -193,24 +195,24 @@ print_ties (const QnModel *model)
   for (size_t i = 0; i < model->tie_count; i++) {
     const QnTie *tie = &model->ties[i];
     double strength = qn_tie_strength (tie);
-    printf (_ ("tie %s: "), tie->name);
+    qn_print (_ ("tie %s: "), tie->name);
     for (int end = 0; end < 2; end++) {
       QnId block = tie->ends[end].block;
-      printf (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),
-              block != QN_NONE ? model->blocks[block].name : _ ("ground"),
-              tie->ends[end].at.x, tie->ends[end].at.y);
+      qn_print (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),
+                block != QN_NONE ? model->blocks[block].name : _ ("ground"),
+                tie->ends[end].at.x, tie->ends[end].at.y);
     }
-    printf (_ (", length %.6g m, stiffness %.6g N/m"), qn_tie_length (tie),
-            qn_tie_stiffness (tie));
+    qn_print (_ (", length %.6g m, stiffness %.6g N/m"), qn_tie_length (tie),
+              qn_tie_stiffness (tie));
     if (isfinite (strength))
-      printf (qn_tie_weakest (tie) == QN_TIE_ANCHOR ? _ (", strength %.6g N (anchor)")
-                                                    : _ (", strength %.6g N (steel)"),
-              strength);
+      qn_print (qn_tie_weakest (tie) == QN_TIE_ANCHOR ? _ (", strength %.6g N (anchor)")
+                                                      : _ (", strength %.6g N (steel)"),
+                strength);
     if (tie->prestress > 0)
-      printf (_ (", prestress %.6g N"), tie->prestress);
+      qn_print (_ (", prestress %.6g N"), tie->prestress);
     if (tie->slack > 0)
-      printf (_ (", slack %.6g m"), tie->slack);
-    printf ("\n");
+      qn_print (_ (", slack %.6g m"), tie->slack);
+    qn_print ("\n");
   }
 }
 
@@ -220,23 +222,23 @@ print_beams (const QnModel *model)
 {
   for (size_t i = 0; i < model->beam_count; i++) {
     const QnBeam *beam = &model->beams[i];
-    printf (_ ("beam %s (%s): "), beam->name, qn_beam_kind_names[beam->kind]);
+    qn_print (_ ("beam %s (%s): "), beam->name, qn_beam_kind_names[beam->kind]);
     for (int end = 0; end < 2; end++) {
       const QnNode *node = &model->nodes[beam->nodes[end]];
-      printf (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),
-              node->name, node->at.x, node->at.y);
+      qn_print (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),
+                node->name, node->at.x, node->at.y);
       if (node->block != QN_NONE)
-        printf (_ (" on %s"), model->blocks[node->block].name);
+        qn_print (_ (" on %s"), model->blocks[node->block].name);
       if (beam->hinge[end])
-        printf (_ (", hinged"));
+        qn_print (_ (", hinged"));
     }
     QnVec2 chord =
       qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at);
-    printf (ngettext (", length %.6g m, section %s, %d element\n",
-                      ", length %.6g m, section %s, %d elements\n",
-                      (unsigned long) beam->element_count),
-            qn_vec2_length (chord), model->sections[beam->section].name,
-            beam->element_count);
+    qn_print (ngettext (", length %.6g m, section %s, %d element\n",
+                        ", length %.6g m, section %s, %d elements\n",
+                        (unsigned long) beam->element_count),
+              qn_vec2_length (chord), model->sections[beam->section].name,
+              beam->element_count);
   }
 }
 
@@ -251,45 +253,45 @@ print_result (const QnCheckReport *report)
 {
   const char *verdict = qn_check_report_passes (report) ? _ ("passes") : _ ("fails");
   if (report->check != NULL) {
-    printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
-            report->check->multiplier, verdict);
+    qn_print (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
+              report->check->multiplier, verdict);
     const QnModel *model = &report->input->project.model;
     const QnResultCheck *check = report->check;
     if (check->unbalanced_node != QN_NONE)
-      printf (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
-              check->force_scale, model->nodes[check->unbalanced_node].name);
+      qn_print (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
+                check->force_scale, model->nodes[check->unbalanced_node].name);
     else if (check->unbalanced_element != QN_NONE)
-      printf (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), check->out_of_balance,
-              check->force_scale,
-              model->beams[model->elements[check->unbalanced_element].beam].name);
+      qn_print (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), check->out_of_balance,
+                check->force_scale,
+                model->beams[model->elements[check->unbalanced_element].beam].name);
     else
-      printf (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
-              check->force_scale, block_name (model, check->unbalanced_block));
-    printf (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
-            check->contact_scale);
+      qn_print (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
+                check->force_scale, block_name (model, check->unbalanced_block));
+    qn_print (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
+              check->contact_scale);
     if (check->violating_pair != QN_NONE)
-      printf (_ (", pair %d"), check->violating_pair);
-    printf ("\n");
+      qn_print (_ (", pair %d"), check->violating_pair);
+    qn_print ("\n");
   } else {
-    printf (_ ("result %s: %s\n"), report->result_name, verdict);
+    qn_print (_ ("result %s: %s\n"), report->result_name, verdict);
   }
   const QnResultFaults *faults = report->faults;
   for (int i = 0; i < faults->count; i++) {
     g_autofree char *text = qn_fault_dup_text (
       &report->input->project.model, &report->input->contacts, &faults->items[i]);
-    printf (_ ("  not true: %s\n"), text);
+    qn_print (_ ("  not true: %s\n"), text);
   }
   if (faults->forces_unknown)
-    printf (
+    qn_print (
       _ ("  not checked: forces of the steps before the last, which the result does "
          "not hold\n"));
   if (faults->in_time)
-    printf (
+    qn_print (
       _ ("  not checked: the balance in motion, to which inertia and damping belong\n"));
   for (guint i = 0; i < report->unproved->len; i++)
-    printf ("%s%s", i == 0 ? _ ("  not proved by the file: ") : ", ",
-            (const char *) g_ptr_array_index (report->unproved, i));
-  printf (report->unproved->len > 0 ? "\n" : "");
+    qn_print ("%s%s", i == 0 ? _ ("  not proved by the file: ") : ", ",
+              (const char *) g_ptr_array_index (report->unproved, i));
+  qn_print (report->unproved->len > 0 ? "\n" : "");
 }
 
 void
@@ -305,15 +307,15 @@ qn_check_report_print (const QnCheckReport *report)
     length += input->contacts.faces[i].length;
 
   if (model->title != NULL)
-    printf ("%s\n", model->title);
-  printf (_ ("blocks: %zu, free weight %.6g N\n"), model->block_count, weight);
+    qn_print ("%s\n", model->title);
+  qn_print (_ ("blocks: %zu, free weight %.6g N\n"), model->block_count, weight);
   print_supports (model);
-  printf (_ ("contact faces: %zu, total length %.6g m\n"), input->contacts.face_count,
-          length);
-  printf (_ ("contact pairs: %zu\n"), input->contacts.pair_count);
+  qn_print (_ ("contact faces: %zu, total length %.6g m\n"), input->contacts.face_count,
+            length);
+  qn_print (_ ("contact pairs: %zu\n"), input->contacts.pair_count);
   if (model->beam_count > 0)
-    printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
-            model->element_count, model->node_count);
+    qn_print (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
+              model->element_count, model->node_count);
   print_elasticities (model);
   print_loads (model);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)

@@ -1,10 +1,13 @@
 #include "cli/base/message.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "io/exchange/drawing-import.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 typedef struct Options {
   char *output;
@@ -18,12 +21,15 @@ typedef struct Options {
 static void
 tell (const Options *options, const QnImportReport *report)
 {
-  gboolean to_stdout = g_strcmp0 (options->output, "-") != 0;
   if (report->lines == NULL) /* the file could not be read */
     return;
   if (options->report) {
-    for (guint i = 0; i < report->lines->len; i++)
-      fprintf (to_stdout ? stdout : stderr, "%s\n", (char *) report->lines->pdata[i]);
+    g_autoptr (GString) shown = g_string_new (NULL);
+    for (guint i = 0; i < report->lines->len; i++) {
+      g_autofree char *line = qn_text_printf ("%s\n", (char *) report->lines->pdata[i]);
+      qn_shown_text_append (shown, line, strlen (line));
+    }
+    fputs (shown->str, g_strcmp0 (options->output, "-") != 0 ? stdout : stderr);
     return;
   }
   for (guint i = 0; i < report->warnings->len; i++)

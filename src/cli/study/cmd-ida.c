@@ -2,6 +2,7 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "cli/study/cmd-study.h"
 #include "io/exchange/record.h"
@@ -245,17 +246,17 @@ print (const Ida *ida)
       stands += i > first && curve->known[i] && !isfinite (curve->times[i]);
     }
     if (first < curve->count)
-      printf (
+      qn_print (
         _ (
           "%s: overturns first at %.4g times the record, peak %.4g m/s2, after %.3g s\n"),
         curve->name, curve->scales[first], curve->peaks[first], curve->times[first]);
     else
-      printf (_ ("%s: does not overturn at any of these factors\n"), curve->name);
+      qn_print (_ ("%s: does not overturn at any of these factors\n"), curve->name);
     if (stands > 0)
-      printf (_ ("%s: stands again at %zu larger factors\n"), curve->name, stands);
+      qn_print (_ ("%s: stands again at %zu larger factors\n"), curve->name, stands);
     if (failed > 0)
-      printf (_ ("%s: %zu of %zu cases have no result\n"), curve->name, failed,
-              curve->count);
+      qn_print (_ ("%s: %zu of %zu cases have no result\n"), curve->name, failed,
+                curve->count);
   }
 }
 

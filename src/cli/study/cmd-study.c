@@ -1,3 +1,4 @@
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/base/integer.h"
 
@@ -86,11 +87,11 @@ compute (const QnStudy *study, const RunOptions *options,
   if (!ok)
     return qn_cli_fail (error);
   if (!options->quiet) {
-    printf (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
-            progress.wanted);
+    qn_print (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
+              progress.wanted);
     if (progress.failed > 0)
-      printf (_ (", %zu of those computed now failed"), progress.failed);
-    printf (_ ("; %.1f s\n"), progress.seconds);
+      qn_print (_ (", %zu of those computed now failed"), progress.failed);
+    qn_print (_ ("; %.1f s\n"), progress.seconds);
   }
   if (!cancelled)
     return QN_EXIT_DONE;
@@ -148,8 +149,8 @@ run_study (const QnSubcommand *self, RunOptions *options, const char *path)
   else if (!qn_folder_prepare (options->folder, &study, &error))
     code = qn_cli_fail (error);
   else if (!options->quiet)
-    printf (_ ("%s: %zu cases to compute\n"), options->folder,
-            qn_study_case_count (&study));
+    qn_print (_ ("%s: %zu cases to compute\n"), options->folder,
+              qn_study_case_count (&study));
   qn_study_clear (&study);
   return code;
 }
@@ -220,13 +221,13 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
   if (!ok)
     return qn_cli_fail (error);
   if (submission.script == NULL)
-    printf (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
-            folder, submission.missing, submission.active);
+    qn_print (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
+              folder, submission.missing, submission.active);
   else if (submission.job == NULL)
     fputs (submission.script, stdout);
   else
-    printf (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
-            submission.missing, submission.tasks, submission.job);
+    qn_print (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
+              submission.missing, submission.tasks, submission.job);
   qn_submission_clear (&submission);
   return QN_EXIT_DONE;
 }
@@ -293,8 +294,8 @@ run_gather (const QnSubcommand *self, int argc, char **argv)
   qn_study_clear (&study);
   if (!ok)
     return qn_cli_fail (error);
-  printf (_ ("%s: %zu rows added; %zu of %zu cases, %zu failed\n"), argv[1],
-          gathered.added, gathered.present, gathered.count, gathered.failed);
+  qn_print (_ ("%s: %zu rows added; %zu of %zu cases, %zu failed\n"), argv[1],
+            gathered.added, gathered.present, gathered.count, gathered.failed);
   return QN_EXIT_DONE;
 }
 
@@ -316,11 +317,11 @@ static const QnSubcommand *const actions[] = { &run_action,
 static void
 print_help (void)
 {
-  printf (_ ("Usage: quoin-cli study ACTION [OPTION…] ARGUMENT…\n\n"
-             "Many cases of one project, and what is uncertain in it.\n\nActions:\n"));
+  qn_print (_ ("Usage: quoin-cli study ACTION [OPTION…] ARGUMENT…\n\n"
+               "Many cases of one project, and what is uncertain in it.\n\nActions:\n"));
   for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
-    printf ("  %-16s%s\n", actions[i]->name, _ (actions[i]->summary));
-  printf (_ ("\n\"quoin-cli study ACTION --help\" explains one of them.\n"));
+    qn_print ("  %-16s%s\n", actions[i]->name, _ (actions[i]->summary));
+  qn_print (_ ("\n\"quoin-cli study ACTION --help\" explains one of them.\n"));
 }
 
 static QnExit

@@ -1,6 +1,7 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
+#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "cli/verify/verify-cases.h"
 #include "cli/verify/verify-run.h"
@@ -65,9 +66,9 @@ print_cell (const char *text, int width, gboolean left)
 {
   int padding = MAX (0, width - (int) g_utf8_strlen (text, -1));
   if (left)
-    printf ("%s%*s", text, padding, "");
+    qn_print ("%s%*s", text, padding, "");
   else
-    printf (" %*s%s", padding, "", text);
+    qn_print (" %*s%s", padding, "", text);
 }
 
 static void
@@ -93,20 +94,20 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
   g_autofree char *name =
     g_strconcat (_ (test->name), result->mechanism_uncertain ? "‡" : "", NULL);
   print_cell (name, 23, TRUE);
-  printf (" %6zu %5zu", count_free_blocks (&input->project.model),
-          input->contacts.face_count);
+  qn_print (" %6zu %5zu", count_free_blocks (&input->project.model),
+            input->contacts.face_count);
   print_value (test->reference, TRUE);
   print_value (test->paper, test->paper > 0);
   print_value (found, isfinite (found));
-  printf (" %+8.4f", 100 * error);
+  qn_print (" %+8.4f", 100 * error);
   if (isfinite (test->tolerance))
-    printf (" %7.4f", 100 * test->tolerance);
+    qn_print (" %7.4f", 100 * test->tolerance);
   else
     print_cell (_ ("none"), 7, FALSE);
   print_value (bound, isfinite (bound));
   print_value (result->first_limit_multiplier, result->has_first_limit_multiplier);
-  printf (" %7.3f %14d %s\n", result->statistics.seconds,
-          result->statistics.factorizations, met ? "" : _ ("MISSED"));
+  qn_print (" %7.3f %14d %s\n", result->statistics.seconds,
+            result->statistics.factorizations, met ? "" : _ ("MISSED"));
   fflush (stdout);
   return met;
 }
@@ -214,7 +215,7 @@ verify (const Options *options, char **names)
     if (!is_wanted (&groups[i], names))
       continue;
     const QnVerifyGroup *group = &groups[i];
-    printf ("%s (%s)\n", _ (group->title), _ (group->source));
+    qn_print ("%s (%s)\n", _ (group->title), _ (group->source));
     print_cell ("", 23, TRUE);
     print_cell (_ ("blocks"), 6, FALSE);
     print_cell (_ ("faces"), 5, FALSE);
@@ -227,21 +228,22 @@ verify (const Options *options, char **names)
     print_cell (_ ("1st limit"), 10, FALSE);
     print_cell (_ ("seconds"), 7, FALSE);
     print_cell (_ ("factorisations"), 14, FALSE);
-    printf ("\n");
+    qn_print ("\n");
     for (gsize k = 0; k < groups[i].case_count; k++) {
       QnExit code = run_case (options, &groups[i], &groups[i].cases[k], &tally);
       if (code != QN_EXIT_DONE)
         return code;
     }
-    printf ("\n");
+    qn_print ("\n");
   }
-  printf ("%s", _ ("* HybriDFEM as published, for comparison.\n"
-                   "† Upper bound of the associative limit analysis, computed now.\n"));
+  fputs (_ ("* HybriDFEM as published, for comparison.\n"
+            "† Upper bound of the associative limit analysis, computed now.\n"),
+         stdout);
   if (tally.uncertain > 0)
-    printf ("%s\n", _ ("‡ How the structure moves above its multiplier was not "
-                       "determined: the mechanism is its last motion."));
-  printf (_ ("%u met, %u missed, %u reported only.\n"), tally.met, tally.missed,
-          tally.reported);
+    qn_print ("%s\n", _ ("‡ How the structure moves above its multiplier was not "
+                         "determined: the mechanism is its last motion."));
+  qn_print (_ ("%u met, %u missed, %u reported only.\n"), tally.met, tally.missed,
+            tally.reported);
   return tally.missed > 0 ? QN_EXIT_INTERNAL : QN_EXIT_DONE;
 }
 

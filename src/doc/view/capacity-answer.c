@@ -5,6 +5,7 @@
 #include "doc/text/explain.h"
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
+#include "io/text/text-format.h"
 #include "render/figure/capacity-plot.h"
 
 #include <glib/gi18n-lib.h>
@@ -33,7 +34,7 @@ qn_capacity_dup_verdict (const QnCapacityState *state)
 {
   if (state->refused)
     return g_strdup (_ ("refused"));
-  return g_strdup_printf (state->ratio < 1 ? _ ("%.3f – not met") : "%.3f", state->ratio);
+  return qn_text_printf (state->ratio < 1 ? _ ("%.3f – not met") : "%.3f", state->ratio);
 }
 
 char *
@@ -44,11 +45,11 @@ qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check)
                         ? _ ("the secant to the capacity")
                         : _ ("the elastic rise of the curve up to its peak");
   if (isnan (state->softer))
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("%s: the period of %.4g s is that of %s; how far it rests on the "
          "stiffness of the joints is not known."),
       name, state->period, rests);
-  return g_strdup_printf (
+  return qn_text_printf (
     state->refused
       ? _ (
         "%s: refused. The period of %.4g s is that of %s, and rests on the stiffness of "
@@ -75,11 +76,11 @@ static char *
 dup_fault (const QnModel *model, const QnResult *result)
 {
   if (result->stop == QN_STOP_FACTORIZATIONS)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("the curve was not followed to its end: max_factorizations (%d) was reached"),
       model->analysis.max_factorizations);
   if (result->stop == QN_STOP_TIME)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("the curve was not followed to its end: max_seconds (%.4g) was reached"),
       model->analysis.max_seconds);
   return result->stop == QN_STOP_CHECK || result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE
@@ -370,8 +371,8 @@ plot_init (Plot *plot, const QnCapacityAnswer *answer, const char *title,
   *plot = (Plot){ 0 };
   for (gsize i = 0; i < count; i++) {
     const char *name = qn_capacity_check_name ((QnCapacityCheck) i);
-    plot->labels[2 * i] = g_strdup_printf (_ ("%s: capacity"), name);
-    plot->labels[2 * i + 1] = g_strdup_printf (_ ("%s: demand"), name);
+    plot->labels[2 * i] = qn_text_printf (_ ("%s: capacity"), name);
+    plot->labels[2 * i + 1] = qn_text_printf (_ ("%s: demand"), name);
     plot->marks[i] =
       (QnCapacityMark){ plot->labels[2 * i], plot->labels[2 * i + 1], answer->states[i] };
   }

@@ -1,4 +1,5 @@
 #include "io/text/fault-text.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -95,20 +96,20 @@ dup_place (const QnModel *model, const QnContacts *contacts, const QnFault *faul
     return NULL;
   if (fault->entity == QN_ENTITY_CONTACT) {
     if (contacts == NULL || at >= contacts->pair_count)
-      return g_strdup_printf (_ ("pair %d"), fault->index);
+      return qn_text_printf (_ ("pair %d"), fault->index);
     const QnContactFace *face = &contacts->faces[contacts->pairs[at].face];
-    return g_strdup_printf (_ ("pair %d between “%s” and “%s”"), fault->index,
-                            model->blocks[face->a].name, model->blocks[face->b].name);
+    return qn_text_printf (_ ("pair %d between “%s” and “%s”"), fault->index,
+                           model->blocks[face->a].name, model->blocks[face->b].name);
   }
   if (fault->entity == QN_ENTITY_BLOCK && at < model->block_count)
-    return g_strdup_printf (_ ("block “%s”"), model->blocks[at].name);
+    return qn_text_printf (_ ("block “%s”"), model->blocks[at].name);
   if (fault->entity == QN_ENTITY_NODE && at < model->node_count)
-    return g_strdup_printf (_ ("node “%s”"), model->nodes[at].name);
+    return qn_text_printf (_ ("node “%s”"), model->nodes[at].name);
   if (fault->entity == QN_ENTITY_BEAM && at < model->beam_count)
-    return g_strdup_printf (_ ("beam “%s”"), model->beams[at].name);
+    return qn_text_printf (_ ("beam “%s”"), model->beams[at].name);
   if (fault->entity == QN_ENTITY_TIE && at < model->tie_count)
-    return g_strdup_printf (_ ("tie “%s”"), model->ties[at].name);
-  return g_strdup_printf (_ ("number %d"), fault->index);
+    return qn_text_printf (_ ("tie “%s”"), model->ties[at].name);
+  return qn_text_printf (_ ("number %d"), fault->index);
 }
 
 QnClaim
@@ -128,15 +129,15 @@ qn_fault_dup_text (const QnModel *model, const QnContacts *contacts, const QnFau
   const char *unit = claims[fault->claim].unit;
 
   if (fault->step != QN_NONE)
-    g_string_append_printf (text, _ ("step %d: "), fault->step);
+    qn_text_append (text, _ ("step %d: "), fault->step);
   if (place != NULL)
-    g_string_append_printf (text, _ ("%s: "), place);
+    qn_text_append (text, _ ("%s: "), place);
   g_string_append (text, _ (claims[fault->claim].sentence));
   if (unit != NULL && !isnan (fault->stated)) {
-    g_string_append_printf (text, _ (": %.8g"), fault->stated);
+    qn_text_append (text, _ (": %.8g"), fault->stated);
     if (!isnan (fault->found) && fault->found != 0)
-      g_string_append_printf (text, _ (" instead of %.8g"), fault->found);
-    g_string_append_printf (text, unit[0] != '\0' ? " %s" : "%s", unit);
+      qn_text_append (text, _ (" instead of %.8g"), fault->found);
+    qn_text_append (text, unit[0] != '\0' ? " %s" : "%s", unit);
   }
   return g_string_free (text, FALSE);
 }

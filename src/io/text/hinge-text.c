@@ -1,4 +1,5 @@
 #include "io/text/hinge-text.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -34,14 +35,14 @@ qn_hinges_dup_text (const QnModel *model, const QnResult *result)
       if (yields_at (model, forces, i, end) && count++ < HINGES_IN_WORDS) {
         const QnBeamElement *e = &model->elements[i];
         g_string_append (places, places->len > 0 ? _ (", ") : "");
-        g_string_append_printf (places, _ ("“%s” at “%s”"), model->beams[e->beam].name,
-                                model->nodes[e->nodes[end]].name);
+        qn_text_append (places, _ ("“%s” at “%s”"), model->beams[e->beam].name,
+                        model->nodes[e->nodes[end]].name);
       }
   if (count == 0)
     return NULL;
   if (count > HINGES_IN_WORDS)
     g_string_append (places, "…");
-  return g_strdup_printf (
+  return qn_text_printf (
     ngettext ("%d plastic hinge: %s.", "%d plastic hinges: %s.", (gulong) count), count,
     places->str);
 }

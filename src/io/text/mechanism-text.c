@@ -1,6 +1,7 @@
 #include "io/text/mechanism-text.h"
 
 #include "io/text/hinge-text.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -83,8 +84,8 @@ dup_blocks (const QnModel *model, const QnMechanism *mechanism, QnId body)
       first = first != NULL ? first : last;
     }
   if (count == 1)
-    return g_strdup_printf (_ ("“%s”"), first);
-  return g_strdup_printf (
+    return qn_text_printf (_ ("“%s”"), first);
+  return qn_text_printf (
     ngettext ("“%s” … “%s” (%d block)", "“%s” … “%s” (%d blocks)", (gulong) count), first,
     last, count);
 }
@@ -105,16 +106,16 @@ dup_body (const QnModel *model, const QnMechanism *mechanism, QnId id)
   if (!body->turns) {
     switch (direction_of (body->velocity)) {
     case TO_THE_RIGHT:
-      return g_strdup_printf (_ ("%s: to the right"), blocks);
+      return qn_text_printf (_ ("%s: to the right"), blocks);
     case TO_THE_LEFT:
-      return g_strdup_printf (_ ("%s: to the left"), blocks);
+      return qn_text_printf (_ ("%s: to the left"), blocks);
     case UPWARDS:
-      return g_strdup_printf (_ ("%s: upwards"), blocks);
+      return qn_text_printf (_ ("%s: upwards"), blocks);
     case DOWNWARDS:
-      return g_strdup_printf (_ ("%s: downwards"), blocks);
+      return qn_text_printf (_ ("%s: downwards"), blocks);
     }
   }
-  return g_strdup_printf (
+  return qn_text_printf (
     body->rotation < 0 ? _ ("%s: turns clockwise about (%.3g, %.3g) m")
                        : _ ("%s: turns counter-clockwise about (%.3g, %.3g) m"),
     blocks, legible (body->centre.x, body), legible (body->centre.y, body));
@@ -154,8 +155,8 @@ qn_mechanism_dup_sentence (const QnMechanism *mechanism)
 {
   g_autofree char *title = qn_mechanism_dup_title (mechanism);
   g_autofree char *joints = dup_joints (mechanism);
-  return joints[0] != '\0' ? g_strdup_printf (_ ("%s: %s."), title, joints)
-                           : g_strdup_printf ("%s.", title);
+  return joints[0] != '\0' ? qn_text_printf (_ ("%s: %s."), title, joints)
+                           : qn_text_printf ("%s.", title);
 }
 
 char *
@@ -167,17 +168,17 @@ qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism)
   g_string_append_c (text, '.');
   for (size_t i = 0; i < mechanism->body_count && i < BODIES_IN_WORDS; i++) {
     g_autofree char *body = dup_body (model, mechanism, (QnId) i);
-    g_string_append_printf (text, " %s.", body);
+    qn_text_append (text, " %s.", body);
   }
   if (mechanism->body_count > BODIES_IN_WORDS) {
     int more = (int) mechanism->body_count - BODIES_IN_WORDS;
     g_string_append (text, " ");
-    g_string_append_printf (
+    qn_text_append (
       text, ngettext ("%d more body moves.", "%d more bodies move.", (gulong) more),
       more);
   }
   if (joints[0] != '\0')
-    g_string_append_printf (text, " %s.", joints);
+    qn_text_append (text, " %s.", joints);
   return g_string_free (text, FALSE);
 }
 
@@ -197,7 +198,7 @@ qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
     return g_steal_pointer (&text);
   if (!blocks_move)
     return hinges;
-  char *both = g_strdup_printf ("%s %s", text, hinges);
+  char *both = qn_text_printf ("%s %s", text, hinges);
   g_free (hinges);
   return both;
 }

@@ -3,6 +3,7 @@
 #include "core/path/path.h"
 #include "core/result/first-limit.h"
 #include "io/text/fault-text.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -52,7 +53,7 @@ char *
 qn_stage_dup_name (const QnModel *model, int32_t stage)
 {
   const char *name = model->stages[stage - 1].name;
-  return name != NULL ? g_strdup (name) : g_strdup_printf ("%d", stage);
+  return name != NULL ? g_strdup (name) : qn_text_printf ("%d", stage);
 }
 
 /* Whether an acting load moves anything: settles a support, or is a force on a block or node that is
@@ -108,16 +109,15 @@ explain_unstable (const QnModel *model, const QnResult *result)
   g_autoptr (GString) names = g_string_new (NULL);
   for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
     QnId block = result->unstable_blocks[i];
-    g_string_append_printf (names, "%s“%s”", i > 0 ? ", " : "",
-                            (gsize) block < model->block_count ? model->blocks[block].name
-                                                               : "?");
+    qn_text_append (names, "%s“%s”", i > 0 ? ", " : "",
+                    (gsize) block < model->block_count ? model->blocks[block].name : "?");
   }
   if (result->unstable_count > NAMES_IN_A_SENTENCE) {
     gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
-    g_string_append_printf (
-      names, ngettext (" and %zu other", " and %zu others", (gulong) more), more);
+    qn_text_append (names, ngettext (" and %zu other", " and %zu others", (gulong) more),
+                    more);
   }
-  return g_strdup_printf (
+  return qn_text_printf (
     _ ("No stable equilibrium was found under the dead load "
        "alone. What moves: %s. Support these blocks, close the gaps next to "
        "them, or give their joints more friction."),
@@ -141,11 +141,11 @@ collapse_sentence (const QnResult *result)
   double before = copysign (1, collapse) * result->first_limit_multiplier;
   /* A plateau may lie below an earlier jump: beyond that no equilibrium is known. */
   if (qn_result_has_felt_limit (result) && before < (1 - 1e-3) * fabs (collapse))
-    return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g. Before, at %.4g, "
-                               "the path jumps to another equilibrium."),
-                            result->collapse_multiplier, result->first_limit_multiplier);
-  return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g."),
-                          result->collapse_multiplier);
+    return qn_text_printf (_ ("Collapse at a load multiplier of %.4g. Before, at %.4g, "
+                              "the path jumps to another equilibrium."),
+                           result->collapse_multiplier, result->first_limit_multiplier);
+  return qn_text_printf (_ ("Collapse at a load multiplier of %.4g."),
+                         result->collapse_multiplier);
 }
 
 static const char *
@@ -207,10 +207,10 @@ char *
 qn_outcome_dup_broken_bond (const QnResult *result)
 {
   return result->has_broken_bound
-           ? g_strdup_printf (_ ("The bound takes the bonds of joints as ductile, which "
-                                 "they are not; with all of them broken it is %.4f, and "
-                                 "only that is safe."),
-                              result->broken_bound)
+           ? qn_text_printf (_ ("The bound takes the bonds of joints as ductile, which "
+                                "they are not; with all of them broken it is %.4f, and "
+                                "only that is safe."),
+                             result->broken_bound)
            : NULL;
 }
 
@@ -231,20 +231,20 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
   const char *found = found_by_words (model, found_by);
 
   g_autofree char *from =
-    carried > (1 + QN_SETTLED) * least ? g_strdup_printf (
+    carried > (1 + QN_SETTLED) * least ? qn_text_printf (
       _ ("The multiplier was %s: the plateau beyond a peak of %.4f;"), found, carried)
     : result->solution_count == 1
-      ? g_strdup_printf (_ ("The multiplier was %s;"), found)
-      : g_strdup_printf (
+      ? qn_text_printf (_ ("The multiplier was %s;"), found)
+      : qn_text_printf (
         _ ("The multiplier was %s, the least of %d solutions up to %.4f;"), found,
         result->solution_count, greatest);
   g_autofree char *to =
     isnan (bound)
       ? g_strdup (_ ("what bounds it from above is not known."))
-      : g_strdup_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
+      : qn_text_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
   g_autofree char *safe = qn_outcome_dup_broken_bond (result);
-  return safe != NULL ? g_strdup_printf ("%s %s %s", from, to, safe)
-                      : g_strdup_printf ("%s %s", from, to);
+  return safe != NULL ? qn_text_printf ("%s %s %s", from, to, safe)
+                      : qn_text_printf ("%s %s", from, to);
 }
 
 /* Where the path has left a branch that lost its stability; NULL where it has not. */
@@ -255,14 +255,14 @@ explain_buckling (const QnResult *result)
   if (event == NULL)
     return NULL;
   if (event->stage < result->stage)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("Stability was lost in stage %d, at a load multiplier of %.5g: the structure "
          "buckled, and all that follows is the path of the buckled structure."),
       event->stage, event->multiplier);
-  return g_strdup_printf (_ ("Stability is lost at a load multiplier of %.5g: the "
-                             "structure buckles, and what follows is the path of the "
-                             "buckled structure."),
-                          event->multiplier);
+  return qn_text_printf (_ ("Stability is lost at a load multiplier of %.5g: the "
+                            "structure buckles, and what follows is the path of the "
+                            "buckled structure."),
+                         event->multiplier);
 }
 
 /* How many pairs have lost their bond; NULL where none has. */
@@ -274,7 +274,7 @@ explain_bonds (const QnResult *result)
     broken += result->pairs[p].damage >= 1;
     damaged += result->pairs[p].damage > 0 && result->pairs[p].damage < 1;
   }
-  return broken + damaged > 0 ? g_strdup_printf (
+  return broken + damaged > 0 ? qn_text_printf (
            _ ("At the last step the bond of %u contact pairs is broken, "
               "and that of %u damaged."),
            broken, damaged)
@@ -291,7 +291,7 @@ explain_linearity (const QnResult *result)
     return g_strdup (
       _ ("Blocks move by more than a tenth of their least width, so that linear geometry "
          "may not hold: solve in large displacements (analysis.geometry=nonlinear)."));
-  return g_strdup_printf (
+  return qn_text_printf (
     _ ("At a load multiplier of %.4g a block has moved by a tenth of the least width of "
        "the blocks; linear geometry may not hold beyond: solve in large displacements "
        "(analysis.geometry=nonlinear)."),
@@ -322,13 +322,13 @@ explain_controlled (const QnModel *model, const Task *task, double reached)
   const char *component = components[task->control_dof];
   gboolean turning = task->control_dof == QN_DOF_RZ;
   if (task->control_node != QN_NONE)
-    return g_strdup_printf (
+    return qn_text_printf (
       turning ? _ ("%s of node “%s” has reached its target of %.4g rad, at a load "
                    "multiplier of %.4g.")
               : _ ("%s of node “%s” has reached its target of %.4g m, at a load "
                    "multiplier of %.4g."),
       component, model->nodes[task->control_node].name, task->control_target, reached);
-  return g_strdup_printf (
+  return qn_text_printf (
     turning ? _ ("%s of block “%s” has reached its target of %.4g rad, at a load "
                  "multiplier of %.4g.")
             : _ ("%s of block “%s” has reached its target of %.4g m, at a load "
@@ -349,13 +349,12 @@ explain_target (const QnModel *model, const Task *task, const QnResult *result)
   if (!task->has_end && !qn_model_sets_have_force (model, task->sets))
     return g_strdup (_ ("The supports have settled to their targets without collapse."));
   if (task->has_end)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("The load multiplier has reached its end value of %.4g without collapse."),
       reached);
-  return g_strdup_printf (
-    _ ("The target was reached at a load multiplier of %.4g without "
-       "collapse."),
-    reached);
+  return qn_text_printf (_ ("The target was reached at a load multiplier of %.4g without "
+                            "collapse."),
+                         reached);
 }
 
 /* --- Other ends ------------------------------------------------------------------------- */
@@ -368,14 +367,13 @@ explain_refused (const QnModel *model, const QnResult *result)
     _ ("The check of this result refused a part of it, so no conclusion is drawn."));
   for (gint32 i = 0; i < result->refused_count; i++) {
     g_autofree char *fault = qn_fault_dup_text (model, NULL, &result->refused[i]);
-    g_string_append_printf (text, "%s%s", i == 0 ? " " : "; ", fault);
+    qn_text_append (text, "%s%s", i == 0 ? " " : "; ", fault);
   }
   if (result->refused_count > 0)
     g_string_append (text, _ (". The steps before that are proved and kept."));
   if (result->has_unproved_multiplier)
-    g_string_append_printf (text,
-                            _ (" Collapse at a load multiplier of %.4g: not proved."),
-                            result->unproved_multiplier);
+    qn_text_append (text, _ (" Collapse at a load multiplier of %.4g: not proved."),
+                    result->unproved_multiplier);
   return g_string_free (g_steal_pointer (&text), FALSE);
 }
 
@@ -387,12 +385,12 @@ explain_failure (const QnModel *model, const Task *task, const QnResult *result)
   if (result->stop == QN_STOP_CHECK)
     return explain_refused (model, result);
   if (result->stop == QN_STOP_FACTORIZATIONS)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("Stopped at a load multiplier of %.4g, after as many factorisations as "
          "max_factorizations allows; what had converged is kept."),
       reached);
   if (result->stop == QN_STOP_TIME)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("Stopped at a load multiplier of %.4g, after the time that max_seconds allows; "
          "what had converged is kept."),
       reached);
@@ -404,16 +402,16 @@ explain_failure (const QnModel *model, const Task *task, const QnResult *result)
          "comes to rest nor clearly falls. Try a coarser "
          "residual tolerance."));
   if (task->procedure == QN_PROCEDURE_LOAD)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("Beyond a load multiplier of %.4g neither an equilibrium nor a mechanism was "
          "found. Try displacement control or a coarser tolerance."),
       last->multiplier);
   if (result->stop == QN_STOP_STEPS)
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("The path was stopped at a load multiplier of %.4g, after the largest number of "
          "steps. Use fewer increments or a nearer target."),
       last->multiplier);
-  return g_strdup_printf (
+  return qn_text_printf (
     _ ("The path ends at a load multiplier of %.4g: beyond it no equilibrium was found, "
        "even with the shortest step. Try more increments, another controlled "
        "displacement or a coarser tolerance."),
@@ -429,33 +427,32 @@ explain_time (const QnResult *result)
     return NULL;
   switch (result->outcome) {
   case QN_OUTCOME_COLLAPSE:
-    return g_strdup_printf (
-      _ ("Overturned at %.4g s: a block has turned by a right angle "
-         "or has fallen out of its contacts."),
-      history->collapse_time);
+    return qn_text_printf (_ ("Overturned at %.4g s: a block has turned by a right angle "
+                              "or has fallen out of its contacts."),
+                           history->collapse_time);
   case QN_OUTCOME_TARGET_REACHED:
-    return g_strdup_printf (_ ("Followed to the end of the duration, %.4g s."),
-                            history->end);
+    return qn_text_printf (_ ("Followed to the end of the duration, %.4g s."),
+                           history->end);
   case QN_OUTCOME_REST:
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("At rest at %.4g s: the ground has stopped and nothing moves any more."),
       history->end);
   case QN_OUTCOME_CANCELLED:
-    return g_strdup_printf (_ ("Cancelled at %.4g s; what was followed by then is kept."),
-                            history->end);
+    return qn_text_printf (_ ("Cancelled at %.4g s; what was followed by then is kept."),
+                           history->end);
   case QN_OUTCOME_NOT_CONVERGED:
     if (result->stop == QN_STOP_CHECK)
       return NULL;
     if (result->stop == QN_STOP_FACTORIZATIONS)
-      return g_strdup_printf (
+      return qn_text_printf (
         _ ("Stopped at %.4g s, after as many factorisations as max_factorizations "
            "allows; what had converged is kept."),
         history->end);
     if (result->stop == QN_STOP_TIME)
-      return g_strdup_printf (_ ("Stopped at %.4g s, after the time that max_seconds "
-                                 "allows; what had converged is kept."),
-                              history->end);
-    return g_strdup_printf (
+      return qn_text_printf (_ ("Stopped at %.4g s, after the time that max_seconds "
+                                "allows; what had converged is kept."),
+                             history->end);
+    return qn_text_printf (
       _ ("At %.4g s no step converged, however short. Try another spectral radius, some "
          "damping, or a coarser residual tolerance."),
       history->end);
@@ -481,7 +478,7 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
   case QN_OUTCOME_TARGET_REACHED:
     return explain_target (model, task, result);
   case QN_OUTCOME_SNAP:
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("Stopped at the first limit point, load multiplier %.4g."),
       result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
   case QN_OUTCOME_UNBOUNDED:
@@ -492,19 +489,19 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
            "Check its direction, or limit the strength of the joints."));
     if (model->analysis.geometry == QN_GEOMETRY_NONLINEAR
         && reached < (1 - AT_TARGET) * QN_UNBOUNDED)
-      return g_strdup_printf (
+      return qn_text_printf (
         _ ("The structure carries every multiple of the live load: joints of unlimited "
            "strength connect it to fixed blocks. It was followed to a load multiplier of "
            "%.4g, where it has moved by its own size. Limit the strength of the joints."),
         reached);
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("No collapse up to a load multiplier of %.4g, where the path ends. Check the "
          "direction of the live load, or limit the strength of the joints."),
       reached);
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     return explain_unstable (model, result);
   case QN_OUTCOME_CANCELLED:
-    return g_strdup_printf (
+    return qn_text_printf (
       _ ("Cancelled at a load multiplier of %.4g; what had converged "
          "is kept."),
       reached);
@@ -550,8 +547,8 @@ explain_in_stage (const QnModel *model, const QnResult *result, const char *what
   if (result->stage < 1 || (size_t) result->stage > model->stage_count)
     return g_steal_pointer (&text);
   g_autofree char *name = qn_stage_dup_name (model, result->stage);
-  return g_strdup_printf (_ ("Stage %d of %u, “%s”. %s"), result->stage,
-                          (guint) model->stage_count, name, text);
+  return qn_text_printf (_ ("Stage %d of %u, “%s”. %s"), result->stage,
+                         (guint) model->stage_count, name, text);
 }
 
 char *

@@ -1,4 +1,5 @@
 #include "study/report/summary.h"
+#include "io/text/text-format.h"
 
 #include "study/report/column.h"
 
@@ -21,20 +22,20 @@ append_outcomes (GString *text, const QnTable *table)
         GUINT_TO_POINTER (GPOINTER_TO_UINT (g_hash_table_lookup (counts, row->outcome))
                           + 1));
   }
-  g_string_append_printf (text, "%s\n", title != NULL ? title : table->study->name);
-  g_string_append_printf (text, _ ("%u of %zu cases are computed, %zu failed\n"),
-                          table->rows->len, qn_study_case_count (table->study), failed);
+  qn_text_append (text, "%s\n", title != NULL ? title : table->study->name);
+  qn_text_append (text, _ ("%u of %zu cases are computed, %zu failed\n"),
+                  table->rows->len, qn_study_case_count (table->study), failed);
   g_autoptr (GList) outcomes =
     g_list_sort (g_hash_table_get_keys (counts), (GCompareFunc) strcmp);
   for (GList *i = outcomes; i != NULL; i = i->next)
-    g_string_append_printf (text, "  %-22s %u\n", (const char *) i->data,
-                            GPOINTER_TO_UINT (g_hash_table_lookup (counts, i->data)));
+    qn_text_append (text, "  %-22s %u\n", (const char *) i->data,
+                    GPOINTER_TO_UINT (g_hash_table_lookup (counts, i->data)));
 }
 
 static void
 append_interval (GString *text, QnInterval interval)
 {
-  g_string_append_printf (text, " (%.6g … %.6g)\n", interval.low, interval.high);
+  qn_text_append (text, " (%.6g … %.6g)\n", interval.low, interval.high);
 }
 
 static void
@@ -42,15 +43,14 @@ append_sample (GString *text, const double *sorted, gsize count)
 {
   static const double shares[] = { 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99 };
   QnMoments moments = qn_moments (sorted, count);
-  g_string_append_printf (text, "  %-12s %10.6g", _ ("mean"), moments.mean);
+  qn_text_append (text, "  %-12s %10.6g", _ ("mean"), moments.mean);
   append_interval (text, moments.of_mean);
-  g_string_append_printf (text, "  %-12s %10.6g\n", _ ("deviation"), moments.deviation);
-  g_string_append_printf (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
-                          sorted[count - 1]);
+  qn_text_append (text, "  %-12s %10.6g\n", _ ("deviation"), moments.deviation);
+  qn_text_append (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
+                  sorted[count - 1]);
   for (gsize i = 0; i < G_N_ELEMENTS (shares); i++) {
     g_autofree char *name = g_strdup_printf (_ ("%.0f %% quantile"), 100 * shares[i]);
-    g_string_append_printf (text, "  %-12s %10.6g", name,
-                            qn_quantile (sorted, count, shares[i]));
+    qn_text_append (text, "  %-12s %10.6g", name, qn_quantile (sorted, count, shares[i]));
     append_interval (text, qn_quantile_interval (sorted, count, shares[i]));
   }
 }
@@ -67,13 +67,13 @@ append_fragility (GString *text, const char *share, const double *sorted, gsize 
     step *= 2;
   if (!(high > low))
     return;
-  g_string_append_printf (text, _ ("  %s at a multiplier (fragility)\n"), share);
+  qn_text_append (text, _ ("  %s at a multiplier (fragility)\n"), share);
   for (double x = ceil (low / step) * step; x < high + step; x += step) {
     gsize part = qn_count_up_to (sorted, count, x);
     QnInterval interval = qn_share_interval (part, count);
-    g_string_append_printf (text, "    %10.6g %8.2f %% (%.2f … %.2f)\n", x,
-                            100.0 * (double) part / (double) count, 100 * interval.low,
-                            100 * interval.high);
+    qn_text_append (text, "    %10.6g %8.2f %% (%.2f … %.2f)\n", x,
+                    100.0 * (double) part / (double) count, 100 * interval.low,
+                    100 * interval.high);
   }
 }
 
@@ -86,8 +86,7 @@ append_correlations (GString *text, const QnTable *table, gsize column)
     gsize count = qn_table_dup_pairs (table, k, column, &x, &y);
     double r = qn_rank_correlation (x, y, count);
     if (!isnan (r))
-      g_string_append_printf (text, "    %-24s %8.3f\n", qn_table_column_name (table, k),
-                              r);
+      qn_text_append (text, "    %-24s %8.3f\n", qn_table_column_name (table, k), r);
   }
 }
 
@@ -100,10 +99,9 @@ append_effects (GString *text, const QnTable *table, gsize column)
     if (!qn_table_effect (table, k, column, &base, &effect))
       continue;
     if (k == 0)
-      g_string_append_printf (text, _ ("  %.6g as the project is; range by parameter\n"),
-                              base);
-    g_string_append_printf (text, "    %-24s %10.6g … %.6g\n",
-                            qn_table_column_name (table, k), effect.low, effect.high);
+      qn_text_append (text, _ ("  %.6g as the project is; range by parameter\n"), base);
+    qn_text_append (text, "    %-24s %10.6g … %.6g\n", qn_table_column_name (table, k),
+                    effect.low, effect.high);
   }
 }
 
@@ -115,14 +113,14 @@ append_output (GString *text, const QnTable *table, gsize column)
   g_autofree char *name =
     g_strdup_printf ("%s (%s)", qn_table_column_text (table, column),
                      qn_table_column_name (table, column));
-  g_string_append_printf (
+  qn_text_append (
     text, g_dngettext (GETTEXT_PACKAGE, "%s: %zu value\n", "%s: %zu values\n", count),
     name, count);
   if (count == 0)
     return;
   if (!qn_table_is_sample (table)) {
-    g_string_append_printf (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
-                            sorted[count - 1]);
+    qn_text_append (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
+                    sorted[count - 1]);
     append_effects (text, table, column);
     return;
   }
@@ -136,11 +134,10 @@ append_output (GString *text, const QnTable *table, gsize column)
     return;
   g_string_append (text, _ ("  Sobol indices: first order, total\n"));
   for (gsize k = 0; k < table->parameters; k++)
-    g_string_append_printf (text, "    %-24s %8.3f (%.3f … %.3f) %8.3f (%.3f … %.3f)\n",
-                            qn_table_column_name (table, k), indices[k].first,
-                            indices[k].of_first.low, indices[k].of_first.high,
-                            indices[k].total, indices[k].of_total.low,
-                            indices[k].of_total.high);
+    qn_text_append (text, "    %-24s %8.3f (%.3f … %.3f) %8.3f (%.3f … %.3f)\n",
+                    qn_table_column_name (table, k), indices[k].first,
+                    indices[k].of_first.low, indices[k].of_first.high, indices[k].total,
+                    indices[k].of_total.low, indices[k].of_total.high);
 }
 
 static void
@@ -148,16 +145,16 @@ append_mechanisms (GString *text, const QnTable *table)
 {
   gsize whole;
   g_autoptr (GArray) shares = qn_table_dup_mechanisms (table, &whole);
-  g_string_append_printf (text, "%s\n", _ ("Mechanisms"));
+  qn_text_append (text, "%s\n", _ ("Mechanisms"));
   for (guint i = 0; i < shares->len; i++) {
     const QnMechanismShare *share = &g_array_index (shares, QnMechanismShare, i);
     g_autofree char *name = qn_mechanism_share_dup_name (share);
-    g_string_append_printf (text, "  %-22s %6zu  %6.2f %%", name, share->count,
-                            100.0 * (double) share->count / (double) whole);
+    qn_text_append (text, "  %-22s %6zu  %6.2f %%", name, share->count,
+                    100.0 * (double) share->count / (double) whole);
     if (!isnan (share->range.low))
-      g_string_append_printf (text, "  %s %.6g … %.6g",
-                              qn_table_column_text (table, (gsize) share->column),
-                              share->range.low, share->range.high);
+      qn_text_append (text, "  %s %.6g … %.6g",
+                      qn_table_column_text (table, (gsize) share->column),
+                      share->range.low, share->range.high);
     g_string_append_c (text, '\n');
   }
 }

@@ -20,7 +20,7 @@ test_string (void)
   expect_string ("a\"b\\c/", "\"a\\\"b\\\\c/\"");
   expect_string ("\n\t\r\x01", "\"\\n\\t\\u000d\\u0001\"");
   expect_string ("\u202ea\u202bb\u2066c\u2029\u00e2",
-                 "\"\\u202ea\\u202bb\\u2066c\u2029\u00e2\"");
+                 "\"\\u202ea\\u202bb\\u2066c\\u2029\u00e2\"");
 }
 
 static void
