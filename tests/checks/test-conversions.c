@@ -1,4 +1,5 @@
-/* What compares numbers so that NaN passes, and a double that becomes an integer without a bound.
+/* What compares numbers so that NaN passes, prints them or names as they are, and a double that becomes an
+ * integer without a bound.
  *
  * A double becomes an integer in core/base/integer.h alone, where every value has a result. What
  * text can show is looked for here: casts of functions that give doubles, and functions of libm
@@ -31,6 +32,7 @@ check_text (const char *path, char **lines, GString *complaints)
   static const char *const patterns[][2] = {
     { pattern, "use qn_to_integer()" },
     { drops_nan, "use qn_worse()" },
+    { "(?<![a-z_])printf \\(", "use qn_print(): a name may hold a line break" },
     { ends_with_nan, "go on while not (… <= …): else NaN has converged" },
   };
   for (gsize k = 0; k < G_N_ELEMENTS (patterns); k++) {
@@ -59,10 +61,15 @@ static void
 test_check_can_fail (void)
 {
   static const char *const wrong[] = {
-    "  int n = (int) ceil (x);",   "  n = (uint8_t) fmax (0, x);",
-    "  n = lround (x);",           "  return (guint) position->valuedouble;",
-    "  s = (int32_t) -floor (x);", "  worst = fmax (worst, fabs (x));",
-    "  while (x > tolerance)",     "  for (int i = 0; s->left > s->tolerance; i++) {",
+    "  int n = (int) ceil (x);",
+    "  n = (uint8_t) fmax (0, x);",
+    "  n = lround (x);",
+    "  return (guint) position->valuedouble;",
+    "  s = (int32_t) -floor (x);",
+    "  worst = fmax (worst, fabs (x));",
+    "  while (x > tolerance)",
+    "  printf (\"%s\", name);",
+    "  for (int i = 0; s->left > s->tolerance; i++) {",
   };
   for (guint i = 0; i < G_N_ELEMENTS (wrong); i++) {
     char *lines[] = { (char *) wrong[i], NULL };
