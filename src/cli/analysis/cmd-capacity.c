@@ -243,94 +243,58 @@ print (const Answer *answer)
   }
 }
 
-typedef struct Member {
-  const char *key;
-  double value;
-} Member;
-
-static void
-put_members (QnFileWriter *out, const char *before, const Member *members, gsize count,
-             const char *between)
-{
-  for (gsize i = 0; i < count; i++) {
-    qn_file_writer_printf (out, "%s\"%s\"", i > 0 ? between : before, members[i].key);
-    if (isnan (members[i].value))
-      qn_file_writer_puts (out, ": null");
-    else
-      qn_file_writer_puts_number (out, ": ", members[i].value);
-  }
-}
-
 static QnExit
 write_json (const Answer *answer, const char *path)
 {
   const QnCapacity *c = &answer->answer.capacity;
+  const QnEnDemand *en = &answer->answer.en;
   GError *error = NULL;
   QnFileWriter *out = qn_file_writer_open (path, &error);
   if (out == NULL)
     return qn_cli_fail (error);
-  const Member facts[] = {
-    { "participating_blocks", (double) c->participating },
-    { "moving_mass", c->moving_mass },
-    { "participating_mass", c->mass },
-    { "mass_share", c->share },
-    { "mass_left_out", c->left_out },
-    { "displacement_ratio", c->ratio },
-    { "peak_multiplier", c->points[c->peak].multiplier },
-    { "end_displacement", c->end },
-  };
-  const Member demand[] = {
-    { "yield_acceleration", answer->answer.en.yield_acceleration },
-    { "mechanism_displacement", answer->answer.en.mechanism },
-    { "energy", answer->answer.en.energy },
-    { "yield_displacement", answer->answer.en.yield },
-    { "period", answer->answer.en.period },
-    { "elastic_demand", answer->answer.en.elastic },
-    { "q", answer->answer.en.q },
-    { "target", answer->answer.en.target },
-  };
-  qn_file_writer_puts (out, "{\n  \"format\": \"quoin-capacity\", \"version\": 1,\n"
-                            "  \"generator\": \"quoin " QN_VERSION "\",\n  \"model\": ");
-  qn_file_writer_json_string (out, answer->input->project.name);
-  qn_file_writer_puts (out, ",\n  \"control_block\": ");
-  qn_file_writer_json_string (out, answer->input->project.model.blocks[c->block].name);
-  put_members (out, ",\n  ", facts, G_N_ELEMENTS (facts), ",\n  ");
-  qn_file_writer_printf (out, ",\n  \"reaches_zero\": %s",
-                         c->reaches_zero ? "true" : "false");
+  qn_file_writer_json (
+    out,
+    "{\n  \"format\": \"quoin-capacity\", \"version\": 1,\n  \"generator\": %s,\n"
+    "  \"model\": %s,\n  \"control_block\": %s,\n  \"participating_blocks\": %zu,\n"
+    "  \"moving_mass\": %f,\n  \"participating_mass\": %f,\n  \"mass_share\": %f,\n"
+    "  \"mass_left_out\": %f,\n  \"displacement_ratio\": %f,\n"
+    "  \"peak_multiplier\": %f,\n  \"end_displacement\": %f,\n  \"reaches_zero\": %i",
+    "quoin " QN_VERSION, answer->input->project.name,
+    answer->input->project.model.blocks[c->block].name, c->participating, c->moving_mass,
+    c->mass, c->share, c->left_out, c->ratio, c->points[c->peak].multiplier, c->end,
+    c->reaches_zero);
   if (answer->answer.has_spectrum) {
-    qn_file_writer_puts_number (out, ",\n  \"confidence\": ", answer->answer.confidence);
-    qn_file_writer_puts (out, ",\n  \"en_demand\": ");
-    put_members (out, "{ ", demand, G_N_ELEMENTS (demand), ", ");
-    qn_file_writer_puts (out, " },\n  \"checks\": [");
+    qn_file_writer_json (
+      out,
+      ",\n  \"confidence\": %g,\n  \"en_demand\": { \"yield_acceleration\": %f, "
+      "\"mechanism_displacement\": %f, \"energy\": %f, \"yield_displacement\": %f, "
+      "\"period\": %f, \"elastic_demand\": %f, \"q\": %f, \"target\": %f },\n"
+      "  \"checks\": [",
+      answer->answer.confidence, en->yield_acceleration, en->mechanism, en->energy,
+      en->yield, en->period, en->elastic, en->q, en->target);
     for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
       const QnCapacityState *s = &answer->answer.states[i];
-      const Member members[] = {
-        { "capacity", s->capacity }, { "acceleration", s->acceleration },
-        { "period", s->period },     { "period_half_stiffness", s->softer },
-        { "demand", s->demand },     { "ratio", s->ratio }
-      };
-      qn_file_writer_printf (out, "%s\n    { \"code\": \"%s\", \"state\": \"%s\"",
-                             i > 0 ? "," : "",
-                             i < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3",
-                             qn_capacity_check_name ((QnCapacityCheck) i));
-      put_members (out, ", ", members, G_N_ELEMENTS (members), ", ");
-      qn_file_writer_printf (out, ", \"met\": %s }",
-                             s->refused      ? "null"
-                             : s->ratio >= 1 ? "true"
-                                             : "false");
+      qn_file_writer_json (
+        out,
+        ",\n    { \"code\": %s, \"state\": %s, \"capacity\": %f, \"acceleration\": %f, "
+        "\"period\": %f, \"period_half_stiffness\": %f, \"demand\": %f, \"ratio\": "
+        "%f, \"met\": ",
+        i < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3",
+        qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
+        s->period, s->softer, s->demand, s->ratio);
+      qn_file_writer_puts (out, s->refused      ? "null }"
+                                : s->ratio >= 1 ? "true }"
+                                                : "false }");
     }
     qn_file_writer_puts (out, "\n  ]");
   }
   qn_file_writer_puts (out, ",\n  \"curve\": [");
   for (size_t i = 0; i < c->count; i++) {
     const QnCapacityPoint *p = &c->points[i];
-    const Member members[] = { { "multiplier", p->multiplier },
-                               { "control", p->control },
-                               { "displacement", p->displacement },
-                               { "acceleration", p->acceleration } };
-    qn_file_writer_puts (out, i > 0 ? "," : "");
-    put_members (out, "\n    { ", members, G_N_ELEMENTS (members), ", ");
-    qn_file_writer_puts (out, " }");
+    qn_file_writer_json (out,
+                         ",\n    { \"multiplier\": %f, \"control\": %f, "
+                         "\"displacement\": %f, \"acceleration\": %f }",
+                         p->multiplier, p->control, p->displacement, p->acceleration);
   }
   qn_file_writer_puts (out, "\n  ]\n}\n");
   qn_file_writer_commit (out, &error);

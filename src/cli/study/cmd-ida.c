@@ -272,7 +272,7 @@ write_csv (const Ida *ida)
   for (gsize c = 0; c < ida->count; c++) {
     const Curve *curve = &ida->curves[c];
     for (gsize i = 0; i < curve->count; i++) {
-      qn_file_writer_json_string (out, curve->name);
+      qn_file_writer_json (out, "%s", curve->name);
       const double row[] = { curve->scales[i], curve->peaks[i], curve->displacements[i],
                              isfinite (curve->times[i]) ? 1 : 0, curve->times[i] };
       for (gsize k = 0; k < G_N_ELEMENTS (row); k++) {

@@ -105,19 +105,17 @@ qn_result_found_write (QnFileWriter *writer, const QnResult *result)
                              NULL, ", \"forces\": [");
     for (gsize k = first[i]; k < first[i + 1]; k++) {
       const QnFoundForce *force = &result->found_forces[places[k]];
-      qn_file_writer_printf (writer, "%s[%d, ", separator, force->step);
-      qn_file_writer_number (writer, force->normal);
-      qn_file_writer_puts_number (writer, ", ", force->shear);
-      qn_file_writer_printf (writer, ", %d]", (int) force->state);
+      qn_file_writer_puts (writer, separator);
+      qn_file_writer_json (writer, "[%d, %g, %g, %d]", force->step, force->normal,
+                           force->shear, (int) force->state);
       separator = ", ";
     }
     qn_file_writer_puts (writer, "] }");
   }
   qn_file_writer_puts (writer, "],\n    \"left\": [");
   for (size_t i = 0; i < result->left_count; i++) {
-    qn_file_writer_printf (writer, "%s[%d, ", i > 0 ? ", " : "", result->left[i].face);
-    qn_file_writer_number (writer, result->left[i].time);
-    qn_file_writer_puts (writer, "]");
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json (writer, "[%d, %g]", result->left[i].face, result->left[i].time);
   }
   qn_file_writer_puts (writer, "]");
 }
@@ -146,11 +144,9 @@ qn_result_history_write (QnFileWriter *writer, const QnModel *model,
   qn_file_writer_puts (writer, " },\n    \"tracks\": [");
   for (size_t i = 0; i < model->track_count; i++) {
     const QnTrack *track = &model->tracks[i];
-    qn_file_writer_puts_string (
-      writer, i > 0 ? ",\n      { \"block\": " : "\n      { \"block\": ",
-      model->blocks[track->block].name);
-    qn_file_writer_printf (
-      writer, ", \"component\": \"%s\", \"values\": ", qn_dof_names[track->dof]);
+    qn_file_writer_json (writer,
+                         ",\n      { \"block\": %s, \"component\": %s, \"values\": ",
+                         model->blocks[track->block].name, qn_dof_names[track->dof]);
     write_column (writer, h, QN_HISTORY_TRACK + i);
     qn_file_writer_puts (writer, " }");
   }

@@ -9,13 +9,16 @@
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
 
+/* "key": ["a", "b"], on a line of its own. */
 static void
-write_known (QnFileWriter *writer, double number)
+write_names (QnFileWriter *writer, const char *key, char *const *names, size_t count,
+             size_t stride)
 {
-  if (isfinite (number))
-    qn_file_writer_number (writer, number);
-  else
-    qn_file_writer_puts (writer, "null");
+  qn_file_writer_json (writer, "  %s: [", key);
+  for (size_t i = 0; i < count; i++)
+    qn_file_writer_json (writer, i > 0 ? ", %s" : "%s",
+                         *(char *const *) ((const char *) names + i * stride));
+  qn_file_writer_puts (writer, "],\n");
 }
 
 /* The members of a document each have a line of their own. */
@@ -51,15 +54,12 @@ write_answer (QnFileWriter *writer, const QnResult *result)
     qn_result_members_write (writer, i > 0 ? ", { " : "{ ", qn_solution_members,
                              &result->solutions[i], NULL, " }");
   qn_result_collapse_interval (result, &least, &found_by, &bound);
-  qn_file_writer_puts (writer, "],\n  \"collapse_interval\": [");
-  write_known (writer, least);
-  qn_file_writer_puts (writer, ", ");
-  write_known (writer, bound);
-  qn_file_writer_printf (writer, "],\n  \"collapse_interval_ends\": [%s%s%s, %s],\n",
-                         isfinite (least) ? "\"" : "",
-                         isfinite (least) ? qn_procedure_names[found_by] : "null",
-                         isfinite (least) ? "\"" : "",
-                         isfinite (bound) ? "\"associative-bound\"" : "null");
+  qn_file_writer_json (writer,
+                       "],\n  \"collapse_interval\": [%f, %f],\n"
+                       "  \"collapse_interval_ends\": [%s, %s],\n",
+                       least, bound,
+                       isfinite (least) ? qn_procedure_names[found_by] : NULL,
+                       isfinite (bound) ? "associative-bound" : NULL);
   if (result->has_broken_bound)
     write_lines (writer, qn_broken_members, result);
   if (result->linearity == QN_LINEARITY_UNKNOWN)
@@ -68,7 +68,7 @@ write_answer (QnFileWriter *writer, const QnResult *result)
   QnResult told = *result; /* whose arrays stay the result's */
   if (!beyond || result->history.width > 0)
     told.beyond_linear_multiplier = NAN;
-  qn_file_writer_printf (writer, "  \"beyond_linear\": %s,\n", beyond ? "true" : "false");
+  qn_file_writer_json (writer, "  \"beyond_linear\": %i,\n", beyond);
   write_lines (writer, qn_beyond_members, &told);
 }
 
@@ -103,29 +103,21 @@ static void
 write_head (QnFileWriter *writer, const QnProject *project, const QnResult *result)
 {
   const char *path = project->path != NULL ? project->path : project->name;
-  char *model = g_path_get_basename (path != NULL ? path : "");
-  qn_file_writer_puts_string (writer,
-                              "{\n  \"format\": \"quoin-result\", \"version\": 1,\n"
-                              "  \"generator\": \"quoin " QN_VERSION "\",\n  \"model\": ",
-                              model);
-  qn_file_writer_puts_string (
-    writer, ",\n  \"model_sha256\": ", project->sha256 != NULL ? project->sha256 : "");
-  qn_file_writer_puts (writer, ",\n");
-  g_free (model);
-  if (project->overrides != NULL && project->overrides[0] != NULL) {
-    qn_file_writer_puts (writer, "  \"overrides\": [");
-    for (gsize i = 0; project->overrides[i] != NULL; i++)
-      qn_file_writer_puts_string (writer, i > 0 ? ", " : "", project->overrides[i]);
-    qn_file_writer_puts (writer, "],\n");
-  }
-
+  g_autofree char *model = g_path_get_basename (path != NULL ? path : "");
+  g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
+  qn_file_writer_json (writer,
+                       "{\n  \"format\": \"quoin-result\", \"version\": 1,\n"
+                       "  \"generator\": %s,\n  \"model\": %s,\n"
+                       "  \"model_sha256\": %s,\n",
+                       "quoin " QN_VERSION, model,
+                       project->sha256 != NULL ? project->sha256 : "");
+  if (project->overrides != NULL && project->overrides[0] != NULL)
+    write_names (writer, "overrides", project->overrides,
+                 g_strv_length (project->overrides), sizeof (char *));
   write_lines (writer, qn_outcome_members, result);
   write_events (writer, result);
   write_answer (writer, result);
-  char *reason = qn_outcome_dup_reason (&project->model, result);
-  qn_file_writer_puts_string (writer, "  \"reason\": ", reason);
-  qn_file_writer_puts (writer, ",\n");
-  g_free (reason);
+  qn_file_writer_json (writer, "  \"reason\": %s,\n", reason);
 }
 
 /* What the check of the analysis has refused, and the multiplier that is not proved for it. */
@@ -150,8 +142,7 @@ write_refused (QnFileWriter *writer, const QnModel *model, const QnContacts *con
       members.places[k] = fault->entity == qn_fault_entities[k] ? fault->index : QN_NONE;
     qn_result_members_write (writer, i > 0 ? ",\n    { " : "\n    { ", qn_refused_members,
                              &members, &usual, "");
-    qn_file_writer_puts_string (writer, ", \"text\": ", text);
-    qn_file_writer_puts (writer, " }");
+    qn_file_writer_json (writer, ", \"text\": %s }", text);
   }
   qn_file_writer_puts (writer, "],\n");
 }
@@ -164,30 +155,23 @@ write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result
     return;
   qn_file_writer_printf (writer, "  \"stage\": %d, \"stages\": [", result->stage - 1);
   for (size_t i = 0; i < model->stage_count; i++) {
-    char *name = qn_stage_dup_name (model, (int32_t) i + 1);
-    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", name);
-    g_free (name);
+    g_autofree char *name = qn_stage_dup_name (model, (int32_t) i + 1);
+    qn_file_writer_json (writer, i > 0 ? ", %s" : "%s", name);
   }
   qn_file_writer_puts (writer, "],\n  \"stage_results\": [");
   for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
-    QnStageFigures figures = { 0 };
-    gboolean known = qn_result_stage_figures (model, result, i, &figures);
+    QnStageFigures figures;
+    if (!qn_result_stage_figures (model, result, i, &figures))
+      figures =
+        (QnStageFigures){ .multiplier = NAN, .lowest = NAN, .highest = NAN, .work = NAN };
     /* An analysis ends in the first stage that does not reach its end. */
     QnOutcome outcome = i < result->stage ? QN_OUTCOME_TARGET_REACHED : result->outcome;
-    const struct {
-      const char *key;
-      double number;
-    } numbers[] = { { "multiplier", figures.multiplier },
-                    { "lowest_multiplier", figures.lowest },
-                    { "highest_multiplier", figures.highest },
-                    { "work", figures.work } };
-    qn_file_writer_printf (writer, "%s\n    { \"stage\": %d, \"outcome\": \"%s\"",
-                           i > 1 ? "," : "", i - 1, qn_outcome_names[outcome]);
-    for (gsize k = 0; k < G_N_ELEMENTS (numbers); k++) {
-      qn_file_writer_printf (writer, ", \"%s\": ", numbers[k].key);
-      write_known (writer, known ? numbers[k].number : (double) NAN);
-    }
-    qn_file_writer_puts (writer, " }");
+    qn_file_writer_json (writer,
+                         ",\n    { \"stage\": %d, \"outcome\": %s, \"multiplier\": %f, "
+                         "\"lowest_multiplier\": %f, \"highest_multiplier\": %f, "
+                         "\"work\": %f }",
+                         i - 1, qn_outcome_names[outcome], figures.multiplier,
+                         figures.lowest, figures.highest, figures.work);
   }
   qn_file_writer_puts (writer, "],\n");
 }
@@ -198,13 +182,11 @@ write_beams (QnFileWriter *writer, const QnModel *model)
 {
   if (model->node_count == 0)
     return;
-  qn_file_writer_puts (writer, "  \"nodes\": [");
-  for (size_t i = 0; i < model->node_count; i++)
-    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", model->nodes[i].name);
-  qn_file_writer_puts (writer, "],\n  \"beams\": [");
-  for (size_t i = 0; i < model->beam_count; i++)
-    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", model->beams[i].name);
-  qn_file_writer_puts (writer, "],\n  \"elements\": [");
+  write_names (writer, "nodes", &model->nodes->name, model->node_count,
+               sizeof *model->nodes);
+  write_names (writer, "beams", &model->beams->name, model->beam_count,
+               sizeof *model->beams);
+  qn_file_writer_puts (writer, "  \"elements\": [");
   for (size_t i = 0; i < model->element_count; i++) {
     const QnBeamElement *element = &model->elements[i];
     qn_file_writer_printf (writer, "%s[%d, %d, %d]", i > 0 ? ", " : "", element->beam,
@@ -244,9 +226,8 @@ write_step_beams (QnFileWriter *writer, const QnResult *result, size_t step)
   for (size_t i = 0; i < result->element_count; i++)
     for (int end = 0; end < 2; end++) {
       qn_file_writer_puts (writer, end > 0 ? ", " : i > 0 ? "], [" : "[");
-      qn_file_writer_number (writer, forces[i].normal[end]);
-      qn_file_writer_puts_number (writer, ", ", forces[i].shear[end]);
-      qn_file_writer_puts_number (writer, ", ", forces[i].moment[end]);
+      qn_file_writer_json (writer, "%g, %g, %g", forces[i].normal[end],
+                           forces[i].shear[end], forces[i].moment[end]);
     }
   qn_file_writer_puts (writer, result->element_count > 0 ? "]]" : "]");
 }
@@ -311,16 +292,13 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   if (detail == QN_DETAIL_PAIRS && forces->has_springs) {
     /* The two springs between A, C and B; both carry the pair's force. */
     const double *elongations[2] = { forces->elongation_a, forces->elongation_b };
-    qn_file_writer_puts (writer, ", \"hinge\": ");
-    qn_file_writer_vec2 (writer, forces->hinge);
-    qn_file_writer_puts (writer, ", \"springs\": [");
+    qn_file_writer_json (writer, ", \"hinge\": [%g, %g], \"springs\": [", forces->hinge.x,
+                         forces->hinge.y);
     for (int side = 0; side < 2; side++) {
-      qn_file_writer_puts (writer,
-                           side == 0 ? "{ \"elongation\": " : ", { \"elongation\": ");
-      qn_file_writer_vec2 (writer, qn_vec2 (elongations[side][0], elongations[side][1]));
-      qn_file_writer_puts (writer, ", \"force\": ");
-      qn_file_writer_vec2 (writer, qn_vec2 (forces->normal_force, forces->shear_force));
-      qn_file_writer_puts (writer, " }");
+      qn_file_writer_puts (writer, side == 0 ? "" : ", ");
+      qn_file_writer_json (writer, "{ \"elongation\": [%g, %g], \"force\": [%g, %g] }",
+                           elongations[side][0], elongations[side][1],
+                           forces->normal_force, forces->shear_force);
     }
     qn_file_writer_puts (writer, "]");
   }
@@ -416,16 +394,13 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
     write_ids (writer, "  \"supports\": ", result->supports, result->support_count);
     qn_file_writer_puts (writer, ",\n");
   }
-  qn_file_writer_puts (writer, "  \"blocks\": [");
-  for (size_t i = 0; i < project->model.block_count; i++)
-    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", project->model.blocks[i].name);
-  qn_file_writer_puts (writer, "],\n");
-  write_beams (writer, &project->model);
-  for (size_t i = 0; i < project->model.tie_count; i++)
-    qn_file_writer_puts_string (writer, i > 0 ? ", " : "  \"ties\": [",
-                                project->model.ties[i].name);
-  if (project->model.tie_count > 0)
-    qn_file_writer_puts (writer, "],\n");
+  const QnModel *model = &project->model;
+  write_names (writer, "blocks", &model->blocks->name, model->block_count,
+               sizeof *model->blocks);
+  write_beams (writer, model);
+  if (model->tie_count > 0)
+    write_names (writer, "ties", &model->ties->name, model->tie_count,
+                 sizeof *model->ties);
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
   /* What the mechanism is where it is no collapse. */
@@ -433,8 +408,8 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
     qn_result_members_write (writer, "  \"vibration\": { ", qn_vibration_members,
                              &result->vibration, NULL, " },\n");
   if (result->stability != QN_STABILITY_UNKNOWN)
-    qn_file_writer_printf (writer, "  \"stability\": \"%s\",\n",
-                           qn_stability_names[result->stability]);
+    qn_file_writer_json (writer, "  \"stability\": %s,\n",
+                         qn_stability_names[result->stability]);
   write_mechanism (writer, &project->model, contacts, result);
   if (result->history.width > 0)
     qn_result_history_write (writer, &project->model, result);

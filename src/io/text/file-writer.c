@@ -18,6 +18,7 @@ struct QnFileWriter {
   QnWholeFile file;
   int trouble; /* errno of the first failure, 0 while all is well */
   GString *buffer;
+  char last; /* that was handed on */
 };
 
 static void
@@ -69,6 +70,8 @@ qn_file_writer_steal (QnFileWriter *writer, gsize *length)
 static void
 flush (QnFileWriter *writer)
 {
+  if (writer->buffer->len > 0)
+    writer->last = writer->buffer->str[writer->buffer->len - 1];
   if (writer->trouble == 0)
     writer->trouble =
       qn_whole_file_write (&writer->file, writer->buffer->str, writer->buffer->len);
@@ -125,13 +128,6 @@ qn_file_writer_rounded (QnFileWriter *writer, double number, const char *format)
 }
 
 void
-qn_file_writer_puts_string (QnFileWriter *writer, const char *text, const char *string)
-{
-  qn_file_writer_puts (writer, text);
-  qn_file_writer_json_string (writer, string);
-}
-
-void
 qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double number)
 {
   qn_file_writer_puts (writer, text);
@@ -147,18 +143,46 @@ qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count
 }
 
 void
-qn_file_writer_vec2 (QnFileWriter *writer, QnVec2 vector)
+qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
 {
-  qn_file_writer_puts_number (writer, "[", vector.x);
-  qn_file_writer_puts_number (writer, ", ", vector.y);
-  qn_file_writer_puts (writer, "]");
-}
-
-void
-qn_file_writer_json_string (QnFileWriter *writer, const char *text)
-{
-  qn_json_append_string (writer->buffer, text);
-  flush_when_full (writer);
+  va_list values;
+  char last =
+    writer->buffer->len > 0 ? writer->buffer->str[writer->buffer->len - 1] : writer->last;
+  format += *format == ',' && last == '[';
+  va_start (values, format);
+  for (const char *c; (c = strchr (format, '%')) != NULL; format = c + 1) {
+    const char *text;
+    qn_file_writer_write (writer, format, (gsize) (c - format));
+    switch (*++c) {
+    case 's':
+      text = va_arg (values, const char *);
+      if (text != NULL)
+        qn_json_append_string (writer->buffer, text);
+      else
+        qn_file_writer_puts (writer, "null");
+      break;
+    case 'g':
+      qn_file_writer_number (writer, va_arg (values, double));
+      break;
+    case 'f':
+      qn_json_append_number (writer->buffer, va_arg (values, double));
+      break;
+    case 'i':
+      qn_file_writer_puts (writer, va_arg (values, int) != 0 ? "true" : "false");
+      break;
+    case 'd':
+      qn_file_writer_printf (writer, "%d", va_arg (values, int));
+      break;
+    case 'z':
+      g_assert (*++c == 'u');
+      qn_file_writer_printf (writer, "%zu", va_arg (values, gsize));
+      break;
+    default:
+      g_assert_not_reached ();
+    }
+  }
+  va_end (values);
+  qn_file_writer_puts (writer, format);
 }
 
 GString *

@@ -48,13 +48,11 @@ void qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double 
 void qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
                              const char *between);
 
-/* A point or vector as a JSON array, [x, y]. */
-void qn_file_writer_vec2 (QnFileWriter *writer, QnVec2 vector);
-
-/* A JSON string with its quotes; the second form puts a text before it. */
-void qn_file_writer_json_string (QnFileWriter *writer, const char *text);
-void qn_file_writer_puts_string (QnFileWriter *writer, const char *text,
-                                 const char *string);
+/* JSON by a format of values that the compiler checks: %s a string, with its quotes, or null; %g a number,
+ * refused where it is not finite, and %f one that is null then; %d and %zu whole numbers; %i true or
+ * false. A comma that the format begins with is left out behind an opening bracket. */
+void qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
+  G_GNUC_PRINTF (2, 3);
 
 /* What has been written and not yet been handed on, to append to. */
 GString *qn_file_writer_buffer (QnFileWriter *writer);

@@ -208,31 +208,28 @@ write_body (QnFileWriter *writer, const QnMechanism *mechanism, QnId id)
 {
   const QnMechanismBody *body = &mechanism->bodies[id];
   gboolean first = TRUE;
-  qn_file_writer_puts (writer,
-                       id > 0 ? ",\n      { \"blocks\": [" : "\n      { \"blocks\": [");
+  qn_file_writer_puts (writer, id > 0 ? "," : "");
+  qn_file_writer_puts (writer, "\n      { \"blocks\": [");
   for (size_t b = 0; b < mechanism->block_count; b++)
     if (mechanism->body_of_block[b] == id) {
       qn_file_writer_printf (writer, first ? "%d" : ", %d", (int) b);
       first = FALSE;
     }
-  qn_file_writer_puts (writer, "], \"velocity\": ");
-  qn_file_writer_vec2 (writer, body->velocity);
-  qn_file_writer_puts_number (writer, ", \"rotation\": ", body->rotation);
-  qn_file_writer_puts (writer, ", \"centre\": ");
+  qn_file_writer_json (
+    writer, "], \"velocity\": [%g, %g], \"rotation\": %g, \"centre\": ", body->velocity.x,
+    body->velocity.y, body->rotation);
   if (body->turns)
-    qn_file_writer_vec2 (writer, body->centre);
+    qn_file_writer_json (writer, "[%g, %g] }", body->centre.x, body->centre.y);
   else
-    qn_file_writer_puts (writer, "null");
-  qn_file_writer_puts (writer, " }");
+    qn_file_writer_puts (writer, "null }");
 }
 
 void
 qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
                     const QnMechanism *mechanism)
 {
-  gboolean first = TRUE;
-  qn_file_writer_printf (writer, "{\n    \"kind\": \"%s\",\n    \"bodies\": [",
-                         qn_mechanism_kind_names[mechanism->kind]);
+  qn_file_writer_json (writer, "{\n    \"kind\": %s,\n    \"bodies\": [",
+                       qn_mechanism_kind_names[mechanism->kind]);
   for (size_t i = 0; i < mechanism->body_count; i++)
     write_body (writer, mechanism, (QnId) i);
   qn_file_writer_puts (writer, "],\n    \"joints\": [");
@@ -243,19 +240,14 @@ qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
     QnId face = (QnId) f;
     QnVec2 start, end;
     qn_joint_corners (contacts, face, &start, &end);
-    qn_file_writer_printf (writer,
-                           "%s\n      { \"face\": %d, \"kind\": \"%s\", \"slides\": %s",
-                           first ? "" : ",", face, qn_joint_kind_names[joint->kind],
-                           joint->slides ? "true" : "false");
-    if (joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END) {
-      qn_file_writer_puts (writer, ", \"hinge\": ");
-      qn_file_writer_vec2 (writer, joint->kind == QN_JOINT_HINGE_START ? start : end);
-    }
-    qn_file_writer_puts_number (writer, ", \"opening\": [", joint->opening_start);
-    qn_file_writer_puts_number (writer, ", ", joint->opening_end);
-    qn_file_writer_puts_number (writer, "], \"slip\": ", joint->slip);
-    qn_file_writer_puts (writer, " }");
-    first = FALSE;
+    qn_file_writer_json (writer, ",\n      { \"face\": %d, \"kind\": %s, \"slides\": %i",
+                         face, qn_joint_kind_names[joint->kind], joint->slides);
+    if (joint->kind == QN_JOINT_HINGE_END)
+      start = end;
+    if (joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END)
+      qn_file_writer_json (writer, ", \"hinge\": [%g, %g]", start.x, start.y);
+    qn_file_writer_json (writer, ", \"opening\": [%g, %g], \"slip\": %g }",
+                         joint->opening_start, joint->opening_end, joint->slip);
   }
   qn_file_writer_puts (writer, "]\n  }");
 }

@@ -20,7 +20,7 @@ test_pieces (TestScratchFile *fixture, gconstpointer data)
   qn_file_writer_puts (writer, "a");
   qn_file_writer_printf (writer, "%d ", 37);
   qn_file_writer_number (writer, 0.175);
-  qn_file_writer_json_string (writer, "\"q\"");
+  qn_file_writer_json (writer, "%s", "\"q\"");
   qn_file_writer_write (writer, "xyz", 2);
   /* Nothing has the name of the target before all of it is there. */
   g_assert_false (g_file_test (fixture->path, G_FILE_TEST_EXISTS));
