@@ -66,7 +66,8 @@ test_whole (void)
                        "Mechanism", "Forces of joints: Analysis of the project",
                        "M (kN·m)", "e (mm)", "State", "Independent Check",
                        "Analysis of the project: passed", "Files and Versions",
-                       "on 1970-01-02", "the independent check is passed", "voussoir 2"),
+                       "Joints of the table", "on 1970-01-02",
+                       "the independent check is passed", "voussoir 2"),
                 NULL);
 }
 
@@ -203,7 +204,47 @@ test_members (void)
   }
 }
 
-/* Supports move by millimetres, as blocks do. */
+/* The first page says whether a demand is met, by what is proved alone. */
+static void
+test_demand (void)
+{
+  static const struct {
+    const char *example, *command, *set, *demand, *there;
+  } cases[] = {
+    { "06-arch.quoin", "solve", NULL, "0.2", "met. 0.2864 is carried, 1.432 times" },
+    { "06-arch.quoin", "solve", NULL, "0.4", "not met. 0.2864 is carried, 0.716 times" },
+    { "06-arch.quoin", "solve", "analysis.max_multiplier=0.1", "0.2",
+      "not decided, for the path was not followed so far" },
+    { "06-arch.quoin", "solve", "analysis.max_multiplier=0.1", "0.1",
+      "met. 0.1 is carried" },
+    { "06-arch.quoin", "limit", NULL, "0.2", "not decided, for the associative bound" },
+    { "06-arch.quoin", "limit", NULL, "0.4", "not met. 0.2864" },
+    { "35-beam-column.quoin", "solve", NULL, "650", "not met. 617.4 is carried, 0.950" },
+    { "18-spreading-arch.quoin", "solve", NULL, "1", NULL }, /* another question */
+  };
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *result = g_build_filename (folder, "result.json", NULL);
+  g_autofree char *pdf = g_build_filename (folder, "report.pdf", NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *model = cli_example (cases[i].example);
+    cli_do (cases[i].command, model, "-q", "-o", result,
+            cases[i].set != NULL ? "--set" : NULL, cases[i].set, NULL);
+    cli_do ("report", model, "-r", result, "--sections", "title", "--demand",
+            cases[i].demand, "-o", pdf, NULL);
+    if (cases[i].there != NULL)
+      assert_words (pdf, WORDS (cases[i].there), NULL);
+    else
+      assert_words (pdf, WORDS ("Question"), WORDS ("Demand"));
+  }
+  /* Or the project asks for it. */
+  g_autofree char *model = cli_example ("06-arch.quoin");
+  cli_do ("report", model, "--set", "report.demand=0.4", "--sections", "title", "-o", pdf,
+          NULL);
+  assert_words (pdf, WORDS ("Demand, a load multiplier of 0.4: not met"), NULL);
+  cli_fails (2, "--demand", "report", model, "--demand", "-1", "-o", pdf, NULL);
+}
+
+/* Supports move by millimetres, as blocks do; reaction and cracks are told of all steps. */
 static void
 test_settlement (void)
 {
@@ -212,6 +253,11 @@ test_settlement (void)
   g_autofree char *pdf = g_build_filename (folder, "loads.pdf", NULL);
   cli_do ("report", model, "--sections", "loads", "-o", pdf, NULL);
   assert_words (pdf, WORDS ("uy: -15"), WORDS ("-0.015"));
+  cli_do ("report", model, "--sections", "results", "-o", pdf, NULL);
+  assert_words (pdf,
+                WORDS ("Widest crack at the last step: 9.5", "Settlement (mm)",
+                       "Reaction (kN)", "Widest crack (mm)", "w.1.5 – w.2.5"),
+                NULL);
 }
 
 /* A project that is shaken is solved with its record, and tells what has moved. */
@@ -287,6 +333,7 @@ QN_TESTS
   g_test_add_func ("/cli/report/results", test_results);
   g_test_add_func ("/cli/report/cases", test_cases);
   g_test_add_func ("/cli/report/members", test_members);
+  g_test_add_func ("/cli/report/demand", test_demand);
   g_test_add_func ("/cli/report/settlement", test_settlement);
   g_test_add_func ("/cli/report/record", test_record);
   g_test_add_func ("/cli/report/template", test_template);

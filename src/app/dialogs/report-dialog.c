@@ -34,6 +34,7 @@ keep (Dialog *dialog, GError **error)
   for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
     plan.sections[i] = gtk_check_button_get_active (dialog->sections[i]);
   plan.every_joint = gtk_check_button_get_active (dialog->every_joint);
+  plan.demand = before.demand;
   plan.paper =
     gtk_drop_down_get_selected (dialog->paper) == 1 ? QN_PAPER_LETTER : QN_PAPER_A4;
   plan.author = dup_entry (dialog->author);

@@ -10,6 +10,7 @@
 typedef struct Options {
   char *output, *paper, *sections;
   char **results;
+  double demand;
   QnInputOptions input;
 } Options;
 
@@ -121,6 +122,10 @@ plan_report (const QnSubcommand *self, const Options *options, const QnProject *
   if (options->paper != NULL && !qn_paper_parse (options->paper, &plan->paper))
     return qn_cli_usage_error (self->name, "%s: %s", options->paper,
                                _ ("a paper is a4 or letter"));
+  if (options->demand != 0)
+    plan->demand = options->demand;
+  if (plan->demand < 0)
+    return qn_cli_usage_error (self->name, _ ("--demand is a positive number"));
   if (options->sections == NULL)
     return QN_EXIT_DONE;
   QnExit code = choose_sections (self, options->sections, plan->sections);
@@ -172,6 +177,8 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Only these, commas between them"),
       "title,model,materials,loads,findings,contacts,results,joints,certificate,"
       "comparison,files" },
+    { "demand", 0, 0, G_OPTION_ARG_DOUBLE, &options.demand,
+      N_ ("Say whether this load multiplier is carried"), N_ ("MULTIPLIER") },
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };

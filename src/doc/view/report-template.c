@@ -12,6 +12,7 @@ static const QnMember members[] = {
   QN_KNOWN ("sections"),
   QN_CHOICE ("paper", OPTIONAL, papers, QnReportTemplate, paper),
   QN_BOOL ("every_joint", OPTIONAL, QnReportTemplate, every_joint),
+  QN_NUMBER ("demand", OPTIONAL, POSITIVE, QnReportTemplate, demand),
   QN_STRING ("author", OPTIONAL, QnReportTemplate, author),
   QN_STRING ("text", OPTIONAL, QnReportTemplate, text),
   { 0 },

@@ -29,6 +29,7 @@ extern const char *const qn_report_section_names[];
 typedef struct QnReportTemplate {
   bool sections[QN_REPORT_SECTION_COUNT];
   bool every_joint; /* tables of joints are whole, however long */
+  double demand;    /* load multiplier that shall be carried; 0: none */
   QnPaper paper;
   char *author, *text; /* of the title; NULL: none */
 } QnReportTemplate;

@@ -180,6 +180,28 @@ qn_build_names (QnSceneBuilder *b)
   }
 }
 
+/* Numbers of joints, as tables name them: small, since every joint of a wall may have one. */
+void
+qn_build_numbers (QnSceneBuilder *b)
+{
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    const QnContactFace *face = &b->contacts->faces[f];
+    if (!b->options->numbered[f])
+      continue;
+    QnVec2 ends[2] = { qn_builder_place_joint (b, face, face->start),
+                       qn_builder_place_joint (b, face, face->end) };
+    char number[24];
+    g_snprintf (number, sizeof number, "%zu", f);
+    qn_scene_stroke (b->scene, QN_LAYER_SYMBOLS, ends, 2, false, 1.5,
+                     qn_builder_ink (b, QN_INK_FACE));
+    QnCommand *command =
+      qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_lerp (ends[0], ends[1], 0.5),
+                     0.7 * QN_SIZE_LABEL, number, qn_builder_ink (b, QN_INK_LINE));
+    command->align_y = -0.1f;
+    qn_command_set_pick (command, QN_PICK_FACE, (QnId) f);
+  }
+}
+
 void
 qn_build_underlay (QnSceneBuilder *b)
 {

@@ -254,6 +254,8 @@ build_view (QnSceneBuilder *b)
     qn_build_dimensions (b);
   if (options->names)
     qn_build_names (b);
+  if (options->numbered != NULL && b->contacts != NULL)
+    qn_build_numbers (b);
 }
 
 QnScene *

@@ -68,6 +68,7 @@ bool qn_build_beam_ghosts (QnSceneBuilder *builder);
 void qn_build_blocks (QnSceneBuilder *builder, const QnColor *fills);
 void qn_build_onion (QnSceneBuilder *builder);
 void qn_build_names (QnSceneBuilder *builder);
+void qn_build_numbers (QnSceneBuilder *builder);
 
 /* scene-supports.c */
 void qn_build_supports (QnSceneBuilder *builder);

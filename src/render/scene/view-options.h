@@ -80,6 +80,8 @@ typedef struct QnViewOptions {
   bool monochrome;       /* greys only */
   const QnResult *onion; /* a second result of the same model drawn as outline over the
                             first (DEFORMED, MECHANISM); borrowed, or NULL */
+  const bool
+    *numbered; /* by contact face: those that show their number; borrowed, or NULL */
   QnUnderlay underlay;
 } QnViewOptions;
 

@@ -1,0 +1,399 @@
+/* Sections of a report on the project: model, materials, loads, findings. */
+#include "doc/view/report-parts.h"
+
+#include "core/model/bar.h"
+#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
+#include "doc/text/law-text.h"
+#include "doc/view/load-text.h"
+#include "io/text/tie-text.h"
+#include "render/drawing/text.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+static char *
+dup_quantity (const QnReport *report, QnQuantity quantity, double value)
+{
+  return qn_label_power (qn_units_format_full (report->units, quantity, value, 5));
+}
+
+/* Box around the blocks and the weight of those that are free. */
+static void
+measure (const QnModel *model, QnVec2 *size, double *weight)
+{
+  QnBox box = QN_BOX_EMPTY;
+  *weight = 0;
+  for (size_t i = 0; i < model->vertex_count; i++)
+    qn_box_add_point (&box, model->vertices[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
+  for (size_t b = 0; b < model->block_count; b++)
+    *weight += model->blocks[b].support[QN_DOF_UY] ? 0 : model->blocks[b].weight;
+  *size = box.min.x <= box.max.x ? qn_vec2_sub (box.max, box.min) : qn_vec2 (0, 0);
+}
+
+bool
+qn_report_write_model (QnPages *pages, const QnReport *report, GError **error)
+{
+  const QnModel *model = &report->project->model;
+  QnFigure figure;
+  QnVec2 size;
+  double weight;
+  qn_pages_heading (pages, _ ("Model"));
+  measure (model, &size, &weight);
+  const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, report->contacts->face_count },
+                             { QN_COUNTED_PAIRS, report->contacts->pair_count },
+                             { QN_COUNTED_BEAMS, model->beam_count } };
+  gsize first = model->block_count > 0 || model->beam_count == 0 ? 0 : 3;
+  gsize end = G_N_ELEMENTS (counts) - (model->beam_count > 0 ? 0 : 1);
+  g_autofree char *number = qn_counts_dup_text (counts + first, end - first, ", ");
+  g_autofree char *width = dup_quantity (report, QN_QUANTITY_LENGTH, size.x);
+  g_autofree char *height = dup_quantity (report, QN_QUANTITY_LENGTH, size.y);
+  g_autofree char *force = dup_quantity (report, QN_QUANTITY_FORCE, weight);
+  g_autofree char *text =
+    first > 0 ? g_strdup_printf (_ ("%s; %s wide, %s high."), number, width, height)
+              : g_strdup_printf (_ ("%s; %s wide, %s high; free blocks weigh %s."),
+                                 number, width, height, force);
+  qn_pages_paragraph (pages, text);
+  qn_figure_init (&figure, model, report->contacts, NULL, QN_VIEW_MODEL);
+  figure.options.dimensions = figure.options.loads = true;
+  figure.title = "";
+  figure.caption = "";
+  return qn_pages_figure (pages, &figure, 0.55, error);
+}
+
+static char *
+dup_law_numbers (const QnLaw *law, QnUnits units)
+{
+  size_t count;
+  const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+  g_autoptr (GString) text = g_string_new (NULL);
+  g_autofree char *kn = qn_label_power (
+    qn_units_format_full (units, qn_law_quantity ("kn", law->basis), law->kn, 6));
+  g_autofree char *ks = qn_label_power (
+    qn_units_format_full (units, qn_law_quantity ("ks", law->basis), law->ks, 6));
+  if (law->elasticity > 0) {
+    g_autofree char *E = qn_label_power (qn_units_format_full (
+      units, qn_law_quantity ("elasticity", law->basis), law->elasticity, 6));
+    g_string_append_printf (text,
+                            law->arrangement == QN_ARRANGEMENT_GRID
+                              ? _ ("E = %s, ν = %.6g, blocks in a grid: ")
+                              : _ ("E = %s, ν = %.6g, blocks in a chain: "),
+                            E, law->poisson);
+  }
+  g_string_append_printf (text, "kn = %s, ks = %s", kn, ks);
+  for (size_t i = 0; i < count; i++) {
+    double value = qn_law_get (law, &parameters[i]);
+    if (!isfinite (value))
+      continue;
+    g_autofree char *number = qn_units_format_full (
+      units, qn_law_quantity (parameters[i].key, law->basis), value, 6);
+    number = qn_label_power (number);
+    g_string_append_printf (text, ", %s = %s", parameters[i].key, number);
+  }
+  return g_strdup (text->str);
+}
+
+/* ", E = 30000 MPa": what a section has that is not 0. */
+static void
+append_number (GString *text, const char *symbol, QnQuantity quantity, double value,
+               const char *unit)
+{
+  /* Strengths in MPa, sides in mm, moments in kN·m. */
+  const QnUnits units = { .length = QN_LENGTH_MM,
+                          .force = QN_FORCE_KN,
+                          .stress = QN_STRESS_MPA };
+  if (value == 0)
+    return;
+  g_autofree char *number =
+    qn_label_power (qn_units_format_full (units, quantity, value, 6));
+  g_string_append_printf (text, "%s%s = %s%s", text->len > 0 ? ", " : "", symbol, number,
+                          unit);
+}
+
+static char *
+dup_section_numbers (const QnSection *section)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  append_number (text, "E", QN_QUANTITY_STRESS, section->young, "");
+  append_number (text, "G", QN_QUANTITY_STRESS, section->shear_modulus, "");
+  if (section->shear_modulus == 0)
+    append_number (text, "ν", QN_QUANTITY_NUMBER, section->poisson, "");
+  append_number (text, "b", QN_QUANTITY_LENGTH, section->width, "");
+  append_number (text, "h", QN_QUANTITY_LENGTH, section->height, "");
+  append_number (text, "A", QN_QUANTITY_NUMBER, section->area, "\u00a0m²");
+  append_number (text, "I", QN_QUANTITY_NUMBER, section->inertia, "\u00a0m⁴");
+  append_number (text, "k", QN_QUANTITY_NUMBER, section->shear_factor, "");
+  append_number (text, "fy", QN_QUANTITY_STRESS, section->yield, "");
+  append_number (text, "Mp", QN_QUANTITY_MOMENT, qn_section_plastic_moment (section), "");
+  append_number (text, "γ", QN_QUANTITY_UNIT_WEIGHT, section->unit_weight, "");
+  return g_strdup (text->str);
+}
+
+static void
+write_sections (QnPages *pages, const QnModel *model)
+{
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->beam_count == 0)
+    return;
+  qn_report_add_words (cells, _ ("Section"), _ ("Beams"), _ ("Numbers"), NULL);
+  for (size_t i = 0; i < model->section_count; i++) {
+    size_t users = 0;
+    for (size_t k = 0; k < model->beam_count; k++)
+      users += model->beams[k].section == (QnId) i;
+    qn_report_add (cells, g_strdup (model->sections[i].name));
+    qn_report_add (cells, g_strdup_printf ("%zu", users));
+    qn_report_add (cells, dup_section_numbers (&model->sections[i]));
+  }
+  qn_report_table (pages, cells, 3);
+}
+
+static void
+write_bars (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->bar_count == 0)
+    return;
+  qn_report_add_words (cells, _ ("Reinforcing bars"), _ ("Diameter (mm)"),
+                       _ ("Area (mm²)"), NULL);
+  qn_report_add (cells,
+                 g_strdup_printf (_ ("Length (%s)"),
+                                  qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
+  qn_report_add_words (cells, _ ("Law"), NULL);
+  for (size_t i = 0; i < model->bar_count; i++) {
+    const QnBar *bar = &model->bars[i];
+    double length = qn_vec2_length (qn_vec2_sub (bar->end, bar->start));
+    qn_report_add (cells, g_strdup_printf ("%zu", i + 1));
+    qn_report_add_number (cells, "%.4g", 1e3 * qn_bar_get_diameter (bar->area));
+    qn_report_add_number (cells, "%.5g", 1e6 * bar->area);
+    qn_report_add (cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, length, 5));
+    qn_report_add (cells, g_strdup (model->laws[bar->law].name));
+  }
+  qn_report_table (pages, cells, 5);
+}
+
+/* "Ø 20 mm, E 200 GPa, fy 235 MPa, prestress 10 kN, anchor 30 kN" */
+static char *
+dup_tie_numbers (const QnTie *tie, QnUnits units)
+{
+  g_autofree char *diameter = qn_units_format_full (units, QN_QUANTITY_DIAMETER,
+                                                    qn_bar_get_diameter (tie->area), 3);
+  g_autoptr (GString) text = g_string_new (NULL);
+  g_string_printf (text, "Ø %s", diameter);
+  append_number (text, "E", QN_QUANTITY_STRESS, tie->elasticity, "");
+  append_number (text, "fy", QN_QUANTITY_STRESS, tie->yield, "");
+  append_number (text, _ ("prestress"), QN_QUANTITY_FORCE, tie->prestress, "");
+  append_number (text, _ ("slack"), QN_QUANTITY_LENGTH, tie->slack, "");
+  append_number (text, _ ("anchor"), QN_QUANTITY_FORCE, tie->anchor, "");
+  return g_strdup (text->str);
+}
+
+static void
+write_ties (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->tie_count == 0)
+    return;
+  qn_report_add_words (cells, _ ("Tie"), _ ("Numbers"), NULL);
+  qn_report_add (cells,
+                 g_strdup_printf (_ ("Length (%s)"),
+                                  qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    qn_report_add (cells, g_strdup (tie->name));
+    qn_report_add (cells, dup_tie_numbers (tie, report->units));
+    qn_report_add (
+      cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, qn_tie_length (tie), 5));
+  }
+  qn_report_table (pages, cells, 3);
+}
+
+static gboolean
+same_stuff (const QnBlock *a, const QnBlock *b)
+{
+  return a->thickness == b->thickness && a->unit_weight == b->unit_weight
+         && a->law == b->law;
+}
+
+void
+qn_report_write_materials (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  g_autoptr (GPtrArray) laws = g_ptr_array_new_with_free_func (g_free);
+  g_autoptr (GPtrArray) blocks = g_ptr_array_new_with_free_func (g_free);
+  qn_pages_heading (pages, _ ("Materials"));
+  qn_report_add_words (laws, _ ("Law"), _ ("Kind"), _ ("Given per"), _ ("Numbers"), NULL);
+  for (size_t i = 0; i < model->law_count; i++) {
+    const QnLaw *law = &model->laws[i];
+    qn_report_add_words (laws, law->name, _ (qn_law_kind_words[law->kind]),
+                         _ (qn_basis_words[law->basis]), NULL);
+    qn_report_add (laws, dup_law_numbers (law, report->units));
+  }
+  if (model->law_count > 0)
+    qn_report_table (pages, laws, 4);
+
+  g_autofree char *thickness = g_strdup_printf (
+    _ ("Thickness (%s)"), qn_units_symbol (report->units, QN_QUANTITY_LENGTH));
+  g_autofree char *weight = g_strdup_printf (
+    _ ("Unit weight (%s)"), qn_units_symbol (report->units, QN_QUANTITY_UNIT_WEIGHT));
+  qn_report_add_words (blocks, _ ("Blocks"), thickness, weight, _ ("Law"), NULL);
+  for (size_t b = 0; b < model->block_count; b++) {
+    size_t alike = 0;
+    gboolean told = FALSE;
+    for (size_t k = 0; k < model->block_count && !told; k++) {
+      gboolean same = same_stuff (&model->blocks[k], &model->blocks[b]);
+      told = same && k < b;
+      alike += same;
+    }
+    if (told)
+      continue;
+    const QnBlock *block = &model->blocks[b];
+    qn_report_add (blocks, g_strdup_printf ("%zu", alike));
+    qn_report_add (
+      blocks, qn_units_format (report->units, QN_QUANTITY_LENGTH, block->thickness, 5));
+    qn_report_add (blocks, qn_units_format (report->units, QN_QUANTITY_UNIT_WEIGHT,
+                                            block->unit_weight, 6));
+    qn_report_add (blocks, g_strdup (block->law != QN_NONE ? model->laws[block->law].name
+                                                           : _ ("that of the contacts")));
+  }
+  if (model->block_count > 0)
+    qn_report_table (pages, blocks, 4);
+  write_sections (pages, model);
+  write_bars (pages, report);
+  write_ties (pages, report);
+}
+
+void
+qn_report_write_ground_motion (QnPages *pages, const QnGroundMotion *motion)
+{
+  g_autofree char *x = qn_label_number ("%.4g", motion->direction.x);
+  g_autofree char *y = qn_label_number ("%.4g", motion->direction.y);
+  g_autofree char *scale = qn_label_number ("%.4g", motion->scale);
+  g_autofree char *peak = qn_label_number ("%.4g", motion->pulse.amplitude);
+  g_autofree char *length = qn_label_number ("%.4g", motion->pulse.duration);
+  g_autofree char *signal =
+    motion->kind == QN_SIGNAL_PULSE
+      ? g_strdup_printf (_ ("pulse of %s m/s² and %s s"), peak, length)
+    : motion->record != NULL ? g_strdup (motion->record)
+                             : g_strdup_printf (_ ("%zu points"), motion->point_count);
+  g_autofree char *line = g_strdup_printf (
+    _ ("Ground motion: %s, factor %s, along (%s; %s)"), signal, scale, x, y);
+  qn_pages_paragraph (pages, line);
+}
+
+/* A block that starts elsewhere than at rest, or moves when the motion begins. */
+static void
+write_initial_motion (QnPages *pages, const QnReport *report,
+                      const QnInitialMotion *motion)
+{
+  const char *block = report->project->model.blocks[motion->block].name;
+  const double *u = motion->displacement, *v = motion->velocity;
+  QnUnits units = qn_units_of_motion (report->units);
+  if (u[QN_DOF_UX] != 0 || u[QN_DOF_UY] != 0 || u[QN_DOF_RZ] != 0) {
+    g_autofree char *x =
+      qn_units_format_full (units, QN_QUANTITY_LENGTH, u[QN_DOF_UX], 4);
+    g_autofree char *y =
+      qn_units_format_full (units, QN_QUANTITY_LENGTH, u[QN_DOF_UY], 4);
+    g_autofree char *turn =
+      qn_units_format_full (units, QN_QUANTITY_ANGLE, u[QN_DOF_RZ], 4);
+    g_autofree char *line =
+      g_strdup_printf (_ ("Initial displacement of %s: %s; %s; %s"), block, x, y, turn);
+    qn_pages_paragraph (pages, line);
+  }
+  if (v[QN_DOF_UX] != 0 || v[QN_DOF_UY] != 0 || v[QN_DOF_RZ] != 0) {
+    g_autofree char *x = qn_label_number ("%.4g", v[QN_DOF_UX]);
+    g_autofree char *y = qn_label_number ("%.4g", v[QN_DOF_UY]);
+    g_autofree char *turn = qn_label_number ("%.4g", v[QN_DOF_RZ]);
+    g_autofree char *line = g_strdup_printf (
+      _ ("Initial velocity of %s: %s; %s m/s; %s rad/s"), block, x, y, turn);
+    qn_pages_paragraph (pages, line);
+  }
+}
+
+static void
+write_dynamic (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  const QnDynamicSettings *dynamic = &model->analysis.dynamic;
+  for (size_t i = 0; i < model->initial_count; i++)
+    write_initial_motion (pages, report, &model->initial[i]);
+  double end = qn_model_duration (model);
+  g_autofree char *duration = qn_label_number ("%.4g", end);
+  g_autofree char *line = end > 0
+                            ? g_strdup_printf (_ ("Duration: %s s"), duration)
+                            : g_strdup (_ ("Duration: to the end of the ground motion"));
+  qn_pages_paragraph (pages, line);
+  g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
+  g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
+  g_autofree char *damping = g_strdup_printf (
+    _ ("Damping: %s 1/s times the mass, %s s times the stiffness"), mass, joints);
+  qn_pages_paragraph (pages, damping);
+}
+
+/* "Live load, traffic × 1.5: Backfill on the left: …" */
+static void
+write_load (QnPages *pages, const QnReport *report, const QnLoad *load, bool dead)
+{
+  const QnModel *model = &report->project->model;
+  g_autofree char *text = qn_load_dup_text (model, load, report->units);
+  g_autofree char *where =
+    dead             ? g_strdup (_ ("Dead load"))
+    : load->set == 0 ? g_strdup (_ ("Live load"))
+                     : g_strdup_printf (_ ("Set “%s”"), model->load_sets[load->set - 1]);
+  g_autofree char *factor = qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER,
+                                             qn_model_load_factor (model, load), 6);
+  g_autofree char *line =
+    load->load_case > 0
+      ? g_strdup_printf (_ ("%s, %s × %s: %s"), where,
+                         model->load_cases[load->load_case - 1].name, factor, text)
+      : g_strdup_printf (_ ("%s: %s"), where, text);
+  qn_pages_paragraph (pages, line);
+}
+
+void
+qn_report_write_loads (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  qn_pages_heading (pages, _ ("Loads and Analysis"));
+  for (size_t i = 0; i < qn_model_load_count (model); i++)
+    write_load (pages, report, qn_model_load (model, i), i < model->dead_load_count);
+  for (size_t i = 0; i < model->stage_count; i++) {
+    g_autofree char *text = qn_stage_dup_text (model, i, report->units);
+    g_autofree char *line = g_strdup_printf (_ ("Stage %zu: %s"), i + 1, text);
+    qn_pages_paragraph (pages, line);
+  }
+  for (size_t i = 0; i < model->ground_count; i++)
+    qn_report_write_ground_motion (pages, &model->ground[i]);
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    write_dynamic (pages, report);
+  g_autofree char *analysis = g_strdup_printf (
+    _ ("Procedure: %s, in %s geometry."), qn_explain_procedure (&model->analysis),
+    model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear"));
+  qn_pages_paragraph (pages, analysis);
+}
+
+void
+qn_report_write_findings (QnPages *pages, const QnReport *report)
+{
+  const QnFindings *findings = &report->contacts->findings;
+  if (report->project->model.block_count == 0)
+    return;
+  qn_pages_heading (pages, _ ("Findings"));
+  if (findings->count == 0)
+    qn_pages_paragraph (pages, _ ("Contact detection has found nothing unusual."));
+  for (size_t i = 0; i < findings->count && i < QN_REPORT_ROWS; i++) {
+    g_autofree char *text =
+      qn_explain_finding (&report->project->model, &findings->items[i]);
+    qn_pages_paragraph (pages, text);
+  }
+  if (findings->count > QN_REPORT_ROWS) {
+    g_autofree char *more =
+      g_strdup_printf (_ ("and %zu more"), findings->count - QN_REPORT_ROWS);
+    qn_pages_paragraph (pages, more);
+  }
+}

@@ -1,0 +1,44 @@
+/* Parts of a report, one file for each. Sections are written in the order of QnReportSection. */
+#ifndef QN_DOC_REPORT_PARTS_H
+#define QN_DOC_REPORT_PARTS_H
+
+#include "doc/view/report.h"
+
+/* Rows of a table of joints unless all are requested; the others are counted. */
+#define QN_REPORT_ROWS 120
+
+/* ---- tables that grow by cells ---- */
+
+/* Takes the text. */
+void qn_report_add (GPtrArray *cells, char *text);
+/* Copies words, NULL-terminated. */
+void qn_report_add_words (GPtrArray *cells, ...) G_GNUC_NULL_TERMINATED;
+/* A dash where the value is not finite. */
+void qn_report_add_number (GPtrArray *cells, const char *format, double value);
+void qn_report_table (QnPages *pages, GPtrArray *cells, size_t columns);
+
+/* ---- report-model.c ---- */
+
+bool qn_report_write_model (QnPages *pages, const QnReport *report, GError **error);
+void qn_report_write_materials (QnPages *pages, const QnReport *report);
+void qn_report_write_loads (QnPages *pages, const QnReport *report);
+void qn_report_write_findings (QnPages *pages, const QnReport *report);
+void qn_report_write_ground_motion (QnPages *pages, const QnGroundMotion *motion);
+
+/* ---- report-joints.c ---- */
+
+bool qn_report_write_contacts (QnPages *pages, const QnReport *report, GError **error);
+bool qn_report_has_forces (const QnReportRun *run);
+bool qn_report_write_joints (QnPages *pages, const QnReport *report,
+                             const QnReportRun *run, GError **error);
+
+/* ---- report-result.c ---- */
+
+/* The picture of a result: how it fails, or else how it has moved. False where there is none. */
+bool qn_report_choose_picture (QnFigure *figure, const QnReportRun *run);
+bool qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
+                             GError **error);
+void qn_report_write_certificate (QnPages *pages, const QnReport *report);
+bool qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **error);
+
+#endif

@@ -1,0 +1,383 @@
+/* Sections of a report on results: each, their independent check, and several beside each other. */
+#include "doc/view/report-parts.h"
+
+#include "core/result/curve-motion.h"
+#include "doc/text/explain.h"
+#include "doc/view/energy-plot.h"
+#include "doc/view/ground-preview.h"
+#include "io/text/outcome-text.h"
+#include "io/text/tie-text.h"
+#include "render/drawing/text.h"
+#include "render/scene/motion.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+/* The picture of a result: how it fails, or else how it has moved. */
+bool
+qn_report_choose_picture (QnFigure *figure, const QnReportRun *run)
+{
+  const QnResult *result = &run->file->result;
+  if (result->mechanism == NULL && result->step_count == 0)
+    return false;
+  qn_figure_init (figure, &run->project->model, run->contacts, result,
+                  result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+  figure->title = run->name;
+  return true;
+}
+
+static bool
+take_curve (const QnReportRun *run, QnCurve *curve)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  QnCurveMotion motion = qn_result_curve_motion (model, result);
+  if (motion.body == QN_NONE || result->step_count < 2 || result->limit.given)
+    return false;
+  if (!qn_curve_from_result (curve, model, result, motion))
+    return false;
+  curve->label = run->name;
+  qn_curve_cut_runaway (curve);
+  return true;
+}
+
+static bool
+write_figure (QnPages *pages, const QnReportRun *run, QnView view, const char *title,
+              GError **error)
+{
+  QnFigure figure;
+  qn_figure_init (&figure, &run->project->model, run->contacts, &run->file->result, view);
+  figure.title = title;
+  return qn_pages_figure (pages, &figure, 0.42, error);
+}
+
+typedef struct Crack {
+  double width; /* m; 0: none */
+  const QnContactFace *face;
+} Crack;
+
+/* The widest crack at a step, by what the pairs of joints have opened. */
+static Crack
+find_crack (const QnReportRun *run, size_t step)
+{
+  const QnModel *model = &run->project->model;
+  const QnMotion motion = { .model = model,
+                            .displacements =
+                              qn_result_step_displacements (&run->file->result, step),
+                            .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
+                            .scale = 1 };
+  Crack widest = { 0 };
+  for (size_t f = 0; f < run->contacts->face_count; f++) {
+    const QnContactFace *face = &run->contacts->faces[f];
+    const QnJoint joint = qn_motion_joint (&motion, face);
+    double opens = fmax (joint.opening_start, joint.opening_end);
+    if (opens > widest.width)
+      widest = (Crack){ opens, face };
+  }
+  return widest;
+}
+
+static void
+tell_crack (QnPages *pages, const QnReportRun *run, Crack crack, bool last, QnUnits units)
+{
+  const QnBlock *blocks = run->project->model.blocks;
+  g_autofree char *size =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, crack.width, 3);
+  g_autofree char *line =
+    g_strdup_printf (last ? _ ("Widest crack at the last step: %s, between %s and %s.")
+                          : _ ("Widest crack of all steps: %s, between %s and %s."),
+                     size, blocks[crack.face->a].name, blocks[crack.face->b].name);
+  qn_pages_paragraph (pages, line);
+}
+
+/* Of a settlement: what its support takes, and the widest crack, over all steps; of long paths at even
+ * distances. */
+static void
+write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settlement,
+                  const Crack *cracks, QnUnits units)
+{
+  const QnResult *result = &run->file->result;
+  const QnModel *model = &run->project->model;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  QnCurveMotion motion = qn_result_curve_motion (model, result);
+  const bool turns = motion.dof == QN_DOF_RZ;
+  const QnQuantity moved = turns ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
+  const QnQuantity taken = turns ? QN_QUANTITY_MOMENT : QN_QUANTITY_FORCE;
+  size_t rows = MIN (result->step_count, QN_REPORT_ROWS);
+  qn_report_add (cells,
+                 g_strdup_printf (_ ("Settlement (%s)"), qn_units_symbol (units, moved)));
+  qn_report_add (cells,
+                 g_strdup_printf (_ ("Reaction (%s)"), qn_units_symbol (units, taken)));
+  qn_report_add (cells, g_strdup_printf (_ ("Widest crack (%s)"),
+                                         qn_units_symbol (units, QN_QUANTITY_LENGTH)));
+  qn_report_add_words (cells, _ ("Between"), NULL);
+  for (size_t r = 0; r < rows; r++) {
+    size_t step = rows > 1 ? r * (result->step_count - 1) / (rows - 1) : 0;
+    const Crack *crack = &cracks[step];
+    qn_report_add (cells, qn_units_format (units, moved,
+                                           qn_curve_motion_at (result, motion, step), 4));
+    qn_report_add (cells,
+                   qn_units_format (
+                     units, taken,
+                     qn_result_settlement_reaction (model, result, settlement, step), 5));
+    qn_report_add (cells, qn_units_format (units, QN_QUANTITY_LENGTH, crack->width, 3));
+    qn_report_add (cells, crack->face != NULL ? g_strdup_printf (
+                            "%s – %s", model->blocks[crack->face->a].name,
+                            model->blocks[crack->face->b].name)
+                                              : g_strdup ("–"));
+  }
+  qn_report_table (pages, cells, 4);
+}
+
+static void
+write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
+{
+  const QnResult *result = &run->file->result;
+  QnUnits units = qn_units_of_motion (given);
+  if (result->step_count == 0 || result->limit.given)
+    return;
+  g_autofree Crack *cracks = g_new (Crack, result->step_count);
+  Crack widest = { 0 }, *last = &cracks[result->step_count - 1];
+  for (size_t s = 0; s < result->step_count; s++) {
+    cracks[s] = find_crack (run, s);
+    if (cracks[s].width > widest.width)
+      widest = cracks[s];
+  }
+  if (last->width > 0)
+    tell_crack (pages, run, *last, true, units);
+  if (widest.width > last->width)
+    tell_crack (pages, run, widest, false, units);
+  const QnLoad *settlement = qn_result_settlement (&run->project->model, result);
+  if (settlement != NULL)
+    write_settlement (pages, run, settlement, cracks, units);
+}
+
+/* The largest force of every tie, and what it uses of its strength. */
+static void
+write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->tie_count == 0 || result->tie_count != model->tie_count)
+    return;
+  qn_report_add_words (cells, _ ("Tie"), NULL);
+  qn_report_add (cells, g_strdup_printf (_ ("Largest force (%s)"),
+                                         qn_units_symbol (units, QN_QUANTITY_FORCE)));
+  qn_report_add (cells, g_strdup_printf (_ ("Strength (%s)"),
+                                         qn_units_symbol (units, QN_QUANTITY_FORCE)));
+  qn_report_add_words (cells, _ ("Used (%)"), _ ("State"), NULL);
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    gssize step = qn_tie_worst_step (result, i);
+    if (step < 0)
+      return;
+    const QnTieResult *at = &qn_result_step_ties (result, (gsize) step)[i];
+    gboolean limited = isfinite (qn_tie_strength (tie));
+    qn_report_add (cells, g_strdup (tie->name));
+    qn_report_add (cells, qn_units_format (units, QN_QUANTITY_FORCE, at->force, 4));
+    qn_report_add (cells, limited ? qn_units_format (units, QN_QUANTITY_FORCE,
+                                                     qn_tie_strength (tie), 4)
+                                  : g_strdup ("–"));
+    qn_report_add_number (
+      cells, "%.3g", limited ? 100 * qn_tie_utilisation (tie, at->force) : (double) NAN);
+    qn_report_add (cells, g_strdup (qn_tie_state_text (at->state)));
+  }
+  qn_report_table (pages, cells, 5);
+}
+
+static void
+draw_energies (const void *data, cairo_t *cr, double width, double height)
+{
+  qn_energy_plot_draw (data, TRUE, cr, width, height, 1, NULL);
+}
+
+/* What draws the acceleration of one motion of the ground. */
+static void
+draw_ground (const void *data, cairo_t *cr, double width, double height)
+{
+  qn_ground_preview_draw (data, QN_GROUND_ACCELERATION, cr, width, height, 1);
+}
+
+/* The step that is nearest to a time. */
+static size_t
+step_at (const QnResult *result, double time)
+{
+  size_t best = 0;
+  for (size_t i = 1; i < result->step_count; i++)
+    if (fabs (result->steps[i].time - time) < fabs (result->steps[best].time - time))
+      best = i;
+  return best;
+}
+
+/* What shakes the structure, how it stands when it has moved farthest, and its energies. */
+static bool
+write_history (QnPages *pages, const QnReportRun *run, GError **error)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  QnEnergyPlot energies;
+  for (size_t i = 0; i < model->ground_count; i++) {
+    QnGroundPreview ground;
+    qn_ground_preview_init (&ground, model, i, QN_GROUND_ACCELERATION);
+    if (ground.count > 0) {
+      qn_report_write_ground_motion (pages, &model->ground[i]);
+      qn_pages_drawing (pages, draw_ground, &ground, 0.25);
+    }
+    qn_ground_preview_clear (&ground);
+  }
+  if (isfinite (result->history.peak_time) && result->step_count > 0) {
+    QnFigure figure;
+    size_t step = step_at (result, result->history.peak_time);
+    qn_figure_init (&figure, model, run->contacts, result, QN_VIEW_DEFORMED);
+    figure.options.step = (int) step;
+    figure.title = _ ("At its largest displacement");
+    if (!qn_pages_figure (pages, &figure, 0.42, error))
+      return false;
+  }
+  qn_energy_plot_init (&energies, &result->history);
+  if (energies.count > 0)
+    qn_pages_drawing (pages, draw_energies, &energies, 0.3);
+  qn_energy_plot_clear (&energies);
+  return true;
+}
+
+bool
+qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
+                        GError **error)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  QnCurve curve;
+  g_autofree char *title = g_strdup_printf (_ ("Result: %s"), run->name);
+  qn_pages_heading (pages, title);
+  g_autofree char *overrides =
+    run->file->overrides != NULL ? g_strjoinv (", ", run->file->overrides) : NULL;
+  if (overrides != NULL) {
+    g_autofree char *line = g_strdup_printf (_ ("Computed with %s."), overrides);
+    qn_pages_paragraph (pages, line);
+  }
+  g_autofree char *outcome = qn_explain_outcome (model, result);
+  qn_pages_paragraph (pages, outcome);
+  g_autofree char *interval = qn_outcome_dup_interval (model, result);
+  if (interval != NULL)
+    qn_pages_paragraph (pages, interval);
+  write_cracks (pages, run, units);
+  write_tie_forces (pages, run, units);
+  g_autofree char *words = qn_explain_mechanism (model, run->contacts, result);
+  if (words != NULL)
+    qn_pages_paragraph (pages, words);
+  bool mode = result->vibration.mode > 0 || result->stability == QN_STABILITY_LOST;
+  if (result->mechanism != NULL
+      && !write_figure (pages, run, QN_VIEW_MECHANISM,
+                        mode ? _ ("Mode") : _ ("Mechanism"), error))
+    return false;
+  if (result->mechanism == NULL && result->step_count > 0
+      && !write_figure (pages, run, QN_VIEW_DEFORMED, _ ("Displacements"), error))
+    return false;
+  if (take_curve (run, &curve)) {
+    const QnCurvePlot plot = { .title = curve.in_time   ? _ ("Displacement in time")
+                                        : curve.settles ? _ ("Reaction over settlement")
+                                                        : _ ("Load–displacement curve"),
+                               .curves = &curve,
+                               .curve_count = 1 };
+    qn_pages_curve (pages, &plot, 0.4);
+    qn_curve_clear (&curve);
+  }
+  if (result->history.width > 0 && !write_history (pages, run, error))
+    return false;
+  if (result->beam_forces != NULL
+      && !write_figure (pages, run, QN_VIEW_DIAGRAMS, _ ("Section forces"), error))
+    return false;
+  return !qn_report_has_forces (run) || run->contacts->face_count == 0
+         || write_figure (pages, run, QN_VIEW_FORCES, _ ("Contact forces"), error);
+}
+
+void
+qn_report_write_certificate (QnPages *pages, const QnReport *report)
+{
+  qn_pages_heading (pages, _ ("Independent Check"));
+  qn_pages_paragraph (
+    pages,
+    _ ("Of the forces in the files alone, without the solver: free blocks and nodes "
+       "in equilibrium, joints and sections within their strength."));
+  for (size_t i = 0; i < report->run_count; i++) {
+    const QnReportRun *run = &report->runs[i];
+    g_autofree char *text = NULL;
+    if (run->check == NULL) {
+      text = g_strdup_printf (_ ("%s: not checked: %s"), run->name, run->unchecked);
+    } else {
+      g_autofree char *multiplier = qn_label_number ("%.6g", run->check->multiplier);
+      g_autofree char *balance = qn_label_number ("%.1e", run->check->out_of_balance);
+      g_autofree char *excess = qn_label_number ("%.1e", run->check->yield_violation);
+      text = g_strdup_printf (
+        run->passes ? _ ("%s: passed at a load multiplier of %s; out of balance by %s of "
+                         "the largest force, strength exceeded by %s of the largest "
+                         "contact force.")
+                    : _ ("%s: failed at a load multiplier of %s; out of balance by %s of "
+                         "the largest force, strength exceeded by %s of the largest "
+                         "contact force."),
+        run->name, multiplier, balance, excess);
+    }
+    qn_pages_paragraph (pages, text);
+  }
+}
+
+/* Those that share axes in one plot, where there are several. */
+static void
+write_curves (QnPages *pages, const QnCurve *curves, size_t count)
+{
+  g_autofree QnCurve *alike = g_new0 (QnCurve, count + 1);
+  for (size_t first = 0; first < count; first++) {
+    QnCurvePlot plot = { .title = curves[first].in_time ? _ ("Displacement in time")
+                                  : curves[first].settles
+                                    ? _ ("Reactions over settlement")
+                                    : _ ("Load–displacement curves"),
+                         .curves = alike };
+    bool told = false;
+    for (size_t i = 0; i < count; i++)
+      if (qn_curve_shares_axes (&curves[i], &curves[first])) {
+        told |= i < first;
+        alike[plot.curve_count++] = curves[i];
+      }
+    if (plot.curve_count > 1 && !told)
+      qn_pages_curve (pages, &plot, 0.45);
+  }
+}
+
+bool
+qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **error)
+{
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  g_autofree QnCurve *curves = g_new0 (QnCurve, report->run_count);
+  size_t count = 0;
+  qn_pages_heading (pages, _ ("Comparison"));
+  qn_report_add_words (cells, _ ("Result"), _ ("Outcome"), _ ("Multiplier"),
+                       _ ("First limit"), _ ("Lower bound"), _ ("Upper bound"),
+                       _ ("Associative bound"), NULL);
+  for (size_t i = 0; i < report->run_count; i++) {
+    const QnResult *r = &report->runs[i].file->result;
+    const double numbers[] = {
+      r->has_collapse_multiplier ? r->collapse_multiplier : (double) NAN,
+      r->has_first_limit_multiplier ? r->first_limit_multiplier : (double) NAN,
+      r->limit.given ? r->limit.lower_bound : (double) NAN,
+      r->limit.given ? r->limit.upper_bound : (double) NAN,
+      r->has_associative_bound ? r->associative_bound : (double) NAN,
+    };
+    qn_report_add_words (cells, report->runs[i].name, qn_explain_outcome_label (r), NULL);
+    for (size_t k = 0; k < G_N_ELEMENTS (numbers); k++)
+      qn_report_add_number (cells, "%.6g", numbers[k]);
+    count += take_curve (&report->runs[i], &curves[count]);
+  }
+  qn_report_table (pages, cells, 2 + 5);
+  write_curves (pages, curves, count);
+  for (size_t i = 0; i < count; i++)
+    qn_curve_clear (&curves[i]);
+
+  g_autofree QnFigure *figures = g_new0 (QnFigure, report->run_count);
+  size_t drawn = 0;
+  for (size_t i = 0; i < report->run_count; i++)
+    drawn += qn_report_choose_picture (&figures[drawn], &report->runs[i]);
+  return qn_pages_figures (pages, figures, drawn, 2, 0.35, error);
+}
