@@ -144,6 +144,20 @@ class Result:
                 for i in range(count)]
 
     @property
+    def ties(self):
+        """Of every step, for every tie: {"force": N, "elongation": m, "state": ...}; None of a step
+        that does not tell them."""
+        count = lib.quoin_result_get_tie_count(self._handle)
+        return [[self._tie(step, i) for i in range(count)] for step in range(self._steps)]
+
+    def _tie(self, step, i):
+        numbers = ffi.new("double[2]")
+        if not lib.quoin_result_get_tie(self._handle, step, i, numbers, numbers + 1):
+            return None
+        state = _library.text(lib.quoin_result_get_tie_state(self._handle, step, i))
+        return {"force": numbers[0], "elongation": numbers[1], "state": state}
+
+    @property
     def iterations(self):
         return lib.quoin_result_get_iterations(self._handle)
 

@@ -369,6 +369,29 @@ quoin_result_get_pair_state (const QuoinResult *result, size_t pair)
   return qn_pair_state_names[result->result.pairs[pair].state];
 }
 
+size_t
+quoin_result_get_tie_count (const QuoinResult *result)
+{
+  return result->result.tie_count;
+}
+
+bool
+quoin_result_get_tie (const QuoinResult *result, size_t step, size_t tie, double *force,
+                      double *elongation)
+{
+  const QnTieResult *ties = qn_result_step_ties (&result->result, step);
+  *force = ties != NULL ? ties[tie].force : (double) NAN;
+  *elongation = ties != NULL ? ties[tie].elongation : (double) NAN;
+  return ties != NULL;
+}
+
+const char *
+quoin_result_get_tie_state (const QuoinResult *result, size_t step, size_t tie)
+{
+  const QnTieResult *ties = qn_result_step_ties (&result->result, step);
+  return ties != NULL ? qn_tie_state_names[ties[tie].state] : NULL;
+}
+
 int32_t
 quoin_result_get_iterations (const QuoinResult *result)
 {

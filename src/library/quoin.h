@@ -261,6 +261,14 @@ const double *quoin_result_get_forces (const QuoinResult *result);
 /* "stick", "slip", "open", "yield" */
 const char *quoin_result_get_pair_state (const QuoinResult *result, size_t pair);
 
+/* Ties at every step: their force, N, and how much farther apart their ends are than as drawn, m; false
+ * where a step does not tell them. State: "slack", "elastic", "yields", "anchor"; NULL likewise. */
+size_t quoin_result_get_tie_count (const QuoinResult *result);
+bool quoin_result_get_tie (const QuoinResult *result, size_t step, size_t tie,
+                           double *force, double *elongation);
+const char *quoin_result_get_tie_state (const QuoinResult *result, size_t step,
+                                        size_t tie);
+
 int32_t quoin_result_get_iterations (const QuoinResult *result);
 int32_t quoin_result_get_factorizations (const QuoinResult *result);
 

@@ -51,8 +51,8 @@ test_both_ways (void)
   driver_screenshot (root, "load-selected");
   driver_activate (window, "win.show-panel::properties");
   driver_run (200);
-  g_assert_nonnull (driver_find_widget (root, driver_says,
-                                        "Numbers of loads and bars are under Analysis."));
+  g_assert_nonnull (driver_find_widget (
+    root, driver_says, "Numbers of loads, bars and ties are under Analysis."));
   driver_activate (window, "win.show-panel::analysis");
 
   GtkListBox *rows =
@@ -228,9 +228,44 @@ test_draw_bar (void)
   driver_discard (window);
 }
 
+/* Ties drawn by two clicks, to a block and to the ground; numbers, presets, an end that is dragged, copied
+ * and removed, each undone. */
+static void
+test_draw_tie (void)
+{
+  QnWindow *window = open_panel ("05-stack.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  driver_activate (window, "win.tool::tie");
+  driver_click (window, 0.2, 0.9);
+  driver_click (window, 1.5, 0.9);
+  g_assert_cmpuint (model_of (window)->tie_count, ==, 1);
+  const QnTie *tie = &model_of (window)->ties[0];
+  g_assert_cmpint (tie->ends[0].block, !=, QN_NONE);
+  g_assert_cmpint (tie->ends[1].block, ==, QN_NONE);
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 0);
+  g_assert_cmpint (selected_row (window, "laws_box", "ties"), ==, 0);
+  driver_run (300);
+  driver_screenshot (root, "tie-drawn");
+  driver_activate (window, "win.tool::select");
+  driver_drag (window, 1.5, 0.9, 1.4, 0.6);
+  g_assert_cmpstr (driver_last_step (window), ==, "Move Tie End");
+  g_assert_cmpfloat_with_epsilon (model_of (window)->ties[0].ends[1].at.y, 0.6, 0.06);
+  driver_activate (window, "win.duplicate");
+  g_assert_cmpstr (driver_last_step (window), ==, "Duplicate Tie");
+  g_assert_cmpuint (model_of (window)->tie_count, ==, 2);
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 1);
+  driver_activate (window, "win.delete");
+  g_assert_cmpuint (model_of (window)->tie_count, ==, 1);
+  for (int i = 0; i < 4; i++)
+    driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->tie_count, ==, 0);
+  driver_discard (window);
+}
+
 QN_TESTS
 {
   gtk_init ();
+  g_test_add_func ("/app/loads/draw-tie", test_draw_tie);
   g_test_add_func ("/app/loads/both-ways", test_both_ways);
   g_test_add_func ("/app/loads/blocks-first", test_blocks_first);
   g_test_add_func ("/app/loads/draw-edge-load", test_draw_edge_load);

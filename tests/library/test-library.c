@@ -89,6 +89,33 @@ test_error_names_the_place (void)
   g_assert_null (quoin_model_open ("/no/such/file.quoin", NULL, NULL));
 }
 
+/* Ties of a file: forces at every step, none of the rigid blocks before their collapse. */
+static void
+test_ties (void)
+{
+  g_autofree char *path =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "38-tied-walls.quoin", NULL);
+  QuoinError *error = NULL;
+  QuoinModel *model = quoin_model_open (path, NULL, &error);
+  g_assert_nonnull (model);
+  QuoinResult *result = quoin_solve (model, NULL, NULL, &error);
+  size_t last = quoin_result_get_step_count (result) - 1;
+  double force, elongation;
+  g_assert_cmpuint (quoin_result_get_tie_count (result), ==, 1);
+  g_assert_true (quoin_result_get_tie (result, 0, 0, &force, &elongation));
+  g_assert_cmpfloat_with_epsilon (force, 1000, 1e-6);
+  g_assert_true (quoin_result_get_tie (result, last, 0, &force, &elongation));
+  g_assert_cmpfloat_with_epsilon (force, 4500, 1e-6);
+  g_assert_cmpfloat (elongation, >, 0);
+  g_assert_cmpstr (quoin_result_get_tie_state (result, last, 0), ==, "anchor");
+  quoin_result_free (result);
+  result = quoin_limit (model, true, NULL, NULL, &error);
+  g_assert_false (quoin_result_get_tie (result, 0, 0, &force, &elongation));
+  g_assert_null (quoin_result_get_tie_state (result, 0, 0));
+  quoin_result_free (result);
+  quoin_model_unref (model);
+}
+
 /* The weight is given as thickness 1; what pushes block a off its base is friction 0.4. */
 static QuoinBuilder *
 build_sliding_block (void)
@@ -396,6 +423,7 @@ test_threads (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/library/ties", test_ties);
   g_test_add_func ("/library/model", test_model);
   g_test_add_func ("/library/error-names-the-place", test_error_names_the_place);
   g_test_add_func ("/library/edge-loads", test_edge_loads);

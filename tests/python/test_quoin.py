@@ -31,6 +31,15 @@ def test_wall_of_a_file():
     assert len(result.states) == len(result.forces) == 204
 
 
+def test_ties():
+    result = quoin.open(WALLS.parent / "38-tied-walls.quoin").solve()
+    assert result.ties[0][0]["force"] == pytest.approx(1000)
+    assert result.ties[-1][0]["force"] == pytest.approx(4500)
+    assert result.ties[-1][0]["state"] == "anchor"
+    rigid = quoin.open(WALLS.parent / "38-tied-walls.quoin").limit()
+    assert rigid.ties[0] == [None]
+
+
 def test_what_an_answer_is_worth():
     result = quoin.open(WALLS / "wall3.quoin").solve()
     assert min(s["multiplier"] for s in result.solutions) == result.multiplier

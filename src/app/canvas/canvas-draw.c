@@ -237,6 +237,9 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr)
   QnId bar = qn_selection_get_item (selection, QN_ITEM_BAR);
   if (bar != QN_NONE && (gsize) bar < model->bar_count)
     trace_line (self, cr, model->bars[bar].start, model->bars[bar].end);
+  QnId tie = qn_selection_get_item (selection, QN_ITEM_TIE);
+  if (tie != QN_NONE && (gsize) tie < model->tie_count)
+    trace_line (self, cr, model->ties[tie].ends[0].at, model->ties[tie].ends[1].at);
   for (int live = 0; live < 2; live++) {
     QnId load =
       qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);

@@ -3,6 +3,7 @@
 #include "app/canvas/gesture.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-shape.h"
+#include "doc/edit/edit-tie.h"
 #include "io/project/project-masonry.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -90,6 +91,18 @@ add_node_grips (QnCanvas *canvas, GArray *grips)
   }
 }
 
+static void
+add_tie_grips (QnCanvas *canvas, GArray *grips)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  QnId tie = qn_selection_get_item (qn_canvas_get_selection (canvas), QN_ITEM_TIE);
+  for (int end = 0; end < 2 && tie != QN_NONE && (gsize) tie < model->tie_count; end++)
+    add_grip (grips, (QnGrip){ .kind = QN_GRIP_TIE,
+                               .at = model->ties[tie].ends[end].at,
+                               .object = tie,
+                               .handle = end });
+}
+
 /* Handles of what is selected, none in views of results. */
 static GArray *
 collect_all (QnCanvas *canvas)
@@ -109,6 +122,7 @@ collect_all (QnCanvas *canvas)
   const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
   add_turn_grip (canvas, grips);
   add_node_grips (canvas, grips);
+  add_tie_grips (canvas, grips);
   if (count == 0)
     return grips;
   if (count == 1 && model->blocks[ids[0]].masonry == QN_NONE
@@ -220,7 +234,7 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
   for (guint i = 0; i < grips->len; i++) {
     const QnGrip *grip = &g_array_index (grips, QnGrip, i);
     QnVec2 s = qn_canvas_to_screen (canvas, grip->at);
-    if (grip->kind == QN_GRIP_NODE)
+    if (grip->kind == QN_GRIP_NODE || grip->kind == QN_GRIP_TIE)
       cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
     else if (grip->kind == QN_GRIP_TURN) {
       cairo_move_to (cr, s.x, s.y + HANDLE_PX);
@@ -307,6 +321,14 @@ edit_node (QnModel *model, gpointer data, GError **error)
 }
 
 static gboolean
+edit_tie (QnModel *model, gpointer data, GError **error)
+{
+  const Drag *drag = data;
+  return qn_edit_place_tie_end (model, drag->grip.object, drag->grip.handle, drag->to,
+                                error);
+}
+
+static gboolean
 edit_turn (QnProject *draft, gpointer data, GError **error)
 {
   const Drag *drag = data;
@@ -355,6 +377,8 @@ finish (QnCanvas *canvas, double typed_angle)
     qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &drag);
   else if (drag.grip.kind == QN_GRIP_NODE)
     qn_canvas_edit (canvas, _ ("Move Beam End"), NULL, edit_node, &drag);
+  else if (drag.grip.kind == QN_GRIP_TIE)
+    qn_canvas_edit (canvas, _ ("Move Tie End"), NULL, edit_tie, &drag);
   qn_part_set_clear (&drag.set);
 }
 
@@ -439,6 +463,11 @@ qn_handle_draw_drag (QnCanvas *canvas, cairo_t *cr)
   case QN_GRIP_NODE:
     draw_node_drag (canvas, cr, &drag);
     break;
+  case QN_GRIP_TIE: {
+    const QnTieEnd *ends = qn_canvas_get_model (canvas)->ties[drag.grip.object].ends;
+    qn_gesture_draw_line (canvas, cr, ends[1 - drag.grip.handle].at, drag.to);
+    break;
+  }
   case QN_GRIP_TURN: {
     double angle = turn_angle (&drag);
     qn_gesture_draw_moved (canvas, cr, qn_transform_rotation (drag.grip.center, angle));

@@ -32,6 +32,7 @@ typedef enum {
   QN_GRIP_MASONRY, /* a measure of a masonry object or an opening of it */
   QN_GRIP_CORNER,  /* of a block */
   QN_GRIP_NODE,    /* of beams */
+  QN_GRIP_TIE,     /* an end: object is the tie, handle which end */
   QN_GRIP_TURN     /* the selection around its middle */
 } QnGripKind;
 

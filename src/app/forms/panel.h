@@ -44,6 +44,9 @@ GtkWidget *qn_dynamic_form_new (QnCanvas *canvas);
 /* Reinforcing bars; part of the analysis panel. */
 GtkWidget *qn_bar_form_new (QnCanvas *canvas);
 
+/* Ties; likewise. */
+GtkWidget *qn_tie_form_new (QnCanvas *canvas);
+
 /* The law of the contacts; part of the analysis panel. */
 GtkWidget *qn_law_form_new (QnCanvas *canvas);
 

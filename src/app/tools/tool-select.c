@@ -6,6 +6,7 @@
 
 #include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-masonry.h"
+#include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 
 /* px: a corner this near to the press is what a move carries. */
@@ -147,12 +148,12 @@ press_on_face (QnCanvas *canvas, const QnToolEvent *event)
   return TRUE;
 }
 
-/* ---- loads and bars ---- */
+/* ---- loads, bars, ties ---- */
 
-/* px: a bar this near to the pointer is meant. */
+/* px: a bar or tie this near to the pointer is meant. */
 #define BAR_PX 5.0
 
-/* The load or bar under the pointer. Loads in weights are chosen in the list: their arrows lie in the
+/* The load, bar or tie under the pointer. Loads in weights are chosen in the list: their arrows lie in the
  * middle of blocks, where these are taken hold of. */
 static gboolean
 select_item (QnCanvas *canvas, QnVec2 screen)
@@ -171,11 +172,14 @@ select_item (QnCanvas *canvas, QnVec2 screen)
                            pick.id);
     return TRUE;
   }
-  QnId bar = qn_model_find_bar (model, qn_camera_to_model (camera, screen),
-                                BAR_PX / camera->scale);
+  const QnVec2 at = qn_camera_to_model (camera, screen);
+  QnId bar = qn_model_find_bar (model, at, BAR_PX / camera->scale);
+  QnId tie = qn_model_find_tie_near (model, at, BAR_PX / camera->scale);
   if (bar != QN_NONE)
     qn_selection_set_item (selection, QN_ITEM_BAR, bar);
-  return bar != QN_NONE;
+  else if (tie != QN_NONE)
+    qn_selection_set_item (selection, QN_ITEM_TIE, tie);
+  return bar != QN_NONE || tie != QN_NONE;
 }
 
 /* Where the button is let go without a drag: a load, a bar, or in the view of the model a joint. */

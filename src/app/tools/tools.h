@@ -28,6 +28,7 @@ extern const QnTool qn_tool_rectangle;
 extern const QnTool qn_tool_polygon;
 extern const QnTool qn_tool_beam;
 extern const QnTool qn_tool_bar;
+extern const QnTool qn_tool_tie;
 extern const QnTool qn_tool_cut;
 extern const QnTool qn_tool_rotate;
 extern const QnTool qn_tool_mirror;

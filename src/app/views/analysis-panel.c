@@ -379,5 +379,6 @@ qn_analysis_panel_new (QnCanvas *canvas)
   gtk_box_append (GTK_BOX (form->widgets[STAGES_BOX]), qn_stage_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_law_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_bar_form_new (canvas));
+  gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_tie_form_new (canvas));
   return qn_bound_form_show (form);
 }

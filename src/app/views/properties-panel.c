@@ -16,7 +16,7 @@ update (Panel *panel)
   for (int kind = 0; kind < QN_ITEM_COUNT; kind++)
     item = item || qn_selection_get_item (selection, (QnItemKind) kind) != QN_NONE;
   gtk_label_set_text (GTK_LABEL (panel->hint),
-                      item ? _ ("Numbers of loads and bars are under Analysis.")
+                      item ? _ ("Numbers of loads, bars and ties are under Analysis.")
                            : _ ("Select blocks, beams or an opening, or joints in the "
                                 "contacts view, to change them here."));
   gtk_widget_set_visible (panel->hint, item || empty);

@@ -9,6 +9,7 @@
 #include "doc/edit/edit-place.h"
 #include "doc/edit/edit-shape.h"
 #include "doc/edit/edit-stage.h"
+#include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -147,32 +148,39 @@ static gboolean
 edit_delete_item (QnModel *model, gpointer data, GError **error)
 {
   const ItemEdit *edit = data;
-  return edit->kind == QN_ITEM_BAR
-           ? qn_edit_remove_bar (model, edit->item, error)
-           : qn_edit_delete_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item,
-                                  error);
+  if (edit->kind == QN_ITEM_BAR)
+    return qn_edit_remove_bar (model, edit->item, error);
+  if (edit->kind == QN_ITEM_TIE)
+    return qn_edit_remove_tie (model, edit->item, error);
+  return qn_edit_delete_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item, error);
 }
 
 static gboolean
 edit_duplicate_item (QnModel *model, gpointer data, GError **error)
 {
   const ItemEdit *edit = data;
-  return edit->kind == QN_ITEM_BAR
-           ? qn_edit_duplicate_bar (model, edit->item, error)
-           : qn_edit_duplicate_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item,
-                                     error);
+  if (edit->kind == QN_ITEM_BAR)
+    return qn_edit_duplicate_bar (model, edit->item, error);
+  if (edit->kind == QN_ITEM_TIE)
+    return qn_edit_duplicate_tie (model, edit->item, error);
+  return qn_edit_duplicate_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item,
+                                 error);
 }
 
-/* The copy is selected: that of a load is behind it, that of a bar the last one. */
+/* The copy is selected: that of a load is behind it, that of a bar or tie the last one. */
 static void
 duplicate_item (QnWindow *self, ItemEdit edit)
 {
-  gboolean bar = edit.kind == QN_ITEM_BAR;
-  if (qn_canvas_edit (self->canvas, bar ? _ ("Duplicate Bar") : _ ("Duplicate Load"),
-                      NULL, edit_duplicate_item, &edit))
-    qn_selection_set_item (
-      qn_document_get_selection (self->document), edit.kind,
-      bar ? (QnId) qn_document_get_model (self->document)->bar_count - 1 : edit.item + 1);
+  const char *name = edit.kind == QN_ITEM_BAR   ? _ ("Duplicate Bar")
+                     : edit.kind == QN_ITEM_TIE ? _ ("Duplicate Tie")
+                                                : _ ("Duplicate Load");
+  if (!qn_canvas_edit (self->canvas, name, NULL, edit_duplicate_item, &edit))
+    return;
+  const QnModel *model = qn_document_get_model (self->document);
+  QnId copy = edit.kind == QN_ITEM_BAR   ? (QnId) model->bar_count - 1
+              : edit.kind == QN_ITEM_TIE ? (QnId) model->tie_count - 1
+                                         : edit.item + 1;
+  qn_selection_set_item (qn_document_get_selection (self->document), edit.kind, copy);
 }
 
 /* ---- actions ---- */
@@ -185,8 +193,10 @@ delete_selected (QnWindow *self, GVariant *parameter)
   if (selected_item (self, &item)) {
     qn_selection_clear (qn_document_get_selection (self->document));
     qn_canvas_edit (self->canvas,
-                    item.kind == QN_ITEM_BAR ? _ ("Remove Bar") : _ ("Remove Load"), NULL,
-                    edit_delete_item, &item);
+                    item.kind == QN_ITEM_BAR   ? _ ("Remove Bar")
+                    : item.kind == QN_ITEM_TIE ? _ ("Remove Tie")
+                                               : _ ("Remove Load"),
+                    NULL, edit_delete_item, &item);
   } else if (selected_opening (self, &opening)) {
     qn_selection_clear (qn_document_get_selection (self->document));
     qn_canvas_edit_project (self->canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);

@@ -61,6 +61,8 @@ make_for_selection (QnWindow *self)
     id = "opening";
   else if (qn_selection_get_item (selection, QN_ITEM_BAR) != QN_NONE)
     return g_object_ref (get (builder, "bar"));
+  else if (qn_selection_get_item (selection, QN_ITEM_TIE) != QN_NONE)
+    return g_object_ref (get (builder, "tie"));
   else if (qn_selection_get_item (selection, QN_ITEM_DEAD_LOAD) != QN_NONE
            || qn_selection_get_item (selection, QN_ITEM_LIVE_LOAD) != QN_NONE)
     return g_object_ref (get (builder, "load"));

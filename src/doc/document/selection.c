@@ -384,6 +384,7 @@ static gsize
 count_items (const QnModel *model, QnItemKind kind)
 {
   return kind == QN_ITEM_BAR         ? model->bar_count
+         : kind == QN_ITEM_TIE       ? model->tie_count
          : kind == QN_ITEM_LIVE_LOAD ? model->live_load_count
                                      : model->dead_load_count;
 }
@@ -415,6 +416,8 @@ same_load (const QnModel *a, const QnLoad *one, const QnModel *b, const QnLoad *
 static gboolean
 same_item (QnItemKind kind, const QnModel *a, QnId one, const QnModel *b, QnId other)
 {
+  if (kind == QN_ITEM_TIE)
+    return strcmp (a->ties[one].name, b->ties[other].name) == 0;
   if (kind != QN_ITEM_BAR) {
     gboolean live = kind == QN_ITEM_LIVE_LOAD;
     return same_load (a, &qn_model_loads (a, live, NULL)[one], b,

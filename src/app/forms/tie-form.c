@@ -1,0 +1,250 @@
+/* Ties: a list of them, and what the selected one is made of, how it is tensioned and where it ends. The
+ * selected one is that of the drawing. */
+#include "app/forms/bound-form.h"
+#include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include "core/model/bar.h"
+#include "doc/edit/edit-tie.h"
+#include "doc/view/view-state.h"
+#include "io/text/tie-text.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* Diameters are shown in whole micrometres: areas are given, not they. */
+#define SHOWN 1e6
+
+typedef struct Form {
+  QnBoundForm base;
+  int selected; /* tie, or -1: that of the selection */
+  int wanted;   /* to be selected once an edit has added it; -1: nothing */
+} Form;
+
+enum {
+  TIES,
+  EMPTY,
+  NAME,
+  STEEL,
+  ROUND,
+  DIAMETER,
+  ELASTICITY,
+  YIELD,
+  PRESTRESS,
+  SLACK,
+  ANCHOR,
+  FIRST_X,
+  FIRST_Y,
+  SECOND_X,
+  SECOND_Y,
+  FACTS,
+  DUPLICATE,
+  REMOVE
+};
+
+static const QnFormField fields[] = {
+  [TIES] = { .id = "ties" },
+  [EMPTY] = { .id = "empty" },
+  [NAME] = { .id = "name", .step = N_ ("Rename Tie") },
+  [STEEL] = { .id = "steel", .step = N_ ("Change Tie") },
+  [ROUND] = { .id = "round", .step = N_ ("Change Tie") },
+  [DIAMETER] = { .id = "diameter", .step = N_ ("Change Tie") },
+  [ELASTICITY] = { .id = "elasticity", .step = N_ ("Change Tie") },
+  [YIELD] = { .id = "yield", .step = N_ ("Change Tie") },
+  [PRESTRESS] = { .id = "prestress", .step = N_ ("Change Tie") },
+  [SLACK] = { .id = "slack", .step = N_ ("Change Tie") },
+  [ANCHOR] = { .id = "anchor", .step = N_ ("Change Tie") },
+  [FIRST_X] = { .id = "first_x", .step = N_ ("Move Tie End") },
+  [FIRST_Y] = { .id = "first_y", .step = N_ ("Move Tie End") },
+  [SECOND_X] = { .id = "second_x", .step = N_ ("Move Tie End") },
+  [SECOND_Y] = { .id = "second_y", .step = N_ ("Move Tie End") },
+  [FACTS] = { .id = "facts" },
+  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Tie") },
+  [REMOVE] = { .id = "remove", .step = N_ ("Remove Tie") },
+};
+
+static gboolean
+look (gpointer data)
+{
+  Form *form = data;
+  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  const int count = (int) qn_canvas_get_model (form->base.canvas)->tie_count;
+  const int before = form->selected;
+  if (form->wanted >= 0 && form->wanted < count)
+    qn_selection_set_item (selection, QN_ITEM_TIE, form->wanted);
+  form->wanted = -1;
+  form->selected = qn_selection_get_item (selection, QN_ITEM_TIE);
+  if (form->selected >= count)
+    form->selected = -1;
+  if (form->selected >= 0 && form->selected != before)
+    qn_bound_form_reveal (form);
+  return TRUE;
+}
+
+/* The number of a tie that a field shows. */
+static QnBound
+bound_of (QnTie *tie, guint field)
+{
+  const QnBound all[G_N_ELEMENTS (fields)] = {
+    [ELASTICITY] = QN_BOUND (&tie->elasticity),
+    [YIELD] = QN_BOUND (&tie->yield),
+    [PRESTRESS] = QN_BOUND (&tie->prestress),
+    [SLACK] = QN_BOUND (&tie->slack),
+    [ANCHOR] = QN_BOUND (&tie->anchor),
+    [FIRST_X] = QN_BOUND (&tie->ends[0].at.x),
+    [FIRST_Y] = QN_BOUND (&tie->ends[0].at.y),
+    [SECOND_X] = QN_BOUND (&tie->ends[1].at.x),
+    [SECOND_Y] = QN_BOUND (&tie->ends[1].at.y),
+  };
+  return all[field];
+}
+
+static void
+show_steels (QnValue *value, const QnTie *tie)
+{
+  qn_value_add_row (value, _ ("Choose…"));
+  value->number = 0;
+  for (int i = 0; i < QN_TIE_STEELS; i++) {
+    qn_value_add_row (value, qn_tie_steels[i].name);
+    if (tie->elasticity == qn_tie_steels[i].elasticity
+        && tie->yield == qn_tie_steels[i].yield)
+      value->number = i + 1;
+  }
+}
+
+static void
+show_diameters (QnValue *value, const QnTie *tie)
+{
+  qn_value_add_row (value, _ ("Choose…"));
+  value->number = 0;
+  for (int i = 0; i < QN_TIE_DIAMETERS; i++) {
+    g_autofree char *text = qn_units_format_full (
+      qn_settings_get_units (), QN_QUANTITY_DIAMETER, qn_tie_diameters[i], 3);
+    qn_value_take_row (value, g_strdup_printf ("Ø %s", text));
+    if (tie->area == qn_bar_get_area (qn_tie_diameters[i]))
+      value->number = i + 1;
+  }
+}
+
+/* What the tie is, and where a run is shown, what it does at the step. */
+static char *
+dup_facts (const Form *form, const QnTie *tie)
+{
+  const QnUnits units = qn_settings_get_units ();
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result;
+  g_autofree char *facts = qn_tie_dup_facts (tie, units);
+  QnViewState *state = qn_canvas_get_state (form->base.canvas);
+  if (!qn_view_state_get_content (state, &model, &contacts, &result) || result == NULL)
+    return g_steal_pointer (&facts);
+  QnId id = qn_model_find_tie (model, tie->name);
+  if (id == QN_NONE || (gsize) id >= result->tie_count)
+    return g_steal_pointer (&facts);
+  gssize step = qn_tie_worst_step (result, (gsize) id);
+  if (step < 0)
+    return g_steal_pointer (&facts);
+  const QnTieResult *at = &qn_result_step_ties (result, (gsize) step)[id];
+  g_autofree char *force = qn_units_format_full (units, QN_QUANTITY_FORCE, at->force, 4);
+  return g_strdup_printf (_ ("%s\nLargest force %s (%s)"), facts, force,
+                          qn_tie_state_text (at->state));
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  const Form *form = data;
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  gboolean any = form->selected >= 0;
+  QnTie tie = any ? model->ties[form->selected] : (QnTie){ 0 };
+  switch (field) {
+  case TIES:
+    for (gsize i = 0; i < model->tie_count; i++)
+      qn_value_take_row (
+        value, qn_tie_dup_text (model, &model->ties[i], qn_settings_get_units ()));
+    value->number = form->selected;
+    return model->tie_count > 0;
+  case EMPTY:
+    value->text = g_strdup (
+      _ ("No ties yet. Draw one with the tool Tie (K), from block to block or to the "
+         "ground."));
+    return model->tie_count == 0;
+  case NAME:
+    value->text = g_strdup (tie.name);
+    return any;
+  case STEEL:
+    show_steels (value, &tie);
+    return any;
+  case ROUND:
+    show_diameters (value, &tie);
+    return any;
+  case DIAMETER:
+    value->number = round (qn_bar_get_diameter (tie.area) * SHOWN) / SHOWN;
+    return any;
+  case FACTS:
+    value->text = any ? dup_facts (form, &tie) : NULL;
+    return any;
+  case DUPLICATE:
+  case REMOVE:
+    value->disabled = !any;
+    return model->tie_count > 0;
+  default:
+    qn_value_show (value, bound_of (&tie, field));
+    return any;
+  }
+}
+
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  Form *form = data;
+  QnModel *model = draft != NULL ? &draft->model : NULL;
+  if (field == TIES) {
+    qn_selection_set_item (qn_canvas_get_selection (form->base.canvas), QN_ITEM_TIE,
+                           (QnId) value->number);
+    return TRUE;
+  }
+  QnTie *tie = &model->ties[form->selected];
+  const int row = qn_value_int (value);
+  switch (field) {
+  case NAME:
+    return qn_edit_rename_tie (model, form->selected, value->text, error);
+  case STEEL:
+    if (row < 1 || row > QN_TIE_STEELS)
+      return FALSE;
+    tie->elasticity = qn_tie_steels[row - 1].elasticity;
+    tie->yield = qn_tie_steels[row - 1].yield;
+    return TRUE;
+  case ROUND:
+    if (row < 1 || row > QN_TIE_DIAMETERS)
+      return FALSE;
+    tie->area = qn_bar_get_area (qn_tie_diameters[row - 1]);
+    return TRUE;
+  case DIAMETER:
+    tie->area = qn_bar_get_area (value->number);
+    return TRUE;
+  case DUPLICATE:
+    form->wanted = (int) model->tie_count;
+    return qn_edit_duplicate_tie (model, form->selected, error);
+  case REMOVE:
+    return qn_edit_remove_tie (model, form->selected, error);
+  case FIRST_X:
+  case FIRST_Y:
+  case SECOND_X:
+  case SECOND_Y: {
+    int end = field >= SECOND_X;
+    qn_value_take (value, bound_of (tie, field));
+    return qn_edit_place_tie_end (model, form->selected, end, tie->ends[end].at, error);
+  }
+  default:
+    qn_value_take (value, bound_of (tie, field));
+    return TRUE;
+  }
+}
+
+GtkWidget *
+qn_tie_form_new (QnCanvas *canvas)
+{
+  static const QnFormKind kind = QN_FORM_KIND ("tie-form", Form, QN_FOLLOW_SELECTION);
+  Form *form = qn_bound_form_new (&kind, canvas);
+  form->selected = form->wanted = -1;
+  return qn_bound_form_show (form);
+}

@@ -1,0 +1,186 @@
+#include "doc/edit/edit-tie.h"
+
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
+#include "core/model/bar.h"
+#include "doc/edit/edit-frame.h"
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* E: EN 1993-1-1:2005, 3.2.6; fy: its table 3.1, up to 40 mm thick. */
+const QnTieSteel qn_tie_steels[QN_TIE_STEELS] = {
+  { "S235", 210e9, 235e6 },
+  { "S275", 210e9, 275e6 },
+  { "S355", 210e9, 355e6 },
+  { "S450", 210e9, 440e6 },
+};
+
+const double qn_tie_diameters[QN_TIE_DIAMETERS] = { 0.010, 0.012, 0.016, 0.020, 0.024,
+                                                    0.027, 0.030, 0.036, 0.042 };
+
+#define USUAL_DIAMETER 0.020
+
+/* Nearer to a block than this, relative to coordinates, an end lies on it. */
+#define ON_BLOCK 1e-9
+
+static QnTieEnd
+end_at (const QnModel *model, QnVec2 at)
+{
+  double reach = ON_BLOCK * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
+  return (QnTieEnd){ qn_model_block_under (model, at, reach), at };
+}
+
+/* FALSE where both ends are fixed to the same: nothing would be tied. */
+static gboolean
+ties_something (const QnTie *tie, GError **error)
+{
+  QnId block = tie->ends[0].block;
+  return block != tie->ends[1].block
+         || qn_edit_refuse (error, block == QN_NONE
+                                     ? _ ("Both ends of the tie would be on the ground")
+                                     : _ ("Both ends of the tie would be on the same "
+                                          "block"));
+}
+
+/* A new tie under the first name that is free. */
+static QnTie *
+add_tie (QnModel *model)
+{
+  for (gsize number = model->tie_count + 1;; number++) {
+    g_autofree char *name = g_strdup_printf ("t%" G_GSIZE_FORMAT, number);
+    if (qn_model_find_tie (model, name) == QN_NONE)
+      return qn_model_add_tie (model, name);
+  }
+}
+
+gboolean
+qn_edit_draw_tie (QnModel *model, QnVec2 from, QnVec2 to, GError **error)
+{
+  QnTie *tie = add_tie (model);
+  if (tie == NULL)
+    return qn_edit_no_memory (error);
+  tie->ends[0] = end_at (model, from);
+  tie->ends[1] = end_at (model, to);
+  tie->area = qn_bar_get_area (USUAL_DIAMETER);
+  tie->elasticity = qn_tie_steels[0].elasticity;
+  tie->yield = qn_tie_steels[0].yield;
+  return ties_something (tie, error);
+}
+
+static gboolean
+has_tie (const QnModel *model, QnId tie, GError **error)
+{
+  return (tie >= 0 && (gsize) tie < model->tie_count)
+         || qn_edit_refuse_nothing (error, _ ("There is no such tie"));
+}
+
+gboolean
+qn_edit_remove_tie (QnModel *model, QnId tie, GError **error)
+{
+  if (!has_tie (model, tie, error))
+    return FALSE;
+  free (model->ties[tie].name);
+  model->tie_count--;
+  memmove (model->ties + tie, model->ties + tie + 1,
+           (model->tie_count - (gsize) tie) * sizeof *model->ties);
+  return qn_edit_rebuild (model, NULL, error); /* names are found by places */
+}
+
+gboolean
+qn_edit_duplicate_tie (QnModel *model, QnId tie, GError **error)
+{
+  if (!has_tie (model, tie, error))
+    return FALSE;
+  QnTie *added = add_tie (model);
+  if (added == NULL)
+    return qn_edit_no_memory (error);
+  char *name = added->name;
+  *added = model->ties[tie];
+  added->name = name;
+  QnVec2 along = qn_vec2_sub (added->ends[1].at, added->ends[0].at);
+  QnVec2 aside =
+    qn_vec2_scale (4.0 * qn_bar_get_diameter (added->area) / qn_vec2_length (along),
+                   qn_vec2_perp (along));
+  for (int end = 0; end < 2; end++)
+    added->ends[end].at = qn_vec2_add (added->ends[end].at, aside);
+  return TRUE;
+}
+
+gboolean
+qn_edit_place_tie_end (QnModel *model, QnId tie, int end, QnVec2 at, GError **error)
+{
+  if (!has_tie (model, tie, error))
+    return FALSE;
+  model->ties[tie].ends[end] = end_at (model, at);
+  return ties_something (&model->ties[tie], error);
+}
+
+gboolean
+qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error)
+{
+  if (!has_tie (model, tie, error))
+    return FALSE;
+  QnId namesake = qn_model_find_tie (model, name);
+  if (namesake != QN_NONE && namesake != tie) {
+    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                 _ ("There is a tie named “%s” already"), name);
+    return FALSE;
+  }
+  char *copy = qn_strdup (name);
+  if (copy == NULL)
+    return qn_edit_no_memory (error);
+  free (model->ties[tie].name);
+  model->ties[tie].name = copy;
+  return qn_edit_rebuild (model, NULL, error); /* names are found by places */
+}
+
+QnId
+qn_model_find_tie_near (const QnModel *model, QnVec2 at, double reach)
+{
+  QnId nearest = QN_NONE;
+  for (gsize i = 0; i < model->tie_count; i++) {
+    const QnTieEnd *ends = model->ties[i].ends;
+    double distance = qn_segment_distance (ends[0].at, ends[1].at, at);
+    if (distance > reach)
+      continue;
+    reach = distance;
+    nearest = (QnId) i;
+  }
+  return nearest;
+}
+
+static const char *
+name_of_end (const QnModel *model, const QnTieEnd *end)
+{
+  return end->block != QN_NONE ? model->blocks[end->block].name : _ ("ground");
+}
+
+char *
+qn_tie_dup_text (const QnModel *model, const QnTie *tie, QnUnits units)
+{
+  g_autofree char *diameter = qn_units_format_full (units, QN_QUANTITY_DIAMETER,
+                                                    qn_bar_get_diameter (tie->area), 3);
+  return g_strdup_printf ("%s, Ø %s: %s – %s", tie->name, diameter,
+                          name_of_end (model, &tie->ends[0]),
+                          name_of_end (model, &tie->ends[1]));
+}
+
+char *
+qn_tie_dup_facts (const QnTie *tie, QnUnits units)
+{
+  double strength = qn_tie_strength (tie);
+  g_autofree char *length =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, qn_tie_length (tie), 4);
+  g_autofree char *stiffness =
+    qn_units_format_full (units, QN_QUANTITY_STIFFNESS, qn_tie_stiffness (tie), 4);
+  if (!isfinite (strength))
+    return g_strdup_printf (_ ("Length %s, stiffness %s, no limit of its force"), length,
+                            stiffness);
+  g_autofree char *most = qn_units_format_full (units, QN_QUANTITY_FORCE, strength, 4);
+  return g_strdup_printf (qn_tie_weakest (tie) == QN_TIE_ANCHOR
+                            ? _ ("Length %s, stiffness %s, strength %s (anchor)")
+                            : _ ("Length %s, stiffness %s, strength %s (steel)"),
+                          length, stiffness, most);
+}

@@ -1,0 +1,44 @@
+/* Edits of ties, on the draft of qn_document_edit(), with errors as in edit.h. What breaks a rule of ties
+ * (both ends on one block, or on the ground) is refused when the draft becomes the document. */
+#ifndef QN_DOC_EDIT_TIE_H
+#define QN_DOC_EDIT_TIE_H
+
+#include "doc/edit/edit.h"
+#include "doc/text/units.h"
+
+/* Steels that forms offer: modulus of elasticity and yield stress, Pa. */
+typedef struct QnTieSteel {
+  const char *name;
+  double elasticity, yield;
+} QnTieSteel;
+
+#define QN_TIE_STEELS 4
+extern const QnTieSteel qn_tie_steels[QN_TIE_STEELS];
+
+/* Diameters of round bars that forms offer, m. */
+#define QN_TIE_DIAMETERS 9
+extern const double qn_tie_diameters[QN_TIE_DIAMETERS];
+
+/* A tie of 20 mm and the first steel from point to point, m, without prestress and limit of its anchors. An
+ * end on a block is fixed to it, elsewhere to the ground. */
+gboolean qn_edit_draw_tie (QnModel *model, QnVec2 from, QnVec2 to, GError **error);
+gboolean qn_edit_remove_tie (QnModel *model, QnId tie, GError **error);
+
+/* One like it as the last, four diameters to the left of it, under a name of its own. */
+gboolean qn_edit_duplicate_tie (QnModel *model, QnId tie, GError **error);
+
+/* Moves an end, to the block there or to the ground. */
+gboolean qn_edit_place_tie_end (QnModel *model, QnId tie, int end, QnVec2 at,
+                                GError **error);
+gboolean qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error);
+
+/* The tie nearest to a point, within `reach`, m; or QN_NONE. */
+QnId qn_model_find_tie_near (const QnModel *model, QnVec2 at, double reach);
+
+/* "t1, Ø 20 mm: left – right"; the caller frees it. */
+char *qn_tie_dup_text (const QnModel *model, const QnTie *tie, QnUnits units);
+
+/* "4 m, 53 kN/mm, strength 4.5 kN (anchor)"; the caller frees it. */
+char *qn_tie_dup_facts (const QnTie *tie, QnUnits units);
+
+#endif
