@@ -31,6 +31,37 @@ number_after (const char *text, const char *key)
   return g_ascii_strtod (at + strlen (key), NULL);
 }
 
+/* A gable from the side, ten courses that become lighter upwards: each moves by its height, and the lowest
+ * counts though it moves by a twentieth. e* = (sum W h)^2 / (sum W sum W h^2). */
+static void
+test_gable (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  const char *courses = strstr (block, "{ \"name\": \"block\"");
+  g_autoptr (GString) text = g_string_new_len (block, courses - block);
+  double sum = 0, first = 0, second = 0;
+  for (int i = 0; i < 10; i++) {
+    double y = 0.3 * i, width = 5.7 - 0.6 * i, h = y + 0.15;
+    g_string_append_printf (
+      text,
+      "%s{\"name\": \"c%d\", \"vertices\": [[0, %.1f], [0.3, %.1f], [0.3, %.1f], "
+      "[0, %.1f]], \"thickness\": %.1f, \"density\": 2000}",
+      i > 0 ? ", " : "", i, y, y, y + 0.3, y + 0.3, width);
+    sum += width;
+    first += width * h;
+    second += width * h * h;
+  }
+  g_string_append (text, strstr (courses, " ],\n  \"contact\""));
+  g_autofree char *model = cli_write (folder, "gable.quoin", text->str);
+  g_autofree char *json = g_build_filename (folder, "c.json", NULL);
+  cli_do ("capacity", model, "--json", json, NULL);
+  g_autofree char *found = cli_read (json);
+  g_assert_cmpfloat (number_after (found, "\"participating_blocks\": "), ==, 10);
+  g_assert_cmpfloat (number_after (found, "\"mass_left_out\": "), ==, 0);
+  g_assert_cmpfloat_with_epsilon (number_after (found, "\"mass_share\": "),
+                                  first * first / (sum * second), 0.005);
+}
+
 /* The example by hand of docs/method/capacity.md, solved. */
 static void
 test_block (void)
@@ -203,6 +234,7 @@ test_ends (void)
 QN_TESTS
 {
   g_test_add_func ("/capacity/block", test_block);
+  g_test_add_func ("/capacity/gable", test_gable);
   g_test_add_func ("/capacity/kept", test_kept);
   g_test_add_func ("/capacity/read back", test_read_back);
   g_test_add_func ("/capacity/ends", test_ends);

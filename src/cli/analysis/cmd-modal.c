@@ -2,7 +2,6 @@
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
 #include "cli/base/shown-text.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/modal/modal.h"
 #include "io/text/file-writer.h"

@@ -4,7 +4,6 @@
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
 #include "cli/base/shown-text.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/path/analysis.h"
 #include "core/result/first-limit.h"

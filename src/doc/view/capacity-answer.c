@@ -241,7 +241,9 @@ qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
   qn_result_clear (&result);
   if (status != QN_OK)
     return QN_CAPACITY_REFUSED;
-  end = follow_softer (&search, &answer->capacity);
+  /* Only a check has a period. */
+  if (answer->has_spectrum)
+    end = follow_softer (&search, &answer->capacity);
   if (end != QN_CAPACITY_FOUND)
     qn_capacity_clear (&answer->capacity);
   return end;
@@ -333,6 +335,7 @@ qn_capacity_find_async (const QnModel *model, QnId control, GCancellable *cancel
   Work *work = g_new0 (Work, 1);
   g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
   work->control = control;
+  work->answer.has_spectrum = TRUE; /* one may be given later */
   work->cancellable = g_object_ref (cancellable);
   g_task_set_task_data (task, work, work_free);
   if (qn_model_copy (model, &work->model, &work->diag) != QN_OK) {

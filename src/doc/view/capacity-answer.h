@@ -50,7 +50,8 @@ typedef enum {
  * the block whose horizontal displacement is controlled; QN_NONE: that of the model's own displacement
  * control, or else the one that moves furthest in the mechanism of limit analysis. The model's settings
  * of the analysis are overwritten. A path that ends since its budget is spent, or whose numbers are not
- * true, is NO_ANSWER. Fills answer->capacity alone; qn_capacity_clear() frees it. *reason, which the
+ * true, is NO_ANSWER. With a spectrum it is followed a second time, with half the stiffness of the joints.
+ * Fills answer->capacity alone; qn_capacity_clear() frees it. *reason, which the
  * caller frees: why there is no curve (STAGES, NO_ANSWER), or why its path ended before multiplier 0;
  * else NULL. */
 QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
