@@ -21,7 +21,7 @@
 typedef struct {
   bool opens, closes,
     slides;         /* a strength of this kind is reached, or there is no force */
-  double dilatancy; /* least opening per slip */
+  double dilatancy; /* least opening per slip outwards */
 } Freedom;
 
 static Freedom
@@ -51,6 +51,31 @@ find_freedom (const QnPairSprings *springs, const QnPairMemory *memory,
   return freedom;
 }
 
+/* Opening per slip in the sense of the shear force, from `least` to `most`: that outwards, less where the joint
+ * slides back, none where dilation has ended. */
+static void
+find_dilation (const QnCheck *check, size_t p, double shear, double outwards,
+               double *least, double *most)
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  const QnPairMemory *memory = &check->assembly.responses[p].memory;
+  double slip = memory->a.slip + (springs->equal ? 0 : memory->b.slip);
+  double along = shear < 0 ? -slip : slip, slack = check->slack;
+  double end = fmin (springs->a.dilation_end, springs->b.dilation_end);
+
+  *least = *most = outwards;
+  if (check->result->limit.given || outwards == 0)
+    return;
+  if (along < slack)
+    *least = -outwards;
+  else if (along > end - slack)
+    *least = 0;
+  if (along < -slack)
+    *most = along < slack - end ? 0 : -outwards;
+  else if (along > end + slack)
+    *most = 0;
+}
+
 static void
 check_joint (QnCheck *check, size_t p, const double rate[2], double none)
 {
@@ -76,16 +101,19 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                 && qn_pair_damage (springs, &as->responses[p].memory) < 1;
   bool loose = breaks || hypot (force[0], force[1]) <= little;
   size_t step = check->result->step_count - 1;
-  double least = 0;
+  double least = 0, most = 0;
 
-  if (freedom.slides && !freedom.opens)
-    least = freedom.dilatancy * fabs (rate[1]);
+  if (freedom.slides && !freedom.opens) {
+    find_dilation (check, p, force[1], freedom.dilatancy, &least, &most);
+    least *= fabs (rate[1]);
+    most *= fabs (rate[1]);
+  }
   if (!(rate[0] >= least - none) && !freedom.closes) {
     bool parts = qn_assembly_gap (as, p) > 0; /* it may close again */
     if (!parts)
       qn_check_tell_pair (check, QN_CLAIM_OVERLAP, step, p, rate[0], least);
   }
-  bool opens = rate[0] > least + none, slides = fabs (rate[1]) > none;
+  bool opens = rate[0] > most + none, slides = fabs (rate[1]) > none;
   if ((opens && !freedom.opens && !loose) || (slides && !freedom.slides && !loose)
       || (slides && freedom.slides && !loose && rate[1] * force[1] < 0))
     qn_check_tell_pair (check, QN_CLAIM_FLOW, step, p, opens ? rate[0] : rate[1], 0);

@@ -192,7 +192,8 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
            && memory->a.opening <= before->a.opening;
   }
   if (damage > 0 && damage < 1) { /* what friction carries of it */
-    const double bond[2] = { s->kn * (q[0] - fmin (before->a.opening, 0)), s->ks * q[1] };
+    const double bond[2] = { s->kn * (q[0] - qn_spring_crushed (s, &before->a)),
+                             s->ks * q[1] };
     for (int i = 0; i < 2; i++)
       force[i] = (stated[i] - (1 - damage) * bond[i]) / damage;
   }
@@ -212,7 +213,7 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
   bool at_cap = force[0] >= -QN_CHECK_FORCES * check->scale;
   /* A joint that opens remembers what it has risen by sliding alone. */
   double risen =
-    before->a.opening + s->dilatancy * fabs (memory->a.slip - before->a.slip);
+    qn_spring_crushed (s, &before->a) + qn_spring_dilation (s, memory->a.slip);
   if (at_cap && check->relaxed)
     memory->a.opening = fmin (opening, risen);
   else if (check->relaxed || (force[0] < 0 && (dilates || crushes)))
@@ -262,6 +263,8 @@ obeys_flow (const QnCheck *check, const QnPairSprings *springs,
   const QnSpring *s = &springs->a;
   double slip = after->a.slip - before->a.slip, slack = check->slack;
   double opening = after->a.opening - before->a.opening;
+  double dilation =
+    qn_spring_dilation (s, after->a.slip) - qn_spring_dilation (s, before->a.slip);
 
   if (fabs (slip) <= slack && fabs (opening) <= slack)
     return true;
@@ -272,7 +275,7 @@ obeys_flow (const QnCheck *check, const QnPairSprings *springs,
   bool opens = qn_law_is_plastic (s->kind) && s->kind != QN_LAW_MOHR_COULOMB;
   return loose
          || (slip * force[1] >= -slack * fabs (force[1])
-             && (!opens || fabs (opening - s->dilatancy * fabs (slip)) <= slack));
+             && (!opens || fabs (opening - dilation) <= slack));
 }
 
 /* Elongations of a step along the central path are exact to a part of the largest change of one, and

@@ -12,6 +12,9 @@
 /* Most sweeps where that is not enough. */
 #define INTERNAL_SWEEPS 60
 
+/* Rounds of both: near where one spring slides back and the other opens sweeps take long. */
+#define INTERNAL_ROUNDS 4
+
 QnPairSprings
 qn_pair_springs (QnSpring a, QnSpring b)
 {
@@ -121,10 +124,12 @@ qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
 
   QnPairSeries series;
   qn_pair_series_start (&series, springs, committed, q);
-  for (int i = 0; i < INTERNAL_ITERATIONS && !(series.size <= QN_TOLERANCE_SERIES); i++)
-    qn_pair_series_step (&series);
-  for (int i = 0; i < INTERNAL_SWEEPS && !(series.size <= QN_TOLERANCE_SERIES); i++)
-    qn_pair_series_sweep (&series);
+  for (int round = 0; round < INTERNAL_ROUNDS; round++) {
+    for (int i = 0; i < INTERNAL_ITERATIONS && !(series.size <= QN_TOLERANCE_SERIES); i++)
+      qn_pair_series_step (&series);
+    for (int i = 0; i < INTERNAL_SWEEPS && !(series.size <= QN_TOLERANCE_SERIES); i++)
+      qn_pair_series_sweep (&series);
+  }
   take_series (&series, r);
   return series.size <= QN_TOLERANCE_SERIES;
 }

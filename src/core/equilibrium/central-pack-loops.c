@@ -87,7 +87,7 @@ take_pairs (const double *in, Vector *n, Vector *t)
  * eight on. */
 typedef struct {
   Mask row[QN_CENTRAL_ROWS]; /* which pairs have it */
-  Vector friction, dilatancy;
+  Vector friction, dilatancy[2];
 } Kind;
 
 PART Kind
@@ -98,7 +98,7 @@ kind (const QnCentralPack *e, int at)
   return (Kind){ { take_mask (e->has_tension + at), shears, shears,
                    take_mask (e->has_compression + at) },
                  take (e->friction + at),
-                 take (e->dilatancy + at) };
+                 { take (e->dilatancy[0] + at), take (e->dilatancy[1] + at) } };
 }
 
 /* out = G y */
@@ -115,25 +115,28 @@ apply_strength (const Kind *kind, const Vector y[2], Vector out[QN_CENTRAL_ROWS]
 PART void
 apply_flow (const Kind *kind, const Vector z[QN_CENTRAL_ROWS], Vector out[2])
 {
-  out[0] = z[0] - z[3] + kind->dilatancy * (z[1] + z[2]);
+  out[0] = z[0] - z[3] + kind->dilatancy[0] * z[1] + kind->dilatancy[1] * z[2];
   out[1] = z[1] - z[2];
 }
 
 /* H = 1/k + flow diag (ratio) G, ratio = z / s, inverted; its determinant without the terms that
- * cancel: sum^2 - difference^2 = 4 ratio ratio. */
+ * cancel: (d1 r1 + d2 r2) (r1 + r2) - (d1 r1 - d2 r2) (r1 - r2) = 2 (d1 + d2) r1 r2. */
 PART void
 invert_flexibility (QnCentralPack *e, int at, const Kind *kind,
                     const Vector ratio[QN_CENTRAL_ROWS])
 {
   Mask plastic = kind->row[0], shears = kind->row[1];
   Vector sum = ratio[1] + ratio[2], difference = ratio[1] - ratio[2];
-  Vector dilation = kind->dilatancy * kind->friction;
+  const Vector *dilatancy = kind->dilatancy;
+  Vector positive = dilatancy[0] * ratio[1], negative = dilatancy[1] * ratio[2];
+  Vector dilation = kind->friction * (positive + negative);
   Vector tangential = take (e->flexibility[1] + at);
   Vector normal = take (e->flexibility[0] + at) + ratio[0] + ratio[3];
-  Vector nn = normal + dilation * sum, tt = tangential + sum;
-  Vector nt = kind->dilatancy * difference, tn = kind->friction * difference;
+  Vector nn = normal + dilation, tt = tangential + sum;
+  Vector nt = positive - negative, tn = kind->friction * difference;
   Vector determinant =
-    normal * tt + dilation * (sum * tangential + 4 * ratio[1] * ratio[2]);
+    normal * tt + dilation * tangential
+    + 2 * kind->friction * (dilatancy[0] + dilatancy[1]) * ratio[1] * ratio[2];
   Vector inverse = 1 / chosen (shears, determinant, normal);
   const Vector found[] = { chosen (shears, tt * inverse, inverse),
                            only (shears, -nt * inverse), only (shears, -tn * inverse),

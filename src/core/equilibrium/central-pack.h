@@ -26,7 +26,8 @@ typedef struct QnCentralPack {
   /* All ones where the pair has that strength. Without a limit of tension it has none of them: only
    * y and its tangent count. */
   QnPackMask has_tension, has_shear, has_compression;
-  QnPackVector friction, dilatancy;
+  QnPackVector friction,
+    dilatancy[2]; /* of slip in the positive sense, in the negative */
   QnPackVector tension, cohesion, compression; /* h, by rows; cohesion twice */
   QnPackVector flexibility[2];
   QnPackVector plastic[2]; /* q_p */

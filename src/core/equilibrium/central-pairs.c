@@ -10,7 +10,7 @@
 typedef struct {
   bool shears, crushes; /* whether shear and compression have a limit of their own */
   double tension, compression;
-  double friction, cohesion, dilatancy;
+  double friction, cohesion;
 } Strengths;
 
 /* Friction without strength at any compression leaves no shear force, and is no row. */
@@ -27,7 +27,6 @@ sort_strengths (const QnSpring *whole, const QnSpringMemory *memory)
       found.shears = row->normal > 0 || row->limit > 0;
       found.friction = row->normal;
       found.cohesion = row->limit;
-      found.dilatancy = row->opening;
     } else if (row->normal > 0) {
       found.tension = row->limit;
     } else {
@@ -61,11 +60,12 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
   pairs->steps = qn_alloc_lines (count, sizeof *pairs->steps);
   pairs->kept = qn_alloc_lines (count, sizeof *pairs->kept);
   pairs->near = qn_alloc_lines (count, sizeof *pairs->near);
+  pairs->slips = qn_alloc (padded, sizeof *pairs->slips);
   pairs->rates = qn_alloc (2 * padded, sizeof *pairs->rates);
   pairs->forces = qn_alloc_lines (2 * padded, sizeof *pairs->forces);
   pairs->tangents = qn_alloc_lines (4 * padded, sizeof *pairs->tangents);
   return pairs->packs && pairs->steps && pairs->kept && pairs->near && pairs->rates
-         && pairs->forces && pairs->tangents;
+         && pairs->slips && pairs->forces && pairs->tangents;
 }
 
 void
@@ -76,9 +76,29 @@ qn_central_pairs_clear (QnCentralPairs *pairs)
   free (pairs->kept);
   free (pairs->near);
   free (pairs->rates);
+  free (pairs->slips);
   free (pairs->forces);
   free (pairs->tangents);
   *pairs = (QnCentralPairs){ 0 };
+}
+
+/* Rates of dilation by slip in the positive sense and in the negative. At first a slip dilates whichever way it goes,
+ * which a central path finds its way with; one that was led elsewhere does so along a line. Returns what the line on which they lie
+ * has at the committed slip beyond the dilation there, m. */
+static double
+take_dilation (const QnCentralPairs *pairs, size_t p, double rates[2])
+{
+  const QnSpring *spring = &pairs->assembly->springs[p].a;
+  double from = pairs->assembly->committed[p].a.slip, about = pairs->slips[p];
+
+  if (about == from) {
+    rates[0] = rates[1] = qn_spring_dilation_rate (spring, from, from < 0 ? -1 : 1);
+    return 0;
+  }
+  rates[0] = qn_spring_dilation_rate (spring, about, 1);
+  rates[1] = -rates[0];
+  return qn_spring_dilation (spring, about) + rates[0] * (from - about)
+         - qn_spring_dilation (spring, from);
 }
 
 /* s > 0 with s - product / s = surplus, without cancellation. */
@@ -109,10 +129,12 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
   e->has_shear[i] = strengths.shears ? -1 : 0;
   e->has_compression[i] = strengths.crushes ? -1 : 0;
   e->friction[i] = strengths.friction;
-  e->dilatancy[i] = strengths.dilatancy;
   e->flexibility[0][i] = stiffness / spring->kn;
   e->flexibility[1][i] = stiffness / spring->ks;
-  e->plastic[0][i] = memory->opening / pairs->length;
+  double dilation[2], beyond = take_dilation (pairs, p, dilation);
+  for (int k = 0; k < 2; k++)
+    e->dilatancy[k][i] = dilation[k];
+  e->plastic[0][i] = (memory->opening + beyond) / pairs->length;
   e->plastic[1][i] = memory->slip / pairs->length;
   e->tension[i] = strengths.tension / pairs->force;
   e->cohesion[i] = strengths.cohesion / pairs->force;
@@ -141,8 +163,11 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
 }
 
 void
-qn_central_pairs_start (QnCentralPairs *pairs, double size)
+qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again)
 {
+  for (size_t p = 0; p < pairs->assembly->pair_count && !again; p++)
+    pairs->slips[p] = pairs->assembly->committed[p].a.slip;
+  pairs->turned = false;
   memset (pairs->packs, 0, pairs->count * sizeof *pairs->packs);
   for (size_t k = 0; k < pairs->count; k++)
     for (int row = 0; row < QN_CENTRAL_ROWS; row++)
@@ -251,6 +276,26 @@ qn_central_pairs_come_back (QnCentralPairs *pairs)
     pairs->packs[k].now = pairs->near[k];
 }
 
+/* Part of the largest force that dilation beyond a corner may cause. */
+#define TURN 1e-6
+
+/* Whether a slip has gone so far beyond a corner of its dilation, that the pair has another force. */
+static bool
+turns (QnCentralPairs *pairs, size_t p, double flow)
+{
+  const QnSpring *spring = &pairs->assembly->springs[p].a;
+  double slip = pairs->assembly->committed[p].a.slip, rates[2];
+  double line = qn_spring_dilation (spring, slip) + take_dilation (pairs, p, rates)
+                + rates[flow < 0] * fabs (flow);
+
+  if (fabs (line - qn_spring_dilation (spring, slip + flow)) * spring->kn
+      <= TURN * pairs->force)
+    return false;
+  pairs->slips[p] = slip + flow;
+  pairs->turned = true;
+  return true;
+}
+
 static bool
 take_flow_of_pair (QnCentralPairs *pairs, size_t p)
 {
@@ -259,8 +304,8 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
   QnPairResponse *response = &as->responses[p];
   size_t i = p % QN_CENTRAL_WIDTH;
   const QnPackVector *z = e->now.z;
-  const double flow[2] = { z[0][i] - z[3][i] + e->dilatancy[i] * (z[1][i] + z[2][i]),
-                           z[1][i] - z[2][i] };
+  double dilation = e->dilatancy[0][i] * z[1][i] + e->dilatancy[1][i] * z[2][i];
+  const double flow[2] = { z[0][i] - z[3][i] + dilation, z[1][i] - z[2][i] };
   double y[2], q[2];
 
   for (int k = 0; k < 2; k++) {
@@ -273,7 +318,7 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
   if (e->has_shear[i])
     response->memory.a.slip =
       as->elongations[2 * p + 1] - pairs->length * e->flexibility[1][i] * y[1];
-  return ok;
+  return ok && !turns (pairs, p, flow[1] * pairs->length);
 }
 
 bool

@@ -10,6 +10,8 @@ typedef struct QnCentralPairs {
   double force, length; /* units, N and m */
   double products;      /* how many s z there are */
   bool others;          /* there are pairs of other laws */
+  bool turned;          /* some slip has gone beyond a corner of its dilation, */
+  double *slips;        /* by pair: about which dilation is taken as a straight line, m */
   const QnCentralLoops *loops;
   size_t
     count; /* of packs; what is missing in the last one is like pairs of other laws */
@@ -28,8 +30,9 @@ bool qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *assembly);
 void qn_central_pairs_clear (QnCentralPairs *pairs);
 
 /* All pairs at the state last evaluated, off the boundary of their strength: s z = size everywhere,
- * and s - z what strength is left, or how far they have opened. */
-void qn_central_pairs_start (QnCentralPairs *pairs, double size);
+ * and s - z what strength is left, or how far they have opened. Slips dilate from what is
+ * committed, or `again` along the line where the path before has led those that turned. */
+void qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again);
 
 /* Residuals and tangents at the elongations last evaluated; pairs of other laws are evaluated.
  * False where that failed. */
@@ -57,7 +60,7 @@ void qn_central_pairs_keep (QnCentralPairs *pairs);
 void qn_central_pairs_come_back (QnCentralPairs *pairs);
 
 /* The responses of the laws become the forces as they are, with the plastic elongations that
- * belong to them. False where a law has no answer there. */
+ * belong to them. False where a law has no answer there, or some pair has turned. */
 bool qn_central_pairs_take_flow (QnCentralPairs *pairs);
 
 #endif

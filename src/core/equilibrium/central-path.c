@@ -19,6 +19,9 @@
 #define TIGHTER         1e-2
 #define MOST_FINISHES   3
 
+/* Central paths that one step gets, where the dilation of joints has turned on the one before. */
+#define MOST_TURNS 4
+
 /* Complementarity from which an iterate may stand where nothing can turn back and rounding
  * forbids a better one: forces in balance leave a tenth of a millionth of their strength. */
 #define NEARLY 1e-7
@@ -563,17 +566,30 @@ begin (QnCentralPath *path, const QnTarget *target)
   return (Increment){ .path = path, .target = target };
 }
 
-/* One central path from the current displacements and forces, from mean products of `size`. */
+/* One central path from the current displacements and forces, from mean products of `size`; another one from
+ * there where the dilation of joints has turned on the way. */
 static QnSolveStatus
 follow (Increment *increment, double size, int budget)
 {
   QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  size_t bytes = (size_t) eq->assembly.unknown_count * sizeof *eq->u;
+  double multiplier = eq->multiplier;
 
-  increment->complementarity = COMPLEMENTARITY;
-  increment->short_steps = 0;
-  increment->is_near = false;
-  qn_central_pairs_start (&path->pairs, size);
-  return iterate (increment, budget);
+  memcpy (path->begun, eq->u, bytes);
+  for (int turn = 0;; turn++) {
+    increment->complementarity = COMPLEMENTARITY;
+    increment->short_steps = 0;
+    increment->is_near = false;
+    qn_central_pairs_start (&path->pairs, size, turn > 0);
+    QnSolveStatus status = iterate (increment, budget);
+    if (status != QN_SOLVE_FAILED || !path->pairs.turned || turn == MOST_TURNS)
+      return status;
+    memcpy (eq->u, path->begun, bytes);
+    eq->multiplier = multiplier;
+    if (!qn_assembly_evaluate (&eq->assembly, eq->u))
+      return QN_SOLVE_FAILED;
+  }
 }
 
 QnSolveStatus
@@ -614,7 +630,6 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undec
 
   increment.relaxes = true;
   for (int pass = 0; pass < PASSES; pass++) {
-    memcpy (path->begun, eq->u, (size_t) eq->assembly.unknown_count * sizeof (double));
     QnSolveStatus status = follow (&increment, size, budget);
     if (status != QN_SOLVE_FAILED)
       return status;

@@ -1,26 +1,28 @@
-/* Coulomb friction with dilatancy, a bond that breaks, and a limit of compression.
+/* Coulomb friction with dilation, a bond that breaks, and a limit of compression.
  *
- * FRICTION. With n the normal force (tension positive), t the shear force, g >= 0 the slip of the
- * step and k >= 0 its shortening:
+ * FRICTION. With n the normal force (tension positive), t the shear force, s the slip from where the joint was
+ * built and k >= 0 what it has been shortened by crushing:
  *
  *   yield      f = |t| + mu n <= 0,   n <= 0,   -n <= fc
- *   flow       slip += g sign(t),   opening += psi g - k
+ *   flow       ds = g sign(t), g >= 0,   opening = h(s) - k,   h(s) = psi min (|s|, s_end)
  *
- * Return mapping (backward Euler, closed form) from the trial forces n*, t* that the spring
- * would carry without further slip:
+ * so that a joint which slides back comes down again, as teeth do that fit (Patton 1966; Plesha 1987), and one that has
+ * slid by s_end rises no further; mu is the same both ways (Coulomb slip of UDEC). Return mapping (backward
+ * Euler, closed form) from the trial forces n*, t* that the spring would carry without further slip:
  *
  *   stick      f(n*, t*) <= 0:             n = n*,             t = t*
- *   slip       g = f(n*, t*) / (ks + mu psi kn):
- *                                          n = n* - kn psi g,  t = t* - ks g sign(t*)
- *   open       n* - kn psi |t*| / ks > 0:  n = t = 0
- *   crush      g = max (0, (|t*| - mu fc) / ks),  k = psi g - (n* + fc) / kn > 0:
+ *   slip       through the parts of the way on which h' = +-psi or 0, until
+ *              g = f(n*, t*) / (ks + mu h' kn) lies in the part:
+ *                                          n = n* - kn h' g,  t = t* - ks g sign(t*)
+ *   open       q_n > h(q_t) - k:           n = t = 0
+ *   crush      g = max (0, (|t*| - mu fc) / ks),  h(s) - k > q_n + fc / kn:
  *                                          n = -fc,  |t| = min (|t*|, mu fc)
  *
- * An open joint forgets its slip because g brings t to zero; it closes again where it opened, raised by
- * dilatancy and lowered by crushing only. With psi = 0 this is the law of the paper on HybriDFEM in two
- * dimensions (equations 1 and 2); psi = mu makes the flow associative and the tangent symmetric. The
- * shortening of a crushed joint stays, without hardening, softening or an end, as in limit analysis with a
- * rectangular block of stress at the toe (Orduña & Lourenço, J. Struct. Eng. 129 (2003) 1367-1375).
+ * An open joint forgets its slip: s = q_t; it closes again where it opened, at the height that belongs to that, lowered
+ * by crushing. Outwards psi = mu makes the flow associative and the tangent symmetric; psi = 0 is the law of the
+ * paper on HybriDFEM in two dimensions (equations 1 and 2). The shortening of a crushed joint stays, without
+ * hardening, softening or an end, as in limit analysis with a rectangular block of stress at the toe (Orduña &
+ * Lourenço, J. Struct. Eng. 129 (2003) 1367-1375).
  *
  * BOND. Cohesion c and tension ft are those of a bond that is whole. It is elastic, of the same stiffness:
  *
@@ -43,6 +45,9 @@
  * elastic energy alone breaks the bond: it is brittle, as it is where energies are not given. A broken bond
  * stays broken: the friction is all that is left, with the residual mu.
  *
+ * Along an exponential curve, (1 - d) r = (exp (-(r - 1) / a) - TAIL) / (1 - TAIL), with a such that the energy is
+ * the same.
+ *
  * State: opening, slip (of the friction) and d as `extreme`. QN_BOND_HELD there is a bond that is whole and
  * holds beyond its strength while an equilibrium is sought (qn_assembly_hold_bonds()); the answer then says
  * that it is to break, with d = 1, and not yet what is left.
@@ -53,42 +58,72 @@
 
 /* --- Friction ---------------------------------------------------------------------------- */
 
-static void
-slide (const QnSpring *s, double n_trial, double t_trial, QnSpringResponse *r)
-{
-  double sign = t_trial < 0 ? -1 : 1, mu = s->residual;
-  double stiffness = s->ks + mu * s->dilatancy * s->kn;
-  double g = (fabs (t_trial) + mu * n_trial) / stiffness;
-  double g_n = mu * s->kn / stiffness;   /* dg / d q[0] */
-  double g_t = sign * s->ks / stiffness; /* dg / d q[1] */
+/* Part of the compressive strength that is rounding. */
+#define SLACK 1e-9
 
-  r->force[0] = n_trial - s->kn * s->dilatancy * g;
-  /* From the yield function, so that the result lies on it to the last digit. */
-  r->force[1] = -sign * mu * r->force[0];
-  r->tangent[0][0] = s->kn - s->kn * s->dilatancy * g_n;
-  r->tangent[0][1] = -s->kn * s->dilatancy * g_t;
-  r->tangent[1][0] = -mu * sign * r->tangent[0][0];
-  r->tangent[1][1] = -mu * sign * r->tangent[0][1];
-  r->memory.opening += s->dilatancy * g;
-  r->memory.slip += sign * g;
-  r->phase = sign > 0 ? QN_PHASE_SLIP_POSITIVE : QN_PHASE_SLIP_NEGATIVE;
+static bool
+is_too_deep (const QnSpring *s, double n)
+{
+  return s->compression > 0 && n < -(1 + SLACK) * s->compression;
+}
+
+/* Slides to where friction alone holds, through the parts of the way between which dilation changes, and on
+ * where it would be crushed: at the end of the way back it is not. */
+static void
+slide (const QnSpring *s, const double q[2], double sign, QnSpringResponse *r)
+{
+  double mu = s->residual, end = s->dilation_end, slip = r->memory.slip;
+  double shift = qn_spring_crushed (s, &r->memory);
+  bool passed = is_too_deep (s, s->kn * (q[0] - r->memory.opening));
+
+  for (;;) {
+    double along = sign * slip;
+    double until = along < -end ? -end : along < 0 ? 0 : along < end ? end : INFINITY;
+    double psi = qn_spring_dilation_rate (s, slip, sign);
+    double n = s->kn * (q[0] - (shift + qn_spring_dilation (s, slip)));
+    double t = s->ks * (q[1] - slip);
+    double stiffness = s->ks + mu * psi * s->kn;
+    double g = (sign * t + mu * n) / stiffness;
+    bool holds = stiffness > 0 && along + g <= until && (g >= 0 || !passed);
+    bool deep = holds && is_too_deep (s, n - s->kn * psi * g);
+    if (s->dilatancy > 0 && until < INFINITY && (!holds || deep)) {
+      passed = passed || deep;
+      slip = sign * until;
+      continue;
+    }
+    double g_n = mu * s->kn / stiffness;   /* dg / d q[0] */
+    double g_t = sign * s->ks / stiffness; /* dg / d q[1] */
+    r->force[0] = n - s->kn * psi * g;
+    /* From the yield function, so that the result lies on it to the last digit. */
+    r->force[1] = -sign * mu * r->force[0];
+    r->tangent[0][0] = s->kn - s->kn * psi * g_n;
+    r->tangent[0][1] = -s->kn * psi * g_t;
+    r->tangent[1][0] = -mu * sign * r->tangent[0][0];
+    r->tangent[1][1] = -mu * sign * r->tangent[0][1];
+    r->memory.slip = slip + sign * g;
+    r->memory.opening = shift + qn_spring_dilation (s, r->memory.slip);
+    r->phase = sign > 0 ? QN_PHASE_SLIP_POSITIVE : QN_PHASE_SLIP_NEGATIVE;
+    return;
+  }
 }
 
 /* False where the joint is not crushed. */
 static bool
-crush (const QnSpring *s, double n_trial, double t_trial, QnSpringResponse *r)
+crush (const QnSpring *s, const double q[2], double t_trial, QnSpringResponse *r)
 {
   double sign = t_trial < 0 ? -1 : 1, left = s->residual * s->compression;
   double g = qn_larger ((fabs (t_trial) - left) / s->ks, 0);
-  double shortening = s->dilatancy * g - (n_trial + s->compression) / s->kn;
+  double slip = r->memory.slip + sign * g;
+  double crushed = q[0] + s->compression / s->kn;
 
-  if (s->compression <= 0 || shortening <= 0)
+  if (s->compression <= 0
+      || crushed >= qn_spring_crushed (s, &r->memory) + qn_spring_dilation (s, slip))
     return false;
   r->force[0] = -s->compression;
   r->force[1] = g > 0 ? sign * left : t_trial;
   r->tangent[1][1] = g > 0 ? 0 : s->ks;
-  r->memory.opening += s->dilatancy * g - shortening;
-  r->memory.slip += sign * g;
+  r->memory.opening = crushed;
+  r->memory.slip = slip;
   r->phase = g == 0     ? QN_PHASE_CRUSH
              : sign > 0 ? QN_PHASE_CRUSH_SLIP_POSITIVE
                         : QN_PHASE_CRUSH_SLIP_NEGATIVE;
@@ -102,17 +137,18 @@ rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 {
   double n_trial = s->kn * (q[0] - committed->opening);
   double t_trial = s->ks * (q[1] - committed->slip);
-  double g_open = fabs (t_trial) / s->ks;
+  double open = qn_spring_crushed (s, committed) + qn_spring_dilation (s, q[1]);
+  bool slips = fabs (t_trial) + s->residual * n_trial > 0 || is_too_deep (s, n_trial);
 
   *r = (QnSpringResponse){ .memory = *committed, .phase = QN_PHASE_STICK };
-  if (crush (s, n_trial, t_trial, r))
+  if (crush (s, q, t_trial, r))
     return;
-  if (n_trial > 0 && n_trial - s->kn * s->dilatancy * g_open > 0) {
-    r->memory.slip += (t_trial < 0 ? -1 : 1) * g_open;
-    r->memory.opening += s->dilatancy * g_open;
+  if (q[0] > open && (slips || n_trial > 0)) {
+    r->memory.slip = q[1];
+    r->memory.opening = open;
     r->phase = QN_PHASE_OPEN;
-  } else if (fabs (t_trial) + s->residual * n_trial > 0) {
-    slide (s, n_trial, t_trial, r);
+  } else if (slips) {
+    slide (s, q, t_trial < 0 ? -1 : 1, r);
   } else {
     r->force[0] = n_trial;
     r->force[1] = t_trial;
@@ -122,6 +158,11 @@ rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 }
 
 /* --- Bond -------------------------------------------------------------------------------- */
+
+/* Strength at which exponential softening ends, and the area below the rest of the curve, both of those of
+ * exp (-x). */
+#define TAIL      1e-3
+#define TAIL_AREA (1 - TAIL * 6.907755278982137 / (1 - TAIL)) /* ln (1000) */
 
 /* How far the bond is strained, r, and the part of it that is whole there; with their derivatives. */
 typedef struct {
@@ -161,13 +202,24 @@ strain_bond (const QnSpring *s, const double bond[2], const double stiffness[2])
     }
   }
   double end = at.r * at.r / spent;
-  if (end <= 1 || at.r >= end)
+  if (end <= 1)
     return at;
-  at.whole = (end - at.r) / (at.r * (end - 1));
+  double left, by_r, by_end; /* strength of the bond, 1 where r = 1; its derivatives */
+  if (s->exponential) {
+    double length = (end - 1) / (2 * TAIL_AREA), e = exp (-(at.r - 1) / length);
+    left = (e - TAIL) / (1 - TAIL);
+    by_r = -e / (length * (1 - TAIL));
+  } else {
+    left = (end - at.r) / (end - 1);
+    by_r = -1 / (end - 1);
+  }
+  by_end = -by_r * (at.r - 1) / (end - 1);
+  if (left <= 0)
+    return at;
+  at.whole = left / at.r;
   for (int i = 0; i < 2; i++) {
     double end_q = end * (2 * at.r_q[i] / at.r - spent_q[i] / spent);
-    at.whole_q[i] =
-      (-end * at.r_q[i] / at.r + (at.r - 1) * end_q / (end - 1)) / (at.r * (end - 1));
+    at.whole_q[i] = (by_r * at.r_q[i] + by_end * end_q - at.whole * at.r_q[i]) / at.r;
   }
   return at;
 }
@@ -177,7 +229,7 @@ static void
 add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
           QnSpringResponse *r)
 {
-  double n = s->kn * (q[0] - fmin (committed->opening, 0));
+  double n = s->kn * (q[0] - qn_spring_crushed (s, committed));
   bool crushed = s->compression > 0 && n < -s->compression;
   const double bond[2] = { crushed ? -s->compression : n, s->ks * q[1] };
   const double stiffness[2] = { crushed ? 0 : s->kn, s->ks };
@@ -239,10 +291,12 @@ qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
   spring->friction = law->friction;
   spring->residual = law->residual_friction > 0 ? law->residual_friction : law->friction;
   spring->dilatancy = law->dilatancy;
+  spring->dilation_end = law->dilation_end > 0 ? law->dilation_end : INFINITY;
   spring->cohesion = law->cohesion * scale.force;
   spring->cap = fmin (law->tension, apex) * scale.force;
   if (!qn_spring_has_bond (spring))
     spring->residual = law->friction;
+  spring->exponential = law->exponential;
   spring->energy[0] = tension * scale.force;
   spring->energy[1] = (shear > 0 ? shear : tension) * scale.force;
 }
@@ -273,7 +327,8 @@ softening (const QnSpring *s)
     QN_LAW_PARAMETER ("residual_friction", residual_friction, false, true),              \
     QN_LAW_PARAMETER ("fracture_energy_tension", fracture_energy_tension, false, true),  \
     QN_LAW_PARAMETER ("fracture_energy_shear", fracture_energy_shear, false, true),      \
-    QN_LAW_PARAMETER ("dilatancy", dilatancy, false, false)
+    QN_LAW_PARAMETER ("dilatancy", dilatancy, false, false),                             \
+    QN_LAW_PARAMETER ("dilation_end", dilation_end, false, true)
 
 static const QnLawParameter coulomb[] = {
   QN_LAW_PARAMETER ("friction", friction, true, false), JOINT_PARAMETERS

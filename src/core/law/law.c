@@ -15,6 +15,8 @@ const char *const qn_basis_names[QN_BASIS_COUNT] = {
   [QN_BASIS_MATERIAL] = "material",
 };
 
+const char *const qn_law_softening_names[2] = { "linear", "exponential" };
+
 const char *const qn_arrangement_names[QN_ARRANGEMENT_COUNT] = {
   [QN_ARRANGEMENT_CHAIN] = "chain",
   [QN_ARRANGEMENT_GRID] = "grid",
@@ -96,9 +98,8 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
 bool
 qn_law_has_bond (const QnLaw *law)
 {
-  bool is_joint = law->kind == QN_LAW_COULOMB || law->kind == QN_LAW_MOHR_COULOMB;
-
-  return is_joint && (law->cohesion > 0 || (law->tension > 0 && law->friction == 0));
+  return qn_law_may_bond (law->kind)
+         && (law->cohesion > 0 || (law->tension > 0 && law->friction == 0));
 }
 
 void

@@ -69,8 +69,11 @@ typedef struct QnLaw {
   double fracture_energy_tension; /* >= 0, to break a bond by opening; 0: brittle */
   double
     fracture_energy_shear; /* >= 0, by slip, friction aside; 0 stands for that by opening */
-  double compression;      /* fc > 0, limit of compression, at which a joint is crushed */
+  bool exponential;   /* whether a bond softens along an exponential curve, not a line */
+  double compression; /* fc > 0, limit of compression, at which a joint is crushed */
   double dilatancy; /* psi, 0 <= psi <= mu: plastic opening per slip; mu = associative */
+  double
+    dilation_end;   /* > 0, m whatever the basis: slip beyond which it ends; 0: never */
   double yield;     /* > 0, at which the elastic range first ends */
   double hardening; /* 0 <= r < 1, part of kn that remains beyond yield */
   double strength;  /* > 0, the most that is carried; of concrete in compression */
@@ -113,8 +116,18 @@ extern const char *const qn_arrangement_names[QN_ARRANGEMENT_COUNT];
  * k gamma^2 / 4: half of what it is where they cannot turn. */
 void qn_law_derive (QnLaw *law);
 
+/* How the bond of a joint softens in project files: "linear", "exponential". */
+extern const char *const qn_law_softening_names[2];
+
 /* Checks the parameters of one law; `index` is for the diagnostic. */
 QnStatus qn_law_check (const QnLaw *law, QnId index, QnDiag *diag);
+
+/* Whether a kind is that of joints whose bonds break. */
+static inline bool
+qn_law_may_bond (QnLawKind kind)
+{
+  return kind == QN_LAW_COULOMB || kind == QN_LAW_MOHR_COULOMB;
+}
 
 /* Whether joints of this law have a bond: cohesion, or tension below the apex of the cone. */
 bool qn_law_has_bond (const QnLaw *law);

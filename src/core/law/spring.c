@@ -110,6 +110,7 @@ qn_spring_similar (const QnSpring *a, const QnSpring *b)
          && a->residual == b->residual && close_to (a->cap, b->cap)
          && close_to (a->energy[0], b->energy[0]) && close_to (a->energy[1], b->energy[1])
          && close_to (a->compression, b->compression) && a->dilatancy == b->dilatancy
+         && a->dilation_end == b->dilation_end && a->exponential == b->exponential
          && close_to (a->yield, b->yield) && close_to (a->hardening, b->hardening)
          && close_to (a->strength, b->strength)
          && close_to (ratio * a->ultimate, b->ultimate)
@@ -150,7 +151,7 @@ qn_spring_broken (const QnSpring *spring)
 void
 qn_spring_lose_bond (QnSpring *spring)
 {
-  bool is_joint = spring->kind == QN_LAW_COULOMB || spring->kind == QN_LAW_MOHR_COULOMB;
+  bool is_joint = qn_law_may_bond (spring->kind);
 
   double friction = is_joint ? spring->residual : QN_NO_TENSION_FRICTION;
 

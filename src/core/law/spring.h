@@ -9,6 +9,8 @@
 
 #include "core/law/law.h"
 
+#include <math.h>
+
 typedef struct QnSpring {
   QnLawKind kind;
   double kn; /* N/m */
@@ -20,9 +22,11 @@ typedef struct QnSpring {
   double
     cap; /* largest normal force, N: the lower of cut-off and apex of the cone; tensile
                       strength of concrete */
-  double energy[2];   /* J, to break the bond by opening and by slip; 0: brittle */
-  double compression; /* N, largest compression of a joint that is crushed; else 0 */
-  double dilatancy;   /* psi */
+  bool exponential;    /* how the bond softens */
+  double energy[2];    /* J, to break the bond by opening and by slip; 0: brittle */
+  double compression;  /* N, largest compression of a joint that is crushed; else 0 */
+  double dilatancy;    /* psi */
+  double dilation_end; /* m, slip beyond which nothing dilates; INFINITY: none */
 
   double yield;     /* N, where the elastic range first ends */
   double hardening; /* part of kn that remains beyond */
@@ -105,8 +109,31 @@ QnSpring qn_spring_from_law (const QnLaw *law, double area, double length);
 static inline bool
 qn_spring_has_bond (const QnSpring *spring)
 {
-  return (spring->kind == QN_LAW_COULOMB || spring->kind == QN_LAW_MOHR_COULOMB)
-         && (spring->cap > 0 || spring->cohesion > 0);
+  return qn_law_may_bond (spring->kind) && (spring->cap > 0 || spring->cohesion > 0);
+}
+
+/* How far a joint has risen by a slip from where it was built, m. */
+static inline double
+qn_spring_dilation (const QnSpring *spring, double slip)
+{
+  return spring->dilatancy * fmin (fabs (slip), spring->dilation_end);
+}
+
+/* The same per slip that goes on from there in the sense of `sign`. */
+static inline double
+qn_spring_dilation_rate (const QnSpring *spring, double slip, double sign)
+{
+  double along = sign * slip, end = spring->dilation_end;
+  double rate = along < -end || along >= end ? 0 : spring->dilatancy;
+
+  return along < 0 ? -rate : rate;
+}
+
+/* Its plastic elongation without that, m: negative where it is crushed, else 0. */
+static inline double
+qn_spring_crushed (const QnSpring *spring, const QnSpringMemory *memory)
+{
+  return memory->opening - qn_spring_dilation (spring, memory->slip);
 }
 
 /* In place of the damage of a whole bond that is not to break for now. */

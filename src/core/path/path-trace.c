@@ -592,10 +592,13 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   if (status != QN_OK)
     return status;
   find_velocity (trace, velocity);
+  /* A stage that has only taken its loads back has no highest multiplier of its own. */
+  bool only_back = path->stage > 0 && result->outcome == QN_OUTCOME_TARGET_REACHED
+                   && trace->events.highest <= trace->events.least;
   bool collapses = result->outcome == QN_OUTCOME_COLLAPSE
                    || (result->outcome != QN_OUTCOME_NOT_CONVERGED
                        && result->outcome != QN_OUTCOME_CANCELLED && trace->events.below
-                       && !trace->load_control);
+                       && !only_back && !trace->load_control);
   if (collapses && !qn_path_events_collapse (&trace->events))
     return qn_diag_no_memory (diag);
   if (result->outcome == QN_OUTCOME_SNAP)

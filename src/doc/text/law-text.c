@@ -49,7 +49,7 @@ qn_law_quantity (const char *key, QnBasis basis)
     return basis == QN_BASIS_CONTACT ? QN_QUANTITY_ENERGY : QN_QUANTITY_SURFACE_ENERGY;
   if (g_str_equal (key, "ultimate_strain"))
     return basis == QN_BASIS_MATERIAL ? QN_QUANTITY_NUMBER : QN_QUANTITY_LENGTH;
-  return QN_QUANTITY_NUMBER;
+  return g_str_equal (key, "dilation_end") ? QN_QUANTITY_LENGTH : QN_QUANTITY_NUMBER;
 }
 
 /* What has a law. A joint counts where one of its two sides has it. */

@@ -16,6 +16,8 @@ add_keys (GPtrArray *keys, QnLawKind kind)
     g_ptr_array_add (keys, (gpointer) parameters[i].key);
   if (kind == QN_LAW_CURVE)
     g_ptr_array_add (keys, (gpointer) "points");
+  if (qn_law_may_bond (kind))
+    g_ptr_array_add (keys, (gpointer) "softening");
 }
 
 /* Keys of other kinds mean nothing to this one, keys of no kind nothing at all. */
@@ -74,6 +76,12 @@ read_parameters (const QnJsonValue *place, QnLaw *law)
           qn_law_at (law, parameter)))
       return FALSE;
   }
+  int softening = 0;
+  if (qn_law_may_bond (law->kind)
+      && !qn_member_choice (place, "softening", QN_OPTIONAL, qn_law_softening_names,
+                            G_N_ELEMENTS (qn_law_softening_names), &softening))
+    return FALSE;
+  law->exponential = softening == 1;
   return law->kind != QN_LAW_CURVE || read_points (place, law);
 }
 
@@ -179,6 +187,8 @@ append_law (GString *json, const QnModel *model, size_t index)
     if (value != 0 || !parameters[i].positive)
       qn_json_put_number (json, parameters[i].key, value);
   }
+  if (law->exponential && qn_law_may_bond (law->kind))
+    qn_json_put_string (json, "softening", qn_law_softening_names[1]);
   if (law->kind == QN_LAW_CURVE)
     qn_json_put_points (json, "points", law->points, (gsize) law->point_count);
   return law->note;

@@ -40,7 +40,8 @@ fill_pair (QnCentralPack *e, int i, GRand *random)
   e->has_shear[i] = shears ? -1 : 0;
   e->has_compression[i] = crushes ? -1 : 0;
   e->friction[i] = shears ? g_rand_double_range (random, 0.1, 1) : 0;
-  e->dilatancy[i] = e->friction[i] * g_rand_double_range (random, 0, 1);
+  for (int k = 0; k < 2; k++)
+    e->dilatancy[k][i] = e->friction[i] * g_rand_double_range (random, -1, 1);
   e->tension[i] = g_rand_double_range (random, 0, 1);
   e->compression[i] = crushes ? g_rand_double_range (random, 1, 3) : 0;
   e->cohesion[i] = shears && kind > 2 ? 0.3 : 0;
@@ -123,7 +124,8 @@ check_direction (const Case *c, int p)
   const QnCentralState *d = &c->steps[p / QN_CENTRAL_WIDTH];
   int i = p % QN_CENTRAL_WIDTH;
   const bool has[] = { true, e->has_shear[i], e->has_shear[i], e->has_compression[i] };
-  double mu = e->friction[i], psi = e->dilatancy[i];
+  double mu = e->friction[i];
+  const double psi[2] = { e->dilatancy[0][i], e->dilatancy[1][i] };
   const double y[2] = { e->now.y[0][i], e->now.y[1][i] };
   const double dy[2] = { d->y[0][i], d->y[1][i] };
   const double limit[] = { e->tension[i], e->cohesion[i], e->cohesion[i],
@@ -147,7 +149,7 @@ check_direction (const Case *c, int p)
     g_assert_cmpfloat (s + ds / c->reach.boundary, >=, -1e-12);
     g_assert_cmpfloat (e->now.z[row][i] + dz / c->reach.boundary, >=, -1e-12);
   }
-  const double flow[2] = { z[0] - z[3] + psi * (z[1] + z[2]), z[1] - z[2] };
+  const double flow[2] = { z[0] - z[3] + psi[0] * z[1] + psi[1] * z[2], z[1] - z[2] };
   for (int k = 0; k < (e->has_shear[i] ? 2 : 1); k++)
     assert_near (0.5 * (c->elongations[2 * p + k] + c->rates[2 * p + k]),
                  e->plastic[k][i] + flow[k] + e->flexibility[k][i] * (y[k] + dy[k])

@@ -86,6 +86,67 @@ test_dilatancy (void)
   }
 }
 
+/* A block of -4 that slides to and fro rises and comes down with it, and no further than dilation goes; its
+ * friction does not change. `work` is what the shear force has done. */
+static void
+test_dilation_and_return (void)
+{
+  static const double ways[][2] = {
+    { 2, 0.25 * 2 },  { 5, 0.25 * 3 },  { 1, 0.25 },
+    { -2, 0.25 * 2 }, { -6, 0.25 * 3 }, { 0, 0 },
+  };
+  Probe p = probe_of_law (&(QnLaw){ .name = "joint",
+                                    .kind = QN_LAW_COULOMB,
+                                    .kn = 2,
+                                    .ks = 1,
+                                    .friction = 0.5,
+                                    .dilatancy = 0.25,
+                                    .dilation_end = 3 });
+  for (size_t i = 0; i < G_N_ELEMENTS (ways); i++) {
+    double slip = ways[i][0], sense = slip > p.memory.slip ? 1 : -1;
+    double normal = -2 + ways[i][1], shear = slip + sense * 2;
+    probe_assert_tangent (&p, normal, shear + 1e-3);
+    QnSpringResponse r = probe_go (&p, normal, shear);
+    probe_assert_force (&r, -4, sense * 2);
+    g_assert_cmpfloat_with_epsilon (r.memory.slip, slip, 1e-12);
+    g_assert_cmpfloat_with_epsilon (r.memory.opening, ways[i][1], 1e-12);
+  }
+}
+
+/* Wherever it is taken, a joint that is closed has risen by what its slip tells, and the tangents are those of
+ * differences. */
+static void
+test_dilation_anywhere (void)
+{
+  g_autoptr (GRand) random = g_rand_new_with_seed (3);
+  Probe p = probe_of_law (&(QnLaw){ .name = "joint",
+                                    .kind = QN_LAW_COULOMB,
+                                    .kn = 2,
+                                    .ks = 1,
+                                    .friction = 0.6,
+                                    .dilatancy = 0.3,
+                                    .dilation_end = 1.5 });
+  for (int i = 0; i < 3000; i++) {
+    double n = g_rand_double_range (random, -3, 0.6),
+           t = g_rand_double_range (random, -4, 4);
+    QnSpringResponse r = probe_look (&p, n, t);
+    bool corner = false;
+    for (int k = 0; k < 4; k++) {
+      double change = k % 2 == 0 ? 1e-3 : -1e-3;
+      QnSpringResponse near =
+        probe_look (&p, n + (k < 2 ? change : 0), t + (k < 2 ? 0 : change));
+      corner |= near.phase != r.phase || near.memory.slip * r.memory.slip <= 0
+                || (fabs (near.memory.slip) > 1.5) != (fabs (r.memory.slip) > 1.5);
+    }
+    if (!corner)
+      probe_assert_tangent (&p, n, t);
+    probe_go (&p, n, t);
+    g_assert_cmpfloat_with_epsilon (p.memory.opening,
+                                    0.3 * MIN (fabs (p.memory.slip), 1.5), 1e-12);
+    g_assert_cmpfloat (fabs (r.force[1]), <=, -0.6 * r.force[0] + 1e-12);
+  }
+}
+
 /* The tangent is symmetric where dilatancy = friction, and only there. */
 static void
 test_symmetry (void)
@@ -217,26 +278,31 @@ static void
 test_fracture_energy (void)
 {
   static const double origin[2] = { 0, 0 };
-  Probe p = tough (0, 0);
-  g_assert_cmpfloat_with_epsilon (work_along (&p, origin, (double[2]){ 7, 0 }, 0), 3,
-                                  1e-5);
-  g_assert_cmpfloat (p.memory.extreme, ==, 1);
-  p = tough (0, 0);
-  g_assert_cmpfloat_with_epsilon (work_along (&p, origin, (double[2]){ 0, -9 }, 0), 8,
-                                  1e-5);
-  g_assert_cmpfloat (p.memory.extreme, ==, 1);
+  for (int curve = 0; curve < 2; curve++) {
+    double far = curve ? 4 : 1; /* an exponential goes on for longer */
+    Probe p = tough (0, 0);
+    p.spring.exponential = curve;
+    const QnSpring spring = p.spring;
+    double work = work_along (&p, origin, (double[2]){ 7 * far, 0 }, 0);
+    g_assert_cmpfloat_with_epsilon (work, 3, 1e-4);
+    g_assert_cmpfloat (p.memory.extreme, ==, 1);
+    p = (Probe){ .spring = spring };
+    work = work_along (&p, origin, (double[2]){ 0, -9 * far }, 0);
+    g_assert_cmpfloat_with_epsilon (work, 8, 1e-4);
+    g_assert_cmpfloat (p.memory.extreme, ==, 1);
 
-  /* Pressed by n = -4 with friction 2: what the shear force does beyond it, but for the energy that
-   * the friction stores, 2^2 / 2, and holds back while it grows. */
-  p = tough (0, 0);
-  double work = work_along (&p, (double[2]){ -2, 0 }, (double[2]){ -2, 12 }, 2);
-  g_assert_cmpfloat_with_epsilon (work + 2, 8, 1e-5);
+    /* Pressed by n = -4 with friction 2: what the shear force does beyond it, but for the energy that
+     * the friction stores, 2^2 / 2, and holds back while it grows. */
+    p = (Probe){ .spring = spring };
+    work = work_along (&p, (double[2]){ -2, 0 }, (double[2]){ -2, 12 * far }, 2);
+    g_assert_cmpfloat_with_epsilon (work + 2, 8, 1e-4);
 
-  /* Along q_t = 2 q_n elastic energies are as 1 to 2. */
-  p = tough (0, 0);
-  work = work_along (&p, origin, (double[2]){ 5, 10 }, 0);
-  g_assert_cmpfloat (p.memory.extreme, ==, 1);
-  g_assert_cmpfloat_with_epsilon (work * (1.0 / 3 / 3 + 2.0 / 3 / 8), 1, 1e-5);
+    /* Along q_t = 2 q_n elastic energies are as 1 to 2. */
+    p = (Probe){ .spring = spring };
+    work = work_along (&p, origin, (double[2]){ 5 * far, 10 * far }, 0);
+    g_assert_cmpfloat (p.memory.extreme, ==, 1);
+    g_assert_cmpfloat_with_epsilon (work * (1.0 / 3 / 3 + 2.0 / 3 / 8), 1, 1e-4);
+  }
 }
 
 /* Straight back to the origin and up again on the same line; then on as if nothing had been. */
@@ -272,6 +338,7 @@ test_bond_tangents (void)
   g_autoptr (GRand) random = g_rand_new_with_seed (5);
   for (int i = 0; i < 3000; i++) {
     Probe p = tough (i % 3 * 0.2, i % 2 * 0.4);
+    p.spring.exponential = i % 4 < 2;
     probe_go (&p, g_rand_double_range (random, -3, 1.5),
               g_rand_double_range (random, -6, 6));
     double n = g_rand_double_range (random, -3, 2),
@@ -355,6 +422,8 @@ QN_TESTS
   g_test_add_func ("/law-coulomb/slip-and-return", test_slip_and_return);
   g_test_add_func ("/law-coulomb/looking", test_looking_does_not_commit);
   g_test_add_func ("/law-coulomb/dilatancy", test_dilatancy);
+  g_test_add_func ("/law-coulomb/dilation-and-return", test_dilation_and_return);
+  g_test_add_func ("/law-coulomb/dilation-anywhere", test_dilation_anywhere);
   g_test_add_func ("/law-coulomb/symmetry", test_symmetry);
   g_test_add_func ("/law-coulomb/open-dry", test_open_dry);
   g_test_add_func ("/law-coulomb/bond-in-tension", test_bond_in_tension);

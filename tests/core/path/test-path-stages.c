@@ -383,6 +383,35 @@ test_stack_to_and_fro (void)
   push_and_pull (&model, 5, 0.001, 0.35);
 }
 
+/* A block on joints with dilatancy is as high after every cycle as after the first, and no higher than dilation
+ * goes: not lifted by one push after the other. */
+static void
+test_block_comes_down (void)
+{
+  for (int ends = 0; ends < 2; ends++) {
+    g_auto (TestRun) run;
+    QnModel model;
+    test_model_init_block_on_plane (&model, 2, 0.5);
+    model.laws[0].kn = model.laws[0].ks = 1e10;
+    model.laws[0].dilatancy = 0.3;
+    model.laws[0].dilation_end = ends ? 0.004 : 0;
+    test_model_add_weight_loads (&model, 1);
+    for (int i = 0; i < 6; i++)
+      add_push (&model, 1, i % 2 == 0 ? 0.01 : -0.01);
+    solve (&run, &model);
+    g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    double rest = qn_result_step_displacements (&run.result, 0)[4], highest = 0;
+    for (size_t s = 1; s < run.result.step_count; s++)
+      highest = fmax (highest, qn_result_step_displacements (&run.result, s)[4] - rest);
+    g_assert_cmpfloat_with_epsilon (highest, 0.3 * (ends ? 0.004 : 0.01), 1e-3 * highest);
+    for (int stage = 1; stage <= 6; stage++)
+      g_assert_cmpfloat_with_epsilon (
+        qn_result_step_displacements (&run.result, end_of (&run, stage))[4] - rest,
+        highest, 1e-3 * highest);
+    g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  }
+}
+
 static void
 test_fibre_to_and_fro (void)
 {
@@ -533,6 +562,7 @@ QN_TESTS
   g_test_add_func ("/core/path-stages/bricks-to-and-fro", test_bricks_to_and_fro);
   g_test_add_func ("/core/path-stages/stack-to-and-fro", test_stack_to_and_fro);
   g_test_add_func ("/core/path-stages/fibre-to-and-fro", test_fibre_to_and_fro);
+  g_test_add_func ("/core/path-stages/block-comes-down", test_block_comes_down);
   g_test_add_func ("/core/path-stages/work-of-a-cycle", test_work_of_a_cycle);
   g_test_add_func ("/core/path-stages/other-block-falls", test_other_block_falls);
   g_test_add_func ("/core/path-stages/arch-to-and-fro", test_arch_to_and_fro);
