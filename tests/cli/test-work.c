@@ -25,11 +25,14 @@ static char *folder;
 
 /* --- Makers of files: their paths, to be freed with g_free() ---------------------------------- */
 
-#define PROJECT_HEAD                                                                     \
+#define PROJECT_LAWS                                                                     \
   "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"j\", \"kind\": "   \
-  "\"coulomb\", \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.6 } ], \"contact\": { "        \
-  "\"law\": \"j\" }, \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": "   \
-  "[0, -1] } ] }, \"blocks\": [ "
+  "\"coulomb\", \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.6 }, { \"name\": \"s\", "      \
+  "\"kind\": \"elastic\", \"basis\": \"surface\", \"kn\": 1e9, \"ks\": 1e9 } ], "        \
+  "\"contact\": { \"law\": \"j\" }, "
+#define PROJECT_HEAD                                                                     \
+  PROJECT_LAWS "\"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": "        \
+               "[0, -1] } ] }, \"blocks\": [ "
 
 static void
 add_block (GString *text, int index, double x, double y, double tilt)
@@ -83,6 +86,144 @@ make_wall (int count)
     add_block (text, i, i % 50, i / 50, 0);
   g_string_append (text, " ] }");
   return cli_write (folder, "wall.quoin", text->str);
+}
+
+/* A list of so many in a project with a stone, or a wall of so many stones. */
+static char *
+make_list (const char *name, int stones, const char *before, int from, int count,
+           void (*add) (GString *text, int index), const char *after)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_LAWS "\"blocks\": [ ");
+  for (int i = 0; i < stones; i++)
+    add_block (text, i, i % 50, i / 50, 0);
+  g_string_append_printf (text, " ], %s", before);
+  for (int i = from; i < count; i++) {
+    g_string_append (text, i > from ? ",\n" : "");
+    add (text, i);
+  }
+  g_string_append_printf (text, "%s }", after);
+  return cli_write (folder, name, text->str);
+}
+
+/* Each through one bed joint. */
+static void
+add_bar (GString *text, int i)
+{
+  double x = i % 50 + 0.5, y = i / 50;
+  g_string_append_printf (text,
+                          "{ \"law\": \"s\", \"area\": 1e-4, \"start\": [%g, %g], "
+                          "\"end\": [%g, %g] }",
+                          x, y - 0.4, x, y + 0.4);
+}
+
+static char *
+make_bars (int count)
+{
+  return make_list ("bars.quoin", count, "\"bars\": [", 50, count, add_bar, "]");
+}
+
+static void
+add_tie (GString *text, int i)
+{
+  double x = i % 50 + 0.5, y = i / 50 + 0.5;
+  g_string_append_printf (
+    text,
+    "{ \"name\": \"t%d\", \"area\": 1e-4, \"elasticity\": 2e11, "
+    "\"ends\": [{ \"block\": \"b%d\", \"at\": [%g, %g] }, { \"at\": "
+    "[%g, -9] }] }",
+    i, i, x, y, x);
+}
+
+static char *
+make_ties (int count)
+{
+  return make_list ("ties.quoin", count, "\"ties\": [", 1, count, add_tie, "]");
+}
+
+static void
+add_arch (GString *text, int i)
+{
+  g_string_append_printf (
+    text,
+    "{ \"kind\": \"arch\", \"name\": \"a%d\", \"origin\": [%d, 5], \"span\": 3, "
+    "\"rise\": 1, "
+    "\"ring\": 0.3, \"voussoirs\": 7, \"thickness\": 1, \"unit_weight\": 1, "
+    "\"foundation\": 0.2 }",
+    i, 5 * i);
+}
+
+static char *
+make_arches (int count)
+{
+  return make_list ("arches.quoin", 1, "\"masonry\": [", 0, count, add_arch, "]");
+}
+
+static void
+add_stage (GString *text, int i)
+{
+  g_string_append_printf (
+    text, "{ \"name\": \"s%d\", \"loads\": \"push\", \"target\": %d }", i, i + 1);
+}
+
+static char *
+make_stages (int count)
+{
+  return make_list ("stages.quoin", 100,
+                    "\"loads\": { \"dead\": [], \"sets\": { \"push\": [ { \"kind\": "
+                    "\"force\", \"block\": \"b9\", \"value\": [1, 0] } ] } }, "
+                    "\"analysis\": { \"stages\": [",
+                    0, count, add_stage, "] }");
+}
+
+static void
+add_case (GString *text, int i)
+{
+  g_string_append_printf (text, "\"c%d\": 1.%d", i, i);
+}
+
+static char *
+make_cases (int count)
+{
+  return make_list ("cases.quoin", 100, "\"loads\": { \"dead\": [], \"cases\": {", 0,
+                    count, add_case, "} }");
+}
+
+static void
+add_motion (GString *text, int i)
+{
+  g_string_append_printf (text,
+                          "{ \"direction\": [1, 0], \"pulse\": { \"kind\": \"sine\", "
+                          "\"amplitude\": %d, \"duration\": 1 } }",
+                          i % 9 + 1);
+}
+
+#define DYNAMIC                                                                          \
+  "\"analysis\": { \"procedure\": \"dynamic\", \"geometry\": \"nonlinear\", "            \
+  "\"dynamic\": { "                                                                      \
+  "\"duration\": 1, \"time_step\": 0.005, \"ground\": ["
+
+static char *
+make_motions (int count)
+{
+  return make_list ("motions.quoin", 100, DYNAMIC, 0, count, add_motion, "] } }");
+}
+
+static void
+add_record (GString *text, int i)
+{
+  (void) i;
+  g_string_append (text, "{ \"direction\": [1, 0], \"record\": \"record.csv\" }");
+}
+
+/* Of so many samples. */
+static char *
+make_record (int count)
+{
+  g_autoptr (GString) samples = g_string_new ("time [s],acceleration [m/s2]\n");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (samples, "%.9g,%.9g\n", i / (double) count, sin (i));
+  g_free (cli_write (folder, "record.csv", samples->str));
+  return make_list ("record.quoin", 100, DYNAMIC, 0, 1, add_record, "] } }");
 }
 
 /* A wall of so many courses, with a finding in each: a gap just wider than the tolerance. */
@@ -318,6 +459,13 @@ static const Input growing[] = {
   { "stones on teeth", make_teeth, 500, "check", 0, NULL },
   { "courses", make_courses, 1000, "check", 3, NULL },
   { "walls", make_walls, 1000, "check", 3, NULL },
+  { "bars", make_bars, 1000, "check", 0, NULL },
+  { "ties", make_ties, 1000, "check", 0, NULL },
+  { "arches", make_arches, 250, "check", 0, NULL },
+  { "stages", make_stages, 250, "check", 0, NULL },
+  { "cases", make_cases, 250, "check", 0, NULL },
+  { "motions", make_motions, 1000, "check", 0, NULL },
+  { "samples of a record", make_record, 10000, "check", 0, NULL },
   { "squares", make_grid, 1000, "import", 0, NULL },
   { "unknown keys", make_unknown_keys, 8000, "check", 0, NULL },
   { "recipes", make_recipes, 8000, "figures", 0, NULL },

@@ -34,6 +34,7 @@ const FaultCase fault_cases[] = {
   { "settlements", "18-spreading-arch.quoin", FAULT_SOLVE, { NULL } },
   { "beams", "31-beam-elastica.quoin", FAULT_SOLVE, { NULL } },
   { "hybrid", "34-frame-hybrid.quoin", FAULT_SOLVE, { NULL } },
+  { "ties", "38-tied-walls.quoin", FAULT_SOLVE, { "analysis.increments=2", NULL } },
   { "limit",
     "ferris-tin-loi/wall1.quoin",
     FAULT_SOLVE,

@@ -43,6 +43,8 @@ write_csv (const Options *options, const QnInput *input, const QnResult *result,
                                   error);
   if (g_strcmp0 (options->table, "beams") == 0)
     return qn_beams_csv_write (options->output, project, result, error);
+  if (g_strcmp0 (options->table, "ties") == 0)
+    return qn_ties_csv_write (options->output, project, result, error);
   return qn_curve_csv_write (options->output, project, result, error);
 }
 
@@ -106,7 +108,8 @@ load_and_export (const Options *options, Format format, const char *path)
 static QnExit
 check_options (const QnSubcommand *self, const Options *options, Format *format)
 {
-  static const char *const tables[] = { "curve", "displacements", "contacts", "beams" };
+  static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
+                                        "ties" };
   const char *problem = NULL;
   gsize table = 0;
   while (options->table != NULL && table < G_N_ELEMENTS (tables)
@@ -142,7 +145,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &options.scale,
       N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
     { "table", 0, 0, G_OPTION_ARG_STRING, &options.table,
-      N_ ("Table of the CSV file (curve)"), "curve|displacements|contacts|beams" },
+      N_ ("Table of the CSV file (curve)"), "curve|displacements|contacts|beams|ties" },
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
@@ -161,8 +164,8 @@ const QnSubcommand qn_cmd_export = {
   .arguments = "MODEL -o OUT.dxf|pvd|csv|quoin",
   .summary = N_ ("Write DXF for CAD programs, PVD for ParaView, tables as CSV, polygons"),
   .help =
-    N_ ("DXF has the layers BLOCKS, SUPPORTS, CONTACTS, BEAM_AXES where there are any "
-        "and, with "
+    N_ ("DXF has the layers BLOCKS, SUPPORTS, CONTACTS, BEAM_AXES and TIES where there "
+        "are any and, with "
         "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
         "beams one more, and one with the contact forces. A project is written with its "
         "walls and masonry as polygons."),

@@ -593,11 +593,13 @@ qn_beam_assembly_tension (QnBeamAssembly *as)
     QnBeamResponse *response = &as->responses[b];
     if (beam->properties.tie->prestress == 0)
       continue;
+    const double force = response->force[0];
     QnBeamMemory memory = { .stretch = beam->kinematics.deformation[0]
                                        - beam->properties.rest
-                                       - response->force[0] / beam->properties.axial,
+                                       - force / beam->properties.axial,
                             .tensioned = true };
     qn_tie_evaluate (&beam->properties, &memory, beam->kinematics.deformation, response);
+    response->force[0] = force; /* without rounding */
   }
 }
 

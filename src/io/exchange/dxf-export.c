@@ -25,8 +25,8 @@ enum {
 typedef struct Export {
   QnFileWriter *writer;
   double unit;
-  guint handle; /* the next free one */
-  gboolean beams;
+  guint handle;         /* the next free one */
+  gboolean beams, ties; /* whether there are any */
 } Export;
 
 /* Group codes and values as they stand in the file. */
@@ -107,15 +107,18 @@ begin_record (Export *export, const char *type, guint handle, guint table,
 static void
 put_layers (Export *export)
 {
-  const gsize beams = 1; /* the last one, where there are any */
-  static const struct {
+  const struct {
     const char *name;
     int color;
-  } layers[] = { { "0", 7 },        { "BLOCKS", 7 },   { "SUPPORTS", 5 },
-                 { "CONTACTS", 1 }, { "DEFORMED", 3 }, { "BEAM_AXES", 6 } };
-  gsize count = G_N_ELEMENTS (layers) - (export->beams ? 0 : beams);
-  begin_table (export, "LAYER", HANDLE_LAYERS, (int) count);
-  for (gsize i = 0; i < count; i++) {
+    gboolean used;
+  } layers[] = { { "0", 7, TRUE },           { "BLOCKS", 7, TRUE },
+                 { "SUPPORTS", 5, TRUE },    { "CONTACTS", 1, TRUE },
+                 { "DEFORMED", 3, TRUE },    { "BEAM_AXES", 6, export->beams },
+                 { "TIES", 2, export->ties } };
+  begin_table (export, "LAYER", HANDLE_LAYERS, 5 + export->beams + export->ties);
+  for (gsize i = 0; i < G_N_ELEMENTS (layers); i++) {
+    if (!layers[i].used)
+      continue;
     begin_record (export, "LAYER", export->handle++, HANDLE_LAYERS,
                   "AcDbLayerTableRecord", layers[i].name);
     put_int (export, 70, 0);
@@ -294,6 +297,8 @@ put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
       put_block (export, model, (QnId) i, "DEFORMED", u + i * QN_DOF_COUNT, scale);
   }
   put_beams (export, model, result, scale);
+  for (size_t i = 0; i < model->tie_count; i++)
+    put_segment (export, "TIES", model->ties[i].ends[0].at, model->ties[i].ends[1].at);
   put_text (export, "  0\nENDSEC\n");
 }
 
@@ -302,7 +307,7 @@ qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult 
                double scale, double unit, const char *path, GError **error)
 {
   Export export = { qn_file_writer_open (path, error), unit, FIRST_ENTITY,
-                    model->beam_count > 0 };
+                    model->beam_count > 0, model->tie_count > 0 };
   if (export.writer == NULL)
     return FALSE;
   put_header (&export);

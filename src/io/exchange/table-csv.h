@@ -23,6 +23,10 @@ gboolean qn_contacts_csv_write (const char *path, const QnProject *project,
                                 const QnContacts *contacts, const QnResult *result,
                                 GError **error);
 
+/* Ties at every step that tells them. */
+gboolean qn_ties_csv_write (const char *path, const QnProject *project,
+                            const QnResult *result, GError **error);
+
 /* Section forces of beams at the last equilibrium: both ends of every element. Only the header
  * where there are none, or the result has none. */
 gboolean qn_beams_csv_write (const char *path, const QnProject *project,

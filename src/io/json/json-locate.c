@@ -27,7 +27,10 @@ qn_json_position (const char *text, gsize offset, gsize *line, gsize *column)
   *column = place.column;
 }
 
-/* The element of an array that was found last: what follows it is not searched from the first. */
+/* The element of an array that was found last, of each of the first steps of a path: what follows it is
+ * not searched from the first. */
+#define REMEMBERED_STEPS 8
+
 typedef struct Found {
   gsize array, index, at;
 } Found;
@@ -55,7 +58,8 @@ follow (const QnJson *json, const char *path, Found *found)
   for (guint i = 0; steps != NULL && i < steps->len; i++) {
     const QnJsonStep *step = &g_array_index (steps, QnJsonStep, i);
     gsize next = step->key != NULL ? qn_json_member (json, at, step->key)
-                                   : find_element (json, at, step->index, found);
+                                   : find_element (json, at, step->index,
+                                                   &found[MIN (i, REMEMBERED_STEPS - 1)]);
     if (next == 0)
       break;
     at = next;
@@ -81,11 +85,11 @@ QnJsonPlace *
 qn_json_locate_all (const char *text, gsize length, const GPtrArray *paths)
 {
   QnJson json;
-  Found found = { 0 };
+  Found found[REMEMBERED_STEPS] = { 0 };
   gboolean scanned = qn_json_scan (&json, text, length, "");
   g_autofree Wanted *wanted = g_new (Wanted, paths->len + 1);
   for (guint i = 0; i < paths->len; i++) {
-    gsize at = scanned ? follow (&json, paths->pdata[i], &found) : 0;
+    gsize at = scanned ? follow (&json, paths->pdata[i], found) : 0;
     wanted[i] = (Wanted){ scanned ? json.tokens[at].start : 0, i };
   }
   qn_json_clear (&json);

@@ -14,11 +14,11 @@ typedef struct Conversion {
 static void
 append_broken (GString *text, const char *string)
 {
-  for (; *string != '\0'; string++)
-    if (*string == '\n')
-      g_string_append (text, "\\u000a");
-    else
-      g_string_append_c (text, *string);
+  for (const char *end; (end = strchr (string, '\n')) != NULL; string = end + 1) {
+    g_string_append_len (text, string, end - string);
+    g_string_append (text, "\\u000a");
+  }
+  g_string_append (text, string);
 }
 
 static void
@@ -73,9 +73,13 @@ qn_text_vprintf (gboolean *finite, const char *format, va_list arguments)
   Walk walk;
   va_copy (walk.arguments, arguments);
   for (const char *at = format; *at != '\0'; at++) {
-    if (*at != '%' || at[1] == '%') {
-      g_string_append_c (text, *at);
-      at += *at == '%';
+    gsize plain = strcspn (at, "%");
+    g_string_append_len (text, at, (gssize) plain);
+    at += plain;
+    if (*at == '\0')
+      break;
+    if (at[1] == '%') {
+      g_string_append_c (text, *at++);
       continue;
     }
     at = read_conversion (at + 1, &walk, &conversion);

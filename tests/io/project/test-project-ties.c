@@ -2,6 +2,8 @@
  * their forces. */
 #include "core/check/result-check.h"
 #include "core/path/analysis.h"
+#include "io/exchange/dxf-export.h"
+#include "io/exchange/table-csv.h"
 #include "io/project-text.h"
 #include "io/result/result-check.h"
 #include "support/auto-clear.h"
@@ -188,6 +190,22 @@ check_result (const char *override, const char *procedure)
     g_assert_true (spoil == 0 ? found.count == 0 : told);
     *tie = kept;
   }
+  /* A row for every step that tells them and every tie; lines on a layer of their own. */
+  g_autofree char *table = g_build_filename (folder, "ties.csv", NULL);
+  g_autofree char *drawing = g_build_filename (folder, "ties.dxf", NULL);
+  g_autofree char *rows = NULL, *dxf = NULL;
+  g_assert_true (qn_ties_csv_write (table, &project, &result, &error));
+  g_assert_true (g_file_get_contents (table, &rows, NULL, NULL));
+  g_auto (GStrv) lines = g_strsplit (rows, "\n", -1);
+  size_t told = result.limit.given ? 1 : result.step_count;
+  g_assert_cmpuint (g_strv_length (lines), ==, 2 + 2 * told);
+  g_autofree char *begins = g_strdup_printf ("%zu,", result.step_count - told);
+  g_assert_true (g_str_has_prefix (lines[1], begins));
+  g_assert_nonnull (strstr (lines[1], ",rod,"));
+  g_assert_true (qn_dxf_export (model, &contacts, NULL, 1, 1, drawing, &error));
+  g_assert_true (g_file_get_contents (drawing, &dxf, NULL, NULL));
+  g_auto (GStrv) pieces = g_strsplit (dxf, "  8\nTIES\n", -1);
+  g_assert_cmpuint (g_strv_length (pieces), ==, 3);
   test_scratch_free (folder);
 }
 
