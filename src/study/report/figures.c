@@ -559,25 +559,16 @@ draw_mechanisms (const Page *page)
 static gboolean
 draw (const Page *page)
 {
-  switch (page->figure->kind) {
-  case QN_STUDY_FIGURE_SCATTER:
-    return draw_scatter (page);
-  case QN_STUDY_FIGURE_HISTOGRAM:
-    return draw_histogram (page);
-  case QN_STUDY_FIGURE_CUMULATIVE:
-    return draw_cumulative (page);
-  case QN_STUDY_FIGURE_TORNADO:
-    return draw_tornado (page);
-  case QN_STUDY_FIGURE_SURFACE:
-    return draw_surface (page);
-  case QN_STUDY_FIGURE_ENVELOPE:
-    return draw_envelope (page);
-  case QN_STUDY_FIGURE_MECHANISMS:
-    return draw_mechanisms (page);
-  case QN_STUDY_FIGURE_COUNT:
-    break;
-  }
-  g_assert_not_reached ();
+  static gboolean (*const kinds[QN_STUDY_FIGURE_COUNT]) (const Page *) = {
+    [QN_STUDY_FIGURE_SCATTER] = draw_scatter,
+    [QN_STUDY_FIGURE_HISTOGRAM] = draw_histogram,
+    [QN_STUDY_FIGURE_CUMULATIVE] = draw_cumulative,
+    [QN_STUDY_FIGURE_TORNADO] = draw_tornado,
+    [QN_STUDY_FIGURE_SURFACE] = draw_surface,
+    [QN_STUDY_FIGURE_ENVELOPE] = draw_envelope,
+    [QN_STUDY_FIGURE_MECHANISMS] = draw_mechanisms,
+  };
+  return kinds[page->figure->kind](page);
 }
 
 gboolean
