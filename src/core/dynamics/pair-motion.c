@@ -5,47 +5,29 @@
 /* The part of an elongation that is left by rounding where a joint is closed. */
 #define NOTHING 1e-12
 
-/* Whether a spring is elastic but for opening and slip; the normal force at which it opens, its
- * strength in shear. */
+/* Takes up a spring. Returns whether it is elastic but for opening and slip. */
 static bool
-opens (const QnSpring *spring, double *cap, QnShearStrength *shear)
+take_spring (QnPairElasticity *pair, const QnSpring *spring)
 {
-  *cap = INFINITY;
-  *shear = (QnShearStrength){ .cohesion = INFINITY };
-  switch (spring->kind) {
-  case QN_LAW_ELASTIC:
-    return true;
-  case QN_LAW_NO_TENSION:
-  case QN_LAW_COULOMB:
-    *cap = 0;
-    *shear = (QnShearStrength){ spring->friction, 0 };
-    return !qn_spring_has_bond (spring);
-  case QN_LAW_MOHR_COULOMB:
-  case QN_LAW_BILINEAR:
-  case QN_LAW_ELASTIC_PLASTIC:
-  case QN_LAW_CONCRETE:
-  case QN_LAW_STEEL:
-  case QN_LAW_CURVE:
-  case QN_LAW_KIND_COUNT:
-    break;
-  }
-  return false;
+  bool opens = spring->kind == QN_LAW_NO_TENSION || spring->kind == QN_LAW_COULOMB;
+  bool bond = qn_spring_has_bond (spring);
+
+  pair->bond |= bond;
+  pair->opens |= opens;
+  if (opens)
+    pair->friction = fmin (pair->friction, spring->friction);
+  return spring->kind == QN_LAW_ELASTIC || (opens && !bond);
 }
 
 QnPairElasticity
 qn_pair_elasticity (const QnPairSprings *s)
 {
-  QnPairElasticity pair;
-  double cap;
+  QnPairElasticity pair = { .friction = INFINITY };
 
-  pair.bond = qn_spring_has_bond (&s->a) || qn_spring_has_bond (&s->b);
-  pair.conserves = opens (&s->a, &pair.cap, &pair.shear[0]);
-  pair.shear[1] = pair.shear[0];
   qn_pair_elastic_stiffness (s, pair.k);
-  if (s->equal)
-    return pair;
-  pair.conserves &= opens (&s->b, &cap, &pair.shear[1]);
-  pair.cap = fmin (pair.cap, cap);
+  pair.conserves = take_spring (&pair, &s->a);
+  if (!s->equal)
+    pair.conserves &= take_spring (&pair, &s->b);
   return pair;
 }
 
@@ -65,7 +47,7 @@ gap (const QnPairElasticity *pair, const QnPairInstant *at)
 {
   double plastic[2];
 
-  if (!isfinite (pair->cap))
+  if (!pair->opens)
     return 0;
   plastic_elongation (at, plastic);
   double rest = at->q[0] - plastic[0] - at->response->force[0] / pair->k[0];
@@ -78,7 +60,7 @@ distance (const QnPairElasticity *pair, const QnPairInstant *at)
 {
   double open = gap (pair, at);
 
-  return open > 0 ? open : (at->response->force[0] - pair->cap) / pair->k[0];
+  return open > 0 ? open : at->response->force[0] / pair->k[0];
 }
 
 /* Mean of what is positive of a number that goes evenly from a to b, and its derivatives. */
@@ -99,12 +81,9 @@ mean_positive (double a, double b, double slopes[2])
 static double
 shear_strength (const QnPairElasticity *pair, double n, double *slope)
 {
-  const QnShearStrength *a = &pair->shear[0], *b = &pair->shear[1];
-  const QnShearStrength *weaker =
-    a->cohesion - a->friction * n <= b->cohesion - b->friction * n ? a : b;
-  double left = weaker->cohesion - weaker->friction * n;
+  double left = -pair->friction * n;
 
-  *slope = left > 0 ? -weaker->friction : 0;
+  *slope = left > 0 ? -pair->friction : 0;
   return fmax (left, 0);
 }
 
@@ -139,12 +118,10 @@ add_shear_correction (const QnPairElasticity *pair, const QnPairInstant *start,
   const double first_e[2] = { f0[1], f0[1] + pair->k[1] * rise * part };
   const double then_e[2] = { first_e[1], last };
   double at_end = shear_strength (pair, f1[0], &slope);
-  double between = crosses ? shear_strength (pair, pair->cap, &unused) : at_end;
+  double between = crosses ? 0 : at_end;
   const double first_s[2] = { shear_strength (pair, f0[0], &unused), between };
   const double then_s[2] = { between, at_end };
 
-  if (!isfinite (at_end))
-    return;
   double first = mean_beyond (first_e, first_s, by_e[0], by_s[0]);
   double then = mean_beyond (then_e, then_s, by_e[1], by_s[1]);
   double at_knot = part * by_e[0][1] + (1 - part) * by_e[1][0];
@@ -172,17 +149,18 @@ add_correction (const QnPairElasticity *pair, const QnPairInstant *start,
 
   if (!pair->conserves)
     return;
-  if (isfinite (pair->cap)) {
+  if (pair->opens) {
     x[0] = distance (pair, start);
     x[1] = distance (pair, end);
     for (int j = 0; j < 2; j++)
       dx[j] = x[1] > 0 ? (j == 0 ? 1 : 0) : now->tangent[0][j] / pair->k[0];
-    double mean = pair->cap - pair->k[0] * mean_positive (-x[0], -x[1], slopes);
+    double mean = -pair->k[0] * mean_positive (-x[0], -x[1], slopes);
     out->correction[0] = mean - 0.5 * (start->response->force[0] + now->force[0]);
     for (int j = 0; j < 2; j++)
       out->tangent[0][j] += pair->k[0] * slopes[1] * dx[j] - 0.5 * now->tangent[0][j];
   }
-  add_shear_correction (pair, start, end, x, dx, out);
+  if (isfinite (pair->friction))
+    add_shear_correction (pair, start, end, x, dx, out);
 }
 
 /* The share of a step's own rate in the dashpot of the current stiffness, and its derivatives. */
@@ -291,9 +269,8 @@ double
 qn_pair_elastic_energy (const QnPairElasticity *pair, const QnPairInstant *at)
 {
   const double *f = at->response->force;
-  double held = isfinite (pair->cap) ? pair->cap * gap (pair, at) : 0;
 
-  return 0.5 * (f[0] * f[0] / pair->k[0] + f[1] * f[1] / pair->k[1]) + held;
+  return 0.5 * (f[0] * f[0] / pair->k[0] + f[1] * f[1] / pair->k[1]);
 }
 
 double

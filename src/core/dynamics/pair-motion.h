@@ -10,10 +10,10 @@
  * Computer Methods in Applied Mechanics and Engineering 158, 269-300, for frictionless contact). q goes
  * evenly from q0 to q1, and with it
  *
- *   x = q_n - opening - cap/k_n       how far the joint stands open; closed where x < 0
- *   n = cap + k_n min (x, 0)
+ *   x = q_n - opening                 how far the joint stands open; closed where x < 0
+ *   n = k_n min (x, 0)
  *   e = t0 + k_t (q_t - q_t0)         the shear force, did nothing slip
- *   S = c - mu n                      its strength
+ *   S = -mu n                         its strength
  *   t = max (-S, min (e, S))
  *
  * The means of n and t are closed forms, continuous in q1: without that a step, however short, may have
@@ -36,18 +36,13 @@
 #include "core/contact/contact-pair.h"
 #include "core/model/ground-motion.h"
 
-/* |t| <= cohesion - friction n; INFINITY: it does not slip. */
-typedef struct QnShearStrength {
-  double friction, cohesion; /* -, N */
-} QnShearStrength;
-
 /* What does not change: of both springs of the pair together. */
 typedef struct QnPairElasticity {
-  double k[2];              /* elastic stiffness, normal and tangential, N/m */
-  double cap;               /* largest normal force, N; INFINITY: it does not open */
-  QnShearStrength shear[2]; /* of the springs; the weaker one slips */
-  bool bond;                /* may break: then no dashpot goes with what it loses */
-  bool conserves;           /* its laws are elastic but for opening and slip: c applies */
+  double k[2];     /* elastic stiffness, normal and tangential, N/m */
+  double friction; /* of the spring that slips first; INFINITY: neither does */
+  bool opens;      /* where it is pulled */
+  bool bond;       /* may break: then no dashpot goes with what it loses */
+  bool conserves;  /* its laws are elastic but for opening and slip: c applies */
 } QnPairElasticity;
 
 QnPairElasticity qn_pair_elasticity (const QnPairSprings *springs);
