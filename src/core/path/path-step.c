@@ -117,23 +117,6 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   return qn_path_trace_is_linear (trace) ? status : refuse_unstable (trace, status);
 }
 
-/* Lets the structure move until it rests with the measure held: along central paths, or by viscous
- * relaxation where these lead nowhere. */
-static QnSolveStatus
-jump (QnPathTrace *trace, const QnTarget *target)
-{
-  QnEquilibrium *eq = &trace->path->equilibrium;
-  QnSolveStatus status = QN_SOLVE_FAILED;
-
-  trace->means = QN_FOUND_BY_RELAXATION;
-  if (trace->central != NULL)
-    status = qn_central_path_relax (trace->central, target, INFINITY, QN_CENTRAL_BUDGET);
-  if (status != QN_SOLVE_FAILED)
-    return status;
-  qn_equilibrium_restore (eq);
-  return qn_equilibrium_relax (eq, NULL, target, INFINITY, NULL, QN_RELAX_BUDGET);
-}
-
 /* Whether a step that was solved came farther than it may (`most`; 0: unknown), and not much less far than a
  * longer one did (`before`; 0: unknown): that is a jump. */
 static bool
@@ -202,7 +185,9 @@ solve_linear (QnPathTrace *trace, double *step)
       break;
     *step *= tuning->cut;
   }
-  status = jump (trace, &target);
+  trace->means = QN_FOUND_BY_RELAXATION;
+  status =
+    qn_equilibrium_relax (eq, trace->central, &target, INFINITY, NULL, QN_RELAX_BUDGET);
   trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, 0);
   return status;
 }

@@ -6,10 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Viscous steps of relaxation under dead load before central paths are tried from there: twice as many
- * each time. */
-#define FIRST_TURN 50
-#define LAST_TURN  400
+/* Viscous steps under dead load that tell of what falls. */
+#define FALL_TOLD 50
 
 /* How far a structure is moved out of an unstable equilibrium, as a part of how far it may go. */
 #define LEAN 0.01
@@ -215,69 +213,48 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
   return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
 }
 
-/* Since it was at rest, all turns of relaxation together. */
-static bool
-has_run_away (const QnEquilibrium *eq)
-{
-  return qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL) > eq->runaway;
-}
-
-/* Viscous relaxation and relaxation along central paths in turns, from where the last left off. The
- * first creeps, but knows what falls; the others slide as far as they like from far away, and from
- * nearer by reach a rest at once. Only viscous motion may conclude that
- * it falls.
+/* The motion from rest under the dead load. Without dilatancy, in linear geometry, it comes to rest at the verge
+ * of sliding, and a path is better begun amid all equilibria, which the central path finds. What falls is not
+ * for that to say: from no load it may find blocks pressed together by nothing, where no motion leads. So it
+ * waits until the motion has told.
  *
- * Without dilatancy the central path from no load may find blocks pressed together by nothing, where no motion
- * leads. So it waits until the first motion has told of what falls; what stands is best begun with amid all
- * equilibria, not at the verge of sliding, where a motion rests. */
+ * Where that neither rests nor falls, central paths go on from there, which slide as far as they like, and then
+ * the motion again with steps along central paths: these follow a fall that Newton's method does not, but in
+ * large displacements may pass a rest. */
 static QnSolveStatus
-relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
+let_settle (QnEquilibrium *eq, QnCentralPath *central)
 {
   const QnTarget target = qn_target_multiplier (0);
   int64_t commits = eq->assembly.commits;
-  bool waits = qn_assembly_may_jump (&eq->assembly);
+  bool linear = !eq->assembly.nonlinear && central != NULL;
+  QnSolveStatus solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL,
+                                              linear ? FALL_TOLD : QN_RELAX_BUDGET);
+  bool rests = solve == QN_SOLVE_CONVERGED;
 
-  for (int steps = FIRST_TURN; steps <= LAST_TURN; steps *= 2, waits = false) {
-    QnSolveStatus solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, steps);
-    bool rests = solve == QN_SOLVE_CONVERGED;
-    if (!rests && solve != QN_SOLVE_FAILED)
-      return solve;
-    if (rests)
-      qn_equilibrium_save (eq, &eq->anchor);
-    if (waits) {
-      qn_equilibrium_restore (eq);
-      solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
-      if (solve != QN_SOLVE_FAILED) {
-        eq->assembly.commits = commits; /* the motion is undone */
-        return solve;
-      }
-    }
-    qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
-    if (rests)
-      return QN_SOLVE_CONVERGED;
-    qn_equilibrium_commit (eq);
-    if (has_run_away (eq))
-      return QN_SOLVE_MECHANISM;
-    solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
-    rests = solve == QN_SOLVE_CONVERGED && !has_run_away (eq);
-    if (rests || solve == QN_SOLVE_CANCELLED || solve == QN_SOLVE_NO_MEMORY)
-      return solve;
-    qn_equilibrium_restore (eq);
-  }
-  return QN_SOLVE_FAILED;
-}
-
-/* In large displacements viscous relaxation alone, and once more with central paths where it neither rests
- * nor falls: these follow a fall that Newton's method does not, but may also pass a rest. */
-static QnSolveStatus
-relax_without_turns (QnEquilibrium *eq, QnCentralPath *central)
-{
-  const QnTarget target = qn_target_multiplier (0);
-  QnSolveStatus solve =
-    qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, QN_RELAX_BUDGET);
-
-  if (solve != QN_SOLVE_FAILED || central == NULL)
+  if ((!rests && solve != QN_SOLVE_FAILED) || central == NULL)
     return solve;
+  if (rests)
+    qn_equilibrium_save (eq, &eq->anchor);
+  if (linear && qn_assembly_may_jump (&eq->assembly)) {
+    qn_equilibrium_restore (eq);
+    solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+    if (solve != QN_SOLVE_FAILED) {
+      eq->assembly.commits = commits; /* the motion is undone */
+      return solve;
+    }
+  }
+  qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
+  if (rests)
+    return QN_SOLVE_CONVERGED;
+  if (linear) {
+    qn_equilibrium_commit (eq);
+    solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
+    bool near =
+      qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL) <= eq->runaway;
+    if (solve != QN_SOLVE_FAILED && solve != QN_SOLVE_MECHANISM
+        && (near || solve != QN_SOLVE_CONVERGED))
+      return solve;
+  }
   qn_equilibrium_restore (eq);
   return qn_equilibrium_relax (eq, central, &target, INFINITY, NULL, QN_RELAX_BUDGET);
 }
@@ -297,7 +274,7 @@ find_rest (QnEquilibrium *eq)
   QnSolveStatus solve = find_equilibrium (eq, applies ? central : NULL);
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
-    solve = applies ? relax_in_turns (eq, central) : relax_without_turns (eq, central);
+    solve = let_settle (eq, central);
   }
   qn_central_path_free (central);
   return solve;
