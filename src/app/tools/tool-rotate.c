@@ -55,12 +55,13 @@ numbers (QnCanvas *canvas, const double *values, int count)
 }
 
 static void
-draw_arc (QnCanvas *canvas, cairo_t *cr)
+draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  double angle = angle_of_gesture (canvas);
+  qn_gesture_draw_moved (canvas, cr, qn_transform_rotation (gesture->from, angle));
   QnVec2 c = qn_canvas_to_screen (canvas, gesture->from);
   QnVec2 p = qn_canvas_to_screen (canvas, gesture->to);
-  double angle = angle_of_gesture (canvas);
   double radius = 0.5 * qn_vec2_length (qn_vec2_sub (p, c));
   cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
   cairo_set_line_width (cr, 1.5);
@@ -75,16 +76,6 @@ draw_arc (QnCanvas *canvas, cairo_t *cr)
   cairo_stroke (cr);
   g_autofree char *text = g_strdup_printf ("%.1f°", angle * 180.0 / G_PI);
   qn_canvas_draw_label (canvas, cr, text, qn_vec2 (c.x + radius + 6.0, c.y - 20.0));
-}
-
-static void
-draw (QnCanvas *canvas, cairo_t *cr)
-{
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnTransform transform =
-    qn_transform_rotation (gesture->from, angle_of_gesture (canvas));
-  qn_gesture_draw_moved (canvas, cr, transform);
-  draw_arc (canvas, cr);
 }
 
 const QnTool qn_tool_rotate = {

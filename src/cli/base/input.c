@@ -41,14 +41,6 @@ tell_warnings (const GPtrArray *warnings)
       qn_cli_warning ("%s", (char *) g_ptr_array_index (warnings, i));
 }
 
-static void
-tell_findings (const QnInput *input)
-{
-  g_autoptr (GPtrArray) texts =
-    qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
-  tell_warnings (texts);
-}
-
 QnExit
 qn_input_read (QnInput *input, const char *path, const QnInputOptions *options)
 {
@@ -93,7 +85,9 @@ qn_input_require_sound (const QnInput *input)
   QnDiag diag = { 0 };
   if (qn_contacts_require_sound (&input->project.model, &input->contacts, &diag)
       == QN_OK) {
-    tell_findings (input);
+    g_autoptr (GPtrArray) texts =
+      qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
+    tell_warnings (texts);
     return QN_EXIT_DONE;
   }
   return qn_input_refuse (&input->project, &diag);

@@ -169,10 +169,16 @@ qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
   return get_number (address ((QnMasonry *) masonry, &fields[field]), fields[field].type);
 }
 
-/* Numbers that others depend on take them along. */
-static void
-follow (QnMasonry *masonry, QnMasonryField field)
+void
+qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
 {
+  set_number (address (masonry, &fields[field]), fields[field].type, value);
+  for (gsize i = 1; fields[field].leaf && i < masonry->wall.leaf_count; i++) {
+    /* Leaves keep lengths of their own; blocks are alike. */
+    if (field != QN_MASONRY_LENGTH)
+      *(double *) ((char *) &masonry->wall.leaves[i] + fields[field].offset) = value;
+  }
+  /* Numbers that others depend on take them along. */
   QnArch *arch = &masonry->arch;
   QnColumn *column = &masonry->column;
   if (masonry->kind == QN_MASONRY_ARCH && arch->shape != QN_ARCH_ELLIPTIC)
@@ -185,18 +191,6 @@ follow (QnMasonry *masonry, QnMasonryField field)
     column->capital_width = 1.25 * column->top;
   if (field == QN_MASONRY_UNIT_WEIGHT)
     masonry->density = -1.0;
-}
-
-void
-qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
-{
-  set_number (address (masonry, &fields[field]), fields[field].type, value);
-  for (gsize i = 1; fields[field].leaf && i < masonry->wall.leaf_count; i++) {
-    /* Leaves keep lengths of their own; blocks are alike. */
-    if (field != QN_MASONRY_LENGTH)
-      *(double *) ((char *) &masonry->wall.leaves[i] + fields[field].offset) = value;
-  }
-  follow (masonry, field);
 }
 
 /* ---- openings ---- */
