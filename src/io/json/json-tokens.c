@@ -354,18 +354,6 @@ qn_json_member (const QnJson *json, gsize at, const char *key)
 }
 
 gsize
-qn_json_element (const QnJson *json, gsize at, gsize index)
-{
-  const QnJsonToken *tokens = json->tokens;
-  if (tokens[at].type != QN_JSON_ARRAY)
-    return 0;
-  for (gsize i = at + 1; i < tokens[at].next; i = tokens[i].next)
-    if (index-- == 0)
-      return i;
-  return 0;
-}
-
-gsize
 qn_json_count (const QnJson *json, gsize at)
 {
   gsize count = 0;

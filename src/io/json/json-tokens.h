@@ -46,9 +46,8 @@ typedef struct QnJson {
 gboolean qn_json_scan (QnJson *json, const char *text, gsize length, const char *name);
 void qn_json_clear (QnJson *json);
 
-/* Token of a member's value, or of an element; 0 where there is none. */
+/* Token of a member's value; 0 where there is none. */
 gsize qn_json_member (const QnJson *json, gsize at, const char *key);
-gsize qn_json_element (const QnJson *json, gsize at, gsize index);
 
 /* How many elements or members a container has. */
 gsize qn_json_count (const QnJson *json, gsize at);

@@ -28,54 +28,48 @@ read_entity_name (const QnJsonValue *place, const char **name)
          || qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
 }
 
-/* A rectangle, or area and inertia. */
-static gboolean
-read_shape (const QnJsonValue *place, QnSection *section)
-{
-  const QnRange positive = QN_RANGE_POSITIVE;
-  gboolean rectangle = cJSON_HasObjectItem (place->json, "width")
-                       || cJSON_HasObjectItem (place->json, "height");
-  if (!exclude (place, "area", "height") || !exclude (place, "area", "width")
-      || !exclude (place, "inertia", "height") || !exclude (place, "inertia", "width"))
-    return FALSE;
-  if (rectangle)
-    return qn_member_number (place, "width", QN_REQUIRED, positive, &section->width)
-           && qn_member_number (place, "height", QN_REQUIRED, positive, &section->height);
-  return qn_member_number (place, "area", QN_REQUIRED, positive, &section->area)
-         && qn_member_number (place, "inertia", QN_REQUIRED, positive, &section->inertia);
-}
+static const QnMember section_members[] = {
+  QN_KNOWN ("name"),
+  QN_NUMBER ("young", REQUIRED, POSITIVE, QnSection, young),
+  QN_NUMBER ("shear_modulus", OPTIONAL, POSITIVE, QnSection, shear_modulus),
+  QN_NUMBER ("poisson", OPTIONAL, FINITE, QnSection, poisson),
+  QN_NUMBER ("width", OPTIONAL, POSITIVE, QnSection, width),
+  QN_NUMBER ("height", OPTIONAL, POSITIVE, QnSection, height),
+  QN_NUMBER ("area", OPTIONAL, POSITIVE, QnSection, area),
+  QN_NUMBER ("inertia", OPTIONAL, POSITIVE, QnSection, inertia),
+  QN_NUMBER ("shear_factor", WRITTEN, POSITIVE, QnSection, shear_factor),
+  QN_NUMBER ("yield", OPTIONAL, POSITIVE, QnSection, yield),
+  QN_NUMBER ("plastic_moment", OPTIONAL, POSITIVE, QnSection, plastic_moment),
+  QN_KNOWN ("density"),
+  QN_KNOWN ("unit_weight"),
+  { 0 },
+};
 
+/* A rectangle, or area and inertia. */
 static gboolean
 read_section (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = {
-    "name",        "young",   "shear_modulus",  "poisson",      "width",
-    "height",      "area",    "inertia",        "shear_factor", "yield",
-    "unit_weight", "density", "plastic_moment",
-  };
   const char *name;
+  double number;
   if (!read_entity_name (place, &name)
-      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
+      || !qn_members_check (place, section_members, NULL, NULL))
     return FALSE;
   QnSection *section = qn_model_add_section (model, name);
   if (section == NULL)
     return qn_json_value_no_memory (place);
-  const QnRange positive = QN_RANGE_POSITIVE;
+  gboolean rectangle = cJSON_HasObjectItem (place->json, "width")
+                       || cJSON_HasObjectItem (place->json, "height");
   gboolean heavy = cJSON_HasObjectItem (place->json, "unit_weight")
                    || cJSON_HasObjectItem (place->json, "density");
   return exclude (place, "shear_modulus", "poisson")
          && exclude (place, "plastic_moment", "yield")
-         && qn_member_number (place, "young", QN_REQUIRED, positive, &section->young)
-         && qn_member_number (place, "shear_modulus", QN_OPTIONAL, positive,
-                              &section->shear_modulus)
-         && qn_member_number (place, "poisson", QN_OPTIONAL, QN_RANGE_FINITE,
-                              &section->poisson)
-         && read_shape (place, section)
-         && qn_member_number (place, "shear_factor", QN_OPTIONAL, positive,
-                              &section->shear_factor)
-         && qn_member_number (place, "yield", QN_OPTIONAL, positive, &section->yield)
-         && qn_member_number (place, "plastic_moment", QN_OPTIONAL, positive,
-                              &section->plastic_moment)
+         && exclude (place, "area", "height") && exclude (place, "area", "width")
+         && exclude (place, "inertia", "height") && exclude (place, "inertia", "width")
+         && qn_members_take (place, section_members, model, section)
+         && qn_member_number (place, rectangle ? "width" : "area", QN_REQUIRED,
+                              QN_RANGE_POSITIVE, &number)
+         && qn_member_number (place, rectangle ? "height" : "inertia", QN_REQUIRED,
+                              QN_RANGE_POSITIVE, &number)
          && (!heavy
              || qn_read_weight (place, model, &section->unit_weight, &section->density));
 }
@@ -180,27 +174,18 @@ qn_read_beams (const QnJsonValue *root, QnModel *model)
          && qn_read_each (root, "beams", QN_OPTIONAL, read_beam, model);
 }
 
-/* Numbers that follow from others are left out. */
 static int32_t
 append_section (GString *json, const QnModel *model, size_t index)
 {
   const QnSection *section = &model->sections[index];
+  const gboolean rectangle = section->height > 0;
+  /* Numbers that follow from others are as usual. */
+  const QnSection usual = { .poisson =
+                              section->shear_modulus > 0 ? section->poisson : NAN,
+                            .area = rectangle ? section->area : 0,
+                            .inertia = rectangle ? section->inertia : 0 };
   qn_json_put_string (json, "name", section->name);
-  qn_json_put_number (json, "young", section->young);
-  if (section->shear_modulus > 0)
-    qn_json_put_number (json, "shear_modulus", section->shear_modulus);
-  else
-    qn_json_put_number (json, "poisson", section->poisson);
-  if (section->height > 0) {
-    qn_json_put_number (json, "width", section->width);
-    qn_json_put_number (json, "height", section->height);
-  } else {
-    qn_json_put_number (json, "area", section->area);
-    qn_json_put_number (json, "inertia", section->inertia);
-  }
-  qn_json_put_number (json, "shear_factor", section->shear_factor);
-  qn_json_put_unusual (json, "yield", section->yield, 0);
-  qn_json_put_unusual (json, "plastic_moment", section->plastic_moment, 0);
+  qn_members_write (json, section_members, model, section, &usual);
   if (section->density >= 0)
     qn_json_put_number (json, "density", section->density);
   else if (section->unit_weight > 0)

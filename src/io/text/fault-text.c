@@ -76,17 +76,6 @@ qn_claim_name (QnClaim claim)
   return claims[claim].name;
 }
 
-const char *
-qn_fault_place_name (QnEntity entity)
-{
-  return entity == QN_ENTITY_CONTACT ? "pair"
-         : entity == QN_ENTITY_BLOCK ? "block"
-         : entity == QN_ENTITY_NODE  ? "node"
-         : entity == QN_ENTITY_BEAM  ? "beam"
-         : entity == QN_ENTITY_TIE   ? "tie"
-                                     : "event";
-}
-
 /* "pair 3 between “a” and “b”"; NULL for what the model does not have. */
 static char *
 dup_place (const QnModel *model, const QnContacts *contacts, const QnFault *fault)

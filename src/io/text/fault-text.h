@@ -12,9 +12,6 @@ char *qn_fault_dup_text (const QnModel *model, const QnContacts *contacts,
 /* "forces", "balance", … as programs read it. */
 const char *qn_claim_name (QnClaim claim);
 
-/* What the place of a fault is a number of: "pair", "block", "node", "beam" or "event". */
-const char *qn_fault_place_name (QnEntity entity);
-
 /* The claim of this name, or QN_CLAIM_COUNT. */
 QnClaim qn_claim_from_name (const char *name);
 
