@@ -27,12 +27,6 @@ typedef struct Course {
   QnPieces *pieces;
 } Course;
 
-static double
-header_length (const QnLeaf *leaf)
-{
-  return leaf->header > 0 ? leaf->header : leaf->unit.x / 2;
-}
-
 static Pattern
 english (double s, double h, bool odd, QnCloser closer)
 {
@@ -83,7 +77,7 @@ flemish (double s, double h, bool odd, QnCloser closer)
 static Pattern
 pattern_of (const QnLeaf *leaf, bool odd, QnCloser closer)
 {
-  double s = leaf->unit.x, h = header_length (leaf);
+  double s = leaf->unit.x, h = leaf->header > 0 ? leaf->header : leaf->unit.x / 2;
   Pattern pattern = { .period = { s }, .period_count = 1 };
   switch (leaf->bond) {
   case QN_BOND_RUNNING:

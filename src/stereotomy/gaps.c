@@ -96,12 +96,6 @@ is_filled (const Search *search, const QnGap *gap)
 }
 
 static bool
-add_gap (QnGaps *gaps, const QnGap *gap)
-{
-  return QN_ARRAY_PUSH (gaps->items, gaps->count, gaps->capacity, *gap);
-}
-
-static bool
 ring_tree (const QnRings *rings, QnBoxTree *tree)
 {
   QnBox *boxes = qn_alloc (rings->count, sizeof *boxes);
@@ -158,7 +152,8 @@ collect (Search *search)
     QnGap gap = { .rings = { one.ring, two.ring }, .edges = { one.edge, two.edge } };
     if (one.ring != two.ring && face_each_other (search, one, two, &gap)
         && !is_filled (search, &gap))
-      done = add_gap (search->gaps, &gap);
+      done = QN_ARRAY_PUSH (search->gaps->items, search->gaps->count,
+                            search->gaps->capacity, gap);
   }
   if (done && search->gaps->count > 1)
     qsort (search->gaps->items, search->gaps->count, sizeof (QnGap), compare_gaps);

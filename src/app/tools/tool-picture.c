@@ -10,12 +10,6 @@
 
 #define MARK_PX 7.0
 
-static gboolean
-has_picture (QnCanvas *canvas)
-{
-  return qn_view_state_get_underlay (qn_canvas_get_state (canvas))->image != NULL;
-}
-
 static void
 place (QnCanvas *canvas, const char *name, const QnUnderlay *underlay)
 {
@@ -31,7 +25,7 @@ static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!has_picture (canvas)) {
+  if (qn_view_state_get_underlay (qn_canvas_get_state (canvas))->image == NULL) {
     gtk_widget_activate_action (GTK_WIDGET (canvas), "win.picture", NULL);
     return;
   }

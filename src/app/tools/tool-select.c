@@ -98,12 +98,6 @@ press_on_beam (QnCanvas *canvas, QnId beam, const QnToolEvent *event)
 
 /* ---- faces ---- */
 
-static gboolean
-shows_contacts (QnCanvas *canvas)
-{
-  return qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_CONTACTS;
-}
-
 /* Whether what the view shows is of the document's model, so that numbers are the same. */
 static gboolean
 shows_document (QnCanvas *canvas)
@@ -356,7 +350,7 @@ finish_band (QnCanvas *canvas)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
-  if (shows_contacts (canvas)) {
+  if (qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_CONTACTS) {
     qn_canvas_faces_inside (canvas, gesture->from, gesture->to, ids);
     qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_FACE,
                       (const QnId *) ids->data, ids->len);

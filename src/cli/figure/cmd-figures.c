@@ -102,13 +102,6 @@ make (const QnRecipe *recipe, Workshop *shop)
   return QN_EXIT_DONE;
 }
 
-static gboolean
-is_wanted (const QnRecipe *recipe, const Options *options)
-{
-  return options->names == NULL
-         || g_strv_contains ((const char *const *) options->names, recipe->name);
-}
-
 /* Given names that no figure has are reported first. */
 static QnExit
 check_names (const GPtrArray *recipes, const Options *options)
@@ -138,7 +131,7 @@ make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
     qn_cli_warning (_ ("%s: the project has no figures"), shop->path);
   for (guint i = 0; i < recipes->len && code == QN_EXIT_DONE; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
-    if (!is_wanted (recipe, options))
+    if (names != NULL && !g_strv_contains (names, recipe->name))
       continue;
     if (!options->list) {
       code = make (recipe, shop);

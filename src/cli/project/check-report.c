@@ -242,12 +242,6 @@ print_beams (const QnModel *model)
   }
 }
 
-static const char *
-block_name (const QnModel *model, QnId block)
-{
-  return block == QN_NONE ? "–" : model->blocks[block].name;
-}
-
 static void
 print_result (const QnCheckReport *report)
 {
@@ -266,7 +260,10 @@ print_result (const QnCheckReport *report)
                 model->beams[model->elements[check->unbalanced_element].beam].name);
     else
       qn_print (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
-                check->force_scale, block_name (model, check->unbalanced_block));
+                check->force_scale,
+                check->unbalanced_block == QN_NONE
+                  ? "–"
+                  : model->blocks[check->unbalanced_block].name);
     qn_print (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
               check->contact_scale);
     if (check->violating_pair != QN_NONE)

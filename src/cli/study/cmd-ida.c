@@ -155,12 +155,6 @@ dup_study_text (const Ida *ida, const char *title, const char *model)
   return g_string_free (json, FALSE);
 }
 
-static gboolean
-write_text (const char *path, const char *text, GError **error)
-{
-  return qn_file_write (path, text, strlen (text), error);
-}
-
 /* Puts record, model and study beside each other into the folder, and reads the study. */
 static gboolean
 make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **error)
@@ -190,7 +184,7 @@ make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **
   QnProjectText *text = qn_project_write (&model, NULL, NULL);
   g_autofree char *json = dup_study_text (ida, curve->name, model_name);
   ok = qn_file_write (model_path, text->text, text->length, error)
-       && write_text (study_path, json, error)
+       && qn_file_write (study_path, json, strlen (json), error)
        && qn_study_read (study_path, NULL, study, error);
   qn_project_text_free (text);
   qn_project_clear (&model);

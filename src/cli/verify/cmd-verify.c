@@ -179,12 +179,6 @@ run_case (const Options *options, const QnVerifyGroup *group, const QnVerifyCase
   return code;
 }
 
-static gboolean
-is_wanted (const QnVerifyGroup *group, char **names)
-{
-  return *names == NULL || g_strv_contains ((const char *const *) names, group->name);
-}
-
 /* Refuses names that no group has. */
 static gboolean
 check_names (const QnSubcommand *self, char **names)
@@ -212,7 +206,7 @@ verify (const Options *options, char **names)
 
   qn_interrupt_install ();
   for (gsize i = 0; i < count; i++) {
-    if (!is_wanted (&groups[i], names))
+    if (*names != NULL && !g_strv_contains ((const char *const *) names, groups[i].name))
       continue;
     const QnVerifyGroup *group = &groups[i];
     qn_print ("%s (%s)\n", _ (group->title), _ (group->source));

@@ -253,12 +253,6 @@ drag_wall (QnMasonry *masonry, QnHandleKind handle, QnVec2 p, gboolean snap)
   }
 }
 
-static double
-arch_crown (const QnArch *arch)
-{
-  return arch->rise + arch->ring;
-}
-
 static void
 drag_arch (QnMasonry *masonry, QnHandleKind handle, QnVec2 to, QnVec2 p)
 {
@@ -357,7 +351,7 @@ qn_masonry_get_handles (const QnMasonry *masonry, int opening, QnHandle *handles
     handles[count++] = (QnHandle){ QN_HANDLE_RIGHT, { arch->span, 0.0 } };
     handles[count++] = (QnHandle){ QN_HANDLE_RISE, { 0.5 * arch->span, arch->rise } };
     handles[count++] =
-      (QnHandle){ QN_HANDLE_RING, { 0.5 * arch->span, arch_crown (arch) } };
+      (QnHandle){ QN_HANDLE_RING, { 0.5 * arch->span, arch->rise + arch->ring } };
   } else if (masonry->kind == QN_MASONRY_COLUMN) {
     const QnColumn *c = &masonry->column;
     double y0 = c->plinth_height, y1 = y0 + c->height;

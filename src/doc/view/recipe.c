@@ -273,9 +273,7 @@ qn_recipes_to_json (const GPtrArray *recipes)
 bool
 qn_recipe_needs_result (const QnRecipe *recipe)
 {
-  return recipe->view.view == QN_VIEW_DEFORMED || recipe->view.view == QN_VIEW_MECHANISM
-         || recipe->view.view == QN_VIEW_FORCES || recipe->view.view == QN_VIEW_DIAGRAMS
-         || recipe->view.field != QN_FIELD_NONE;
+  return qn_view_needs_result (recipe->view.view) || recipe->view.field != QN_FIELD_NONE;
 }
 
 void

@@ -368,13 +368,6 @@ qn_view_state_get_onion (QnViewState *self)
 }
 
 gboolean
-qn_view_needs_result (QnView view)
-{
-  return view == QN_VIEW_DEFORMED || view == QN_VIEW_MECHANISM || view == QN_VIEW_FORCES
-         || view == QN_VIEW_DIAGRAMS;
-}
-
-gboolean
 qn_view_state_get_content (QnViewState *self, const QnModel **model,
                            const QnContacts **contacts, const QnResult **result)
 {

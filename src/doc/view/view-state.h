@@ -78,7 +78,4 @@ gboolean qn_view_state_get_content_of (QnViewState *state, QnView view,
                                        const QnModel **model, const QnContacts **contacts,
                                        const QnResult **result);
 
-/* Whether a view shows a result. */
-gboolean qn_view_needs_result (QnView view);
-
 #endif

@@ -8,12 +8,6 @@ turn (const QnVec2 *p, uint32_t a, uint32_t b, uint32_t c)
   return qn_vec2_cross (qn_vec2_sub (p[b], p[a]), qn_vec2_sub (p[c], p[a]));
 }
 
-static bool
-triangle_contains (const QnVec2 *p, uint32_t a, uint32_t b, uint32_t c, uint32_t q)
-{
-  return turn (p, a, b, q) >= 0 && turn (p, b, c, q) >= 0 && turn (p, c, a, q) >= 0;
-}
-
 /* Whether the corner i of the remaining polygon can be cut off. */
 static bool
 is_ear (const QnVec2 *p, const uint32_t *order, uint32_t n, uint32_t i)
@@ -23,7 +17,8 @@ is_ear (const QnVec2 *p, const uint32_t *order, uint32_t n, uint32_t i)
     return false;
   for (uint32_t k = 0; k < n; k++) {
     uint32_t q = order[k];
-    if (q != a && q != b && q != c && triangle_contains (p, a, b, c, q))
+    if (q != a && q != b && q != c && turn (p, a, b, q) >= 0 && turn (p, b, c, q) >= 0
+        && turn (p, c, a, q) >= 0)
       return false;
   }
   return true;

@@ -7,13 +7,6 @@
 #include <glib/gi18n-lib.h>
 
 static bool
-needs_result (const QnViewOptions *options)
-{
-  return options->view == QN_VIEW_DEFORMED || options->view == QN_VIEW_MECHANISM
-         || options->view == QN_VIEW_FORCES || options->view == QN_VIEW_DIAGRAMS;
-}
-
-static bool
 result_fits (const QnSceneBuilder *b, const QnResult *result, GError **error)
 {
   if (result->block_count != b->model->block_count) {
@@ -85,7 +78,8 @@ static bool
 check (QnSceneBuilder *b, GError **error)
 {
   const QnViewOptions *options = b->options;
-  bool wants_result = needs_result (options) || options->field != QN_FIELD_NONE;
+  bool wants_result =
+    qn_view_needs_result (options->view) || options->field != QN_FIELD_NONE;
   if (wants_result && b->result == NULL) {
     g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
                  _ ("the view \"%s\" needs a result"), qn_view_names[options->view]);

@@ -84,12 +84,6 @@ add_area (QnSceneBuilder *b, const QnBeamDrawing *drawing, QnId element, double 
   qn_command_set_pick (line, QN_PICK_BEAM, b->model->elements[element].beam);
 }
 
-static const char *
-unit_of (QnDiagram diagram)
-{
-  return diagram == QN_DIAGRAM_MOMENT ? "kN·m" : "kN";
-}
-
 static void
 add_label (QnSceneBuilder *b, const QnBeamDrawing *drawing, QnId element, double s,
            double per_unit)
@@ -163,7 +157,7 @@ qn_build_diagrams (QnSceneBuilder *b)
   g_autofree char *number = qn_label_number ("%.4g", largest / 1000);
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
                    _ ("%s, largest %s %s"), _ (names[b->options->diagram]), number,
-                   unit_of (b->options->diagram))
+                   b->options->diagram == QN_DIAGRAM_MOMENT ? "kN·m" : "kN")
     ->size = 2;
   qn_beam_drawing_clear (&drawing);
 }

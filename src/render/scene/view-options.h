@@ -98,6 +98,14 @@ bool *qn_view_switch (QnViewOptions *options, const char *name);
 bool qn_view_parse (const char *name, QnView *view);
 extern const char *const qn_view_names[QN_VIEW_COUNT];
 
+/* Whether a view shows a result. */
+static inline bool
+qn_view_needs_result (QnView view)
+{
+  return view == QN_VIEW_DEFORMED || view == QN_VIEW_MECHANISM || view == QN_VIEW_FORCES
+         || view == QN_VIEW_DIAGRAMS;
+}
+
 /* "none", "displacement", "displacement-x", …, "sliding". */
 bool qn_field_parse (const char *name, QnField *field);
 extern const char *const qn_field_names[QN_FIELD_COUNT];

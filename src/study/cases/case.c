@@ -187,12 +187,6 @@ known (gboolean is_known, double value)
 }
 
 static double
-peak_displacement (const QnResult *result)
-{
-  return known (result->history.peaks != NULL, qn_result_peak (result, NULL));
-}
-
-static double
 last_energy (const QnResult *result, QnEnergyKind kind)
 {
   const QnHistory *history = &result->history;
@@ -232,7 +226,7 @@ number_of (const QnCaseModel *model, QnStudyOutput output)
   case QN_STUDY_TIME_OF_COLLAPSE:
     return known (result->outcome == QN_OUTCOME_COLLAPSE, result->history.collapse_time);
   case QN_STUDY_PEAK_DISPLACEMENT:
-    return peak_displacement (result);
+    return known (result->history.peaks != NULL, qn_result_peak (result, NULL));
   case QN_STUDY_FRICTION_ENERGY:
     return last_energy (result, QN_ENERGY_FRICTION);
   case QN_STUDY_LARGEST_SLIP:
