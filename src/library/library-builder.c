@@ -77,6 +77,8 @@ quoin_builder_add_joint (QuoinBuilder *builder, const char *name, double kn, dou
                          double friction, double dilatancy, double cohesion,
                          double tension)
 {
+  if (!(builder != NULL && name != NULL))
+    return;
   cJSON *law = cJSON_CreateObject ();
   cJSON_AddStringToObject (law, "name", name);
   cJSON_AddStringToObject (law, "kind", "coulomb");
@@ -97,11 +99,13 @@ void
 quoin_builder_add_block (QuoinBuilder *builder, const char *name, const double *vertices,
                          size_t count, double thickness, double unit_weight, bool fixed)
 {
+  if (builder == NULL)
+    return;
   cJSON *block = cJSON_CreateObject ();
   if (name != NULL)
     cJSON_AddStringToObject (block, "name", name);
   cJSON *list = cJSON_AddArrayToObject (block, "vertices");
-  for (size_t i = 0; i < count; i++)
+  for (size_t i = 0; vertices != NULL && i < count; i++)
     add_vector (list, NULL, vertices[2 * i], vertices[2 * i + 1]);
   add_number (block, "thickness", thickness);
   add_number (block, "unit_weight", unit_weight);
@@ -116,6 +120,8 @@ quoin_builder_add_block (QuoinBuilder *builder, const char *name, const double *
 void
 quoin_builder_add_live_weight (QuoinBuilder *builder, double x, double y)
 {
+  if (builder == NULL)
+    return;
   add_vector (add_load (builder->live, "weight"), "direction", x, y);
 }
 
@@ -123,6 +129,8 @@ void
 quoin_builder_add_force (QuoinBuilder *builder, const char *block, double x, double y,
                          double moment, bool live)
 {
+  if (!(builder != NULL && block != NULL))
+    return;
   cJSON *load = add_load (live ? builder->live : builder->dead, "force");
   cJSON_AddStringToObject (load, "block", block);
   add_vector (load, "value", x, y);
@@ -132,12 +140,16 @@ quoin_builder_add_force (QuoinBuilder *builder, const char *block, double x, dou
 void
 quoin_builder_set (QuoinBuilder *builder, const char *path, const char *value)
 {
+  if (!(builder != NULL && path != NULL && value != NULL))
+    return;
   g_ptr_array_add (builder->overrides, g_strconcat (path, "=", value, NULL));
 }
 
 QuoinModel *
 quoin_builder_finish (const QuoinBuilder *builder, QuoinError **error)
 {
+  if (!quoin_library_given (builder, "builder", error))
+    return NULL;
   char *text = cJSON_Print (builder->root);
   if (text == NULL) {
     quoin_library_set_error (error, QUOIN_ERROR_NO_MEMORY, "out of memory");

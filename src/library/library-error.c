@@ -63,7 +63,7 @@ read_place (QuoinError *error, const char *place)
 void
 quoin_library_take_error (QuoinError **error, const char *name, GError *cause)
 {
-  if (error != NULL) {
+  if (error != NULL && *error == NULL) {
     QuoinError *made = g_new0 (QuoinError, 1);
     made->kind = kind_of (cause);
     made->message = g_strdup (cause->message);
@@ -92,7 +92,7 @@ quoin_library_take_diag (QuoinError **error, const QnProject *project, const QnD
 void
 quoin_library_set_error (QuoinError **error, QuoinErrorKind kind, const char *format, ...)
 {
-  if (error == NULL)
+  if (error == NULL || *error != NULL)
     return;
   va_list arguments;
   va_start (arguments, format);
@@ -102,39 +102,59 @@ quoin_library_set_error (QuoinError **error, QuoinErrorKind kind, const char *fo
   va_end (arguments);
 }
 
+bool
+quoin_library_given (const void *argument, const char *name, QuoinError **error)
+{
+  if (argument == NULL)
+    quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s is NULL", name);
+  return argument != NULL;
+}
+
 QuoinErrorKind
 quoin_error_get_kind (const QuoinError *error)
 {
+  if (error == NULL)
+    return QUOIN_ERROR_USAGE;
   return error->kind;
 }
 
 const char *
 quoin_error_get_message (const QuoinError *error)
 {
+  if (error == NULL)
+    return NULL;
   return error->message;
 }
 
 const char *
 quoin_error_get_file (const QuoinError *error)
 {
+  if (error == NULL)
+    return NULL;
   return error->file;
 }
 
 int
 quoin_error_get_line (const QuoinError *error)
 {
+  if (error == NULL)
+    return 0;
   return error->line;
 }
 
 int
 quoin_error_get_column (const QuoinError *error)
 {
+  if (error == NULL)
+    return 0;
   return error->column;
 }
 
 const char *
 quoin_error_get_key (const QuoinError *error)
 {
+  if (error == NULL)
+    return NULL;
   return error->key;
 }
 

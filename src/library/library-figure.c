@@ -17,6 +17,9 @@ QuoinFigure *
 quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
                   QuoinError **error)
 {
+  if (!quoin_library_given (model, "model", error)
+      || !quoin_library_given (view, "view", error))
+    return NULL;
   QnView kind;
   if (!qn_view_parse (view, &kind)) {
     quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: no such view", view);
@@ -124,6 +127,10 @@ bool
 quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
                   QuoinError **error)
 {
+  if (!quoin_library_given (figure, "figure", error)
+      || !quoin_library_given (name, "name", error)
+      || !quoin_library_given (value, "value", error))
+    return false;
   GError *cause = NULL;
   if (set_option (figure, name, value, &cause))
     return true;
@@ -157,6 +164,9 @@ encode (const QuoinFigure *self, QnFormat format, GError **cause)
 bool
 quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error)
 {
+  if (!quoin_library_given (figure, "figure", error)
+      || !quoin_library_given (path, "path", error))
+    return false;
   QnFormat format;
   GError *cause = NULL;
   g_autoptr (GBytes) bytes = NULL;
@@ -175,6 +185,10 @@ void *
 quoin_figure_encode (const QuoinFigure *figure, const char *format, size_t *length,
                      QuoinError **error)
 {
+  if (!quoin_library_given (figure, "figure", error)
+      || !quoin_library_given (format, "format", error)
+      || !quoin_library_given (length, "length", error))
+    return NULL;
   QnFormat kind;
   GError *cause = NULL;
   g_autofree char *path = g_strconcat ("figure.", format, NULL);

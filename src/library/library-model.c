@@ -1,6 +1,8 @@
 #include "io/exchange/drawing-import.h"
+#include "io/exchange/record.h"
 #include "library/library-private.h"
 
+#include <math.h>
 #include <string.h>
 
 static void
@@ -9,6 +11,7 @@ free_model (QuoinModel *model)
   qn_contacts_clear (&model->contacts);
   qn_project_clear (&model->project);
   g_ptr_array_unref (model->warnings);
+  g_clear_error (&model->unread);
   g_free (model);
 }
 
@@ -25,6 +28,9 @@ quoin_library_model_take (QnProject *project, QuoinError **error)
     free_model (model);
     return NULL;
   }
+  if (project->model.analysis.procedure == QN_PROCEDURE_DYNAMIC
+      && !qn_project_read_records (&model->project, NULL, FALSE, &model->unread))
+    g_ptr_array_add (model->warnings, g_strdup (model->unread->message));
   for (guint i = 0; i < model->project.warnings->len; i++)
     g_ptr_array_add (model->warnings,
                      g_strdup (g_ptr_array_index (model->project.warnings, i)));
@@ -37,6 +43,8 @@ quoin_library_model_take (QnProject *project, QuoinError **error)
 QuoinModel *
 quoin_model_open (const char *path, const char *const *overrides, QuoinError **error)
 {
+  if (!quoin_library_given (path, "path", error))
+    return NULL;
   QnProject project;
   GError *cause = NULL;
   if (!qn_project_load (path, overrides, &project, &cause)) {
@@ -50,6 +58,9 @@ QuoinModel *
 quoin_model_parse (const char *text, size_t length, const char *name,
                    const char *const *overrides, QuoinError **error)
 {
+  if (!quoin_library_given (text, "text", error)
+      || !quoin_library_given (name, "name", error))
+    return NULL;
   QnProject project;
   GError *cause = NULL;
   if (!qn_project_parse (text, length, name, overrides, &project, &cause)) {
@@ -63,6 +74,8 @@ QuoinModel *
 quoin_model_import (const char *path, double unit, double thickness, double unit_weight,
                     double friction, QuoinError **error)
 {
+  if (!quoin_library_given (path, "path", error))
+    return NULL;
   QnProject project;
   QnImportReport report;
   GError *cause = NULL;
@@ -86,6 +99,8 @@ QuoinModel *
 quoin_model_with (const QuoinModel *model, const char *const *overrides,
                   QuoinError **error)
 {
+  if (!quoin_library_given (model, "model", error))
+    return NULL;
   gsize length;
   g_autofree char *text = qn_project_to_text (&model->project, &length);
   return quoin_model_parse (text, length, model->project.name, overrides, error);
@@ -94,6 +109,8 @@ quoin_model_with (const QuoinModel *model, const char *const *overrides,
 QuoinModel *
 quoin_model_ref (QuoinModel *model)
 {
+  if (model == NULL)
+    return NULL;
   g_atomic_ref_count_inc (&model->references);
   return model;
 }
@@ -108,6 +125,9 @@ quoin_model_unref (QuoinModel *model)
 bool
 quoin_model_save (const QuoinModel *model, const char *path, QuoinError **error)
 {
+  if (!quoin_library_given (model, "model", error)
+      || !quoin_library_given (path, "path", error))
+    return false;
   GError *cause = NULL;
   if (qn_project_save (&model->project, path, &cause))
     return true;
@@ -118,12 +138,16 @@ quoin_model_save (const QuoinModel *model, const char *path, QuoinError **error)
 char *
 quoin_model_to_text (const QuoinModel *model)
 {
+  if (model == NULL)
+    return NULL;
   return qn_project_to_text (&model->project, NULL);
 }
 
 const char *
 quoin_model_get_title (const QuoinModel *model)
 {
+  if (model == NULL)
+    return NULL;
   const char *title = model->project.model.title;
   return title != NULL ? title : "";
 }
@@ -131,55 +155,69 @@ quoin_model_get_title (const QuoinModel *model)
 size_t
 quoin_model_get_warning_count (const QuoinModel *model)
 {
+  if (model == NULL)
+    return 0;
   return model->warnings->len;
 }
 
 const char *
 quoin_model_get_warning (const QuoinModel *model, size_t index)
 {
+  if (!(model != NULL && index < model->warnings->len))
+    return NULL;
   return g_ptr_array_index (model->warnings, index);
 }
 
 size_t
 quoin_model_get_block_count (const QuoinModel *model)
 {
+  if (model == NULL)
+    return 0;
   return model->project.model.block_count;
 }
 
+/* NULL where there is none. */
 static const QnBlock *
 get_block (const QuoinModel *model, size_t block)
 {
-  return &model->project.model.blocks[block];
+  return model != NULL && block < model->project.model.block_count
+           ? &model->project.model.blocks[block]
+           : NULL;
 }
 
 const char *
 quoin_model_get_block_name (const QuoinModel *model, size_t block)
 {
-  return get_block (model, block)->name;
+  const QnBlock *of = get_block (model, block);
+  return of != NULL ? of->name : NULL;
 }
 
 double
 quoin_model_get_block_area (const QuoinModel *model, size_t block)
 {
-  return get_block (model, block)->area;
+  const QnBlock *of = get_block (model, block);
+  return of != NULL ? of->area : (double) NAN;
 }
 
 double
 quoin_model_get_block_thickness (const QuoinModel *model, size_t block)
 {
-  return get_block (model, block)->thickness;
+  const QnBlock *of = get_block (model, block);
+  return of != NULL ? of->thickness : (double) NAN;
 }
 
 double
 quoin_model_get_block_weight (const QuoinModel *model, size_t block)
 {
-  return get_block (model, block)->weight;
+  const QnBlock *of = get_block (model, block);
+  return of != NULL ? of->weight : (double) NAN;
 }
 
 const double *
 quoin_model_get_block_centroid (const QuoinModel *model, size_t block)
 {
-  return &get_block (model, block)->centroid.x;
+  const QnBlock *of = get_block (model, block);
+  return of != NULL ? &of->centroid.x : NULL;
 }
 
 const double *
@@ -187,25 +225,31 @@ quoin_model_get_block_vertices (const QuoinModel *model, size_t block, size_t *c
 {
   G_STATIC_ASSERT (sizeof (QnVec2) == 2 * sizeof (double));
   const QnBlock *of = get_block (model, block);
-  *count = (size_t) of->vertex_count;
-  return &model->project.model.vertices[of->first_vertex].x;
+  if (count != NULL)
+    *count = of != NULL ? (size_t) of->vertex_count : 0;
+  return of != NULL ? &model->project.model.vertices[of->first_vertex].x : NULL;
 }
 
 bool
 quoin_model_is_block_fixed (const QuoinModel *model, size_t block, int dof)
 {
-  return get_block (model, block)->support[dof];
+  const QnBlock *of = get_block (model, block);
+  return of != NULL && dof >= 0 && dof < QN_DOF_COUNT && of->support[dof];
 }
 
 size_t
 quoin_model_get_face_count (const QuoinModel *model)
 {
+  if (model == NULL)
+    return 0;
   return model->contacts.face_count;
 }
 
 void
 quoin_model_get_face_blocks (const QuoinModel *model, size_t face, size_t *a, size_t *b)
 {
+  if (!(model != NULL && face < model->contacts.face_count && a != NULL && b != NULL))
+    return;
   *a = (size_t) model->contacts.faces[face].a;
   *b = (size_t) model->contacts.faces[face].b;
 }
@@ -213,6 +257,8 @@ quoin_model_get_face_blocks (const QuoinModel *model, size_t face, size_t *a, si
 void
 quoin_model_get_face_ends (const QuoinModel *model, size_t face, double ends[4])
 {
+  if (!(model != NULL && face < model->contacts.face_count && ends != NULL))
+    return;
   const QnContactFace *of = &model->contacts.faces[face];
   const double values[4] = { of->start.x, of->start.y, of->end.x, of->end.y };
   memcpy (ends, values, sizeof values);
@@ -221,11 +267,15 @@ quoin_model_get_face_ends (const QuoinModel *model, size_t face, double ends[4])
 size_t
 quoin_model_get_pair_count (const QuoinModel *model)
 {
+  if (model == NULL)
+    return 0;
   return model->contacts.pair_count;
 }
 
 size_t
 quoin_model_get_pair_face (const QuoinModel *model, size_t pair)
 {
+  if (!(model != NULL && pair < model->contacts.pair_count))
+    return SIZE_MAX;
   return (size_t) model->contacts.pairs[pair].face;
 }

@@ -11,6 +11,8 @@ struct QuoinModel {
   QnProject project;
   QnContacts contacts;
   GPtrArray *warnings; /* of char *: of the file, then of detection */
+  GError
+    *unread; /* why the records of an analysis in time are not there; NULL: they are */
 };
 
 struct QuoinResult {
@@ -23,7 +25,10 @@ struct QuoinResult {
 
 QuoinResult *quoin_library_result_ref (QuoinResult *result);
 
-/* Each sets *error (nullable). The first takes the GError; `name` (nullable) is the file that its
+/* False, with an error, where an argument that must be given is NULL. */
+bool quoin_library_given (const void *argument, const char *name, QuoinError **error);
+
+/* Each sets *error (nullable) unless it is set already. The first takes the GError; `name` (nullable) is the file that its
  * message may begin with. */
 void quoin_library_take_error (QuoinError **error, const char *name, GError *cause);
 void quoin_library_take_diag (QuoinError **error, const QnProject *project,

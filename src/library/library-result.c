@@ -45,28 +45,23 @@ make_result (QuoinModel *model, QnResult *filled)
   return result;
 }
 
-static bool
-require_sound (const QuoinModel *model, QuoinError **error)
-{
-  QnDiag diag = { 0 };
-  if (qn_contacts_require_sound (&model->project.model, &model->contacts, &diag) == QN_OK)
-    return true;
-  quoin_library_take_diag (error, &model->project, &diag);
-  return false;
-}
-
 QuoinResult *
 quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
              QuoinError **error)
 {
+  if (!quoin_library_given (model, "model", error))
+    return NULL;
   QnDiag diag = { 0 };
   QnResult result;
   Caller caller = { progress, data };
-  if (!require_sound (model, error))
+  if (model->unread != NULL) {
+    quoin_library_take_error (error, model->project.name, g_error_copy (model->unread));
     return NULL;
-  if (qn_analysis_run (&model->project.model, &model->contacts, report, &caller, &result,
-                       &diag)
-      != QN_OK) {
+  }
+  if (qn_contacts_require_sound (&model->project.model, &model->contacts, &diag) != QN_OK
+      || qn_analysis_run (&model->project.model, &model->contacts, report, &caller,
+                          &result, &diag)
+           != QN_OK) {
     quoin_library_take_diag (error, &model->project, &diag);
     return NULL;
   }
@@ -77,6 +72,8 @@ QuoinResult *
 quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc progress, void *data,
              QuoinError **error)
 {
+  if (!quoin_library_given (model, "model", error))
+    return NULL;
   const char *const overrides[] = { "analysis.procedure=limit",
                                     associative ? "analysis.flow=associative"
                                                 : "analysis.flow=non-associative",
@@ -93,21 +90,29 @@ QuoinModes *
 quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc progress,
              void *data, QuoinError **error)
 {
+  if (!quoin_library_given (model, "model", error))
+    return NULL;
   QnDiag diag = { 0 };
   QnResult result;
   QuoinModes *modes = g_new0 (QuoinModes, 1);
   Caller caller = { progress, data };
-  if (require_sound (model, error)) {
-    if (qn_modal_run (&model->project.model, &model->contacts,
-                      loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, count, report,
-                      &caller, &modes->modes, &result, &diag)
-        == QN_OK) {
-      qn_result_clear (&result);
-      return modes;
-    }
+  if (qn_modal_run (&model->project.model, &model->contacts,
+                    loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, count, report, &caller,
+                    &modes->modes, &result, &diag)
+      != QN_OK) {
     quoin_library_take_diag (error, &model->project, &diag);
+    g_free (modes);
+    return NULL;
   }
-  g_free (modes);
+  bool found = modes->modes.count > 0 || result.outcome == QN_OUTCOME_CANCELLED;
+  qn_result_clear (&result);
+  if (found)
+    return modes;
+  quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER,
+                           "%s: no equilibrium was found, so there are no vibrations "
+                           "about it",
+                           model->project.name);
+  quoin_modes_free (modes);
   return NULL;
 }
 
@@ -123,24 +128,32 @@ quoin_modes_free (QuoinModes *modes)
 size_t
 quoin_modes_get_count (const QuoinModes *modes)
 {
+  if (modes == NULL)
+    return 0;
   return modes->modes.count;
 }
 
 const double *
 quoin_modes_get_omega (const QuoinModes *modes)
 {
+  if (modes == NULL)
+    return NULL;
   return modes->modes.omega;
 }
 
 const double *
 quoin_modes_get_shapes (const QuoinModes *modes)
 {
+  if (modes == NULL)
+    return NULL;
   return modes->modes.shapes;
 }
 
 size_t
 quoin_modes_get_body_count (const QuoinModes *modes)
 {
+  if (modes == NULL)
+    return 0;
   return modes->modes.block_count + modes->modes.node_count;
 }
 
@@ -149,6 +162,9 @@ quoin_modes_get_body_count (const QuoinModes *modes)
 QuoinResult *
 quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
 {
+  if (!quoin_library_given (model, "model", error)
+      || !quoin_library_given (path, "path", error))
+    return NULL;
   QnResultFile file;
   GError *cause = NULL;
   gboolean same;
@@ -170,6 +186,9 @@ quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
 bool
 quoin_result_write (const QuoinResult *result, const char *path, QuoinError **error)
 {
+  if (!quoin_library_given (result, "result", error)
+      || !quoin_library_given (path, "path", error))
+    return false;
   GError *cause = NULL;
   if (qn_result_file_write (path, &result->model->project, &result->model->contacts,
                             &result->result, &cause))
@@ -202,18 +221,24 @@ quoin_result_free (QuoinResult *result)
 QuoinModel *
 quoin_result_get_model (const QuoinResult *result)
 {
+  if (result == NULL)
+    return NULL;
   return result->model;
 }
 
 const char *
 quoin_result_get_outcome (const QuoinResult *result)
 {
+  if (result == NULL)
+    return NULL;
   return qn_outcome_names[result->result.outcome];
 }
 
 double
 quoin_result_get_collapse_multiplier (const QuoinResult *result)
 {
+  if (result == NULL)
+    return (double) NAN;
   return result->result.has_collapse_multiplier ? result->result.collapse_multiplier
                                                 : (double) NAN;
 }
@@ -221,6 +246,8 @@ quoin_result_get_collapse_multiplier (const QuoinResult *result)
 double
 quoin_result_get_first_limit_multiplier (const QuoinResult *result)
 {
+  if (result == NULL)
+    return (double) NAN;
   return result->result.has_first_limit_multiplier ? result->result.first_limit_multiplier
                                                    : (double) NAN;
 }
@@ -228,42 +255,56 @@ quoin_result_get_first_limit_multiplier (const QuoinResult *result)
 double
 quoin_result_get_lower_bound (const QuoinResult *result)
 {
+  if (result == NULL)
+    return (double) NAN;
   return result->result.limit.given ? result->result.limit.lower_bound : (double) NAN;
 }
 
 double
 quoin_result_get_upper_bound (const QuoinResult *result)
 {
+  if (result == NULL)
+    return (double) NAN;
   return result->result.limit.given ? result->result.limit.upper_bound : (double) NAN;
 }
 
 size_t
 quoin_result_get_solution_count (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return (size_t) result->result.solution_count;
 }
 
 double
 quoin_result_get_solution_multiplier (const QuoinResult *result, size_t solution)
 {
+  if (!(result != NULL && solution < (size_t) result->result.solution_count))
+    return (double) NAN;
   return result->result.solutions[solution].multiplier;
 }
 
 const char *
 quoin_result_get_solution_found_by (const QuoinResult *result, size_t solution)
 {
+  if (!(result != NULL && solution < (size_t) result->result.solution_count))
+    return NULL;
   return qn_procedure_names[result->result.solutions[solution].found_by];
 }
 
 double
 quoin_result_get_solution_displacement (const QuoinResult *result, size_t solution)
 {
+  if (!(result != NULL && solution < (size_t) result->result.solution_count))
+    return (double) NAN;
   return result->result.solutions[solution].displacement;
 }
 
 void
 quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2])
 {
+  if (!(result != NULL && interval != NULL))
+    return;
   QnProcedure found_by;
   qn_result_collapse_interval (&result->result, &interval[0], &found_by, &interval[1]);
 }
@@ -271,12 +312,16 @@ quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2
 bool
 quoin_result_is_beyond_linear (const QuoinResult *result)
 {
+  if (result == NULL)
+    return false;
   return result->result.linearity == QN_LINEARITY_BEYOND;
 }
 
 double
 quoin_result_get_beyond_linear_multiplier (const QuoinResult *result)
 {
+  if (result == NULL)
+    return (double) NAN;
   bool given =
     quoin_result_is_beyond_linear (result) && result->result.history.width == 0;
   return given ? result->result.beyond_linear_multiplier : (double) NAN;
@@ -285,18 +330,24 @@ quoin_result_get_beyond_linear_multiplier (const QuoinResult *result)
 size_t
 quoin_result_get_event_count (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return result->result.event_count;
 }
 
 double
 quoin_result_get_event_multiplier (const QuoinResult *result, size_t event)
 {
+  if (!(result != NULL && event < result->result.event_count))
+    return (double) NAN;
   return result->result.events[event].multiplier;
 }
 
 const char *
 quoin_result_get_event_kind (const QuoinResult *result, size_t event)
 {
+  if (!(result != NULL && event < result->result.event_count))
+    return NULL;
   return qn_event_kind_names[result->result.events[event].kind];
 }
 
@@ -304,6 +355,8 @@ void
 quoin_result_get_event_displacements (const QuoinResult *result, size_t event,
                                       double displacements[2])
 {
+  if (!(result != NULL && event < result->result.event_count && displacements != NULL))
+    return;
   displacements[0] = result->result.events[event].displacement_before;
   displacements[1] = result->result.events[event].displacement_after;
 }
@@ -311,95 +364,134 @@ quoin_result_get_event_displacements (const QuoinResult *result, size_t event,
 double
 quoin_result_get_event_energy (const QuoinResult *result, size_t event)
 {
+  if (!(result != NULL && event < result->result.event_count))
+    return (double) NAN;
   return result->result.events[event].energy;
 }
 
 const int32_t *
 quoin_result_get_event_blocks (const QuoinResult *result, size_t event, size_t *count)
 {
-  *count = result->result.events[event].block_count;
-  return result->result.events[event].blocks;
+  bool given = result != NULL && event < result->result.event_count;
+  if (count != NULL)
+    *count = given ? result->result.events[event].block_count : 0;
+  return given ? result->result.events[event].blocks : NULL;
 }
 
 size_t
 quoin_result_get_step_count (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return result->result.step_count;
 }
 
 size_t
 quoin_result_get_body_count (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return qn_result_body_count (&result->result);
 }
 
 const double *
 quoin_result_get_multipliers (const QuoinResult *result)
 {
+  if (result == NULL)
+    return NULL;
   return result->multipliers;
 }
 
 const double *
 quoin_result_get_displacements (const QuoinResult *result)
 {
+  if (result == NULL)
+    return NULL;
   return result->result.displacements;
 }
 
 const double *
 quoin_result_get_mechanism (const QuoinResult *result)
 {
+  if (result == NULL)
+    return NULL;
   return result->result.mechanism;
 }
 
 size_t
 quoin_result_get_pair_count (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return result->result.pair_count;
 }
 
 const double *
 quoin_result_get_forces (const QuoinResult *result)
 {
+  if (result == NULL)
+    return NULL;
   return result->forces;
 }
 
 const char *
 quoin_result_get_pair_state (const QuoinResult *result, size_t pair)
 {
+  if (!(result != NULL && pair < result->result.pair_count))
+    return NULL;
   return qn_pair_state_names[result->result.pairs[pair].state];
 }
 
 size_t
 quoin_result_get_tie_count (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return result->result.tie_count;
+}
+
+/* NULL where the step does not tell it, or there is none. */
+static const QnTieResult *
+get_tie (const QuoinResult *result, size_t step, size_t tie)
+{
+  if (result == NULL || step >= result->result.step_count
+      || tie >= result->result.tie_count)
+    return NULL;
+  const QnTieResult *ties = qn_result_step_ties (&result->result, step);
+  return ties != NULL ? &ties[tie] : NULL;
 }
 
 bool
 quoin_result_get_tie (const QuoinResult *result, size_t step, size_t tie, double *force,
                       double *elongation)
 {
-  const QnTieResult *ties = qn_result_step_ties (&result->result, step);
-  *force = ties != NULL ? ties[tie].force : (double) NAN;
-  *elongation = ties != NULL ? ties[tie].elongation : (double) NAN;
-  return ties != NULL;
+  const QnTieResult *found = get_tie (result, step, tie);
+  if (force != NULL)
+    *force = found != NULL ? found->force : (double) NAN;
+  if (elongation != NULL)
+    *elongation = found != NULL ? found->elongation : (double) NAN;
+  return found != NULL;
 }
 
 const char *
 quoin_result_get_tie_state (const QuoinResult *result, size_t step, size_t tie)
 {
-  const QnTieResult *ties = qn_result_step_ties (&result->result, step);
-  return ties != NULL ? qn_tie_state_names[ties[tie].state] : NULL;
+  const QnTieResult *found = get_tie (result, step, tie);
+  return found != NULL ? qn_tie_state_names[found->state] : NULL;
 }
 
 int32_t
 quoin_result_get_iterations (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return result->result.statistics.iterations;
 }
 
 int32_t
 quoin_result_get_factorizations (const QuoinResult *result)
 {
+  if (result == NULL)
+    return 0;
   return result->result.statistics.factorizations;
 }

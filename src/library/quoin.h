@@ -14,8 +14,11 @@
  * _get_ functions belong to the object and live as long as it does.
  *
  * Failure: a function with an `error` parameter returns NULL or false and, where `error` is not
- * NULL, sets *error, to be freed with quoin_error_free(). Passing indices out of range, or NULL
- * where it is not allowed, is an error of the program and undefined.
+ * NULL, sets *error, to be freed with quoin_error_free(). Set it to NULL before: an error that is
+ * there already stays, as the first of several calls. NULL for an object or a text that must be given
+ * is an error of kind USAGE; functions without an `error` parameter do nothing then. For NULL
+ * and for an index that is out of range they return 0, not-a-number, false or NULL (a number
+ * of a face: SIZE_MAX) and leave what they were to fill as it is, but counts become 0.
  *
  * The interface is stable within a major version: functions are added, none is changed. Types
  * are opaque, so that they can grow.
