@@ -31,6 +31,17 @@ def test_wall_of_a_file():
     assert len(result.states) == len(result.forces) == 204
 
 
+def test_records_and_free_modes():
+    """As the command line: a record is read with its project, and what stands free vibrates."""
+    shaken = quoin.open(EXAMPLES / "43-shaken-wall.quoin",
+                        values={"analysis.dynamic.ground[0].record": "none.csv"})
+    with pytest.raises(quoin.FileError, match="none.csv"):
+        shaken.solve()
+    omega = quoin.open(EXAMPLES / "25-four-bricks.quoin").modal(4).omega
+    assert omega[2] < 1e-3 * omega[3]
+    assert omega[3] / (2 * numpy.pi) == pytest.approx(2402.27, abs=0.01)
+
+
 def test_ties():
     result = quoin.open(WALLS.parent / "38-tied-walls.quoin").solve()
     assert result.ties[0][0]["force"] == pytest.approx(1000)
