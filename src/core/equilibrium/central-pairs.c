@@ -315,9 +315,13 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
   bool ok = qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
   for (int k = 0; k < 2; k++)
     response->force[k] = pairs->force * y[k];
-  if (e->has_shear[i])
-    response->memory.a.slip =
+  if (e->has_shear[i]) {
+    QnSpringMemory *memory = &response->memory.a;
+    double crushed = qn_spring_crushed (&as->springs[p].a, memory);
+    memory->slip =
       as->elongations[2 * p + 1] - pairs->length * e->flexibility[1][i] * y[1];
+    memory->opening = crushed + qn_spring_dilation (&as->springs[p].a, memory->slip);
+  }
   return ok && !turns (pairs, p, flow[1] * pairs->length);
 }
 
