@@ -13,20 +13,14 @@ typedef struct QnInputOptions {
 } QnInputOptions;
 
 /* Entries for a GOptionEntry array; `options` is a QnInputOptions. */
+/* clang-format off */
 #define QN_INPUT_ENTRIES(options)                                                        \
-  QN_INPUT_SET_ENTRY (&(options).overrides),                                             \
-  {                                                                                      \
-    "allow-outside", 0, 0, G_OPTION_ARG_NONE, &(options).allow_outside,                  \
-      N_ ("Use files that the project names outside its folder"), NULL                   \
-  }
-
-/* The option --set alone. */
-#define QN_INPUT_SET_ENTRY(variable)                                                     \
-  {                                                                                      \
-    "set", 0, 0, G_OPTION_ARG_STRING_ARRAY, (variable),                                  \
-      N_ ("Override any key of the project file, e.g. analysis.increments=37"),          \
-      N_ ("PATH=VALUE")                                                                  \
-  }
+  { "set", 0, 0, G_OPTION_ARG_STRING_ARRAY, &(options).overrides,                        \
+    N_ ("Override any key of the project file, e.g. analysis.increments=37"),            \
+    N_ ("PATH=VALUE") },                                                                 \
+  { "allow-outside", 0, 0, G_OPTION_ARG_NONE, &(options).allow_outside,                  \
+    N_ ("Use files that the project names outside its folder"), NULL }
+/* clang-format on */
 
 /* The option --no-timings. */
 #define QN_INPUT_TIMINGS_ENTRY(variable)                                                 \

@@ -27,7 +27,8 @@
 typedef struct Options {
   QnPictureOptions picture;
   char *folder, *csv, *scale, *unit;
-  char **records, **overrides;
+  char **records;
+  QnInputOptions input;
   double time_step;
   int jobs;
   gboolean quiet;
@@ -117,7 +118,7 @@ make_model (const Ida *ida, const char *record, double end, QnProject *model,
     source->ground_count > 0 ? source->ground[0].direction : qn_vec2 (1, 0);
   char x[QN_NUMBER_TEXT_SIZE], y[QN_NUMBER_TEXT_SIZE], duration[QN_NUMBER_TEXT_SIZE];
   g_autoptr (GPtrArray) all = g_ptr_array_new_with_free_func (g_free);
-  for (char **o = ida->options->overrides; o != NULL && *o != NULL; o++)
+  for (char **o = ida->options->input.overrides; o != NULL && *o != NULL; o++)
     g_ptr_array_add (all, g_strdup (*o));
   qn_number_text (direction.x, x);
   qn_number_text (direction.y, y);
@@ -433,7 +434,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Greys only"), NULL },
     { "jobs", 'j', 0, G_OPTION_ARG_INT, &options.jobs,
       N_ ("Processes at once; all cores by default"), N_ ("N") },
-    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_ENTRIES (options.input),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
@@ -449,8 +450,8 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE && options.picture.path != NULL)
     code = qn_picture_output (self, &options.picture, &output);
   if (code == QN_EXIT_DONE) {
-    if (qn_project_load (argv[1], (const char *const *) options.overrides, &ida.project,
-                         &error)) {
+    if (qn_project_load (argv[1], (const char *const *) options.input.overrides,
+                         &ida.project, &error)) {
       code = run_all (&ida, &output);
       qn_project_clear (&ida.project);
     } else

@@ -43,12 +43,11 @@ tell_rest (QnPages *pages, size_t joints, size_t rows)
 {
   if (joints == rows)
     return;
-  g_autofree char *more = g_strdup_printf (_ ("and %zu more"), joints - rows);
-  qn_pages_paragraph (pages, more);
+  qn_report_say (pages, _ ("and %zu more"), joints - rows);
 }
 
-static char *
-dup_between (const QnModel *model, QnId a, QnId b)
+char *
+qn_report_dup_between (const QnModel *model, QnId a, QnId b)
 {
   return g_strdup_printf ("%s – %s", model->blocks[a].name, model->blocks[b].name);
 }
@@ -70,7 +69,7 @@ write_faces (QnPages *pages, const QnReport *report)
     const QnContactFace *face = &contacts->faces[r];
     cells[(r + 1) * COLUMNS + JOINT] = g_strdup_printf ("%zu", r);
     cells[(r + 1) * COLUMNS + BETWEEN] =
-      dup_between (&report->project->model, face->a, face->b);
+      qn_report_dup_between (&report->project->model, face->a, face->b);
     lengths[r] = face->length / qn_units_factor (report->units, QN_QUANTITY_LENGTH);
   }
   set_column (cells, rows, COLUMNS, LENGTH, lengths, 0);
@@ -164,8 +163,8 @@ qn_report_write_joints (QnPages *pages, const QnReport *report, const QnReportRu
     if (face != NULL)
       reading = qn_joint_reading (contacts, (QnId) number, pairs, NULL);
     row[JOINT] = found ? g_strdup (_ ("found")) : g_strdup_printf ("%zu", number);
-    row[BETWEEN] = found ? dup_between (model, contact->block, contact->other)
-                         : dup_between (model, face->a, face->b);
+    row[BETWEEN] = found ? qn_report_dup_between (model, contact->block, contact->other)
+                         : qn_report_dup_between (model, face->a, face->b);
     row[STATE] = found ? g_strdup (qn_explain_pair_state (touch->state))
                        : qn_inspect_dup_state (&reading);
     bool pressed = reading.place != QN_PLACE_NOWHERE;
@@ -196,11 +195,11 @@ qn_report_write_joints (QnPages *pages, const QnReport *report, const QnReportRu
   tell_rest (pages, joints, rows);
   if (faces < contacts->face_count) {
     gsize still = contacts->face_count - faces;
-    g_autofree char *line = g_strdup_printf (
-      ngettext ("%zu joint that neither slides nor opens is left out.",
-                "%zu joints that neither slide nor open are left out.", (gulong) still),
-      still);
-    qn_pages_paragraph (pages, line);
+    qn_report_say (pages,
+                   ngettext ("%zu joint that neither slides nor opens is left out.",
+                             "%zu joints that neither slide nor open are left out.",
+                             (gulong) still),
+                   still);
   }
   qn_pages_paragraph (
     pages,
@@ -224,19 +223,17 @@ write_pairs (QnPages *pages, const QnReport *report)
       continue;
     g_autofree char *rule =
       qn_pair_rule_dup_text (&model->contact.pairs, &model->laws[law], report->units);
-    g_autofree char *line = g_strdup_printf (_ ("Contact pairs of joints “%s”: %s."),
-                                             model->laws[law].name, rule);
-    qn_pages_paragraph (pages, line);
+    qn_report_say (pages, _ ("Contact pairs of joints “%s”: %s."), model->laws[law].name,
+                   rule);
   }
   for (size_t i = 0; i < model->override_count; i++)
     own += model->overrides[i].has_pairs;
   if (own == 0)
     return;
-  g_autofree char *line =
-    g_strdup_printf (ngettext ("%lu exception for the pairs between two blocks.",
-                               "%lu exceptions for the pairs between two blocks.", own),
-                     own);
-  qn_pages_paragraph (pages, line);
+  qn_report_say (pages,
+                 ngettext ("%lu exception for the pairs between two blocks.",
+                           "%lu exceptions for the pairs between two blocks.", own),
+                 own);
 }
 
 bool

@@ -144,9 +144,9 @@ write_sections (QnPages *pages, const QnModel *model)
     size_t users = 0;
     for (size_t k = 0; k < model->beam_count; k++)
       users += model->beams[k].section == (QnId) i;
-    qn_report_add (cells, g_strdup (model->sections[i].name));
-    qn_report_add (cells, g_strdup_printf ("%zu", users));
-    qn_report_add (cells, dup_section_numbers (&model->sections[i]));
+    g_ptr_array_add (cells, g_strdup (model->sections[i].name));
+    g_ptr_array_add (cells, g_strdup_printf ("%zu", users));
+    g_ptr_array_add (cells, dup_section_numbers (&model->sections[i]));
   }
   qn_report_table (pages, cells, 3);
 }
@@ -160,18 +160,19 @@ write_bars (QnPages *pages, const QnReport *report)
     return;
   qn_report_add_words (cells, _ ("Reinforcing bars"), _ ("Diameter (mm)"),
                        _ ("Area (mm²)"), NULL);
-  qn_report_add (cells,
-                 g_strdup_printf (_ ("Length (%s)"),
-                                  qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
+  g_ptr_array_add (cells,
+                   g_strdup_printf (_ ("Length (%s)"),
+                                    qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
   qn_report_add_words (cells, _ ("Law"), NULL);
   for (size_t i = 0; i < model->bar_count; i++) {
     const QnBar *bar = &model->bars[i];
     double length = qn_vec2_length (qn_vec2_sub (bar->end, bar->start));
-    qn_report_add (cells, g_strdup_printf ("%zu", i + 1));
+    g_ptr_array_add (cells, g_strdup_printf ("%zu", i + 1));
     qn_report_add_number (cells, "%.4g", 1e3 * qn_bar_get_diameter (bar->area));
     qn_report_add_number (cells, "%.5g", 1e6 * bar->area);
-    qn_report_add (cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, length, 5));
-    qn_report_add (cells, g_strdup (model->laws[bar->law].name));
+    g_ptr_array_add (cells,
+                     qn_units_format (report->units, QN_QUANTITY_LENGTH, length, 5));
+    g_ptr_array_add (cells, g_strdup (model->laws[bar->law].name));
   }
   qn_report_table (pages, cells, 5);
 }
@@ -200,14 +201,14 @@ write_ties (QnPages *pages, const QnReport *report)
   if (model->tie_count == 0)
     return;
   qn_report_add_words (cells, _ ("Tie"), _ ("Numbers"), NULL);
-  qn_report_add (cells,
-                 g_strdup_printf (_ ("Length (%s)"),
-                                  qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
+  g_ptr_array_add (cells,
+                   g_strdup_printf (_ ("Length (%s)"),
+                                    qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
   for (size_t i = 0; i < model->tie_count; i++) {
     const QnTie *tie = &model->ties[i];
-    qn_report_add (cells, g_strdup (tie->name));
-    qn_report_add (cells, dup_tie_numbers (tie, report->units));
-    qn_report_add (
+    g_ptr_array_add (cells, g_strdup (tie->name));
+    g_ptr_array_add (cells, dup_tie_numbers (tie, report->units));
+    g_ptr_array_add (
       cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, qn_tie_length (tie), 5));
   }
   qn_report_table (pages, cells, 3);
@@ -232,7 +233,7 @@ qn_report_write_materials (QnPages *pages, const QnReport *report)
     const QnLaw *law = &model->laws[i];
     qn_report_add_words (laws, law->name, _ (qn_law_kind_words[law->kind]),
                          _ (qn_basis_words[law->basis]), NULL);
-    qn_report_add (laws, dup_law_numbers (law, report->units));
+    g_ptr_array_add (laws, dup_law_numbers (law, report->units));
   }
   if (model->law_count > 0)
     qn_report_table (pages, laws, 4);
@@ -253,13 +254,14 @@ qn_report_write_materials (QnPages *pages, const QnReport *report)
     if (told)
       continue;
     const QnBlock *block = &model->blocks[b];
-    qn_report_add (blocks, g_strdup_printf ("%zu", alike));
-    qn_report_add (
+    g_ptr_array_add (blocks, g_strdup_printf ("%zu", alike));
+    g_ptr_array_add (
       blocks, qn_units_format (report->units, QN_QUANTITY_LENGTH, block->thickness, 5));
-    qn_report_add (blocks, qn_units_format (report->units, QN_QUANTITY_UNIT_WEIGHT,
-                                            block->unit_weight, 6));
-    qn_report_add (blocks, g_strdup (block->law != QN_NONE ? model->laws[block->law].name
-                                                           : _ ("that of the contacts")));
+    g_ptr_array_add (blocks, qn_units_format (report->units, QN_QUANTITY_UNIT_WEIGHT,
+                                              block->unit_weight, 6));
+    g_ptr_array_add (blocks,
+                     g_strdup (block->law != QN_NONE ? model->laws[block->law].name
+                                                     : _ ("that of the contacts")));
   }
   if (model->block_count > 0)
     qn_report_table (pages, blocks, 4);
@@ -281,9 +283,8 @@ qn_report_write_ground_motion (QnPages *pages, const QnGroundMotion *motion)
       ? g_strdup_printf (_ ("pulse of %s m/s² and %s s"), peak, length)
     : motion->record != NULL ? g_strdup (motion->record)
                              : g_strdup_printf (_ ("%zu points"), motion->point_count);
-  g_autofree char *line = g_strdup_printf (
-    _ ("Ground motion: %s, factor %s, along (%s; %s)"), signal, scale, x, y);
-  qn_pages_paragraph (pages, line);
+  qn_report_say (pages, _ ("Ground motion: %s, factor %s, along (%s; %s)"), signal, scale,
+                 x, y);
 }
 
 /* A block that starts elsewhere than at rest, or moves when the motion begins. */
@@ -301,17 +302,15 @@ write_initial_motion (QnPages *pages, const QnReport *report,
       qn_units_format_full (units, QN_QUANTITY_LENGTH, u[QN_DOF_UY], 4);
     g_autofree char *turn =
       qn_units_format_full (units, QN_QUANTITY_ANGLE, u[QN_DOF_RZ], 4);
-    g_autofree char *line =
-      g_strdup_printf (_ ("Initial displacement of %s: %s; %s; %s"), block, x, y, turn);
-    qn_pages_paragraph (pages, line);
+    qn_report_say (pages, _ ("Initial displacement of %s: %s; %s; %s"), block, x, y,
+                   turn);
   }
   if (v[QN_DOF_UX] != 0 || v[QN_DOF_UY] != 0 || v[QN_DOF_RZ] != 0) {
     g_autofree char *x = qn_label_number ("%.4g", v[QN_DOF_UX]);
     g_autofree char *y = qn_label_number ("%.4g", v[QN_DOF_UY]);
     g_autofree char *turn = qn_label_number ("%.4g", v[QN_DOF_RZ]);
-    g_autofree char *line = g_strdup_printf (
-      _ ("Initial velocity of %s: %s; %s m/s; %s rad/s"), block, x, y, turn);
-    qn_pages_paragraph (pages, line);
+    qn_report_say (pages, _ ("Initial velocity of %s: %s; %s m/s; %s rad/s"), block, x, y,
+                   turn);
   }
 }
 
@@ -330,9 +329,8 @@ write_dynamic (QnPages *pages, const QnReport *report)
   qn_pages_paragraph (pages, line);
   g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
   g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
-  g_autofree char *damping = g_strdup_printf (
-    _ ("Damping: %s 1/s times the mass, %s s times the stiffness"), mass, joints);
-  qn_pages_paragraph (pages, damping);
+  qn_report_say (pages, _ ("Damping: %s 1/s times the mass, %s s times the stiffness"),
+                 mass, joints);
 }
 
 /* "Live load, traffic × 1.5: Backfill on the left: …" */
@@ -364,17 +362,15 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
     write_load (pages, report, qn_model_load (model, i), i < model->dead_load_count);
   for (size_t i = 0; i < model->stage_count; i++) {
     g_autofree char *text = qn_stage_dup_text (model, i, report->units);
-    g_autofree char *line = g_strdup_printf (_ ("Stage %zu: %s"), i + 1, text);
-    qn_pages_paragraph (pages, line);
+    qn_report_say (pages, _ ("Stage %zu: %s"), i + 1, text);
   }
   for (size_t i = 0; i < model->ground_count; i++)
     qn_report_write_ground_motion (pages, &model->ground[i]);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     write_dynamic (pages, report);
-  g_autofree char *analysis = g_strdup_printf (
-    _ ("Procedure: %s, in %s geometry."), qn_explain_procedure (&model->analysis),
+  qn_report_say (
+    pages, _ ("Procedure: %s, in %s geometry."), qn_explain_procedure (&model->analysis),
     model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear"));
-  qn_pages_paragraph (pages, analysis);
 }
 
 void
@@ -392,8 +388,6 @@ qn_report_write_findings (QnPages *pages, const QnReport *report)
     qn_pages_paragraph (pages, text);
   }
   if (findings->count > QN_REPORT_ROWS) {
-    g_autofree char *more =
-      g_strdup_printf (_ ("and %zu more"), findings->count - QN_REPORT_ROWS);
-    qn_pages_paragraph (pages, more);
+    qn_report_say (pages, _ ("and %zu more"), findings->count - QN_REPORT_ROWS);
   }
 }

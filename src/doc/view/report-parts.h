@@ -7,10 +7,11 @@
 /* Rows of a table of joints unless all are requested; the others are counted. */
 #define QN_REPORT_ROWS 120
 
+/* A paragraph. */
+void qn_report_say (QnPages *pages, const char *format, ...) G_GNUC_PRINTF (2, 3);
+
 /* ---- tables that grow by cells ---- */
 
-/* Takes the text. */
-void qn_report_add (GPtrArray *cells, char *text);
 /* Copies words, NULL-terminated. */
 void qn_report_add_words (GPtrArray *cells, ...) G_GNUC_NULL_TERMINATED;
 /* A dash where the value is not finite. */
@@ -26,6 +27,9 @@ void qn_report_write_findings (QnPages *pages, const QnReport *report);
 void qn_report_write_ground_motion (QnPages *pages, const QnGroundMotion *motion);
 
 /* ---- report-joints.c ---- */
+
+/* "b1 – b2" */
+char *qn_report_dup_between (const QnModel *model, QnId a, QnId b);
 
 bool qn_report_write_contacts (QnPages *pages, const QnReport *report, GError **error);
 bool qn_report_has_forces (const QnReportRun *run);

@@ -84,11 +84,10 @@ tell_crack (QnPages *pages, const QnReportRun *run, Crack crack, bool last, QnUn
   const QnBlock *blocks = run->project->model.blocks;
   g_autofree char *size =
     qn_units_format_full (units, QN_QUANTITY_LENGTH, crack.width, 3);
-  g_autofree char *line =
-    g_strdup_printf (last ? _ ("Widest crack at the last step: %s, between %s and %s.")
-                          : _ ("Widest crack of all steps: %s, between %s and %s."),
-                     size, blocks[crack.face->a].name, blocks[crack.face->b].name);
-  qn_pages_paragraph (pages, line);
+  qn_report_say (pages,
+                 last ? _ ("Widest crack at the last step: %s, between %s and %s.")
+                      : _ ("Widest crack of all steps: %s, between %s and %s."),
+                 size, blocks[crack.face->a].name, blocks[crack.face->b].name);
 }
 
 /* Of a settlement: what its support takes, and the widest crack, over all steps; of long paths at even
@@ -105,27 +104,27 @@ write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settleme
   const QnQuantity moved = turns ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
   const QnQuantity taken = turns ? QN_QUANTITY_MOMENT : QN_QUANTITY_FORCE;
   size_t rows = MIN (result->step_count, QN_REPORT_ROWS);
-  qn_report_add (cells,
-                 g_strdup_printf (_ ("Settlement (%s)"), qn_units_symbol (units, moved)));
-  qn_report_add (cells,
-                 g_strdup_printf (_ ("Reaction (%s)"), qn_units_symbol (units, taken)));
-  qn_report_add (cells, g_strdup_printf (_ ("Widest crack (%s)"),
-                                         qn_units_symbol (units, QN_QUANTITY_LENGTH)));
+  g_ptr_array_add (
+    cells, g_strdup_printf (_ ("Settlement (%s)"), qn_units_symbol (units, moved)));
+  g_ptr_array_add (cells,
+                   g_strdup_printf (_ ("Reaction (%s)"), qn_units_symbol (units, taken)));
+  g_ptr_array_add (cells, g_strdup_printf (_ ("Widest crack (%s)"),
+                                           qn_units_symbol (units, QN_QUANTITY_LENGTH)));
   qn_report_add_words (cells, _ ("Between"), NULL);
   for (size_t r = 0; r < rows; r++) {
     size_t step = rows > 1 ? r * (result->step_count - 1) / (rows - 1) : 0;
     const Crack *crack = &cracks[step];
-    qn_report_add (cells, qn_units_format (units, moved,
-                                           qn_curve_motion_at (result, motion, step), 4));
-    qn_report_add (cells,
-                   qn_units_format (
-                     units, taken,
-                     qn_result_settlement_reaction (model, result, settlement, step), 5));
-    qn_report_add (cells, qn_units_format (units, QN_QUANTITY_LENGTH, crack->width, 3));
-    qn_report_add (cells, crack->face != NULL ? g_strdup_printf (
-                            "%s – %s", model->blocks[crack->face->a].name,
-                            model->blocks[crack->face->b].name)
-                                              : g_strdup ("–"));
+    g_ptr_array_add (
+      cells,
+      qn_units_format (units, moved, qn_curve_motion_at (result, motion, step), 4));
+    g_ptr_array_add (
+      cells, qn_units_format (
+               units, taken,
+               qn_result_settlement_reaction (model, result, settlement, step), 5));
+    g_ptr_array_add (cells, qn_units_format (units, QN_QUANTITY_LENGTH, crack->width, 3));
+    g_ptr_array_add (cells, crack->face != NULL ? qn_report_dup_between (
+                              model, crack->face->a, crack->face->b)
+                                                : g_strdup ("–"));
   }
   qn_report_table (pages, cells, 4);
 }
@@ -163,10 +162,10 @@ write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
   if (model->tie_count == 0 || result->tie_count != model->tie_count)
     return;
   qn_report_add_words (cells, _ ("Tie"), NULL);
-  qn_report_add (cells, g_strdup_printf (_ ("Largest force (%s)"),
-                                         qn_units_symbol (units, QN_QUANTITY_FORCE)));
-  qn_report_add (cells, g_strdup_printf (_ ("Strength (%s)"),
-                                         qn_units_symbol (units, QN_QUANTITY_FORCE)));
+  g_ptr_array_add (cells, g_strdup_printf (_ ("Largest force (%s)"),
+                                           qn_units_symbol (units, QN_QUANTITY_FORCE)));
+  g_ptr_array_add (cells, g_strdup_printf (_ ("Strength (%s)"),
+                                           qn_units_symbol (units, QN_QUANTITY_FORCE)));
   qn_report_add_words (cells, _ ("Used (%)"), _ ("State"), NULL);
   for (size_t i = 0; i < model->tie_count; i++) {
     const QnTie *tie = &model->ties[i];
@@ -175,14 +174,14 @@ write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
       return;
     const QnTieResult *at = &qn_result_step_ties (result, (gsize) step)[i];
     gboolean limited = isfinite (qn_tie_strength (tie));
-    qn_report_add (cells, g_strdup (tie->name));
-    qn_report_add (cells, qn_units_format (units, QN_QUANTITY_FORCE, at->force, 4));
-    qn_report_add (cells, limited ? qn_units_format (units, QN_QUANTITY_FORCE,
-                                                     qn_tie_strength (tie), 4)
-                                  : g_strdup ("–"));
+    g_ptr_array_add (cells, g_strdup (tie->name));
+    g_ptr_array_add (cells, qn_units_format (units, QN_QUANTITY_FORCE, at->force, 4));
+    g_ptr_array_add (cells, limited ? qn_units_format (units, QN_QUANTITY_FORCE,
+                                                       qn_tie_strength (tie), 4)
+                                    : g_strdup ("–"));
     qn_report_add_number (
       cells, "%.3g", limited ? 100 * qn_tie_utilisation (tie, at->force) : (double) NAN);
-    qn_report_add (cells, g_strdup (qn_tie_state_text (at->state)));
+    g_ptr_array_add (cells, g_strdup (qn_tie_state_text (at->state)));
   }
   qn_report_table (pages, cells, 5);
 }
@@ -255,8 +254,7 @@ qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
   g_autofree char *overrides =
     run->file->overrides != NULL ? g_strjoinv (", ", run->file->overrides) : NULL;
   if (overrides != NULL) {
-    g_autofree char *line = g_strdup_printf (_ ("Computed with %s."), overrides);
-    qn_pages_paragraph (pages, line);
+    qn_report_say (pages, _ ("Computed with %s."), overrides);
   }
   g_autofree char *outcome = qn_explain_outcome (model, result);
   qn_pages_paragraph (pages, outcome);

@@ -11,9 +11,13 @@
 #include <string.h>
 
 void
-qn_report_add (GPtrArray *cells, char *text)
+qn_report_say (QnPages *pages, const char *format, ...)
 {
-  g_ptr_array_add (cells, text);
+  va_list arguments;
+  va_start (arguments, format);
+  g_autofree char *text = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
+  qn_pages_paragraph (pages, text);
 }
 
 void
@@ -30,8 +34,8 @@ qn_report_add_words (GPtrArray *cells, ...)
 void
 qn_report_add_number (GPtrArray *cells, const char *format, double value)
 {
-  qn_report_add (cells,
-                 isfinite (value) ? qn_label_number (format, value) : g_strdup ("–"));
+  g_ptr_array_add (cells,
+                   isfinite (value) ? qn_label_number (format, value) : g_strdup ("–"));
 }
 
 void
@@ -245,9 +249,7 @@ write_files (QnPages *pages, const QnReport *report)
                          file->model_sha256 != NULL ? file->model_sha256 : "–", NULL);
   }
   qn_report_table (pages, cells, 3);
-  g_autofree char *made =
-    g_strdup_printf (_ ("This report was made by %s."), report->generator);
-  qn_pages_paragraph (pages, made);
+  qn_report_say (pages, _ ("This report was made by %s."), report->generator);
 }
 
 static bool
