@@ -120,6 +120,15 @@ typedef struct Proof {
   const char *doubt; /* why nothing is concluded, or NULL */
 } Proof;
 
+/* Whether a stage drives the loads that the last one does. */
+static bool
+drives_alike (const QnModel *model, const QnResult *r, int32_t stage)
+{
+  return stage == r->stage
+         || (stage > 0 && r->stage > 0
+             && model->stages[stage - 1].sets == model->stages[r->stage - 1].sets);
+}
+
 static Proof
 find_proof (const QnReportRun *run, double demand)
 {
@@ -130,17 +139,24 @@ find_proof (const QnReportRun *run, double demand)
                           && r->outcome != QN_OUTCOME_NOT_CONVERGED
                           && r->outcome != QN_OUTCOME_CANCELLED };
   for (size_t s = 0; !r->limit.given && s < r->step_count; s++)
-    if (r->steps[s].stage == r->stage)
+    if (drives_alike (model, r, r->steps[s].stage))
       proof.carried = fmax (proof.carried, r->steps[s].multiplier);
+  /* Where a displacement is prescribed the path goes on beyond its peak. */
+  QnProcedure procedure =
+    r->stage > 0 ? model->stages[r->stage - 1].procedure : model->analysis.procedure;
+  if (r->step_count > 0 && procedure != QN_PROCEDURE_LOAD)
+    proof.ends |= r->steps[r->step_count - 1].multiplier < proof.carried;
   if (r->has_collapse_multiplier)
     proof.carried = r->collapse_multiplier;
   if (r->outcome == QN_OUTCOME_SNAP && r->has_first_limit_multiplier)
     proof.carried = r->first_limit_multiplier;
-  if (buckling != NULL && buckling->stage == r->stage
+  if (buckling != NULL && drives_alike (model, r, buckling->stage)
       && buckling->multiplier < proof.carried) {
     proof.carried = buckling->multiplier;
     proof.ends = true;
   }
+  if (r->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    return proof; /* nothing is carried */
   if (!run->passes)
     proof.doubt = _ ("the independent check is not passed");
   else if (r->outcome == QN_OUTCOME_UNBOUNDED)
