@@ -245,6 +245,11 @@ test_demand (void)
   cli_assert_done (&unstable);
   cli_run_clear (&unstable);
   assert_words (pdf, WORDS ("not met. 0 is carried"), NULL);
+  /* Every stage has its own procedure. */
+  g_autofree char *rocking = cli_example ("24-rocking-block.quoin");
+  cli_do ("report", rocking, "--sections", "title,loads", "-o", pdf, NULL);
+  assert_words (pdf, WORDS ("It rests on load stages", "Procedure: load stages"),
+                WORDS ("load control"));
   /* Or the project asks for it. */
   g_autofree char *model = cli_example ("06-arch.quoin");
   cli_do ("report", model, "--set", "report.demand=0.4", "--sections", "title", "-o", pdf,

@@ -368,9 +368,9 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
     qn_report_write_ground_motion (pages, &model->ground[i]);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     write_dynamic (pages, report);
-  qn_report_say (
-    pages, _ ("Procedure: %s, in %s geometry."), qn_explain_procedure (&model->analysis),
-    model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear"));
+  qn_report_say (pages, _ ("Procedure: %s, in %s geometry."), qn_report_procedure (model),
+                 model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear")
+                                                                : _ ("nonlinear"));
 }
 
 void

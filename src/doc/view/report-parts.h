@@ -7,6 +7,9 @@
 /* Rows of a table of joints unless all are requested; the others are counted. */
 #define QN_REPORT_ROWS 120
 
+/* "displacement control"; of a project with stages, each of which has its own, "load stages". */
+const char *qn_report_procedure (const QnModel *model);
+
 /* A paragraph. */
 void qn_report_say (QnPages *pages, const char *format, ...) G_GNUC_PRINTF (2, 3);
 

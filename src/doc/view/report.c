@@ -10,6 +10,13 @@
 #include <math.h>
 #include <string.h>
 
+const char *
+qn_report_procedure (const QnModel *model)
+{
+  return model->stage_count > 0 ? _ ("load stages")
+                                : qn_explain_procedure (&model->analysis);
+}
+
 void
 qn_report_say (QnPages *pages, const char *format, ...)
 {
@@ -109,7 +116,7 @@ dup_basis (const QnReportRun *run)
   return g_strdup_printf (
     _ ("It rests on %s in %s geometry, on the laws and the pairs of the "
        "joints as given below; %s."),
-    qn_explain_procedure (&model->analysis), geometry, check);
+    qn_report_procedure (model), geometry, check);
 }
 
 /* What a result has proved of a path or of limit analysis: which multiplier is carried, and whether more than
