@@ -618,8 +618,10 @@ static void
 set_xml_error (xmlParserCtxt *context, const char *name, GError **error)
 {
   const xmlError *problem = xmlCtxtGetLastError (context);
-  g_autofree char *reason = g_utf8_make_valid (
-    problem != NULL && problem->message != NULL ? problem->message : _ ("not an XML file"), -1);
+  g_autofree char *reason = g_utf8_make_valid (problem != NULL && problem->message != NULL
+                                                 ? problem->message
+                                                 : _ ("not an XML file"),
+                                               -1);
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%d: %s", name,
                problem != NULL ? MAX (problem->line, 1) : 1,
                g_strstrip (g_strdelimit (reason, "\r\n", ' ')));

@@ -1,0 +1,39 @@
+#!/bin/bash
+# Measures which lines and branches of the sources the tests reach, by room, and fails where the rooms
+# of a layer that must be covered reach less than asked for.
+#
+#   tools/coverage.sh [TESTS…]   default: the quick tests of all layers but the window
+#
+# TESTS are arguments of `meson test`: `--suite core`, `core-law`. The build is build-coverage; the
+# table goes to standard output. Needs gcovr.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+command -v gcovr >/dev/null || { echo "gcovr is missing: apt install gcovr" >&2; exit 2; }
+
+build=build-coverage
+if command -v ld.gold >/dev/null; then
+  export CC_LD=gold CXX_LD=gold
+fi
+[ -d $build ] || meson setup $build -Db_coverage=true -Dbuildtype=debug -Dapp=disabled >/dev/null
+ninja -C $build >/dev/null
+find $build -name '*.gcda' -delete
+[ $# -gt 0 ] || set -- --no-suite slow --no-suite all
+status=0
+meson test -C $build --no-rebuild "$@" >/dev/null || status=$?
+gcovr --root . --filter src/ --exclude-throw-branches --json-summary $build/coverage.json $build
+
+python3 - $build/coverage.json <<'END'
+import collections, json, sys
+
+rooms = collections.defaultdict(collections.Counter)
+for file in json.load(open(sys.argv[1]))["files"]:
+    parts = file["filename"].split("/")[1:-1]
+    for room in {"/".join(parts), parts[0], "all"}:
+        for key in ("line_covered", "line_total", "branch_covered", "branch_total"):
+            rooms[room][key] += file[key]
+print("| room | lines | reached % | branches | taken % |\n| --- | --- | --- | --- | --- |")
+for room, sums in sorted(rooms.items()):
+    print(f"| {room} | {sums['line_total']} | {100 * sums['line_covered'] / max(sums['line_total'], 1):.1f} "
+          f"| {sums['branch_total']} | {100 * sums['branch_covered'] / max(sums['branch_total'], 1):.1f} |")
+END
+exit $status
