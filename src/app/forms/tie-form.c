@@ -31,6 +31,10 @@ enum {
   PRESTRESS,
   SLACK,
   ANCHOR,
+  PLATE,
+  WALL,
+  SHEAR,
+  COMPRESSION,
   FIRST_X,
   FIRST_Y,
   SECOND_X,
@@ -52,6 +56,10 @@ static const QnFormField fields[] = {
   [PRESTRESS] = { .id = "prestress", .step = N_ ("Change Tie") },
   [SLACK] = { .id = "slack", .step = N_ ("Change Tie") },
   [ANCHOR] = { .id = "anchor", .step = N_ ("Change Tie") },
+  [PLATE] = { .id = "plate", .step = N_ ("Change Tie") },
+  [WALL] = { .id = "wall", .step = N_ ("Change Tie") },
+  [SHEAR] = { .id = "shear", .step = N_ ("Change Tie") },
+  [COMPRESSION] = { .id = "compression", .step = N_ ("Change Tie") },
   [FIRST_X] = { .id = "first_x", .step = N_ ("Move Tie End") },
   [FIRST_Y] = { .id = "first_y", .step = N_ ("Move Tie End") },
   [SECOND_X] = { .id = "second_x", .step = N_ ("Move Tie End") },
@@ -89,6 +97,10 @@ bound_of (QnTie *tie, guint field)
     [PRESTRESS] = QN_BOUND (&tie->prestress),
     [SLACK] = QN_BOUND (&tie->slack),
     [ANCHOR] = QN_BOUND (&tie->anchor),
+    [PLATE] = QN_BOUND (&tie->plate.diameter),
+    [WALL] = QN_BOUND (&tie->plate.wall),
+    [SHEAR] = QN_BOUND (&tie->plate.shear),
+    [COMPRESSION] = QN_BOUND (&tie->plate.compression),
     [FIRST_X] = QN_BOUND (&tie->ends[0].at.x),
     [FIRST_Y] = QN_BOUND (&tie->ends[0].at.y),
     [SECOND_X] = QN_BOUND (&tie->ends[1].at.x),
@@ -186,6 +198,11 @@ show (gpointer data, guint field, QnValue *value)
   case REMOVE:
     value->disabled = !any;
     return model->tie_count > 0;
+  case WALL:
+  case SHEAR:
+  case COMPRESSION:
+    qn_value_show (value, bound_of (&tie, field));
+    return any && tie.plate.diameter > 0;
   default:
     qn_value_show (value, bound_of (&tie, field));
     return any;

@@ -61,6 +61,11 @@ write_ties (QnFileWriter *out, const QnModel *model)
                          qn_tie_length (tie), qn_tie_stiffness (tie));
     if (isfinite (qn_tie_strength (tie)))
       qn_file_writer_json (out, ", \"strength\": %g", qn_tie_strength (tie));
+    if (isfinite (qn_tie_plate_punching (&tie->plate)))
+      qn_file_writer_json (out, ", \"punching\": %g",
+                           qn_tie_plate_punching (&tie->plate));
+    if (isfinite (qn_tie_plate_bearing (&tie->plate)))
+      qn_file_writer_json (out, ", \"bearing\": %g", qn_tie_plate_bearing (&tie->plate));
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "\n  ],\n");

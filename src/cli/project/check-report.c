@@ -208,6 +208,10 @@ print_ties (const QnModel *model)
       qn_print (qn_tie_weakest (tie) == QN_TIE_ANCHOR ? _ (", strength %.6g N (anchor)")
                                                       : _ (", strength %.6g N (steel)"),
                 strength);
+    if (isfinite (qn_tie_plate_punching (&tie->plate)))
+      qn_print (_ (", plate punches at %.6g N"), qn_tie_plate_punching (&tie->plate));
+    if (isfinite (qn_tie_plate_bearing (&tie->plate)))
+      qn_print (_ (", plate bears %.6g N"), qn_tie_plate_bearing (&tie->plate));
     if (tie->prestress > 0)
       qn_print (_ (", prestress %.6g N"), tie->prestress);
     if (tie->slack > 0)

@@ -42,6 +42,10 @@ typedef enum {
   TIE_PRESTRESS,
   TIE_ANCHOR,
   TIE_SLACK,
+  TIE_PLATE,
+  TIE_WALL,
+  TIE_SHEAR,
+  TIE_COMPRESSION,
   YOUNG,
   SECTION_AREA,
   SECTION_HEIGHT,
@@ -108,6 +112,12 @@ static const QnUsualRange ranges[ROW_COUNT] = {
                       QN_PROBLEM_DOUBT_FORCE },
   [TIE_ANCHOR] = { QN_ENTITY_TIE, "anchor", "× W", 5e-5, 1e4, QN_PROBLEM_DOUBT_FORCE },
   [TIE_SLACK] = { QN_ENTITY_TIE, "slack", "m", 0, 0.1, QN_PROBLEM_DOUBT_LENGTH },
+  [TIE_PLATE] = { QN_ENTITY_TIE, "plate.diameter", "m", 0.02, 3,
+                  QN_PROBLEM_DOUBT_LENGTH },
+  [TIE_WALL] = { QN_ENTITY_TIE, "plate.wall", "m", 0.05, 10, QN_PROBLEM_DOUBT_LENGTH },
+  [TIE_SHEAR] = { QN_ENTITY_TIE, "plate.shear", "Pa", 100, 1e7, QN_PROBLEM_DOUBT_STRESS },
+  [TIE_COMPRESSION] = { QN_ENTITY_TIE, "plate.compression", "Pa", 1e4, 1e9,
+                        QN_PROBLEM_DOUBT_STRESS },
   [YOUNG] = { QN_ENTITY_SECTION, "young", "Pa", 1e7, 1.3e12, QN_PROBLEM_DOUBT_STIFFNESS },
   [SECTION_AREA] = { QN_ENTITY_SECTION, "area", "m2", 7e-7, 100, QN_PROBLEM_DOUBT_AREA },
   [SECTION_HEIGHT] = { QN_ENTITY_SECTION, "height", "m", 1e-3, 10,
@@ -301,6 +311,10 @@ examine_members (Doubts *d)
     examine (d, TIE_ELASTICITY, i, QN_NONE, tie->elasticity);
     examine (d, TIE_YIELD, i, QN_NONE, tie->yield);
     examine (d, TIE_SLACK, i, QN_NONE, tie->slack);
+    examine (d, TIE_PLATE, i, QN_NONE, tie->plate.diameter);
+    examine (d, TIE_WALL, i, QN_NONE, tie->plate.wall);
+    examine (d, TIE_SHEAR, i, QN_NONE, tie->plate.shear);
+    examine (d, TIE_COMPRESSION, i, QN_NONE, tie->plate.compression);
     if (weight > 0) {
       examine (d, TIE_PRESTRESS, i, QN_NONE, tie->prestress / weight);
       examine (d, TIE_ANCHOR, i, QN_NONE, tie->anchor / weight);

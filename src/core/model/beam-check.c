@@ -135,6 +135,10 @@ check_tie (const QnModel *model, QnId index, QnDiag *diag)
     { "prestress", tie->prestress, QN_RANGE_NOT_NEGATIVE },
     { "slack", tie->slack, QN_RANGE_NOT_NEGATIVE },
     { "anchor", tie->anchor, QN_RANGE_NOT_NEGATIVE },
+    { "plate.diameter", tie->plate.diameter, QN_RANGE_NOT_NEGATIVE },
+    { "plate.wall", tie->plate.wall, QN_RANGE_NOT_NEGATIVE },
+    { "plate.shear", tie->plate.shear, QN_RANGE_NOT_NEGATIVE },
+    { "plate.compression", tie->plate.compression, QN_RANGE_NOT_NEGATIVE },
   };
   QnStatus status =
     check_name (tie->name, qn_model_find_tie (model, tie->name), entity, index, diag);

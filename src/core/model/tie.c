@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#define PI 3.14159265358979323846
+
 const char *const qn_tie_state_names[QN_TIE_STATE_COUNT] = {
   [QN_TIE_SLACK] = "slack",
   [QN_TIE_ELASTIC] = "elastic",
@@ -21,21 +23,47 @@ qn_tie_stiffness (const QnTie *tie)
   return tie->elasticity * tie->area / qn_tie_length (tie);
 }
 
+double
+qn_tie_plate_punching (const QnTiePlate *p)
+{
+  double strength = p->shear * PI * p->wall * (p->diameter + p->wall);
+
+  return p->diameter > 0 && strength > 0 ? strength : INFINITY;
+}
+
+double
+qn_tie_plate_bearing (const QnTiePlate *p)
+{
+  double strength = p->compression * 0.25 * PI * p->diameter * p->diameter;
+
+  return strength > 0 ? strength : INFINITY;
+}
+
+double
+qn_tie_anchor (const QnTie *tie)
+{
+  double wall =
+    fmin (qn_tie_plate_punching (&tie->plate), qn_tie_plate_bearing (&tie->plate));
+
+  return tie->anchor > 0 ? fmin (tie->anchor, wall) : wall;
+}
+
+static double
+steel (const QnTie *tie)
+{
+  return tie->yield > 0 ? tie->area * tie->yield : INFINITY;
+}
+
 QnTieState
 qn_tie_weakest (const QnTie *tie)
 {
-  bool anchor =
-    tie->anchor > 0 && (tie->yield == 0 || tie->anchor < tie->area * tie->yield);
-
-  return anchor ? QN_TIE_ANCHOR : QN_TIE_YIELDS;
+  return qn_tie_anchor (tie) < steel (tie) ? QN_TIE_ANCHOR : QN_TIE_YIELDS;
 }
 
 double
 qn_tie_strength (const QnTie *tie)
 {
-  if (qn_tie_weakest (tie) == QN_TIE_ANCHOR)
-    return tie->anchor;
-  return tie->yield > 0 ? tie->area * tie->yield : INFINITY;
+  return fmin (qn_tie_anchor (tie), steel (tie));
 }
 
 QnTieState

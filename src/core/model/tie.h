@@ -26,6 +26,21 @@ typedef struct QnTieEnd {
   QnVec2 at;  /* m, as drawn */
 } QnTieEnd;
 
+/* A round plate at the outside of a wall, and the strengths of this wall, as the user reduces them:
+ *
+ *   punching   shear pi t (D + t): a cone of 45 degrees through the wall, its surface projected on the
+ *              plane of the wall, without vertical stress (used by Master Magazine 7, pages 75 and 99,
+ *              masteritalia.org: a secondary source)
+ *   bearing    compression pi D^2 / 4: the pressure below the plate, not raised for its small area
+ *
+ * Where a number is missing, 0, that strength is not known and limits nothing. */
+typedef struct QnTiePlate {
+  double diameter;    /* D, m */
+  double wall;        /* t, thickness that the cone goes through, m */
+  double shear;       /* strength of the masonry without compression, Pa */
+  double compression; /* strength of the masonry across the wall, Pa */
+} QnTiePlate;
+
 typedef struct QnTie {
   char *name; /* owned, unique among ties */
   QnTieEnd ends[2];
@@ -35,6 +50,7 @@ typedef struct QnTie {
   double prestress;  /* P, N, >= 0, at most the strength */
   double slack;      /* m, >= 0; 0 where there is prestress */
   double anchor;     /* what an anchor holds, N; 0: no limit */
+  QnTiePlate plate;  /* of the weaker anchor; limits it likewise */
   int32_t note;      /* as in QnBlock */
 } QnTie;
 
@@ -58,6 +74,12 @@ extern const char *const qn_tie_state_names[QN_TIE_STATE_COUNT];
 
 double qn_tie_length (const QnTie *tie);    /* L, m */
 double qn_tie_stiffness (const QnTie *tie); /* E A / L, N/m */
+
+/* What the wall holds of a plate, N; INFINITY where it is not known. And the least of both and of what is
+ * given for the anchor. */
+double qn_tie_plate_punching (const QnTiePlate *plate);
+double qn_tie_plate_bearing (const QnTiePlate *plate);
+double qn_tie_anchor (const QnTie *tie);
 
 /* The largest force, N, INFINITY where nothing limits it; and which of both limits it is. */
 double qn_tie_strength (const QnTie *tie);

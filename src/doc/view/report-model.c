@@ -190,6 +190,16 @@ dup_tie_numbers (const QnTie *tie, QnUnits units)
   append_number (text, _ ("prestress"), QN_QUANTITY_FORCE, tie->prestress, "");
   append_number (text, _ ("slack"), QN_QUANTITY_LENGTH, tie->slack, "");
   append_number (text, _ ("anchor"), QN_QUANTITY_FORCE, tie->anchor, "");
+  append_number (text, _ ("plate Ø"), QN_QUANTITY_LENGTH, tie->plate.diameter, "");
+  append_number (text, _ ("wall"), QN_QUANTITY_LENGTH, tie->plate.wall, "");
+  append_number (text, "fv", QN_QUANTITY_STRESS, tie->plate.shear, "");
+  append_number (text, "fm", QN_QUANTITY_STRESS, tie->plate.compression, "");
+  if (isfinite (qn_tie_plate_punching (&tie->plate)))
+    append_number (text, _ ("punching fv π t (D + t)"), QN_QUANTITY_FORCE,
+                   qn_tie_plate_punching (&tie->plate), "");
+  if (isfinite (qn_tie_plate_bearing (&tie->plate)))
+    append_number (text, _ ("bearing fm π D²/4"), QN_QUANTITY_FORCE,
+                   qn_tie_plate_bearing (&tie->plate), "");
   return g_strdup (text->str);
 }
 

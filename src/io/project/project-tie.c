@@ -11,6 +11,14 @@ static const QnMember end_members[] = {
   { 0 },
 };
 
+static const QnMember plate_members[] = {
+  QN_NUMBER ("diameter", REQUIRED, POSITIVE, QnTiePlate, diameter),
+  QN_NUMBER ("wall", OPTIONAL, NOT_NEGATIVE, QnTiePlate, wall),
+  QN_NUMBER ("shear", OPTIONAL, NOT_NEGATIVE, QnTiePlate, shear),
+  QN_NUMBER ("compression", OPTIONAL, NOT_NEGATIVE, QnTiePlate, compression),
+  { 0 },
+};
+
 static const QnMember tie_members[] = {
   QN_KNOWN ("name"),
   QN_KNOWN ("ends"),
@@ -20,6 +28,7 @@ static const QnMember tie_members[] = {
   QN_NUMBER ("prestress", OPTIONAL, NOT_NEGATIVE, QnTie, prestress),
   QN_NUMBER ("slack", OPTIONAL, NOT_NEGATIVE, QnTie, slack),
   QN_NUMBER ("anchor", OPTIONAL, POSITIVE, QnTie, anchor),
+  QN_KNOWN ("plate"),
   { 0 },
 };
 
@@ -47,8 +56,10 @@ read_tie (const QnJsonValue *place, QnModel *model)
   QnTie *tie = qn_model_add_tie (model, name);
   if (tie == NULL)
     return qn_json_value_no_memory (place);
-  return qn_members_read (place, tie_members, model, tie)
-         && read_ends (place, model, tie);
+  QnJsonValue plate = qn_json_value_member (place, "plate");
+  return qn_members_read (place, tie_members, model, tie) && read_ends (place, model, tie)
+         && (plate.json == NULL
+             || qn_members_read (&plate, plate_members, NULL, &tie->plate));
 }
 
 gboolean
@@ -70,6 +81,8 @@ append_tie (GString *json, const QnModel *model, size_t index)
   }
   g_string_append (json, " }]");
   qn_members_write (json, tie_members, model, tie, &usual);
+  if (tie->plate.diameter > 0)
+    qn_members_put (json, "plate", plate_members, NULL, &tie->plate, &usual.plate);
   return tie->note;
 }
 

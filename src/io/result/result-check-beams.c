@@ -126,7 +126,6 @@ qn_result_check_add_ties (const QnResultFile *file, const QnModel *model,
     check->tie_excess = fmax (check->tie_excess, -force);
     if (tie->yield > 0)
       check->tie_excess = fmax (check->tie_excess, force - steel);
-    if (tie->anchor > 0)
-      check->tie_excess = fmax (check->tie_excess, force - tie->anchor);
+    check->tie_excess = fmax (check->tie_excess, force - qn_tie_anchor (tie));
   }
 }

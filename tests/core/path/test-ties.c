@@ -139,6 +139,28 @@ test_force (void)
   }
 }
 
+/* Punching as it is computed in Master Magazine 7, pages 75 and 99; the least of all limits counts. */
+static void
+test_plate (void)
+{
+  const QnTiePlate first = { 0.10, 0.30, 7400, 0 }, second = { 0.30, 0.32, 14800, 1e5 };
+  QnTie tie = { .ends = { { 0, { 0, 0 } }, { 1, { 1, 0 } } },
+                .area = 1e-4,
+                .plate = first };
+  g_assert_cmpfloat_with_epsilon (qn_tie_plate_punching (&first), 2790, 5);
+  g_assert_cmpfloat_with_epsilon (qn_tie_plate_punching (&second), 9220, 5);
+  g_assert_true (isinf (qn_tie_plate_bearing (&first)));
+  g_assert_cmpfloat_with_epsilon (qn_tie_plate_bearing (&second), 7068.58, 0.01);
+  g_assert_cmpfloat (qn_tie_strength (&tie), ==, qn_tie_plate_punching (&first));
+  tie.plate = second;
+  tie.anchor = 8000;
+  g_assert_cmpfloat (qn_tie_strength (&tie), ==, qn_tie_plate_bearing (&second));
+  g_assert_cmpint (qn_tie_weakest (&tie), ==, QN_TIE_ANCHOR);
+  tie.yield = 5e7;
+  g_assert_cmpfloat (qn_tie_strength (&tie), ==, 5000);
+  g_assert_cmpint (qn_tie_weakest (&tie), ==, QN_TIE_YIELDS);
+}
+
 static void
 add_stage (QnModel *model, double target)
 {
@@ -209,5 +231,6 @@ QN_TESTS
   g_test_add_func ("/ties/slack", test_slack);
   g_test_add_func ("/ties/force", test_force);
   g_test_add_func ("/ties/unloading", test_unloading);
+  g_test_add_func ("/ties/plate", test_plate);
   g_test_add_func ("/ties/growth", test_growth);
 }

@@ -24,7 +24,8 @@ static const char text[] =
   "  \"ties\": [\n"
   "    { \"name\": \"rod\", \"ends\": [{ \"block\": \"stone\", \"at\": [0, 1.5] },\n"
   "      { \"at\": [-3, 1] }], \"area\": 2e-4, \"elasticity\": 2e11, \"yield\": 2.4e8,\n"
-  "      \"prestress\": 500, \"anchor\": 4000 },\n"
+  "      \"prestress\": 500, \"anchor\": 4000,\n"
+  "      \"plate\": { \"diameter\": 0.2, \"wall\": 0.5, \"shear\": 5e4 } },\n"
   "    { \"ends\": [{ \"block\": \"stone\", \"at\": [0, 1] },\n"
   "      { \"block\": \"base\", \"at\": [-2, 0] }], \"area\": 1e-4, \"elasticity\": "
   "2e11,\n"
@@ -76,6 +77,8 @@ static const struct {
   { "{ \"at\": [-3, 1] }", "{ }", "ties[0].ends[1].at", "missing" },
   { "\"area\": 2e-4", "\"area\": 0", "ties[0].area", "positive" },
   { "\"yield\": 2.4e8", "\"yield\": -1", "ties[0].yield", "positive" },
+  { "\"diameter\": 0.2, ", "", "ties[0].plate.diameter", "missing" },
+  { "\"shear\": 5e4", "\"shear\": -1", "ties[0].plate.shear", "negative" },
   { "\"prestress\": 500", "\"prestress\": 5000", "ties[0].prestress", "holds" },
   { "\"prestress\": 500", "\"prestress\": 500, \"slack\": 1e-3", "ties[0].slack",
     "no slack" },
