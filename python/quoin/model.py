@@ -113,6 +113,11 @@ class Model:
         Python run meanwhile."""
         return self._run(progress, lib.quoin_solve)
 
+    def stability(self, progress=None):
+        """Where the path first loses its stability: `first_limit_multiplier`, and the buckling
+        mode as `mechanism`. Needs nonlinear geometry."""
+        return self._run(progress, lib.quoin_stability)
+
     def limit(self, associative=True, progress=None):
         """Limit analysis of rigid blocks."""
         return self._run(progress, lib.quoin_limit, associative)

@@ -1,5 +1,6 @@
 """Results: paths of equilibria, mechanisms, modes, figures."""
 
+import json
 import math
 import os
 
@@ -42,6 +43,28 @@ class Result:
         """"collapse", "target-reached", "snap", "unbounded", "dead-load-unstable",
         "cancelled", "not-converged"."""
         return _library.text(lib.quoin_result_get_outcome(self._handle))
+
+    @property
+    def reason(self):
+        """Sentences: the outcome, what made the analysis end there, and how the structure
+        moves."""
+        pointer = ffi.gc(lib.quoin_result_describe(self._handle), lib.quoin_free)
+        return _library.text(pointer)
+
+    def to_dict(self):
+        """All that a result file holds, with the forces of every step: contacts with points and
+        normals, history and energies of an analysis in time, beams, bars, ties, the kind of the
+        mechanism. Keys as in data/result-format.md."""
+        pointer = ffi.gc(lib.quoin_result_to_text(self._handle), lib.quoin_free)
+        return json.loads(_library.text(pointer))
+
+    def check(self):
+        """What of the result is not true, by the laws alone, as a list of sentences; and whether
+        it passes."""
+        faults = ffi.new("char **")
+        passes = _library.call(lib.quoin_result_check, self._handle, faults)
+        lines = _library.text(ffi.gc(faults[0], lib.quoin_free))
+        return passes, lines.splitlines()
 
     @property
     def multiplier(self):

@@ -1,6 +1,11 @@
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
+#include "core/path/stability.h"
 #include "io/project/project-names.h"
+#include "io/result/result-claims.h"
+#include "io/text/fault-text.h"
+#include "io/text/mechanism-text.h"
+#include "io/text/outcome-text.h"
 #include "library/library-private.h"
 
 #include <math.h>
@@ -45,27 +50,52 @@ make_result (QuoinModel *model, QnResult *filled)
   return result;
 }
 
-QuoinResult *
-quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
-             QuoinError **error)
+typedef QnStatus (*Analysis) (const QnModel *model, const QnContacts *contacts,
+                              QnProgressFunc progress, void *data, QnResult *result,
+                              QnDiag *diag);
+
+static QuoinResult *
+run (Analysis analysis, QuoinModel *model, QuoinProgressFunc progress, void *data,
+     QuoinError **error)
 {
-  if (!quoin_library_given (model, "model", error))
-    return NULL;
   QnDiag diag = { 0 };
   QnResult result;
   Caller caller = { progress, data };
+  if (!quoin_library_given (model, "model", error))
+    return NULL;
   if (model->unread != NULL) {
     quoin_library_take_error (error, model->project.name, g_error_copy (model->unread));
     return NULL;
   }
   if (qn_contacts_require_sound (&model->project.model, &model->contacts, &diag) != QN_OK
-      || qn_analysis_run (&model->project.model, &model->contacts, report, &caller,
-                          &result, &diag)
+      || analysis (&model->project.model, &model->contacts, report, &caller, &result,
+                   &diag)
            != QN_OK) {
     quoin_library_take_diag (error, &model->project, &diag);
     return NULL;
   }
   return make_result (model, &result);
+}
+
+QuoinResult *
+quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
+             QuoinError **error)
+{
+  return run (qn_analysis_run, model, progress, data, error);
+}
+
+QuoinResult *
+quoin_stability (QuoinModel *model, QuoinProgressFunc progress, void *data,
+                 QuoinError **error)
+{
+  if (model != NULL && model->project.model.analysis.geometry != QN_GEOMETRY_NONLINEAR) {
+    quoin_library_set_error (error, QUOIN_ERROR_INVALID,
+                             "%s: analysis.geometry: linear geometry has no buckling: "
+                             "set it to nonlinear",
+                             model->project.name);
+    return NULL;
+  }
+  return run (qn_stability_run, model, progress, data, error);
 }
 
 QuoinResult *
@@ -197,6 +227,50 @@ quoin_result_write (const QuoinResult *result, const char *path, QuoinError **er
   return false;
 }
 
+char *
+quoin_result_to_text (const QuoinResult *result)
+{
+  gsize length;
+  if (result == NULL)
+    return NULL;
+  return qn_result_dup_text_detailed (&result->model->project, &result->model->contacts,
+                                      &result->result, QN_DETAIL_STEPS, &length);
+}
+
+bool
+quoin_result_check (const QuoinResult *result, char **faults, QuoinError **error)
+{
+  if (faults != NULL)
+    *faults = NULL;
+  if (!quoin_library_given (result, "result", error))
+    return false;
+  const QnProject *project = &result->model->project;
+  const QnContacts *contacts = &result->model->contacts;
+  gsize length;
+  g_autofree char *text =
+    qn_result_dup_text (project, contacts, &result->result, &length);
+  g_auto (QnResultFile) file = { 0 };
+  QnResultFaults found;
+  QnResultCheck check;
+  GError *cause = NULL;
+  bool rests = result->result.step_count > 0 && result->result.history.width == 0;
+  if (!qn_result_file_parse (text, length, "result", &file, &cause)
+      || !qn_result_file_find_faults (&file, "result", project, contacts, &found, &cause)
+      || (rests && !qn_result_check (&file, project, &check, &cause))) {
+    quoin_library_take_error (error, "result", cause);
+    return false;
+  }
+  g_autoptr (GString) lines = g_string_new (NULL);
+  for (int i = 0; i < found.count; i++) {
+    g_autofree char *fault =
+      qn_fault_dup_text (&project->model, contacts, &found.items[i]);
+    g_string_append_printf (lines, "%s%s", i > 0 ? "\n" : "", fault);
+  }
+  if (faults != NULL)
+    *faults = g_strdup (lines->str);
+  return qn_result_passes (project, rests ? &check : NULL, &found);
+}
+
 /* --- What it says ------------------------------------------------------------------------ */
 
 QuoinResult *
@@ -232,6 +306,19 @@ quoin_result_get_outcome (const QuoinResult *result)
   if (result == NULL)
     return NULL;
   return qn_outcome_names[result->result.outcome];
+}
+
+char *
+quoin_result_describe (const QuoinResult *result)
+{
+  if (result == NULL)
+    return NULL;
+  const QnModel *model = &result->model->project.model;
+  g_autofree char *reason = qn_outcome_dup_reason (model, &result->result);
+  g_autofree char *moves =
+    qn_collapse_dup_text (model, &result->model->contacts, &result->result);
+  return moves != NULL ? g_strdup_printf ("%s %s", reason, moves)
+                       : g_steal_pointer (&reason);
 }
 
 double

@@ -172,6 +172,11 @@ typedef bool (*QuoinProgressFunc) (double multiplier, int32_t steps, int32_t ite
 QuoinResult *quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
                           QuoinError **error);
 
+/* The load multiplier at which the path first loses its stability, in nonlinear geometry: outcome "snap",
+ * the first limit multiplier, and the buckling mode as mechanism. */
+QuoinResult *quoin_stability (QuoinModel *model, QuoinProgressFunc progress, void *data,
+                              QuoinError **error);
+
 /* Limit analysis of rigid blocks; associative: dilatancy = friction, whose multiplier nothing
  * exceeds. */
 QuoinResult *quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc progress,
@@ -196,6 +201,15 @@ QuoinResult *quoin_result_read (QuoinModel *model, const char *path, QuoinError 
 /* Writes a result file, whole or not at all. */
 bool quoin_result_write (const QuoinResult *result, const char *path, QuoinError **error);
 
+/* The same as a string, JSON with all that a result file holds: contacts with their points and normals,
+ * forces of every step, the history of an analysis in time, its energies, beams, the mechanism's kind
+ * and joints. Keys: data/result-format.md. To be freed with quoin_free(). */
+char *quoin_result_to_text (const QuoinResult *result);
+
+/* Whether everything that the result says is true, by the laws alone. *faults (nullable): what is not, a
+ * line each, "" where all is; to be freed with quoin_free(). */
+bool quoin_result_check (const QuoinResult *result, char **faults, QuoinError **error);
+
 void quoin_result_free (QuoinResult *result);
 
 /* The model that was solved; borrowed. */
@@ -204,6 +218,10 @@ QuoinModel *quoin_result_get_model (const QuoinResult *result);
 /* "collapse", "target-reached", "snap", "unbounded", "dead-load-unstable", "cancelled",
  * "not-converged" */
 const char *quoin_result_get_outcome (const QuoinResult *result);
+
+/* Sentences: the outcome, what made the analysis end there, and how the structure moves. To be freed
+ * with quoin_free(). */
+char *quoin_result_describe (const QuoinResult *result);
 
 /* Not-a-number where there is none. */
 double quoin_result_get_collapse_multiplier (const QuoinResult *result);

@@ -509,6 +509,8 @@ is_first (void)
   X (modes_get_count, quoin_modes_get_count (NULL) == 0) \
   X (modes_get_omega, quoin_modes_get_omega (NULL) == NULL) \
   X (modes_get_shapes, quoin_modes_get_shapes (NULL) == NULL) \
+  X (result_check, REFUSED (quoin_result_check (NULL, NULL, &error))) \
+  X (result_describe, quoin_result_describe (NULL) == NULL) \
   X (result_free, (quoin_result_free (NULL), true)) \
   X (result_get_beyond_linear_multiplier, isnan (quoin_result_get_beyond_linear_multiplier (NULL))) \
   X (result_get_body_count, quoin_result_get_body_count (NULL) == 0) \
@@ -543,8 +545,10 @@ is_first (void)
   X (result_get_upper_bound, isnan (quoin_result_get_upper_bound (NULL))) \
   X (result_is_beyond_linear, !quoin_result_is_beyond_linear (NULL)) \
   X (result_read, REFUSED (quoin_result_read (NULL, "r", &error)) && REFUSED (quoin_result_read (o->model, NULL, &error))) \
+  X (result_to_text, quoin_result_to_text (NULL) == NULL) \
   X (result_write, REFUSED (quoin_result_write (NULL, "r", &error)) && REFUSED (quoin_result_write (o->result, NULL, &error))) \
   X (solve, REFUSED (quoin_solve (NULL, NULL, NULL, &error))) \
+  X (stability, REFUSED (quoin_stability (NULL, NULL, NULL, &error))) \
   X (version, quoin_version () != NULL)
 /* clang-format on */
 
@@ -628,6 +632,41 @@ test_records (void)
   quoin_model_unref (model);
 }
 
+/* The Euler load of a pinned column, as words and as a file; in linear geometry nothing buckles. */
+static void
+test_stability (void)
+{
+  g_autofree char *path =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "21-column-pinned.quoin", NULL);
+  const char *const linear[] = { "analysis.geometry=linear", NULL };
+  QuoinModel *model = quoin_model_open (path, linear, &error);
+  g_assert_null (quoin_stability (model, NULL, NULL, &error));
+  g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_INVALID);
+  quoin_error_free (error);
+  error = NULL;
+  quoin_model_unref (model);
+
+  model = quoin_model_open (path, NULL, &error);
+  QuoinResult *result = quoin_stability (model, NULL, NULL, &error);
+  g_assert_null (error);
+  g_assert_cmpstr (quoin_result_get_outcome (result), ==, "snap");
+  /* 2467.4 kN of Euler, in blocks */
+  g_assert_cmpfloat_with_epsilon (quoin_result_get_first_limit_multiplier (result),
+                                  2467.4, 5);
+  g_autofree char *faults = NULL, *text = NULL;
+  char *described = quoin_result_describe (result);
+  g_test_message ("%s", described);
+  g_assert_cmpuint (strlen (described), >, 20);
+  quoin_free (described);
+  g_assert_true (quoin_result_check (result, &faults, &error));
+  g_assert_cmpstr (faults, ==, "");
+  text = quoin_result_to_text (result);
+  g_assert_nonnull (strstr (text, "\"outcome\": \"snap\""));
+  g_assert_nonnull (strstr (text, "\"normal\": ["));
+  quoin_result_free (result);
+  quoin_model_unref (model);
+}
+
 /* Structures without supports vibrate too, with three rigid motions. */
 static void
 test_free_modes (void)
@@ -651,6 +690,7 @@ QN_TESTS
   g_test_add_func ("/library/wrong-arguments", test_wrong_arguments);
   g_test_add_func ("/library/records", test_records);
   g_test_add_func ("/library/free-modes", test_free_modes);
+  g_test_add_func ("/library/stability", test_stability);
   g_test_add_func ("/library/ties", test_ties);
   g_test_add_func ("/library/model", test_model);
   g_test_add_func ("/library/error-names-the-place", test_error_names_the_place);

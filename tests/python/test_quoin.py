@@ -283,3 +283,26 @@ def test_models_copy_and_pickle():
     model = quoin.from_polygons(SQUARES, [0])
     for other in (copy.copy(model), copy.deepcopy(model), pickle.loads(pickle.dumps(model))):
         assert other.to_dict() == model.to_dict()
+
+
+def test_everything_that_a_result_says():
+    """Words, the file as a dictionary, and the independent check."""
+    result = quoin.open(WALLS / "wall1.quoin").solve()
+    data = result.to_dict()
+    assert f"{result.multiplier:.4g}" in result.reason
+    assert result.check() == (True, [])
+    assert len(data["contacts"]) == len(result.states)
+    assert set(data["contacts"][0]) >= {"point", "normal", "normal_force", "shear_force"}
+    assert "forces" in data["steps"][1] and "kind" in data["mechanism_facts"]
+    column = quoin.open(EXAMPLES / "21-column-pinned.quoin")
+    assert column.stability().first_limit_multiplier == pytest.approx(2467.4, abs=5)
+    with pytest.raises(quoin.InvalidError, match="nonlinear"):
+        column.set({"analysis.geometry": "linear"}).stability()
+
+
+def test_history_of_an_analysis_in_time():
+    """Time, energies and tracks are in the dictionary."""
+    rocking = quoin.open(EXAMPLES / "40-rocking-in-time.quoin",
+                         {"analysis.dynamic.duration": 0.1})
+    data = rocking.solve().to_dict()
+    assert data["history"]["time"][-1] > 0

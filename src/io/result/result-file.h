@@ -48,7 +48,10 @@ gboolean qn_result_file_write (const char *path, const QnProject *project,
                                const QnContacts *contacts, const QnResult *result,
                                GError **error);
 
-/* The text of such a file; free with g_free(). */
+/* The text of such a file; free with g_free(). The second form uses QN_DETAIL_FORCES. */
+char *qn_result_dup_text_detailed (const QnProject *project, const QnContacts *contacts,
+                                   const QnResult *result, QnResultDetail detail,
+                                   gsize *length);
 char *qn_result_dup_text (const QnProject *project, const QnContacts *contacts,
                           const QnResult *result, gsize *length);
 

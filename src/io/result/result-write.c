@@ -434,10 +434,18 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
 }
 
 char *
+qn_result_dup_text_detailed (const QnProject *project, const QnContacts *contacts,
+                             const QnResult *result, QnResultDetail detail, gsize *length)
+{
+  QnFileWriter *writer = qn_file_writer_new_in_memory ();
+  write_all (writer, project, contacts, result, detail);
+  return qn_file_writer_steal (writer, length);
+}
+
+char *
 qn_result_dup_text (const QnProject *project, const QnContacts *contacts,
                     const QnResult *result, gsize *length)
 {
-  QnFileWriter *writer = qn_file_writer_new_in_memory ();
-  write_all (writer, project, contacts, result, QN_DETAIL_FORCES);
-  return qn_file_writer_steal (writer, length);
+  return qn_result_dup_text_detailed (project, contacts, result, QN_DETAIL_FORCES,
+                                      length);
 }
