@@ -183,7 +183,7 @@ read_number (QnJson *json, gsize at, double *number)
 static gboolean
 read_whole (QnJson *json, gsize at, double least, double most, gint64 *whole)
 {
-  double number;
+  double number = 0;
   if (!read_number (json, at, &number))
     return FALSE;
   *whole = qn_to_integer (number, (gint64) least, (gint64) most);
