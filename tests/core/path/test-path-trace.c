@@ -650,11 +650,10 @@ test_end_of_branch (void)
         g_assert_true ((buckling != NULL) == !aside);
         if (aside)
           continue;
-        double multiplier = buckling->multiplier;
+        const double multiplier = buckling->multiplier;
         g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
         g_assert_cmpint (qn_stability_run (&model, &contacts, NULL, NULL, &search, NULL),
                          ==, QN_OK);
-        const double multiplier = buckling->multiplier;
         g_test_message ("%d columns, procedure %d: %.4f, search %.4f, Euler %.4f",
                         columns, (int) procedures[p], multiplier,
                         search.first_limit_multiplier, euler);
