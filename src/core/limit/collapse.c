@@ -13,29 +13,24 @@ static const struct {
   double to_boundary; /* part of the way to where some s or z vanishes */
   double exponent;    /* of what the predictor leaves of mu, for the mu aimed at */
   double least_aim;   /* of mu, in one step */
-  int32_t correctors; /* of centrality, for steps shorter than `long_step` */
-  double long_step, spread,
+  int32_t correctors; /* of centrality, for steps shorter than `full_step` */
+  double full_step, spread,
     gain;            /* products are brought within `spread` of mu, a corrector gains */
-  double short_step; /* a step shorter than this: the curve is traced */
-  double leave;      /* and no longer once the tangent reaches this part of mu */
-  double pace, most_pace; /* length along the tangent, in lengths to the boundary */
-  double near, nearest;   /* products within this of mu: the pace is halved, or doubled */
-  double centred;         /* products beyond this: no step along the tangent */
+  double short_step; /* a step shorter than this lowers the coupling, */
+  double long_step;  /* a longer one than this raises it, */
+  double less, more; /* by so much; */
 } tuning = {
   .to_boundary = 0.9,
-  .exponent = 3,
+  .exponent = 5,
   .least_aim = 1e-6,
   .correctors = 4,
-  .long_step = 0.9,
+  .full_step = 0.9,
   .spread = 5,
   .gain = 0.01,
-  .short_step = 0.05,
-  .leave = 0.5,
-  .pace = 0.5,
-  .most_pace = 4,
-  .near = 4,
-  .nearest = 1.5,
-  .centred = 10,
+  .short_step = 0.1,
+  .long_step = 0.3,
+  .less = 0.1,
+  .more = 0.05,
 };
 
 /* Residuals at a collapse: of forces, relative to the largest; of rates, to the largest velocity. */
@@ -63,8 +58,8 @@ qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
   c->rv = qn_alloc (rows, sizeof (double));
   c->right.v = qn_alloc (rows, sizeof (double));
   bool ok = c->w && c->rz && c->products && c->ry && c->right.y && c->rv && c->right.v
-            && qn_ip_vector_init (&c->at, p) && qn_ip_vector_init (&c->tangent, p)
-            && qn_ip_vector_init (&c->step, p) && qn_ip_vector_init (&c->trial, p);
+            && qn_ip_vector_init (&c->at, p) && qn_ip_vector_init (&c->step, p)
+            && qn_ip_vector_init (&c->trial, p);
   QnStatus status = ok ? qn_ip_kkt_init (&c->kkt, p, diag) : qn_diag_no_memory (diag);
   c->kkt.regularization = REGULARIZATION;
   if (status)
@@ -80,7 +75,6 @@ qn_collapse_clear (QnCollapse *c)
   for (size_t i = 0; i < QN_N_ELEMENTS (arrays); i++)
     free (arrays[i]);
   qn_ip_vector_clear (&c->at);
-  qn_ip_vector_clear (&c->tangent);
   qn_ip_vector_clear (&c->step);
   qn_ip_vector_clear (&c->trial);
   qn_ip_kkt_clear (&c->kkt);
@@ -88,7 +82,8 @@ qn_collapse_clear (QnCollapse *c)
 }
 
 void
-qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strength)
+qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strength,
+                   double coupling)
 {
   const QnIpProblem *p = c->problem;
   size_t size = 2 * (size_t) p->cell_count * sizeof (double);
@@ -99,13 +94,12 @@ qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strengt
   else
     memset (c->at.y, 0, size);
   c->at.lambda = lambda;
-  c->remaining = 1;
-  c->first_product = strength;
+  c->least_coupling = coupling;
   qn_ip_apply_bounds (p, c->at.y, c->rz);
   for (int32_t i = 0; i < p->bound_count; i++) {
     double left = fmax (p->bounds[i].limit - c->rz[i], 0);
     c->at.s[i] = 0.5 * (left + hypot (left, 2 * strength));
-    c->at.z[i] = c->first_product / c->at.s[i];
+    c->at.z[i] = strength / c->at.s[i];
   }
 }
 
@@ -166,61 +160,27 @@ add (const QnIpProblem *p, QnIpVector *to, double part, const QnIpVector *step)
   to->lambda += part * step->lambda;
 }
 
-/* How often the step, in this sense, can be made until some s or z vanishes. */
+/* How often the step can be made until some s or z vanishes. */
 static double
-way_to_boundary (const QnCollapse *c, const QnIpVector *step, double sense)
+way_to_boundary (const QnCollapse *c, const QnIpVector *step)
 {
   double most = 1e-300;
 
   for (int32_t i = 0; i < c->problem->bound_count; i++)
-    most = fmax (
-      most, fmax (-sense * step->s[i] / c->at.s[i], -sense * step->z[i] / c->at.z[i]));
+    most = fmax (most, fmax (-step->s[i] / c->at.s[i], -step->z[i] / c->at.z[i]));
   return 1 / most;
 }
 
-/* a . b of the relative changes of s and z. */
-static double
-product (const QnCollapse *c, const QnIpVector *a, const QnIpVector *b)
-{
-  double sum = 0;
-
-  for (int32_t i = 0; i < c->problem->bound_count; i++)
-    sum += a->s[i] * b->s[i] / (c->at.s[i] * c->at.s[i])
-           + a->z[i] * b->z[i] / (c->at.z[i] * c->at.z[i]);
-  return sum;
-}
-
-/* Products and residuals of the iterate. */
-typedef struct {
-  double mu;        /* what all products s z are to be */
-  double sum;       /* of s z */
-  double low, high; /* least and greatest, over mu */
-} Products;
-
-static Products
-find_products (const QnCollapse *c)
-{
-  Products found = { .mu = c->remaining * c->first_product, .low = INFINITY };
-
-  for (int32_t i = 0; i < c->problem->bound_count; i++) {
-    double product = c->at.s[i] * c->at.z[i];
-    found.sum += product;
-    found.low = fmin (found.low, product / found.mu);
-    found.high = fmax (found.high, product / found.mu);
-  }
-  return found;
-}
-
 /* Whether the iterate is a collapse: rates are those of flows and compliance, forces balance and are
- * strictly within the strength. */
+ * strictly within the strength. `power`: z's, the sum of all products. */
 static bool
-is_collapse (const QnCollapse *c, const Products *products, double tolerance)
+is_collapse (const QnCollapse *c, double power, double tolerance)
 {
   const QnIpProblem *p = c->problem;
   double forces = fmax (1, qn_ip_largest (c->at.y, 2 * p->cell_count));
   double speed = qn_ip_largest (c->at.v, p->row_count);
 
-  return products->sum <= tolerance * p->load_gain * fmax (fabs (c->at.lambda), tolerance)
+  return power <= tolerance * p->load_gain * fmax (fabs (c->at.lambda), tolerance)
          && fabs (c->r_lambda) <= RATE_RESIDUAL * p->load_gain
          && qn_ip_largest (c->rv, p->row_count) <= FORCE_RESIDUAL * forces
          && qn_ip_largest (c->rz, p->bound_count) <= FORCE_RESIDUAL * forces
@@ -247,39 +207,36 @@ exchange (QnIpVector *a, QnIpVector *b)
   *b = swap;
 }
 
-/* The step that lowers mu, as far as the predictor says; *share: the part of the residuals that it
- * takes off, *length: how much of it may be gone. */
+/* The step that lowers mu, as far as the predictor says; *length: how much of it may be gone. */
 static QnStatus
-find_descent (QnCollapse *c, const Products *now, double *share, double *length,
-              QnDiag *diag)
+find_step (QnCollapse *c, double power, double *length, QnDiag *diag)
 {
   const QnIpProblem *p = c->problem;
   QnIpVector *step = &c->step;
-  double left = 0, aim = 1;
+  double left = 0;
 
   for (int32_t i = 0; i < p->bound_count; i++)
     c->products[i] = -c->at.s[i] * c->at.z[i];
   QnStatus status = solve_direction (c, 1, step, diag);
   if (status)
     return status;
-  *length = fmin (1, way_to_boundary (c, step, 1));
+  double whole = fmin (1, way_to_boundary (c, step));
   for (int32_t i = 0; i < p->bound_count; i++)
-    left += (c->at.s[i] + *length * step->s[i]) * (c->at.z[i] + *length * step->z[i]);
-  double part = fmax (tuning.least_aim, pow (left / now->sum, tuning.exponent));
-  double target = part * now->mu;
-  *share = 1 - part;
+    left += (c->at.s[i] + whole * step->s[i]) * (c->at.z[i] + whole * step->z[i]);
+  double part = fmax (tuning.least_aim, pow (left / power, tuning.exponent));
+  double target = part * power / p->bound_count;
   for (int32_t i = 0; i < p->bound_count; i++)
     c->products[i] = target - c->at.s[i] * c->at.z[i] - step->s[i] * step->z[i];
-  status = solve_direction (c, *share, step, diag);
-  *length = fmin (1, way_to_boundary (c, step, 1));
-  for (int32_t k = 0; !status && k < tuning.correctors && *length < tuning.long_step;
+  status = solve_direction (c, 1 - part, step, diag);
+  *length = way_to_boundary (c, step);
+  for (int32_t k = 0; !status && k < tuning.correctors && *length < tuning.full_step;
        k++) {
-    aim = fmin (1, 1.3 * *length + 0.1);
+    double aim = fmin (1, 1.3 * *length + 0.1);
     for (int32_t i = 0; i < p->bound_count; i++)
       c->products[i] += centre (
         (c->at.s[i] + aim * step->s[i]) * (c->at.z[i] + aim * step->z[i]), target);
-    status = solve_direction (c, *share, &c->trial, diag);
-    double reached = fmin (1, way_to_boundary (c, &c->trial, 1));
+    status = solve_direction (c, 1 - part, &c->trial, diag);
+    double reached = way_to_boundary (c, &c->trial);
     if (reached < *length + tuning.gain)
       break;
     exchange (step, &c->trial);
@@ -288,37 +245,43 @@ find_descent (QnCollapse *c, const Products *now, double *share, double *length,
   return status;
 }
 
-/* The step along the curve: `part` of the tangent, and at right angles to it back to the curve. */
+/* Factorises for the iterate. *ok is false where the system has no solution. */
 static QnStatus
-find_trace (QnCollapse *c, const Products *now, double part, double *share,
-            double *length, QnDiag *diag)
+factorize (QnCollapse *c, bool *ok, QnDiag *diag)
 {
-  const QnIpVector *tangent = &c->tangent;
-
   for (int32_t i = 0; i < c->problem->bound_count; i++)
-    c->products[i] =
-      now->mu - c->at.s[i] * c->at.z[i] - part * part * tangent->s[i] * tangent->z[i];
-  QnStatus status = solve_direction (c, 0, &c->step, diag);
-  *share = part - product (c, tangent, &c->step) / product (c, tangent, tangent);
-  add (c->problem, &c->step, *share, tangent);
-  *length = fmin (1, way_to_boundary (c, &c->step, 1));
-  return status;
+    c->w[i] = c->at.z[i] / c->at.s[i];
+  return qn_ip_kkt_factorize (&c->kkt, c->w, ok, diag);
 }
 
-/* d lambda / d log (1 / compliance) at a collapse: the tangent of its equations, by one more solution of
- * the last linear system. */
+/* Whether the matrix has as many negative eigenvalues as one of associative flow, or by an even number
+ * more. */
+static bool
+is_stable (const QnIpKkt *kkt)
+{
+  return (qn_block_lu_sign (kkt->schur.lu) > 0) == (kkt->border_power > 0);
+}
+
+/* d lambda / d log (1 / compliance) at a collapse: the tangent of its equations. */
 static QnStatus
 find_growth (QnCollapse *c, QnDiag *diag)
 {
   const QnIpProblem *p = c->problem;
   QnIpKktVector solution = { c->step.y, c->step.s, c->step.v, 0 };
+  QnStatus status = QN_OK;
+  bool ok = true;
 
+  if (c->kkt.coupling < 1) {
+    c->kkt.coupling = 1;
+    status = factorize (c, &ok, diag);
+  }
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     c->right.y[i] = p->cells[i / 2].quadratic[i % 2] * c->at.y[i];
   memset (c->right.v, 0, (size_t) p->row_count * sizeof (double));
   c->right.lambda = 0;
-  QnStatus status = qn_ip_kkt_solve (&c->kkt, &c->right, &solution, diag);
-  c->growth = solution.lambda;
+  if (!status && ok)
+    status = qn_ip_kkt_solve (&c->kkt, &c->right, &solution, diag);
+  c->growth = ok ? solution.lambda : INFINITY;
   return status;
 }
 
@@ -328,60 +291,41 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
                     QnDiag *diag)
 {
   const QnIpProblem *p = c->problem;
-  double pace = tuning.pace, share = 0, length = 1;
-  bool traces = false;
+  double *coupling = &c->kkt.coupling;
   QnStatus status = QN_OK;
+  bool ok = true;
 
+  *coupling = 1;
   *state = QN_COLLAPSE_LOST;
-  for (int32_t iteration = 0; !status; iteration++) {
+  for (int32_t iteration = 0; !status && ok; iteration++) {
     find_residuals (c);
-    const Products now = find_products (c);
-    if (iteration > 0 && is_collapse (c, &now, tolerance)) {
+    double power = qn_ip_dot (c->at.s, c->at.z, p->bound_count), length = 0;
+    double least = c->least_coupling;
+    if (iteration > 0 && is_collapse (c, power, tolerance)) {
       *state = QN_COLLAPSE_FOUND;
       return find_growth (c, diag);
     }
-    if (iteration == budget || !isfinite (now.sum))
+    if (iteration == budget || !isfinite (power))
       return QN_OK;
     if (!go_on (data)) {
       *state = QN_COLLAPSE_CANCELLED;
       return QN_OK;
     }
-
-    bool ok;
-    for (int32_t i = 0; i < p->bound_count; i++) {
-      c->w[i] = c->at.z[i] / c->at.s[i];
-      c->products[i] = -now.mu;
-    }
-    status = qn_ip_kkt_factorize (&c->kkt, c->w, &ok, diag);
+    status = factorize (c, &ok, diag);
     if (status || !ok)
       return status;
-    status = solve_direction (c, 1, &c->tangent, diag);
-    if (status)
-      return status;
-    double sense =
-      qn_block_lu_sign (c->kkt.schur.lu) * (c->kkt.border_power > 0 ? 1 : -1);
-    double reach = way_to_boundary (c, &c->tangent, sense);
-    bool traced = traces;
-    traces = sense < 0 || (traced ? reach < tuning.leave : length < tuning.short_step);
-    if (traces && !traced)
-      pace = tuning.pace;
-    if (traces) {
-      double apart = fmax (now.high, 1 / now.low), part = 0;
-      if (apart < tuning.nearest)
-        pace = fmin (tuning.most_pace, 2 * pace);
-      else if (apart > tuning.near)
-        pace = fmax (0.2, 0.5 * pace);
-      if (apart < tuning.centred)
-        part = sense > 0 ? fmin (0.9, pace * reach) : -fmin (3, pace * reach);
-      status = find_trace (c, &now, part, &share, &length, diag);
-    } else {
-      status = find_descent (c, &now, &share, &length, diag);
+    if (is_stable (&c->kkt)) {
+      status = find_step (c, power, &length, diag);
+      if (status || !(c->kkt.error < WORST_SOLUTION))
+        return status;
+      add (p, &c->at, fmin (1, tuning.to_boundary * length), &c->step);
+    } else if (*coupling <= least) {
+      least = 0;
     }
-    if (status || !(c->kkt.error < WORST_SOLUTION))
-      return status;
-    double taken = fmin (1, tuning.to_boundary * length);
-    c->remaining *= 1 - taken * share;
-    add (p, &c->at, taken, &c->step);
+    if (length < tuning.short_step)
+      *coupling = fmax (least, *coupling - tuning.less);
+    else if (length > tuning.long_step)
+      *coupling = fmin (1, *coupling + tuning.more);
   }
   return status;
 }

@@ -14,14 +14,16 @@
  * Without it blocks wedge each other. The multiplier does not depend on e any more where e is small
  * enough; how far it does is told by its derivative.
  *
- * With s z = mu and all other residuals proportional to mu these are the points of one curve, from any
- * start (s z equal everywhere) to a collapse. It is followed by interior-point steps (Mehrotra's
- * predictor and corrector, Gondzio's centrality correctors) as long as these are long. Friction
- * without associativity makes the curve turn back in mu, which no method follows that only lowers mu:
- * there it is traced by its tangent and by corrections at right angles to it, in the direction that the
- * sign of the determinant tells (continuation, as in Allgower & Georg, Numerical Continuation
- * Methods, 1990, chapter 2). Pairs are eliminated, each iteration has one factorisation of the size of
- * the blocks.
+ * It is sought by interior-point steps (Mehrotra's predictor and corrector, Gondzio's centrality
+ * correctors), which lower all products s z and residuals together. Friction without associativity
+ * makes the curve on which all s z are equal turn back: its matrix has a determinant of the wrong sign
+ * there, or a step is short because the strength of a few joints runs away with their normal force.
+ * Then an iteration takes into account but a part of that, the coupling c: its matrix has
+ * F' + c (G - F') in place of G. With c = 0 it is that of associative flow, symmetric and positive
+ * definite. What is left out stays in the residual of G y + s = h and is taken off by later
+ * iterations, so the solution is that of the equations above whatever c was; and the iterate has
+ * passed to the other side of the turn. Pairs are eliminated, each iteration has one factorisation of
+ * the size of the blocks.
  */
 #ifndef QN_CORE_COLLAPSE_H
 #define QN_CORE_COLLAPSE_H
@@ -39,15 +41,14 @@ typedef struct QnCollapse {
   QnIpKkt kkt;
   QnIpVector at; /* the iterate, tau and kappa unused */
   double growth; /* of a collapse: d lambda / d log (1 / compliance) */
+  double least_coupling;
 
-  QnIpVector tangent, step, trial;
+  QnIpVector step, trial;
   double *w;            /* z / s */
   double *ry, *rv, *rz; /* residuals, minus the left-hand sides */
   double r_lambda;      /* that of the work */
   double *products;     /* right-hand side of s dz + z ds */
   QnIpKktRight right;
-  double first_product; /* s z at the start */
-  double remaining;     /* mu and residuals, of those at the start */
 } QnCollapse;
 
 /* Analyses the structure and allocates everything; `problem` is borrowed until _clear(). `collapse` is
@@ -56,14 +57,15 @@ QnStatus qn_collapse_init (QnCollapse *collapse, const QnIpProblem *problem,
                            QnDiag *diag);
 void qn_collapse_clear (QnCollapse *collapse);
 
-/* Sets the start of the curve: these forces (cell_count x 2) and this multiplier, no motion; NULL and
- * 0: from rest. `strength` > 0, in units of force, is what a joint without any has left there; its
- * flow is 1. */
+/* Sets the start: these forces (cell_count x 2) and this multiplier, no motion; NULL and 0: from
+ * rest. `strength` > 0, in units of force, is what a joint without any has left there; its flow is
+ * 1. `coupling` (0 to 1) is the least of an iteration whose matrix allows more. */
 void qn_collapse_start (QnCollapse *collapse, const double *y, double lambda,
-                        double strength);
+                        double strength, double coupling);
 
-/* Follows the curve to its end, with the compliance that the problem's cells have, with at most `budget` factorisations. FOUND: the multiplier is known to
- * `tolerance` of itself. go_on (data) is asked once an iteration. */
+/* Goes from the start to a collapse, with the compliance that the problem's cells have and at most
+ * `budget` factorisations. FOUND: the multiplier is known to `tolerance` of itself. go_on (data) is
+ * asked once an iteration. */
 QnStatus qn_collapse_follow (QnCollapse *collapse, double tolerance, int32_t budget,
                              bool (*go_on) (void *), void *data, QnCollapseState *state,
                              QnDiag *diag);

@@ -196,7 +196,7 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
 {
   size_t cells = (size_t) problem->cell_count, rows = (size_t) problem->row_count;
 
-  *kkt = (QnIpKkt){ .problem = problem };
+  *kkt = (QnIpKkt){ .problem = problem, .coupling = 1 };
   kkt->compliance = qn_alloc (4 * cells, sizeof (double));
   kkt->axes = qn_alloc (2 * cells, sizeof (double));
   kkt->turns = qn_alloc ((size_t) problem->bound_count, sizeof (double));
@@ -222,6 +222,13 @@ qn_ip_kkt_clear (QnIpKkt *kkt)
   *kkt = (QnIpKkt){ 0 };
 }
 
+/* What a row of G has of the normal force in the matrix. */
+static double
+row_normal (const QnIpKkt *kkt, const QnIpBound *bound)
+{
+  return bound->opening + kkt->coupling * (bound->normal - bound->opening);
+}
+
 /* The inverse of H of a cell, every term a sum without cancellation however different the weights:
  * the determinant by Cauchy and Binet, det = sum_{i<j} w_i w_j (f_i x f_j) (g_i x g_j), the
  * adjugate by turning rows and flows by a right angle, adj H = sum_j w_j g_j^ f_j^'. Q and the
@@ -240,16 +247,16 @@ invert_cell (QnIpKkt *kkt, int32_t c, const double *w)
   w += cell->first_bound;
   for (int32_t i = 0; i < cell->bound_count; i++) {
     const QnIpBound *b = &bounds[i];
-    nn += w[i] * b->opening * b->normal;
+    double normal = row_normal (kkt, b);
+    nn += w[i] * b->opening * normal;
     nt += w[i] * b->opening * b->shear;
-    tn += w[i] * b->shear * b->normal;
+    tn += w[i] * b->shear * normal;
     tt += w[i] * b->shear * b->shear;
-    determinant +=
-      w[i] * (b->opening * b->normal * axis_t + b->shear * b->shear * axis_n);
+    determinant += w[i] * (b->opening * normal * axis_t + b->shear * b->shear * axis_n);
     for (int32_t j = 0; j < i; j++)
-      determinant += w[i] * w[j]
-                     * (b->normal * bounds[j].shear - b->shear * bounds[j].normal)
-                     * (b->opening * bounds[j].shear - b->shear * bounds[j].opening);
+      determinant +=
+        w[i] * w[j] * (normal * bounds[j].shear - b->shear * row_normal (kkt, &bounds[j]))
+        * (b->opening * bounds[j].shear - b->shear * bounds[j].opening);
   }
   compliance[0] = cell->no_shear ? 1.0 / nn : tt / determinant;
   compliance[1] = cell->no_shear ? 0.0 : -nt / determinant;
@@ -308,13 +315,14 @@ answer_cell (const QnIpKkt *kkt, int32_t c, double normal, double shear,
 
   for (int32_t i = 0; i < cell->bound_count; i++) {
     const QnIpBound *b = &bounds[i];
+    double row = row_normal (kkt, b);
     double turn = turns[i] * (b->opening * shear - b->shear * normal);
     yn -= turn * b->shear;
-    yt += turn * b->normal;
-    g[i] += b->normal * axis_n + b->shear * axis_t;
+    yt += turn * row;
+    g[i] += row * axis_n + b->shear * axis_t;
     for (int32_t j = 0; j < cell->bound_count; j++)
       if (j != i)
-        g[j] += turn * (b->normal * bounds[j].shear - b->shear * bounds[j].normal);
+        g[j] += turn * (row * bounds[j].shear - b->shear * row_normal (kkt, &bounds[j]));
   }
   out->y[2 * c] += yn;
   out->y[2 * c + 1] += yt;

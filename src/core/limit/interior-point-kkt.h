@@ -59,6 +59,7 @@ typedef struct QnIpKkt {
   double *border;        /* M^-1 f, row_count */
   double border_power;   /* f'M^-1 f */
   double regularization; /* r */
+  double coupling;       /* G of the matrix is F' + coupling (G - F'); 1: exact */
   double error;          /* largest relative residual left since the last _factorize() */
 } QnIpKkt;
 

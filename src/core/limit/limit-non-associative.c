@@ -8,14 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a curve starts, in the order in which a collapse is sought. */
-typedef enum { REST, NEAR_REST, ASSOCIATIVE, START_COUNT } Start;
+/* Starts, in the order in which a collapse is sought. */
+typedef enum { REST, NEAR_REST, REST_AGAIN, ASSOCIATIVE, START_COUNT } Start;
 
 /* How collapses are sought. Measured on the six walls and 48 seeded walls of 20 to 600 blocks
  * (docs/experiments/limit-analysis.md). */
 static const struct {
   double
     strength[START_COUNT]; /* that joints have left at the start, in loads of a block */
+  double coupling[START_COUNT]; /* least one (collapse.h): others find other walls */
   double
     compliance; /* times the number of free blocks: what a tall wall gives grows with it */
   double softest; /* compliance of a few blocks */
@@ -30,16 +31,20 @@ static const struct {
   int32_t stiff;    /* of all, as long as it does not stand still, */
   int32_t spare;    /* and until others are sought beside one that does */
 } tuning = {
-  .strength = { [REST] = 10, [NEAR_REST] = 3, [ASSOCIATIVE] = 10 },
+  .strength = { [REST] = 10, [NEAR_REST] = 3, [REST_AGAIN] = 10, [ASSOCIATIVE] = 10 },
+  .coupling = { [REST] = 0.3,
+                [NEAR_REST] = 0.7,
+                [REST_AGAIN] = 0.6,
+                [ASSOCIATIVE] = 0.5 },
   .compliance = 0.03,
   .softest = 1e-3,
   .softer = 10,
   .stiffer = 0.2,
   .rigid = 0.01,
   .reach = 5,
-  .tolerance = 0.3,
+  .tolerance = 0.03,
   .stiffenings = 4,
-  .budget = 400,
+  .budget = 200,
   .again = 150,
   .stiff = 110,
   .spare = 38,
@@ -165,10 +170,9 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   c->kkt.schur.factorizations = 0;
   c->kkt.schur.seconds = 0;
   qn_limit_problem_set_compliance (&search->limit, compliance);
-  if (start == ASSOCIATIVE)
-    qn_collapse_start (c, search->forces, search->multiplier, tuning.strength[start]);
-  else
-    qn_collapse_start (c, NULL, 0, tuning.strength[start]);
+  bool rest = start != ASSOCIATIVE;
+  qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
+                     tuning.strength[start], tuning.coupling[start]);
   QnStatus status =
     qn_collapse_follow (c, tolerance, budget, go_on, search, &state, diag);
   effort->factorizations += c->kkt.schur.factorizations;

@@ -122,17 +122,16 @@ always (void *data)
   return true;
 }
 
-/* The multiplier of wall 6 at a compliance, where it still grows with stiffness. */
 static double
 collapse_at (QnLimitProblem *limit, double compliance, const double *start,
-             double *growth)
+             double coupling, double *growth)
 {
   QnCollapse collapse;
   QnCollapseState state;
 
   g_assert_cmpint (qn_collapse_init (&collapse, &limit->ip, NULL), ==, QN_OK);
   qn_limit_problem_set_compliance (limit, compliance);
-  qn_collapse_start (&collapse, start, 0, 10);
+  qn_collapse_start (&collapse, start, 0, 10, coupling);
   g_assert_cmpint (qn_collapse_follow (&collapse, 1e-9, 200, always, NULL, &state, NULL),
                    ==, QN_OK);
   g_assert_cmpint (state, ==, QN_COLLAPSE_FOUND);
@@ -142,7 +141,8 @@ collapse_at (QnLimitProblem *limit, double compliance, const double *start,
   return lambda;
 }
 
-/* The derivative by the compliance is that of differences, and another start leads to the same. */
+/* At a compliance where the multiplier of wall 6 still grows with stiffness, the derivative is that of
+ * differences, and another start leads to the same. */
 static void
 test_growth (void)
 {
@@ -157,9 +157,9 @@ test_growth (void)
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_limit_problem_init (&limit, &model, &contacts, true, NULL), ==,
                    QN_OK);
-  double lambda = collapse_at (&limit, compliance, NULL, &growth);
-  double stiffer = collapse_at (&limit, compliance * exp (-h), NULL, &other);
-  double softer = collapse_at (&limit, compliance * exp (h), NULL, &other);
+  double lambda = collapse_at (&limit, compliance, NULL, 0.3, &growth);
+  double stiffer = collapse_at (&limit, compliance * exp (-h), NULL, 0.3, &other);
+  double softer = collapse_at (&limit, compliance * exp (h), NULL, 0.3, &other);
   g_assert_cmpfloat (growth, >, 1e-4);
   g_assert_cmpfloat_with_epsilon ((stiffer - softer) / (2 * h), growth, 1e-2 * growth);
   g_autofree double *start = g_new (double, 2 * (size_t) limit.ip.cell_count);
@@ -167,8 +167,34 @@ test_growth (void)
     start[2 * c] = -1 - c % 7;
     start[2 * c + 1] = 0.1 * (c % 5);
   }
-  g_assert_cmpfloat_with_epsilon (collapse_at (&limit, compliance, start, &other), lambda,
-                                  1e-6 * lambda);
+  g_assert_cmpfloat_with_epsilon (collapse_at (&limit, compliance, start, 0.3, &other),
+                                  lambda, 1e-6 * lambda);
+  qn_limit_problem_clear (&limit);
+  qn_model_clear (&model);
+}
+
+/* What an iteration leaves out of the strength of joints is taken off before the end: wall 3 with joints so
+ * stiff that iterations leave much out, with different couplings. */
+static void
+test_coupling (void)
+{
+  static const double couplings[] = { 0.3, 0.5, 0.7 };
+  g_auto (QnContacts) contacts;
+  QnLimitProblem limit;
+  QnModel model;
+  double growth;
+
+  test_model_init_wall (&model, 3, 0);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_limit_problem_init (&limit, &model, &contacts, true, NULL), ==,
+                   QN_OK);
+  for (size_t i = 0; i < G_N_ELEMENTS (couplings); i++) {
+    double lambda = collapse_at (&limit, 5e-5, NULL, couplings[i], &growth);
+    g_test_message ("coupling %g: %.6f", couplings[i], lambda);
+    g_assert_cmpfloat_with_epsilon (qn_limit_problem_multiplier (&limit, lambda),
+                                    0.355817, 1e-5);
+  }
   qn_limit_problem_clear (&limit);
   qn_model_clear (&model);
 }
@@ -363,6 +389,7 @@ QN_TESTS
   g_test_add_func ("/limit-non-associative/published", test_published);
   g_test_add_func ("/limit-non-associative/invariance", test_invariance);
   g_test_add_func ("/limit-non-associative/growth", test_growth);
+  g_test_add_func ("/limit-non-associative/coupling", test_coupling);
   g_test_add_func ("/limit-non-associative/running-bond", test_running_bond);
   g_test_add_func ("/limit-non-associative/associative-law", test_associative_law);
   g_test_add_func ("/limit-non-associative/block", test_block);
