@@ -24,6 +24,8 @@ allocate (QnAssembly *as)
   as->responses = qn_alloc (pairs, sizeof *as->responses);
   as->inactive = qn_alloc (pairs, sizeof *as->inactive);
   as->breaks = qn_alloc (pairs, sizeof *as->breaks);
+  for (size_t p = 0; as->breaks != NULL && p < as->pair_count; p++)
+    as->breaks[p] = NAN;
   as->dead = qn_alloc (n, sizeof (double));
   as->live = qn_alloc (n, sizeof (double));
   as->dead_at_rest = qn_alloc (n, sizeof (double));
@@ -449,8 +451,8 @@ qn_assembly_commit (QnAssembly *as)
 static void
 hold (const QnSpring *spring, QnSpringMemory *memory)
 {
-  if (qn_spring_has_bond (spring) && memory->extreme == 0)
-    memory->extreme = QN_BOND_HELD;
+  if (qn_spring_has_bond (spring) && memory->extreme >= 0 && memory->extreme < 1)
+    memory->extreme = qn_bond_held (memory->extreme);
 }
 
 static void
@@ -464,14 +466,20 @@ void
 qn_assembly_hold_bonds (QnAssembly *as)
 {
   for (size_t p = 0; as->has_bonds && p < as->pair_count; p++) {
-    bool broke = qn_pair_damage (&as->springs[p], &as->responses[p].memory) > 0
-                 && qn_pair_damage (&as->springs[p], &as->committed[p]) <= 0;
+    bool broke = qn_pair_damage (&as->springs[p], &as->responses[p].memory)
+                 > qn_pair_damage (&as->springs[p], &as->committed[p]);
     hold (&as->springs[p].a, &as->committed[p].a);
     hold (&as->springs[p].b, &as->committed[p].b);
-    as->breaks[p] = false;
+    as->breaks[p] = NAN;
     if (broke)
       evaluate_again (as, p);
   }
+}
+
+static double
+strain_of (const QnSpring *spring, const QnSpringMemory *before, const double force[2])
+{
+  return qn_spring_bond_strain (spring, force) / (1 - qn_spring_damage (spring, before));
 }
 
 /* Whether a bond that is held is to break; by how much it is strained. */
@@ -482,11 +490,10 @@ is_to_break (const QnAssembly *as, size_t p, double *strain)
   const QnPairMemory *before = &as->committed[p];
   double a = NAN, b = NAN;
 
-  if (before->a.extreme == QN_BOND_HELD && r->memory.a.extreme == 1)
-    a = qn_spring_bond_strain (&as->springs[p].a, r->force);
-  if (!as->springs[p].equal && before->b.extreme == QN_BOND_HELD
-      && r->memory.b.extreme == 1)
-    b = qn_spring_bond_strain (&as->springs[p].b, r->force);
+  if (r->memory.a.extreme == QN_BOND_BREAKS)
+    a = strain_of (&as->springs[p].a, &before->a, r->force);
+  if (!as->springs[p].equal && r->memory.b.extreme == QN_BOND_BREAKS)
+    b = strain_of (&as->springs[p].b, &before->b, r->force);
   *strain = fmax (a, b);
   return !isnan (*strain);
 }
@@ -505,11 +512,10 @@ qn_assembly_break_bonds (QnAssembly *as)
   for (size_t p = 0; any && p < as->pair_count; p++)
     if (!as->inactive[p] && is_to_break (as, p, &strain)
         && strain - 1 >= BREAK_TOGETHER * (most - 1)) {
-      if (as->responses[p].memory.a.extreme == 1)
-        as->committed[p].a.extreme = 1;
-      else
-        as->committed[p].b.extreme = 1;
-      as->breaks[p] = true;
+      bool in_a = as->responses[p].memory.a.extreme == QN_BOND_BREAKS;
+      QnSpringMemory *memory = in_a ? &as->committed[p].a : &as->committed[p].b;
+      as->breaks[p] = qn_bond_held (memory->extreme);
+      memory->extreme = 1;
       evaluate_again (as, p);
     }
   return any;
@@ -522,10 +528,10 @@ qn_assembly_let_bonds (QnAssembly *as, bool found)
     for (int side = 0; side < 2; side++) {
       QnSpringMemory *memory = side == 0 ? &as->committed[p].a : &as->committed[p].b;
       bool bond = qn_spring_has_bond (side == 0 ? &as->springs[p].a : &as->springs[p].b);
-      if (bond
-          && (memory->extreme == QN_BOND_HELD
-              || (!found && as->breaks[p] && memory->extreme == 1)))
-        memory->extreme = 0;
+      if (bond && memory->extreme < 0)
+        memory->extreme = qn_bond_held (memory->extreme);
+      else if (bond && !found && !isnan (as->breaks[p]) && memory->extreme == 1)
+        memory->extreme = as->breaks[p];
     }
 }
 

@@ -75,8 +75,9 @@ typedef struct QnAssembly {
   QnPairMemory *committed;   /* from which every evaluation starts */
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
   bool has_bonds;            /* which may break */
-  bool *breaks;              /* pairs whose bond breaks in the step that is sought */
-  bool *inactive;            /* pairs that carry nothing, wherever they are */
+  double *
+    breaks; /* by pair: the damage before, where its bond breaks in the step that is sought; else NAN */
+  bool *inactive; /* pairs that carry nothing, wherever they are */
 
   QnBeamAssembly beams;
   int64_t commits; /* how often a state has been accepted */

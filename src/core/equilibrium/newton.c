@@ -326,10 +326,10 @@ breaks_by_law (const QnAssembly *as)
   for (size_t p = 0; as->has_bonds && p < as->pair_count; p++) {
     QnPairMemory before = as->committed[p];
     QnPairResponse response;
-    if (!as->breaks[p])
+    if (isnan (as->breaks[p]))
       continue;
-    before.a.extreme = before.a.extreme == 1 ? 0 : before.a.extreme;
-    before.b.extreme = before.b.extreme == 1 ? 0 : before.b.extreme;
+    before.a.extreme = before.a.extreme == 1 ? as->breaks[p] : before.a.extreme;
+    before.b.extreme = before.b.extreme == 1 ? as->breaks[p] : before.b.extreme;
     if (!qn_pair_evaluate (&as->springs[p], &before, as->elongations + 2 * p, &response)
         || qn_pair_damage (&as->springs[p], &response.memory) < 1)
       return false;

@@ -48,9 +48,9 @@
  * Along an exponential curve, (1 - d) r = (exp (-(r - 1) / a) - TAIL) / (1 - TAIL), with a such that the energy is
  * the same.
  *
- * State: opening, slip (of the friction) and d as `extreme`. QN_BOND_HELD there is a bond that is whole and
- * holds beyond its strength while an equilibrium is sought (qn_assembly_hold_bonds()); the answer then says
- * that it is to break, with d = 1, and not yet what is left.
+ * State: opening, slip (of the friction) and d as `extreme`. There qn_bond_held() is a bond that holds where it
+ * would lose at once what is whole of it, while an equilibrium is sought (qn_assembly_hold_bonds()); the answer
+ * then says that it is to break, and not yet what is left.
  */
 #include "core/law/law-ops.h"
 
@@ -167,6 +167,7 @@ rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 /* How far the bond is strained, r, and the part of it that is whole there; with their derivatives. */
 typedef struct {
   double r, whole;
+  bool brittle; /* nothing is left at once */
   double r_q[2], whole_q[2];
 } Strain;
 
@@ -186,6 +187,7 @@ strain_bond (const QnSpring *s, const double bond[2], const double stiffness[2])
   if (at.r <= 1)
     return at;
   at.whole = 0;
+  at.brittle = true;
   double shear = apart ? t : at.r * c; /* whose energy counts */
   if ((apart && s->energy[0] == 0) || (shear > 0 && s->energy[1] == 0))
     return at;
@@ -204,6 +206,7 @@ strain_bond (const QnSpring *s, const double bond[2], const double stiffness[2])
   double end = at.r * at.r / spent;
   if (end <= 1)
     return at;
+  at.brittle = false;
   double left, by_r, by_end; /* strength of the bond, 1 where r = 1; its derivatives */
   if (s->exponential) {
     double length = (end - 1) / (2 * TAIL_AREA), e = exp (-(at.r - 1) / length);
@@ -234,18 +237,18 @@ add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
   const double bond[2] = { crushed ? -s->compression : n, s->ks * q[1] };
   const double stiffness[2] = { crushed ? 0 : s->kn, s->ks };
   Strain at = strain_bond (s, bond, stiffness);
-  bool holds = committed->extreme == QN_BOND_HELD && at.whole <= 0;
-  double before = fmax (committed->extreme, 0);
+  double before = qn_spring_damage (s, committed);
+  bool holds = committed->extreme < 0 && at.whole <= 0 && (before == 0 || at.brittle);
   bool further = !holds && 1 - at.whole > before;
   double whole = further ? at.whole : 1 - before, lost = 1 - whole;
 
-  r->memory.extreme = lost;
+  r->memory.extreme = holds ? QN_BOND_BREAKS : lost;
   if (lost == 0) {
     *r = (QnSpringResponse){ .memory = *committed,
                              .phase = crushed ? QN_PHASE_CRUSH : QN_PHASE_STICK };
     if (crushed)
       r->memory.opening = q[0] + s->compression / s->kn;
-    r->memory.extreme = holds ? 1 : 0;
+    r->memory.extreme = holds ? QN_BOND_BREAKS : 0;
   }
   if (lost == 1)
     return;

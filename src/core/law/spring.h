@@ -136,14 +136,23 @@ qn_spring_crushed (const QnSpring *spring, const QnSpringMemory *memory)
   return memory->opening - qn_spring_dilation (spring, memory->slip);
 }
 
-/* In place of the damage of a whole bond that is not to break for now. */
-#define QN_BOND_HELD (-1.0)
+/* In place of the damage of a bond that is not to break at once for now, and the other way round. */
+static inline double
+qn_bond_held (double damage)
+{
+  return -1 - damage;
+}
+
+/* What such a bond answers where it is to break. */
+#define QN_BOND_BREAKS 2.0
 
 /* How much of the bond is lost: 0 whole, 1 broken; 0 of springs without. */
 static inline double
 qn_spring_damage (const QnSpring *spring, const QnSpringMemory *memory)
 {
-  return qn_spring_has_bond (spring) ? memory->extreme : 0;
+  double damage = qn_spring_has_bond (spring) ? memory->extreme : 0;
+
+  return damage < 0 ? qn_bond_held (damage) : fmin (damage, 1);
 }
 
 /* The spring of a joint whose bond is broken, and that which it is in this state. */

@@ -376,6 +376,37 @@ test_brittle (void)
   g_assert_cmpfloat (r.memory.extreme, ==, 1);
 }
 
+/* A bond of cohesion alone that is half gone loses the rest at once as the joint opens. Held, it does not yet, and
+ * says that it is to: no force jumps while an equilibrium is sought. */
+static void
+test_held (void)
+{
+  Probe p = probe_of_law (&(QnLaw){ .name = "joint",
+                                    .kind = QN_LAW_COULOMB,
+                                    .kn = 2,
+                                    .ks = 1,
+                                    .friction = 0.5,
+                                    .cohesion = 2,
+                                    .fracture_energy_shear = 8 });
+  probe_go (&p, -0.001, 4);
+  double damage = p.memory.extreme;
+  g_assert_cmpfloat (damage, >, 0.2);
+  g_assert_cmpfloat (damage, <, 0.9);
+  QnSpringResponse r = probe_look (&p, 0.001, 4);
+  probe_assert_force (&r, 0, 0);
+  g_assert_cmpfloat (qn_spring_damage (&p.spring, &r.memory), ==, 1);
+
+  p.memory.extreme = qn_bond_held (damage);
+  g_assert_cmpfloat_with_epsilon (qn_spring_damage (&p.spring, &p.memory), damage, 1e-15);
+  r = probe_look (&p, 0.001, 4);
+  g_assert_cmpfloat (r.memory.extreme, ==, QN_BOND_BREAKS);
+  probe_assert_force (&r, (1 - damage) * 0.002, (1 - damage) * 4);
+  /* Softening is no jump: it goes on. */
+  r = probe_look (&p, -0.001, 5);
+  g_assert_cmpfloat (r.memory.extreme, >, damage);
+  g_assert_cmpfloat (r.memory.extreme, <, 1);
+}
+
 /* Never whole again, wherever it is taken. */
 static void
 test_never_heals (void)
@@ -433,6 +464,7 @@ QN_TESTS
   g_test_add_func ("/law-coulomb/unloading", test_unloading);
   g_test_add_func ("/law-coulomb/bond-tangents", test_bond_tangents);
   g_test_add_func ("/law-coulomb/brittle", test_brittle);
+  g_test_add_func ("/law-coulomb/held", test_held);
   g_test_add_func ("/law-coulomb/never-heals", test_never_heals);
   g_test_add_func ("/law-coulomb/continuous", test_continuous);
 }
