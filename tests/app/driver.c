@@ -7,7 +7,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#define LONGEST_WAIT_US (30 * G_USEC_PER_SEC)
+/* A wait that is longer has failed, under sanitizers on a busy machine too. */
+#define LONGEST_WAIT_US (120 * G_USEC_PER_SEC)
+
+#define LOOK_MS 5 /* between two looks at a condition that no event tells of */
 
 #ifdef __SANITIZE_ADDRESS__
 #include <dlfcn.h>
@@ -43,48 +46,62 @@ driver_application (void)
     g_application_set_flags (G_APPLICATION (application),
                              G_APPLICATION_HANDLES_OPEN | G_APPLICATION_NON_UNIQUE);
     g_assert_true (g_application_register (G_APPLICATION (application), NULL, NULL));
-    /* What moves for ever never settles, and what moves for a while takes its time. */
-    g_object_set (gtk_settings_get_default (), "gtk-enable-animations", FALSE,
-                  "gtk-cursor-blink", FALSE, NULL);
+    /* What moves for ever never settles, and no click is the second one of a pair by chance. */
+    driver_set_animated (FALSE);
+    g_object_set (gtk_settings_get_default (), "gtk-cursor-blink", FALSE,
+                  "gtk-double-click-time", 1, NULL);
   }
   return GTK_APPLICATION (application);
 }
 
-static gboolean
-on_timeout (gpointer data)
+static void
+go_on (gint64 begun)
 {
-  *(gboolean *) data = TRUE;
-  return G_SOURCE_REMOVE;
+  g_assert_cmpint (g_get_monotonic_time (), <, begun + LONGEST_WAIT_US);
+  g_main_context_iteration (NULL, TRUE);
 }
+
+/* Frames after which a window that moves for ever has been laid out and drawn. */
+enum { FRAMES_OF_MOTION = 3 };
 
 void
-driver_run (guint milliseconds)
+driver_set_animated (gboolean animated)
 {
-  gboolean over = FALSE;
-  g_timeout_add (milliseconds, on_timeout, &over);
-  while (!over)
-    g_main_context_iteration (NULL, TRUE);
+  g_object_set (gtk_settings_get_default (), "gtk-enable-animations", animated, NULL);
 }
 
+/* An analysis shows how far it is, and a motion is played, in every frame. */
 static gboolean
-is_late (gint64 end)
+moves (gpointer window)
 {
-  return g_get_monotonic_time () > end;
+  gboolean animated;
+  g_object_get (gtk_settings_get_default (), "gtk-enable-animations", &animated, NULL);
+  return animated
+         || (QN_IS_WINDOW (window)
+             && qn_document_get_job (qn_window_get_document (window)) != NULL);
 }
 
 /* GDK's clock of frames has a source of the main loop, whose data it is itself, for as long as a frame is
- * due: for a layout, a drawing, an animation or pointers that have moved. */
+ * due: for a layout, a drawing, an animation or a pointer that has moved. `frames` has the number of the first
+ * frame that each clock was seen at. */
 static gboolean
-is_frame_due (void)
+is_frame_due (GHashTable *frames)
 {
   GListModel *windows = gtk_window_get_toplevels ();
   for (guint i = 0; i < g_list_model_get_n_items (windows); i++) {
     g_autoptr (GtkNative) window = g_list_model_get_item (windows, i);
     GdkSurface *surface = gtk_native_get_surface (window);
-    if (surface != NULL
-        && g_main_context_find_source_by_user_data (NULL,
-                                                    gdk_surface_get_frame_clock (surface))
-             != NULL)
+    if (surface == NULL)
+      continue;
+    GdkFrameClock *clock = gdk_surface_get_frame_clock (surface);
+    if (g_main_context_find_source_by_user_data (NULL, clock) == NULL)
+      continue;
+    gint64 frame = gdk_frame_clock_get_frame_counter (clock);
+    if (!g_hash_table_contains (frames, clock))
+      g_hash_table_insert (frames, clock, GINT_TO_POINTER ((int) frame));
+    if (!moves (window)
+        || (int) frame - GPOINTER_TO_INT (g_hash_table_lookup (frames, clock))
+             < FRAMES_OF_MOTION)
       return TRUE;
   }
   return FALSE;
@@ -93,16 +110,32 @@ is_frame_due (void)
 void
 driver_settle (void)
 {
-  gint64 end = g_get_monotonic_time () + LONGEST_WAIT_US;
+  gint64 begun = g_get_monotonic_time ();
+  g_autoptr (GHashTable) frames = g_hash_table_new (NULL, NULL);
   do {
-    g_assert_false (is_late (end));
-    while (g_main_context_pending (NULL) || is_frame_due ()) {
-      g_assert_false (is_late (end));
-      g_main_context_iteration (NULL, TRUE);
-    }
+    while (g_main_context_pending (NULL) || is_frame_due (frames))
+      go_on (begun);
     /* What the server has sent by now is taken in. */
     gdk_display_sync (gdk_display_get_default ());
-  } while (g_main_context_pending (NULL) || is_frame_due ());
+  } while (g_main_context_pending (NULL) || is_frame_due (frames));
+}
+
+static gboolean
+on_look (gpointer data)
+{
+  (void) data;
+  return G_SOURCE_CONTINUE;
+}
+
+void
+driver_wait (DriverCondition condition, gpointer data)
+{
+  gint64 begun = g_get_monotonic_time ();
+  guint look = g_timeout_add (LOOK_MS, on_look, NULL);
+  while (!condition (data))
+    go_on (begun);
+  g_source_remove (look);
+  driver_settle ();
 }
 
 /* ---- warnings ---- */
@@ -185,16 +218,6 @@ driver_pass_over_gtk (void)
   hear_warnings ();
 }
 
-void
-driver_wait (DriverCondition condition, gpointer data)
-{
-  gint64 end = g_get_monotonic_time () + LONGEST_WAIT_US;
-  while (!condition (data)) {
-    g_assert_cmpint (g_get_monotonic_time (), <, end);
-    driver_run (10);
-  }
-}
-
 static gboolean
 is_mapped (gpointer window)
 {
@@ -209,7 +232,6 @@ driver_open_window (int width, int height)
   gtk_window_set_default_size (GTK_WINDOW (window), width, height);
   gtk_window_present (GTK_WINDOW (window));
   driver_wait (is_mapped, window);
-  driver_run (100);
   return window;
 }
 
@@ -225,7 +247,7 @@ driver_open_example (const char *name)
   QnWindow *window = driver_open_window (1280, 800);
   g_autofree char *path = driver_example_path (name);
   g_assert_true (qn_window_open_path (window, path));
-  driver_run (200);
+  driver_settle ();
   return window;
 }
 
@@ -239,7 +261,6 @@ void
 driver_wait_for_job (QnWindow *window)
 {
   driver_wait (has_no_job, window);
-  driver_run (50);
 }
 
 /* ---- pointer and keys ---- */
@@ -276,10 +297,8 @@ driver_xdotool (const char *const *arguments)
   g_assert_true (g_spawn_sync (NULL, argv, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL,
                                NULL, &status, NULL));
   g_assert_cmpint (status, ==, 0);
-  driver_run (60);
-  /* A busy machine delivers later than that: what the server has sent by now is taken in. */
   gdk_display_sync (gdk_display_get_default ());
-  driver_run (40);
+  driver_settle ();
 }
 
 void
@@ -360,7 +379,6 @@ driver_type (const char *text)
 {
   const char *const arguments[] = { "type", "--delay", "20", text, NULL };
   driver_xdotool (arguments);
-  driver_run (100);
 }
 
 void
@@ -370,7 +388,7 @@ driver_activate (QnWindow *window, const char *detailed_action)
   g_autoptr (GVariant) target = NULL;
   g_assert_true (g_action_parse_detailed_name (detailed_action, &name, &target, NULL));
   g_assert_true (gtk_widget_activate_action_variant (GTK_WIDGET (window), name, target));
-  driver_run (50);
+  driver_settle ();
 }
 
 void
@@ -378,7 +396,7 @@ driver_activate_target (QnWindow *window, const char *action, GVariant *target)
 {
   g_autoptr (GVariant) kept = g_variant_ref_sink (target);
   g_assert_true (gtk_widget_activate_action_variant (GTK_WIDGET (window), action, kept));
-  driver_run (100);
+  driver_settle ();
 }
 
 GtkWidget *
@@ -507,7 +525,6 @@ driver_click_on (GtkWidget *root, DriverMatch match, const char *label)
   driver_point_at (item, 0.5 * gtk_widget_get_width (item),
                    0.5 * gtk_widget_get_height (item));
   driver_press_button ("1");
-  driver_run (300);
 }
 
 void
@@ -527,7 +544,7 @@ driver_press (GtkWidget *root, const char *label)
   g_assert_nonnull (button);
   g_assert_true (gtk_widget_get_sensitive (button));
   g_signal_emit_by_name (button, "clicked");
-  driver_run (150);
+  driver_settle ();
 }
 
 /* What a window takes with it: pointers that become NULL. */
@@ -604,23 +621,16 @@ driver_discard (QnWindow *window)
 static GdkTexture *
 take_texture (GtkWidget *window)
 {
-  driver_run (150);
   driver_wait (is_mapped, window);
   float factor = (float) gtk_widget_get_scale_factor (window);
   g_autoptr (GdkPaintable) paintable = gtk_widget_paintable_new (window);
-  /* A window that is not drawn yet has no picture. */
-  GskRenderNode *node = NULL;
-  for (int i = 0; i < 100 && node == NULL; i++) {
-    GtkSnapshot *snapshot = gtk_snapshot_new ();
-    gtk_snapshot_scale (snapshot, factor, factor);
-    /* With the shadow around it: another size would be scaled and blur. */
-    gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot),
-                            gdk_paintable_get_intrinsic_width (paintable),
-                            gdk_paintable_get_intrinsic_height (paintable));
-    node = gtk_snapshot_free_to_node (snapshot);
-    if (node == NULL)
-      driver_run (50);
-  }
+  GtkSnapshot *snapshot = gtk_snapshot_new ();
+  gtk_snapshot_scale (snapshot, factor, factor);
+  /* With the shadow around it: another size would be scaled and blur. */
+  gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot),
+                          gdk_paintable_get_intrinsic_width (paintable),
+                          gdk_paintable_get_intrinsic_height (paintable));
+  GskRenderNode *node = gtk_snapshot_free_to_node (snapshot);
   g_assert_nonnull (node);
   GskRenderer *renderer = gtk_native_get_renderer (GTK_NATIVE (window));
   GdkTexture *texture = gsk_renderer_render_texture (renderer, node, NULL);

@@ -30,13 +30,19 @@ selection_of (QnWindow *window)
 /* Path of an example; the caller frees it. */
 char *driver_example_path (const char *name);
 
-/* Runs the main loop until nothing is left to be done: no event, no layout, no drawing, no animation. */
+/* Waits are for what is looked at, never for a time; they fail after two minutes. All that follows here
+ * waits until the window has settled. */
+
+/* Runs the main loop until nothing is left to be done: no event, no layout, no drawing. A window whose
+ * analysis runs is drawn a few times. */
 void driver_settle (void);
 
-/* Runs the main loop for a while, or until a condition holds (fails after ten seconds). */
-void driver_run (guint milliseconds);
+/* Runs it until a condition holds, and the window has settled. */
 typedef gboolean (*DriverCondition) (gpointer data);
 void driver_wait (DriverCondition condition, gpointer data);
+
+/* Whether a motion can be played; windows do not settle while one is. Not from the beginning. */
+void driver_set_animated (gboolean animated);
 
 /* Waits until no analysis runs. */
 void driver_wait_for_job (QnWindow *window);

@@ -147,7 +147,7 @@ test_procedures (void)
   g_assert_cmpuint (count, ==, 7);
   for (guint i = 0; i < count; i++) {
     gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), i);
-    driver_run (50);
+    driver_settle ();
     g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, i);
     if (i == 1)
       driver_screenshot (GTK_WIDGET (window), "displacement-control");
@@ -184,7 +184,6 @@ test_in_time (void)
   GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), is_procedure_choice,
                                           "Load control (HybriDFEM)");
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, 6);
-  driver_run (100);
   driver_screenshot (GTK_WIDGET (window), "ground-motion");
   g_assert_nonnull (
     driver_find_widget (GTK_WIDGET (window), driver_says, "step impulse"));
@@ -199,7 +198,6 @@ test_in_time (void)
 
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  driver_run (100);
   const QnRun *run = qn_document_get_run (document);
   g_assert_cmpuint (run->result.history.row_count, >, 100);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, " s of "));
@@ -215,7 +213,6 @@ test_rest (void)
   gtk_widget_activate_action (GTK_WIDGET (window), "win.run", NULL);
   g_signal_emit_by_name (qn_window_get_document (window), "job-progress");
   driver_wait_for_job (window);
-  driver_settle ();
   driver_discard (window);
 }
 
@@ -233,14 +230,12 @@ test_bounds (void)
   QnDocument *document = qn_window_get_document (window);
   driver_activate (window, "win.run-all");
   driver_wait (has_all_runs, window);
-  driver_run (200);
   g_autoptr (GArray) bounds = qn_bounds_collect (document);
   g_assert_cmpuint (bounds->len, ==, 5); /* no jump of wall 3 is a snap */
   g_autofree char *verdict = qn_bounds_dup_verdict (bounds);
   g_assert_nonnull (verdict);
   driver_screenshot (GTK_WIDGET (window), "bounds");
   driver_activate (window, "win.compare");
-  driver_run (400);
   GtkWidget *compare = driver_find_dialog ("Compare");
   g_assert_nonnull (compare);
   driver_screenshot (compare, "compare");
@@ -304,7 +299,6 @@ test_compare_files (void)
     gtk_widget_activate_action (dialog, "compare.add-path", "s", path);
   }
   driver_wait (shows_three, dialog);
-  driver_run (300);
   driver_screenshot (dialog, "compare-files");
   GtkWidget *cell = driver_find_widget (dialog, driver_is_cell, NULL);
   g_assert_nonnull (cell);
@@ -312,7 +306,6 @@ test_compare_files (void)
   int row_before = row_of (dialog, "100.0 %"), wall3 = row_of (dialog, "0.3558");
   g_assert_cmpint (row_before, ==, wall3);
   driver_key ("alt+Right");
-  driver_run (100);
   g_assert_cmpint (row_of (dialog, "0.3558"), ==, wall3 + 1);
   g_assert_cmpint (row_of (dialog, "100.0 %"), ==, row_of (dialog, "0.2637"));
   /* All columns are in sight. A motion is told by how far it went, and its curve has other axes. */
@@ -374,7 +367,6 @@ test_modes_and_stability (void)
   QnViewState *state = qn_window_get_view_state (window);
   g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MECHANISM);
   qn_document_set_run (document, g_ptr_array_index (runs, 1));
-  driver_run (300);
   driver_screenshot (GTK_WIDGET (window), "mode-2");
   g_autoptr (GArray) bounds = qn_bounds_collect (document);
   g_assert_cmpuint (bounds->len, ==, 0);
@@ -406,7 +398,6 @@ test_ground_preview (void)
 {
   QnWindow *window = driver_open_example ("42-arch-pulse.quoin");
   driver_activate (window, "win.show-panel::analysis");
-  driver_run (200);
   GtkWidget *choice =
     driver_find_widget (GTK_WIDGET (window), is_procedure_choice, "Acceleration");
   g_assert_nonnull (choice);
@@ -416,7 +407,6 @@ test_ground_preview (void)
     gtk_widget_grab_focus (choice);
     driver_key ("Tab");
     driver_key ("Tab");
-    driver_run (200);
     g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, i);
     g_assert_true (gtk_widget_get_mapped (gtk_widget_get_next_sibling (choice)));
     driver_screenshot (GTK_WIDGET (window), name);

@@ -32,7 +32,6 @@ test_draw (void)
 {
   QnWindow *window = driver_open_window (1280, 900);
   driver_activate (window, "win.draw");
-  driver_run (200);
   driver_key ("b");
   driver_drag (window, 0.5, 0.5, 0.5, 2.5);
   g_assert_cmpuint (model_of (window)->beam_count, ==, 1);
@@ -96,7 +95,7 @@ test_form (void)
   driver_activate (window, "win.show-panel::properties");
   const QnId first = 0;
   qn_selection_set (selection_of (window), QN_PART_BEAM, &first, 1);
-  driver_run (200);
+  driver_settle ();
   GtkWidget *root = GTK_WIDGET (window);
   g_assert_nonnull (driver_find_widget (root, driver_says, "First End"));
   GtkWidget *hinge = driver_find_widget (root, is_check, "Hinge at the se_cond end");
@@ -111,7 +110,6 @@ test_form (void)
   GtkWidget *own = driver_find_widget (root, driver_is_button, "_Section of Their Own");
   g_assert_nonnull (own);
   gtk_widget_grab_focus (own);
-  driver_run (300);
   driver_screenshot (root, "section-form");
   driver_press (root, "Section of Their Own");
   g_assert_cmpuint (model_of (window)->section_count, ==, 2);
@@ -147,12 +145,12 @@ test_diagrams (void)
   driver_activate (window, "win.show-panel::properties");
   const QnId first = 0;
   qn_selection_set (selection_of (window), QN_PART_BEAM, &first, 1);
-  driver_run (200);
+  driver_settle ();
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "M: "));
   driver_screenshot (GTK_WIDGET (window), "beam-forces");
   /* Outdated forces are not shown. */
   driver_key ("Right");
-  driver_run (200);
+  driver_settle ();
   g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, "M: "));
   driver_discard (window);
 }

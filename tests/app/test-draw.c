@@ -42,7 +42,6 @@ open_blank (void)
 {
   QnWindow *window = driver_open_window (1280, 800);
   driver_activate (window, "win.draw");
-  driver_run (200);
   return window;
 }
 
@@ -150,7 +149,6 @@ test_whole_wall (void)
   QnVec2 at = place_of_stone (window);
   driver_click (window, at.x, at.y);
   driver_activate (window, "win.select-like::wall");
-  driver_run (600); /* the drag is no second click */
   driver_drag (window, at.x, at.y, at.x + 1.0, at.y);
   QnMasonries list = masonry_of (window);
   g_assert_cmpuint (list.count, ==, 1);
@@ -212,14 +210,13 @@ test_laws (void)
       qn_document_edit (qn_window_get_document (window), "Kind", NULL, change_kind, &kind,
                         &error);
       g_assert_no_error (error);
-      driver_run (60);
+      driver_settle ();
     }
     qn_document_undo (qn_window_get_document (window));
     GtkWidget *button =
       driver_find_widget (GTK_WIDGET (window), driver_is_button, "_Duplicate Law");
     g_assert_nonnull (button);
     gtk_widget_grab_focus (button);
-    driver_run (300);
     driver_screenshot (GTK_WIDGET (window), dark ? "laws-dark" : "laws");
     driver_discard (window);
   }
@@ -260,7 +257,6 @@ test_arch (void)
   g_assert_cmpfloat_with_epsilon (list.items[0].arch.rise, 1.0, 0.02);
   qn_masonries_clear (&list);
   driver_activate (window, "win.fit");
-  driver_run (100);
 
   driver_click (window, 0.5, 2.5);
   driver_point (window, 1.0, 2.5);
@@ -279,7 +275,6 @@ test_arch (void)
   /* The crown is dragged up by its handle. */
   driver_key ("v");
   driver_activate (window, "win.fit");
-  driver_run (100);
   QnId stone = qn_model_find_block (model_of (window), "arch2.v2");
   QnVec2 at = model_of (window)->blocks[stone].centroid;
   driver_click (window, at.x, at.y);
@@ -333,12 +328,11 @@ test_kinds (void)
                 { QN_MASONRY_RUBBLE, "Add Rubble" } };
   QnWindow *window = open_blank ();
   driver_key ("c");
-  driver_run (200);
   GtkWidget *kind = driver_find_widget (GTK_WIDGET (window), is_kind, "kind");
   g_assert_nonnull (kind);
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     gtk_drop_down_set_selected (GTK_DROP_DOWN (kind), (guint) i);
-    driver_run (100);
+    driver_settle ();
     double x = 0.9 * (double) i;
     driver_drag (window, x + 0.6, 0.2, x, 1.6);
     QnMasonries list = masonry_of (window);

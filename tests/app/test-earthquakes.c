@@ -114,19 +114,16 @@ test_energies (void)
   driver_activate (window, "win.show-panel::result");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  driver_run (300);
   GtkWidget *plot = driver_find_widget (GTK_WIDGET (window), has_name, "energy-plot");
   g_assert_true (gtk_widget_get_mapped (plot));
   double width = gtk_widget_get_width (plot);
   driver_point_at (plot, 0.6 * width, 40);
   driver_press_button ("1");
-  driver_run (200);
   double clicked = time_of (window);
   g_assert_cmpfloat (clicked, >, 2.0);
   g_assert_cmpfloat (clicked, <, 6.0);
   int step = step_of (window);
   driver_key ("Right");
-  driver_run (200);
   g_assert_cmpint (step_of (window), ==, step + 1);
   const char *const kinds[] = { "input",   "kinetic",   "elastic", "friction",
                                 "damping", "numerical", "error" };
@@ -140,7 +137,6 @@ test_energies (void)
   g_autofree char *before = g_strdup (gtk_label_get_text (
     GTK_LABEL (driver_find_widget (GTK_WIDGET (window), driver_says, "kinetic: "))));
   driver_point_at (plot, 0.3 * width, 60);
-  driver_run (200);
   g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, before));
   driver_discard (window);
 }
@@ -168,6 +164,12 @@ is_choice (GtkWidget *widget, gconstpointer tip)
 }
 
 static gboolean
+is_gone (gpointer weak)
+{
+  return *(gpointer *) weak == NULL;
+}
+
+static gboolean
 has_stopped (gpointer window)
 {
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));
@@ -183,10 +185,10 @@ test_playback (void)
   QnViewState *state = qn_window_get_view_state (window);
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  driver_run (200);
   GtkWidget *speed = driver_find_widget (GTK_WIDGET (window), is_choice,
                                          "Speed; 1× is real time of an analysis in time");
   g_assert_nonnull (speed);
+  driver_set_animated (TRUE);
   const guint speeds[] = { 3, 0 }; /* 1 and a tenth */
   const double slowed[] = { 1, 10 };
   for (gsize i = 0; i < G_N_ELEMENTS (speeds); i++) {
@@ -202,7 +204,7 @@ test_playback (void)
     driver_activate (window, "win.play");
   }
   int held = step_of (window);
-  driver_run (200);
+  driver_settle ();
   g_assert_cmpint (step_of (window), ==, held);
 
   GtkWidget *loop = driver_find_widget (GTK_WIDGET (window), is_toggle, "Loop");
@@ -211,11 +213,12 @@ test_playback (void)
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));
   int late = (int) run->result.step_count - 4;
   qn_view_state_set_step (state, late);
-  driver_run (200);
+  driver_settle ();
   g_assert_cmpint (step_of (window), >=, late);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (speed), 3);
   driver_wait (has_stopped, window);
-  driver_run (300);
+  driver_set_animated (FALSE);
+  driver_settle (); /* plays no longer */
   g_assert_true (has_stopped (window));
   driver_discard (window);
 }
@@ -240,7 +243,6 @@ turn (QnWindow *window, double x0, double y0, double x1, double y1)
   driver_hold_key ("Shift_L", TRUE);
   driver_drag (window, x0, y0, x1, y1);
   driver_hold_key ("Shift_L", FALSE);
-  driver_run (100);
 }
 
 /* A block is dragged to where it is let go, turned as it rocks, or typed; one step each, and Escape
@@ -277,7 +279,6 @@ test_initial (void)
   /* Escape gives up, the button still held or not. */
   driver_click (window, c.x, c.y);
   driver_point (window, c.x + 0.2, c.y);
-  driver_run (100);
   driver_screenshot (GTK_WIDGET (window), "initial-ghost");
   driver_key ("Escape");
   driver_click (window, c.x + 5.0, c.y);
@@ -288,11 +289,9 @@ test_initial (void)
   gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
   driver_type ("0.02;0;1");
   driver_key ("Return");
-  driver_run (100);
   g_assert_true (start_is (window, 0.02, 0.0, G_PI / 180));
   driver_type ("0");
   driver_key ("Return");
-  driver_run (100);
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
 
   /* Turned about the lower right corner: to the right and clockwise. */
@@ -316,7 +315,7 @@ test_initial (void)
 
   /* The same by fields, and what becomes of it. */
   driver_activate (window, "win.show-panel::analysis");
-  driver_run (200);
+  driver_settle ();
   g_assert_nonnull (
     driver_find_widget (GTK_WIDGET (window), driver_says, "Start of Block"));
   driver_screenshot (GTK_WIDGET (window), "initial-fields");
@@ -345,7 +344,6 @@ test_initial_fixed (void)
   gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
   driver_type ("0.1");
   driver_key ("Return");
-  driver_run (200);
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "is fixed"));
   driver_discard (window);
@@ -372,12 +370,10 @@ test_capacity (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   driver_activate (window, "win.capacity");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
   g_assert_nonnull (dialog);
   driver_press (dialog, "Compute Curve");
   driver_wait (has_ratio, dialog);
-  driver_run (300);
   driver_screenshot (dialog, "capacity");
   g_assert_nonnull (driver_find_widget (dialog, driver_says, "Block block"));
   const char *const states[] = { "SLV", "SLC", "SD", "NC" };
@@ -387,17 +383,17 @@ test_capacity (void)
   /* A spectrum from a file has no soil; none has no table. */
   GtkWidget *kind = driver_find_widget (dialog, has_name, "GtkDropDown");
   gtk_drop_down_set_selected (GTK_DROP_DOWN (kind), 3);
-  driver_run (200);
+  driver_settle ();
   g_assert_false (has_ratio (dialog));
   driver_screenshot (dialog, "capacity-alone");
   gtk_drop_down_set_selected (GTK_DROP_DOWN (kind), 1);
-  driver_run (200);
+  driver_settle ();
   g_assert_true (has_ratio (dialog));
 
   /* What is edited meanwhile is told; what is no part of the model is not. */
   g_assert_true (qn_document_edit_extra (qn_window_get_document (window), "Report", NULL,
                                          "report", "{ \"paper\": \"letter\" }", NULL));
-  driver_run (200);
+  driver_settle ();
   g_assert_false (has_note (dialog));
   QnId top = 0;
   for (gsize i = 0; i < model_of (window)->block_count; i++)
@@ -410,12 +406,12 @@ test_capacity (void)
 
   /* The selected block is controlled; one that is not there is refused. */
   driver_press (dialog, "Use Selected Block");
-  driver_run (100);
+  driver_settle ();
   driver_press (dialog, "Compute Curve");
   driver_wait (has_ratio, dialog);
   g_assert_false (has_note (dialog));
   gtk_window_destroy (GTK_WINDOW (dialog));
-  driver_run (100);
+  driver_settle ();
   driver_discard (window);
 }
 
@@ -446,7 +442,6 @@ test_capacity_undo (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   driver_activate (window, "win.capacity");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
   g_assert_null (kept (window));
   double first = entered (dialog, "ag");
@@ -454,32 +449,28 @@ test_capacity_undo (void)
   gtk_widget_grab_focus (ag);
   gtk_editable_set_text (GTK_EDITABLE (ag), "0.4");
   driver_key ("Return");
-  driver_run (200);
   g_assert_cmpfloat (entered (dialog, "ag"), ==, 0.4);
   g_autofree char *after_ag = kept (window);
   g_assert_nonnull (after_ag);
   guint soil = chosen (dialog, "soil");
   gtk_drop_down_set_selected (
     GTK_DROP_DOWN (driver_find_widget (dialog, driver_has_id, "soil")), soil + 2);
-  driver_run (200);
+  driver_settle ();
   g_autofree char *after_soil = kept (window);
   g_assert_cmpstr (after_soil, !=, after_ag);
 
   driver_activate (window, "win.undo");
-  driver_run (200);
   g_autofree char *undone = kept (window);
   if (undone != NULL) { /* each a step of its own */
     g_assert_cmpstr (undone, ==, after_ag);
     g_assert_cmpuint (chosen (dialog, "soil"), ==, soil);
     driver_activate (window, "win.undo");
-    driver_run (200);
   }
   g_assert_null (kept (window));
   g_assert_cmpfloat (entered (dialog, "ag"), ==, first);
   g_assert_cmpuint (chosen (dialog, "soil"), ==, soil);
   driver_activate (window, "win.redo");
   driver_activate (window, "win.redo");
-  driver_run (200);
   g_autofree char *redone = kept (window);
   g_assert_cmpstr (redone, ==, after_soil);
   g_assert_cmpfloat (entered (dialog, "ag"), ==, 0.4);
@@ -495,7 +486,6 @@ close_while_searching (gboolean project)
 {
   QnWindow *window = driver_open_example ("12-facade.quoin");
   driver_activate (window, "win.capacity");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
   g_assert_nonnull (dialog);
   driver_press (dialog, "Compute Curve");
@@ -505,13 +495,10 @@ close_while_searching (gboolean project)
   g_object_add_weak_pointer (G_OBJECT (dialog), &gone);
   if (!project) {
     gtk_window_close (GTK_WINDOW (dialog));
-    for (int i = 0; i < 100 && gone != NULL; i++)
-      driver_run (50);
-    g_assert_null (gone);
+    driver_wait (is_gone, &gone);
   }
   driver_discard (window);
   g_assert_null (gone);
-  driver_run (500); /* what comes back from the thread finds nobody */
 }
 
 static void
@@ -546,7 +533,6 @@ test_record (void)
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
   QnDocument *document = qn_window_get_document (window);
   driver_activate (window, "win.show-panel::analysis");
-  driver_run (200);
   GtkWidget *root = GTK_WIDGET (window);
   GtkWidget *plot = driver_find_widget (root, driver_has_id, "plot");
   GtkWidget *fault = driver_find_widget (root, driver_has_id, "fault");
@@ -558,15 +544,15 @@ test_record (void)
   for (guint i = 0; i < 4; i++) {
     g_autofree char *name = g_strdup_printf ("record-%u", i);
     gtk_drop_down_set_selected (GTK_DROP_DOWN (preview), i);
-    driver_run (100);
+    driver_settle ();
     g_assert_true (gtk_widget_get_mapped (plot));
     driver_screenshot (root, name);
   }
   g_assert_true (qn_document_edit (document, "Longer", NULL, take_long, NULL, NULL));
-  driver_run (100);
+  driver_settle ();
   g_assert_true (gtk_widget_get_mapped (plot));
   g_assert_true (qn_document_edit (document, "Lose", NULL, lose_record, NULL, NULL));
-  driver_run (100);
+  driver_settle ();
   g_assert_false (gtk_widget_get_mapped (plot));
   g_assert_true (gtk_widget_get_mapped (fault));
   driver_screenshot (root, "record-lost");
@@ -575,7 +561,6 @@ test_record (void)
   g_assert_nonnull (strstr (told, "ground[0].record"));
   g_assert_nonnull (strstr (told, "nowhere.csv"));
   driver_activate (window, "win.undo");
-  driver_run (100);
   g_assert_true (gtk_widget_get_mapped (plot));
   driver_discard (window);
 }
@@ -609,7 +594,6 @@ test_buttons (void)
   } buttons[] = { { "rests", rests }, { "follow", follows }, { "fall", falls } };
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
   driver_activate (window, "win.show-panel::analysis");
-  driver_run (200);
   /* Paths of equilibria have a button "follow" as well. */
   GtkWidget *last = driver_find_widget (GTK_WIDGET (window), driver_has_id, "fall");
   GtkWidget *form = gtk_widget_get_parent (last);
@@ -618,10 +602,9 @@ test_buttons (void)
     g_assert_true (gtk_widget_get_visible (check));
     g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
     gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
-    driver_run (100);
+    driver_settle ();
     g_assert_true (buttons[i].holds (model_of (window)));
     driver_activate (window, "win.undo");
-    driver_run (100);
     g_assert_false (buttons[i].holds (model_of (window)));
     g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
   }

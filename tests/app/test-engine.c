@@ -27,7 +27,7 @@ set_engine (QnWindow *window, QnEngine engine)
 {
   g_settings_set_enum (qn_settings_get (), "engine", (int) engine);
   gtk_widget_queue_draw (GTK_WIDGET (qn_window_get_canvas (window)));
-  driver_run (400);
+  driver_settle ();
 }
 
 /* Share of pixels of which a colour differs by more than `most`. */
@@ -84,7 +84,6 @@ open_large_wall (void)
   driver_activate (window, "win.draw");
   driver_lay_large_wall (window);
   driver_activate (window, "win.fit");
-  driver_run (600);
   return window;
 }
 
@@ -101,7 +100,7 @@ move_paper (QnWindow *window, const char *engine)
     qn_camera_pan (&camera, qn_vec2 (5.0, 2.0));
     qn_camera_zoom_at (&camera, qn_vec2 (400, 300), 1.03);
     qn_canvas_set_camera (canvas, &camera);
-    driver_run (20);
+    driver_settle ();
   }
   g_test_message ("%s: %.1f ms a frame, processors %.1f ms", engine,
                   1e-3 * (double) (g_get_monotonic_time () - start) / FRAMES,
@@ -114,7 +113,6 @@ static void
 test_automatic (void)
 {
   QnWindow *window = driver_open_example ("06-arch.quoin");
-  driver_run (300);
   g_assert_cmpuint (qn_gl_layer_get_frames (layer_of (window)), ==, 0);
   driver_discard (window);
 
@@ -127,7 +125,7 @@ test_automatic (void)
     unsigned frames = qn_gl_layer_get_frames (layer_of (window));
     g_assert_cmpuint (frames, >, 0);
     move_paper (window, "OpenGL");
-    driver_run (100);
+    driver_settle ();
     g_assert_cmpuint (qn_gl_layer_get_frames (layer_of (window)), >, frames + 5);
     g_assert_cmpuint (qn_gl_layer_get_uploads (layer_of (window)), ==, uploads);
     driver_screenshot (GTK_WIDGET (window), "engine-large");

@@ -64,7 +64,6 @@ test_figures (void)
   GtkWidget *check = driver_find_widget (dialog, is_check_called, "Black and white");
   g_assert_nonnull (check);
   gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
-  driver_run (200);
   driver_screenshot (dialog, "export-dialog-style");
   driver_press (dialog, "Keep in Project");
   g_assert_null (driver_find_dialog ("Export Figure"));
@@ -89,7 +88,6 @@ test_figures (void)
   driver_screenshot (dialog, "figures");
   driver_press (dialog, "Make All Again");
   driver_wait (exists, picture);
-  driver_run (300);
 
   g_mkdir (from_cli, 0700);
   const char *argv[] = {
@@ -107,7 +105,6 @@ test_figures (void)
   twin->file = g_strdup ("./mechanism.png");
   g_assert_true (qn_document_store_figure (document, twin, NULL));
   driver_press (dialog, "Make All Again");
-  driver_run (300);
   g_assert_nonnull (
     driver_find_widget (dialog, is_label_with, "another figure is the same file"));
   g_assert_true (is_bytes_of (picture, other));
@@ -151,7 +148,6 @@ test_print (void)
   QnWindow *window = driver_open_example ("06-arch.quoin");
   driver_activate_target (window, "win.print-path", g_variant_new_string (path));
   driver_wait (exists, path);
-  driver_run (300);
   expect_pdf (path);
   driver_discard (window);
   g_unlink (path);
@@ -218,7 +214,6 @@ test_animation (void)
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   driver_activate (window, "win.export-result::animation");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Export Animation");
   g_assert_nonnull (dialog);
   g_assert_nonnull (driver_find_widget (dialog, is_label_with, "48 pictures"));
@@ -231,7 +226,6 @@ test_animation (void)
   driver_activate (window, action);
   dialog = driver_find_dialog ("Export Animation");
   g_assert_nonnull (dialog);
-  driver_run (100);
   driver_screenshot (dialog, "animation-progress");
   driver_press (dialog, "Cancel");
   driver_wait (tells_of_cancelling, dialog);
@@ -248,9 +242,8 @@ test_animation (void)
   driver_activate (window, other);
   dialog = driver_find_dialog ("Export Animation");
   gtk_window_destroy (GTK_WINDOW (dialog));
-  driver_run (1500);
+  driver_discard (window); /* the thread holds a part of it until its end */
   g_assert_false (g_file_test (gif, G_FILE_TEST_EXISTS));
-  driver_discard (window);
 
   g_autoptr (GDir) files = g_dir_open (pictures, 0, NULL);
   const char *name;
@@ -335,7 +328,6 @@ report_size (QnWindow *window, const char *path)
   gsize length = 0;
   driver_activate_target (window, "win.export-path",
                           g_variant_new ("(ss)", "report", path));
-  driver_run (100);
   g_assert_true (g_file_get_contents (path, &bytes, &length, NULL));
   g_assert_true (g_str_has_prefix (bytes, "%PDF-"));
   g_unlink (path);
@@ -367,7 +359,6 @@ test_report_template (void)
   driver_wait_for_job (window);
   gsize whole = report_size (window, path);
   driver_activate (window, "win.export-result::report");
-  driver_run (200);
   GtkWidget *dialog = driver_find_dialog ("Export Report");
   g_assert_nonnull (dialog);
   driver_screenshot (dialog, "export-report");
@@ -375,7 +366,6 @@ test_report_template (void)
   g_assert_true (gtk_check_button_get_active (GTK_CHECK_BUTTON (results)));
   gtk_check_button_set_active (GTK_CHECK_BUTTON (results), FALSE);
   driver_press (dialog, "Export…");
-  driver_run (200);
   g_assert_false (qn_document_is_stale (document, qn_document_get_run (document)));
   gsize part = report_size (window, path);
   g_assert_cmpuint (part, <, whole);

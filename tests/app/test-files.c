@@ -65,7 +65,6 @@ test_mortar (void)
   driver_activate_target (window, "win.take-path", g_variant_new_string (path));
   GtkWidget *dialog = driver_find_dialog ("Import");
   g_assert_nonnull (dialog);
-  driver_run (200);
   driver_screenshot (dialog, "import-mortar");
   driver_press (dialog, "Import");
   gsize faces = qn_document_get_contacts (document)->face_count;
@@ -81,7 +80,6 @@ test_mortar (void)
   driver_press (dialog, "Import");
   g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
   driver_activate_target (window, "win.show-panel", g_variant_new_string ("findings"));
-  driver_run (200);
   driver_screenshot (GTK_WIDGET (window), "findings-mortar");
   driver_press (GTK_WIDGET (window), "Close Gaps");
   g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, faces);
@@ -115,7 +113,7 @@ test_layers (void)
   driver_screenshot (dialog, "import-layers");
   guint role = gtk_drop_down_get_selected (GTK_DROP_DOWN (choice));
   gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), QN_ROLE_IGNORED);
-  driver_run (100);
+  driver_settle ();
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==,
                     QN_ROLE_IGNORED);
   driver_press (dialog, "Import");
@@ -180,7 +178,6 @@ test_picture (void)
   QnViewState *state = qn_window_get_view_state (window);
   g_autofree char *empty = g_strdup (qn_document_get_text (document));
   driver_activate_target (window, "win.take-path", g_variant_new_string (picture));
-  driver_run (200);
   const QnUnderlay *underlay = qn_view_state_get_underlay (state);
   g_assert_nonnull (underlay->image);
   g_assert_cmpfloat (underlay->width, ==, 5.0);
@@ -216,7 +213,6 @@ test_picture (void)
   g_assert_cmpfloat (underlay->width, ==, 2.0);
   g_assert_cmpfloat (underlay->height, ==, 1.5);
   g_assert_cmpfloat_with_epsilon (underlay->origin.x, left, 0.03);
-  driver_run (200);
   driver_screenshot (GTK_WIDGET (window), "picture-rectified");
   driver_press (GTK_WIDGET (window), "Show as Taken");
   g_assert_false (qn_view_state_get_underlay (state)->rectified);
@@ -287,7 +283,7 @@ test_recovery (void)
   g_assert_true (g_file_set_contents (left, content, -1, NULL));
 
   g_application_activate (G_APPLICATION (driver_application ()));
-  driver_run (400);
+  driver_settle ();
   QnWindow *recovered = NULL;
   for (GList *l = gtk_application_get_windows (driver_application ()); l != NULL;
        l = l->next) {
@@ -330,7 +326,6 @@ test_windows (void)
   g_assert_cmpuint (g_list_length (gtk_application_get_windows (driver_application ())),
                     ==, before);
   driver_activate_target (first, "win.open-path", g_variant_new_string (b));
-  driver_run (300);
   GList *windows = gtk_application_get_windows (driver_application ());
   g_assert_cmpuint (g_list_length (windows), ==, before + 1);
   QnWindow *second = NULL;
@@ -358,14 +353,13 @@ test_example (void)
   GtkWidget *card = driver_find_widget (GTK_WIDGET (window), is_card_of, example);
   g_assert_nonnull (card);
   g_signal_emit_by_name (card, "clicked");
-  driver_run (200);
+  driver_settle ();
   g_assert_false (qn_window_is_blank (window));
   g_assert_null (qn_document_get_path (document));
   g_assert_false (qn_document_is_modified (document));
   g_assert_cmpuint (model_of (window)->ground_count, ==, 1);
 
   driver_activate (window, "win.save");
-  driver_run (300);
   g_assert_nonnull (window->chooser);
   g_clear_object (&window->chooser);
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
@@ -393,7 +387,7 @@ test_open_again (void)
   driver_activate_target (other, "win.open-path", g_variant_new_string (path));
   GFile *files[] = { g_file_new_for_path (path) };
   g_application_open (G_APPLICATION (driver_application ()), files, 1, "");
-  driver_run (200);
+  driver_settle ();
   g_object_unref (files[0]);
   g_assert_cmpuint (g_list_length (gtk_application_get_windows (driver_application ())),
                     ==, before);
@@ -425,17 +419,15 @@ test_changed_elsewhere (void)
   g_assert_true (g_file_set_contents (path, "theirs", -1, NULL));
   driver_activate (window, "win.nudge((1.0,0.0))");
   driver_activate (window, "win.save");
-  driver_run (200);
   GtkWidget *dialog = driver_find_message ();
   g_assert_nonnull (dialog);
   driver_screenshot (dialog, "changed-elsewhere");
   gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
-  driver_run (100);
+  driver_settle ();
   g_assert_true (qn_document_is_modified (qn_window_get_document (window)));
   expect_text (path, "theirs", TRUE);
 
   driver_activate (window, "win.save");
-  driver_run (100);
   driver_press (driver_find_message (), "Overwrite");
   g_assert_false (qn_document_is_modified (qn_window_get_document (window)));
   expect_text (path, "theirs", FALSE);
@@ -453,7 +445,6 @@ begin_choosing (QnWindow *window, const char *action, const char *shown,
                 const char *hidden)
 {
   driver_activate (window, action);
-  driver_run (100);
   g_assert_true (GTK_IS_FILE_CHOOSER_NATIVE (window->chooser));
   GtkFileChooser *chooser = GTK_FILE_CHOOSER (window->chooser);
   g_assert_true (gtk_native_dialog_get_visible (GTK_NATIVE_DIALOG (chooser)));

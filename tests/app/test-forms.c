@@ -107,7 +107,7 @@ walk (GtkWidget *widget, const char *what)
 static void
 look_at (GtkWidget *root, const char *what)
 {
-  driver_run (200);
+  driver_settle ();
   g_autofree char *name = g_strdup_printf ("form-%s", what);
   driver_screenshot (root, name);
   walk (root, what);
@@ -221,7 +221,7 @@ test_dialogs (void)
       driver_activate_target (window, dialogs[i].action, g_variant_new_string (path));
     else
       driver_activate (window, dialogs[i].action);
-    driver_run (200);
+    driver_settle ();
     GtkWidget *dialog = driver_find_other ();
     if (dialog == NULL)
       g_error ("no window %s", dialogs[i].what);
@@ -231,7 +231,7 @@ test_dialogs (void)
     driver_unfold (dialog);
     look_at (dialog, dialogs[i].what);
     gtk_window_destroy (GTK_WINDOW (dialog));
-    driver_run (50);
+    driver_settle ();
   }
   driver_discard (window);
 }
@@ -250,7 +250,7 @@ test_study (void)
   g_assert_true (qn_window_open_path (window, path));
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
-  driver_run (300);
+  driver_settle ();
   GtkWidget *dialog = driver_find_dialog ("Study");
   g_assert_nonnull (dialog);
   look_at (dialog, "study");
@@ -316,38 +316,37 @@ test_cases (void)
   driver_activate (window, "win.show-panel::analysis");
   GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "loads_box");
   driver_unfold (box);
-  driver_run (200);
+  driver_settle ();
   GtkWidget *list = driver_find_widget (box, is_called, "cases");
   GtkWidget *cases = gtk_widget_get_ancestor (list, GTK_TYPE_EXPANDER);
   GtkWidget *add = driver_find_widget (cases, is_called, "add");
   g_signal_emit_by_name (add, "clicked");
   g_signal_emit_by_name (add, "clicked");
-  driver_run (200);
+  driver_settle ();
   g_assert_cmpint (width_of (cases, "name"), ==, width_of (cases, "factor"));
   g_assert_nonnull (driver_find_widget (row_at (list, 1), driver_says, "for 0 loads"));
   GtkWidget *loads = driver_find_widget (box, is_called, "loads");
   gtk_list_box_select_row (GTK_LIST_BOX (loads), GTK_LIST_BOX_ROW (row_at (loads, 0)));
   gtk_drop_down_set_selected (GTK_DROP_DOWN (driver_find_widget (box, is_called, "case")),
                               2);
-  driver_run (100);
+  driver_settle ();
   g_assert_nonnull (driver_find_widget (row_at (list, 1), driver_says, "for 1 load"));
 
   GtkWidget *name = driver_find_widget (cases, is_called, "name");
   for (int way = 0; way < 2; way++) {
     gtk_list_box_select_row (GTK_LIST_BOX (list), GTK_LIST_BOX_ROW (row_at (list, way)));
     gtk_widget_grab_focus (row_at (list, way));
-    driver_run (100);
+    driver_settle ();
     if (way == 0)
       driver_key ("F2");
     else
       g_signal_emit_by_name (row_at (list, 1), "activate");
-    driver_run (200);
+    driver_settle ();
     g_assert_true (
       gtk_widget_has_focus (name)
       || gtk_widget_is_ancestor (gtk_window_get_focus (GTK_WINDOW (window)), name));
     driver_type (way == 0 ? "wind" : "snow");
     driver_key ("Return");
-    driver_run (200);
   }
   const QnModel *model = qn_document_get_model (document);
   g_assert_cmpstr (model->load_cases[0].name, ==, "wind");
@@ -355,7 +354,6 @@ test_cases (void)
   gtk_list_box_select_row (GTK_LIST_BOX (list), GTK_LIST_BOX_ROW (row_at (list, 0)));
   gtk_widget_grab_focus (row_at (list, 0));
   driver_key ("KP_Delete");
-  driver_run (200);
   g_assert_cmpuint (model_of (window)->load_case_count, ==, 1);
   g_assert_cmpstr (model_of (window)->load_cases[0].name, ==, "snow");
   driver_discard (window);
@@ -386,7 +384,7 @@ test_laws (void)
   GtkWidget *apply = driver_find_widget (box, is_called, "apply");
   g_assert_false (gtk_widget_get_sensitive (apply)); /* nothing is selected */
   qn_selection_set_face (selection, 1);
-  driver_run (50);
+  driver_settle ();
   press (window, "apply");
   steps++;
   const QnContacts *contacts = qn_document_get_contacts (document);
@@ -394,7 +392,6 @@ test_laws (void)
   g_assert_cmpint (contacts->faces[1].law_b, ==, 1);
   g_assert_cmpint (contacts->faces[0].law_a, ==, 0);
   gtk_widget_grab_focus (driver_find_widget (box, is_called, "source"));
-  driver_run (300);
   driver_screenshot (GTK_WIDGET (window), "laws-list");
   qn_selection_clear (selection);
   press (window, "select");
@@ -413,7 +410,6 @@ test_laws (void)
   gtk_widget_grab_focus (
     GTK_WIDGET (gtk_list_box_get_selected_row (GTK_LIST_BOX (list))));
   driver_key ("Delete");
-  driver_run (200);
   steps++;
   model = qn_document_get_model (document);
   g_assert_cmpuint (model->law_count, ==, 2);
@@ -468,7 +464,7 @@ test_refusal (void)
   QnDocument *document = qn_window_get_document (window);
   const QnId top = 1;
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
-  driver_run (100);
+  driver_settle ();
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   const QnModel *model = qn_document_get_model (document);
   GtkWidget *name = driver_find_widget (GTK_WIDGET (window), is_called, "name");

@@ -23,14 +23,14 @@ is_shown_stack (GtkWidget *widget, gconstpointer data)
 static void
 expect_help (const char *page)
 {
-  driver_run (300);
+  driver_settle ();
   GtkWidget *help = driver_find_dialog ("Help");
   g_assert_nonnull (help);
   GtkWidget *stack = driver_find_widget (help, is_shown_stack, NULL);
   g_assert_cmpstr (gtk_stack_get_visible_child_name (GTK_STACK (stack)), ==, page);
   driver_screenshot (help, "help");
   gtk_window_destroy (GTK_WINDOW (help));
-  driver_run (50);
+  driver_settle ();
 }
 
 /* What F1 does in a dialog; without a window manager the X server gives it no keys. */
@@ -61,7 +61,7 @@ test_context (void)
   expect_page (window, "first-wall");
   g_autofree char *path = driver_example_path ("12-facade.quoin");
   g_assert_true (qn_window_open_path (window, path));
-  driver_run (100);
+  driver_settle ();
   expect_page (window, "drawing");
   QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
   qn_selection_set_opening (selection, 0, 0);
@@ -99,14 +99,12 @@ test_dialogs (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   driver_activate (window, "win.export");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Export Figure");
   g_assert_nonnull (dialog);
   press_help_key (dialog);
   expect_help ("export");
   gtk_window_destroy (GTK_WINDOW (dialog));
   driver_activate (window, "win.study");
-  driver_run (300);
   dialog = driver_find_dialog ("Study");
   g_assert_nonnull (dialog);
   press_help_key (dialog);

@@ -90,7 +90,7 @@ test_click_joint (void)
   driver_activate (window, "win.show-panel::result");
   for (gsize i = 0; i < G_N_ELEMENTS (views); i++) {
     driver_activate (window, views[i]);
-    driver_run (200);
+    driver_settle ();
     qn_selection_clear (selection);
     driver_click (window, at.x, at.y);
     g_assert_cmpint (qn_selection_get_face (selection), ==, joint);
@@ -114,7 +114,6 @@ test_small_joints (void)
   QnCanvas *canvas = qn_window_get_canvas (window);
   const QnContacts *contacts = qn_document_get_contacts (qn_window_get_document (window));
   driver_activate (window, "win.view::contacts");
-  driver_run (200);
   gsize shortest = 0;
   for (gsize f = 1; f < contacts->face_count; f++)
     if (contacts->faces[f].length < contacts->faces[shortest].length)
@@ -246,14 +245,13 @@ test_found_rows (void)
   GtkWidget *expander =
     driver_find_widget (GTK_WIDGET (window), is_contact_expander, NULL);
   gtk_expander_set_expanded (GTK_EXPANDER (expander), TRUE);
-  driver_run (300);
+  driver_settle ();
   GtkWidget *table = driver_find_widget (GTK_WIDGET (window), is_contact_table, NULL);
   GtkSelectionModel *rows = gtk_column_view_get_model (GTK_COLUMN_VIEW (table));
   g_assert_cmpuint (g_list_model_get_n_items (G_LIST_MODEL (rows)), ==,
                     run->result.pair_count + count);
   gtk_single_selection_set_selected (GTK_SINGLE_SELECTION (rows),
                                      (guint) run->result.pair_count);
-  driver_run (200);
   driver_screenshot (GTK_WIDGET (window), "inspect-found");
   driver_discard (window);
   g_unlink (path);
@@ -279,7 +277,7 @@ test_stale_result (void)
   driver_activate (window, "win.view::forces");
   g_assert_true (
     qn_document_edit (document, "Delete", NULL, edit_delete_first, NULL, NULL));
-  driver_run (200);
+  driver_settle ();
   driver_click (window, at.x, at.y);
   g_assert_cmpint (qn_selection_get_face (selection), ==, QN_NONE);
   g_assert_false (says (window, "Eccentricity"));

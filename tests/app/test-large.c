@@ -18,12 +18,12 @@ test_move (void)
   driver_activate (window, "win.fit");
   const QnId block = LARGE_DRAWING_BLOCK;
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &block, 1);
-  driver_run (1500);
+  driver_settle ();
   double least = G_MAXDOUBLE;
   for (int i = 0; i < 6; i++) {
     double by = i % 2 == 0 ? 0.01 : -0.01, start = large_drawing_seconds ();
     large_drawing_move (document, by);
-    driver_run (400);
+    driver_settle ();
     least = MIN (least, large_drawing_seconds () - start);
   }
   g_test_message ("%.4f s until it is drawn", least);

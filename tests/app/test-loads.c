@@ -18,7 +18,6 @@ open_panel (const char *example)
   QnWindow *window = driver_open_example (example);
   gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
   driver_activate (window, "win.show-panel::analysis");
-  driver_run (400);
   return window;
 }
 
@@ -44,13 +43,12 @@ test_both_ways (void)
   /* An arrow of the soil's pressure on the wall's left side. */
   driver_click (window, -0.25, 0.15);
   g_assert_true (qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD) >= 0);
-  driver_run (300);
+  driver_settle ();
   g_assert_true (gtk_expander_get_expanded (expander));
   int first = qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD);
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, first);
   driver_screenshot (root, "load-selected");
   driver_activate (window, "win.show-panel::properties");
-  driver_run (200);
   g_assert_nonnull (driver_find_widget (
     root, driver_says, "Numbers of loads, bars and ties are under Analysis."));
   driver_activate (window, "win.show-panel::analysis");
@@ -87,13 +85,13 @@ test_both_ways (void)
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 3);
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 1);
   while (qn_document_undo (qn_window_get_document (window)))
-    driver_run (20);
+    driver_settle ();
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
   g_assert_cmpfloat (model_of (window)->live_loads[1].pressure, ==, surcharge);
 
   /* An empty list says so. */
   driver_press (root, "Add Set");
-  driver_run (200);
+  driver_settle ();
   g_assert_true (
     gtk_widget_get_mapped (driver_find_id (driver_find_id (root, "loads_box"), "empty")));
   driver_screenshot (root, "loads-empty");
@@ -116,10 +114,8 @@ test_blocks_first (void)
     QnVec2 middle = model->blocks[block].centroid;
     driver_point (window, middle.x, middle.y);
     driver_press_button ("3");
-    driver_run (200);
     g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, block));
     driver_key ("Escape");
-    driver_run (200);
   }
   driver_discard (window);
 }
@@ -133,7 +129,6 @@ test_draw_edge_load (void)
   const gsize live = model_of (window)->live_load_count;
   driver_activate (window, "win.tool::edge-load");
   driver_point (window, 0.2, 1.01);
-  driver_run (200);
   driver_screenshot (root, "edge-load-hover");
   driver_click (window, 0.2, 1.01);
   g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 1);
@@ -145,7 +140,6 @@ test_draw_edge_load (void)
   g_assert_cmpfloat (load->intensity[0], ==, 1e4);
   g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, (int) live);
   g_assert_cmpstr (driver_last_step (window), ==, "Add Edge Load");
-  driver_run (300);
   driver_screenshot (root, "edge-load-drawn");
 
   /* From the right side over the top. */
@@ -177,16 +171,14 @@ test_draw_edge_load (void)
   driver_point (window, 0.41, 0.3);
   driver_key ("Left");
   driver_key ("Return");
-  driver_run (200);
   g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 5);
   g_assert_cmpint (model_of (window)->live_loads[live + 4].edge, ==, 1);
   driver_key ("Escape");
-  driver_run (200);
   g_autoptr (GVariant) tool =
     g_action_group_get_action_state (G_ACTION_GROUP (window), "tool");
   g_assert_cmpstr (g_variant_get_string (tool, NULL), ==, "select");
   while (qn_document_undo (qn_window_get_document (window)))
-    driver_run (20);
+    driver_settle ();
   g_assert_cmpuint (model_of (window)->live_load_count, ==, live);
   driver_discard (window);
 }
@@ -207,7 +199,6 @@ test_draw_bar (void)
   driver_click (window, 0.3, 0.9);
   g_assert_cmpuint (model_of (window)->bar_count, ==, 2);
   g_assert_cmpint (selected_row (window, "laws_box", "bars"), ==, 1);
-  driver_run (300);
   driver_screenshot (root, "bars-drawn");
   /* Diameters are in mm, whatever lengths are in. */
   GtkWidget *diameter = driver_find_id (root, "diameter");
@@ -244,7 +235,6 @@ test_draw_tie (void)
   g_assert_cmpint (tie->ends[1].block, ==, QN_NONE);
   g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 0);
   g_assert_cmpint (selected_row (window, "laws_box", "ties"), ==, 0);
-  driver_run (300);
   driver_screenshot (root, "tie-drawn");
   driver_activate (window, "win.tool::select");
   driver_drag (window, 1.5, 0.9, 1.4, 0.6);

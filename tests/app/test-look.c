@@ -108,7 +108,7 @@ static void
 expect_to_fit (GtkWidget *window, const char *what)
 {
   driver_unfold (window);
-  driver_run (200);
+  driver_settle ();
   int width = 0, height = 0;
   gtk_widget_measure (window, GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL, NULL, NULL);
   gtk_widget_measure (window, GTK_ORIENTATION_VERTICAL, -1, &height, NULL, NULL, NULL);
@@ -123,12 +123,12 @@ expect_to_fit (GtkWidget *window, const char *what)
 static void
 expect_dialog_to_fit (const char *what)
 {
-  driver_run (200);
+  driver_settle ();
   GtkWidget *dialog = driver_find_other ();
   g_assert_nonnull (dialog);
   expect_to_fit (dialog, what);
   gtk_window_destroy (GTK_WINDOW (dialog));
-  driver_run (50);
+  driver_settle ();
 }
 
 static void
@@ -214,7 +214,7 @@ open_copy (const char *example, int width, int height)
   g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
   g_assert_true (g_file_set_contents (copy, text, -1, NULL));
   g_assert_true (qn_window_open_path (window, copy));
-  driver_run (300);
+  driver_settle ();
   return window;
 }
 
@@ -236,7 +236,6 @@ solve_and_show_mechanism (QnWindow *window)
   driver_wait_for_job (window);
   driver_activate (window, "win.view::mechanism");
   driver_activate (window, "win.fit");
-  driver_run (500);
 }
 
 /* The picture of the README: a wall that was solved, with its mechanism. */
@@ -253,7 +252,7 @@ test_picture (void)
 static void
 manual_picture (GtkWidget *window, const char *name)
 {
-  driver_run (300);
+  driver_settle ();
   g_autofree char *full = g_strdup_printf ("manual-%s-%s", look, name);
   driver_screenshot (window, full);
 }
@@ -261,12 +260,12 @@ manual_picture (GtkWidget *window, const char *name)
 static void
 manual_dialog (const char *name)
 {
-  driver_run (300);
+  driver_settle ();
   GtkWidget *dialog = driver_find_other ();
   g_assert_nonnull (dialog);
   manual_picture (dialog, name);
   gtk_window_destroy (GTK_WINDOW (dialog));
-  driver_run (50);
+  driver_settle ();
 }
 
 static void

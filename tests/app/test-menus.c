@@ -27,17 +27,14 @@ row_of (GtkWidget *list, int index)
     GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), index));
   g_assert_nonnull (row);
   gtk_widget_grab_focus (row);
-  driver_run (200);
+  driver_settle ();
   return row;
 }
 
 static void
-wait_for_menu (GtkWidget *inside)
+expect_menu (GtkWidget *inside)
 {
   GtkWidget *widget = GTK_WIDGET (gtk_widget_get_root (inside));
-  for (int i = 0; i < 50 && driver_find_widget (widget, driver_is_menu, NULL) == NULL;
-       i++)
-    driver_run (20);
   if (driver_find_widget (widget, driver_is_menu, NULL) == NULL) {
     driver_screenshot (widget, "menu-missing");
     g_error ("no menu of the %s", G_OBJECT_TYPE_NAME (inside));
@@ -51,7 +48,7 @@ right_click (GtkWidget *widget)
   driver_point_at (widget, 0.5 * gtk_widget_get_width (widget),
                    0.5 * gtk_widget_get_height (widget));
   driver_press_button ("3");
-  wait_for_menu (widget);
+  expect_menu (widget);
 }
 
 /* Clicks on an item of the menu that is open there. */
@@ -68,10 +65,9 @@ check_keys (GtkWidget *widget, const char *label)
   static const char *const keys[] = { "Menu", "shift+F10" };
   for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
     driver_key (keys[i]);
-    wait_for_menu (widget);
+    expect_menu (widget);
     g_assert_nonnull (driver_find_widget (widget, is_item, label));
     driver_key ("Escape");
-    driver_run (200);
     g_assert_null (driver_find_widget (widget, driver_is_menu, NULL));
   }
 }
@@ -83,7 +79,7 @@ open_panel (const char *example, const char *panel)
   QnWindow *window = driver_open_example (example);
   driver_activate_target (window, "win.show-panel", g_variant_new_string (panel));
   driver_unfold (GTK_WIDGET (window));
-  driver_run (300);
+  driver_settle ();
   return window;
 }
 
@@ -128,7 +124,7 @@ test_loads (void)
   GtkWidget *form = driver_find_id (GTK_WIDGET (window), "loads_box");
   GtkDropDown *list = GTK_DROP_DOWN (driver_find_id (form, "list"));
   gtk_drop_down_set_selected (list, 0);
-  driver_run (200);
+  driver_settle ();
   gsize count = qn_model_count_loads (model_of (window), -1);
   g_assert_cmpuint (count, >, 0);
   GtkWidget *row = row_of (driver_find_id (form, "loads"), 0);
@@ -147,7 +143,7 @@ test_laws (void)
   GtkWidget *law =
     driver_find_id (driver_find_id (GTK_WIDGET (window), "laws_box"), "law");
   gtk_widget_grab_focus (law);
-  driver_run (200);
+  driver_settle ();
   check_keys (law, "Duplicate Law");
   right_click (law);
   choose (law, "Duplicate Law");
@@ -172,11 +168,11 @@ test_tables (void)
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   driver_unfold (GTK_WIDGET (window));
-  driver_run (500);
+  driver_settle ();
   GtkWidget *cell = driver_find_widget (GTK_WIDGET (window), is_cell, NULL);
   g_assert_nonnull (cell);
   gtk_widget_grab_focus (gtk_widget_get_ancestor (cell, GTK_TYPE_COLUMN_VIEW));
-  driver_run (300);
+  driver_settle ();
   right_click (cell);
   choose (cell, "Copy Row");
   driver_discard (window);
@@ -191,13 +187,11 @@ test_open_at_end (void)
   QnWindow *window = driver_open_example ("40-rocking-in-time.quoin");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  driver_run (200);
   GtkWidget *button = driver_find_id (GTK_WIDGET (window), "field_button");
   GtkPopover *menu = gtk_menu_button_get_popover (GTK_MENU_BUTTON (button));
   driver_point_at (button, 0.5 * gtk_widget_get_width (button),
                    0.5 * gtk_widget_get_height (button));
   driver_press_button ("1");
-  driver_run (400);
   g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (menu)));
   driver_discard (window);
 
@@ -243,7 +237,6 @@ test_comparison (void)
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Compare Runs");
   g_assert_cmpuint (count_pictures (dialog), ==, 2);
   GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
@@ -264,7 +257,7 @@ test_comparison (void)
   g_assert_cmpstr (left, ==, words);
   /* The picture that stayed has the focus. */
   driver_key ("Delete");
-  driver_run (200);
+  driver_settle ();
   g_assert_null (driver_find_widget (dialog, driver_is_cell, NULL));
   driver_discard (window);
 }
@@ -315,7 +308,6 @@ test_drag_caption (void)
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
-  driver_run (500);
   GtkWidget *dialog = driver_find_dialog ("Compare Runs");
   GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
   GtkWidget *second = gtk_widget_get_next_sibling (first);
@@ -331,7 +323,7 @@ test_drag_caption (void)
   press (TRUE);
   move_along (x0, y0, x1, y1);
   press (FALSE);
-  driver_run (500);
+  driver_settle ();
   g_autofree char *after = dup_words (driver_find_widget (dialog, driver_is_cell, NULL));
   g_assert_cmpstr (after, ==, words);
   driver_discard (window);
@@ -368,12 +360,11 @@ drag_files (const char *const *names, GtkWidget *onto)
   g_signal_connect (source, "prepare", G_CALLBACK (give_files), (gpointer) names);
   gtk_widget_add_controller (window, GTK_EVENT_CONTROLLER (source));
   gtk_window_present (GTK_WINDOW (window));
-  driver_run (300);
+  driver_settle ();
   const char *const aside[] = { "search",     "--name", "files of the test",
                                 "windowmove", "1600",   "700",
                                 NULL };
   driver_xdotool (aside);
-  driver_run (300);
   const char *const there[] = { "mousemove", "1700", "800", NULL };
   driver_xdotool (there);
   press (TRUE);
@@ -381,7 +372,7 @@ drag_files (const char *const *names, GtkWidget *onto)
   find_middle (onto, &x, &y);
   move_along (1700, 800, x, y);
   press (FALSE);
-  driver_run (500);
+  driver_settle ();
   gtk_window_destroy (GTK_WINDOW (window));
 }
 
@@ -412,7 +403,6 @@ test_drop_files (void)
   g_assert_true (g_str_has_suffix (qn_document_get_path (qn_window_get_document (window)),
                                    "06-arch.quoin"));
   driver_activate (window, "win.compare");
-  driver_run (500);
   GtkWidget *dialog = driver_find_dialog ("Compare Runs");
   drag_files (two, dialog);
   driver_wait (has_two_pictures, dialog);
@@ -437,6 +427,12 @@ has_results (gpointer dialog)
   return enabled && !gtk_widget_get_visible (progress);
 }
 
+static gboolean
+has_case (gpointer window)
+{
+  return qn_document_get_runs (qn_window_get_document (window))->len == 1;
+}
+
 static void
 test_study (void)
 {
@@ -449,42 +445,35 @@ test_study (void)
   g_assert_true (g_file_set_contents (path, text, -1, NULL));
   QnWindow *window = driver_open_window (1280, 800);
   g_assert_true (qn_window_open_path (window, path));
-  driver_run (200);
+  driver_settle ();
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
-  driver_run (300);
+  driver_settle ();
   GtkWidget *dialog = driver_find_dialog ("Study");
   g_assert_nonnull (dialog);
   gtk_window_present (GTK_WINDOW (dialog));
   gtk_spin_button_set_value (GTK_SPIN_BUTTON (driver_find_id (dialog, "count")), 8);
-  driver_run (200);
+  driver_settle ();
   gtk_widget_activate_action (dialog, "study.run", NULL);
-  driver_run (300);
+  driver_settle ();
   driver_wait (has_results, dialog);
 
   GtkWidget *plot = driver_find_id (dialog, "plot");
   gtk_drop_down_set_selected (GTK_DROP_DOWN (driver_find_id (dialog, "figure")), 1);
-  driver_run (200);
+  driver_settle ();
   gtk_widget_grab_focus (plot);
   driver_key ("Right");
   check_keys (plot, "Open Case in the Drawing");
   right_click (plot);
   g_assert_nonnull (driver_find_widget (plot, is_item, "Table…"));
   driver_key ("Escape");
-  driver_run (200);
   driver_key ("Menu");
-  wait_for_menu (plot);
+  expect_menu (plot);
   choose (plot, "Copy Text");
-  guint before = qn_document_get_runs (qn_window_get_document (window))->len;
   driver_key ("Menu");
-  wait_for_menu (plot);
+  expect_menu (plot);
   choose (plot, "Open Case in the Drawing");
-  for (int i = 0;
-       i < 200 && qn_document_get_runs (qn_window_get_document (window))->len == before;
-       i++)
-    driver_run (50);
-  g_assert_cmpuint (qn_document_get_runs (qn_window_get_document (window))->len, ==,
-                    before + 1);
+  driver_wait (has_case, window);
 
   GtkWidget *parameters = driver_find_id (dialog, "parameters");
   GtkWidget *row =

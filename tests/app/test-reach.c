@@ -50,7 +50,7 @@ open_text (const char *text)
   g_assert_true (g_file_set_contents (path, text, -1, &error));
   g_assert_true (qn_window_open_path (window, path));
   g_assert_cmpint (remove (path), ==, 0);
-  driver_run (200);
+  driver_settle ();
   return window;
 }
 
@@ -153,7 +153,6 @@ check_menu (QnWindow *window, double x, double y, const char *action, const char
 {
   driver_point (window, x, y);
   driver_press_button ("3");
-  driver_run (200);
   GtkWidget *menu = open_menu (window);
   g_assert_nonnull (menu);
   g_assert_true (
@@ -162,7 +161,6 @@ check_menu (QnWindow *window, double x, double y, const char *action, const char
   expect_keys_told (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)));
   driver_screenshot (menu, shot);
   driver_key ("Escape");
-  driver_run (200);
   g_assert_null (open_menu (window));
 }
 
@@ -181,10 +179,9 @@ test_context_menus (void)
   static const char *const keys[] = { "Menu", "shift+F10" };
   for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
     driver_key (keys[i]);
-    driver_run (200);
+    driver_settle ();
     g_assert_nonnull (open_menu (window));
     driver_key ("Escape");
-    driver_run (200);
     g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
   }
   qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
@@ -260,7 +257,7 @@ enter (QnWindow *window, const char *id, const char *text)
   g_assert_nonnull (entry);
   gtk_editable_set_text (GTK_EDITABLE (entry), text);
   g_signal_emit_by_name (entry, "activate");
-  driver_run (100);
+  driver_settle ();
 }
 
 /* Place and size in the panel, for one and for several. */
@@ -314,11 +311,10 @@ test_various_values (void)
 {
   QnWindow *window = open_blocks ();
   qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 2 }, 1);
-  driver_run (100);
+  driver_settle ();
   enter (window, "thickness", "0.5");
   driver_activate (window, "win.support::pinned");
   qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 1, 2 }, 2);
-  driver_run (100);
   driver_screenshot (GTK_WIDGET (window), "numbers-various");
   g_assert_cmpstr (shown_in (window, "thickness"), ==, "");
   g_assert_cmpstr (shown_in (window, "weight"), !=, "");
@@ -332,7 +328,7 @@ test_various_values (void)
   GtkWidget *turn =
     driver_find_widget (GTK_WIDGET (window), is_widget_called, "support_turn");
   gtk_check_button_set_active (GTK_CHECK_BUTTON (turn), TRUE);
-  driver_run (100);
+  driver_settle ();
   blocks = model_of (window)->blocks;
   g_assert_true (blocks[1].support[QN_DOF_RZ] && blocks[2].support[QN_DOF_RZ]);
   g_assert_false (blocks[1].support[QN_DOF_UX]);
@@ -346,13 +342,12 @@ test_typical_stone (void)
 {
   QnWindow *window = open_blocks ();
   qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 1, 2 }, 2);
-  driver_run (100);
+  driver_settle ();
   GtkWidget *stone = driver_find_widget (GTK_WIDGET (window), is_widget_called, "stone");
   GtkWidget *source =
     driver_find_widget (GTK_WIDGET (window), is_widget_called, "stone_source");
   g_assert_false (gtk_widget_get_visible (source));
   gtk_drop_down_set_selected (GTK_DROP_DOWN (stone), 0);
-  driver_run (100);
   driver_screenshot (GTK_WIDGET (window), "typical-stone");
   const QnModel *model = model_of (window);
   for (int i = 1; i <= 2; i++)
@@ -433,7 +428,7 @@ test_paste (void)
   driver_key ("ctrl+c");
   for (int i = 0; i < 3; i++) {
     driver_key ("ctrl+v");
-    driver_run (200);
+    driver_settle ();
     guint count = 0;
     const QnId *ids = qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
     g_assert_cmpuint (count, ==, 1);
@@ -494,9 +489,7 @@ test_keys_after_buttons (void)
   driver_key ("w");
   g_assert_cmpstr (qn_canvas_get_tool (qn_window_get_canvas (window))->name, ==, "wall");
   driver_key ("F10");
-  driver_run (200);
   driver_key ("Escape");
-  driver_run (200);
   driver_key ("v");
   g_assert_cmpstr (qn_canvas_get_tool (qn_window_get_canvas (window))->name, ==,
                    "select");
@@ -584,14 +577,13 @@ test_small_window (void)
   QnWindow *window = driver_open_window (600, 500);
   g_autofree char *path = driver_example_path ("ferris-tin-loi/wall3.quoin");
   g_assert_true (qn_window_open_path (window, path));
-  driver_run (300);
+  driver_settle ();
   driver_activate (window, "win.run");
   g_assert_cmpint (least_width (window), <=, 600);
   driver_wait_for_job (window);
   driver_activate (window, "win.view::forces");
   qn_window_show_error (window, "A message that is long enough to need more than one "
                                 "line where the window is as narrow as this one is.");
-  driver_run (500);
   driver_screenshot (GTK_WIDGET (window), "small-window");
   expect_tools_in_sight (window);
   GtkWidget *title = driver_find_widget (GTK_WIDGET (window), is_title, NULL);
@@ -605,7 +597,6 @@ test_small_window (void)
   int canvas = gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window)));
   g_assert_cmpint (canvas, >, 400);
   driver_key ("F9");
-  driver_run (300);
   g_assert_cmpint (gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window))), <,
                    canvas);
   static const char *const views[] = { "win.view::forces", "win.view::deformed" };
@@ -628,7 +619,7 @@ test_message_over_drawing (void)
   qn_window_show_error (window, "Something is wrong, and it takes so many words to tell "
                                 "what it is, and where, and what can be done about it, "
                                 "that one line of the drawing is too short for them.");
-  driver_run (500);
+  driver_settle ();
   GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
   g_assert_cmpint (gtk_widget_get_height (canvas), ==, height);
   GtkWidget *bar = driver_find_widget (GTK_WIDGET (window), is_info_bar, NULL);
@@ -656,7 +647,7 @@ test_views_keep_places (void)
   int height = 0;
   for (gsize i = 0; i < G_N_ELEMENTS (views); i++) {
     driver_activate (window, views[i]);
-    driver_run (100);
+    driver_settle ();
     GtkWidget *button =
       driver_find_widget (GTK_WIDGET (window), driver_is_button, "Forces");
     GtkWidget *all = gtk_widget_get_ancestor (button, GTK_TYPE_BOX);
@@ -688,7 +679,7 @@ test_panels_keep_width (void)
   driver_activate (window, "win.select-all");
   for (gsize i = 0; i < G_N_ELEMENTS (panels); i++) {
     driver_activate (window, panels[i]);
-    driver_run (100);
+    driver_settle ();
     g_assert_cmpint (gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window))),
                      ==, width);
   }
@@ -702,7 +693,6 @@ test_dark_paper (void)
   QnWindow *window = open_blocks ();
   g_object_set (gtk_settings_get_default (), "gtk-application-prefer-dark-theme", TRUE,
                 NULL);
-  driver_run (400);
   driver_screenshot (GTK_WIDGET (window), "dark");
   cairo_surface_t *picture = driver_picture (GTK_WIDGET (window));
   QnVec2 at = qn_canvas_to_screen (qn_window_get_canvas (window), qn_vec2 (3.02, 0.62));
@@ -752,7 +742,6 @@ choose_in_menu (GtkWidget *root, const char *action)
     has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)), action));
   driver_key ("Home"); /* the first item, wherever the focus is */
   driver_key ("Return");
-  driver_run (300);
   g_assert_null (driver_find_widget (root, driver_is_menu, NULL));
 }
 
@@ -774,22 +763,20 @@ test_history_menu (void)
   GtkWidget *button = driver_find_widget (GTK_WIDGET (window), is_history_button, NULL);
   g_assert_nonnull (button);
   gtk_menu_button_popup (GTK_MENU_BUTTON (button));
-  driver_run (300);
+  driver_settle ();
   GtkWidget *list = driver_find_widget (button, is_list_box, NULL);
   g_assert_nonnull (list);
   GtkWidget *row =
     GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), (int) last - 1));
   driver_point_at (row, 20.0, 0.5 * gtk_widget_get_height (row));
   driver_press_button ("3");
-  driver_run (300);
   choose_in_menu (list, "win.go-to-step");
   g_assert_cmpuint (qn_history_get_position (history), ==, last - 1);
   gtk_menu_button_popup (GTK_MENU_BUTTON (button));
-  driver_run (300);
+  driver_settle ();
   gtk_widget_grab_focus (
     GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), (int) last)));
   driver_key ("Menu");
-  driver_run (300);
   choose_in_menu (list, "win.go-to-step");
   g_assert_cmpuint (qn_history_get_position (history), ==, last);
   driver_discard (window);
@@ -813,10 +800,9 @@ test_runs_menu (void)
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   driver_activate_target (window, "win.show-panel", g_variant_new_string ("result"));
-  driver_run (300);
   GtkWidget *runs = driver_find_widget (GTK_WIDGET (window), has_menu_of_runs, NULL);
   g_assert_nonnull (runs);
-  driver_run (300);
+  driver_settle ();
   GtkWidget *menu = driver_find_widget (runs, driver_is_menu, NULL);
   g_assert_nonnull (menu);
   g_assert_true (has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)),
@@ -826,7 +812,6 @@ test_runs_menu (void)
   expect_whole (menu);
   driver_screenshot (menu, "menu-run");
   driver_key ("Escape");
-  driver_run (300);
   g_assert_null (driver_find_widget (runs, driver_is_menu, NULL));
   driver_activate (window, "win.remove-run");
   g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 0);
@@ -859,7 +844,7 @@ test_keys_from_anywhere (void)
   guint tried = 0;
   for (gsize i = 0; i < G_N_ELEMENTS (panels); i++) {
     driver_activate_target (window, "win.show-panel", g_variant_new_string (panels[i]));
-    driver_run (200);
+    driver_settle ();
     g_autoptr (GPtrArray) found = g_ptr_array_new ();
     collect_focusable (GTK_WIDGET (window), found);
     for (guint k = 0; k < found->len; k += 1 + found->len / 25) {

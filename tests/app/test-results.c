@@ -147,7 +147,7 @@ test_runs (void)
   const GPtrArray *runs = qn_document_get_runs (document);
   for (guint i = 0; i < runs->len; i++) {
     gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), i);
-    driver_run (50);
+    driver_settle ();
     g_assert_true (qn_document_get_run (document) == runs->pdata[i]);
   }
   driver_discard (window);
@@ -173,7 +173,7 @@ test_answer (void)
   solve (window, "win.run-limit::associative");
   solve (window, "win.run-limit::non-associative");
   g_assert_true (gtk_widget_get_visible (bar));
-  driver_run (100);
+  driver_settle ();
   g_autoptr (GArray) bounds = qn_bounds_collect (document);
   g_assert_cmpuint (bounds->len, ==, 5);
   for (guint i = 0; i < bounds->len; i++) {

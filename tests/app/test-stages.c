@@ -10,7 +10,7 @@ open_expander (GtkWidget *root, const char *label)
   GtkWidget *expander = driver_find_widget (root, driver_is_expander, label);
   g_assert_nonnull (expander);
   gtk_expander_set_expanded (GTK_EXPANDER (expander), TRUE);
-  driver_run (300);
+  driver_settle ();
 }
 
 static gboolean
@@ -72,7 +72,6 @@ test_settle_and_push (void)
   GtkWidget *loads = driver_find_widget (root, driver_is_expander, "Loads One by _One");
   gtk_expander_set_expanded (GTK_EXPANDER (loads), FALSE);
   gtk_widget_grab_focus (driver_find_widget (root, driver_is_button, "_Earlier"));
-  driver_run (300);
   driver_screenshot (root, "stage-form");
   /* A stage that drives nothing is refused, and the check is back. */
   GtkWidget *check = driver_find_widget (root, is_set, "set 1");
@@ -93,7 +92,7 @@ test_settle_and_push (void)
   GtkWidget *stage = driver_find_widget (root, is_stage_choice, NULL);
   g_assert_nonnull (stage);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (stage), 1);
-  driver_run (200);
+  driver_settle ();
   QnViewState *state = qn_window_get_view_state (window);
   g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DEFORMED);
   int step = qn_view_state_get_step (state);
@@ -107,7 +106,7 @@ test_settle_and_push (void)
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (stage)), ==, 2);
 
   while (qn_document_undo (document))
-    driver_run (20);
+    driver_settle ();
   g_assert_cmpuint (model_of (window)->stage_count, ==, 0);
   g_assert_cmpuint (model_of (window)->load_set_count, ==, 0);
   driver_discard (window);
@@ -150,7 +149,7 @@ test_edge_loads (void)
   g_assert_cmpfloat (qn_model_load_resultant (model_of (window), source).y, <, 0.0);
   driver_screenshot (root, "edge-load-form");
   while (qn_document_undo (document))
-    driver_run (20);
+    driver_settle ();
   g_assert_cmpuint (model_of (window)->dead_load_count, ==, dead);
   g_assert_cmpuint (model_of (window)->load_case_count, ==, 0);
   driver_discard (window);
@@ -171,7 +170,7 @@ test_close_with_selected (void)
     GtkListBox *list = GTK_LIST_BOX (driver_find_widget (root, is_list_of_stages, NULL));
     gtk_list_box_select_row (list, gtk_list_box_get_row_at_index (list, 1));
     gtk_widget_grab_focus (GTK_WIDGET (gtk_list_box_get_row_at_index (list, 1)));
-    driver_run (200);
+    driver_settle ();
     DriverParts *parts = driver_watch_parts (window);
     driver_key (keys[i]);
     driver_wait_until_gone (parts);
@@ -199,7 +198,6 @@ test_close_while_typing (void)
   driver_key ("ctrl+a");
   driver_type ("17");
   driver_key ("ctrl+w");
-  driver_run (200);
   g_assert_cmpint (model_of (window)->analysis.increments, ==, 17);
   GtkWidget *question = driver_find_message ();
   g_assert_nonnull (question);

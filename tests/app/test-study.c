@@ -3,6 +3,7 @@
  * that is drawn. */
 #include "driver.h"
 
+#include "app/dialogs/study-private.h"
 #include "app/widgets/quantity-entry.h"
 #include "study/plan/study.h"
 #include "support/room.h"
@@ -21,7 +22,7 @@ open_copy (const char *folder, const char *example)
   g_assert_true (g_file_set_contents (path, text, -1, NULL));
   QnWindow *window = driver_open_window (1280, 800);
   g_assert_true (qn_window_open_path (window, path));
-  driver_run (200);
+  driver_settle ();
   return window;
 }
 
@@ -94,21 +95,34 @@ count_runs (gpointer window)
   return qn_document_get_runs (qn_window_get_document (window))->len;
 }
 
+typedef struct Opened {
+  QnWindow *window;
+  guint before; /* runs */
+} Opened;
+
+static gboolean
+has_opened (gpointer data)
+{
+  const Opened *opened = data;
+  return count_runs (opened->window) > opened->before;
+}
+
 /* Clicks down the middle of the scatter until a point is met: its case opens, another run. */
 static void
 click_points (GtkWidget *dialog, QnWindow *window)
 {
   GtkWidget *plot = driver_find_widget (dialog, is_area, NULL);
-  guint before = count_runs (window);
+  QnStudyWindow *study = g_object_get_data (G_OBJECT (dialog), "qn-study");
+  Opened opened = { window, count_runs (window) };
   gtk_window_present (GTK_WINDOW (dialog));
-  driver_run (200);
-  for (int y = 60; y < gtk_widget_get_height (plot) && count_runs (window) == before;
-       y += 15) {
+  driver_settle ();
+  study->chosen = -1;
+  for (int y = 60; y < gtk_widget_get_height (plot) && study->chosen < 0; y += 15) {
     driver_point_at (plot, gtk_widget_get_width (plot) / 2.0, y);
     driver_press_button ("1");
-    driver_run (300);
   }
-  g_assert_cmpuint (count_runs (window), >, before);
+  g_assert_cmpint (study->chosen, >=, 0);
+  driver_wait (has_opened, &opened);
 }
 
 static void
@@ -124,31 +138,27 @@ test_vary (void)
   test_autoscratch char *folder = test_scratch_new ();
   QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
   driver_activate (window, "win.show-panel::analysis");
-  driver_run (200);
   GtkWidget *friction = driver_find_widget (GTK_WIDGET (window), shows, "0.65");
   g_assert_nonnull (friction);
   gtk_widget_grab_focus (friction);
-  driver_run (100);
+  driver_settle ();
   driver_key ("shift+F10");
-  driver_run (300);
   driver_screenshot (GTK_WIDGET (window), "study-vary");
   driver_key ("Up");
   driver_key ("Return");
   driver_wait (has_study, NULL);
   GtkWidget *dialog = driver_find_dialog ("Study: wall.quoin-study");
   g_assert_nonnull (dialog);
-  driver_run (300);
+  driver_settle ();
 
   /* Twice is once. */
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
-  driver_run (100);
+  driver_settle ();
   gtk_window_present (GTK_WINDOW (dialog));
-  driver_run (200);
+  driver_settle ();
   driver_key ("F5");
-  driver_run (300);
   driver_wait (is_idle, dialog);
-  driver_run (300);
   driver_screenshot (dialog, "study-cumulative");
 
   QnStudy study;
@@ -163,14 +173,12 @@ test_vary (void)
   gtk_drop_down_set_selected (
     GTK_DROP_DOWN (driver_find_widget (dialog, is_drop_down, "Cumulative curve")), 1);
   gtk_widget_grab_focus (driver_find_widget (dialog, is_area, NULL));
-  driver_run (200);
+  driver_settle ();
   driver_key ("Right");
   driver_key ("Right");
-  driver_run (200);
   driver_screenshot (dialog, "study-scatter");
   driver_key ("Return");
   driver_wait (shows_case, window);
-  driver_run (200);
   driver_screenshot (GTK_WIDGET (window), "study-case");
   click_points (dialog, window);
   g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
@@ -216,22 +224,15 @@ is_open_menu (GtkWidget *widget, gconstpointer data)
   return GTK_IS_POPOVER (widget) && gtk_widget_get_mapped (widget);
 }
 
-static gboolean
-has_menu (gpointer entry)
-{
-  return driver_find_widget (entry, is_open_menu, NULL) != NULL;
-}
-
-/* Clicks once more where the pointer was still on its way. */
+/* GTK does not hear every click on what has just been scrolled there. */
 static void
 open_menu (GtkWidget *entry)
 {
-  for (int attempt = 0; attempt < 5 && !has_menu (entry); attempt++) {
+  for (int attempt = 0;
+       attempt < 5 && driver_find_widget (entry, is_open_menu, NULL) == NULL; attempt++) {
     driver_point_at (entry, gtk_widget_get_width (entry) / 2.0,
                      gtk_widget_get_height (entry) / 2.0);
     driver_press_button ("3");
-    for (int i = 0; i < 20 && !has_menu (entry); i++)
-      driver_run (20);
   }
 }
 
@@ -241,7 +242,7 @@ close_menu (GtkWidget *entry)
   GtkWidget *menu = driver_find_widget (entry, is_open_menu, NULL);
   if (menu != NULL)
     gtk_popover_popdown (GTK_POPOVER (menu));
-  driver_run (20);
+  driver_settle ();
 }
 
 /* The path that the menu of an entry offers to vary, or "". */
@@ -279,7 +280,7 @@ click_path (GtkWidget *entry)
 {
   gtk_entry_set_extra_menu (GTK_ENTRY (entry), NULL);
   gtk_widget_grab_focus (entry); /* scrolls there */
-  driver_run (60);
+  driver_settle ();
   open_menu (entry);
   char *path = dup_offered (entry);
   close_menu (entry);
@@ -324,12 +325,12 @@ select_stage (QnWindow *window)
   GtkWidget *form = driver_find_widget (GTK_WIDGET (window), is_stage_form, NULL);
   g_assert_nonnull (form);
   gtk_expander_set_expanded (GTK_EXPANDER (form), TRUE);
-  driver_run (300);
+  driver_settle ();
   GtkWidget *list = driver_find_widget (form, is_list_of_stages, NULL);
   g_assert_nonnull (list);
   gtk_list_box_select_row (GTK_LIST_BOX (list),
                            gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 0));
-  driver_run (300);
+  driver_settle ();
 }
 
 /* Every number of the panels that the project's file holds can be made to vary, whatever form it is in. */
@@ -387,7 +388,6 @@ test_every_number (void)
       qn_selection_set_opening (selection, 0, 0);
     g_autofree char *panel = g_strconcat ("win.show-panel::", cases[i].panel, NULL);
     driver_activate (window, panel);
-    driver_run (300);
     if (cases[i].selected == A_STAGE)
       select_stage (window);
     g_autoptr (GPtrArray) entries = g_ptr_array_new ();
@@ -434,20 +434,19 @@ test_edit (void)
                               0.65);
   driver_wait (has_study, NULL);
   GtkWidget *dialog = driver_find_dialog ("Study");
-  driver_run (200);
+  driver_settle ();
   GtkWidget *least = driver_find_widget (dialog, shows, "0.585");
   g_assert_nonnull (least);
   gtk_widget_grab_focus (least);
   driver_key ("ctrl+a");
   driver_type ("0.4");
   driver_key ("Return");
-  driver_run (200);
   g_assert_nonnull (driver_find_widget (dialog, shows, "0.4"));
   gtk_widget_activate_action (dialog, "study.undo", NULL);
-  driver_run (200);
+  driver_settle ();
   g_assert_nonnull (driver_find_widget (dialog, shows, "0.585"));
   gtk_widget_activate_action (dialog, "study.redo", NULL);
-  driver_run (200);
+  driver_settle ();
   g_assert_nonnull (driver_find_widget (dialog, shows, "0.4"));
 
   /* What cannot be computed is said, and nothing starts. */
@@ -455,21 +454,20 @@ test_edit (void)
   driver_key ("ctrl+a");
   driver_type ("0.9");
   driver_key ("Return");
-  driver_run (200);
   gtk_widget_activate_action (dialog, "study.run", NULL);
-  driver_run (200);
+  driver_settle ();
   g_assert_true (study_says (dialog, "min must be less than max"));
   g_assert_true (is_idle (dialog));
   gtk_widget_activate_action (dialog, "study.undo", NULL);
-  driver_run (200);
+  driver_settle ();
 
   /* Cancelled, what there is remains; the same study goes on. */
   gtk_widget_activate_action (dialog, "study.run", NULL);
-  driver_run (50);
+  driver_settle ();
   gtk_widget_activate_action (dialog, "study.cancel", NULL);
   driver_wait (is_idle, dialog);
   gtk_widget_activate_action (dialog, "study.run", NULL);
-  driver_run (50);
+  driver_settle ();
   driver_wait (is_idle, dialog);
   g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
   export_to (dialog, "table", table);
@@ -501,18 +499,17 @@ test_surface (void)
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].kn", 1e8);
   GtkWidget *dialog = driver_find_dialog ("Study");
   GtkWidget *figure = driver_find_widget (dialog, is_drop_down, "Cumulative curve");
-  driver_run (200);
+  driver_settle ();
   gtk_drop_down_set_selected (GTK_DROP_DOWN (figure), 5);
   gtk_drop_down_set_selected (
     GTK_DROP_DOWN (driver_find_widget (dialog, is_drop_down, "Grid of values")), 0);
-  driver_run (200);
+  driver_settle ();
   g_autofree char *early = g_build_filename (folder, "early.svg", NULL);
   export_to (dialog, "figure", early);
   g_assert_false (g_file_test (early, G_FILE_TEST_EXISTS));
   gtk_widget_activate_action (dialog, "study.run", NULL);
-  driver_run (300);
+  driver_settle ();
   driver_wait (is_idle, dialog);
-  driver_run (300);
   driver_screenshot (dialog, "study-surface");
   g_autofree char *path = g_build_filename (folder, "surface.svg", NULL);
   g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
@@ -567,11 +564,10 @@ test_moving_load (void)
   driver_key ("Return");
   driver_wait (has_study, NULL);
   GtkWidget *dialog = driver_find_dialog ("Study");
-  driver_run (200);
+  driver_settle ();
   gtk_widget_activate_action (dialog, "study.run", NULL);
-  driver_run (300);
+  driver_settle ();
   driver_wait (is_idle, dialog);
-  driver_run (300);
   driver_screenshot (dialog, "study-envelope");
   g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
   export_to (dialog, "table", table);

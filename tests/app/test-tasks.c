@@ -54,7 +54,6 @@ test_wall (void)
   g_assert_nonnull (run);
   g_assert_true (run->result.has_collapse_multiplier);
   driver_key ("ctrl+e");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Export Figure");
   g_assert_nonnull (dialog);
   g_assert_true (
@@ -74,11 +73,10 @@ test_mortar (void)
   driver_take_inputs ();
   gint64 begun = g_get_monotonic_time ();
   driver_activate_target (window, "win.take-path", g_variant_new_string (path));
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Import");
   g_assert_nonnull (dialog);
   driver_key ("Return"); /* what the dialog offers is taken */
-  driver_run (300);
+  driver_settle ();
   QnDocument *document = qn_window_get_document (window);
   g_assert_cmpuint (qn_document_get_model (document)->block_count, >, 1);
   g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
@@ -110,7 +108,6 @@ test_comparison (void)
   driver_take_inputs ();
   gint64 begun = g_get_monotonic_time ();
   driver_key ("F10");
-  driver_run (300);
   driver_click_on (GTK_WIDGET (window), is_labelled, "Compare…");
   GtkWidget *dialog = driver_find_dialog ("Compare Runs");
   g_assert_nonnull (dialog);

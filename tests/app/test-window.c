@@ -34,7 +34,6 @@ test_start (void)
   g_test_message ("window on the screen after %.2f s",
                   1e-6 * (double) (g_get_monotonic_time () - before));
   g_assert_true (qn_window_is_blank (window));
-  driver_run (800);
   driver_screenshot (GTK_WIDGET (window), "start");
   driver_discard (window);
 }
@@ -286,7 +285,6 @@ test_draw (void)
   QnDocument *document = qn_window_get_document (window);
   g_autofree char *empty = g_strdup (qn_document_get_text (document));
   driver_activate (window, "win.draw");
-  driver_run (200);
   driver_drag (window, 0.5, 0.5, 2.5, 2.25);
   const QnModel *model = model_of (window);
   /* Ten courses of five blocks, or of six with halves at the ends, on a base. */
@@ -397,6 +395,13 @@ exists (gpointer path)
   return g_file_test (path, G_FILE_TEST_EXISTS);
 }
 
+static gboolean
+is_on_its_way (gpointer state)
+{
+  double phase = qn_view_state_get_phase (state);
+  return phase > 0.0 && phase < 1.0;
+}
+
 static void
 test_animate (void)
 {
@@ -406,17 +411,15 @@ test_animate (void)
   driver_wait_for_job (window);
   g_assert_nonnull (qn_document_get_run (qn_window_get_document (window)));
   g_assert_cmpfloat (qn_view_state_get_phase (state), ==, 1.0);
+  driver_set_animated (TRUE);
   driver_activate (window, "win.play");
-  driver_run (700);
-  double first = qn_view_state_get_phase (state);
-  driver_run (300);
-  g_assert_cmpfloat (qn_view_state_get_phase (state), !=, first);
+  driver_wait (is_on_its_way, state);
   driver_activate (window, "win.play");
+  driver_set_animated (FALSE);
   double held = qn_view_state_get_phase (state);
-  driver_run (200);
+  driver_settle ();
   g_assert_cmpfloat (qn_view_state_get_phase (state), ==, held);
   driver_activate (window, "win.compare");
-  driver_run (300);
 
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   static const char *const kinds[][2] = { { "animation", "a.gif" },
@@ -445,7 +448,6 @@ test_cancel (void)
   driver_activate (window, "win.run");
   g_assert_nonnull (qn_document_get_job (document));
   driver_activate (window, "win.pause");
-  driver_run (150);
   g_assert_nonnull (qn_document_get_job (document));
   driver_screenshot (GTK_WIDGET (window), "running");
   driver_activate (window, "win.cancel");
@@ -489,7 +491,6 @@ test_export (void)
     g_unlink (theirs);
   }
   driver_activate (window, "win.export");
-  driver_run (300);
   GListModel *toplevels = gtk_window_get_toplevels ();
   for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
     g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
@@ -521,12 +522,12 @@ test_unsaved (void)
   g_assert_true (qn_document_is_modified (qn_window_get_document (window)));
 
   gtk_window_close (GTK_WINDOW (window));
-  driver_run (200);
+  driver_settle ();
   GtkWidget *dialog = driver_find_message ();
   g_assert_nonnull (dialog);
   driver_screenshot (dialog, "unsaved");
   gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
-  driver_run (200);
+  driver_settle ();
   g_assert_true (window_is_open (window));
   g_assert_null (driver_find_message ());
 
@@ -537,9 +538,9 @@ test_unsaved (void)
   g_assert_false (qn_document_is_modified (qn_window_get_document (window)));
   driver_activate (window, "win.nudge((1.0,0.0))");
   gtk_window_close (GTK_WINDOW (window));
-  driver_run (200);
+  driver_settle ();
   gtk_dialog_response (GTK_DIALOG (driver_find_message ()), GTK_RESPONSE_REJECT);
-  driver_run (200);
+  driver_settle ();
   g_assert_false (window_is_open (window));
   g_unlink (path);
   g_rmdir (folder);
@@ -589,7 +590,6 @@ test_large_model (void)
                   1e-6 * (double) (g_get_monotonic_time () - before));
   g_assert_cmpuint (model_of (window)->block_count, >=, 10000);
   driver_activate (window, "win.fit");
-  driver_run (500);
   driver_screenshot (GTK_WIDGET (window), "large-model");
 
   before = g_get_monotonic_time ();
@@ -646,7 +646,6 @@ test_invalid_actions (void)
   gsize before = model_of (window)->block_count;
   gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (window)), "");
   driver_activate (window, "win.paste");
-  driver_run (300);
   g_assert_cmpuint (model_of (window)->block_count, ==, before);
   driver_activate (window, "win.show-panel::nonsense");
   driver_discard (window);
@@ -658,13 +657,12 @@ test_figure_without_result (void)
 {
   QnWindow *window = driver_open_example ("06-arch.quoin");
   driver_activate (window, "win.export");
-  driver_run (300);
   GtkWidget *dialog = driver_find_dialog ("Export Figure");
   g_assert_nonnull (dialog);
   GtkWidget *view = driver_find_widget (dialog, is_choice_of_views, NULL);
   g_assert_nonnull (view);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (view), QN_VIEW_FORCES);
-  driver_run (300);
+  driver_settle ();
   g_assert_nonnull (driver_find_widget (dialog, is_refusal, NULL));
   gtk_window_destroy (GTK_WINDOW (dialog));
   driver_discard (window);
@@ -693,7 +691,7 @@ test_appearance (void)
   g_action_group_activate_action (G_ACTION_GROUP (driver_application ()), "preferences",
                                   NULL);
   g_action_group_activate_action (G_ACTION_GROUP (driver_application ()), "help", NULL);
-  driver_run (300);
+  driver_settle ();
   GListModel *toplevels = gtk_window_get_toplevels ();
   for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
     g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
