@@ -37,7 +37,7 @@ test_live (void)
       top = (QnId) i;
   }
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
-  driver_activate (window, "win.nudge((1.0,0.0))");
+  gtk_widget_activate_action (GTK_WIDGET (window), "win.nudge", "(dd)", 1.0, 0.0);
   g_assert_true (qn_document_is_stale (document, qn_document_get_run (document)));
   driver_wait (has_fresh_run, window);
   g_assert_cmpfloat_with_epsilon (
