@@ -5,7 +5,6 @@
 #include "doc/text/law-preset.h"
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 #define USUAL_DIAMETER 0.016
 
@@ -110,9 +109,7 @@ qn_edit_remove_bar (QnModel *model, QnId bar, GError **error)
 {
   if (!has_bar (model, bar, error))
     return FALSE;
-  model->bar_count--;
-  memmove (model->bars + bar, model->bars + bar + 1,
-           (model->bar_count - (gsize) bar) * sizeof *model->bars);
+  qn_edit_drop (model->bars, &model->bar_count, sizeof *model->bars, (gsize) bar);
   return TRUE;
 }
 

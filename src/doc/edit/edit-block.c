@@ -2,7 +2,6 @@
 
 #include <glib/gi18n.h>
 #include <stdlib.h>
-#include <string.h>
 
 QnTransform
 qn_transform_translation (double x, double y)
@@ -343,10 +342,5 @@ qn_edit_rename_block (QnModel *model, QnId id, const char *name, GError **error)
     return qn_edit_refuse (error,
                            _ ("Blocks of a wall are named by their course and position; "
                               "detach the wall to rename them"));
-  char *copy = strdup (name);
-  if (copy == NULL)
-    return qn_edit_no_memory (error);
-  free (block->name);
-  block->name = copy;
-  return TRUE;
+  return qn_edit_take_name (&block->name, name, error);
 }

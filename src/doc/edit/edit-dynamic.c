@@ -72,8 +72,7 @@ put_initial (QnModel *model, const QnInitialMotion *motion, GError **error)
   while (i < model->initial_count && model->initial[i].block != motion->block)
     i++;
   if (i < model->initial_count && rests (motion)) {
-    memmove (model->initial + i, model->initial + i + 1,
-             (--model->initial_count - i) * sizeof *model->initial);
+    qn_edit_drop (model->initial, &model->initial_count, sizeof *model->initial, i);
     return TRUE;
   }
   if (rests (motion))
@@ -165,7 +164,7 @@ qn_edit_remove_ground_motion (QnModel *model, gsize index, GError **error)
   free (motion->points);
   free (motion->record);
   free (motion->unit);
-  memmove (motion, motion + 1, (--model->ground_count - index) * sizeof *motion);
+  qn_edit_drop (model->ground, &model->ground_count, sizeof *motion, index);
   return TRUE;
 }
 

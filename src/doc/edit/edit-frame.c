@@ -2,8 +2,6 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Places nearer to each other, relative to their coordinates, are one. */
 #define SAME_PLACE 1e-9
@@ -163,13 +161,9 @@ qn_edit_rename_beam (QnModel *model, QnId id, const char *name, GError **error)
                  _ ("There is a beam named “%s” already"), name);
     return FALSE;
   }
-  char *copy = strdup (name);
-  if (copy == NULL)
-    return qn_edit_no_memory (error);
-  free (model->beams[id].name);
-  model->beams[id].name = copy;
   /* Nodes between elements are named by their beam. */
-  return qn_edit_rebuild (model, NULL, error);
+  return qn_edit_take_name (&model->beams[id].name, name, error)
+         && qn_edit_rebuild (model, NULL, error);
 }
 
 /* ---- loads along beams ---- */

@@ -4,8 +4,6 @@
 #include "doc/edit/edit.h"
 
 #include <glib/gi18n.h>
-#include <stdlib.h>
-#include <string.h>
 
 QnLoad *
 qn_edit_new_load (QnModel *model, gboolean live, GError **error)
@@ -115,10 +113,9 @@ qn_edit_has_load (const QnModel *model, gboolean live, QnId id, GError **error)
 static void
 remove_load (QnModel *model, gboolean live, gsize index)
 {
-  gsize *count = live ? &model->live_load_count : &model->dead_load_count;
-  QnLoad *loads = qn_model_loads (model, live, NULL);
-  (*count)--;
-  memmove (loads + index, loads + index + 1, (*count - index) * sizeof *loads);
+  qn_edit_drop (qn_model_loads (model, live, NULL),
+                live ? &model->live_load_count : &model->dead_load_count, sizeof (QnLoad),
+                index);
 }
 
 gboolean
@@ -329,8 +326,6 @@ qn_edit_delete_law (QnModel *model, QnId id, QnId by, GError **error)
     if (model->blocks[i].wall != QN_NONE)
       shift_law (&model->blocks[i].law, &uses);
   qn_law_clear (&model->laws[id]);
-  memmove (model->laws + id, model->laws + id + 1,
-           (model->law_count - (gsize) id - 1) * sizeof *model->laws);
-  model->law_count--;
+  qn_edit_drop (model->laws, &model->law_count, sizeof *model->laws, (gsize) id);
   return TRUE;
 }

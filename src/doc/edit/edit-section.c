@@ -3,7 +3,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Plain concrete, where nothing is known. */
 #define FIRST_YOUNG       30e9
@@ -106,13 +105,8 @@ qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError *
 gboolean
 qn_edit_add_section (QnModel *model, QnId like, GError **error)
 {
-  g_autofree char *name = NULL;
-  for (gsize number = model->section_count + 1; name == NULL; number++) {
-    g_autofree char *candidate =
-      g_strdup_printf ("%s %" G_GSIZE_FORMAT, _ ("section"), number);
-    if (qn_model_find_section (model, candidate) == QN_NONE)
-      name = g_steal_pointer (&candidate);
-  }
+  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_section,
+                                                _ ("section"), model->section_count + 1);
   QnSection *section = qn_model_add_section (model, name);
   if (section == NULL)
     return qn_edit_no_memory (error);
@@ -139,12 +133,7 @@ qn_edit_rename_section (QnModel *model, QnId id, const char *name, GError **erro
                  _ ("There is a section named “%s” already"), name);
     return FALSE;
   }
-  char *copy = strdup (name);
-  if (copy == NULL)
-    return qn_edit_no_memory (error);
-  free (model->sections[id].name);
-  model->sections[id].name = copy;
-  return TRUE;
+  return qn_edit_take_name (&model->sections[id].name, name, error);
 }
 
 void

@@ -13,14 +13,11 @@
 gboolean
 qn_edit_add_load_set (QnModel *model, GError **error)
 {
-  for (gsize number = model->load_set_count + 1;; number++) {
-    g_autofree char *name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, _ ("set"), number);
-    if (qn_model_find_load_set (model, name) != QN_NONE)
-      continue;
-    if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
-      return qn_edit_refuse (error, _ ("The largest number of load sets is reached"));
-    return qn_model_add_load_set (model, name) != QN_NONE || qn_edit_no_memory (error);
-  }
+  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_load_set, _ ("set"),
+                                                model->load_set_count + 1);
+  if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
+    return qn_edit_refuse (error, _ ("The largest number of load sets is reached"));
+  return qn_model_add_load_set (model, name) != QN_NONE || qn_edit_no_memory (error);
 }
 
 gboolean
@@ -29,12 +26,7 @@ qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name, GError *
   if (*name == '\0' || qn_model_find_load_set (model, name) != QN_NONE
       || g_str_equal (name, "dead"))
     return qn_edit_refuse (error, _ ("A set of loads needs a name of its own"));
-  char *copy = strdup (name);
-  if (copy == NULL)
-    return qn_edit_no_memory (error);
-  free (model->load_sets[set - 1]);
-  model->load_sets[set - 1] = copy;
-  return TRUE;
+  return qn_edit_take_name (&model->load_sets[set - 1], name, error);
 }
 
 static uint32_t
@@ -67,9 +59,8 @@ qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error)
   }
   model->stage_count = kept;
   free (model->load_sets[set - 1]);
-  memmove (model->load_sets + set - 1, model->load_sets + set,
-           (model->load_set_count - (gsize) set) * sizeof *model->load_sets);
-  model->load_set_count--;
+  qn_edit_drop (model->load_sets, &model->load_set_count, sizeof *model->load_sets,
+                (gsize) set - 1);
   return TRUE;
 }
 
@@ -80,11 +71,9 @@ qn_edit_add_load_case (QnModel *model, GError **error)
 {
   if (model->load_case_count >= QN_MAX_LOAD_CASES)
     return qn_edit_refuse (error, _ ("The largest number of load cases is reached"));
-  for (gsize number = model->load_case_count + 1;; number++) {
-    g_autofree char *name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, _ ("case"), number);
-    if (qn_model_find_load_case (model, name) == QN_NONE)
-      return qn_model_add_load_case (model, name) != QN_NONE || qn_edit_no_memory (error);
-  }
+  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_load_case,
+                                                _ ("case"), model->load_case_count + 1);
+  return qn_model_add_load_case (model, name) != QN_NONE || qn_edit_no_memory (error);
 }
 
 gboolean
@@ -93,12 +82,7 @@ qn_edit_rename_load_case (QnModel *model, int32_t number, const char *name,
 {
   if (*name == '\0' || qn_model_find_load_case (model, name) != QN_NONE)
     return qn_edit_refuse (error, _ ("A load case needs a name of its own"));
-  char *copy = strdup (name);
-  if (copy == NULL)
-    return qn_edit_no_memory (error);
-  free (model->load_cases[number - 1].name);
-  model->load_cases[number - 1].name = copy;
-  return TRUE;
+  return qn_edit_take_name (&model->load_cases[number - 1].name, name, error);
 }
 
 gboolean
@@ -114,9 +98,8 @@ qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error)
     }
   }
   free (model->load_cases[number - 1].name);
-  memmove (model->load_cases + number - 1, model->load_cases + number,
-           (model->load_case_count - (gsize) number) * sizeof *model->load_cases);
-  model->load_case_count--;
+  qn_edit_drop (model->load_cases, &model->load_case_count, sizeof *model->load_cases,
+                (gsize) number - 1);
   return TRUE;
 }
 
@@ -394,9 +377,7 @@ gboolean
 qn_edit_delete_stage (QnModel *model, gsize index, GError **error)
 {
   free (model->stages[index].name);
-  memmove (model->stages + index, model->stages + index + 1,
-           (model->stage_count - index - 1) * sizeof *model->stages);
-  model->stage_count--;
+  qn_edit_drop (model->stages, &model->stage_count, sizeof *model->stages, index);
   return TRUE;
 }
 
@@ -426,10 +407,9 @@ qn_edit_change_stage (QnModel *model, gsize index, const QnStage *settings,
 gboolean
 qn_edit_rename_stage (QnModel *model, gsize index, const char *name, GError **error)
 {
-  char *copy = *name != '\0' ? strdup (name) : NULL;
-  if (copy == NULL && *name != '\0')
-    return qn_edit_no_memory (error);
+  if (*name != '\0')
+    return qn_edit_take_name (&model->stages[index].name, name, error);
   free (model->stages[index].name);
-  model->stages[index].name = copy;
+  model->stages[index].name = NULL;
   return TRUE;
 }

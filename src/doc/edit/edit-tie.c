@@ -7,7 +7,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* E: EN 1993-1-1:2005, 3.2.6; fy: its table 3.1, up to 40 mm thick. */
 const QnTieSteel qn_tie_steels[QN_TIE_STEELS] = {
@@ -82,9 +81,7 @@ qn_edit_remove_tie (QnModel *model, QnId tie, GError **error)
   if (!has_tie (model, tie, error))
     return FALSE;
   free (model->ties[tie].name);
-  model->tie_count--;
-  memmove (model->ties + tie, model->ties + tie + 1,
-           (model->tie_count - (gsize) tie) * sizeof *model->ties);
+  qn_edit_drop (model->ties, &model->tie_count, sizeof *model->ties, (gsize) tie);
   return qn_edit_rebuild (model, NULL, error); /* names are found by places */
 }
 
@@ -128,12 +125,8 @@ qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error)
                  _ ("There is a tie named “%s” already"), name);
     return FALSE;
   }
-  char *copy = qn_strdup (name);
-  if (copy == NULL)
-    return qn_edit_no_memory (error);
-  free (model->ties[tie].name);
-  model->ties[tie].name = copy;
-  return qn_edit_rebuild (model, NULL, error); /* names are found by places */
+  return qn_edit_take_name (&model->ties[tie].name, name, error)
+         && qn_edit_rebuild (model, NULL, error); /* names are found by places */
 }
 
 QnId

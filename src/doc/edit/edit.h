@@ -150,6 +150,17 @@ gboolean qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error);
 gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
                                   const QnMasonries *masonry, GError **error);
 
+/* Finds what has a name in one of the lists of the model; QN_NONE: nothing. */
+typedef QnId (*QnFindFunc) (const QnModel *model, const char *name);
+
+/* A name that is not taken: the word and a number, from this one on. The caller frees it. */
+char *qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
+                            gsize number);
+/* Puts a copy of a name into the place of another. */
+gboolean qn_edit_take_name (char **place, const char *name, GError **error);
+/* Takes an item, whose own memory is free already, out of an array of `count`. */
+void qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index);
+
 /* A block name that is not taken: prefix and a number. The caller frees it. */
 char *qn_edit_dup_free_name (const QnModel *model, const char *prefix);
 

@@ -1,0 +1,35 @@
+/* Names and lists of a model, whatever is in them. */
+#include "doc/edit/edit.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+char *
+qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
+                      gsize number)
+{
+  char *name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, word, number);
+  while (find (model, name) != QN_NONE) {
+    g_free (name);
+    name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, word, ++number);
+  }
+  return name;
+}
+
+gboolean
+qn_edit_take_name (char **place, const char *name, GError **error)
+{
+  char *copy = strdup (name);
+  if (copy == NULL)
+    return qn_edit_no_memory (error);
+  free (*place);
+  *place = copy;
+  return TRUE;
+}
+
+void
+qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index)
+{
+  char *dropped = (char *) items + index * size;
+  memmove (dropped, dropped + size, (--*count - index) * size);
+}
