@@ -6,7 +6,6 @@
 #include <glib/gi18n.h>
 #include <locale.h>
 #include <signal.h>
-#include <stdio.h>
 #include <string.h>
 
 static const QnSubcommand *const subcommands[] = {

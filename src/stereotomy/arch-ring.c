@@ -2,8 +2,6 @@
 #include "core/base/integer.h"
 #include "core/base/memory.h"
 
-#include <stdlib.h>
-
 /* Intervals of Simpson's rule for a quarter of an ellipse, and rounds of Newton's method. */
 #define SIMPSON_INTERVALS 256
 #define NEWTON_ROUNDS     12

@@ -1,8 +1,6 @@
 /* Laying the units of one leaf course by course. */
 #include "stereotomy/masonry-parts.h"
 
-#include <stdlib.h>
-
 /* Joints nearer than this part of a unit to an edge are on it. */
 #define EDGE_TOLERANCE 1e-9
 

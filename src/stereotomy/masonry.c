@@ -5,7 +5,6 @@
 #include "stereotomy/polygon-ops.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #define DEFAULT_MINIMUM_PIECE 0.2
 

@@ -5,7 +5,6 @@
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include <glib/gi18n.h>
-#include <string.h>
 
 /* ---- preferences ---- */
 

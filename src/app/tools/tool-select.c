@@ -5,7 +5,6 @@
 #include "app/tools/tools.h"
 
 #include "doc/edit/edit-bar.h"
-#include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 

@@ -2,7 +2,6 @@
 #include "cli/base/shown-text.h"
 
 #include <glib/gi18n.h>
-#include <stdio.h>
 
 void
 qn_cmd_limit_print (const char *title, const QnResult *result)

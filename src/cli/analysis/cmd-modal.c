@@ -8,7 +8,6 @@
 #include "io/text/outcome-text.h"
 
 #include <glib/gi18n.h>
-#include <stdio.h>
 
 typedef struct Options {
   char *output, *csv;

@@ -14,7 +14,6 @@
 #include "io/text/tie-text.h"
 
 #include <glib/gi18n.h>
-#include <stdio.h>
 #include <string.h>
 
 /* Part of its length that a joint may slide by without a word. */

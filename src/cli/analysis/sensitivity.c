@@ -7,7 +7,6 @@
 #include "core/limit/limit-sensitivity.h"
 
 #include <glib/gi18n.h>
-#include <stdio.h>
 
 QnExit
 qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,

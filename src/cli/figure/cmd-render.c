@@ -3,7 +3,6 @@
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
 #include "doc/document/underlay.h"
-#include "doc/view/view-state.h"
 #include "render/figure/figure.h"
 
 #include <glib/gi18n.h>

@@ -10,7 +10,6 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
-#include <stdio.h>
 
 gboolean
 qn_check_report_passes (const QnCheckReport *report)

@@ -7,7 +7,6 @@
 #include "io/text/file-read.h"
 
 #include <glib/gi18n.h>
-#include <string.h>
 
 typedef struct Options {
   char *result;

@@ -7,7 +7,6 @@
 
 #include <glib/gi18n.h>
 #include <stdio.h>
-#include <string.h>
 
 /* The study of a folder and its rows, for what follows from them. */
 static QnExit

@@ -8,7 +8,6 @@
 #include "io/text/file-writer.h"
 
 #include <glib/gi18n.h>
-#include <string.h>
 
 /* ---- writing ---- */
 

@@ -3,7 +3,6 @@
 #include "doc/edit/edit-shape.h"
 #include "io/text/width-text.h"
 #include <glib/gi18n.h>
-#include <math.h>
 #include <string.h>
 
 /* Gaps below so many tolerances of contacts are none. */

@@ -6,7 +6,6 @@
 #include "stereotomy/polygon-ops.h"
 #include <glib/gi18n.h>
 #include <math.h>
-#include <stdlib.h>
 
 /* Lengths below this part of a block's size are rounding. */
 #define LEAST_PART 1e-9

@@ -1,6 +1,5 @@
 #include "doc/edit/edit-tie.h"
 
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/model/bar.h"
 #include "doc/edit/edit-frame.h"

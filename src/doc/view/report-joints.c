@@ -9,7 +9,6 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 /* A column of numbers with the same decimals, so that the largest has four digits; or
  * `least_largest` would have, where all are smaller. */

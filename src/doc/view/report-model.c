@@ -6,12 +6,10 @@
 #include "doc/text/explain.h"
 #include "doc/text/law-text.h"
 #include "doc/view/load-text.h"
-#include "io/text/tie-text.h"
 #include "render/drawing/text.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 static char *
 dup_quantity (const QnReport *report, QnQuantity quantity, double value)

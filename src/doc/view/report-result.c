@@ -12,7 +12,6 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 /* The picture of a result: how it fails, or else how it has moved. */
 bool

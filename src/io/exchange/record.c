@@ -8,7 +8,6 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <string.h>
 
 /* A stronger record is probably in another unit; m/s2. */
 #define DOUBTFUL_PEAK (3 * QN_STANDARD_GRAVITY)

@@ -3,7 +3,6 @@
 #include "io/project/project-members.h"
 #include "io/project/project-names.h"
 #include "io/project/project-parts.h"
-#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 

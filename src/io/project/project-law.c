@@ -5,7 +5,6 @@
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
-#include <string.h>
 
 static void
 add_keys (GPtrArray *keys, QnLawKind kind)

@@ -7,7 +7,6 @@
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
-#include <stdlib.h>
 
 #define MAX_COUNT 200000
 

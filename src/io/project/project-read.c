@@ -6,7 +6,6 @@
 #include "io/project/project-parts.h"
 #include "io/project/project.h"
 #include "io/text/file-read.h"
-#include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>

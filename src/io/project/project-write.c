@@ -1,6 +1,5 @@
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
-#include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/project/project.h"
 #include "io/text/file-writer.h"

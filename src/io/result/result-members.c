@@ -7,8 +7,6 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Most members of one object. */
 #define MOST_MEMBERS 64

@@ -1,7 +1,6 @@
 #include "render/drawing/scene.h"
 
 #include <stdarg.h>
-#include <stdlib.h>
 
 static void
 legend_entry_clear (gpointer data)

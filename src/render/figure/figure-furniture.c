@@ -5,8 +5,6 @@
 #include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
 
-#include <glib/gi18n-lib.h>
-
 /* Measures of the layout, pt. */
 #define ROW_HEIGHT   12.5
 #define BAR_HEIGHT   31.0

@@ -1,7 +1,6 @@
 /* Contacts that blocks found on their way (core/contact/contact-follow.h): a dot where the corner lies on
  * the side of another block, and in the view of forces an arrow as of joints. Those that carry nothing
  * at the step are not drawn. */
-#include "render/scene/reading.h"
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,6 +1,5 @@
 /* Ties: lines between their ends as these have moved, with a plate across either end; of a result with the
  * force, dashed where they hang slack, in the colour of what opens where they have their strength. */
-#include "core/model/bar.h"
 #include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
 

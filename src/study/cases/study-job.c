@@ -1,7 +1,5 @@
 #include "study/cases/study-job.h"
 
-#include <string.h>
-
 struct QnStudyJob {
   QnStudy study;
   char *folder, *program;

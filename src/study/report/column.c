@@ -5,7 +5,6 @@
 #include <glib/gi18n-lib.h>
 #include <gsl/gsl_sort.h>
 #include <math.h>
-#include <string.h>
 
 gboolean
 qn_table_is_sample (const QnTable *table)
