@@ -33,6 +33,11 @@ init_all (QnModel *model)
   bar->area = 1e-4;
   bar->start = qn_vec2 (0, -0.2);
   bar->end = qn_vec2 (0, 0.9);
+  QnTie *tie = qn_model_add_tie (model, "t");
+  tie->ends[0] = (QnTieEnd){ 1, qn_vec2 (0, 0.2) };
+  tie->ends[1].at = qn_vec2 (3, 0.2);
+  tie->area = 1e-4;
+  tie->elasticity = 2e11;
   QnSection *section = qn_model_add_section (model, "s");
   section->young = 3e10;
   section->poisson = 0.2;
@@ -82,6 +87,28 @@ extent_of (const QnModel *model)
   return fmax (high.x - low.x, high.y - low.y);
 }
 
+static void
+put_tie (QnTie *tie, const char *key, double number)
+{
+  const double weight = 2 * 0.5 * 10000;
+  const struct {
+    const char *key;
+    double *at, unit;
+  } numbers[] = { { "area", &tie->area, 1 },
+                  { "elasticity", &tie->elasticity, 1 },
+                  { "yield", &tie->yield, 1 },
+                  { "prestress", &tie->prestress, weight },
+                  { "anchor", &tie->anchor, weight },
+                  { "slack", &tie->slack, 1 },
+                  { "plate.diameter", &tie->plate.diameter, 1 },
+                  { "plate.wall", &tie->plate.wall, 1 },
+                  { "plate.shear", &tie->plate.shear, 1 },
+                  { "plate.compression", &tie->plate.compression, 1 } };
+  for (size_t i = 0; i < G_N_ELEMENTS (numbers); i++)
+    if (strcmp (key, numbers[i].key) == 0)
+      *numbers[i].at = number * numbers[i].unit;
+}
+
 /* Puts a number where the row says. */
 static void
 put (QnModel *model, const QnUsualRange *range, double number)
@@ -125,6 +152,8 @@ put (QnModel *model, const QnUsualRange *range, double number)
     model->gravity = number;
   } else if (range->entity == QN_ENTITY_BAR) {
     model->bars[0].area = number;
+  } else if (range->entity == QN_ENTITY_TIE) {
+    put_tie (&model->ties[0], key, number);
   } else if (strcmp (key, "young") == 0) {
     model->sections[0].young = number;
   } else if (strcmp (key, "area") == 0) {
