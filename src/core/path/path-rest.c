@@ -32,18 +32,47 @@ set_shift (QnAssembly *as, const double *diagonal, double shift)
     as->ax[as->diagonal[i]] = diagonal[i] - shift;
 }
 
-static void
-count_factorization (QnEquilibrium *eq)
+bool
+qn_path_count_inertia (QnPath *path, QnInertiaCount *count)
 {
+  QnEquilibrium *eq = &path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+
+  if (path->inertia == NULL)
+    path->inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
+  if (path->inertia == NULL || !qn_inertia_count (path->inertia, as->ax, count))
+    return false;
   eq->statistics.factorizations++;
   eq->statistics.factorization_work++;
+  return true;
+}
+
+QnFactorStatus
+qn_path_lowest_motion (QnPath *path, double *motion)
+{
+  const QnAssembly *as = &path->equilibrium.assembly;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    motion[i] = 1 + 0.5 * sin (1.7 * i); /* no symmetry of a structure has this */
+  for (int k = 0; k < INVERSE_ITERATIONS; k++) {
+    for (size_t s = 0; s < as->settling_count; s++)
+      motion[as->settling[s].unknown] = 0;
+    QnFactorStatus solved = qn_inertia_solve (path->inertia, motion);
+    if (solved != QN_FACTOR_OK)
+      return solved;
+    double largest = qn_largest (motion, (size_t) as->unknown_count);
+    for (int32_t i = 0; i < as->unknown_count && largest > 0; i++)
+      motion[i] /= largest;
+  }
+  return QN_FACTOR_OK;
 }
 
 /* The motion with the lowest eigenvalue, which is negative; `diagonal` is scratch. MECHANISM, CANCELLED or
  * NO_MEMORY. */
 static QnSolveStatus
-find_motion (QnEquilibrium *eq, QnInertia *inertia, double *diagonal, double *motion)
+find_motion (QnPath *path, double *diagonal)
 {
+  QnEquilibrium *eq = &path->equilibrium;
   QnAssembly *as = &eq->assembly;
   QnInertiaCount count;
   double low = 0, high = 0;
@@ -51,27 +80,19 @@ find_motion (QnEquilibrium *eq, QnInertia *inertia, double *diagonal, double *mo
   for (int32_t i = 0; i < as->unknown_count; i++) {
     diagonal[i] = as->ax[as->diagonal[i]];
     low = fmin (low, -2 * fabs (diagonal[i]));
-    motion[i] = 1 + 0.5 * sin (1.7 * i); /* no symmetry of a structure has this */
   }
   for (int k = 0; k < BISECTIONS; k++) {
     double middle = 0.5 * (low + high);
     set_shift (as, diagonal, middle);
     if (!qn_equilibrium_go_on (eq))
       return QN_SOLVE_CANCELLED;
-    if (!qn_inertia_count (inertia, as->ax, &count))
+    if (!qn_path_count_inertia (path, &count))
       return QN_SOLVE_NO_MEMORY;
-    count_factorization (eq);
     *(count.negative > 0 ? &high : &low) = middle;
   }
-  for (int k = 0; k < INVERSE_ITERATIONS; k++) {
-    QnFactorStatus solved = qn_inertia_solve (inertia, motion);
-    if (solved != QN_FACTOR_OK)
-      return solved == QN_FACTOR_SINGULAR ? QN_SOLVE_MECHANISM : QN_SOLVE_NO_MEMORY;
-    double largest = qn_largest (motion, (size_t) as->unknown_count);
-    for (int32_t i = 0; i < as->unknown_count && largest > 0; i++)
-      motion[i] /= largest;
-  }
-  return QN_SOLVE_MECHANISM;
+  return qn_path_lowest_motion (path, eq->motion) == QN_FACTOR_NO_MEMORY
+           ? QN_SOLVE_NO_MEMORY
+           : QN_SOLVE_MECHANISM;
 }
 
 /* How many eigenvalues of a symmetric tangent are negative on motions that leave `held` alone; `negative`
@@ -84,15 +105,10 @@ count_with_measure (QnEquilibrium *eq, const double *held, double *scratch,
   double along = 0;
 
   memcpy (scratch, held, (size_t) n * sizeof *scratch);
-  switch (
-    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, scratch)) {
-  case QN_FACTOR_OK:
-    break;
-  case QN_FACTOR_SINGULAR:
-    return QN_SOLVE_FAILED;
-  case QN_FACTOR_NO_MEMORY:
-    return QN_SOLVE_NO_MEMORY;
-  }
+  QnSolveStatus status = qn_solve_status_of (
+    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, scratch));
+  if (status != QN_SOLVE_CONVERGED)
+    return status;
   for (int32_t i = 0; i < n; i++)
     along += held[i] * scratch[i];
   *negative -= along < 0;
@@ -113,11 +129,8 @@ qn_path_judge_stability (QnPath *path, const double *held, bool proves)
   bool symmetric = qn_assembly_is_symmetric (as);
   if (proves && !symmetric)
     return QN_SOLVE_CONVERGED;
-  if (path->inertia == NULL)
-    path->inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
-  if (path->inertia == NULL || !qn_inertia_count (path->inertia, as->ax, &count))
+  if (!qn_path_count_inertia (path, &count))
     return QN_SOLVE_NO_MEMORY;
-  count_factorization (eq);
   if (count.negative == 0)
     return QN_SOLVE_CONVERGED;
   if (held != NULL) {
@@ -134,5 +147,5 @@ qn_path_judge_stability (QnPath *path, const double *held, bool proves)
     if (factored == QN_FACTOR_SINGULAR || qn_linsys_sign (eq->linsys) > 0)
       return QN_SOLVE_CONVERGED;
   }
-  return find_motion (eq, path->inertia, path->displacements, eq->motion);
+  return find_motion (path, path->displacements);
 }

@@ -1,12 +1,8 @@
 #include "core/path/stability.h"
 
-#include "core/base/numbers.h"
-#include "core/linalg/inertia.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
 #include "core/path/proof.h"
-
-#include <string.h>
 
 /* Growth of the increment after every step. */
 #define GROWTH 1.5
@@ -14,13 +10,8 @@
 /* The critical multiplier is resolved to this part of the multiplier tolerance. */
 #define RESOLUTION 1e-3
 
-/* Inverse iterations towards the buckling mode: next to the critical multiplier its eigenvalue
- * is so much smaller than all others that the first one nearly does. */
-#define INVERSE_ITERATIONS 8
-
 typedef struct {
   QnPath path;
-  QnInertia *inertia;
   double unstable; /* lowest multiplier found not to be stable, or infinity */
   double end;
   bool finished;
@@ -38,10 +29,8 @@ check_state (Search *search, bool *stable, QnDiag *diag)
   if (!qn_assembly_is_symmetric (as) && qn_path_slips (as))
     return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
-  if (!qn_inertia_count (search->inertia, as->ax, &count))
+  if (!qn_path_count_inertia (&search->path, &count))
     return qn_diag_no_memory (diag);
-  eq->statistics.factorizations++;
-  eq->statistics.factorization_work++;
   *stable = count.negative + count.zero == 0;
   return QN_OK;
 }
@@ -71,30 +60,24 @@ try_state (Search *search, double target, bool *found, bool *stable, QnDiag *dia
   return qn_diag_no_memory (diag);
 }
 
-/* Inverse iteration from a start that no symmetry of a structure has. */
+/* The buckling mode is that of the last stable state: next to the critical multiplier its eigenvalue is much
+ * smaller than all others. */
 static QnStatus
 record_mode (Search *search, QnDiag *diag)
 {
   QnEquilibrium *eq = &search->path.equilibrium;
-  int32_t n = eq->assembly.unknown_count;
-  double *mode = eq->motion;
   bool stable;
 
   qn_equilibrium_restore (eq);
   QnStatus status = check_state (search, &stable, diag);
-  for (int32_t i = 0; i < n; i++)
-    mode[i] = 1 + 0.5 * sin (1.7 * i);
-  for (int k = 0; status == QN_OK && k < INVERSE_ITERATIONS; k++) {
-    for (size_t s = 0; s < eq->assembly.settling_count; s++)
-      mode[eq->assembly.settling[s].unknown] = 0;
-    QnFactorStatus solved = qn_inertia_solve (search->inertia, mode);
-    if (solved != QN_FACTOR_OK)
-      return solved == QN_FACTOR_SINGULAR ? QN_OK : qn_diag_no_memory (diag);
-    double largest = qn_largest (mode, (size_t) n);
-    for (int32_t i = 0; i < n; i++)
-      mode[i] /= largest;
-  }
-  return status == QN_OK ? qn_path_record_mechanism (&search->path, mode, diag) : status;
+  if (status != QN_OK)
+    return status;
+  QnFactorStatus solved = qn_path_lowest_motion (&search->path, eq->motion);
+  if (solved == QN_FACTOR_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  return solved == QN_FACTOR_OK
+           ? qn_path_record_mechanism (&search->path, eq->motion, diag)
+           : QN_OK;
 }
 
 static QnStatus
@@ -202,15 +185,10 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
     return status;
   status =
     qn_path_setup (&search.path, model, contacts, qn_budget_go_on, &budget, result, diag);
-  const QnAssembly *as = &search.path.equilibrium.assembly;
-  if (status == QN_OK) {
-    search.inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
-    status =
-      search.inertia != NULL ? search_path (&search, diag) : qn_diag_no_memory (diag);
-  }
+  if (status == QN_OK)
+    status = search_path (&search, diag);
   if (status == QN_OK)
     qn_equilibrium_restore (&search.path.equilibrium);
-  qn_inertia_free (search.inertia);
   status = qn_path_finish (&search.path, status, budget.start);
   if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
