@@ -491,15 +491,9 @@ improve (Increment *increment)
 
   if (!qn_equilibrium_go_on (eq))
     return QN_SOLVE_CANCELLED;
-  switch (find_predictor (increment)) {
-  case QN_FACTOR_OK:
-    break;
-  case QN_FACTOR_SINGULAR:
-    return QN_SOLVE_FAILED;
-  case QN_FACTOR_NO_MEMORY:
-    return QN_SOLVE_NO_MEMORY;
-  }
-
+  QnSolveStatus status = qn_solve_status_of (find_predictor (increment));
+  if (status != QN_SOLVE_CONVERGED)
+    return status;
   double mean = mean_by_predictor (increment);
   double part = part_of_residuals (increment, mean);
   if (part < 1) {
