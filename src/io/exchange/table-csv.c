@@ -206,7 +206,7 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
   const QnBlock *blocks = project->model.blocks;
   qn_file_writer_puts (writer,
                        "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],"
-                       "normal force [N],shear force [N],state\n");
+                       "normal force [N],shear force [N],state,damage [-]\n");
   const double *deformation = qn_result_deformation (&project->model, result);
   size_t count = result->step_count > 0 ? contacts->pair_count : 0;
   for (size_t i = 0; i < count; i++) {
@@ -223,7 +223,9 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
       point.x, point.y, normal.x, normal.y, forces->normal_force, forces->shear_force
     };
     write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
-    qn_file_writer_printf (writer, ",%s\n", qn_pair_state_names[forces->state]);
+    qn_file_writer_printf (writer, ",%s", qn_pair_state_names[forces->state]);
+    write_numbers (writer, &forces->damage, 1);
+    qn_file_writer_puts (writer, "\n");
   }
   return qn_file_writer_commit (writer, error);
 }

@@ -103,12 +103,13 @@ static void
 test_contacts (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
+  fixture->result.pairs[1].damage = 0.25;
   expect (
     fixture, write_contacts,
     "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],normal force [N],"
-    "shear force [N],state\n"
-    "0,0,base,top,1.5,0,0,1,-6000,-1000,stick\n"
-    "1,0,base,top,0.5,0,0,1,-4000,-1000,stick\n");
+    "shear force [N],state,damage [-]\n"
+    "0,0,base,top,1.5,0,0,1,-6000,-1000,stick,0\n"
+    "1,0,base,top,0.5,0,0,1,-4000,-1000,stick,0.25\n");
 }
 
 QN_TESTS

@@ -277,9 +277,12 @@ check_tables (const char *folder, const QnProject *project, const QnContacts *co
   written = qn_contacts_csv_write (path, project, contacts, result, &error);
   g_autoptr (GPtrArray) pairs = read_table (
     path, written, error, result->step_count > 0 ? (guint) contacts->pair_count : 0);
-  for (guint i = 1; result->step_count > 0 && i < pairs->len; i++)
+  for (guint i = 1; result->step_count > 0 && i < pairs->len; i++) {
     g_assert_cmpfloat (test_table_number (pairs, i, "normal force [N]"), ==,
                        result->pairs[i - 1].normal_force);
+    g_assert_cmpfloat (test_table_number (pairs, i, "damage [-]"), ==,
+                       result->pairs[i - 1].damage);
+  }
 
   bool has_beams = result->step_count > 0
                    && qn_result_step_beam_forces (result, result->step_count - 1) != NULL;
