@@ -189,10 +189,9 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   return keep (search, diag);
 }
 
-/* From each start until there is a collapse, with stiffer joints where they give too much, then with
- * softer ones. After that with stiffer ones as
- * long as the least multiplier does not stand still; where it does at once, softer joints may lead to
- * another collapse. */
+/* From each start until there is a collapse, with stiffer joints where they give too much, then from
+ * rest with softer ones. After that with stiffer ones as long as the least multiplier does not stand
+ * still; where it does at once, softer joints may lead to another collapse. */
 static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
@@ -204,7 +203,7 @@ seek_all (Search *search, QnDiag *diag)
   QnStatus status = QN_OK;
   int start = REST, again = tuning.stiffenings;
 
-  for (; start < 2 * START_COUNT && !found && !status && !search->cancelled; start++) {
+  for (; start <= START_COUNT && !found && !status && !search->cancelled; start++) {
     if (start == START_COUNT)
       compliance *= tuning.softer;
     status = seek (search, start % START_COUNT, compliance,
