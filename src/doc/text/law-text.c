@@ -116,8 +116,8 @@ qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUn
     }
   if (law->elasticity > 0.0)
     append_number (text, "elasticity",
-                   law->arrangement == QN_ARRANGEMENT_GRID ? _ ("grid of E")
-                                                           : _ ("chain of E"),
+                   law->arrangement == QN_ARRANGEMENT_GRID ? _ ("E (grid)")
+                                                           : _ ("E (chain)"),
                    law->elasticity, law->basis, units);
   if (law->elasticity > 0.0)
     append_number (text, "poisson", "ν", law->poisson, law->basis, units);

@@ -186,7 +186,7 @@ dup_tie_numbers (const QnTie *tie, QnUnits units)
   append_number (text, "E", QN_QUANTITY_STRESS, tie->elasticity, "");
   append_number (text, "fy", QN_QUANTITY_STRESS, tie->yield, "");
   append_number (text, _ ("prestress"), QN_QUANTITY_FORCE, tie->prestress, "");
-  append_number (text, _ ("slack"), QN_QUANTITY_LENGTH, tie->slack, "");
+  append_number (text, C_ ("length", "slack"), QN_QUANTITY_LENGTH, tie->slack, "");
   append_number (text, _ ("anchor"), QN_QUANTITY_FORCE, tie->anchor, "");
   append_number (text, _ ("plate Ø"), QN_QUANTITY_LENGTH, tie->plate.diameter, "");
   append_number (text, _ ("wall"), QN_QUANTITY_LENGTH, tie->plate.wall, "");
