@@ -561,13 +561,13 @@ watch (DriverParts *parts, gpointer object)
   g_ptr_array_add (parts->objects, place);
 }
 
-/* GTK has one tooltip, which it gives to the next window, and may keep the text of an entry that showed its
- * menu. */
+/* GTK has one tooltip, which it gives to the next window, may keep the text of an entry that showed its menu,
+ * and keeps a menu that has closed with a submenu open. */
 static void
 watch_tree (DriverParts *parts, GtkWidget *widget)
 {
   if (g_str_equal (G_OBJECT_TYPE_NAME (widget), "GtkTooltipWindow")
-      || GTK_IS_TEXT (widget))
+      || GTK_IS_TEXT (widget) || GTK_IS_POPOVER_MENU (widget))
     return;
   watch (parts, widget);
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;

@@ -203,6 +203,61 @@ test_open_at_end (void)
   driver_discard (window);
 }
 
+/* A submenu that is closed, by Escape or by a choice, leaves a window that hears keys; also while one page
+ * of the menu follows upon the other. */
+static void
+test_submenu (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example ("12-facade.quoin");
+  QnSelection *selection = selection_of (window);
+  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  for (int i = 0; i < 4; i++) {
+    guint count = 0;
+    driver_point_at (canvas, 60, 300);
+    driver_press_button ("3");
+    expect_menu (canvas);
+    driver_set_animated (i % 2 == 1);
+    driver_click_on (canvas, is_item, "Show");
+    if (i < 2)
+      driver_key ("Escape");
+    else
+      driver_click_on (canvas, is_item, "Block Names");
+    driver_key ("ctrl+a");
+    driver_set_animated (FALSE);
+    driver_settle ();
+    qn_selection_get (selection, QN_PART_BLOCK, &count);
+    g_assert_cmpuint (count, ==, model_of (window)->block_count);
+    qn_selection_clear (selection);
+  }
+  driver_discard (window);
+}
+
+/* The same of the main menu. */
+static void
+test_main_submenu (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example ("12-facade.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
+  for (int i = 0; i < 2; i++) {
+    guint count = 0;
+    driver_key ("F10");
+    expect_menu (root);
+    driver_click_on (root, is_item, "Show");
+    if (i == 0)
+      driver_key ("Escape");
+    else
+      driver_click_on (root, is_item, "Block Names");
+    driver_key ("ctrl+a");
+    qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+    g_assert_cmpuint (count, ==, model_of (window)->block_count);
+    qn_selection_clear (selection_of (window));
+  }
+  driver_discard (window);
+}
+
 /* ---- comparison ---- */
 
 static guint
@@ -493,6 +548,8 @@ QN_TESTS
   g_test_add_func ("/app/menus/laws", test_laws);
   g_test_add_func ("/app/menus/tables", test_tables);
   g_test_add_func ("/app/menus/open-at-end", test_open_at_end);
+  g_test_add_func ("/app/menus/submenu", test_submenu);
+  g_test_add_func ("/app/menus/main-submenu", test_main_submenu);
   g_test_add_func ("/app/menus/comparison", test_comparison);
   g_test_add_func ("/app/menus/drag-caption", test_drag_caption);
   g_test_add_func ("/app/menus/drop-files", test_drop_files);

@@ -691,7 +691,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   g_object_weak_ref (G_OBJECT (form->root), on_gone, form);
   /* A window is kept by GTK, anything else by the parent that it gets. */
   if (GTK_IS_WINDOW (form->root))
-    qn_popovers_close_with (form->root);
+    qn_popovers_attend (form->root);
   else
     g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
   if (canvas == NULL)

@@ -80,6 +80,18 @@ hold_still (GtkWidget *popover, GtkWidget *widget)
                           (GDestroyNotify) g_ptr_array_unref);
 }
 
+/* A submenu comes at once: while one page follows upon the other in a menu that has closed, GTK 4.8 looks for
+ * the pointer there, and crashes. */
+static void
+show_at_once (GtkWidget *widget)
+{
+  if (GTK_IS_STACK (widget))
+    gtk_stack_set_transition_type (GTK_STACK (widget), GTK_STACK_TRANSITION_TYPE_NONE);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    show_at_once (child);
+}
+
 /* GTK puts the lines between sections in later, and a menu that is open does not grow by them. */
 static gboolean
 pop_up (gpointer popover)
@@ -103,6 +115,7 @@ open_menu (GtkWidget *widget, QnMenuPlace *place)
   GtkWidget *popover = gtk_popover_menu_new_from_model (menu);
   gtk_popover_set_has_arrow (GTK_POPOVER (popover), FALSE);
   gtk_widget_set_halign (popover, GTK_ALIGN_START);
+  show_at_once (popover);
   gtk_popover_set_pointing_to (GTK_POPOVER (popover),
                                &(GdkRectangle){ (int) place->x, (int) place->y, 1, 1 });
   gtk_widget_set_parent (popover, widget);

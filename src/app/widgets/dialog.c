@@ -17,7 +17,7 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   GtkWidget *header = gtk_header_bar_new ();
   qn_shortened_tell (header);
   gtk_window_set_titlebar (GTK_WINDOW (dialog), header);
-  qn_popovers_close_with (dialog);
+  qn_popovers_attend (dialog);
 
   GtkEventController *keys = gtk_shortcut_controller_new ();
   gtk_shortcut_controller_add_shortcut (

@@ -507,7 +507,7 @@ qn_window_init (QnWindow *self)
   qn_layout_first_fit (gtk_widget_get_parent (GTK_WIDGET (self->view_switcher)));
   qn_action_complete_tooltips (GTK_WIDGET (self));
   qn_shortened_tell (GTK_WIDGET (self));
-  qn_popovers_close_with (GTK_WIDGET (self));
+  qn_popovers_attend (GTK_WIDGET (self));
   self->document = qn_document_new ();
   self->state = qn_view_state_new (self->document);
   self->tool_settings = first_settings;
