@@ -82,8 +82,8 @@ moves (gpointer window)
 }
 
 /* GDK's clock of frames has a source of the main loop, whose data it is itself, for as long as a frame is
- * due: for a layout, a drawing, an animation or a pointer that has moved. `frames` has the number of the first
- * frame that each clock was seen at. */
+ * due: for a layout, a drawing, an animation or a pointer that has moved. `frames` has the number of the
+ * first frame that each clock was seen at. */
 static gboolean
 is_frame_due (GHashTable *frames)
 {
