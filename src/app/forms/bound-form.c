@@ -429,8 +429,8 @@ find_path (QnQuantityEntry *entry, gpointer data, double *number)
 static void
 on_entered (GtkWidget *widget, QnBoundForm *form)
 {
-  /* Lists that are being taken apart say that nothing is selected any more. */
-  if (form->showing || gtk_widget_get_root (widget) == NULL)
+  /* Lists that are being taken apart say that nothing is selected any more; the form is gone by then. */
+  if (gtk_widget_get_root (widget) == NULL || form->showing)
     return;
   g_autoptr (GError) error = NULL;
   Entered entered = { .form = form,
