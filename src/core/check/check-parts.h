@@ -62,10 +62,11 @@ typedef struct QnCheck {
   double *forces;            /* scratch, 2 per pair */
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
-  double *elongations;       /* 2 per pair: at the step before */
-  double *mass;              /* in time: in the pattern of the tangent */
-  double *begun;             /* in time: unknowns where the motion begins */
-  QnInertia *inertia;        /* of the tangent, where stability is stated */
+  bool *risen; /* by pair: it stands open, and how far it has risen is not known */
+  double *elongations; /* 2 per pair: at the step before */
+  double *mass;        /* in time: in the pattern of the tangent */
+  double *begun;       /* in time: unknowns where the motion begins */
+  QnInertia *inertia;  /* of the tangent, where stability is stated */
 } QnCheck;
 
 /* Notes a claim that is not true, unless one of its kind has been found before. */

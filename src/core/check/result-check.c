@@ -382,6 +382,19 @@ take_damage (QnCheck *check, size_t step, size_t p)
     qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
 }
 
+/* Whether a joint that dilates stands open since a motion that came to rest: how far it has risen by sliding to
+ * and fro no force tells, until it carries some again. */
+static void
+note_risen (QnCheck *check, size_t p, const double force[2], bool relaxed)
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  bool dilates = qn_law_is_plastic (springs->a.kind)
+                 && (springs->a.dilatancy > 0 || springs->b.dilatancy > 0);
+  bool open = hypot (force[0], force[1]) <= QN_CHECK_FORCES * check->scale;
+
+  check->risen[p] = dilates && open && (relaxed || check->risen[p]);
+}
+
 typedef enum { REASON_NONE, REASON_LITTLE, REASON_FLOW } Reason;
 
 /* Why a pair may have another force than its law answers to the step before, and that answer (`response` on
@@ -404,7 +417,7 @@ explain (const QnCheck *check, size_t p, const double force[2], double tolerance
     return REASON_LITTLE;
   bool flows =
     taken
-    && (free_to_slide || begins (check, p)
+    && (free_to_slide || begins (check, p) || check->risen[p]
         || (check->relaxed && obeys_flow (check, springs, before, &memory, force)));
   if ((flows && qn_pair_evaluate (springs, &memory, q, response)
        && same_force (response->force, force, tolerance))
@@ -447,6 +460,7 @@ check_forces (QnCheck *check, size_t step)
                             replayed.force[worse]);
       jumped = jumped || reason == REASON_FLOW;
     }
+    note_risen (check, p, force, told->relaxed);
     /* What follows is checked with the forces as they are stated. */
     memcpy (response->force, force, sizeof force);
   }
@@ -788,8 +802,9 @@ init (QnCheck *check, QnDiag *diag)
   check->beam_forces = qn_alloc (model->element_count, sizeof *check->beam_forces);
   check->elongations = qn_alloc (2 * pairs, sizeof *check->elongations);
   check->velocity = qn_alloc (unknowns, sizeof *check->velocity);
-  return check->velocity && check->elongations && check->u && check->residual
-         && check->rows && check->forces && check->beam_forces;
+  check->risen = qn_alloc (pairs, sizeof *check->risen);
+  return check->risen && check->velocity && check->elongations && check->u
+         && check->residual && check->rows && check->forces && check->beam_forces;
 }
 
 QnStatus
@@ -850,6 +865,7 @@ qn_result_find_faults_and_report (const QnModel *model, const QnContacts *contac
   free (check.forces);
   free (check.beam_forces);
   free (check.velocity);
+  free (check.risen);
   free (check.elongations);
   free (check.mass);
   free (check.begun);
