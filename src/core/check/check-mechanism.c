@@ -64,7 +64,7 @@ find_dilation (const QnCheck *check, size_t p, double shear, double outwards,
   double end = fmin (springs->a.dilation_end, springs->b.dilation_end);
 
   *least = *most = outwards;
-  if (check->result->limit.given || outwards == 0)
+  if (check->result->limit.given || outwards == 0 || springs->a.associative)
     return;
   if (along < slack)
     *least = -outwards;

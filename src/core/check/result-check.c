@@ -214,8 +214,7 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
   double opening = q[0] - stuck[0] - force[0] / s->kn;
   bool at_cap = force[0] >= -QN_CHECK_FORCES * check->scale;
   /* A joint that opens remembers what it has risen by sliding alone. */
-  double risen =
-    qn_spring_crushed (s, &before->a) + qn_spring_dilation (s, memory->a.slip);
+  double risen = qn_spring_risen (s, &before->a, memory->a.slip);
   if (at_cap && check->relaxed)
     memory->a.opening = fmin (opening, risen);
   else if (check->relaxed || (force[0] < 0 && (dilates || crushes)))
@@ -265,8 +264,7 @@ obeys_flow (const QnCheck *check, const QnPairSprings *springs,
   const QnSpring *s = &springs->a;
   double slip = after->a.slip - before->a.slip, slack = check->slack;
   double opening = after->a.opening - before->a.opening;
-  double dilation =
-    qn_spring_dilation (s, after->a.slip) - qn_spring_dilation (s, before->a.slip);
+  double dilation = qn_spring_risen (s, &before->a, after->a.slip) - before->a.opening;
 
   if (fabs (slip) <= slack && fabs (opening) <= slack)
     return true;

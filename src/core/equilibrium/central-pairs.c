@@ -284,6 +284,8 @@ static bool
 turns (QnCentralPairs *pairs, size_t p, double flow)
 {
   const QnSpring *spring = &pairs->assembly->springs[p].a;
+  if (spring->associative)
+    return false;
   double slip = pairs->assembly->committed[p].a.slip, rates[2];
   double line = qn_spring_dilation (spring, slip) + take_dilation (pairs, p, rates)
                 + rates[flow < 0] * fabs (flow);
@@ -315,7 +317,7 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
   bool ok = qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
   for (int k = 0; k < 2; k++)
     response->force[k] = pairs->force * y[k];
-  if (e->has_shear[i]) {
+  if (e->has_shear[i] && !as->springs[p].a.associative) {
     QnSpringMemory *memory = &response->memory.a;
     double crushed = qn_spring_crushed (&as->springs[p].a, memory);
     memory->slip =

@@ -7,7 +7,8 @@
  *   flow       ds = g sign(t), g >= 0,   opening = h(s) - k,   h(s) = psi min (|s|, s_end)
  *
  * so that a joint which slides back comes down again, as teeth do that fit (Patton 1966; Plesha 1987), and one that has
- * slid by s_end rises no further; mu is the same both ways (Coulomb slip of UDEC). Return mapping (backward
+ * slid by s_end rises no further; mu is the same both ways (Coulomb slip of UDEC). With psi = mu and no s_end the
+ * law is that of limit analysis, associative plasticity: h adds up, psi |ds|, whichever way the joint slides. Return mapping (backward
  * Euler, closed form) from the trial forces n*, t* that the spring would carry without further slip:
  *
  *   stick      f(n*, t*) <= 0:             n = n*,             t = t*
@@ -73,14 +74,17 @@ static void
 slide (const QnSpring *s, const double q[2], double sign, QnSpringResponse *r)
 {
   double mu = s->residual, end = s->dilation_end, slip = r->memory.slip;
-  double shift = qn_spring_crushed (s, &r->memory);
   bool passed = is_too_deep (s, s->kn * (q[0] - r->memory.opening));
 
   for (;;) {
     double along = sign * slip;
-    double until = along < -end ? -end : along < 0 ? 0 : along < end ? end : INFINITY;
+    double until = s->associative ? INFINITY
+                   : along < -end ? -end
+                   : along < 0    ? 0
+                   : along < end  ? end
+                                  : INFINITY;
     double psi = qn_spring_dilation_rate (s, slip, sign);
-    double n = s->kn * (q[0] - (shift + qn_spring_dilation (s, slip)));
+    double n = s->kn * (q[0] - qn_spring_risen (s, &r->memory, slip));
     double t = s->ks * (q[1] - slip);
     double stiffness = s->ks + mu * psi * s->kn;
     double g = (sign * t + mu * n) / stiffness;
@@ -100,8 +104,8 @@ slide (const QnSpring *s, const double q[2], double sign, QnSpringResponse *r)
     r->tangent[0][1] = -s->kn * psi * g_t;
     r->tangent[1][0] = -mu * sign * r->tangent[0][0];
     r->tangent[1][1] = -mu * sign * r->tangent[0][1];
+    r->memory.opening = qn_spring_risen (s, &r->memory, slip + sign * g);
     r->memory.slip = slip + sign * g;
-    r->memory.opening = shift + qn_spring_dilation (s, r->memory.slip);
     r->phase = sign > 0 ? QN_PHASE_SLIP_POSITIVE : QN_PHASE_SLIP_NEGATIVE;
     return;
   }
@@ -116,8 +120,7 @@ crush (const QnSpring *s, const double q[2], double t_trial, QnSpringResponse *r
   double slip = r->memory.slip + sign * g;
   double crushed = q[0] + s->compression / s->kn;
 
-  if (s->compression <= 0
-      || crushed >= qn_spring_crushed (s, &r->memory) + qn_spring_dilation (s, slip))
+  if (s->compression <= 0 || crushed >= qn_spring_risen (s, &r->memory, slip))
     return false;
   r->force[0] = -s->compression;
   r->force[1] = g > 0 ? sign * left : t_trial;
@@ -137,7 +140,7 @@ rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 {
   double n_trial = s->kn * (q[0] - committed->opening);
   double t_trial = s->ks * (q[1] - committed->slip);
-  double open = qn_spring_crushed (s, committed) + qn_spring_dilation (s, q[1]);
+  double open = qn_spring_risen (s, committed, q[1]);
   bool slips = fabs (t_trial) + s->residual * n_trial > 0 || is_too_deep (s, n_trial);
 
   *r = (QnSpringResponse){ .memory = *committed, .phase = QN_PHASE_STICK };
@@ -295,6 +298,8 @@ qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
   spring->residual = law->residual_friction > 0 ? law->residual_friction : law->friction;
   spring->dilatancy = law->dilatancy;
   spring->dilation_end = law->dilation_end > 0 ? law->dilation_end : INFINITY;
+  spring->associative =
+    law->dilatancy > 0 && law->dilatancy >= law->friction && !(law->dilation_end > 0);
   spring->cohesion = law->cohesion * scale.force;
   spring->cap = fmin (law->tension, apex) * scale.force;
   if (!qn_spring_has_bond (spring))

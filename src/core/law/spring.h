@@ -27,6 +27,7 @@ typedef struct QnSpring {
   double compression;  /* N, largest compression of a joint that is crushed; else 0 */
   double dilatancy;    /* psi */
   double dilation_end; /* m, slip beyond which nothing dilates; INFINITY: none */
+  bool associative;    /* dilation adds up, whichever way the joint slides */
 
   double yield;     /* N, where the elastic range first ends */
   double hardening; /* part of kn that remains beyond */
@@ -112,28 +113,43 @@ qn_spring_has_bond (const QnSpring *spring)
   return qn_law_may_bond (spring->kind) && (spring->cap > 0 || spring->cohesion > 0);
 }
 
-/* How far a joint has risen by a slip from where it was built, m. */
+/* How far a joint has risen by a slip from where it was built, m; 0 where the way there counts. */
 static inline double
 qn_spring_dilation (const QnSpring *spring, double slip)
 {
-  return spring->dilatancy * fmin (fabs (slip), spring->dilation_end);
+  return spring->associative
+           ? 0
+           : spring->dilatancy * fmin (fabs (slip), spring->dilation_end);
 }
 
 /* The same per slip that goes on from there in the sense of `sign`. */
 static inline double
 qn_spring_dilation_rate (const QnSpring *spring, double slip, double sign)
 {
+  if (spring->associative)
+    return spring->dilatancy;
   double along = sign * slip, end = spring->dilation_end;
   double rate = along < -end || along >= end ? 0 : spring->dilatancy;
 
   return along < 0 ? -rate : rate;
 }
 
-/* Its plastic elongation without that, m: negative where it is crushed, else 0. */
+/* Its plastic elongation without what it has risen, m: negative where it is crushed, else 0. */
 static inline double
 qn_spring_crushed (const QnSpring *spring, const QnSpringMemory *memory)
 {
-  return memory->opening - qn_spring_dilation (spring, memory->slip);
+  return spring->associative
+           ? fmin (memory->opening, 0)
+           : memory->opening - qn_spring_dilation (spring, memory->slip);
+}
+
+/* What its plastic elongation is once it has slid from there to `slip`, m. */
+static inline double
+qn_spring_risen (const QnSpring *spring, const QnSpringMemory *memory, double slip)
+{
+  return spring->associative
+           ? memory->opening + spring->dilatancy * fabs (slip - memory->slip)
+           : qn_spring_crushed (spring, memory) + qn_spring_dilation (spring, slip);
 }
 
 /* In place of the damage of a bond that is not to break at once for now, and the other way round. */

@@ -113,6 +113,23 @@ test_dilation_and_return (void)
   }
 }
 
+/* With dilatancy = friction the law is associative: dilation adds up to and fro. */
+static void
+test_dilation_adds_up (void)
+{
+  static const double ways[][2] = { { 2, 1 }, { 0, 2 }, { -1, 2.5 }, { 3, 4.5 } };
+  Probe p = joint (0, 0, 0.5);
+  for (size_t i = 0; i < G_N_ELEMENTS (ways); i++) {
+    double slip = ways[i][0], sense = slip > p.memory.slip ? 1 : -1;
+    double normal = -2 + ways[i][1], shear = slip + sense * 2;
+    QnSpringResponse r = probe_go (&p, normal, shear);
+    probe_assert_force (&r, -4, sense * 2);
+    g_assert_cmpfloat_with_epsilon (r.memory.slip, slip, 1e-12);
+    g_assert_cmpfloat_with_epsilon (r.memory.opening, ways[i][1], 1e-12);
+    g_assert_cmpfloat_with_epsilon (r.tangent[0][1], r.tangent[1][0], 1e-12);
+  }
+}
+
 /* Wherever it is taken, a joint that is closed has risen by what its slip tells, and the tangents are those of
  * differences. */
 static void
@@ -454,6 +471,7 @@ QN_TESTS
   g_test_add_func ("/law-coulomb/looking", test_looking_does_not_commit);
   g_test_add_func ("/law-coulomb/dilatancy", test_dilatancy);
   g_test_add_func ("/law-coulomb/dilation-and-return", test_dilation_and_return);
+  g_test_add_func ("/law-coulomb/dilation-adds-up", test_dilation_adds_up);
   g_test_add_func ("/law-coulomb/dilation-anywhere", test_dilation_anywhere);
   g_test_add_func ("/law-coulomb/symmetry", test_symmetry);
   g_test_add_func ("/law-coulomb/open-dry", test_open_dry);

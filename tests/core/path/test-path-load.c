@@ -322,7 +322,7 @@ test_idle_live_load (void)
   g_assert_cmpint (result.statistics.iterations, <, 3000);
 }
 
-/* Every other block on joints a million times softer: stiffness changes displacements,
+/* Every other block on joints a hundred million times softer: stiffness changes displacements,
  * not what associative joints carry. */
 static void
 test_soft_and_stiff (void)
@@ -330,13 +330,13 @@ test_soft_and_stiff (void)
   QnModel model;
   g_auto (QnResult) result;
   test_model_init_wall (&model, 1, 0.65);
-  test_model_soften_every_other_block (&model, 1e6);
+  test_model_soften_every_other_block (&model, 1e8);
   run (&model, NULL, NULL, &result);
 
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, test_walls[0].associative,
                                   1e-4);
-  g_assert_cmpint (result.statistics.iterations, <, 1000);
+  g_assert_cmpint (result.statistics.iterations, <, 3000);
   g_assert_false (result.mechanism_uncertain);
 }
 

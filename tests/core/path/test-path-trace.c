@@ -507,7 +507,7 @@ test_walls_to_collapse (void)
     g_assert_cmpint (result.stop, ==, QN_STOP_PLATEAU);
     g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, collapse,
                                     (associative ? 1e-6 : 2e-3) * collapse);
-    g_assert_cmpint (result.statistics.factorizations, <, wall == 6 ? 650 : 200);
+    g_assert_cmpint (result.statistics.factorizations, <, wall == 6 ? 450 : 200);
     for (size_t s = 1; s < result.step_count; s++)
       if (result.steps[s].multiplier < 0.97 * collapse)
         g_assert_cmpfloat_with_epsilon (
