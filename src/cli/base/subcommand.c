@@ -106,8 +106,9 @@ end_by_help (GOptionContext *context, int argc, char **argv)
   for (int i = 1; i < argc && strcmp (argv[i], "--") != 0; i++)
     if (strcmp (argv[i], "--help") == 0 || strcmp (argv[i], "-h") == 0
         || strcmp (argv[i], "-?") == 0) {
-      g_autofree char *help = g_option_context_get_help (context, TRUE, NULL);
+      char *help = g_option_context_get_help (context, TRUE, NULL);
       fputs (help, stdout);
+      g_free (help);
       exit ((int) qn_shown_text_end (QN_EXIT_DONE));
     }
 }

@@ -274,8 +274,10 @@ read_member (QnJson *json, gsize at, const QnMember *m, char *target)
   case QN_MEMBER_STAGE:
     if (!read_id (json, at, 0, ids))
       return FALSE;
-    return (*ids)++ < QN_MAX_STAGES
-           || qn_json_fail (json, at, _ ("there is no such stage"));
+    if (*ids >= QN_MAX_STAGES)
+      return qn_json_fail (json, at, _ ("there is no such stage"));
+    ++*ids;
+    return TRUE;
   case QN_MEMBER_KNOWN:
   case QN_MEMBER_COUNT:
   case QN_MEMBER_SWITCH:

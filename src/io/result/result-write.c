@@ -9,15 +9,15 @@
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
 
-/* "key": ["a", "b"], on a line of its own. */
+/* "key": ["a", "b"], on a line of its own. The names are `offset` bytes within items of `stride` bytes. */
 static void
-write_names (QnFileWriter *writer, const char *key, char *const *names, size_t count,
-             size_t stride)
+write_names (QnFileWriter *writer, const char *key, const void *items, size_t count,
+             size_t offset, size_t stride)
 {
   qn_file_writer_json (writer, "  %s: [", key);
   for (size_t i = 0; i < count; i++)
     qn_file_writer_json (writer, i > 0 ? ", %s" : "%s",
-                         *(char *const *) ((const char *) names + i * stride));
+                         *(char *const *) ((const char *) items + i * stride + offset));
   qn_file_writer_puts (writer, "],\n");
 }
 
@@ -113,7 +113,7 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
                        project->sha256 != NULL ? project->sha256 : "");
   if (project->overrides != NULL && project->overrides[0] != NULL)
     write_names (writer, "overrides", project->overrides,
-                 g_strv_length (project->overrides), sizeof (char *));
+                 g_strv_length (project->overrides), 0, sizeof (char *));
   write_lines (writer, qn_outcome_members, result);
   write_events (writer, result);
   write_answer (writer, result);
@@ -182,9 +182,9 @@ write_beams (QnFileWriter *writer, const QnModel *model)
 {
   if (model->node_count == 0)
     return;
-  write_names (writer, "nodes", &model->nodes->name, model->node_count,
+  write_names (writer, "nodes", model->nodes, model->node_count, offsetof (QnNode, name),
                sizeof *model->nodes);
-  write_names (writer, "beams", &model->beams->name, model->beam_count,
+  write_names (writer, "beams", model->beams, model->beam_count, offsetof (QnBeam, name),
                sizeof *model->beams);
   qn_file_writer_puts (writer, "  \"elements\": [");
   for (size_t i = 0; i < model->element_count; i++) {
@@ -395,11 +395,11 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
     qn_file_writer_puts (writer, ",\n");
   }
   const QnModel *model = &project->model;
-  write_names (writer, "blocks", &model->blocks->name, model->block_count,
-               sizeof *model->blocks);
+  write_names (writer, "blocks", model->blocks, model->block_count,
+               offsetof (QnBlock, name), sizeof *model->blocks);
   write_beams (writer, model);
   if (model->tie_count > 0)
-    write_names (writer, "ties", &model->ties->name, model->tie_count,
+    write_names (writer, "ties", model->ties, model->tie_count, offsetof (QnTie, name),
                  sizeof *model->ties);
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
