@@ -45,8 +45,8 @@
   X (PAIR_POSITION, "positions must increase from 0 to 1") \
   X (PAIR_WEIGHTS, "weights must be positive and add up to 1") \
   X (RIGID_JOINT, "both sides of a joint by material are rigid: nothing can deform") \
-  X (LAW_CHAIN, "law of a chain joins blocks that have neighbours in two directions: its shear is twice too soft") \
-  X (LAW_GRID, "law of a grid joins blocks in one direction only: its shear is twice too stiff") \
+  X (LAW_CHAIN, "law of a chain joins blocks that have neighbours in two directions: its shear stiffness is half the right one") \
+  X (LAW_GRID, "law of a grid joins blocks in one direction only: its shear stiffness is twice the right one") \
   X (BAR_BASIS, "a bar needs a law by area: basis surface or material") \
   X (BAR_SHORT, "bar has no length") \
   X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \

@@ -347,7 +347,7 @@ choose_columns (Reading *r, char **names)
     }
   }
   if (times == 0)
-    return fail (r, line, _ ("no column has the name of a time"));
+    return fail (r, line, _ ("no column is named as a time"));
   if (accelerations == 0 && unknown == 1)
     r->value = other;
   else if (accelerations == 0 && !check_quantity (r, line, wrong))

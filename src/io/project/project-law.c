@@ -97,7 +97,7 @@ read_stiffness (const QnJsonValue *place, QnLaw *law)
     QnJsonValue member = qn_json_value_member (place, derived ? theirs[i] : ours[i]);
     if (member.json != NULL)
       return qn_json_value_fail (
-        &member, derived ? _ ("elasticity and stiffnesses exclude each other")
+        &member, derived ? _ ("elasticity excludes kn and ks")
                          : _ ("this belongs to elasticity, which is missing"));
   }
   if (!derived)

@@ -370,7 +370,8 @@ explain_refused (const QnModel *model, const QnResult *result)
     qn_text_append (text, "%s%s", i == 0 ? " " : "; ", fault);
   }
   if (result->refused_count > 0)
-    g_string_append (text, _ (". The steps before that are proved and kept."));
+    g_string_append (text,
+                     _ (". The steps before the first of these are proved and kept."));
   if (result->has_unproved_multiplier)
     qn_text_append (text, _ (" Collapse at a load multiplier of %.4g: not proved."),
                     result->unproved_multiplier);

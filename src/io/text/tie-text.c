@@ -86,6 +86,6 @@ qn_ties_dup_text (const QnModel *model, const QnResult *result)
     append_worst (text, &g_array_index (all, Worst, i));
   if (all->len > TIES_IN_WORDS)
     g_string_append (text, "…");
-  return g_strdup_printf (ngettext ("Tie at most: %s.", "Ties at most: %s.", all->len),
-                          text->str);
+  return g_strdup_printf (
+    ngettext ("Largest force of the tie: %s.", "Ties at most: %s.", all->len), text->str);
 }

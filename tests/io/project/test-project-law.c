@@ -177,7 +177,7 @@ test_refused (void)
     { QN_LAW_CURVE, "[0.3, 14]", "[0.3]", "laws[0].points[3]: expected two numbers" },
     { QN_LAW_ELASTIC, "0.8", "0", "laws[0].shear_factor: number must be positive" },
     { QN_LAW_ELASTIC, "\"ks\": 1e10", "\"elasticity\": 1e10",
-      "laws[0].kn: elasticity and stiffnesses exclude each other" },
+      "laws[0].kn: elasticity excludes kn and ks" },
     { QN_LAW_ELASTIC, "\"kn\": 3e10, \"ks\": 1e10",
       "\"elasticity\": 3e10, \"poisson\": 0.5",
       "laws[0].poisson: Poisson's ratio of a law must be at least 0 and below 0.5" },
