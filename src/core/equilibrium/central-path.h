@@ -32,9 +32,6 @@
 
 #include "core/equilibrium/equilibrium.h"
 
-/* Factorisations of one increment. */
-#define QN_CENTRAL_BUDGET 40
-
 /* Whether the method applies: linear geometry and at least one Coulomb joint. Pairs of other
  * laws take part as Newton's method would have it. */
 bool qn_central_path_applies (const QnAssembly *assembly);

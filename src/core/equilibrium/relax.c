@@ -23,12 +23,14 @@
 /* A step that converges within QUICK iterations lets the next one be LONGER times as long; one
  * that fails is repeated SHORTER times as short. */
 #define QUICK   6
+#define SLOW    12
 #define LONGER  4
 #define SHORTER 8
 
-/* The first step that is taken along the central path. Small structures
+/* Factorisations of a step along the central path, and the first step that is taken along it. Small structures
  * rest or fall within the first steps, which are cheaper by Newton's method alone. */
-#define CENTRAL_FROM 10
+#define CENTRAL_BUDGET 60
+#define CENTRAL_FROM   10
 
 /* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
  * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
@@ -254,6 +256,8 @@ growth (Relaxation *relaxation, int iterations)
                   && relaxation->viscosity / LONGER <= relaxation->failed;
 
   relaxation->waits -= relaxation->waits > 0;
+  if (iterations >= SLOW)
+    return 0.5;
   return iterations <= QUICK && !may_fail ? LONGER : 1;
 }
 
@@ -350,8 +354,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
 
     if (by_central) {
       qn_equilibrium_set_state (eq, &eq->anchor);
-      status =
-        qn_central_path_move (central, &now, relaxation.viscosity, QN_CENTRAL_BUDGET);
+      status = qn_central_path_move (central, &now, relaxation.viscosity, CENTRAL_BUDGET);
     }
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;

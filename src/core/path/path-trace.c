@@ -34,6 +34,7 @@ const QnPathTuning qn_path_tuning = {
   .most_cuts = 2,
   .smallest_step = 1.0 / 1024,
   .restart_step = 1.0 / 64,
+  .least_lean = 1e-2,
   .jump = 3,
   .jump_stays = 0.5,
   .undecided = 1e-4,

@@ -11,8 +11,7 @@
 
 /* The numbers of the method. docs/experiments/load-path.md has what other values do. */
 typedef struct QnPathTuning {
-  /* Newton's method gets `easy` iterations from where earlier equilibria predict the next one. If it needs no
-   * more in any step, the next step is `growth` times longer;
+  /* If Newton's method needs at most `easy` iterations, the next step is `growth` times longer;
    * `growth_no_jumps` where friction without dilatancy may make the path turn, because a long step finds
    * slip that the path has not; `growth_steady` if the motion changed its direction by less than `turn`,
    * because then hardly a joint slips that did not before. */
@@ -36,6 +35,10 @@ typedef struct QnPathTuning {
   double cut;
   int most_cuts;
   double smallest_step, restart_step;
+
+  /* How far a structure is moved out of an unstable equilibrium at first, in characteristic lengths; up
+   * to one. */
+  double least_lean;
 
   /* Motion so many times as far as the step before would have it may be a jump; it is one if that part
    * of it is left in a step that is cut. */
