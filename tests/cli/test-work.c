@@ -322,7 +322,11 @@ make_voussoirs (int count)
 static char *
 make_long_name (int count)
 {
-  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  g_autoptr (GString) text = g_string_new (
+    PROJECT_LAWS
+    "\"loads\": { \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ], "
+    "\"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ] }, "
+    "\"blocks\": [ ");
   add_block (text, 0, 0, 0, 0);
   g_string_append (text, ", { \"name\": \"");
   for (int i = 0; i < count; i++)

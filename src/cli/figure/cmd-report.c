@@ -63,13 +63,6 @@ load_item (Item *item, const char *model, const char *result,
   return QN_EXIT_DONE;
 }
 
-/* Whether there is an answer to report: a structure without live loads is reported as it is drawn. */
-static gboolean
-can_be_solved (const QnModel *model)
-{
-  return model->live_load_count > 0 || model->analysis.procedure == QN_PROCEDURE_DYNAMIC;
-}
-
 /* A project without results is solved. */
 static QnExit
 solve (Item *item, const char *model, const QnInputOptions *options)
@@ -156,7 +149,7 @@ make (const QnSubcommand *self, const Options *options, const char *model)
     code = load_item (&items[i], model, options->results[i], &options->input);
     count += code == QN_EXIT_DONE;
   }
-  if (given == 0 && code == QN_EXIT_DONE && can_be_solved (&input.project.model)) {
+  if (given == 0 && code == QN_EXIT_DONE) {
     code = solve (&items[0], model, &options->input);
     count += code == QN_EXIT_DONE;
   }

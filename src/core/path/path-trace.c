@@ -592,9 +592,13 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   if (status != QN_OK)
     return status;
   find_velocity (trace, velocity);
-  /* A stage that has only taken its loads back has no highest multiplier of its own. */
+  /* A stage that has only taken its loads back, against which they have worked, has no highest multiplier of
+   * its own. */
+  double work = 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    work += eq->assembly.live[i] * (eq->u[i] - trace->events.rest[i]);
   bool only_back = path->stage > 0 && result->outcome == QN_OUTCOME_TARGET_REACHED
-                   && trace->events.highest <= trace->events.least;
+                   && trace->events.highest <= trace->events.least && work <= 0;
   bool collapses = result->outcome == QN_OUTCOME_COLLAPSE
                    || (result->outcome != QN_OUTCOME_NOT_CONVERGED
                        && result->outcome != QN_OUTCOME_CANCELLED && trace->events.below

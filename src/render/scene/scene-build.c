@@ -36,7 +36,7 @@ forces_fit (const QnSceneBuilder *b, GError **error)
     b->options->view == QN_VIEW_FORCES || b->options->field == QN_FIELD_STRESS;
   if (!wanted)
     return true;
-  if (b->contacts == NULL || b->result->pairs == NULL
+  if (b->contacts == NULL || b->result->pair_count == 0
       || b->result->pair_count != b->contacts->pair_count) {
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
                          _ ("the result has no contact forces of this model"));
