@@ -24,6 +24,16 @@ qn_equilibrium_state_clear (QnEquilibriumState *state)
   qn_beam_state_clear (&state->beams);
 }
 
+double
+qn_equilibrium_live_work (const QnEquilibrium *eq, const double *from)
+{
+  double work = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    work += eq->assembly.live[i] * (eq->u[i] - from[i]);
+  return work;
+}
+
 void
 qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
 {

@@ -242,6 +242,10 @@ double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
 bool qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *assembly);
 void qn_equilibrium_state_clear (QnEquilibriumState *state);
 
+/* Work of the driven loads, as they are at a multiplier of 1, from these unknowns to the current ones, J.
+ * Where a stage scales its multiplier, so are its loads. */
+double qn_equilibrium_live_work (const QnEquilibrium *eq, const double *from);
+
 /* Copies the current state into `state`, or makes `state` the current one. */
 void qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state);
 void qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *state);

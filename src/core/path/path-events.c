@@ -63,17 +63,12 @@ largest_shift (const QnPath *path, const double *from, const double *to)
   return largest;
 }
 
-/* Energy set free on the way from the committed state to the current one at a multiplier held. Where a
- * stage scales its multiplier, so are its live loads. */
+/* Energy set free on the way from the committed state to the current one at a multiplier held. */
 static double
 energy_of_step (const QnEquilibrium *eq, double held)
 {
-  const QnAssembly *as = &eq->assembly;
-  double work = 0;
-
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    work += as->live[i] * (eq->u[i] - eq->committed.u[i]);
-  return (held - 0.5 * (eq->committed.multiplier + eq->multiplier)) * work;
+  return (held - 0.5 * (eq->committed.multiplier + eq->multiplier))
+         * qn_equilibrium_live_work (eq, eq->committed.u);
 }
 
 /* The blocks that move from one state to another; returns how many. blocks: block_count. */

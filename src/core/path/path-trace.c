@@ -396,11 +396,8 @@ goes_back (const QnPathTrace *trace)
   int32_t unknown = trace->measure.unknown;
   double way = (trace->measure.end - eq->committed.u[unknown])
                * (eq->u[unknown] - eq->committed.u[unknown]);
-  double work = 0;
 
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    work += eq->assembly.live[i] * (eq->u[i] - eq->committed.u[i]);
-  return way * work < 0;
+  return way * qn_equilibrium_live_work (eq, eq->committed.u) < 0;
 }
 
 /* One step of another measure than the multiplier. */
@@ -594,11 +591,9 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   find_velocity (trace, velocity);
   /* A stage that has only taken its loads back, against which they have worked, has no highest multiplier of
    * its own. */
-  double work = 0;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    work += eq->assembly.live[i] * (eq->u[i] - trace->events.rest[i]);
   bool only_back = path->stage > 0 && result->outcome == QN_OUTCOME_TARGET_REACHED
-                   && trace->events.highest <= trace->events.least && work <= 0;
+                   && trace->events.highest <= trace->events.least
+                   && qn_equilibrium_live_work (eq, trace->events.rest) <= 0;
   bool collapses = result->outcome == QN_OUTCOME_COLLAPSE
                    || (result->outcome != QN_OUTCOME_NOT_CONVERGED
                        && result->outcome != QN_OUTCOME_CANCELLED && trace->events.below
