@@ -48,17 +48,9 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  const int count = (int) qn_canvas_get_model (form->base.canvas)->bar_count;
-  const int before = form->selected;
-  if (form->wanted >= 0 && form->wanted < count)
-    qn_selection_set_item (selection, QN_ITEM_BAR, form->wanted);
-  form->wanted = -1;
-  form->selected = qn_selection_get_item (selection, QN_ITEM_BAR);
-  if (form->selected >= count)
-    form->selected = -1;
-  if (form->selected >= 0 && form->selected != before)
-    qn_bound_form_reveal (form);
+  form->selected = qn_bound_form_follow_item (
+    form, QN_ITEM_BAR, qn_canvas_get_model (form->base.canvas)->bar_count, form->selected,
+    &form->wanted);
   return TRUE;
 }
 

@@ -295,6 +295,23 @@ qn_bound_form_reveal (gpointer data)
   }
 }
 
+int
+qn_bound_form_follow_item (gpointer data, QnItemKind item, gsize count, int before,
+                           int *wanted)
+{
+  QnBoundForm *form = data;
+  QnSelection *selection = qn_canvas_get_selection (form->canvas);
+  if (*wanted >= 0 && (gsize) *wanted < count)
+    qn_selection_set_item (selection, item, *wanted);
+  *wanted = -1;
+  int selected = qn_selection_get_item (selection, item);
+  if (selected >= (int) count)
+    selected = -1;
+  if (selected >= 0 && selected != before)
+    qn_bound_form_reveal (form);
+  return selected;
+}
+
 /* ---- taking ---- */
 
 static QnValue

@@ -14,6 +14,7 @@
 #define QN_APP_BOUND_FORM_H
 
 #include "app/canvas/canvas.h"
+#include "doc/document/selection.h"
 #include "doc/masonry/masonry-field.h"
 
 /* What a field shows, or what the user has entered. Zeroed to begin with. */
@@ -132,6 +133,12 @@ GtkWidget *qn_bound_form_show (gpointer form);
 /* Unfolds a form and brings it into view, because what it is about was chosen elsewhere; where the
  * focus is in it, it is in view already. */
 void qn_bound_form_reveal (gpointer form);
+
+/* For `look` of a form with a list of items of one kind, `count` of them: the one that is selected in the
+ * drawing, or -1; it is revealed where it is not `before`. `wanted` is selected first, once an edit has
+ * added it, and -1 then. */
+int qn_bound_form_follow_item (gpointer form, QnItemKind item, gsize count, int before,
+                               int *wanted);
 
 /* As entered by the user: the number of a field, or its text; while a step takes a value, that. */
 double qn_bound_form_get_number (gpointer form, guint field);

@@ -73,17 +73,9 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  const int count = (int) qn_canvas_get_model (form->base.canvas)->tie_count;
-  const int before = form->selected;
-  if (form->wanted >= 0 && form->wanted < count)
-    qn_selection_set_item (selection, QN_ITEM_TIE, form->wanted);
-  form->wanted = -1;
-  form->selected = qn_selection_get_item (selection, QN_ITEM_TIE);
-  if (form->selected >= count)
-    form->selected = -1;
-  if (form->selected >= 0 && form->selected != before)
-    qn_bound_form_reveal (form);
+  form->selected = qn_bound_form_follow_item (
+    form, QN_ITEM_TIE, qn_canvas_get_model (form->base.canvas)->tie_count, form->selected,
+    &form->wanted);
   return TRUE;
 }
 
