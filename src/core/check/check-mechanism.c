@@ -2,7 +2,6 @@
 #include "core/base/numbers.h"
 #include "core/check/check-parts.h"
 #include "core/check/second-order-work.h"
-#include "core/equilibrium/central-path.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,9 +12,6 @@
 
 /* A strength is reached within this part of the largest force. */
 #define LITTLE 1e-2
-
-/* A structure falls where it moves by this part of the characteristic length and does not come to rest. */
-#define FALL 0.1
 
 /* Rates at which a pair may part and slide when it has this force. */
 typedef struct {
@@ -209,63 +205,11 @@ qn_check_bodies (QnCheck *check)
                           check->rows[i]);
 }
 
-/* The last state in a workspace of the solver, with loads that are held and those that may be driven. */
-static bool
-take_last_state (const QnCheck *check, const double *held, const double *driven,
-                 QnEquilibrium *eq)
-{
-  QnAssembly *as = &eq->assembly;
-  QnBeamState beams;
-  bool ready = qn_beam_state_init (&beams, &as->beams);
-
-  if (ready) {
-    qn_beam_state_save (&beams, &check->assembly.beams);
-    qn_beam_state_set (&beams, &as->beams);
-    memcpy (as->committed, check->assembly.committed,
-            as->pair_count * sizeof *as->committed);
-    memcpy (as->inactive, check->assembly.inactive,
-            as->pair_count * sizeof *as->inactive);
-    memcpy (eq->u, check->u, (size_t) as->unknown_count * sizeof *eq->u);
-    qn_assembly_set_loads (as, held, driven);
-    qn_assembly_evaluate (as, eq->u);
-    qn_equilibrium_save (eq, &eq->committed);
-  }
-  qn_beam_state_clear (&beams);
-  return ready;
-}
-
-/* Whether the structure moves on under a load higher by QN_PUSH, with damping, and does not rest near by. */
-static QnStatus
-check_fall (QnCheck *check, const double *held, const double *driven, QnDiag *diag)
-{
-  const QnTarget target = qn_target_multiplier (QN_PUSH);
-  QnSolveStatus solve = QN_SOLVE_NO_MEMORY;
-  QnEquilibrium eq;
-  QnStatus status = qn_equilibrium_setup (&eq, check->model, check->assembly.contacts,
-                                          check->report, check->report_data, diag);
-
-  if (status != QN_OK)
-    return status;
-  eq.statistics =
-    check->result->statistics; /* its work counts with that of the analysis */
-  double far = FALL * eq.assembly.length;
-  bool joints = qn_central_path_has_joints (&eq.assembly);
-  QnCentralPath *central = joints ? qn_central_path_new (&eq) : NULL;
-  if ((central != NULL || !joints) && take_last_state (check, held, driven, &eq))
-    solve = qn_equilibrium_relax (&eq, central, &target, far, NULL, QN_RELAX_BUDGET);
-  if (solve != QN_SOLVE_MECHANISM)
-    qn_check_tell_model (check, QN_CLAIM_FALL, (QnId) check->result->step_count - 1, NAN,
-                         NAN);
-  qn_central_path_free (central);
-  qn_equilibrium_clear (&eq);
-  return solve == QN_SOLVE_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
-}
-
 /* In large displacements elastic joints give as the structure moves on, by more than RATE. What proves the
- * motion then is its second-order work, and that the structure falls: without associative friction it may
- * stand although some motion has negative second-order work. */
-static QnStatus
-check_second_order_work (QnCheck *check, QnDiag *diag)
+ * motion then is its second-order work; that the structure falls along it is the path's to see, for without
+ * associative friction it may stand although some motion has negative second-order work. */
+static void
+check_second_order_work (QnCheck *check)
 {
   const QnResult *result = check->result;
   double factors[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 0 };
@@ -278,11 +222,9 @@ check_second_order_work (QnCheck *check, QnDiag *diag)
     if ((sets >> set & 1) != 0)
       driven[set] = result->collapse_multiplier - before[set];
   qn_assembly_set_loads (&check->assembly, factors, driven);
-  if (qn_moves_on (&check->assembly, check->u, 0, 1, check->velocity, check->rows,
-                   check->residual))
-    return check_fall (check, factors, driven, diag);
-  qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) last, NAN, NAN);
-  return QN_OK;
+  if (!qn_moves_on (&check->assembly, check->u, 0, 1, check->velocity, check->rows,
+                    check->residual))
+    qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) last, NAN, NAN);
 }
 
 /* Where motion is prescribed and the structure does not fall, the mechanism is its last motion. */
@@ -317,27 +259,29 @@ check_last_motion (QnCheck *check)
     }
 }
 
-QnStatus
-qn_check_mechanism (QnCheck *check, QnDiag *diag)
+void
+qn_check_mechanism (QnCheck *check)
 {
   const QnResult *result = check->result;
   const QnAssembly *as = &check->assembly;
 
   if (result->mechanism == NULL || result->step_count == 0)
-    return QN_OK;
+    return;
   qn_check_gather (as, result->mechanism, check->velocity);
   qn_check_bodies (check);
   if (result->history.width > 0)
-    return QN_OK;
+    return;
   if (result->outcome != QN_OUTCOME_COLLAPSE) {
     check_last_motion (check);
-    return QN_OK;
+    return;
   }
   check_work (check);
   if (result->mechanism_uncertain)
-    return QN_OK;
-  if (result->mechanism_by_work && as->nonlinear)
-    return check_second_order_work (check, diag);
+    return;
+  if (result->mechanism_by_work && as->nonlinear) {
+    check_second_order_work (check);
+    return;
+  }
   double *rates = check->forces;
   double none = RATE * qn_largest (check->velocity, (size_t) as->unknown_count);
   qn_assembly_elongation_rates (as, check->velocity, rates);
@@ -347,5 +291,4 @@ qn_check_mechanism (QnCheck *check, QnDiag *diag)
   qn_check_tie_rates (check, none, LITTLE * check->scale);
   if (!as->nonlinear)
     check_beams (check, none);
-  return QN_OK;
 }

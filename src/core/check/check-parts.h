@@ -33,8 +33,6 @@
 #define QN_CHECK_STATE 1e-4
 
 typedef struct QnCheck {
-  QnProgressFunc report; /* nullable */
-  void *report_data;
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
@@ -125,7 +123,7 @@ QnStatus qn_check_course (QnCheck *check, QnDiag *diag);
 void qn_check_events (QnCheck *check);
 
 /* The mechanism at the last step (check-mechanism.c). */
-QnStatus qn_check_mechanism (QnCheck *check, QnDiag *diag);
+void qn_check_mechanism (QnCheck *check);
 
 /* Supports stand in the mechanism, and nodes move with the blocks that they ride on. */
 void qn_check_bodies (QnCheck *check);

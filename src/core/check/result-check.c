@@ -806,14 +806,11 @@ init (QnCheck *check, QnDiag *diag)
 }
 
 QnStatus
-qn_result_find_faults_and_report (const QnModel *model, const QnContacts *contacts,
-                                  const QnResult *result, QnCheckDepth depth,
-                                  QnProgressFunc report, void *report_data,
-                                  QnResultFaults *faults, QnDiag *diag)
+qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
+                       const QnResult *result, QnCheckDepth depth, QnResultFaults *faults,
+                       QnDiag *diag)
 {
-  QnCheck check = { .report = report,
-                    .report_data = report_data,
-                    .model = model,
+  QnCheck check = { .model = model,
                     .contacts = contacts,
                     .result = result,
                     .depth = depth,
@@ -846,8 +843,7 @@ qn_result_find_faults_and_report (const QnModel *model, const QnContacts *contac
     }
     status = qn_check_course (&check, diag);
     qn_check_events (&check);
-    if (status == QN_OK)
-      status = qn_check_mechanism (&check, diag);
+    qn_check_mechanism (&check);
     qn_check_history (&check);
     if (status == QN_OK)
       status = qn_check_bounds (&check, diag);

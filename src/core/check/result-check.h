@@ -2,8 +2,7 @@
  *
  * A result says more than its multiplier: displacements, forces and states of joints at every step,
  * events, reactions, an outcome, a mechanism, bounds. Each is recomputed from the model and from the
- * displacements, by the laws alone, and compared. Nothing is solved, but for the fall of a mechanism that its
- * second-order work proves, which is followed:
+ * displacements, by the laws alone, and compared. Nothing is solved:
  *
  *   numbers        all are finite
  *   steps          the first is the dead load; stages, events and times come in order
@@ -37,7 +36,6 @@
 #ifndef QN_CORE_RESULT_CHECK_H
 #define QN_CORE_RESULT_CHECK_H
 
-#include "core/base/progress.h"
 #include "core/result/result.h"
 
 typedef struct QnResultFaults {
@@ -56,22 +54,9 @@ typedef enum {
 } QnCheckDepth;
 
 /* Compares everything that a result of `model` says. The model is prepared, its contacts are those
- * of the analysis. `report` (nullable) is asked whether to go on where the fall of a mechanism that is
- * proved by its second-order work is followed: a motion that is not followed proves nothing. Fails when
- * memory runs out alone. */
-QnStatus qn_result_find_faults_and_report (const QnModel *model,
-                                           const QnContacts *contacts,
-                                           const QnResult *result, QnCheckDepth depth,
-                                           QnProgressFunc report, void *report_data,
-                                           QnResultFaults *faults, QnDiag *diag);
-
-static inline QnStatus
-qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
-                       const QnResult *result, QnCheckDepth depth, QnResultFaults *faults,
-                       QnDiag *diag)
-{
-  return qn_result_find_faults_and_report (model, contacts, result, depth, NULL, NULL,
-                                           faults, diag);
-}
+ * of the analysis. Fails when memory runs out alone. */
+QnStatus qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
+                                const QnResult *result, QnCheckDepth depth,
+                                QnResultFaults *faults, QnDiag *diag);
 
 #endif

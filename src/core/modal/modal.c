@@ -237,7 +237,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
   status = qn_path_finish (&path, status, budget.start);
   if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
-    status = qn_result_prove (model, contacts, qn_budget_go_on, &budget, result, diag);
+    status = qn_result_prove (model, contacts, result, diag);
   }
   if (status != QN_OK || result->stop == QN_STOP_CHECK)
     qn_modes_clear (modes);

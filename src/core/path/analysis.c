@@ -132,7 +132,7 @@ qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
   if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
     qn_result_judge_linearity (model, result);
-    status = qn_result_prove (model, contacts, qn_budget_go_on, &budget, result, diag);
+    status = qn_result_prove (model, contacts, result, diag);
     if (status == QN_OK)
       status = settle_mechanism (model, contacts, &budget, result, diag);
   }

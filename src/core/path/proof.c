@@ -31,15 +31,15 @@ keep_what_is_true (const QnModel *model, QnResult *result, const QnResultFaults 
 /* A mechanism in large displacements in which joints do not flow as rigid blocks would have it: proved by
  * its second-order work, or uncertain. */
 static QnStatus
-prove_by_work (const QnModel *model, const QnContacts *contacts, QnProgressFunc report,
-               void *report_data, QnResult *result, QnDiag *diag)
+prove_by_work (const QnModel *model, const QnContacts *contacts, QnResult *result,
+               QnDiag *diag)
 {
   QnResultFaults faults;
 
   result->mechanism_uncertain = false;
   result->mechanism_by_work = true;
-  QnStatus status = qn_result_find_faults_and_report (
-    model, contacts, result, QN_CHECK_STATED, report, report_data, &faults, diag);
+  QnStatus status =
+    qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
   for (int i = 0; status == QN_OK && i < faults.count; i++)
     if (faults.items[i].claim != QN_CLAIM_FIRST_LIMIT)
       result->mechanism_uncertain = true;
@@ -48,8 +48,8 @@ prove_by_work (const QnModel *model, const QnContacts *contacts, QnProgressFunc 
 }
 
 QnStatus
-qn_result_prove (const QnModel *model, const QnContacts *contacts, QnProgressFunc report,
-                 void *report_data, QnResult *result, QnDiag *diag)
+qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *result,
+                 QnDiag *diag)
 {
   QnResultFaults faults;
   bool stands = true;
@@ -71,7 +71,7 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnProgressFun
   if (status == QN_OK && stands && result->mechanism_uncertain
       && result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0
       && model->analysis.geometry == QN_GEOMETRY_NONLINEAR)
-    return prove_by_work (model, contacts, report, report_data, result, diag);
+    return prove_by_work (model, contacts, result, diag);
   if (status != QN_OK || stands)
     return status;
   result->stop = QN_STOP_CHECK;

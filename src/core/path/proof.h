@@ -2,7 +2,6 @@
 #ifndef QN_CORE_PROOF_H
 #define QN_CORE_PROOF_H
 
-#include "core/base/progress.h"
 #include "core/contact/contacts.h"
 #include "core/result/result.h"
 
@@ -10,10 +9,8 @@
  * limit point; a mechanism is marked as uncertain. Of any other result nothing is concluded: its outcome
  * becomes NOT_CONVERGED, its stop CHECK, what is refused is named, and its collapse multiplier is told as
  * one that is not proved. The steps before the first that is not true are kept, where the forces of steps
- * are known, with the stages that ended there; CANCELLED results stay as they are. `report` (nullable) is asked
- * whether to go on where a fall is followed. */
+ * are known, with the stages that ended there; CANCELLED results stay as they are. */
 QnStatus qn_result_prove (const QnModel *model, const QnContacts *contacts,
-                          QnProgressFunc report, void *report_data, QnResult *result,
-                          QnDiag *diag);
+                          QnResult *result, QnDiag *diag);
 
 #endif

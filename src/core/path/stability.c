@@ -192,7 +192,7 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
   status = qn_path_finish (&search.path, status, budget.start);
   if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
-    status = qn_result_prove (model, contacts, qn_budget_go_on, &budget, result, diag);
+    status = qn_result_prove (model, contacts, result, diag);
   }
   if (status != QN_OK)
     qn_result_clear (result);

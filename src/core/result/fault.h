@@ -19,10 +19,9 @@ typedef enum {
   QN_CLAIM_OUTCOME,
   QN_CLAIM_COLLAPSE,
   QN_CLAIM_FIRST_LIMIT,
-  QN_CLAIM_OVERLAP, /* of the mechanism, as the next three */
+  QN_CLAIM_OVERLAP, /* of the mechanism, as the next two */
   QN_CLAIM_FLOW,
   QN_CLAIM_WORK,
-  QN_CLAIM_FALL,
   QN_CLAIM_STABILITY,
   QN_CLAIM_MODE,
   QN_CLAIM_LOWER_BOUND,

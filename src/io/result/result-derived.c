@@ -108,6 +108,7 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "events[].displacement_after", has_events (result) && is_by_load (model, result) },
     { "events[].energy", has_events (result) && is_by_load (model, result) },
     { "solutions[].found_by", result->solution_count > 0 && is_by_load (model, result) },
+    { "mechanism_by_work", result->mechanism_by_work },
     { "node_mechanism", result->node_count > 0 && result->mechanism != NULL
                           && (result->mechanism_uncertain
                               || model->analysis.geometry == QN_GEOMETRY_NONLINEAR) },

@@ -47,10 +47,6 @@ static const struct {
                       N_ ("the mechanism moves where the joints cannot yield"), "m" },
   [QN_CLAIM_WORK] = { "mechanism-work", N_ ("the loads do no work on the mechanism"),
                       "J" },
-  [QN_CLAIM_FALL] = { "mechanism-fall",
-                      N_ ("a load higher by a thousandth does not make the structure "
-                          "fall"),
-                      NULL },
   [QN_CLAIM_STABILITY] = { "stability", N_ ("the step is not stable"), NULL },
   [QN_CLAIM_MODE] = { "mode", N_ ("the mode is not one of the stiffness at this step"),
                       "" },

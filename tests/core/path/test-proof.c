@@ -22,9 +22,8 @@ solve_wall (TestRun *run, QnGeometry geometry)
 static void
 prove (TestRun *run)
 {
-  g_assert_cmpint (
-    qn_result_prove (&run->model, &run->contacts, NULL, NULL, &run->result, NULL), ==,
-    QN_OK);
+  g_assert_cmpint (qn_result_prove (&run->model, &run->contacts, &run->result, NULL), ==,
+                   QN_OK);
 }
 
 /* A force of one pair at one step: it is named, the steps before stay, and the rest of the result is true. */
@@ -83,41 +82,8 @@ test_wrong_multiplier (void)
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
 }
 
-static bool
-stop_at_once (const QnProgress *progress, void *asked)
-{
-  (void) progress;
-  ++*(int *) asked;
-  return false;
-}
-
-/* A fall that is followed to prove a mechanism asks whether to go on; one that was not followed proves
- * nothing. */
-static void
-test_fall_is_cancelled (void)
-{
-  g_auto (TestRun) run = { 0 };
-  test_model_init_block_on_plane (&run.model, 0.4, 1);
-  test_model_add_weight_loads (&run.model, 1);
-  run.model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
-  test_run_solve (&run);
-  QnResult *r = &run.result;
-  QnResultFaults faults;
-  int asked = 0;
-  g_assert_cmpint (r->outcome, ==, QN_OUTCOME_COLLAPSE);
-  r->mechanism_by_work = true;
-  g_assert_cmpint (qn_result_find_faults_and_report (&run.model, &run.contacts, r,
-                                                     QN_CHECK_STATED, stop_at_once,
-                                                     &asked, &faults, NULL),
-                   ==, QN_OK);
-  g_assert_cmpint (asked, ==, 1);
-  g_assert_cmpint (faults.count, ==, 1);
-  g_assert_cmpint (faults.items[0].claim, ==, QN_CLAIM_FALL);
-}
-
 QN_TESTS
 {
   g_test_add_func ("/core/proof/wrong-force", test_wrong_force);
   g_test_add_func ("/core/proof/wrong-multiplier", test_wrong_multiplier);
-  g_test_add_func ("/core/proof/fall-is-cancelled", test_fall_is_cancelled);
 }

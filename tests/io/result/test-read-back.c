@@ -165,7 +165,7 @@ run (const Row *row, const QnProject *project, const QnContacts *contacts,
     if (status != QN_OK)
       return status;
     result->step_forces[(result->step_count - 1) * result->pair_count] -= 1e3;
-    return qn_result_prove (model, contacts, NULL, NULL, result, diag);
+    return qn_result_prove (model, contacts, result, diag);
   case CANCELLED:
     return qn_analysis_run (model, contacts, ask_thrice, &count, result, diag);
   case STABILITY:
