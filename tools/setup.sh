@@ -42,6 +42,7 @@ packages=(
   libgstreamer1.0-dev libgstreamer-plugins-base1.0-dev gstreamer1.0-plugins-good
   # the Python package and its tests
   python3-cffi python3-numpy python3-pandas python3-matplotlib python3-shapely python3-pytest
+  mypy
   # studies: distributions and statistics, the table of cases
   libgsl-dev libsqlite3-dev
   # the window

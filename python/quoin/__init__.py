@@ -7,13 +7,15 @@
 All numbers are SI (m, N, rad, s).
 """
 
-from ._library import Error, FileError, InvalidError, NoAnswerError, UsageError, lib, text
-from .model import Block, Face, Model, from_dict, from_polygons, open, read_drawing, wall
+from ._library import (ChangedWarning, Error, FileError, InvalidError, NoAnswerError, Progress,
+                       UsageError, lib, text)
+from .model import Block, Face, Model, from_dict, from_polygons, generate, open, read_drawing, wall
 from .result import Modes, Result
 
 __version__ = text(lib.quoin_version())
 
 __all__ = [
-    "Block", "Error", "Face", "FileError", "InvalidError", "Model", "Modes", "NoAnswerError",
-    "Result", "UsageError", "from_dict", "from_polygons", "open", "read_drawing", "wall",
+    "Block", "ChangedWarning", "Error", "Face", "FileError", "InvalidError", "Model", "Modes",
+    "NoAnswerError", "Progress", "Result", "UsageError", "from_dict", "from_polygons", "generate",
+    "open", "read_drawing", "wall",
 ]

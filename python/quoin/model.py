@@ -1,76 +1,90 @@
-"""Models: read from files, drawings and COMPAS assemblies, or built here."""
+"""Models: read from files, drawings and COMPAS assemblies, generated, or built here."""
+
+from __future__ import annotations
 
 import json
 import os
 import typing
 
 import numpy
+import numpy.typing
 
 from . import _library
-from ._library import ffi, lib
+from ._library import Array, Path, ProgressFunc, Value, ffi, lib
 from .result import Modes, Result, draw
+
+#: Values by their path in the project file: {"laws[0].friction": 0.5}.
+Values = typing.Mapping[str, Value]
 
 
 class Block(typing.NamedTuple):
     """A rigid block. Numbers are SI."""
 
     name: str
-    vertices: numpy.ndarray  #: (n, 2), m, counter-clockwise
-    centroid: numpy.ndarray  #: (2,), m
+    vertices: Array  #: (n, 2), m, counter-clockwise
+    centroid: Array  #: (2,), m
     area: float  #: m2
     thickness: float  #: m
     weight: float  #: N
-    fixed: tuple  #: (ux, uy, rz), whether each is supported
+    fixed: tuple[bool, ...]  #: (ux, uy, rz), whether each is supported
 
 
 class Face(typing.NamedTuple):
     """A contact face between two blocks."""
 
-    blocks: tuple  #: (a, b), numbers of the blocks
-    ends: numpy.ndarray  #: (2, 2), m
+    blocks: tuple[int, int]  #: (a, b), numbers of the blocks
+    ends: Array  #: (2, 2), m
 
 
-def _plain(value):
+def _plain(value: Value) -> Value:
     """Numbers and arrays of numpy as JSON takes them."""
     if isinstance(value, (numpy.generic, numpy.ndarray)):
         return value.tolist()
     raise TypeError(f"{type(value).__name__} is no value of a project")
 
 
-def _value(value):
+def _value(value: Value) -> str:
     """As after --set of the command line: JSON, or a plain string."""
-    if isinstance(value, str):
-        return value
-    return json.dumps(value, default=_plain)
+    return value if isinstance(value, str) else json.dumps(value, default=_plain)
 
 
-def _overrides(values):
-    return _library.strings(f"{path}={_value(value)}" for path, value in values.items())
+def _overrides(values: Values | None) -> tuple[typing.Any, typing.Any]:
+    given = (values or {}).items()
+    return _library.strings(f"{path}={_value(value)}" for path, value in given)
 
 
 class Model:
     """A structure of blocks with its contact faces. Read-only: `set` gives another one."""
 
-    def __init__(self, handle):
+    #: What reading a drawing has found, repaired and left out: a line each.
+    report: list[str]
+
+    def __init__(self, handle: typing.Any, report: list[str] | None = None) -> None:
         self._handle = ffi.gc(handle, lib.quoin_model_unref)
+        self.report = report or []
 
     @property
-    def title(self):
+    def title(self) -> str:
         return _library.text(lib.quoin_model_get_title(self._handle))
 
     @property
-    def warnings(self):
+    def path(self) -> str:
+        """The name of its file; files that the project names lie beside it."""
+        return _library.text(lib.quoin_model_get_path(self._handle))
+
+    @property
+    def warnings(self) -> list[str]:
         """What reading and detection found to be looked at: unknown keys, gaps, loose blocks."""
         count = lib.quoin_model_get_warning_count(self._handle)
         return [_library.text(lib.quoin_model_get_warning(self._handle, i))
                 for i in range(count)]
 
     @property
-    def blocks(self):
-        """All blocks (list of Block), in the order of every array of a result."""
+    def blocks(self) -> list[Block]:
+        """All blocks, in the order of every array of a result."""
         return [self._block(i) for i in range(lib.quoin_model_get_block_count(self._handle))]
 
-    def _block(self, i):
+    def _block(self, i: int) -> Block:
         count = ffi.new("size_t *")
         vertices = lib.quoin_model_get_block_vertices(self._handle, i, count)
         centroid = lib.quoin_model_get_block_centroid(self._handle, i)
@@ -85,8 +99,8 @@ class Model:
         )
 
     @property
-    def faces(self):
-        """All contact faces (list of Face)."""
+    def faces(self) -> list[Face]:
+        """All contact faces."""
         a, b, ends = ffi.new("size_t *"), ffi.new("size_t *"), ffi.new("double[4]")
         faces = []
         for i in range(lib.quoin_model_get_face_count(self._handle)):
@@ -96,69 +110,84 @@ class Model:
         return faces
 
     @property
-    def pair_faces(self):
+    def pair_faces(self) -> numpy.typing.NDArray[numpy.int_]:
         """(pairs,): the face of every contact pair."""
         count = lib.quoin_model_get_pair_count(self._handle)
         return numpy.array([lib.quoin_model_get_pair_face(self._handle, i)
                             for i in range(count)], dtype=int)
 
-    def set(self, values=None, **by_name):
+    def check(self) -> dict[str, Value]:
+        """Blocks, faces, pairs, loads and findings, whether the model is sound: keys as in
+        data/check-format.md."""
+        return json.loads(_library.owned(lib.quoin_model_check(self._handle)))
+
+    def set(self, values: Values | None = None, **by_name: Value) -> Model:
         """The same model with other values: model.set({"laws[0].friction": 0.5})."""
         given, _kept = _overrides({**(values or {}), **by_name})
         return Model(_library.call(lib.quoin_model_with, self._handle, given))
 
-    def solve(self, progress=None):
-        """Runs the analysis that the project names. `progress` (multiplier, steps, iterations)
-        is called at every iteration, and cancels where it returns False. Other threads of
-        Python run meanwhile."""
-        return self._run(progress, lib.quoin_solve)
+    def solve(self, progress: ProgressFunc | None = None) -> Result:
+        """Runs the analysis that the project names. `progress` is called at every iteration with
+        a Progress, and cancels where it returns False. Other threads of Python run meanwhile."""
+        return Result(_library.watched(progress, lib.quoin_solve, self._handle))
 
-    def stability(self, progress=None):
+    def stability(self, progress: ProgressFunc | None = None) -> Result:
         """Where the path first loses its stability: `first_limit_multiplier`, and the buckling
         mode as `mechanism`. Needs nonlinear geometry."""
-        return self._run(progress, lib.quoin_stability)
+        return Result(_library.watched(progress, lib.quoin_stability, self._handle))
 
-    def limit(self, associative=True, progress=None):
+    def limit(self, associative: bool = True, progress: ProgressFunc | None = None) -> Result:
         """Limit analysis of rigid blocks."""
-        return self._run(progress, lib.quoin_limit, associative)
+        return Result(_library.watched(progress, lib.quoin_limit, self._handle, associative))
 
-    def _run(self, progress, function, *arguments):
-        handle = _library.Progress(progress).call(function, self._handle, *arguments)
-        return Result(handle)
-
-    def modal(self, count=6, loaded=False, progress=None):
+    def modal(self, count: int = 6, loaded: bool = False,
+              progress: ProgressFunc | None = None) -> Modes:
         """The lowest frequencies and modes, about dead load or the last equilibrium."""
-        handle = _library.Progress(progress).call(lib.quoin_modal, self._handle, count,
-                                                  loaded)
-        return Modes(handle)
+        return Modes(_library.watched(progress, lib.quoin_modal, self._handle, count, loaded))
 
-    def read_result(self, path):
-        """A result file of this model."""
-        name = os.fspath(path).encode()
-        return Result(_library.call(lib.quoin_result_read, self._handle, name))
+    def read_result(self, path: Path) -> Result:
+        """A result file of this model. Values that it was computed with, as of --set, are those of
+        the result's model. A ChangedWarning where the project was another one then."""
+        handle = _library.call(lib.quoin_result_read, self._handle, _library.encoded(path))
+        result = Result(handle)
+        result.warn_if_changed(os.fspath(path))
+        return result
 
-    def save(self, path):
+    def save(self, path: Path) -> None:
         """Writes a project file."""
-        _library.call(lib.quoin_model_save, self._handle, os.fspath(path).encode())
+        _library.call(lib.quoin_model_save, self._handle, _library.encoded(path))
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Value]:
         """The project file as a dictionary."""
-        pointer = ffi.gc(lib.quoin_model_to_text(self._handle), lib.quoin_free)
-        return json.loads(_library.text(pointer))
+        return json.loads(_library.owned(lib.quoin_model_to_text(self._handle)))
 
-    def __reduce__(self):
-        pointer = ffi.gc(lib.quoin_model_to_text(self._handle), lib.quoin_free)
-        return _parse, (_library.text(pointer),)
+    def __copy__(self) -> Model:
+        return self
 
-    def to_polygons(self):
+    def __deepcopy__(self, _memo: Value) -> Model:
+        return self
+
+    def __reduce__(self) -> tuple[Value, ...]:
+        """As it was read, with the place of its file."""
+        length = ffi.new("size_t *")
+        source = lib.quoin_model_get_source(self._handle, length)
+        overrides: list[str] = []
+        while override := _library.text(
+                lib.quoin_model_get_override(self._handle, len(overrides))):
+            overrides.append(override)
+        content = bytes(ffi.buffer(source, length[0]))
+        return _restore, (content, os.path.abspath(self.path), overrides, self.report)
+
+    def to_polygons(self) -> list[typing.Any]:
         """The blocks as polygons of shapely."""
         from shapely.geometry import Polygon
 
         return [Polygon(block.vertices) for block in self.blocks]
 
-    def to_compas(self):
+    def to_compas(self) -> dict[str, Value]:
         """The blocks as an assembly of COMPAS: a dictionary to be written as JSON. Every block
-        is a prism as deep as it is thick, seen along y, with z upwards."""
+        is a prism as deep as it is thick, seen along y, with z upwards. Its `density` is kg/m3."""
+        gravity = self.to_dict().get("gravity", 9.81)
         nodes = {}
         for number, block in enumerate(self.blocks):
             corners = [[x, y, z] for y in (0.0, block.thickness)
@@ -167,6 +196,9 @@ class Model:
             faces = [list(range(n)), list(range(2 * n - 1, n - 1, -1))]
             faces += [[i, n + i, n + (i + 1) % n, (i + 1) % n] for i in range(n)]
             mesh = {
+                "attributes": {
+                    "name": block.name,
+                    "density": block.weight / (block.area * block.thickness) / gravity},
                 "vertex": {str(i): dict(zip("xyz", c)) for i, c in enumerate(corners)},
                 "face": {str(i): face for i, face in enumerate(faces)},
             }
@@ -178,115 +210,161 @@ class Model:
         return {"dtype": "compas_assembly.datastructures/Assembly",
                 "data": {"graph": {"dtype": "compas.datastructures/Graph", "data": graph}}}
 
-    def draw(self, view="model", path=None, format=None, **options):
+    def draw(self, view: str = "model", path: Path | None = None, format: str | None = None,
+             **options: Value) -> bytes | None:
         """Draws into a file by its ending, or returns the bytes of a format ("svg")."""
-        return draw(self._handle, ffi.NULL, view, path, format, options)
+        return draw(self._handle, [], view, path, format, options)
 
-    def _repr_svg_(self):
-        return self.draw(format="svg", size="640x480").decode()
+    def _repr_svg_(self) -> str:
+        return (self.draw(format="svg", size="640x480") or b"").decode()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         blocks = lib.quoin_model_get_block_count(self._handle)
         faces = lib.quoin_model_get_face_count(self._handle)
         return f"<quoin.Model '{self.title}': {blocks} blocks, {faces} contact faces>"
 
 
-def open(path, values=None):  # pylint: disable=redefined-builtin
+def open(path: Path, values: Values | None = None) -> Model:
     """Reads a project file; `values` override keys: {"analysis.increments": 37}."""
-    given, _kept = _overrides(values or {})
-    return Model(_library.call(lib.quoin_model_open, os.fspath(path).encode(), given))
+    given, _kept = _overrides(values)
+    return Model(_library.call(lib.quoin_model_open, _library.encoded(path), given))
 
 
-def _parse(text, name="model", values=None):
-    content = text.encode()
-    given, _kept = _overrides(values or {})
+def _restore(content: bytes, path: str, overrides: list[str], report: list[str]) -> Model:
+    given, _kept = _library.strings(overrides)
+    return Model(_library.call(lib.quoin_model_parse, content, len(content), path.encode(),
+                               given), report)
+
+
+def from_dict(project: typing.Mapping[str, Value], name: str = "model",
+              values: Values | None = None) -> Model:
+    """A model of a project file as a dictionary. name: stands for the file in messages; files
+    that the project names lie beside it."""
+    content = json.dumps(project, default=_plain).encode()
+    given, _kept = _overrides(values)
     return Model(_library.call(lib.quoin_model_parse, content, len(content), name.encode(),
                                given))
 
 
-def from_dict(project, name="model", values=None):
-    """A model of a project file as a dictionary."""
-    return _parse(json.dumps(project, default=_plain), name, values)
+def read_drawing(path: Path, unit: float | str = 0.0, thickness: float = 1.0,
+                 unit_weight: float = 20000.0, friction: float = 0.65, *,
+                 tolerance: float = 0.0, layers: typing.Mapping[str, str] | None = None,
+                 close_joints: float | None = None,
+                 mortar_joints: float | None = None) -> Model:
+    """Reads a drawing (DXF, SVG, text of HybriDFEM) or a COMPAS assembly (JSON, OBJ). unit: m per
+    unit of the drawing, or "mm", "in" …; 0: as the file says. layers: {"VAULT*": "block"}, with
+    "block", "support", "opening" or "ignored". close_joints, mortar_joints: joints of mortar up to
+    this width, m (0: automatic), are closed, or filled with blocks of mortar. The model's `report`
+    says what was found, repaired and left out, that of an error what was by then."""
+    options = [f"thickness={thickness!r}", f"unit-weight={unit_weight!r}",
+               f"friction={friction!r}", f"tolerance={tolerance!r}"]
+    if unit:
+        options.append(f"unit={unit}")
+    for option, width in (("close-joints", close_joints), ("mortar-joints", mortar_joints)):
+        if width is not None:
+            options.append(f"{option}={width!r}")
+    options += [f"layer={name}={role}" for name, role in (layers or {}).items()]
+    given, _kept = _library.strings(options)
+    told = ffi.new("char **")
+    try:
+        handle = _library.call(lib.quoin_model_import_with, _library.encoded(path), given, told)
+    except _library.Error as error:
+        error.report = _library.owned(told[0]).splitlines()
+        raise
+    return Model(handle, _library.owned(told[0]).splitlines())
 
 
-def read_drawing(path, unit=0.0, thickness=1.0, unit_weight=20000.0, friction=0.65):
-    """Reads a drawing (DXF, SVG) or a COMPAS assembly (JSON). unit: m per unit of the drawing,
-    0: as the file says."""
-    return Model(_library.call(lib.quoin_model_import, os.fspath(path).encode(), unit,
-                               thickness, unit_weight, friction))
+def generate(kind: str, friction: float = 0.65, title: str | None = None,
+             **members: Value) -> Model:
+    """Parametric masonry with its defaults: "wall", "arch", "column", "buttress", "portal",
+    "rubble", "grid", "voronoi". members: of the object in the project file, as length=6,
+    unit=[0.4, 0.2], bond="english"."""
+    given, _kept = _library.strings(f"{key}={_value(value)}" for key, value in members.items())
+    model = Model(_library.call(lib.quoin_model_generate, kind.encode(), given, friction))
+    return model if title is None else model.set({"title": json.dumps(title)})
 
 
-def _project(title, friction, dilatancy, kn, live):
-    return {
-        "format": "quoin", "version": 1, "title": title,
-        "laws": [{"name": "joint", "kind": "coulomb", "basis": "contact", "kn": kn, "ks": kn,
-                  "friction": friction, "dilatancy": dilatancy}],
-        "contact": {"law": "joint"},
-        "loads": {"dead": [{"kind": "weight", "direction": [0, -1]}],
-                  "live": [{"kind": "weight", "direction": list(live)}]},
-    }
+def _begin(title: str, friction: float, dilatancy: float, kn: float | None,
+           live: typing.Sequence[float], geometry: str) -> dict[str, Value]:
+    """What a new drawing has, with these values."""
+    project = Model(_library.call(lib.quoin_model_new)).to_dict()
+    law = project["laws"][0]
+    law.update(friction=friction, dilatancy=dilatancy)
+    if kn is not None:
+        law.update(basis="contact", kn=kn, ks=kn)
+    project["title"] = title
+    project["loads"]["live"][0]["direction"] = list(live)
+    project["analysis"]["geometry"] = geometry
+    return project
 
 
-def wall(courses, unit=(0.4, 0.175), thickness=1.0, unit_weight=10000.0, friction=0.65,
-         dilatancy=0.0, kn=1e7, live=(1, 0), title="Wall"):
+def wall(courses: typing.Iterable[typing.Iterable[float]],
+         unit: tuple[float, float] = (0.4, 0.2), thickness: float = 1.0,
+         unit_weight: float = 20000.0, friction: float = 0.65, dilatancy: float = 0.0,
+         kn: float | None = None, live: typing.Sequence[float] = (1, 0),
+         title: str = "Wall", geometry: str = "nonlinear") -> Model:
     """A wall on a fixed base. courses: from the bottom, lengths in multiples of unit[0],
-    negative: an opening. unit: length and height of a full block, m. live: horizontal and
-    vertical load per weight."""
-    courses = [list(course) for course in courses]
-    if not courses or not all(courses):
+    negative: an opening. unit: length and height of a full block, m. kn: N/m of each contact pair;
+    None: joints as of new drawings. live: horizontal and vertical load per weight."""
+    rows = [list(course) for course in courses]
+    if not rows or not all(rows):
         raise ValueError("courses: a wall has one course or more, each of one block or more")
-    length = max(sum(abs(part) for part in course) for course in courses) * unit[0]
-    project = _project(title, friction, dilatancy, kn, live)
+    length = max(sum(abs(part) for part in row) for row in rows) * unit[0]
+    project = _begin(title, friction, dilatancy, kn, live, geometry)
     project["blocks"] = [{
         "name": "base", "thickness": thickness, "unit_weight": unit_weight,
         "vertices": [[0, -unit[1]], [length, -unit[1]], [length, 0], [0, 0]],
         "support": [True, True, True]}]
     project["walls"] = [{
         "name": "w", "origin": [0, 0], "unit": list(unit), "thickness": thickness,
-        "unit_weight": unit_weight, "courses": courses}]
+        "unit_weight": unit_weight, "courses": rows}]
     return from_dict(project, title)
 
 
-def _numbers(supports, count):
+def _numbers(supports: typing.Iterable[typing.Any], count: int) -> set[int]:
     """The numbers of blocks that a list of numbers or a mask means."""
-    supports = list(supports)
-    if supports and all(isinstance(entry, (bool, numpy.bool_)) for entry in supports):
-        if len(supports) != count:
-            raise ValueError(f"supports: a mask of {len(supports)} for {count} blocks")
-        return {number for number, fixed in enumerate(supports) if fixed}
-    for entry in supports:
+    entries = list(supports)
+    if entries and all(isinstance(entry, (bool, numpy.bool_)) for entry in entries):
+        if len(entries) != count:
+            raise ValueError(f"supports: a mask of {len(entries)} for {count} blocks")
+        return {number for number, fixed in enumerate(entries) if fixed}
+    for entry in entries:
         if isinstance(entry, (bool, numpy.bool_)) \
                 or not isinstance(entry, (int, numpy.integer)):
             raise TypeError("supports: expected numbers of blocks, or whether each is fixed")
         if not 0 <= entry < count:
             raise IndexError(f"supports: there is no block {entry} of {count}")
-    return {int(entry) for entry in supports}
+    return {int(entry) for entry in entries}
 
 
-def from_polygons(polygons, supports, thickness=1.0, unit_weight=20000.0, friction=0.65,
-                  dilatancy=0.0, kn=1e7, live=(1, 0), title="Blocks"):
+def _corners(polygon: typing.Any, number: int) -> Array:
+    """The corners of a polygon of shapely, or of an array, open."""
+    if hasattr(polygon, "exterior"):
+        if len(polygon.interiors) > 0:
+            raise ValueError(f"polygons[{number}]: a block has no holes")
+        polygon = polygon.exterior.coords
+    corners = numpy.asarray(polygon, dtype=float)
+    if corners.ndim != 2 or corners.shape[1] not in (2, 3):
+        raise ValueError(f"polygons[{number}]: expected corners (n, 2)")
+    closed = len(corners) > 3 and (corners[0] == corners[-1]).all()
+    return corners[:-1, :2] if closed else corners[:, :2]
+
+
+def from_polygons(polygons: typing.Iterable[typing.Any], supports: typing.Iterable[typing.Any],
+                  thickness: float = 1.0, unit_weight: float = 20000.0, friction: float = 0.65,
+                  dilatancy: float = 0.0, kn: float | None = None,
+                  live: typing.Sequence[float] = (1, 0), title: str = "Blocks",
+                  geometry: str = "linear") -> Model:
     """A model of polygons: of shapely, or arrays (n, 2) in m, closed or not. supports: numbers of
-    those that are fixed, or for each whether it is."""
+    those that are fixed, or for each whether it is. kn: as of `wall`. All else is as of new drawings
+    too, but for the geometry."""
     polygons = list(polygons)
     if not polygons:
         raise ValueError("polygons: there is none")
     fixed = _numbers(supports, len(polygons))
-    project = _project(title, friction, dilatancy, kn, live)
-    project["blocks"] = []
-    for number, polygon in enumerate(polygons):
-        if hasattr(polygon, "exterior"):
-            if len(polygon.interiors) > 0:
-                raise ValueError(f"polygons[{number}]: a block has no holes")
-            corners = numpy.asarray(polygon.exterior.coords)[:-1, :2]
-        else:
-            corners = numpy.asarray(polygon, dtype=float)
-            if corners.ndim != 2 or corners.shape[1] != 2:
-                raise ValueError(f"polygons[{number}]: expected corners (n, 2)")
-            if len(corners) > 3 and (corners[0] == corners[-1]).all():
-                corners = corners[:-1]
-        block = {"name": f"b{number}", "vertices": corners.tolist(), "thickness": thickness,
-                 "unit_weight": unit_weight}
-        if number in fixed:
-            block["support"] = [True, True, True]
-        project["blocks"].append(block)
+    project = _begin(title, friction, dilatancy, kn, live, geometry)
+    project["blocks"] = [
+        {"name": f"b{number}", "vertices": _corners(polygon, number).tolist(),
+         "thickness": thickness, "unit_weight": unit_weight, "support": [number in fixed] * 3}
+        for number, polygon in enumerate(polygons)]
     return from_dict(project, title)

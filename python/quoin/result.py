@@ -1,25 +1,33 @@
 """Results: paths of equilibria, mechanisms, modes, figures."""
 
+from __future__ import annotations
+
 import json
-import math
 import os
+import typing
+import warnings
 
 import numpy
 
 from . import _library
-from ._library import ffi, lib
+from ._library import Array, ChangedWarning, Path, Value, ffi, lib, number
+
+if typing.TYPE_CHECKING:
+    from .model import Model
 
 
-def draw(model, result, view, path, format, options):
+def draw(model: typing.Any, results: typing.Sequence[Result], view: str, path: Path | None,
+         format: str | None, options: typing.Mapping[str, Value]) -> bytes | None:
     """Draws into a file, or returns the bytes of a format."""
-    figure = ffi.gc(_library.call(lib.quoin_figure_new, model, result, view.encode()),
+    first = results[0]._handle if results else ffi.NULL
+    figure = ffi.gc(_library.call(lib.quoin_figure_new, model, first, view.encode()),
                     lib.quoin_figure_free)
     for name, value in options.items():
         if isinstance(value, bool):
             value = "on" if value else "off"
         _library.call(lib.quoin_figure_set, figure, name.encode(), str(value).encode())
     if path is not None:
-        _library.call(lib.quoin_figure_write, figure, os.fspath(path).encode())
+        _library.call(lib.quoin_figure_write, figure, _library.encoded(path))
         return None
     length = ffi.new("size_t *")
     content = _library.call(lib.quoin_figure_encode, figure, (format or "svg").encode(),
@@ -27,64 +35,76 @@ def draw(model, result, view, path, format, options):
     return bytes(ffi.buffer(ffi.gc(content, lib.quoin_free), length[0]))
 
 
-def _number(value):
-    return None if math.isnan(value) else value
-
-
 class Result:
     """What an analysis found. Arrays are read-only views of the library's memory; rows are
     blocks, then nodes of beams."""
 
-    def __init__(self, handle):
+    def __init__(self, handle: typing.Any) -> None:
         self._handle = ffi.gc(handle, lib.quoin_result_free)
 
     @property
-    def outcome(self):
+    def model(self) -> Model:
+        """The model that was solved, with the values of the analysis."""
+        from .model import Model
+
+        return Model(lib.quoin_model_ref(lib.quoin_result_get_model(self._handle)))
+
+    @property
+    def model_changed(self) -> bool:
+        """Whether it was read of a file whose project had other bytes or values: the same blocks
+        and contact pairs, but loads, laws or settings may differ."""
+        return lib.quoin_result_is_of_changed_model(self._handle)
+
+    def warn_if_changed(self, name: str) -> None:
+        """A ChangedWarning where it is so."""
+        if self.model_changed:
+            warnings.warn(f"{name}: the model has changed since it was computed",
+                          ChangedWarning, stacklevel=3)
+
+    @property
+    def outcome(self) -> str:
         """"collapse", "target-reached", "snap", "unbounded", "dead-load-unstable",
         "cancelled", "not-converged"."""
         return _library.text(lib.quoin_result_get_outcome(self._handle))
 
     @property
-    def reason(self):
+    def reason(self) -> str:
         """Sentences: the outcome, what made the analysis end there, and how the structure
         moves."""
-        pointer = ffi.gc(lib.quoin_result_describe(self._handle), lib.quoin_free)
-        return _library.text(pointer)
+        return _library.owned(lib.quoin_result_describe(self._handle))
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Value]:
         """All that a result file holds, with the forces of every step: contacts with points and
         normals, history and energies of an analysis in time, beams, bars, ties, the kind of the
         mechanism. Keys as in data/result-format.md."""
-        pointer = ffi.gc(lib.quoin_result_to_text(self._handle), lib.quoin_free)
-        return json.loads(_library.text(pointer))
+        return json.loads(_library.owned(lib.quoin_result_to_text(self._handle)))
 
-    def check(self):
-        """What of the result is not true, by the laws alone, as a list of sentences; and whether
-        it passes."""
+    def check(self) -> tuple[bool, list[str]]:
+        """Whether it passes the independent check, by the laws alone; and what of the result is not
+        true, as a list of sentences."""
         faults = ffi.new("char **")
         passes = _library.call(lib.quoin_result_check, self._handle, faults)
-        lines = _library.text(ffi.gc(faults[0], lib.quoin_free))
-        return passes, lines.splitlines()
+        return passes, _library.owned(faults[0]).splitlines()
 
     @property
-    def multiplier(self):
+    def multiplier(self) -> float | None:
         """The collapse multiplier, or None."""
-        return _number(lib.quoin_result_get_collapse_multiplier(self._handle))
+        return number(lib.quoin_result_get_collapse_multiplier(self._handle))
 
     @property
-    def first_limit_multiplier(self):
+    def first_limit_multiplier(self) -> float | None:
         """The multiplier of the first snap, or None."""
-        return _number(lib.quoin_result_get_first_limit_multiplier(self._handle))
+        return number(lib.quoin_result_get_first_limit_multiplier(self._handle))
 
     @property
-    def bounds(self):
+    def bounds(self) -> tuple[float, float] | None:
         """(lower, upper) of limit analysis, or None."""
         lower = lib.quoin_result_get_lower_bound(self._handle)
         upper = lib.quoin_result_get_upper_bound(self._handle)
-        return None if math.isnan(lower) else (lower, upper)
+        return None if numpy.isnan(lower) else (lower, upper)
 
     @property
-    def solutions(self):
+    def solutions(self) -> list[dict[str, Value]]:
         """Every collapse that was met and proved: dictionaries of "multiplier", "found_by"
         ("load", "displacement", "work", "arc-length" or "limit") and "displacement" (largest
         since the dead load, m; None of rigid blocks)."""
@@ -92,37 +112,37 @@ class Result:
         return [{
             "multiplier": lib.quoin_result_get_solution_multiplier(handle, i),
             "found_by": _library.text(lib.quoin_result_get_solution_found_by(handle, i)),
-            "displacement": _number(lib.quoin_result_get_solution_displacement(handle, i)),
+            "displacement": number(lib.quoin_result_get_solution_displacement(handle, i)),
         } for i in range(lib.quoin_result_get_solution_count(handle))]
 
     @property
-    def collapse_interval(self):
+    def collapse_interval(self) -> tuple[float | None, float | None]:
         """(least of the solutions, associative bound), which no equilibrium exceeds; None
         where one is not known."""
         ends = ffi.new("double[2]")
         lib.quoin_result_get_collapse_interval(self._handle, ends)
-        return _number(ends[0]), _number(ends[1])
+        return number(ends[0]), number(ends[1])
 
     @property
-    def beyond_linear(self):
+    def beyond_linear(self) -> bool:
         """Whether, in linear geometry, blocks moved farther than it holds for before the
         answer was settled."""
         return lib.quoin_result_is_beyond_linear(self._handle)
 
     @property
-    def beyond_linear_multiplier(self):
+    def beyond_linear_multiplier(self) -> float | None:
         """The multiplier at which they did, or None."""
-        return _number(lib.quoin_result_get_beyond_linear_multiplier(self._handle))
+        return number(lib.quoin_result_get_beyond_linear_multiplier(self._handle))
 
     @property
-    def events(self):
+    def events(self) -> list[dict[str, Value]]:
         """What happens as the load grows: dictionaries of "multiplier", "kind" ("local",
         "snap", "collapse"), "displacements" (largest before and after, m), "energy" set free
         (J) and "blocks" (numbers of those that move)."""
         return [self._event(i)
                 for i in range(lib.quoin_result_get_event_count(self._handle))]
 
-    def _event(self, i):
+    def _event(self, i: int) -> dict[str, Value]:
         handle, ends, count = self._handle, ffi.new("double[2]"), ffi.new("size_t *")
         lib.quoin_result_get_event_displacements(handle, i, ends)
         blocks = lib.quoin_result_get_event_blocks(handle, i, count)
@@ -135,45 +155,46 @@ class Result:
         }
 
     @property
-    def multipliers(self):
+    def multipliers(self) -> Array:
         """(steps,): of every equilibrium; the first is the dead load alone."""
         return _library.array(lib.quoin_result_get_multipliers(self._handle),
                               (self._steps,), self._handle)
 
     @property
-    def displacements(self):
+    def displacements(self) -> Array:
         """(steps, bodies, 3): ux, uy in m at the centroid, rz in rad."""
         return _library.array(lib.quoin_result_get_displacements(self._handle),
                               (self._steps, self._bodies, 3), self._handle)
 
     @property
-    def mechanism(self):
+    def mechanism(self) -> Array | None:
         """(bodies, 3): velocities, the largest displacement 1; None where there is none."""
-        return _library.array(lib.quoin_result_get_mechanism(self._handle),
-                              (self._bodies, 3), self._handle)
+        pointer = lib.quoin_result_get_mechanism(self._handle)
+        return None if pointer == ffi.NULL \
+            else _library.array(pointer, (self._bodies, 3), self._handle)
 
     @property
-    def forces(self):
+    def forces(self) -> Array:
         """(pairs, 2): normal (<= 0 in compression) and shear force at the last equilibrium, N."""
         count = lib.quoin_result_get_pair_count(self._handle)
         return _library.array(lib.quoin_result_get_forces(self._handle), (count, 2),
                               self._handle)
 
     @property
-    def states(self):
+    def states(self) -> list[str]:
         """States of the contact pairs: "stick", "slip", "open", "yield"."""
         count = lib.quoin_result_get_pair_count(self._handle)
         return [_library.text(lib.quoin_result_get_pair_state(self._handle, i))
                 for i in range(count)]
 
     @property
-    def ties(self):
+    def ties(self) -> list[list[dict[str, Value] | None]]:
         """Of every step, for every tie: {"force": N, "elongation": m, "state": ...}; None of a step
         that does not tell them."""
         count = lib.quoin_result_get_tie_count(self._handle)
         return [[self._tie(step, i) for i in range(count)] for step in range(self._steps)]
 
-    def _tie(self, step, i):
+    def _tie(self, step: int, i: int) -> dict[str, Value] | None:
         numbers = ffi.new("double[2]")
         if not lib.quoin_result_get_tie(self._handle, step, i, numbers, numbers + 1):
             return None
@@ -181,27 +202,27 @@ class Result:
         return {"force": numbers[0], "elongation": numbers[1], "state": state}
 
     @property
-    def iterations(self):
+    def iterations(self) -> int:
         return lib.quoin_result_get_iterations(self._handle)
 
     @property
-    def factorizations(self):
+    def factorizations(self) -> int:
         return lib.quoin_result_get_factorizations(self._handle)
 
     @property
-    def _steps(self):
+    def _steps(self) -> int:
         return lib.quoin_result_get_step_count(self._handle)
 
     @property
-    def _bodies(self):
+    def _bodies(self) -> int:
         return lib.quoin_result_get_body_count(self._handle)
 
-    def _names(self):
+    def _names(self) -> list[str]:
         model = lib.quoin_result_get_model(self._handle)
         return [_library.text(lib.quoin_model_get_block_name(model, i))
                 for i in range(lib.quoin_model_get_block_count(model))]
 
-    def to_dataframe(self):
+    def to_dataframe(self) -> typing.Any:
         """A row for every step and block: step, multiplier, block, ux, uy (m), rz (rad)."""
         import pandas
 
@@ -215,7 +236,8 @@ class Result:
             "ux": moved[:, 0], "uy": moved[:, 1], "rz": moved[:, 2],
         })
 
-    def plot(self, axes=None, block=None, component="ux"):
+    def plot(self, axes: typing.Any = None, block: str | None = None,
+             component: str = "ux") -> typing.Any:
         """The multiplier over a displacement: of a block (name), or the largest of all.
         Returns the axes of matplotlib."""
         import matplotlib.pyplot
@@ -233,28 +255,48 @@ class Result:
         axes.set_ylabel("load multiplier")
         return axes
 
-    def save(self, path):
+    def save(self, path: Path) -> None:
         """Writes a result file."""
-        _library.call(lib.quoin_result_write, self._handle, os.fspath(path).encode())
+        _library.call(lib.quoin_result_write, self._handle, _library.encoded(path))
 
-    def draw(self, view="mechanism", path=None, format=None, **options):
+    def draw(self, view: str = "mechanism", path: Path | None = None,
+             format: str | None = None, **options: Value) -> bytes | None:
         """Draws into a file by its ending, or returns the bytes of a format ("svg")."""
         model = lib.quoin_result_get_model(self._handle)
-        return draw(model, self._handle, view, path, format, options)
+        return draw(model, [self], view, path, format, options)
 
-    def _repr_svg_(self):
+    def __reduce__(self) -> tuple[Value, ...]:
+        """As its file would be, with the model."""
+        return _restore, (self.model, _library.owned(lib.quoin_result_to_text(self._handle)))
+
+    def __copy__(self) -> Result:
+        return self
+
+    def __deepcopy__(self, _memo: Value) -> Result:
+        return self
+
+    def _repr_svg_(self) -> str:
         view = "mechanism" if self.mechanism is not None else "deformed"
-        return self.draw(view, format="svg", size="640x480").decode()
+        return (self.draw(view, format="svg", size="640x480") or b"").decode()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<quoin.Result {self.outcome}: multiplier {self.multiplier}>"
+
+
+def _restore(model: Model, content: str) -> Result:
+    data = content.encode()
+    return Result(_library.call(lib.quoin_result_parse, model._handle, data, len(data),
+                                b"result"))
 
 
 class Modes:
     """Small vibrations: `omega` (n,) in rad/s and `shapes` (n, bodies, 3), largest
     displacement 1 m."""
 
-    def __init__(self, handle):
+    omega: Array
+    shapes: Array
+
+    def __init__(self, handle: typing.Any) -> None:
         handle = ffi.gc(handle, lib.quoin_modes_free)
         count = lib.quoin_modes_get_count(handle)
         bodies = lib.quoin_modes_get_body_count(handle)

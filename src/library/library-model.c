@@ -1,5 +1,7 @@
+#include "io/exchange/check-json.h"
 #include "io/exchange/drawing-import.h"
 #include "io/exchange/record.h"
+#include "io/project/project-generate.h"
 #include "library/library-private.h"
 
 #include <math.h>
@@ -15,10 +17,17 @@ free_model (QuoinModel *model)
   g_free (model);
 }
 
-QuoinModel *
-quoin_library_model_take (QnProject *project, QuoinError **error)
+/* A model of a project that was read, which it takes over, or else the error of that. The files that a
+ * project names lie beside it. */
+static QuoinModel *
+take (QnProject *project, gboolean read, const char *name, GError *cause,
+      QuoinError **error)
 {
   QnDiag diag = { 0 };
+  if (!read) {
+    quoin_library_take_error (error, name, cause);
+    return NULL;
+  }
   QuoinModel *model = g_new0 (QuoinModel, 1);
   g_atomic_ref_count_init (&model->references);
   model->project = *project;
@@ -28,15 +37,17 @@ quoin_library_model_take (QnProject *project, QuoinError **error)
     free_model (model);
     return NULL;
   }
+  project = &model->project;
+  if (project->path == NULL)
+    project->path = g_strdup (name);
   if (project->model.analysis.procedure == QN_PROCEDURE_DYNAMIC
-      && !qn_project_read_records (&model->project, NULL, FALSE, &model->unread))
+      && !qn_project_read_records (project, NULL, FALSE, &model->unread))
     g_ptr_array_add (model->warnings, g_strdup (model->unread->message));
-  for (guint i = 0; i < model->project.warnings->len; i++)
+  for (guint i = 0; i < project->warnings->len; i++)
     g_ptr_array_add (model->warnings,
-                     g_strdup (g_ptr_array_index (model->project.warnings, i)));
+                     g_strdup (g_ptr_array_index (project->warnings, i)));
   g_ptr_array_extend_and_steal (
-    model->warnings,
-    qn_project_dup_finding_texts (&model->project, &model->contacts.findings));
+    model->warnings, qn_project_dup_finding_texts (project, &model->contacts.findings));
   return model;
 }
 
@@ -47,11 +58,8 @@ quoin_model_open (const char *path, const char *const *overrides, QuoinError **e
     return NULL;
   QnProject project;
   GError *cause = NULL;
-  if (!qn_project_load (path, overrides, &project, &cause)) {
-    quoin_library_take_error (error, path, cause);
-    return NULL;
-  }
-  return quoin_library_model_take (&project, error);
+  gboolean read = qn_project_load (path, overrides, &project, &cause);
+  return take (&project, read, path, cause, error);
 }
 
 QuoinModel *
@@ -63,31 +71,36 @@ quoin_model_parse (const char *text, size_t length, const char *name,
     return NULL;
   QnProject project;
   GError *cause = NULL;
-  if (!qn_project_parse (text, length, name, overrides, &project, &cause)) {
-    quoin_library_take_error (error, name, cause);
-    return NULL;
-  }
-  return quoin_library_model_take (&project, error);
+  gboolean read = qn_project_parse (text, length, name, overrides, &project, &cause);
+  return take (&project, read, name, cause, error);
 }
 
 QuoinModel *
-quoin_model_import (const char *path, double unit, double thickness, double unit_weight,
-                    double friction, QuoinError **error)
+quoin_library_model_take_made (QnProject *project, const char *name, QuoinError **error)
 {
-  if (!quoin_library_given (path, "path", error))
-    return NULL;
+  gsize length;
+  g_autofree char *text = qn_project_to_text (project, &length);
+  qn_project_clear (project);
+  return quoin_model_parse (text, length, name, NULL, error);
+}
+
+static QuoinModel *
+import (const char *path, const QnImportSettings *settings, char **told,
+        QuoinError **error)
+{
   QnProject project;
   QnImportReport report;
   GError *cause = NULL;
-  QnImportSettings settings = {
-    .unit = unit, .thickness = thickness, .unit_weight = unit_weight, .friction = friction
-  };
-  if (!qn_import_file (path, &settings, &project, &report, &cause)) {
-    quoin_library_take_error (error, path, cause);
-    qn_import_report_clear (&report);
-    return NULL;
+  QuoinModel *model = NULL;
+  gboolean done = qn_import_file (path, settings, &project, &report, &cause);
+  if (told != NULL && report.lines != NULL) {
+    g_ptr_array_add (report.lines, NULL);
+    *told = g_strjoinv ("\n", (char **) report.lines->pdata);
   }
-  QuoinModel *model = quoin_library_model_take (&project, error);
+  if (done)
+    model = quoin_library_model_take_made (&project, path, error);
+  else
+    quoin_library_take_error (error, path, cause);
   for (guint i = 0; model != NULL && i < report.warnings->len; i++)
     g_ptr_array_insert (model->warnings, (gint) i,
                         g_strdup (g_ptr_array_index (report.warnings, i)));
@@ -96,14 +109,122 @@ quoin_model_import (const char *path, double unit, double thickness, double unit
 }
 
 QuoinModel *
+quoin_model_import (const char *path, double unit, double thickness, double unit_weight,
+                    double friction, QuoinError **error)
+{
+  if (!quoin_library_given (path, "path", error))
+    return NULL;
+  return import (path,
+                 &(QnImportSettings){ .unit = unit,
+                                      .thickness = thickness,
+                                      .unit_weight = unit_weight,
+                                      .friction = friction },
+                 NULL, error);
+}
+
+QuoinModel *
+quoin_model_import_with (const char *path, const char *const *options, char **report,
+                         QuoinError **error)
+{
+  QnImportSettings settings = QN_IMPORT_DEFAULTS;
+  g_autoptr (GPtrArray) layers = g_ptr_array_new ();
+  GError *cause = NULL;
+  if (report != NULL)
+    *report = NULL;
+  if (!quoin_library_given (path, "path", error))
+    return NULL;
+  for (; options != NULL && *options != NULL; options++) {
+    const char *value = strchr (*options, '=');
+    g_autofree char *name =
+      value != NULL ? g_strndup (*options, (gsize) (value - *options)) : NULL;
+    if (value != NULL && strcmp (name, "layer") == 0) {
+      g_ptr_array_add (layers, (gpointer) (value + 1));
+    } else if (value == NULL
+               || !qn_import_settings_set (&settings, name, value + 1, &cause)) {
+      if (value != NULL)
+        quoin_library_take_error (error, NULL, cause);
+      else
+        quoin_library_set_error (error, QUOIN_ERROR_USAGE,
+                                 "expected OPTION=VALUE, not \"%s\"", *options);
+      return NULL;
+    }
+  }
+  g_ptr_array_add (layers, NULL);
+  settings.layers = (char **) layers->pdata;
+  return import (path, &settings, report, error);
+}
+
+QuoinModel *
+quoin_model_new (QuoinError **error)
+{
+  QnProject project;
+  GError *cause = NULL;
+  if (qn_project_begin (&project, "dry joint", &cause))
+    return quoin_library_model_take_made (&project, "model", error);
+  quoin_library_take_error (error, NULL, cause);
+  return NULL;
+}
+
+QuoinModel *
+quoin_model_generate (const char *kind, const char *const *keys, double friction,
+                      QuoinError **error)
+{
+  static const char *const none[] = { NULL };
+  QnProject project;
+  GError *cause = NULL;
+  if (!quoin_library_given (kind, "kind", error))
+    return NULL;
+  if (qn_project_generate (kind, keys != NULL ? keys : none, friction, &project, &cause))
+    return quoin_library_model_take_made (&project, kind, error);
+  quoin_library_take_error (error, kind, cause);
+  return NULL;
+}
+
+char *
+quoin_model_check (const QuoinModel *model)
+{
+  if (model == NULL)
+    return NULL;
+  gsize length;
+  const QnProject *project = &model->project;
+  QnCheckReport report = {
+    .project = project,
+    .contacts = &model->contacts,
+    .sound =
+      model->unread == NULL
+      && qn_contacts_require_sound (&project->model, &model->contacts, NULL) == QN_OK,
+  };
+  return qn_check_report_dup_json (&report, &length);
+}
+
+static void
+append_all (GPtrArray *list, const char *const *texts)
+{
+  for (; texts != NULL && *texts != NULL; texts++)
+    g_ptr_array_add (list, (gpointer) *texts);
+}
+
+QuoinModel *
+quoin_library_model_with (const QuoinModel *model, const char *const *before,
+                          const char *const *after, QuoinError **error)
+{
+  const QnProject *project = &model->project;
+  g_autoptr (GPtrArray) all = g_ptr_array_new ();
+  append_all (all, before);
+  append_all (all, (const char *const *) project->overrides);
+  append_all (all, after);
+  g_ptr_array_add (all, NULL);
+  return quoin_model_parse (project->text, project->text_length, project->path,
+                            (const char *const *) all->pdata, error);
+}
+
+QuoinModel *
 quoin_model_with (const QuoinModel *model, const char *const *overrides,
                   QuoinError **error)
 {
   if (!quoin_library_given (model, "model", error))
     return NULL;
-  gsize length;
-  g_autofree char *text = qn_project_to_text (&model->project, &length);
-  return quoin_model_parse (text, length, model->project.name, overrides, error);
+  return quoin_library_model_with (model, NULL, overrides, error);
 }
 
 QuoinModel *
@@ -150,6 +271,27 @@ quoin_model_get_title (const QuoinModel *model)
     return NULL;
   const char *title = model->project.model.title;
   return title != NULL ? title : "";
+}
+
+const char *
+quoin_model_get_path (const QuoinModel *model)
+{
+  return model != NULL ? model->project.path : NULL;
+}
+
+const char *
+quoin_model_get_source (const QuoinModel *model, size_t *length)
+{
+  if (length != NULL)
+    *length = model != NULL ? model->project.text_length : 0;
+  return model != NULL ? model->project.text : NULL;
+}
+
+const char *
+quoin_model_get_override (const QuoinModel *model, size_t index)
+{
+  char **overrides = model != NULL ? model->project.overrides : NULL;
+  return overrides != NULL && index < g_strv_length (overrides) ? overrides[index] : NULL;
 }
 
 size_t

@@ -21,6 +21,7 @@ struct QuoinResult {
   QnResult result;
   double *multipliers; /* steps */
   double *forces;      /* pairs x 2, last step */
+  bool changed;        /* read of a file whose project had other bytes */
 };
 
 QuoinResult *quoin_library_result_ref (QuoinResult *result);
@@ -36,7 +37,13 @@ void quoin_library_take_diag (QuoinError **error, const QnProject *project,
 void quoin_library_set_error (QuoinError **error, QuoinErrorKind kind, const char *format,
                               ...) G_GNUC_PRINTF (3, 4);
 
-/* A model of a project that was read or made, which it takes over; NULL with an error. */
-QuoinModel *quoin_library_model_take (QnProject *project, QuoinError **error);
+/* A model of a project that was made, which it clears: it is written and read, so that a model is always
+ * what its text and overrides say. NULL with an error. */
+QuoinModel *quoin_library_model_take_made (QnProject *project, const char *name,
+                                           QuoinError **error);
+
+/* The model of the same text with more overrides, before and after its own; both nullable. */
+QuoinModel *quoin_library_model_with (const QuoinModel *model, const char *const *before,
+                                      const char *const *after, QuoinError **error);
 
 #endif

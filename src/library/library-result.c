@@ -16,19 +16,77 @@ struct QuoinModes {
 
 /* --- Running ----------------------------------------------------------------------------- */
 
-/* The caller's callback as the core's. */
+/* The caller's callback as the core's, and what it has been told last. */
 typedef struct Caller {
   QuoinProgressFunc func;
   void *data;
+  const QnModel *model;
+  const char *all; /* what the whole analysis is of; NULL: its parts are told */
+  int calls;
+  double done, reached; /* 0 to 1; multiplier, or s */
+  int32_t steps;
+  const char *what;
 } Caller;
 
+/* That of the callback which runs in this thread. */
+static _Thread_local const Caller *calling;
+
+double
+quoin_progress_get_done (void)
+{
+  return calling != NULL ? calling->done : (double) NAN;
+}
+
+const char *
+quoin_progress_get_what (void)
+{
+  return calling != NULL ? calling->what : NULL;
+}
+
+static bool
+tell (Caller *caller, double done, int32_t iterations)
+{
+  const Caller *outer = calling;
+  caller->done = fmax (caller->done, done);
+  calling = caller;
+  bool goes_on = caller->func (caller->reached, caller->steps, iterations, caller->data);
+  calling = outer;
+  return goes_on;
+}
+
+/* The end of an analysis in time is known; of others the share grows with every call, ever more slowly.
+ * The bound of a path leaves the multiplier that the path has reached. */
 static bool
 report (const QnProgress *progress, void *data)
 {
-  const Caller *caller = data;
-  return caller->func == NULL
-         || caller->func (progress->end > 0 ? progress->time : progress->multiplier,
-                          progress->steps, progress->iterations, caller->data);
+  enum { HALF_WAY = 100 };
+  Caller *caller = data;
+  bool in_time = caller->model->analysis.procedure == QN_PROCEDURE_DYNAMIC;
+  double calls = caller->calls++;
+  if (caller->func == NULL)
+    return true;
+  caller->what = caller->all != NULL ? caller->all
+                 : in_time           ? "time"
+                 : progress->rigid   ? "limit analysis"
+                                     : "path";
+  if (!progress->rigid) {
+    caller->reached = in_time ? progress->time : progress->multiplier;
+    caller->steps = progress->steps;
+  }
+  return tell (caller,
+               !in_time            ? calls / (calls + HALF_WAY)
+               : progress->end > 0 ? fmin (progress->time / progress->end, 1)
+                                   : 0,
+               progress->iterations);
+}
+
+/* The last call, once the analysis has come to its end. */
+static void
+report_end (Caller *caller, const QnResult *result)
+{
+  if (caller->func != NULL && caller->calls > 0
+      && result->outcome != QN_OUTCOME_CANCELLED)
+    tell (caller, 1, result->statistics.iterations);
 }
 
 /* A result that takes over what the core has filled. */
@@ -60,9 +118,12 @@ run (Analysis analysis, QuoinModel *model, QuoinProgressFunc progress, void *dat
 {
   QnDiag diag = { 0 };
   QnResult result;
-  Caller caller = { progress, data };
   if (!quoin_library_given (model, "model", error))
     return NULL;
+  Caller caller = { .func = progress,
+                    .data = data,
+                    .model = &model->project.model,
+                    .all = analysis == qn_stability_run ? "stability" : NULL };
   if (model->unread != NULL) {
     quoin_library_take_error (error, model->project.name, g_error_copy (model->unread));
     return NULL;
@@ -74,6 +135,7 @@ run (Analysis analysis, QuoinModel *model, QuoinProgressFunc progress, void *dat
     quoin_library_take_diag (error, &model->project, &diag);
     return NULL;
   }
+  report_end (&caller, &result);
   return make_result (model, &result);
 }
 
@@ -125,7 +187,9 @@ quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc pro
   QnDiag diag = { 0 };
   QnResult result;
   QuoinModes *modes = g_new0 (QuoinModes, 1);
-  Caller caller = { progress, data };
+  Caller caller = {
+    .func = progress, .data = data, .model = &model->project.model, .all = "modes"
+  };
   if (qn_modal_run (&model->project.model, &model->contacts,
                     loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, count, report, &caller,
                     &modes->modes, &result, &diag)
@@ -135,6 +199,7 @@ quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc pro
     return NULL;
   }
   bool found = modes->modes.count > 0 || result.outcome == QN_OUTCOME_CANCELLED;
+  report_end (&caller, &result);
   qn_result_clear (&result);
   if (found)
     return modes;
@@ -189,6 +254,48 @@ quoin_modes_get_body_count (const QuoinModes *modes)
 
 /* --- Files ------------------------------------------------------------------------------- */
 
+/* Lists of strings; NULL is an empty one. */
+static bool
+equal_lists (char **a, char **b)
+{
+  static const char *const none[] = { NULL };
+  return g_strv_equal (a != NULL ? (const char *const *) a : none,
+                       b != NULL ? (const char *const *) b : none);
+}
+
+/* Takes the result over from a file that was read. Overrides of its analysis that the model has not are
+ * its model's, as of the command line. */
+static QuoinResult *
+take_file (QuoinModel *model, QnResultFile *file, gboolean read, const char *name,
+           GError *cause, QuoinError **error)
+{
+  gboolean same = FALSE;
+  QuoinModel *own = NULL;
+  QuoinResult *result = NULL;
+  if (!read) {
+    quoin_library_take_error (error, name, cause);
+    return NULL;
+  }
+  if (equal_lists (file->overrides, model->project.overrides))
+    own = quoin_model_ref (model);
+  else
+    own = quoin_library_model_with (model, (const char *const *) file->overrides, NULL,
+                                    error);
+  if (own == NULL) {
+    qn_result_file_clear (file);
+    return NULL;
+  }
+  if (qn_result_file_match (file, name, &own->project, &own->contacts, &same, &cause)) {
+    result = make_result (own, &file->result);
+    result->changed = !same || !equal_lists (file->overrides, own->project.overrides);
+    file->result = (QnResult){ 0 };
+  } else
+    quoin_library_take_error (error, name, cause);
+  quoin_model_unref (own);
+  qn_result_file_clear (file);
+  return result;
+}
+
 QuoinResult *
 quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
 {
@@ -197,20 +304,28 @@ quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
     return NULL;
   QnResultFile file;
   GError *cause = NULL;
-  gboolean same;
-  if (!qn_result_file_read (path, &file, &cause)) {
-    quoin_library_take_error (error, path, cause);
+  gboolean read = qn_result_file_read (path, &file, &cause);
+  return take_file (model, &file, read, path, cause, error);
+}
+
+QuoinResult *
+quoin_result_parse (QuoinModel *model, const char *text, size_t length, const char *name,
+                    QuoinError **error)
+{
+  if (!quoin_library_given (model, "model", error)
+      || !quoin_library_given (text, "text", error)
+      || !quoin_library_given (name, "name", error))
     return NULL;
-  }
-  QuoinResult *result = NULL;
-  if (qn_result_file_match (&file, path, &model->project, &model->contacts, &same,
-                            &cause)) {
-    result = make_result (model, &file.result);
-    file.result = (QnResult){ 0 };
-  } else
-    quoin_library_take_error (error, path, cause);
-  qn_result_file_clear (&file);
-  return result;
+  QnResultFile file;
+  GError *cause = NULL;
+  gboolean read = qn_result_file_parse (text, length, name, &file, &cause);
+  return take_file (model, &file, read, name, cause, error);
+}
+
+bool
+quoin_result_is_of_changed_model (const QuoinResult *result)
+{
+  return result != NULL && result->changed;
 }
 
 bool

@@ -78,7 +78,8 @@ void quoin_free (void *memory);
 QuoinModel *quoin_model_open (const char *path, const char *const *overrides,
                               QuoinError **error);
 
-/* The same from memory; `name` stands for the file in messages. */
+/* The same from memory; `name` stands for the file in messages, and files that the project names lie
+ * beside it. */
 QuoinModel *quoin_model_parse (const char *text, size_t length, const char *name,
                                const char *const *overrides, QuoinError **error);
 
@@ -86,6 +87,23 @@ QuoinModel *quoin_model_parse (const char *text, size_t length, const char *name
  * as the file says; thickness m; unit_weight N/m3; friction: a tangent. */
 QuoinModel *quoin_model_import (const char *path, double unit, double thickness,
                                 double unit_weight, double friction, QuoinError **error);
+
+/* The same with the options of the command line, "unit=mm", "tolerance=0.002", "layer=VAULT=block",
+ * "close-joints=0.03", "mortar-joints=0", "thickness=0.3", "unit-weight=20000", "friction=0.65"; NULL-terminated,
+ * or NULL. *report (nullable): a line for each thing that was found, repaired or left out, on failure too;
+ * NULL where the file could not be read; to be freed with quoin_free(). */
+QuoinModel *quoin_model_import_with (const char *path, const char *const *options,
+                                     char **report, QuoinError **error);
+
+/* What every new drawing begins with: dry-jointed stone, weights as dead load and sideways as live load,
+ * large displacements. It has no blocks; quoin_model_to_text() is a text to put some into. */
+QuoinModel *quoin_model_new (QuoinError **error);
+
+/* Parametric masonry: "wall", "arch", "column", "buttress", "portal", "rubble", "grid", "voronoi". keys:
+ * "length=6", "unit=0.4x0.2", "bond=english", members of the object in the project file, NULL-terminated or
+ * NULL; what is not given has a default, as on the command line. friction: of dry joints, a tangent. */
+QuoinModel *quoin_model_generate (const char *kind, const char *const *keys,
+                                  double friction, QuoinError **error);
 
 /* The same model with other values. */
 QuoinModel *quoin_model_with (const QuoinModel *model, const char *const *overrides,
@@ -102,9 +120,19 @@ char *quoin_model_to_text (const QuoinModel *model);
 
 const char *quoin_model_get_title (const QuoinModel *model); /* "" where there is none */
 
+/* What it was read from: name of the file, its bytes, and overrides one after the other, NULL behind the
+ * last. quoin_model_parse() makes the same model of these. */
+const char *quoin_model_get_path (const QuoinModel *model);
+const char *quoin_model_get_source (const QuoinModel *model, size_t *length);
+const char *quoin_model_get_override (const QuoinModel *model, size_t index);
+
 /* What reading and detection found to be looked at: unknown keys, gaps, loose blocks. */
 size_t quoin_model_get_warning_count (const QuoinModel *model);
 const char *quoin_model_get_warning (const QuoinModel *model, size_t index);
+
+/* Blocks, faces, pairs, loads, and what is wrong: JSON, keys as in data/check-format.md; to be freed with
+ * quoin_free(). */
+char *quoin_model_check (const QuoinModel *model);
 
 size_t quoin_model_get_block_count (const QuoinModel *model);
 const char *quoin_model_get_block_name (const QuoinModel *model, size_t block);
@@ -167,6 +195,13 @@ QuoinModel *quoin_builder_finish (const QuoinBuilder *builder, QuoinError **erro
 typedef bool (*QuoinProgressFunc) (double multiplier, int32_t steps, int32_t iterations,
                                    void *data);
 
+/* Within such a callback, whichever analysis runs: how much of it is done, from 0 to 1, never less than
+ * before; 1 is told once, at its end, unless it was cancelled. And of what: "path", "time", "limit analysis",
+ * which also finds the bound of a path, "stability", "modes", "capacity". The share is exact of analyses in
+ * time, and grows ever more slowly where an end is not known. Elsewhere not-a-number and NULL. */
+double quoin_progress_get_done (void);
+const char *quoin_progress_get_what (void);
+
 /* The analysis that the model's settings name. Collapse, no convergence or cancelling are
  * outcomes of the result, not errors. `progress` may be NULL. */
 QuoinResult *quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
@@ -195,8 +230,17 @@ size_t quoin_modes_get_body_count (const QuoinModes *modes);
 
 /* --- Results ----------------------------------------------------------------------------- */
 
-/* Reads a result file of this model. */
+/* Reads a result file of this model. Overrides that it was computed with, as of --set, are those of the
+ * result's model then. */
 QuoinResult *quoin_result_read (QuoinModel *model, const char *path, QuoinError **error);
+
+/* The same from memory; `name` stands for the file in messages. */
+QuoinResult *quoin_result_parse (QuoinModel *model, const char *text, size_t length,
+                                 const char *name, QuoinError **error);
+
+/* Whether the project's bytes or the overrides were others when a result that was read was computed:
+ * the same blocks and contact pairs, but loads, laws or settings may differ. */
+bool quoin_result_is_of_changed_model (const QuoinResult *result);
 
 /* Writes a result file, whole or not at all. */
 bool quoin_result_write (const QuoinResult *result, const char *path, QuoinError **error);

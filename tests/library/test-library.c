@@ -480,6 +480,8 @@ is_first (void)
   X (free, (quoin_free (NULL), true)) \
   X (limit, REFUSED (quoin_limit (NULL, true, NULL, NULL, &error))) \
   X (modal, REFUSED (quoin_modal (NULL, 1, false, NULL, NULL, &error))) \
+  X (model_check, quoin_model_check (NULL) == NULL) \
+  X (model_generate, REFUSED (quoin_model_generate (NULL, NULL, 0.5, &error))) \
   X (model_get_block_area, isnan (quoin_model_get_block_area (NULL, 0)) && isnan (quoin_model_get_block_area (o->model, o->far))) \
   X (model_get_block_centroid, quoin_model_get_block_centroid (NULL, 0) == NULL && quoin_model_get_block_centroid (o->model, o->far) == NULL) \
   X (model_get_block_count, quoin_model_get_block_count (NULL) == 0) \
@@ -490,13 +492,18 @@ is_first (void)
   X (model_get_face_blocks, (quoin_model_get_face_blocks (NULL, 0, NULL, NULL), quoin_model_get_face_blocks (o->model, o->far, NULL, NULL), quoin_model_get_face_blocks (o->model, 0, NULL, NULL), true)) \
   X (model_get_face_count, quoin_model_get_face_count (NULL) == 0) \
   X (model_get_face_ends, (quoin_model_get_face_ends (NULL, 0, NULL), quoin_model_get_face_ends (o->model, o->far, NULL), true)) \
+  X (model_get_override, quoin_model_get_override (NULL, 0) == NULL && quoin_model_get_override (o->model, o->far) == NULL) \
   X (model_get_pair_count, quoin_model_get_pair_count (NULL) == 0) \
   X (model_get_pair_face, quoin_model_get_pair_face (NULL, 0) == SIZE_MAX && quoin_model_get_pair_face (o->model, o->far) == SIZE_MAX) \
+  X (model_get_path, quoin_model_get_path (NULL) == NULL) \
+  X (model_get_source, quoin_model_get_source (NULL, &o->count) == NULL && o->count == 0 && quoin_model_get_source (o->model, NULL) != NULL) \
   X (model_get_title, quoin_model_get_title (NULL) == NULL) \
   X (model_get_warning, quoin_model_get_warning (NULL, 0) == NULL && quoin_model_get_warning (o->model, o->far) == NULL) \
   X (model_get_warning_count, quoin_model_get_warning_count (NULL) == 0) \
   X (model_import, REFUSED (quoin_model_import (NULL, 0, 1, 1, 1, &error))) \
+  X (model_import_with, REFUSED (quoin_model_import_with (NULL, NULL, NULL, &error))) \
   X (model_is_block_fixed, !quoin_model_is_block_fixed (NULL, 0, 0) && !quoin_model_is_block_fixed (o->model, o->far, 0) && !quoin_model_is_block_fixed (o->model, 0, 3) && !quoin_model_is_block_fixed (o->model, 0, -1)) \
+  X (model_new, (quoin_model_unref (quoin_model_new (NULL)), true)) \
   X (model_open, REFUSED (quoin_model_open (NULL, NULL, &error))) \
   X (model_parse, REFUSED (quoin_model_parse (NULL, 1, "m", NULL, &error)) && REFUSED (quoin_model_parse ("{}", 2, NULL, NULL, &error))) \
   X (model_ref, quoin_model_ref (NULL) == NULL) \
@@ -509,6 +516,8 @@ is_first (void)
   X (modes_get_count, quoin_modes_get_count (NULL) == 0) \
   X (modes_get_omega, quoin_modes_get_omega (NULL) == NULL) \
   X (modes_get_shapes, quoin_modes_get_shapes (NULL) == NULL) \
+  X (progress_get_done, isnan (quoin_progress_get_done ())) \
+  X (progress_get_what, quoin_progress_get_what () == NULL) \
   X (result_check, REFUSED (quoin_result_check (NULL, NULL, &error))) \
   X (result_describe, quoin_result_describe (NULL) == NULL) \
   X (result_free, (quoin_result_free (NULL), true)) \
@@ -544,6 +553,8 @@ is_first (void)
   X (result_get_tie_state, quoin_result_get_tie_state (NULL, 0, 0) == NULL && quoin_result_get_tie_state (o->result, o->far, 0) == NULL && quoin_result_get_tie_state (o->result, 0, o->far) == NULL) \
   X (result_get_upper_bound, isnan (quoin_result_get_upper_bound (NULL))) \
   X (result_is_beyond_linear, !quoin_result_is_beyond_linear (NULL)) \
+  X (result_is_of_changed_model, !quoin_result_is_of_changed_model (NULL)) \
+  X (result_parse, REFUSED (quoin_result_parse (NULL, "{}", 2, "r", &error)) && REFUSED (quoin_result_parse (o->model, NULL, 2, "r", &error)) && REFUSED (quoin_result_parse (o->model, "{}", 2, NULL, &error))) \
   X (result_read, REFUSED (quoin_result_read (NULL, "r", &error)) && REFUSED (quoin_result_read (o->model, NULL, &error))) \
   X (result_to_text, quoin_result_to_text (NULL) == NULL) \
   X (result_write, REFUSED (quoin_result_write (NULL, "r", &error)) && REFUSED (quoin_result_write (o->result, NULL, &error))) \
@@ -597,6 +608,107 @@ test_wrong_arguments (void)
   quoin_result_free (o.result);
   quoin_model_unref (o.model);
   quoin_builder_free (builder);
+}
+
+/* How much is done never falls, begins with 0 and ends with 1. */
+static bool
+watch_share (double multiplier, int32_t steps, int32_t iterations, void *data)
+{
+  double *last = data, done = quoin_progress_get_done ();
+  (void) multiplier;
+  (void) steps;
+  (void) iterations;
+  g_assert_true (isnan (*last) ? done == 0 : done >= *last && *last < 1);
+  g_assert_nonnull (quoin_progress_get_what ());
+  *last = done;
+  return true;
+}
+
+static void
+test_progress (void)
+{
+  QuoinModel *model = open_wall (1);
+  double done = NAN;
+  quoin_result_free (quoin_solve (model, watch_share, &done, &error));
+  g_assert_true (done == 1);
+  g_assert_null (quoin_progress_get_what ());
+  quoin_model_unref (model);
+}
+
+/* A model is what it was read from, and a result is of the model with the overrides of its file. */
+static void
+test_read_again (void)
+{
+  const char *const fewer[] = { "analysis.increments=20", NULL };
+  QuoinModel *wall = open_wall (1), *model = quoin_model_with (wall, fewer, &error);
+  size_t length;
+  const char *source = quoin_model_get_source (model, &length);
+  g_assert_cmpstr (quoin_model_get_override (model, 0), ==, fewer[0]);
+  g_assert_null (quoin_model_get_override (model, 1));
+  QuoinModel *again =
+    quoin_model_parse (source, length, quoin_model_get_path (model), fewer, &error);
+  QuoinResult *result = quoin_limit (model, true, NULL, NULL, &error);
+  g_autofree char *text = quoin_result_to_text (result);
+  QuoinResult *read = quoin_result_parse (wall, text, strlen (text), "r", &error);
+  g_assert_null (error);
+  g_assert_false (quoin_result_is_of_changed_model (read));
+  g_assert_cmpstr (quoin_model_get_override (quoin_result_get_model (read), 0), ==,
+                   fewer[0]);
+  quoin_result_free (read);
+  quoin_result_free (result);
+
+  /* Other values than its own on top of them. */
+  result = quoin_solve (again, NULL, NULL, &error);
+  quoin_free (text);
+  text = quoin_result_to_text (result);
+  const char *const slippery[] = { "laws[0].friction=0.5", NULL };
+  QuoinModel *other = quoin_model_with (wall, slippery, &error);
+  read = quoin_result_parse (other, text, strlen (text), "r", &error);
+  g_assert_true (quoin_result_is_of_changed_model (read));
+  quoin_result_free (read);
+  quoin_result_free (result);
+  quoin_model_unref (other);
+  quoin_model_unref (again);
+  quoin_model_unref (model);
+  quoin_model_unref (wall);
+}
+
+/* Options and report of an import, masonry, and what a check finds. */
+static void
+test_made_models (void)
+{
+  g_autofree char *drawing =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "dxf", "wall-mortar.dxf", NULL);
+  const char *const options[] = { "unit=mm", "close-joints=0.02", "layer=SUPPORT=support",
+                                  NULL };
+  const char *const wrong[][2] = { { "unit", NULL },
+                                   { "speed=3", NULL },
+                                   { "unit=parsec", NULL },
+                                   { "thickness=0", NULL } };
+  char *report = NULL;
+  QuoinModel *model = quoin_model_import_with (drawing, options, &report, &error);
+  g_assert_null (error);
+  g_assert_nonnull (strstr (report, "joints of mortar"));
+  quoin_free (report);
+  quoin_model_unref (model);
+  for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    g_assert_null (quoin_model_import_with (drawing, wrong[i], &report, &error));
+    g_assert_null (report);
+    g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_USAGE);
+    quoin_error_free (error);
+    error = NULL;
+  }
+  const char *const keys[] = { "length=3", "unit=0.5x0.25", NULL };
+  model = quoin_model_generate ("wall", keys, 0.7, &error);
+  g_assert_null (error);
+  char *found = quoin_model_check (model);
+  g_assert_nonnull (strstr (found, "\"sound\": true"));
+  quoin_free (found);
+  quoin_model_unref (model);
+  g_assert_null (quoin_model_generate ("tower", NULL, 0.7, &error));
+  g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_USAGE);
+  quoin_error_free (error);
+  error = NULL;
 }
 
 /* An analysis in time reads its records as the command line does; without them it is refused, and the
@@ -688,6 +800,9 @@ test_free_modes (void)
 QN_TESTS
 {
   g_test_add_func ("/library/wrong-arguments", test_wrong_arguments);
+  g_test_add_func ("/library/progress", test_progress);
+  g_test_add_func ("/library/read-again", test_read_again);
+  g_test_add_func ("/library/made-models", test_made_models);
   g_test_add_func ("/library/records", test_records);
   g_test_add_func ("/library/free-modes", test_free_modes);
   g_test_add_func ("/library/stability", test_stability);

@@ -7,6 +7,7 @@ import os
 import pathlib
 import pickle
 import threading
+import warnings
 
 import numpy
 import pytest
@@ -113,7 +114,8 @@ def test_errors_name_the_place():
 
 def test_wall_equals_the_example():
     even, odd = [0.5, 1, 1, 1, 1, 0.5], [1, 1, 1, 1, 1]
-    built = quoin.wall([even, odd, even, odd, even, odd])
+    built = quoin.wall([even, odd, even, odd, even, odd], unit=(0.4, 0.175), unit_weight=10000,
+                       kn=1e7)
     drawn = quoin.open(WALLS / "wall1.quoin")
     assert built.limit().multiplier == drawn.limit().multiplier
 
@@ -127,6 +129,89 @@ def test_arrays_outlive_their_result():
     del result
     gc.collect()
     assert (view == copy).all()
+
+
+def test_one_set_of_defaults():
+    """A wall, polygons, generated masonry and a drawing have the joints, loads and settings of new
+    drawings, and the same blocks where one says the same."""
+    models = [quoin.wall([[1, 1]]), quoin.from_polygons(SQUARES, [0], geometry="nonlinear"),
+              quoin.generate("wall"),
+              quoin.read_drawing(EXAMPLES / "dxf" / "wall-clean.dxf")]
+    projects = [model.to_dict() for model in models]
+    for key in ("laws", "contact", "analysis"):
+        assert len({json.dumps(project[key]) for project in projects}) == 1
+    for project in projects:
+        assert project["loads"] == projects[0]["loads"]
+    brick, generated = models[0].blocks[1], models[2].blocks[1]
+    assert brick[3:6] == pytest.approx(generated[3:6])  # area, thickness, weight
+    assert quoin.wall([[1]], kn=1e7).to_dict()["laws"][0]["basis"] == "contact"
+
+
+def test_generate():
+    arch = quoin.generate("arch", span=3, rise=1.5, voussoirs=11, friction=0.8, title="An \"arch\"")
+    assert arch.title == "An \"arch\"" and len(arch.blocks) == 13
+    assert arch.to_dict()["laws"][0]["friction"] == 0.8
+    assert quoin.generate("wall", unit="0.5x0.25", bond="english").check()["sound"]
+    with pytest.raises(quoin.UsageError, match="tower"):
+        quoin.generate("tower")
+    with pytest.raises(quoin.UsageError, match="lenth"):
+        quoin.generate("wall", lenth=3)
+    with pytest.raises(quoin.InvalidError, match="length"):
+        quoin.generate("wall", length=-3)
+
+
+def test_check_says_what_is_wrong():
+    sound = quoin.open(WALLS / "wall1.quoin").check()
+    assert sound["sound"] and len(sound["faces"]) == 83 and sound["findings"] == []
+    apart = [SQUARES[0], [(x, y + 2e-3) for x, y in SQUARES[1]]]
+    loose = quoin.from_polygons(apart, [0])
+    findings = loose.check()["findings"]
+    assert not loose.check()["sound"]
+    assert {finding["problem"] for finding in findings} >= {"near-miss-gap"}
+    assert all(finding["text"] in loose.warnings for finding in findings)
+
+
+def test_drawings_are_read_with_a_report(tmp_path):
+    mortar = EXAMPLES / "dxf" / "wall-mortar.dxf"
+    closed = quoin.read_drawing(mortar, close_joints=0.02)
+    assert any("joints of mortar" in line for line in closed.report)
+    assert len(quoin.read_drawing(mortar, mortar_joints=0.02).blocks) > len(closed.blocks)
+    ignored = quoin.read_drawing(mortar, unit="mm", layers={"SUP*": "ignored"})
+    assert len(ignored.blocks) == len(closed.blocks) - 1
+    for wrong in ({"unit": "parsec"}, {"layers": {"NONE": "block"}}, {"tolerance": -1},
+                  {"close_joints": 0.01, "mortar_joints": 0.01}, {"friction": float("nan")}):
+        with pytest.raises(quoin.UsageError):
+            quoin.read_drawing(mortar, **wrong)
+    empty = tmp_path / "empty.svg"
+    empty.write_text('<svg xmlns="http://www.w3.org/2000/svg"><text x="1" y="1">no</text></svg>')
+    with pytest.raises(quoin.InvalidError) as caught:
+        quoin.read_drawing(empty)
+    assert caught.value.report != []
+
+
+def test_progress_runs_once_from_0_to_1():
+    """It never goes back, ends with 1, and tells the path from its bound; in time it is exact."""
+    wall = quoin.open(WALLS / "wall1.quoin")
+    told = []
+    result = wall.solve(told.append)
+    done = [state.done for state in told]
+    assert done[0] == 0 and done[-1] == 1 and done == sorted(done) and done.count(1) == 1
+    assert [state.what for state in told][0] == "path"
+    assert {state.what for state in told} == {"path", "limit analysis"}
+    assert told[-1].reached == pytest.approx(result.multiplier, rel=1e-3)
+    assert [s.reached for s in told] == sorted(s.reached for s in told)
+    told.clear()
+    wall.limit(progress=told.append)
+    assert {state.what for state in told} == {"limit analysis"} and told[-1].done == 1
+    told.clear()
+    wall.modal(2, progress=told.append)
+    assert {state.what for state in told} == {"modes"} and told[-1].done == 1
+    told.clear()
+    rocking = quoin.open(EXAMPLES / "40-rocking-in-time.quoin",
+                         {"analysis.dynamic.duration": 0.1})
+    rocking.solve(told.append)
+    assert {state.what for state in told} == {"time"}
+    assert all(s.done == pytest.approx(s.reached / 0.1) for s in told[:-1])
 
 
 def test_progress_cancels_and_raises():
@@ -283,6 +368,54 @@ def test_models_copy_and_pickle():
     model = quoin.from_polygons(SQUARES, [0])
     for other in (copy.copy(model), copy.deepcopy(model), pickle.loads(pickle.dumps(model))):
         assert other.to_dict() == model.to_dict()
+
+
+def test_what_a_project_names_is_found_again(tmp_path, monkeypatch):
+    """A model with other values, a copy and a pickle have the place of their file, and a dictionary
+    that of its name."""
+    path = EXAMPLES / "43-shaken-wall.quoin"
+    model = quoin.open(os.path.relpath(path)).set({"title": "shaken"})
+    other = pickle.loads(pickle.dumps(model))
+    monkeypatch.chdir(tmp_path)
+    for shaken in (other, copy.deepcopy(other), pickle.loads(pickle.dumps(other)),
+                   other.set({"title": "again"}), quoin.from_dict(other.to_dict(), str(path))):
+        assert shaken.warnings == [] and shaken.path == str(path)
+    assert other.title == "shaken"
+    with pytest.raises(quoin.FileError, match="synthetic"):
+        quoin.from_dict(other.to_dict()).solve()
+
+
+def test_results_copy_and_pickle():
+    result = quoin.open(WALLS / "wall2.quoin", {"analysis.increments": 20}).solve()
+    other = pickle.loads(pickle.dumps(result))
+    for name in ("multipliers", "displacements", "forces", "mechanism"):
+        assert (getattr(other, name) == getattr(result, name)).all()
+    assert not other.model_changed
+    assert other.model.to_dict() == result.model.to_dict()
+    assert copy.copy(result) is result
+    modes = quoin.open(WALLS / "wall1.quoin").modal(2)
+    assert (pickle.loads(pickle.dumps(modes)).omega == modes.omega).all()
+
+
+def test_a_result_of_another_project_is_told(tmp_path):
+    """By the bytes of the project and the values that it was computed with, as of --set."""
+    wall = quoin.open(WALLS / "wall1.quoin")
+    slippery = wall.set({"laws[0].friction": 0.5})
+    slippery.limit().save(tmp_path / "slippery.json")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        again = wall.read_result(tmp_path / "slippery.json")
+        assert again.model.to_dict()["laws"][0]["friction"] == 0.5
+        assert again.check()[0]
+    with pytest.warns(quoin.ChangedWarning, match="slippery.json"):
+        wall.set({"title": "x"}).read_result(tmp_path / "slippery.json")
+    other = wall.to_dict()
+    other["laws"][0]["friction"] = 0.4
+    with pytest.warns(quoin.ChangedWarning):
+        result = quoin.from_dict(other).read_result(tmp_path / "slippery.json")
+    assert result.model_changed
+    with pytest.raises(quoin.InvalidError):
+        quoin.open(WALLS / "wall2.quoin").read_result(tmp_path / "slippery.json")
 
 
 def test_everything_that_a_result_says():

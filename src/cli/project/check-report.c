@@ -11,12 +11,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-gboolean
-qn_check_report_passes (const QnCheckReport *report)
-{
-  return qn_result_passes (&report->input->project, report->check, report->faults);
-}
-
 /* "name (ux, uy, rz)" */
 static void
 print_support (const char *separator, const char *name, const bool support[QN_DOF_COUNT])
@@ -153,11 +147,11 @@ print_gaps (const QnModel *model)
 }
 
 static void
-print_findings (const QnInput *input)
+print_findings (const QnCheckReport *report)
 {
-  print_gaps (&input->project.model);
-  const QnFindings *findings = &input->contacts.findings;
-  const GPtrArray *warnings = input->project.warnings;
+  print_gaps (&report->project->model);
+  const QnFindings *findings = &report->contacts->findings;
+  const GPtrArray *warnings = report->project->warnings;
   if (findings->count + warnings->len == 0) {
     qn_print (_ ("warnings: none\n"));
     return;
@@ -165,7 +159,7 @@ print_findings (const QnInput *input)
   qn_print (_ ("warnings: %zu\n"), findings->count + warnings->len);
   for (guint i = 0; i < warnings->len; i++)
     qn_print ("  %s\n", (char *) g_ptr_array_index (warnings, i));
-  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&input->project, findings);
+  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (report->project, findings);
   for (guint i = 0; i < texts->len; i++)
     qn_print ("  %s\n", (const char *) g_ptr_array_index (texts, i));
 }
@@ -252,7 +246,7 @@ print_result (const QnCheckReport *report)
   if (report->check != NULL) {
     qn_print (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
               report->check->multiplier, verdict);
-    const QnModel *model = &report->input->project.model;
+    const QnModel *model = &report->project->model;
     const QnResultCheck *check = report->check;
     if (check->unbalanced_node != QN_NONE)
       qn_print (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
@@ -277,8 +271,8 @@ print_result (const QnCheckReport *report)
   }
   const QnResultFaults *faults = report->faults;
   for (int i = 0; i < faults->count; i++) {
-    g_autofree char *text = qn_fault_dup_text (
-      &report->input->project.model, &report->input->contacts, &faults->items[i]);
+    g_autofree char *text =
+      qn_fault_dup_text (&report->project->model, report->contacts, &faults->items[i]);
     qn_print (_ ("  not true: %s\n"), text);
   }
   if (faults->forces_unknown)
@@ -297,22 +291,21 @@ print_result (const QnCheckReport *report)
 void
 qn_check_report_print (const QnCheckReport *report)
 {
-  const QnInput *input = report->input;
-  const QnModel *model = &input->project.model;
+  const QnModel *model = &report->project->model;
   double weight = 0, length = 0;
   for (size_t i = 0; i < model->block_count; i++)
     if (!model->blocks[i].support[QN_DOF_UY])
       weight += model->blocks[i].weight;
-  for (size_t i = 0; i < input->contacts.face_count; i++)
-    length += input->contacts.faces[i].length;
+  for (size_t i = 0; i < report->contacts->face_count; i++)
+    length += report->contacts->faces[i].length;
 
   if (model->title != NULL)
     qn_print ("%s\n", model->title);
   qn_print (_ ("blocks: %zu, free weight %.6g N\n"), model->block_count, weight);
   print_supports (model);
-  qn_print (_ ("contact faces: %zu, total length %.6g m\n"), input->contacts.face_count,
+  qn_print (_ ("contact faces: %zu, total length %.6g m\n"), report->contacts->face_count,
             length);
-  qn_print (_ ("contact pairs: %zu\n"), input->contacts.pair_count);
+  qn_print (_ ("contact pairs: %zu\n"), report->contacts->pair_count);
   if (model->beam_count > 0)
     qn_print (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
               model->element_count, model->node_count);
@@ -320,10 +313,10 @@ qn_check_report_print (const QnCheckReport *report)
   print_loads (model);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     print_ground (model);
-  print_findings (input);
+  print_findings (report);
   if (report->faults != NULL)
     print_result (report);
-  print_faces (&input->project.model, &input->contacts);
-  print_beams (&input->project.model);
-  print_ties (&input->project.model);
+  print_faces (&report->project->model, report->contacts);
+  print_beams (&report->project->model);
+  print_ties (&report->project->model);
 }

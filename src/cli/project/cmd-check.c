@@ -1,3 +1,4 @@
+#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/subcommand.h"
 #include "cli/project/check-report.h"
@@ -5,6 +6,7 @@
 #include "io/result/result-derived.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-read.h"
+#include "io/text/file-writer.h"
 
 #include <glib/gi18n.h>
 
@@ -18,11 +20,14 @@ static QnExit
 tell (const Options *options, const QnCheckReport *report)
 {
   GError *error = NULL;
-  if (!options->json)
+  gsize length;
+  if (!options->json) {
     qn_check_report_print (report);
-  else if (!qn_check_report_write_json (report, &error))
-    return qn_cli_fail (error);
-  return QN_EXIT_DONE;
+    return QN_EXIT_DONE;
+  }
+  g_autofree char *text = qn_check_report_dup_json (report, &length);
+  qn_file_write ("-", text, length, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit
@@ -33,7 +38,7 @@ check_model (const Options *options, const char *path)
   if (code != QN_EXIT_DONE)
     return code;
 
-  QnCheckReport report = { .input = &input };
+  QnCheckReport report = { .project = &input.project, .contacts = &input.contacts };
   GError *unread = NULL;
   gboolean complete = input.project.model.analysis.procedure != QN_PROCEDURE_DYNAMIC
                       || qn_project_read_records (&input.project, NULL,
@@ -60,8 +65,8 @@ tell_first_fault (const QnCheckReport *report)
                   report->result_name);
     return;
   }
-  g_autofree char *text = qn_fault_dup_text (
-    &report->input->project.model, &report->input->contacts, &report->faults->items[0]);
+  g_autofree char *text = qn_fault_dup_text (&report->project->model, report->contacts,
+                                             &report->faults->items[0]);
   qn_cli_error (_ ("%s: not true: %s"), report->result_name, text);
 }
 
@@ -105,7 +110,8 @@ check_result (const Options *options, const char *path)
   QnResultFaults faults;
   gboolean rests = file.result.step_count > 0 && file.result.history.width == 0;
   g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
-  QnCheckReport report = { .input = &input,
+  QnCheckReport report = { .project = &input.project,
+                           .contacts = &input.contacts,
                            .sound = TRUE,
                            .result_name = options->result,
                            .check = rests ? &check : NULL,

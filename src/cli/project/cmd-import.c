@@ -5,15 +5,12 @@
 #include "io/text/text-format.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 typedef struct Options {
   char *output;
-  char *unit;
   gboolean report;
-  double closed, mortar; /* m: widest joints that are to be closed, filled; < 0: none */
   QnImportSettings settings;
 } Options;
 
@@ -52,72 +49,60 @@ import_file (const Options *options, const char *path)
 }
 
 static QnExit
-check_options (const QnSubcommand *self, Options *options)
+take_options (const QnSubcommand *self, Options *options, const char *const *names,
+              char **values)
 {
-  const char *problem = NULL;
-  if (options->unit != NULL)
-    options->settings.unit = qn_import_unit (options->unit);
-  if (options->unit != NULL && options->settings.unit == 0)
-    problem = _ ("--unit must be mm, cm, dm, m, in or ft");
-  else if (!(options->settings.tolerance >= 0))
-    problem = _ ("--tolerance must not be negative");
-  else if (options->closed >= 0 && options->mortar >= 0)
-    problem = _ ("--close-joints and --mortar-joints exclude each other");
-  else if (!(options->settings.thickness > 0))
-    problem = _ ("--thickness must be positive");
-  else if (!(options->settings.unit_weight >= 0))
-    problem = _ ("--unit-weight must not be negative");
-  else if (!(options->settings.friction >= 0))
-    problem = _ ("--friction must not be negative");
-  else if (options->output == NULL)
-    problem = _ ("-o is missing");
-  if (options->closed >= 0 || options->mortar >= 0) {
-    options->settings.gaps = options->closed >= 0 ? QN_GAPS_CLOSED : QN_GAPS_FILLED;
-    options->settings.gap_width = fmax (options->closed, options->mortar);
-  }
-  if (problem == NULL)
-    return QN_EXIT_DONE;
-  return qn_cli_usage_error (self->name, "%s", problem);
+  g_autoptr (GError) error = NULL;
+  for (gsize i = 0; names[i] != NULL; i++)
+    if (values[i] != NULL
+        && !qn_import_settings_set (&options->settings, names[i], values[i], &error))
+      return qn_cli_usage_error (self->name, "--%s", error->message);
+  if (options->output == NULL)
+    return qn_cli_usage_error (self->name, _ ("-o is missing"));
+  return QN_EXIT_DONE;
 }
 
 static QnExit
 run (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .settings = QN_IMPORT_DEFAULTS, .closed = -1, .mortar = -1 };
-  QnImportSettings *settings = &options.settings;
+  Options options = { .settings = QN_IMPORT_DEFAULTS };
+  static const char *const names[] = { "unit",          "tolerance", "close-joints",
+                                       "mortar-joints", "thickness", "unit-weight",
+                                       "friction",      NULL };
+  char *values[G_N_ELEMENTS (names)] = { NULL };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Project file to write"), N_ ("MODEL.quoin") },
-    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit, N_ ("Unit of the drawing"),
+    { names[0], 'u', 0, G_OPTION_ARG_STRING, &values[0], N_ ("Unit of the drawing"),
       "mm|cm|dm|m|in|ft" },
     { "report", 0, 0, G_OPTION_ARG_NONE, &options.report,
       N_ ("List everything that was repaired or left out"), NULL },
-    { "layer", 0, 0, G_OPTION_ARG_STRING_ARRAY, &settings->layers,
+    { "layer", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.settings.layers,
       N_ ("What a layer holds: block, support, opening or ignored; * and ? in NAME"),
       N_ ("NAME=ROLE") },
-    { "tolerance", 0, 0, G_OPTION_ARG_DOUBLE, &settings->tolerance,
+    { names[1], 0, 0, G_OPTION_ARG_STRING, &values[1],
       /* xgettext:no-c-format */
       N_ ("Gaps up to this are closed, m (0.2 % of a block)"), N_ ("LENGTH") },
-    { "close-joints", 0, 0, G_OPTION_ARG_DOUBLE, &options.closed,
+    { names[2], 0, 0, G_OPTION_ARG_STRING, &values[2],
       N_ ("Close joints of mortar up to this width, m (0: automatic): blocks grow to "
           "their "
           "middle"),
       N_ ("WIDTH") },
-    { "mortar-joints", 0, 0, G_OPTION_ARG_DOUBLE, &options.mortar,
+    { names[3], 0, 0, G_OPTION_ARG_STRING, &values[3],
       N_ ("Fill joints of mortar up to this width, m (0: automatic) with blocks of "
           "mortar"),
       N_ ("WIDTH") },
-    { "thickness", 0, 0, G_OPTION_ARG_DOUBLE, &settings->thickness,
+    { names[4], 0, 0, G_OPTION_ARG_STRING, &values[4],
       N_ ("Thickness of the blocks, m (1)"), N_ ("LENGTH") },
-    { "unit-weight", 0, 0, G_OPTION_ARG_DOUBLE, &settings->unit_weight,
+    { names[5], 0, 0, G_OPTION_ARG_STRING, &values[5],
       N_ ("Unit weight of the blocks, N/m3 (20000)"), N_ ("WEIGHT") },
-    { "friction", 0, 0, G_OPTION_ARG_DOUBLE, &settings->friction,
+    { names[6], 0, 0, G_OPTION_ARG_STRING, &values[6],
       N_ ("Friction coefficient of the dry joints (0.65)"), N_ ("MU") },
     G_OPTION_ENTRY_NULL,
   };
   QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = check_options (self, &options);
+    code = take_options (self, &options, names, values);
   if (code == QN_EXIT_DONE)
     code = import_file (&options, argv[1]);
   qn_subcommand_free_values (entries);

@@ -13,6 +13,7 @@ typedef struct QnProgress {
     end; /* of an analysis in time: reached, and latest end, s; end = 0: of another */
   double
     displacement; /* then that of qn_model_followed() since the dead load, m or rad */
+  bool rigid;     /* of limit analysis: the bound of a path, too */
 } QnProgress;
 
 /* Called at least once per iteration, from the thread that computes; returns false to cancel.

@@ -89,7 +89,8 @@ go_on (void *data)
   QnStatistics *effort = &search->interval->solution.effort;
   QnProgress report = { .iterations = ++effort->iterations,
                         .factorizations = effort->factorizations
-                                          + search->collapse.kkt.schur.factorizations };
+                                          + search->collapse.kkt.schur.factorizations,
+                        .rigid = true };
 
   return search->progress == NULL || search->progress (&report, search->user_data);
 }

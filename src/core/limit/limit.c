@@ -61,6 +61,7 @@ go_on (void *data)
     QnProgress report = {
       .iterations = run->solution->effort.iterations,
       .factorizations = run->solution->effort.factorizations + run->ip->factorizations,
+      .rigid = true,
     };
     run->cancelled = !run->progress (&report, run->user_data);
   }

@@ -78,6 +78,12 @@ typedef struct QnImportReport {
 /* "mm", "cm", "dm", "m", "in", "ft"; 0 for anything else. */
 double qn_import_unit (const char *name);
 
+/* Sets an option of the command line: "unit" to "mm"; "tolerance", "thickness", "unit-weight", "friction",
+ * "close-joints" and "mortar-joints" to a number. FALSE with QN_IO_ERROR_OVERRIDE, whose message begins
+ * with the option. */
+gboolean qn_import_settings_set (QnImportSettings *settings, const char *option,
+                                 const char *value, GError **error);
+
 /* Makes a project: one block per outline, dry joints, own weight as dead load and a horizontal
  * live load. Takes unbounded paths out of the drawing and nothing else. `project` and `report` are
  * overwritten without being cleared; FALSE with an error (domain QN_IO_ERROR) where there is

@@ -1,5 +1,5 @@
-/* The machine form of a check; data/check-format.md describes it key by key. */
-#include "cli/project/check-report.h"
+#include "io/exchange/check-json.h"
+
 #include "io/exchange/record.h"
 #include "io/project/project-names.h"
 #include "io/text/fault-text.h"
@@ -157,10 +157,10 @@ dup_problem_name (QnProblem problem)
 }
 
 static void
-write_findings (QnFileWriter *out, const QnInput *input)
+write_findings (QnFileWriter *out, const QnCheckReport *report)
 {
-  const QnFindings *findings = &input->contacts.findings;
-  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&input->project, findings);
+  const QnFindings *findings = &report->contacts->findings;
+  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (report->project, findings);
   qn_file_writer_puts (out, "  \"findings\": [");
   for (size_t i = 0; i < findings->count; i++) {
     const QnFinding *finding = &findings->items[i];
@@ -176,7 +176,7 @@ write_findings (QnFileWriter *out, const QnInput *input)
   }
   qn_file_writer_puts (out, "\n  ],\n  \"warnings\": [");
 
-  const GPtrArray *warnings = input->project.warnings;
+  const GPtrArray *warnings = report->project->warnings;
   for (guint i = 0; i < warnings->len; i++)
     qn_file_writer_json (out, i > 0 ? ",\n    %s" : "\n    %s",
                          (const char *) g_ptr_array_index (warnings, i));
@@ -205,7 +205,7 @@ write_result (QnFileWriter *out, const QnCheckReport *report)
   for (int i = 0; i < faults->count; i++) {
     const QnFault *fault = &faults->items[i];
     g_autofree char *text =
-      qn_fault_dup_text (&report->input->project.model, &report->input->contacts, fault);
+      qn_fault_dup_text (&report->project->model, report->contacts, fault);
     qn_file_writer_json (out, ",\n      { \"claim\": %s, \"step\": %d, \"text\": %s }",
                          qn_claim_name (fault->claim), fault->step, text);
   }
@@ -217,19 +217,23 @@ write_result (QnFileWriter *out, const QnCheckReport *report)
 }
 
 gboolean
-qn_check_report_write_json (const QnCheckReport *report, GError **error)
+qn_check_report_passes (const QnCheckReport *report)
 {
-  const QnInput *input = report->input;
-  QnFileWriter *out = qn_file_writer_open ("-", error);
-  if (out == NULL)
-    return FALSE;
+  return qn_result_passes (report->project, report->check, report->faults);
+}
+
+char *
+qn_check_report_dup_json (const QnCheckReport *report, gsize *length)
+{
+  const QnModel *model = &report->project->model;
+  QnFileWriter *out = qn_file_writer_new_in_memory ();
 
   qn_file_writer_json (out,
                        "{\n  \"format\": \"quoin-check\", \"version\": 1,\n"
                        "  \"model\": %s, \"sound\": %i,\n  \"blocks\": [",
-                       input->project.name, report->sound);
-  for (size_t i = 0; i < input->project.model.block_count; i++) {
-    const QnBlock *block = &input->project.model.blocks[i];
+                       report->project->name, report->sound);
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
     qn_file_writer_json (out,
                          ",\n    { \"name\": %s, \"area\": %g, \"centroid\": [%g, %g], "
                          "\"weight\": %g, \"support\": [%i, %i, %i] }",
@@ -238,16 +242,16 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
                          block->support[2]);
   }
   qn_file_writer_puts (out, "\n  ],\n");
-  write_nodes (out, &input->project.model);
-  write_beams (out, &input->project.model);
-  write_ties (out, &input->project.model);
-  write_loads (out, &input->project.model);
-  if (input->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    write_ground (out, &input->project.model);
-  write_faces (out, &input->contacts);
-  write_findings (out, input);
+  write_nodes (out, model);
+  write_beams (out, model);
+  write_ties (out, model);
+  write_loads (out, model);
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    write_ground (out, model);
+  write_faces (out, report->contacts);
+  write_findings (out, report);
   if (report->faults != NULL)
     write_result (out, report);
   qn_file_writer_puts (out, "\n}\n");
-  return qn_file_writer_commit (out, error);
+  return qn_file_writer_steal (out, length);
 }

@@ -1,0 +1,29 @@
+/* What is found out about a project, and about a result of it, as JSON; data/check-format.md describes it
+ * key by key. */
+#ifndef QN_IO_CHECK_JSON_H
+#define QN_IO_CHECK_JSON_H
+
+#include "io/result/result-check.h"
+#include "io/result/result-claims.h"
+
+/* A project that was checked, with what was found out about a result of it; all borrowed. */
+typedef struct QnCheckReport {
+  const QnProject *project;
+  const QnContacts *contacts;
+  gboolean sound;          /* whether it can be analysed */
+  const char *result_name; /* the result file's, or NULL */
+  const QnResultCheck
+    *check; /* NULL where there is no result, one in time, which is in motion, or one
+                             without any equilibrium */
+  const QnResultFaults *faults; /* NULL where there is no result */
+  GPtrArray
+    *unproved; /* of char *: members of the result that nothing proves; NULL likewise */
+} QnCheckReport;
+
+/* Whether the result is an equilibrium that the joints can carry, and says nothing untrue. */
+gboolean qn_check_report_passes (const QnCheckReport *report);
+
+/* Free with g_free(). */
+char *qn_check_report_dup_json (const QnCheckReport *report, gsize *length);
+
+#endif
