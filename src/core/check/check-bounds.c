@@ -13,6 +13,7 @@
 #include "core/limit/limit.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Bounds agree to this, relative to 1 + multiplier. */
 #define AGREE 1e-5
@@ -83,6 +84,24 @@ dissipation (const QnPairSprings *springs, const double r[2], double little, dou
   return isfinite (most) ? most : 0;
 }
 
+/* What ties dissipate at most. */
+static double
+tie_dissipation (const QnCheck *check)
+{
+  const QnBeamAssembly *members = &check->assembly.beams;
+  const size_t elements = check->model->element_count;
+  double sum = 0;
+
+  for (size_t i = 0; i < check->model->tie_count; i++) {
+    double rate = qn_beam_assembly_tie_rate (members, i, check->velocity);
+    double strength = qn_tie_strength (&check->model->ties[i]);
+    double force = members->responses[elements + i].force[0];
+    /* What nothing limits does not give: what rounding leaves counts as in joints. */
+    sum += fmax (rate, 0) * (isfinite (strength) ? strength : force);
+  }
+  return sum;
+}
+
 static double
 power_of (const QnAssembly *as, const double *loads, const double *v)
 {
@@ -114,7 +133,7 @@ kinematic_multiplier (QnCheck *check)
       return NAN;
     dissipated += away * hypot (pair->normal_force, pair->shear_force);
   }
-  dissipated += qn_check_tie_dissipation (check);
+  dissipated += tie_dissipation (check);
   double unit = power_of (as, as->live, check->velocity);
   return unit > 0 ? (dissipated - power_of (as, as->dead, check->velocity)) / unit : NAN;
 }
@@ -125,52 +144,17 @@ agree (double stated, double found)
   return qn_check_agrees (stated, found, AGREE * (1 + fabs (found)));
 }
 
-/* The collapse of a path; NULL where none is told. */
-static const QnPathEvent *
-find_collapse (const QnResult *result)
-{
-  size_t last = result->event_count;
-
-  return last > 0 && result->events[last - 1].kind == QN_EVENT_KIND_COLLAPSE
-           ? &result->events[last - 1]
-           : NULL;
-}
-
-/* Whether a path with this procedure may tell a solution as found by another: load control prescribes the
- * work of the live load where the path bends, and alone goes beyond the highest multiplier then. */
-static bool
-finds_by (const QnCheck *check, QnProcedure found_by)
-{
-  const QnModel *model = check->model;
-  int32_t stage = check->result->stage;
-  bool staged = stage > 0 && (size_t) stage <= model->stage_count;
-  QnProcedure procedure =
-    staged ? model->stages[stage - 1].procedure : model->analysis.procedure;
-
-  const QnPathEvent *collapse = find_collapse (check->result);
-  bool beyond = collapse != NULL
-                && !agree (collapse->displacement_after, collapse->displacement_before);
-
-  if (procedure == QN_PROCEDURE_LOAD && beyond)
-    return found_by == QN_PROCEDURE_WORK;
-  return found_by == procedure
-         || (procedure == QN_PROCEDURE_LOAD && found_by == QN_PROCEDURE_WORK);
-}
-
 /* The solution that a path has met is its collapse, with the displacement of a step of that multiplier. */
 static bool
 is_met (const QnCheck *check, const QnSolution *solution)
 {
   const QnResult *result = check->result;
 
-  if (!finds_by (check, solution->found_by)
-      || !agree (solution->multiplier, result->collapse_multiplier))
-    return false;
   for (size_t i = 0; i < result->step_count; i++) {
     double moved = qn_result_motion (result, 0, i);
     if (agree (result->steps[i].multiplier, solution->multiplier)
         && qn_check_agrees (solution->displacement, moved, AGREE * moved))
-      return true;
+      return agree (solution->multiplier, result->collapse_multiplier);
   }
   return false;
 }
@@ -179,13 +163,6 @@ static void
 tell_interval (QnCheck *check, double stated, double found)
 {
   qn_check_tell_model (check, QN_CLAIM_INTERVAL, QN_NONE, stated, found);
-}
-
-/* Rigid blocks have no displacements. */
-static bool
-suits_limit (const QnSolution *solution)
-{
-  return solution->found_by == QN_PROCEDURE_LIMIT && isnan (solution->displacement);
 }
 
 /* Least and greatest solution are those that the result tells, and nothing exceeds the associative
@@ -202,7 +179,8 @@ check_solutions (QnCheck *check)
     const QnSolution *solution = &result->solutions[i];
     least = fmin (least, solution->multiplier);
     greatest = fmax (greatest, solution->multiplier);
-    if (limit->given ? !suits_limit (solution) : !is_met (check, solution))
+    /* Rigid blocks have no displacements. */
+    if (limit->given ? !isnan (solution->displacement) : !is_met (check, solution))
       tell_interval (check, solution->multiplier, NAN);
   }
   /* Only collapses of limit analysis are several. */
@@ -225,22 +203,28 @@ check_solutions (QnCheck *check)
     tell_interval (check, greatest, result->associative_bound);
 }
 
-/* Of no mechanism in the result: the linear program is solved again. */
+/* Of no mechanism in the result: the linear program is solved again. It has this bound, or without any
+ * equilibrium this outcome, but that joints with less dilatancy may stand less. */
 static QnStatus
-check_associative (QnCheck *check, double stated, QnDiag *diag)
+check_associative (QnCheck *check, QnDiag *diag)
 {
+  const QnResult *r = check->result;
   QnLimitSolution solution;
   QnStatus status =
     qn_limit_associative (check->model, check->contacts, NULL, NULL, &solution, NULL);
+  bool solved = status == QN_OK;
 
   if (status == QN_ERROR_NO_MEMORY)
     return qn_diag_no_memory (diag);
-  if (status != QN_OK) /* of joints like these there is no bound */
-    solution.upper_bound = NAN;
-  if (status != QN_OK || solution.outcome != QN_OUTCOME_COLLAPSE
-      || !agree (stated, solution.upper_bound))
-    qn_check_tell_model (check, QN_CLAIM_UPPER_BOUND, QN_NONE, stated,
-                         solution.upper_bound);
+  if (r->step_count == 0) {
+    bool may_fall = r->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE
+                    && check->model->analysis.flow == QN_FLOW_NON_ASSOCIATIVE;
+    if (solved && solution.outcome != r->outcome && !may_fall)
+      qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
+  } else if (!solved || solution.outcome != QN_OUTCOME_COLLAPSE
+             || !agree (r->associative_bound, solution.upper_bound))
+    qn_check_tell_model (check, QN_CLAIM_UPPER_BOUND, QN_NONE, r->associative_bound,
+                         solved ? solution.upper_bound : NAN);
   qn_limit_solution_clear (&solution);
   return QN_OK;
 }
@@ -268,21 +252,63 @@ check_limit (QnCheck *check)
     tell_interval (check, result->associative_bound, limit->upper_bound);
 }
 
+static double
+speed_of (const QnCheck *check, size_t block)
+{
+  const double *v = check->result->mechanism + QN_DOF_COUNT * block;
+
+  return hypot (hypot (v[QN_DOF_UX], v[QN_DOF_UY]),
+                v[QN_DOF_RZ] * check->model->characteristic_length);
+}
+
+/* Without any equilibrium: the blocks that fall move in the mechanism, the fastest among them, and the dead
+ * load does work on it; where relaxation has seen blocks fall at some time, whichever way they move at last. */
+static void
+check_fall (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  QnAssembly *as = &check->assembly;
+  const double none[QN_MAX_LOAD_SETS] = { 0 };
+  double fastest = 0, named = 0, slowest = INFINITY;
+
+  if (r->mechanism == NULL)
+    return;
+  for (size_t b = 0; b < r->block_count; b++)
+    fastest = fmax (fastest, speed_of (check, b));
+  for (size_t i = 0; i < r->unstable_count; i++) {
+    double speed = speed_of (check, (size_t) r->unstable_blocks[i]);
+    named = fmax (named, speed);
+    slowest = fmin (slowest, speed);
+  }
+  /* A path takes the larger of shift and turn for the speed. */
+  if (!(named >= 0.5 * fastest && slowest > QN_UNSTABLE_RIGID * fastest * (1 - AGREE)))
+    qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
+  qn_assembly_set_loads (as, none, none);
+  memset (check->u, 0, (size_t) as->unknown_count * sizeof *check->u);
+  qn_check_gather (as, r->mechanism, check->velocity);
+  qn_assembly_update_kinematics (as, check->u);
+  double power = power_of (as, as->dead, check->velocity);
+  qn_check_bodies (check);
+  if (check->model->analysis.procedure == QN_PROCEDURE_LIMIT && !(power > 0))
+    qn_check_tell_model (check, QN_CLAIM_WORK, QN_NONE, power, 0);
+}
+
 QnStatus
 qn_check_bounds (QnCheck *check, QnDiag *diag)
 {
-  const QnResult *result = check->result;
-  bool proved_by_mechanism =
-    result->limit.given && result->limit.flow == QN_FLOW_ASSOCIATIVE;
+  const QnResult *r = check->result;
+  bool none = r->step_count == 0, falls = r->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  bool proved_by_mechanism = r->limit.given && r->limit.flow == QN_FLOW_ASSOCIATIVE;
+  bool again = none ? (falls || r->outcome == QN_OUTCOME_UNBOUNDED)
+                        && check->model->analysis.procedure == QN_PROCEDURE_LIMIT
+                    : r->has_associative_bound && !proved_by_mechanism;
 
-  if (result->step_count == 0)
-    return QN_OK;
-  if (result->limit.given)
+  if (none && falls)
+    check_fall (check);
+  if (!none && r->limit.given)
     check_limit (check);
-  if (result->history.width == 0)
+  if (!none && r->history.width == 0)
     check_solutions (check);
-  return result->has_associative_bound && !proved_by_mechanism
-             && check->depth == QN_CHECK_RECOMPUTED
-           ? check_associative (check, result->associative_bound, diag)
-           : QN_OK;
+  return again && check->depth == QN_CHECK_RECOMPUTED ? check_associative (check, diag)
+                                                      : QN_OK;
 }

@@ -1,16 +1,35 @@
-/* The course of an analysis: steps in order, events, and an outcome that is that of the last step. */
+/* The course of an analysis: steps in order, and what it says of them: collapse, events, outcome. */
 #include "core/check/check-parts.h"
 #include "core/check/unlimited.h"
 
 #include <math.h>
 
-/* Multipliers that stand in a result twice are written alike. */
+/* Multipliers and displacements that stand in a result twice are written alike. */
 #define SAME 1e-9
 
+/* Whether a motion is one of a kind is not told by rounding. */
+#define NEARLY 1e-6
+
 static bool
-same_multiplier (double a, double b)
+same (double a, double b)
 {
   return qn_check_agrees (a, b, SAME * (1 + fabs (b)));
+}
+
+static void
+tell (QnCheck *check, QnClaim claim)
+{
+  qn_check_tell_model (check, claim, QN_NONE, NAN, NAN);
+}
+
+static bool
+all_finite (const double *numbers, size_t count)
+{
+  size_t i = 0;
+
+  while (numbers != NULL && i < count && isfinite (numbers[i]))
+    i++;
+  return numbers == NULL || i == count;
 }
 
 static void
@@ -18,37 +37,37 @@ check_numbers (QnCheck *check)
 {
   const QnResult *r = check->result;
   size_t bodies = qn_result_body_count (r) * QN_DOF_COUNT;
+  const QnStatistics *spent = &r->statistics;
   bool finite =
     !(r->has_collapse_multiplier && !isfinite (r->collapse_multiplier))
-    && !(r->has_first_limit_multiplier && !isfinite (r->first_limit_multiplier));
+    && !(r->has_first_limit_multiplier && !isfinite (r->first_limit_multiplier))
+    && spent->seconds >= 0 && spent->factor_seconds >= 0 && spent->assembly_seconds >= 0
+    && spent->law_seconds >= 0 && all_finite (r->displacements, r->step_count * bodies)
+    && all_finite (r->mechanism, bodies)
+    && all_finite (r->history.rows, r->history.row_count * r->history.width);
 
   for (size_t i = 0; i < r->step_count; i++)
-    finite = finite && isfinite (r->steps[i].multiplier) && isfinite (r->steps[i].time)
-             && isfinite (r->steps[i].residual);
-  const QnStatistics *spent = &r->statistics;
-  finite = finite && spent->seconds >= 0 && spent->factor_seconds >= 0
-           && spent->assembly_seconds >= 0 && spent->law_seconds >= 0;
-  for (size_t i = 0; i < r->step_count * bodies; i++)
-    finite = finite && isfinite (r->displacements[i]);
+    finite = finite && isfinite (r->steps[i].multiplier) && isfinite (r->steps[i].time);
   for (size_t p = 0; r->step_count > 0 && p < r->pair_count; p++)
     finite =
       finite && isfinite (r->pairs[p].normal_force) && isfinite (r->pairs[p].shear_force);
-  for (size_t i = 0; r->mechanism != NULL && i < bodies; i++)
-    finite = finite && isfinite (r->mechanism[i]);
-  for (size_t i = 0; i < r->history.row_count * r->history.width; i++)
-    finite = finite && isfinite (r->history.rows[i]);
   if (!finite)
-    qn_check_tell_model (check, QN_CLAIM_NUMBERS, QN_NONE, NAN, NAN);
+    tell (check, QN_CLAIM_NUMBERS);
 }
 
-/* The dead load first, stages one after the other, times growing; in time no multiplier. */
+/* The dead load first, stages one after the other, times growing; in time no multiplier. Where the load is
+ * prescribed it grows all the time; only the last step may lie below, where the structure moves on. Limit
+ * analysis has two: before and at collapse. */
 static void
 check_order (QnCheck *check)
 {
   const QnResult *r = check->result;
   bool in_time = r->history.width > 0;
   int32_t stages = (int32_t) check->model->stage_count;
+  double grows = 0;
 
+  if (r->limit.given && r->step_count != 2)
+    tell (check, QN_CLAIM_STEPS);
   for (size_t i = 0; i < r->step_count; i++) {
     const QnStep *step = &r->steps[i];
     bool follows = i == 0 || in_time || stages == 0
@@ -58,6 +77,15 @@ check_order (QnCheck *check)
       in_order = in_order && step->multiplier == 0;
     if (in_time && i > 1)
       in_order = in_order && step->time > r->steps[i - 1].time;
+    bool ends = i + 1 == r->step_count && r->outcome == QN_OUTCOME_COLLAPSE;
+    bool begins = i == 0 || step->stage != r->steps[i - 1].stage;
+    double more = begins ? 0 : step->multiplier - r->steps[i - 1].multiplier;
+    QnProcedure procedure = step->stage > 0 && step->stage <= stages
+                              ? check->model->stages[step->stage - 1].procedure
+                              : check->model->analysis.procedure;
+    if (!begins && !ends && procedure == QN_PROCEDURE_LOAD)
+      in_order = in_order && (grows == 0 ? more != 0 : grows * more > 0);
+    grows = more;
     if (!in_order)
       qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i,
                            in_time ? step->time : step->multiplier, NAN);
@@ -65,92 +93,19 @@ check_order (QnCheck *check)
           && step->residual <= fmax (check->tolerance, QN_CHECK_FORCES)))
       qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i, step->residual,
                            check->tolerance);
-  }
-}
-
-static QnProcedure
-procedure_of (const QnCheck *check, const QnStep *step)
-{
-  return step->stage > 0 && (size_t) step->stage <= check->model->stage_count
-           ? check->model->stages[step->stage - 1].procedure
-           : check->model->analysis.procedure;
-}
-
-static bool
-is_same_state (const QnResult *r, size_t a, size_t b)
-{
-  size_t count = qn_result_body_count (r) * QN_DOF_COUNT;
-  const double *u = qn_result_step_displacements (r, a),
-               *v = qn_result_step_displacements (r, b);
-  bool same = r->steps[a].multiplier == r->steps[b].multiplier;
-
-  for (size_t i = 0; same && i < count; i++)
-    same = u[i] == v[i];
-  return same;
-}
-
-/* No step of a path repeats the one before, and where the load is prescribed it grows all the time; only
- * the last step may lie below, where the structure moves on. Limit analysis has two: before and at
- * collapse. */
-static void
-check_advance (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  double grows = 0;
-
-  if (r->limit.given && r->step_count != 2)
-    qn_check_tell_model (check, QN_CLAIM_STEPS, QN_NONE, NAN, NAN);
-  if (r->limit.given || r->history.width > 0)
-    return;
-  for (size_t i = 1; i < r->step_count; i++) {
-    bool begins = r->steps[i].stage != r->steps[i - 1].stage;
-    bool ends = i + 1 == r->step_count && r->outcome == QN_OUTCOME_COLLAPSE;
-    double more = r->steps[i].multiplier - r->steps[i - 1].multiplier;
-    bool in_order = begins || !is_same_state (r, i - 1, i);
-    if (!begins && !ends && procedure_of (check, &r->steps[i]) == QN_PROCEDURE_LOAD)
-      in_order = in_order && (grows == 0 ? more != 0 : grows * more > 0);
-    grows = begins ? 0 : more;
-    if (!in_order)
-      qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i, r->steps[i].multiplier, NAN);
-  }
-}
-
-/* Collapse is the last step of all, and only where that is the outcome; only paths jump. */
-static void
-check_events (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  bool is_path = !r->limit.given && r->history.width == 0;
-
-  for (size_t i = 0; i < r->step_count; i++) {
-    bool is_last = i + 1 == r->step_count;
-    bool collapses = r->steps[i].event == QN_EVENT_COLLAPSE;
-    bool should = is_last && r->outcome == QN_OUTCOME_COLLAPSE;
     /* Motion that is driven may go on beyond its collapse multiplier. */
-    if (collapses != should)
-      qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) i, NAN, NAN);
-    bool ends = is_last && r->outcome == QN_OUTCOME_SNAP;
-    bool may_jump = ends || (i > 0 && is_path && r->stability == QN_STABILITY_UNKNOWN);
-    if (r->steps[i].event == QN_EVENT_SNAP ? !may_jump : ends)
+    if ((step->event == QN_EVENT_COLLAPSE) != ends)
       qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) i, NAN, NAN);
   }
 }
 
-/* Without any equilibrium there is nothing that is told of one, and in time no multiplier. */
-static void
-check_nothing (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  bool tells = r->has_collapse_multiplier || r->has_first_limit_multiplier
-               || r->event_count > 0 || r->solution_count > 0 || r->limit.given
-               || r->stability != QN_STABILITY_UNKNOWN || r->vibration.mode > 0;
+/* --- Stages ------------------------------------------------------------------------------- */
 
-  if ((r->step_count == 0 || r->history.width > 0) && tells)
-    qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
-}
-
-double
-qn_check_sense (const QnCheck *check, size_t step, double from)
+/* In which sense (1, -1) the multiplier of the stage that begins with this step grows: towards its target, or,
+ * where a motion is prescribed, that in which the driven loads do work on the way there (path-stages.c).
+ * `from`: the multiplier before. */
+static double
+find_sense (const QnCheck *check, size_t step, double from)
 {
   const QnResult *r = check->result;
 
@@ -173,35 +128,40 @@ qn_check_sense (const QnCheck *check, size_t step, double from)
   return work < 0 ? -1 : 1;
 }
 
-/* Of the steps of the last stage: the highest multiplier, counted in the sense in which it grows. */
-static double
-find_peak (const QnCheck *check, double *sense)
+QnCheckStage
+qn_check_stage (const QnCheck *check, int32_t number)
 {
   const QnResult *r = check->result;
-  int32_t stage = r->steps[r->step_count - 1].stage;
-  double first = NAN, peak = NAN;
+  const QnModel *model = check->model;
+  QnCheckStage stage = { .last = r->step_count - 1,
+                         .sense = 1,
+                         .sets = 1,
+                         .procedure = model->analysis.procedure };
 
-  *sense = 1;
-  for (size_t i = 0; i < r->step_count; i++) {
-    double at = r->steps[i].multiplier;
-    if (r->steps[i].stage != stage)
-      continue;
-    if (isnan (first)) {
-      double before[QN_MAX_LOAD_SETS] = { 0 };
-      uint32_t sets = stage > 0 ? check->model->stages[stage - 1].sets : 1;
-      if (stage > 0 && i > 0)
-        qn_result_load_factors (check->model, r, i - 1, before);
-      int set = 0;
-      while (set < QN_MAX_LOAD_SETS - 1 && (sets >> set & 1) == 0)
-        set++;
-      first = before[set];
-      *sense = qn_check_sense (check, i, first);
-      peak = stage > 0 && *sense * first > *sense * at ? first : at;
-    }
-    if (*sense * at > *sense * peak)
-      peak = at;
+  if (number > 0 && (size_t) number <= model->stage_count) {
+    int set = 0;
+    while (number < r->stage && stage.last > 0 && r->steps[stage.last].stage != number)
+      stage.last--;
+    stage.number = number;
+    stage.sets = model->stages[number - 1].sets;
+    stage.procedure = model->stages[number - 1].procedure;
+    stage.base = stage.last;
+    while (stage.base > 0 && r->steps[stage.base].stage == number)
+      stage.base--;
+    qn_result_load_factors (model, r, stage.base, stage.before);
+    while (set < QN_MAX_LOAD_SETS - 1 && (stage.sets >> set & 1) == 0)
+      set++;
+    stage.origin = stage.before[set];
   }
-  return peak;
+  if (stage.last > stage.base)
+    stage.sense = find_sense (check, stage.base + 1, stage.origin);
+  return stage;
+}
+
+static double
+multiplier_at (const QnCheck *check, const QnCheckStage *stage, size_t step)
+{
+  return step == stage->base ? stage->origin : check->result->steps[step].multiplier;
 }
 
 /* In linear geometry a structure that moves on for good collapses at its last multiplier, unless that has
@@ -211,15 +171,18 @@ static void
 check_collapse (QnCheck *check)
 {
   const QnResult *r = check->result;
-  double sense, peak;
 
   if (r->outcome == QN_OUTCOME_COLLAPSE && !r->has_collapse_multiplier
       && r->history.width == 0)
-    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, NAN, NAN);
+    tell (check, QN_CLAIM_COLLAPSE);
   if (!r->has_collapse_multiplier || r->step_count == 0)
     return;
-  peak = find_peak (check, &sense);
+  QnCheckStage stage = qn_check_stage (check, r->steps[r->step_count - 1].stage);
+  double sense = stage.number > 0 ? stage.sense : 1, peak = stage.origin;
   double last = r->steps[r->step_count - 1].multiplier;
+  for (size_t i = stage.base + 1; i <= stage.last; i++)
+    if (sense * r->steps[i].multiplier > sense * peak)
+      peak = r->steps[i].multiplier;
   bool is_last = r->outcome == QN_OUTCOME_COLLAPSE && sense * last > 0
                  && check->model->analysis.geometry == QN_GEOMETRY_LINEAR
                  && !qn_assembly_may_soften (&check->assembly);
@@ -228,45 +191,125 @@ check_collapse (QnCheck *check)
   double gain = sense * (peak - r->collapse_multiplier);
   bool is_peak =
     gain >= 0 && gain <= check->model->analysis.residual_tolerance * fabs (peak);
-  if (!same_multiplier (r->collapse_multiplier, told) && !(is_peak && !is_last)
-      && !(r->mechanism_uncertain && same_multiplier (r->collapse_multiplier, peak)))
+  if (!same (r->collapse_multiplier, told) && !(is_peak && !is_last)
+      && !(r->mechanism_uncertain && same (r->collapse_multiplier, peak)))
     qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, told);
 }
 
-static bool
-lies_between (double stated, double low, double high)
+/* --- Events ------------------------------------------------------------------------------- */
+
+/* How far a body that is free to has moved since the stage began, the largest of all, m; rotations and what
+ * rides on blocks aside. */
+static double
+largest_shift (const QnCheck *check, size_t from, size_t to)
 {
-  return stated >= low - SAME * (1 + fabs (low))
-         && stated <= high + SAME * (1 + fabs (high));
+  const double *a = qn_result_step_displacements (check->result, from);
+  const double *b = qn_result_step_displacements (check->result, to);
+  double largest = 0;
+
+  for (size_t i = 0; i < qn_result_body_count (check->result) * QN_DOF_COUNT;
+       i += QN_DOF_COUNT) {
+    const int32_t *unknown = check->assembly.unknown + i;
+    largest = fmax (largest, hypot (unknown[0] != QN_NONE ? b[i] - a[i] : 0,
+                                    unknown[1] != QN_NONE ? b[i + 1] - a[i + 1] : 0));
+  }
+  return largest;
 }
 
-/* At a jump, where load is what drives; otherwise among the steps. */
+/* Whether an event begins at a step that has the highest multiplier of its stage so far. */
+static bool
+begins_at_step (const QnCheck *check, const QnCheckStage *stage, const QnPathEvent *event)
+{
+  double highest = stage->origin;
+
+  for (size_t i = stage->base; i <= stage->last; i++) {
+    double at = multiplier_at (check, stage, i);
+    if (stage->sense * at < stage->sense * highest && !same (at, highest))
+      continue;
+    highest = at;
+    if (same (event->multiplier, at)
+        && same (event->displacement_before, largest_shift (check, stage->base, i)))
+      return true;
+  }
+  return false;
+}
+
+/* A jump is local or a snap by how far it takes the structure; where a branch loses its stability, nothing has
+ * moved. */
+static bool
+suits_kind (const QnPathEvent *event)
+{
+  double after = event->displacement_after;
+  double part = after > 0 ? 1 - event->displacement_before / after : 0;
+
+  switch (event->kind) {
+  case QN_EVENT_KIND_LOCAL:
+    return part < QN_JUMP_SNAP * (1 + NEARLY);
+  case QN_EVENT_KIND_SNAP:
+    return part >= QN_JUMP_SNAP * (1 - NEARLY);
+  case QN_EVENT_KIND_BUCKLING:
+    return same (after, event->displacement_before);
+  case QN_EVENT_KIND_COLLAPSE:
+  case QN_EVENT_KIND_COUNT:
+    break;
+  }
+  return true;
+}
+
+/* Events begin at steps and come in order, collapse last; the first snap is the first limit point, unless the
+ * analysis stops where it loses its stability. What lies between is not compared. */
 static void
-check_first_limit (QnCheck *check)
+check_events (QnCheck *check)
 {
   const QnResult *r = check->result;
-  double low = INFINITY, high = -INFINITY, stated = r->first_limit_multiplier;
-  bool jumps = false, at_jump = false;
+  double first = NAN;
+  bool collapses = false;
 
-  if (!r->has_first_limit_multiplier || r->step_count == 0
-      || check->model->stage_count > 0)
+  if (r->events_unknown || r->stability != QN_STABILITY_UNKNOWN || r->limit.given
+      || r->history.width > 0 || r->step_count == 0)
     return;
-  for (size_t i = 0; i < r->step_count; i++) {
-    double at = r->steps[i].multiplier;
-    low = fmin (low, at);
-    high = fmax (high, at);
-    if (i == 0 || r->steps[i].event != QN_EVENT_SNAP)
-      continue;
-    jumps = true;
-    at_jump = at_jump || lies_between (stated, r->steps[i - 1].multiplier, at);
+  for (size_t i = 0; i < r->event_count; i++) {
+    const QnPathEvent *event = &r->events[i];
+    bool is_last = event->stage == r->stage;
+    QnCheckStage stage = qn_check_stage (check, event->stage);
+    bool is_true =
+      begins_at_step (check, &stage, event) && suits_kind (event) && event->energy >= 0
+      && event->displacement_after >= 0
+      && (is_last || event->kind == QN_EVENT_KIND_BUCKLING)
+      && (i == 0 || event->stage > r->events[i - 1].stage
+          || stage.sense * event->multiplier >= stage.sense * r->events[i - 1].multiplier)
+      && !collapses;
+    collapses = event->kind == QN_EVENT_KIND_COLLAPSE;
+    if (isnan (first) && event->kind == QN_EVENT_KIND_SNAP)
+      first = event->multiplier;
+    if (!is_true || (collapses && !r->has_collapse_multiplier))
+      qn_check_tell (check, QN_CLAIM_EVENTS, QN_NONE, QN_ENTITY_ANALYSIS, (QnId) i,
+                     event->multiplier, NAN);
   }
-  bool by_load = check->model->analysis.procedure == QN_PROCEDURE_LOAD;
-  /* The next stable state was not reached where the analysis stops there. */
-  bool stops = r->outcome == QN_OUTCOME_SNAP;
-  if (!lies_between (stated, low, stops ? INFINITY : high)
-      || (jumps && by_load && !stops && !at_jump))
-    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, stated, high);
+  if (r->has_collapse_multiplier && !collapses)
+    tell (check, QN_CLAIM_EVENTS);
+  if (r->outcome != QN_OUTCOME_SNAP && r->outcome != QN_OUTCOME_NOT_CONVERGED
+      && (r->has_first_limit_multiplier != !isnan (first)
+          || (!isnan (first) && !same (r->first_limit_multiplier, first))))
+    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE,
+                         r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN,
+                         first);
 }
+
+/* Where the analysis stops at its first limit point, that is the last step's multiplier or beyond. */
+static void
+check_stop (QnCheck *check)
+{
+  const QnResult *r = check->result;
+
+  if (r->outcome == QN_OUTCOME_SNAP && r->step_count > 0
+      && r->stability == QN_STABILITY_UNKNOWN && check->model->stage_count == 0
+      && !(r->first_limit_multiplier >= r->steps[r->step_count - 1].multiplier - SAME))
+    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, r->first_limit_multiplier,
+                         r->steps[r->step_count - 1].multiplier);
+}
+
+/* --- Outcome ------------------------------------------------------------------------------ */
 
 /* Where a prescribed displacement, or the largest multiplier, was to be reached. */
 static bool
@@ -287,10 +330,10 @@ reached_target (const QnCheck *check)
   double end = settings->max_multiplier;
   if (!isfinite (end)) /* settlements alone go as far as they are told */
     end = qn_model_sets_have_force (model, 1) ? INFINITY : 1;
-  return last->multiplier >= end * (1 - SAME) || last->multiplier >= 1e9 * (1 - SAME);
+  return last->multiplier >= fmin (end, 1e9) * (1 - SAME);
 }
 
-/* Limit analysis tells no step (check-fall.c). A path goes on to the largest multiplier there is, unless no
+/* Limit analysis tells no step (check-bounds.c). A path goes on to the largest multiplier there is, unless no
  * load brings the structure down. */
 static QnStatus
 is_unbounded (const QnCheck *check, bool *is_true, QnDiag *diag)
@@ -313,45 +356,50 @@ static QnStatus
 check_outcome (QnCheck *check, QnDiag *diag)
 {
   const QnResult *r = check->result;
-  bool in_time = r->history.width > 0, is_true = true;
+  bool in_time = r->history.width > 0, any = r->step_count > 0, is_true = any;
+  double duration = qn_model_duration (check->model);
   QnStatus status = QN_OK;
-  const QnStep *last = r->step_count > 0 ? &r->steps[r->step_count - 1] : NULL;
 
   switch (r->outcome) {
   case QN_OUTCOME_COLLAPSE:
-    is_true = last != NULL && r->mechanism != NULL;
+    is_true = any && r->mechanism != NULL;
     break;
   case QN_OUTCOME_TARGET_REACHED:
-    if (in_time)
-      is_true = last != NULL
-                && qn_check_agrees (last->time, qn_model_duration (check->model),
-                                    1e-6 * qn_model_duration (check->model));
-    else
-      is_true =
-        last != NULL && reached_target (check) && r->stability != QN_STABILITY_LOST;
+    is_true = any
+              && (in_time ? qn_check_agrees (r->steps[r->step_count - 1].time, duration,
+                                             1e-6 * duration)
+                          : reached_target (check) && r->stability != QN_STABILITY_LOST);
     break;
   case QN_OUTCOME_SNAP:
-    is_true =
-      last != NULL && r->has_first_limit_multiplier && r->stability != QN_STABILITY_KEPT;
+    is_true = any && r->has_first_limit_multiplier && r->stability != QN_STABILITY_KEPT;
     break;
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
-    is_true = r->step_count == 0 && r->unstable_count > 0 && !r->has_collapse_multiplier;
+    is_true = !any && r->unstable_count > 0;
     break;
   case QN_OUTCOME_REST:
-    is_true = in_time && last != NULL;
+    is_true = any && in_time;
     break;
   case QN_OUTCOME_UNBOUNDED:
     status = is_unbounded (check, &is_true, diag);
     break;
   case QN_OUTCOME_CANCELLED:
   case QN_OUTCOME_NOT_CONVERGED:
+    is_true = true;
     break;
   case QN_OUTCOME_COUNT:
     is_true = false;
     break;
   }
+  if (r->limit.given)
+    is_true = is_true && !r->has_first_limit_multiplier;
+  /* Without any equilibrium there is nothing that is told of one, and in time no multiplier. */
+  if (!any || in_time)
+    is_true = is_true
+              && !(r->has_collapse_multiplier || r->has_first_limit_multiplier
+                   || r->event_count > 0 || r->solution_count > 0 || r->limit.given
+                   || r->stability != QN_STABILITY_UNKNOWN || r->vibration.mode > 0);
   if (!is_true)
-    qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
+    tell (check, QN_CLAIM_OUTCOME);
   return status;
 }
 
@@ -364,8 +412,8 @@ check_linearity (QnCheck *check)
   qn_result_judge_linearity (check->model, &found);
   if (check->result->linearity != QN_LINEARITY_UNKNOWN
       && (check->result->linearity != found.linearity
-          || !same_multiplier (check->result->beyond_linear_multiplier,
-                               found.beyond_linear_multiplier)))
+          || !same (check->result->beyond_linear_multiplier,
+                    found.beyond_linear_multiplier)))
     qn_check_tell_model (check, QN_CLAIM_LINEARITY, QN_NONE,
                          check->result->beyond_linear_multiplier,
                          found.beyond_linear_multiplier);
@@ -376,12 +424,10 @@ qn_check_course (QnCheck *check, QnDiag *diag)
 {
   check_numbers (check);
   check_order (check);
-  check_advance (check);
-  check_events (check);
   QnStatus status = check_outcome (check, diag);
-  check_nothing (check);
   check_collapse (check);
-  check_first_limit (check);
+  check_events (check);
+  check_stop (check);
   check_linearity (check);
   return status;
 }

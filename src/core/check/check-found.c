@@ -10,9 +10,6 @@
  * block. */
 #define NO_DEPTH 1e-6
 
-/* A joint is left where it has slid or turned by so much, within this part of it. */
-#define NEARLY 1e-3
-
 static bool
 is_side (const QnSides *sides, const QnFoundContact *contact)
 {
@@ -223,56 +220,4 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
   }
   free (stated);
   return QN_OK;
-}
-
-/* How far the joint of a face has slid or turned at a step, as a part of what it is left for; *off: what
- * the steps leave open of that. */
-static double
-find_way (const QnCheck *check, const QnContactFace *face, const double *rows,
-          double *off)
-{
-  const QnAssembly *as = &check->assembly;
-  double band = qn_contact_follow_band (&check->follow, face->a, face->b);
-  double turned =
-    rows[QN_DOF_COUNT * face->a + QN_DOF_RZ] - rows[QN_DOF_COUNT * face->b + QN_DOF_RZ];
-  double way = fabs (turned) / QN_FOLLOW_TURN;
-
-  *off = NEARLY;
-  for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-    const QnPairMemory *memory = &as->responses[p].memory;
-    if (check->contacts->pairs[p].bar != QN_NONE) /* never left */
-      return 0;
-    way = fmax (way, fabs (memory->a.slip + memory->b.slip) / band);
-    *off = fmax (*off,
-                 NEARLY
-                   + (check->slack + QN_CHECK_FORCES * check->scale / as->springs[p].a.ks)
-                       / band);
-  }
-  return way;
-}
-
-/* What slides too far in a step is left with the next one; in time with the same. */
-void
-qn_check_left (QnCheck *check, size_t step)
-{
-  const QnResult *r = check->result;
-  bool in_time = r->history.width > 0;
-  const double *rows = qn_result_step_displacements (r, step);
-
-  if (in_time && step == 0) /* motion has not begun */
-    return;
-  for (size_t f = 0; f < check->contacts->face_count; f++) {
-    double off, at = INFINITY, now = r->steps[step].time;
-    if (check->follow.left[f])
-      continue;
-    for (size_t i = 0; i < r->left_count; i++)
-      if (r->left[i].face == (QnId) f)
-        at = fmin (at, r->left[i].time);
-    double way = find_way (check, &check->contacts->faces[f], rows, &off);
-    bool leaves = !in_time && at == now + 1, may_stay = step + 1 == r->step_count;
-    if ((leaves && way < 1 - off) || (!leaves && !may_stay && way > 1 + off)
-        || (!in_time && at != rint (at) && isfinite (at)))
-      qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_BLOCK,
-                     check->contacts->faces[f].a, at, now);
-  }
 }

@@ -141,19 +141,28 @@ check_beams (QnCheck *check, double none)
   qn_beam_assembly_update_kinematics (beams, check->u);
 }
 
-/* The load sets that the last stage drives, and all factors when it began. */
-static uint32_t
-find_driven (const QnCheck *check, double before[QN_MAX_LOAD_SETS])
+/* Ties give where they hang slack or have their strength; forces are none or reach the strength within
+ * `little`, N. */
+static void
+check_ties (QnCheck *check, double none, double little)
 {
-  const QnResult *result = check->result;
-  size_t first = result->step_count - 1;
-  int32_t stage = result->steps[first].stage;
+  const QnBeamAssembly *members = &check->assembly.beams;
+  const size_t elements = check->model->element_count;
 
-  while (first > 0 && result->steps[first - 1].stage == stage)
-    first--;
-  if (first > 0 && stage > 0)
-    qn_result_load_factors (check->model, result, first - 1, before);
-  return stage > 0 ? check->model->stages[stage - 1].sets : 1;
+  for (size_t i = 0; i < check->model->tie_count; i++) {
+    const QnBeamResponse *response = &members->responses[elements + i];
+    const QnAssembledBeam *at = &members->beams[elements + i];
+    double rate = qn_beam_assembly_tie_rate (members, i, check->velocity);
+    double force = response->force[0];
+    bool hangs =
+      !check->result->limit.given
+      && at->kinematics.deformation[0] < at->properties.rest + response->memory.stretch;
+    bool flows = fabs (rate) <= none || hangs || (rate < 0 && force <= little)
+                 || (rate > 0 && force >= qn_tie_strength (at->properties.tie) - little);
+    if (!flows)
+      qn_check_tell (check, QN_CLAIM_FLOW, (QnId) check->result->step_count - 1,
+                     QN_ENTITY_TIE, (QnId) i, rate, 0);
+  }
 }
 
 /* Power of the loads that the last stage drives, in the sense in which they grow. A path that was followed
@@ -164,17 +173,18 @@ check_work (QnCheck *check)
   const QnAssembly *as = &check->assembly;
   const QnResult *result = check->result;
   double factors[QN_MAX_LOAD_SETS] = { 0 }, none[QN_MAX_LOAD_SETS] = { 0 };
-  double before[QN_MAX_LOAD_SETS] = { 0 }, power = 0, largest = 0;
-  uint32_t sets = find_driven (check, before);
+  double power = 0, largest = 0;
+  QnCheckStage stage =
+    qn_check_stage (check, result->steps[result->step_count - 1].stage);
 
-  if (!qn_model_sets_have_force (check->model, sets)
+  if (!qn_model_sets_have_force (check->model, stage.sets)
       || fabs (result->steps[result->step_count - 1].multiplier
                - result->collapse_multiplier)
            > 0.5 * fabs (result->collapse_multiplier))
     return;
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
-    if ((sets >> set & 1) != 0)
-      factors[set] = result->collapse_multiplier >= before[set] ? 1 : -1;
+    if ((stage.sets >> set & 1) != 0)
+      factors[set] = result->collapse_multiplier >= stage.before[set] ? 1 : -1;
   qn_assembly_set_loads (&check->assembly, none, factors);
   qn_assembly_update_kinematics (&check->assembly, check->u);
   for (int32_t i = 0; i < as->unknown_count; i++)
@@ -213,50 +223,54 @@ check_second_order_work (QnCheck *check)
 {
   const QnResult *result = check->result;
   double factors[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 0 };
-  double before[QN_MAX_LOAD_SETS] = { 0 };
-  uint32_t sets = find_driven (check, before);
   size_t last = result->step_count - 1;
+  QnCheckStage stage = qn_check_stage (check, result->steps[last].stage);
 
   qn_result_load_factors (check->model, result, last, factors);
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
-    if ((sets >> set & 1) != 0)
-      driven[set] = result->collapse_multiplier - before[set];
+    if ((stage.sets >> set & 1) != 0)
+      driven[set] = result->collapse_multiplier - stage.before[set];
   qn_assembly_set_loads (&check->assembly, factors, driven);
   if (!qn_moves_on (&check->assembly, check->u, 0, 1, check->velocity, check->rows,
                     check->residual))
     qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) last, NAN, NAN);
 }
 
-/* Where motion is prescribed and the structure does not fall, the mechanism is its last motion. */
+/* Where motion is prescribed and the structure does not fall, the mechanism is its last motion; where it has
+ * collapsed in time, that in which it does. */
 static void
 check_last_motion (QnCheck *check)
 {
   const QnResult *r = check->result;
-  const QnModel *model = check->model;
   size_t n = (size_t) check->assembly.unknown_count, last = r->step_count - 1;
-  int32_t stage = r->steps[last].stage;
-  QnProcedure procedure =
-    stage > 0 ? model->stages[stage - 1].procedure : model->analysis.procedure;
-  double *before = check->residual, product = 0, square = 0;
+  bool in_time = r->history.width > 0;
+  double *motion = check->residual, product = 0, square = 0;
 
-  if (procedure == QN_PROCEDURE_LOAD || r->limit.given || r->vibration.mode > 0
-      || r->stability != QN_STABILITY_UNKNOWN || last == 0)
+  if (in_time
+        ? r->outcome != QN_OUTCOME_COLLAPSE || r->velocities == NULL
+            || r->history.collapse_time < r->steps[last].time
+        : qn_check_stage (check, r->steps[last].stage).procedure == QN_PROCEDURE_LOAD
+            || r->limit.given || r->vibration.mode > 0
+            || r->stability != QN_STABILITY_UNKNOWN || last == 0)
     return;
-  qn_check_gather (&check->assembly, qn_result_step_displacements (r, last - 1), before);
+  qn_check_gather (&check->assembly,
+                   in_time
+                     ? r->velocities + last * qn_result_body_count (r) * QN_DOF_COUNT
+                     : qn_result_step_displacements (r, last - 1),
+                   motion);
   for (size_t i = 0; i < n; i++) {
-    product += check->velocity[i] * (check->u[i] - before[i]);
+    motion[i] = in_time ? motion[i] : check->u[i] - motion[i];
+    product += check->velocity[i] * motion[i];
     square += check->velocity[i] * check->velocity[i];
   }
-  double speed = product / square, largest = qn_largest (check->velocity, n) * speed;
-  double none = QN_CHECK_TOLERANCE * largest + QN_CHECK_EXACT * check->largest;
+  double speed = product / square;
+  double none = QN_CHECK_TOLERANCE * qn_largest (motion, n);
+  if (!in_time)
+    none += QN_CHECK_EXACT * check->largest;
   for (size_t i = 0; i < n; i++)
-    if (!(speed > 0
-          && qn_check_agrees (speed * check->velocity[i], check->u[i] - before[i],
-                              none))) {
+    if (!(speed > 0 && qn_check_agrees (speed * check->velocity[i], motion[i], none)))
       qn_check_tell_model (check, QN_CLAIM_FLOW, (QnId) last, check->velocity[i],
-                           (check->u[i] - before[i]) / speed);
-      return;
-    }
+                           motion[i] / speed);
 }
 
 void
@@ -269,9 +283,7 @@ qn_check_mechanism (QnCheck *check)
     return;
   qn_check_gather (as, result->mechanism, check->velocity);
   qn_check_bodies (check);
-  if (result->history.width > 0)
-    return;
-  if (result->outcome != QN_OUTCOME_COLLAPSE) {
+  if (result->history.width > 0 || result->outcome != QN_OUTCOME_COLLAPSE) {
     check_last_motion (check);
     return;
   }
@@ -288,7 +300,7 @@ qn_check_mechanism (QnCheck *check)
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p])
       check_joint (check, p, rates + 2 * p, none);
-  qn_check_tie_rates (check, none, LITTLE * check->scale);
+  check_ties (check, none, LITTLE * check->scale);
   if (!as->nonlinear)
     check_beams (check, none);
 }

@@ -25,10 +25,6 @@
  * since the step before: what an increment along the central path may leave of them. */
 #define QN_CHECK_STRAIN 1e-3
 
-/* Force that a joint lacks to its strength times its flow: part of the largest force times the largest
- * change of an elongation. */
-#define QN_CHECK_PRODUCT 1e-5
-
 /* A force is none, or a strength is reached, within this part of the largest force. */
 #define QN_CHECK_STATE 1e-4
 
@@ -60,10 +56,10 @@ typedef struct QnCheck {
   double *forces;            /* scratch, 2 per pair */
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
-  bool *risen; /* by pair: it stands open, and how far it has risen is not known */
+  bool *
+    unknown; /* by pair: what its law remembers, since the structure moved on a way unknown */
   double *elongations; /* 2 per pair: at the step before */
   double *mass;        /* in time: in the pattern of the tangent */
-  double *begun;       /* in time: unknowns where the motion begins */
   QnInertia *inertia;  /* of the tangent, where stability is stated */
 } QnCheck;
 
@@ -81,10 +77,18 @@ void qn_check_tell_body (QnCheck *check, QnClaim claim, QnId step, size_t body,
 void qn_check_tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair,
                          double stated, double found);
 
-/* In which sense (1, -1) the multiplier of the stage that begins with this step grows: towards its target, or,
- * where a motion is prescribed, that in which the driven loads do work on the way there (path-stages.c).
- * `from`: the multiplier before. */
-double qn_check_sense (const QnCheck *check, size_t step, double from);
+/* Of a stage of loading, or of an analysis without stages: the step that it begins with, and its last. */
+typedef struct QnCheckStage {
+  int32_t number; /* 0: none */
+  size_t base, last;
+  double before[QN_MAX_LOAD_SETS]; /* how much of every load set acts where it begins */
+  double origin;                   /* of those that it drives */
+  double sense;                    /* -1: its multiplier falls */
+  uint32_t sets;                   /* of loads, that it drives */
+  QnProcedure procedure;
+} QnCheckStage;
+
+QnCheckStage qn_check_stage (const QnCheck *check, int32_t number);
 
 /* False for what is no number, too. */
 bool qn_check_agrees (double stated, double found, double tolerance);
@@ -101,26 +105,15 @@ void qn_check_found_take (QnCheck *check, size_t step);
 /* No corner lies within another block without a contact. After qn_check_found_take(). */
 QnStatus qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag);
 
-/* Joints are left once they have slid or turned too far, and no other is. Likewise. */
-void qn_check_left (QnCheck *check, size_t step);
-
-/* Forces, elongations and states of the ties at a step, its displacements evaluated; the same of rigid
- * blocks, whose balance then has the forces stated. */
-void qn_check_ties (QnCheck *check, size_t step);
-
-/* Ties give in the mechanism where they hang slack or have their strength; forces are none or reach the
- * strength within `little`, N. What all dissipate at most. */
-void qn_check_tie_rates (QnCheck *check, double none, double little);
-double qn_check_tie_dissipation (const QnCheck *check);
+/* Displacements, forces, states and balance at a step, its displacements evaluated (check-forces.c). What
+ * follows has the forces as they are stated. */
+void qn_check_forces (QnCheck *check, size_t step);
 
 /* Unknowns from a row of displacements or velocities for every body. */
 void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);
 
-/* Order of the steps, events, the outcome and its multipliers (check-course.c). */
+/* Order of the steps, the outcome and its multipliers, events (check-course.c). */
 QnStatus qn_check_course (QnCheck *check, QnDiag *diag);
-
-/* What happens between the steps of a path (check-events.c). */
-void qn_check_events (QnCheck *check);
 
 /* The mechanism at the last step (check-mechanism.c). */
 void qn_check_mechanism (QnCheck *check);
@@ -128,13 +121,10 @@ void qn_check_mechanism (QnCheck *check);
 /* Supports stand in the mechanism, and nodes move with the blocks that they ride on. */
 void qn_check_bodies (QnCheck *check);
 
-/* A result without any equilibrium (check-fall.c). */
-QnStatus qn_check_fall (QnCheck *check, QnDiag *diag);
-
 /* Vibrations and stability, at the state of a step (check-modes.c). */
 QnStatus qn_check_modes (QnCheck *check, size_t step, QnDiag *diag);
 
-/* The bounds of limit analysis (check-bounds.c). */
+/* The bounds of limit analysis, and what it says without any equilibrium (check-bounds.c). */
 QnStatus qn_check_bounds (QnCheck *check, QnDiag *diag);
 
 /* What an analysis in time keeps (check-history.c): the whole of it, and the energies at a step, at which

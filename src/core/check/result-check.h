@@ -7,16 +7,16 @@
  *   numbers        all are finite
  *   steps          the first is the dead load; stages, events and times come in order
  *   displacements  supports stay, or settle as they are told to; nodes on blocks ride with them
- *   forces         of every pair and beam, as the laws answer the displacements. What a law remembers
- *                  is replayed from step to step. Where a structure has jumped, joints have slid on a
- *                  way that no result tells: there the slip that explains the shear forces is taken,
- *                  and the normal forces, the strengths and the balance remain to be met
+ *   forces         of every pair, tie and beam, as the laws answer the displacements. What a law remembers
+ *                  is replayed from step to step. Once a structure has jumped, joints have slid on a
+ *                  way that no result tells: from there on the slip that explains the shear forces is
+ *                  taken, and the normal forces, the strengths and the balance remain to be met
  *   strength       no joint carries more than its law allows, and its state is that of its forces
  *   balance        of every free body, with the loads at the step's multipliers; not in time, where
  *                  inertia and damping belong to it and equilibrium is that of a whole step, most of
  *                  which are not kept; there the energies are recomputed (history)
  *   reactions      as forces and loads leave them
- *   events         those that the steps show (check-events.c)
+ *   events         begin at steps, and come in order
  *   outcome        what the steps say, and the multipliers of collapse and first limit point
  *   mechanism      joints do not overlap; they slide and open where their strength is reached, in the
  *                  sense of their forces and with their dilatancy; the live load does work on it
@@ -29,9 +29,8 @@
  *                  of a path is that of a step
  *   linearity      where blocks leave the displacements that linear geometry holds for
  *   history        energies add up to within the error that is told; at every step that is kept the
- *                  kinetic one is that of the velocities, the elastic one that of the forces, and
- *                  where the ground stands still the input is the work of the weights; peaks and
- *                  tracks are those of the steps; what is at rest is slow
+ *                  kinetic one is that of the velocities, the elastic one that of the forces; peaks
+ *                  and tracks are those of the steps; what is at rest is slow
  */
 #ifndef QN_CORE_RESULT_CHECK_H
 #define QN_CORE_RESULT_CHECK_H
@@ -44,7 +43,6 @@ typedef struct QnResultFaults {
   bool
     forces_unknown; /* forces of the steps before the last were not kept: not compared */
   bool in_time;     /* the balance is that of a motion and was not checked */
-  int32_t jumps;    /* steps at which slip was taken from the forces */
 } QnResultFaults;
 
 /* How far a check goes. */

@@ -30,22 +30,6 @@ add_unproved (GPtrArray *unproved, const char *member)
 }
 
 static gboolean
-has_events (const QnResult *result)
-{
-  return result->event_count > 0;
-}
-
-static gboolean
-is_by_load (const QnModel *model, const QnResult *result)
-{
-  gboolean staged = result->stage > 0 && (size_t) result->stage <= model->stage_count;
-  QnProcedure procedure =
-    staged ? model->stages[result->stage - 1].procedure : model->analysis.procedure;
-  return procedure == QN_PROCEDURE_LOAD && !result->limit.given
-         && result->history.width == 0;
-}
-
-static gboolean
 has_relaxed (const QnResult *result)
 {
   gboolean any = FALSE;
@@ -54,28 +38,12 @@ has_relaxed (const QnResult *result)
   return any;
 }
 
-/* Whether a found contact carries at no step that is kept. */
 static gboolean
-has_idle_contacts (const QnResult *result)
-{
-  g_autofree gboolean *carries = g_new0 (gboolean, result->found_count);
-  gboolean any = FALSE;
-  for (size_t i = 0; i < result->found_force_count; i++)
-    carries[result->found_forces[i].found] = TRUE;
-  for (size_t i = 0; i < result->found_count; i++)
-    any = any || !carries[i];
-  return any;
-}
-
-/* Whether steps are jumps that no event tells: of stages before the last, and where motion is prescribed. */
-static gboolean
-has_other_jumps (const QnModel *model, const QnResult *result)
+has_jumps (const QnResult *result)
 {
   gboolean any = FALSE;
   for (size_t i = 0; i < result->step_count; i++)
-    any = any
-          || (result->steps[i].event == QN_EVENT_SNAP
-              && (result->steps[i].stage < result->stage || !is_by_load (model, result)));
+    any = any || result->steps[i].event == QN_EVENT_SNAP;
   return any;
 }
 
@@ -101,13 +69,14 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "steps[].iterations", result->step_count > 0 },
     { "steps[].residual", result->step_count > 0 },
     { "steps[].relaxed", has_relaxed (result) },
-    { "steps[].event", has_other_jumps (model, result) },
+    { "steps[].event", has_jumps (result) },
     { "refused", result->refused_count > 0 },
     { "unproved_multiplier", result->has_unproved_multiplier },
     { "outcome", (result->step_count == 0 && !is_rigid) || no_answer },
-    { "events[].displacement_after", has_events (result) && is_by_load (model, result) },
-    { "events[].energy", has_events (result) && is_by_load (model, result) },
-    { "solutions[].found_by", result->solution_count > 0 && is_by_load (model, result) },
+    { "events[].displacement_after", result->event_count > 0 },
+    { "events[].energy", result->event_count > 0 },
+    { "events[].blocks", result->event_count > 0 },
+    { "solutions[].found_by", result->solution_count > 0 && !result->limit.given },
     { "mechanism_by_work", result->mechanism_by_work },
     { "node_mechanism", result->node_count > 0 && result->mechanism != NULL
                           && (result->mechanism_uncertain
@@ -122,11 +91,11 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "history.peak", in_time },
     { "history.time_of_peak", in_time && !isnan (result->history.peak_time) },
     { "history.tracks[].values", in_time && model->track_count > 0 },
-    { "history.found", in_time && has_idle_contacts (result) },
-    { "history.found[].foot", in_time && result->found_count > 0 },
-    { "history.found[].time", in_time && result->found_count > 0 },
-    { "history.left[].time", in_time && result->left_count > 0 },
+    { "history.ground", in_time },
+    { "history.found", in_time && result->found_count > 0 },
+    { "history.left", in_time && result->left_count > 0 },
     { "found[].foot", !in_time && result->found_count > 0 },
+    { "left", !in_time && result->left_count > 0 },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (members); i++)
     if (members[i].stated)

@@ -1,0 +1,680 @@
+/* Displacements, forces, strengths, states and balance at a step. */
+#include "core/base/numbers.h"
+#include "core/check/check-parts.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- Displacements ------------------------------------------------------------------------ */
+
+/* What no unknown tells: supports, nodes on blocks; and rigid blocks at collapse have not moved yet. */
+static void
+check_displacements (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  const double *rows = qn_result_step_displacements (check->result, step);
+  size_t count = qn_model_body_count (check->model) * QN_DOF_COUNT;
+
+  qn_assembly_expand (as, check->u, check->rows);
+  if (check->result->limit.given)
+    memset (check->rows, 0, count * sizeof *check->rows);
+  double largest = qn_largest (check->rows, count);
+  for (size_t i = 0; i < count; i++)
+    if (!qn_check_agrees (rows[i], check->rows[i], QN_CHECK_EXACT * largest))
+      qn_check_tell_body (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, i / QN_DOF_COUNT,
+                          rows[i], check->rows[i]);
+}
+
+static void
+check_settlements (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  double largest = 0; /* of the settlements in whole: one may have been taken back */
+
+  for (size_t i = 0; i < check->model->live_load_count; i++) {
+    const QnLoad *load = &check->model->live_loads[i];
+    double unit = load->dof == QN_DOF_RZ ? as->length : 1;
+    if (load->kind == QN_LOAD_SETTLEMENT)
+      largest = fmax (largest, fabs (load->value) * unit);
+  }
+  for (size_t s = 0; s < as->settling_count; s++) {
+    double told = as->dead[as->settling[s].unknown] / as->stiffness;
+    if (!qn_check_agrees (as->settling[s].u, told, check->tolerance * largest))
+      qn_check_tell (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, QN_ENTITY_BLOCK,
+                     as->settling[s].block, as->settling[s].u, told);
+  }
+}
+
+/* --- Forces ------------------------------------------------------------------------------- */
+
+/* Whether nothing of both blocks of a pair is free to move: what lies between supports carries no load, and its
+ * state is one of rounding. */
+static bool
+is_held (const QnAssembly *as, size_t p)
+{
+  const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
+  const int32_t *a = as->unknown + QN_DOF_COUNT * face->a;
+  const int32_t *b = as->unknown + QN_DOF_COUNT * face->b;
+  bool held = true;
+
+  for (int i = 0; i < QN_DOF_COUNT; i++)
+    held = held && (a[i] == QN_NONE || as->settles[a[i]])
+           && (b[i] == QN_NONE || as->settles[b[i]]);
+  return held;
+}
+
+/* Force of a pair as the result states it at a step, at the last one in all digits; false where it
+ * does not. */
+static bool
+stated_pair (const QnCheck *check, size_t step, size_t pair, QnPairResult *at)
+{
+  const QnResult *result = check->result;
+  bool is_last = step + 1 == result->step_count;
+
+  if (pair >= check->contacts->pair_count) {
+    const QnFoundForce *found = &check->found[pair - check->contacts->pair_count];
+    *at = (QnPairResult){ .normal_force = found->normal,
+                          .shear_force = found->shear,
+                          .state = found->state };
+    return true;
+  }
+  if (!is_last && !qn_result_has_forces (result, step))
+    return false;
+  *at = is_last ? result->pairs[pair] : qn_result_pair_at (result, step, pair);
+  return true;
+}
+
+static bool
+stated_force (const QnCheck *check, size_t step, size_t pair, double force[2],
+              QnPairState *state)
+{
+  QnPairResult at;
+
+  if (!stated_pair (check, step, pair, &at))
+    return false;
+  force[0] = at.normal_force;
+  force[1] = at.shear_force;
+  *state = at.state;
+  return true;
+}
+
+static bool
+same_force (const double *a, const double *b, double tolerance)
+{
+  return qn_check_agrees (a[0], b[0], tolerance)
+         && qn_check_agrees (a[1], b[1], tolerance);
+}
+
+/* The slip and opening that leave a joint, its bond damaged as after the step, with this force at elongation q. Of two springs all that is
+ * new counts as the first one's: which of them slid makes no difference to both together. False for
+ * what is not elastic and perfectly plastic. */
+static bool
+take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemory *before,
+           const QnPairMemory *after, const double q[2], const double stated[2],
+           QnPairMemory *memory)
+{
+  const QnSpring *s = &springs->a, *other = springs->equal ? NULL : &springs->b;
+  double stuck[2] = { 0, 0 }; /* elongation of the other spring */
+  double force[2] = { stated[0], stated[1] };
+
+  *memory = *before;
+  qn_pair_keep_damage (springs, after, memory);
+  double damage = qn_pair_damage (springs, memory);
+  if (qn_spring_has_bond (s) && damage < 1 && (damage <= 0 || other != NULL)) {
+    memory->a.opening = q[0] - force[0] / s->kn; /* crushed, the bond whole */
+    return s->kind == QN_LAW_MOHR_COULOMB && other == NULL
+           && memory->a.opening <= before->a.opening;
+  }
+  if (damage > 0 && damage < 1) { /* what friction carries of it */
+    const double bond[2] = { s->kn * (q[0] - qn_spring_crushed (s, &before->a)),
+                             s->ks * q[1] };
+    for (int i = 0; i < 2; i++)
+      force[i] = (stated[i] - (1 - damage) * bond[i]) / damage;
+  }
+  if (other != NULL && !(qn_law_is_plastic (s->kind) && qn_law_is_plastic (other->kind)))
+    return false;
+  if (other != NULL) {
+    stuck[0] = before->b.opening + force[0] / other->kn;
+    stuck[1] = before->b.slip + force[1] / other->ks;
+  }
+  bool dilates = s->dilatancy > 0 || (other != NULL && other->dilatancy > 0);
+  /* What slides back may lose more strength than shear force: not beyond its strength by rounding. */
+  double within = dilates ? 1 - 0.1 * QN_CHECK_FORCES : 1;
+  memory->a.slip = q[1] - stuck[1] - within * force[1] / s->ks;
+  if (!qn_law_is_plastic (s->kind))
+    return false;
+  bool crushes = s->kind == QN_LAW_MOHR_COULOMB
+                 || (other != NULL && other->kind == QN_LAW_MOHR_COULOMB);
+  double opening = q[0] - stuck[0] - force[0] / s->kn;
+  bool at_cap = force[0] >= -QN_CHECK_FORCES * check->scale;
+  /* A joint that opens remembers what it has risen by sliding alone. */
+  double risen = qn_spring_risen (s, &before->a, memory->a.slip);
+  if (at_cap && check->relaxed)
+    memory->a.opening = fmin (opening, risen);
+  else if (check->relaxed || (force[0] < 0 && (dilates || crushes)))
+    memory->a.opening = opening;
+  else if (at_cap && (dilates || crushes)) /* crushed, or slid back, on the way there */
+    memory->a.opening = fmin (memory->a.opening, opening);
+  for (int i = 0; i < 2; i++) {
+    memory->qa[i] = q[i] - stuck[i];
+    memory->qb[i] = stuck[i];
+  }
+  return crushes || memory->a.opening + memory->b.opening >= -check->slack;
+}
+
+/* Whether a force is within `little` of one of the strengths of a pair. */
+static bool
+is_near_strength (const QnPairSprings *springs, const QnPairMemory *memory,
+                  const double force[2], double little)
+{
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  int count = qn_pair_strength (springs, memory, rows);
+
+  for (int i = 0; i < count; i++)
+    if (fabs (rows[i].normal * force[0] + rows[i].shear * fabs (force[1]) - rows[i].limit)
+        <= little)
+      return true;
+  return false;
+}
+
+/* Elongations of a step along the central path are exact to a part of the largest change of one, and
+ * what is replayed from then on no better. */
+static void
+add_slack (QnCheck *check)
+{
+  const QnAssembly *as = &check->assembly;
+  double change = 0;
+
+  for (size_t i = 0; i < 2 * as->pair_count; i++)
+    change = fmax (change, fabs (as->elongations[i] - check->elongations[i]));
+  memcpy (check->elongations, as->elongations, 2 * as->pair_count * sizeof (double));
+  check->change = fmax (check->change, change);
+  check->slack = QN_CHECK_EXACT * (1 + check->largest);
+  if (check->relaxed)
+    check->slack += QN_CHECK_STRAIN * check->change;
+}
+
+static double
+force_tolerance (const QnCheck *check, const QnPairSprings *springs, const double *q)
+{
+  /* Elongations are differences of displacements, as exact as those. */
+  double stiffness = fmax (springs->a.kn, springs->a.ks);
+  double rounding = QN_CHECK_EXACT * stiffness * (check->largest + hypot (q[0], q[1]));
+
+  return QN_CHECK_FORCES * check->scale + rounding;
+}
+
+/* Whether a pair was found on the way and carried nothing at the step before: where it has slid since is
+ * not known. */
+static bool
+begins (const QnCheck *check, size_t pair)
+{
+  size_t drawn = check->contacts->pair_count;
+
+  return pair >= drawn && check->begins[pair - drawn];
+}
+
+/* What a step states of the bond of a pair: as much damage as the laws answer. More there may be where the
+ * structure has moved on the way, and stays from then on. */
+static void
+take_damage (QnCheck *check, size_t step, size_t p)
+{
+  QnAssembly *as = &check->assembly;
+  const QnPairSprings *springs = &as->springs[p];
+  QnPairResponse *response = &as->responses[p];
+  QnPairMemory *before = &as->committed[p];
+  double found = qn_pair_damage (springs, &response->memory);
+  QnPairResult at;
+
+  if (!stated_pair (check, step, p, &at)
+      || qn_check_agrees (at.damage, found, QN_CHECK_STATE))
+    return;
+  bool moved = check->result->steps[step].relaxed || check->result->history.width > 0;
+  if (at.damage > found && at.damage <= 1 && moved) {
+    bool in_a =
+      qn_spring_has_bond (&springs->a)
+      && !(springs->b.cohesion > 0 && springs->b.cohesion < springs->a.cohesion);
+    *(in_a ? &before->a.extreme : &before->b.extreme) = at.damage;
+    qn_pair_evaluate (springs, before, as->elongations + 2 * p, response);
+    found = qn_pair_damage (springs, &response->memory);
+  }
+  if (!qn_check_agrees (at.damage, found, QN_CHECK_STATE))
+    qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
+}
+
+/* Whether a pair may have another force than its law answers to the step before; *response then is one with
+ * this force. Where the structure has moved on a way that no result tells, from a step at which it came to
+ * rest on and in time, any flow of a joint that explains its force is accepted, and any force of a member. */
+static bool
+explain (QnCheck *check, size_t p, const double force[2], double tolerance,
+         QnPairResponse *response)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnPairSprings *springs = &as->springs[p];
+  const double *q = as->elongations + 2 * p;
+  bool in_time = check->result->history.width > 0;
+  QnPairMemory memory;
+
+  if (as->inactive[p] || !(check->relaxed || in_time || begins (check, p)))
+    return false;
+  if (take_flow (check, springs, &as->committed[p], &response->memory, q, force, &memory)
+      && qn_pair_evaluate (springs, &memory, q, response)
+      && same_force (response->force, force, tolerance))
+    return true;
+  check->unknown[p] =
+    check->relaxed
+    && !(qn_law_is_plastic (springs->a.kind) && qn_law_is_plastic (springs->b.kind));
+  return check->unknown[p];
+}
+
+/* Compares the forces of a step with what the laws answer, and leaves the answers evaluated. */
+static void
+check_forces (QnCheck *check, size_t step)
+{
+  QnAssembly *as = &check->assembly;
+  const QnStep *told = &check->result->steps[step];
+
+  check->relaxed = check->relaxed || told->relaxed;
+  add_slack (check);
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const double *q = as->elongations + 2 * p;
+    const QnPairSprings *springs = &as->springs[p];
+    QnPairState state;
+    double force[2], tolerance = force_tolerance (check, springs, q);
+    take_damage (check, step, p);
+    if (!stated_force (check, step, p, force, &state)) {
+      check->lost = check->lost || told->relaxed;
+      return;
+    }
+    QnPairResponse *response = &as->responses[p];
+    if (!is_held (as, p) && !same_force (response->force, force, tolerance)) {
+      QnPairResponse replayed = *response;
+      int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;
+      if (!explain (check, p, force, tolerance, response))
+        qn_check_tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse],
+                            replayed.force[worse]);
+    }
+    /* What follows is checked with the forces as they are stated. */
+    memcpy (response->force, force, sizeof force);
+  }
+  check->lost = false;
+}
+
+/* Largest force at a step, in the loads or in joints, beams and ties. */
+static double
+find_scale (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnBeamForces *beams = qn_result_step_beam_forces (check->result, step);
+  const QnTieResult *ties = qn_result_step_ties (check->result, step);
+  double scale = as->force_scale, force[2];
+  QnPairState state;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    if (!as->settles[i])
+      scale = fmax (scale, fabs (as->dead[i]));
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (!is_held (as, p) && stated_force (check, step, p, force, &state))
+      scale = fmax (scale, hypot (force[0], force[1]));
+  for (size_t e = 0; beams != NULL && e < check->model->element_count; e++)
+    for (int end = 0; end < 2; end++)
+      scale = fmax (scale, hypot (beams[e].normal[end], beams[e].shear[end]));
+  for (size_t i = 0; ties != NULL && i < check->result->tie_count; i++)
+    scale = fmax (scale, fabs (ties[i].force));
+  return scale;
+}
+
+/* What steel is beyond its strength. */
+static double
+steel_excess (const QnSpring *spring, double normal)
+{
+  return spring->kind == QN_LAW_STEEL ? fabs (normal) - spring->strength : 0;
+}
+
+static void
+check_strength (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+    QnPairState state;
+    double force[2];
+    if (!stated_force (check, step, p, force, &state))
+      return;
+    double excess = qn_worse (steel_excess (&springs->a, force[0]),
+                              steel_excess (&springs->b, force[0]));
+    int count = check->result->limit.given
+                  ? qn_pair_rigid_strength (springs, rows)
+                  : qn_pair_strength (springs, &as->responses[p].memory, rows);
+    for (int i = 0; i < count; i++)
+      excess = qn_worse (excess, rows[i].normal * force[0]
+                                   + rows[i].shear * fabs (force[1]) - rows[i].limit);
+    excess -= QN_BOND_ROUNDING * springs->a.cohesion;
+    if (!is_held (as, p) && !(excess <= check->tolerance * check->scale))
+      qn_check_tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
+  }
+}
+
+static bool
+may_yield (const QnSpring *spring)
+{
+  return spring->kind != QN_LAW_ELASTIC && spring->kind != QN_LAW_NO_TENSION
+         && spring->kind != QN_LAW_COULOMB;
+}
+
+/* Whether a joint stands open by more than what little force would close; rigid blocks do not tell, nor
+ * do joints in time that dilate between the steps that are kept. */
+static bool
+is_apart (const QnCheck *check, size_t p)
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  bool dilates = springs->a.dilatancy > 0 || springs->b.dilatancy > 0;
+  const QnAssembly *as = &check->assembly;
+  const QnPairMemory *memory = &as->responses[p].memory;
+  double gap = as->elongations[2 * p] - memory->a.opening
+               - (as->springs[p].equal ? 0 : memory->b.opening);
+
+  return !check->result->limit.given && !(dilates && check->result->history.width > 0)
+         && gap > check->slack + QN_CHECK_STATE * check->scale / as->springs[p].a.kn;
+}
+
+/* Whether a state is that of the forces alone, where displacements or what came before do not tell it. A
+ * very little force may be what an iteration has left. */
+static bool
+state_suits_force (const QnCheck *check, size_t p, const double force[2],
+                   QnPairState state)
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  const QnPairMemory *memory = &check->assembly.responses[p].memory;
+  double little = QN_CHECK_STATE * check->scale;
+
+  if (state == QN_PAIR_YIELD && !may_yield (&springs->a) && !may_yield (&springs->b))
+    return false;
+  if (state == QN_PAIR_STICK
+      || hypot (force[0], force[1]) <= QN_CHECK_FORCES * check->scale)
+    return state == QN_PAIR_STICK ? hypot (force[0], force[1]) > 0
+                                  : state == QN_PAIR_OPEN || !is_apart (check, p);
+  if (state == QN_PAIR_YIELD)
+    return is_near_strength (springs, memory, force, little);
+  return qn_pair_state_of_force (springs, memory, state, force, little) == state;
+}
+
+/* Whether a pair comes to a state at the elongation of a step, or as near to it as forces agree. */
+static bool
+comes_to_state (const QnCheck *check, size_t p, QnPairState state)
+{
+  double little = QN_CHECK_STATE * check->scale;
+  const QnAssembly *as = &check->assembly;
+  const QnPairSprings *springs = &as->springs[p];
+  const double *q = as->elongations + 2 * p;
+
+  if (qn_pair_state (springs, as->responses[p].phase) == state)
+    return true;
+  for (int i = 0; i < 4; i++) {
+    double away = i % 2 == 0 ? little : -little;
+    double near[2] = { q[0], q[1] };
+    QnPairResponse response;
+    near[i / 2] += away / (i / 2 == 0 ? springs->a.kn : springs->a.ks);
+    if (qn_pair_evaluate (springs, &as->committed[p], near, &response)
+        && qn_pair_state (springs, response.phase) == state)
+      return true;
+  }
+  return false;
+}
+
+/* Whether a pair has hardly flown since the step before, as its forces and displacements tell. */
+static bool
+stays (const QnCheck *check, size_t p)
+{
+  const QnPairMemory *before = &check->assembly.committed[p];
+  const QnPairMemory *after = &check->assembly.responses[p].memory;
+
+  return fabs (after->a.slip - before->a.slip) <= check->slack
+         && fabs (after->a.opening - before->a.opening) <= check->slack;
+}
+
+static void
+check_states (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnResult *result = check->result;
+  bool by_force =
+    result->limit.given || result->history.width > 0 || result->steps[step].relaxed;
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    QnPairState state;
+    double force[2];
+    if (!stated_force (check, step, p, force, &state))
+      return;
+    double size = hypot (force[0], force[1]);
+    bool by_little = size <= QN_CHECK_FORCES * check->scale;
+    bool told = by_force || begins (check, p) || stays (check, p)
+                || ((by_little || state != QN_PAIR_STICK)
+                    && qn_pair_strength (springs, &as->responses[p].memory, rows) > 0);
+    bool suits = is_held (as, p) || check->unknown[p] ? true
+                 : as->inactive[p]
+                   ? state == QN_PAIR_OPEN
+                   : comes_to_state (check, p, state)
+                       || (told && state_suits_force (check, p, force, state));
+    if (!suits)
+      qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, state,
+                          qn_pair_state (springs, as->responses[p].phase));
+  }
+}
+
+/* --- Balance ------------------------------------------------------------------------------ */
+
+/* Which body an unknown belongs to. */
+static size_t
+body_of (const QnAssembly *as, int32_t unknown)
+{
+  size_t i = 0;
+
+  while (as->unknown[i] != unknown)
+    i++;
+  return i / QN_DOF_COUNT;
+}
+
+/* What rounding of stated forces adds to a moment, relative to the length of the assembly: where blocks
+ * have moved far apart, forces between them have arms as long as that. */
+static double
+rounding_of_moments (const QnCheck *check, size_t step)
+{
+  bool is_last = step + 1 == check->result->step_count;
+
+  if (is_last || !check->assembly.nonlinear)
+    return 0;
+  return QN_CHECK_DIGITS * check->scale * check->largest / check->assembly.length;
+}
+
+static void
+check_balance (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  size_t pairs = as->pair_count, blocks = check->model->block_count;
+  QnPairState state;
+  int32_t worst = QN_NONE;
+  double largest = check->tolerance * check->scale + rounding_of_moments (check, step);
+
+  for (size_t p = 0; p < pairs; p++)
+    if (!stated_force (check, step, p, check->forces + 2 * p, &state))
+      memcpy (check->forces + 2 * p, as->responses[p].force, 2 * sizeof (double));
+  qn_assembly_residual_of (as, 0, check->forces, 2, check->residual);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    if (!as->settles[i] && !(fabs (check->residual[i]) <= largest)) {
+      largest = fabs (check->residual[i]);
+      worst = i;
+    }
+  if (worst == QN_NONE)
+    return;
+  size_t body = body_of (as, worst);
+  bool node = body >= blocks;
+  qn_check_tell (check, QN_CLAIM_BALANCE, (QnId) step,
+                 node ? QN_ENTITY_NODE : QN_ENTITY_BLOCK,
+                 (QnId) (node ? body - blocks : body), largest, 0);
+}
+
+static void
+check_reactions (QnCheck *check, size_t step)
+{
+  QnAssembly *as = &check->assembly;
+  const QnResult *result = check->result;
+  const double *stated = qn_result_step_reactions (result, step);
+
+  if (result->reactions == NULL || result->limit.given)
+    return;
+  qn_assembly_reactions (as, 0, check->rows);
+  double tolerance = QN_CHECK_FORCES * check->scale;
+  for (size_t s = 0; s < result->support_count; s++)
+    for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
+      double found = check->rows[(size_t) result->supports[s] * QN_DOF_COUNT + dof];
+      double unit = dof == QN_DOF_RZ ? as->length : 1;
+      if (!qn_check_agrees (stated[s * QN_DOF_COUNT + dof], found,
+                            unit * tolerance + check->tolerance * fabs (found)))
+        qn_check_tell (check, QN_CLAIM_REACTIONS, (QnId) step, QN_ENTITY_BLOCK,
+                       result->supports[s], stated[s * QN_DOF_COUNT + dof], found);
+    }
+}
+
+static void
+check_beam_forces (QnCheck *check, size_t step)
+{
+  const QnBeamForces *stated = qn_result_step_beam_forces (check->result, step);
+  double tolerance = QN_CHECK_FORCES * check->scale;
+
+  if (stated == NULL)
+    return;
+  qn_beam_assembly_forces (&check->assembly.beams, 0, check->beam_forces);
+  for (size_t e = 0; e < check->model->element_count; e++)
+    for (int end = 0; end < 2; end++) {
+      const QnBeamForces *found = &check->beam_forces[e];
+      const double pairs[3][2] = { { stated[e].normal[end], found->normal[end] },
+                                   { stated[e].shear[end], found->shear[end] },
+                                   { stated[e].moment[end], found->moment[end] } };
+      for (int i = 0; i < 3; i++)
+        if (!qn_check_agrees (pairs[i][0], pairs[i][1],
+                              tolerance * (i == 2 ? check->assembly.length : 1)
+                                + check->tolerance * fabs (pairs[i][1])))
+          qn_check_tell (check, QN_CLAIM_BEAM_FORCES, (QnId) step, QN_ENTITY_BEAM,
+                         check->model->elements[e].beam, pairs[i][0], pairs[i][1]);
+    }
+}
+
+/* The last step's forces stand in a result twice. */
+static void
+check_last_forces (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  size_t first = (r->step_count - 1) * r->pair_count;
+
+  for (size_t p = 0; p < r->pair_count && r->step_forces != NULL; p++) {
+    const double *stated = r->step_forces + 2 * (first + p);
+    const double force[2] = { r->pairs[p].normal_force, r->pairs[p].shear_force };
+    if (!same_force (stated, force, check->tolerance * check->scale)
+        || r->step_states[first + p] != r->pairs[p].state)
+      qn_check_tell (check, QN_CLAIM_FORCES, (QnId) r->step_count - 1, QN_ENTITY_CONTACT,
+                     (QnId) p, stated[0], force[0]);
+  }
+}
+
+/* Rounding of displacements as force in a tie, and what forces of joints may be off by. */
+static double
+tolerance_of (const QnCheck *check, const QnAssembledBeam *tie)
+{
+  return QN_CHECK_FORCES * check->scale
+         + QN_CHECK_EXACT * check->largest * tie->properties.axial;
+}
+
+/* A tie has yielded between two steps: what is plastic then follows from its force. */
+static bool
+take_stretch (const QnAssembledBeam *tie, double force, double tolerance,
+              QnBeamResponse *response)
+{
+  const QnBeamProperties *p = &tie->properties;
+  double stretch = tie->kinematics.deformation[0] - p->rest - force / p->axial;
+
+  if (force <= 0) /* hanging slack, it may have been longer still */
+    stretch = fmax (stretch, response->memory.stretch);
+  if (force < 0 || force > qn_tie_strength (p->tie) + tolerance
+      || stretch < response->memory.stretch - tolerance / p->axial)
+    return false;
+  response->memory.stretch = stretch;
+  response->force[0] = force;
+  return true;
+}
+
+static void
+check_ties (QnCheck *check, size_t step)
+{
+  const QnResult *result = check->result;
+  const QnModel *model = check->model;
+  QnBeamAssembly *members = &check->assembly.beams;
+  bool rigid = result->limit.given, last = step + 1 == result->step_count;
+  const QnTieResult *stated =
+    result->tie_count == model->tie_count ? qn_result_step_ties (result, step) : NULL;
+
+  if (model->tie_count == 0 || (rigid && !last))
+    return;
+  if (stated == NULL)
+    qn_check_tell (check, QN_CLAIM_TIES, (QnId) step, QN_ENTITY_TIE, QN_NONE, NAN, NAN);
+  for (size_t i = 0; stated != NULL && i < model->tie_count; i++) {
+    const QnTie *tie = &model->ties[i];
+    const size_t member = model->element_count + i;
+    const QnAssembledBeam *at = &members->beams[member];
+    QnBeamResponse *response = &members->responses[member];
+    double tolerance = tolerance_of (check, at), force = stated[i].force;
+    double elongation = at->kinematics.deformation[0];
+    bool suits = true;
+
+    if (rigid)
+      suits = force >= -tolerance && force <= qn_tie_strength (tie) + tolerance;
+    else if (!qn_check_agrees (force, response->force[0], tolerance))
+      suits = (check->relaxed || result->history.width > 0)
+              && take_stretch (at, force, tolerance, response);
+    if (!suits)
+      qn_check_tell (check, QN_CLAIM_TIES, (QnId) step, QN_ENTITY_TIE, (QnId) i, force,
+                     response->force[0]);
+    if (!qn_check_agrees (stated[i].elongation, rigid ? 0 : elongation,
+                          4 * QN_CHECK_EXACT * (check->largest + fabs (elongation))))
+      qn_check_tell (check, QN_CLAIM_TIES, (QnId) step, QN_ENTITY_TIE, (QnId) i,
+                     stated[i].elongation, elongation);
+    if (stated[i].state != qn_tie_state (tie, force, 0)
+        && stated[i].state != qn_tie_state (tie, force, tolerance))
+      qn_check_tell (check, QN_CLAIM_TIES, (QnId) step, QN_ENTITY_TIE, (QnId) i, force,
+                     NAN);
+    if (rigid) /* for the balance */
+      response->force[0] = force;
+  }
+}
+
+void
+qn_check_forces (QnCheck *check, size_t step)
+{
+  const QnResult *result = check->result;
+  bool in_time = result->history.width > 0, last = step + 1 == result->step_count;
+
+  check->scale = find_scale (check, step);
+  check_displacements (check, step);
+  if (!result->limit.given) {
+    check_settlements (check, step);
+    check_forces (check, step);
+    check_beam_forces (check, step);
+  }
+  check_ties (check, step);
+  /* These say nothing where forces are not known. */
+  check_strength (check, step);
+  check_states (check, step);
+  if (!check->lost) {
+    /* Rigid blocks have no forces but at collapse. */
+    if (!(in_time && step > 0) && !(result->limit.given && !last))
+      check_balance (check, step);
+    check_reactions (check, step);
+  }
+  if (last)
+    check_last_forces (check);
+}
