@@ -104,6 +104,7 @@ GtkWidget *driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer
 gboolean driver_has_id (GtkWidget *widget, gconstpointer id);
 gboolean driver_says (GtkWidget *widget, gconstpointer text);
 gboolean driver_is_button (GtkWidget *widget, gconstpointer label);
+gboolean driver_is_check (GtkWidget *widget, gconstpointer label);
 gboolean driver_is_expander (GtkWidget *widget, gconstpointer label);
 gboolean driver_is_menu (GtkWidget *widget, gconstpointer data);
 gboolean driver_is_cell (GtkWidget *widget, gconstpointer data);

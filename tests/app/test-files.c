@@ -561,6 +561,165 @@ test_endings (void)
   g_rmdir (folder);
 }
 
+/* ---- several windows at the end ---- */
+
+static QnWindow *
+open_changed (const char *example, const char *folder)
+{
+  QnWindow *window = driver_open_example (example);
+  g_autofree char *copy = g_build_filename (folder, example, NULL);
+  driver_activate_target (window, "win.save-path", g_variant_new_string (copy));
+  gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
+  driver_settle ();
+  driver_key ("ctrl+a");
+  driver_key ("Right");
+  g_assert_true (qn_document_is_modified (qn_window_get_document (window)));
+  return window;
+}
+
+static guint
+count_windows (gboolean main_ones)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  guint count = 0;
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    count += gtk_widget_get_mapped (toplevel)
+             && (main_ones ? QN_IS_WINDOW (toplevel) : GTK_IS_MESSAGE_DIALOG (toplevel));
+  }
+  return count;
+}
+
+static gboolean
+has_no_windows (gpointer data)
+{
+  (void) data;
+  return count_windows (TRUE) == 0;
+}
+
+/* Quitting asks once for all windows; Escape keeps them; those ticked are saved and the others not. Nothing
+ * shines through the question. */
+static void
+test_quit (void)
+{
+  static const char *const examples[] = { "01-sliding-block.quoin", "05-stack.quoin",
+                                          "06-arch.quoin" };
+  driver_pass_over_gtk ();
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  char *before[G_N_ELEMENTS (examples)];
+  for (gsize i = 0; i < G_N_ELEMENTS (examples); i++) {
+    open_changed (examples[i], folder);
+    g_autofree char *path = g_build_filename (folder, examples[i], NULL);
+    g_assert_true (g_file_get_contents (path, &before[i], NULL, NULL));
+  }
+  driver_key ("ctrl+q");
+  g_assert_cmpuint (count_windows (FALSE), ==, 1);
+  GtkWidget *question = driver_find_message ();
+  driver_screenshot (question, "quit");
+  cairo_surface_t *picture = driver_picture (question);
+  const guint8 *pixels = cairo_image_surface_get_data (picture);
+  int stride = cairo_image_surface_get_stride (picture);
+  int middle = cairo_image_surface_get_width (picture) / 2,
+      above = cairo_image_surface_get_height (picture) / 8;
+  g_assert_cmpuint (pixels[above * stride + 4 * middle + 3], ==, 255);
+  cairo_surface_destroy (picture);
+  driver_key ("Escape");
+  g_assert_cmpuint (count_windows (FALSE), ==, 0);
+  g_assert_cmpuint (count_windows (TRUE), ==, 3);
+
+  driver_key ("ctrl+q");
+  driver_click_on (driver_find_message (), driver_is_check, "Semicircular arch");
+  driver_click_on (driver_find_message (), driver_is_button, "_Save");
+  driver_wait (has_no_windows, NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (examples); i++) {
+    g_autofree char *path = g_build_filename (folder, examples[i], NULL);
+    g_autofree char *after = NULL;
+    g_assert_true (g_file_get_contents (path, &after, NULL, NULL));
+    g_assert_cmpint (g_str_equal (before[i], after), ==, i == 2);
+    g_free (before[i]);
+    g_unlink (path);
+  }
+  g_rmdir (folder);
+}
+
+/* One window as large as the screen leaves the others as they are, and the next one is as large. */
+static void
+test_sizes (void)
+{
+  QnWindow *first = driver_open_window (900, 600),
+           *second = driver_open_window (900, 600);
+  int width = 0, height = 0;
+  gtk_window_set_default_size (GTK_WINDOW (second), 1000, 700);
+  driver_settle ();
+  gtk_window_get_default_size (GTK_WINDOW (first), &width, &height);
+  g_assert_cmpint (width, ==, 900);
+  gtk_window_maximize (GTK_WINDOW (second));
+  driver_settle ();
+  g_assert_false (gtk_window_is_maximized (GTK_WINDOW (first)));
+  driver_discard (second);
+  driver_discard (first);
+}
+
+/* A file that is none is told of where it was asked for, and opens no window. */
+static void
+test_broken (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "broken.quoin", NULL);
+  g_assert_true (g_file_set_contents (path, "{ \"format\": ", -1, NULL));
+  QnWindow *window = driver_open_example ("05-stack.quoin");
+  driver_activate_target (window, "win.open-path", g_variant_new_string (path));
+  g_assert_cmpuint (count_windows (TRUE), ==, 1);
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), driver_says, "broken.quoin"));
+  g_autoptr (GFile) file = g_file_new_for_path (path);
+  g_application_open (G_APPLICATION (driver_application ()), &file, 1, "");
+  driver_settle ();
+  g_assert_cmpuint (count_windows (TRUE), ==, 1);
+  driver_discard (window);
+  /* Where there is no other window it is one with the start page. */
+  g_application_open (G_APPLICATION (driver_application ()), &file, 1, "");
+  driver_settle ();
+  g_assert_cmpuint (count_windows (TRUE), ==, 1);
+  window = QN_WINDOW (gtk_application_get_windows (driver_application ())->data);
+  g_assert_true (qn_window_is_blank (window));
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), driver_says, "broken.quoin"));
+  driver_screenshot (GTK_WIDGET (window), "broken-file");
+  driver_discard (window);
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+/* Escape closes every window that is no main one. */
+static void
+test_escape (void)
+{
+  static const char *const actions[] = { "win.export-result::report",
+                                         "win.export-result::animation",
+                                         "win.capacity",
+                                         "win.export",
+                                         "win.figures",
+                                         "win.compare",
+                                         "win.study",
+                                         "app.preferences",
+                                         "app.about",
+                                         "app.help",
+                                         "win.show-help-overlay" };
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  for (gsize i = 0; i < G_N_ELEMENTS (actions); i++) {
+    driver_activate (window, actions[i]);
+    g_test_message ("%s", actions[i]);
+    g_assert_nonnull (driver_find_other ());
+    driver_key ("Escape");
+    g_assert_null (driver_find_other ());
+  }
+  driver_discard (window);
+}
+
 QN_TESTS
 {
   gtk_init ();
@@ -577,4 +736,8 @@ QN_TESTS
   g_test_add_func ("/app/files/choosers", test_choosers);
   g_test_add_func ("/app/files/save-fails", test_save_fails);
   g_test_add_func ("/app/files/endings", test_endings);
+  g_test_add_func ("/app/files/quit", test_quit);
+  g_test_add_func ("/app/files/sizes", test_sizes);
+  g_test_add_func ("/app/files/broken", test_broken);
+  g_test_add_func ("/app/files/escape", test_escape);
 }

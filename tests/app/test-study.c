@@ -475,6 +475,52 @@ test_edit (void)
   driver_discard (window);
 }
 
+static double
+number_in (GtkWidget *dialog, const char *id)
+{
+  return qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (driver_find_id (dialog, id)));
+}
+
+/* Another distribution keeps the fractiles, which are named; what cannot be computed is said before the
+ * study runs, and above the curve how many cases had no answer. */
+static void
+test_distribution (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  QnWindow *window = open_copy (folder, "01-sliding-block.quoin");
+  driver_pass_over_gtk ();
+  gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
+                              0.5);
+  driver_wait (has_study, NULL);
+  GtkWidget *dialog = driver_find_dialog ("Study");
+  driver_settle ();
+  g_assert_nonnull (driver_find_widget (dialog, driver_says, "Least"));
+  gtk_widget_grab_focus (driver_find_id (dialog, "kind"));
+  driver_settle ();
+  driver_key ("space");
+  driver_key ("Down");
+  driver_key ("Return");
+  g_assert_cmpfloat_with_epsilon (number_in (dialog, "first"), 0.5, 1e-9);
+  g_assert_cmpfloat_with_epsilon (number_in (dialog, "second"), 0.05 / 1.6448536, 1e-6);
+  g_assert_nonnull (driver_find_widget (dialog, driver_says, "Mean"));
+  g_assert_nonnull (
+    driver_find_widget (dialog, driver_says, "below 0.45, 5 % above 0.55"));
+  driver_screenshot (dialog, "study-normal");
+
+  GtkWidget *deviation = driver_find_id (dialog, "second");
+  gtk_widget_grab_focus (deviation);
+  driver_key ("ctrl+a");
+  driver_type ("0.5");
+  driver_key ("Return");
+  g_assert_nonnull (driver_find_widget (dialog, driver_says, "-0.322 is refused"));
+  driver_key ("F5");
+  driver_wait (is_idle, dialog);
+  g_assert_nonnull (
+    driver_find_widget (dialog, driver_says, "cases have no answer; the figures"));
+  driver_screenshot (dialog, "study-failed");
+  driver_discard (window);
+}
+
 /* The folder of results beside the project. */
 static char *
 find_results (const char *folder)
@@ -586,6 +632,7 @@ QN_TESTS
   g_test_add_func ("/app/study/vary", test_vary);
   g_test_add_func ("/app/study/every-number", test_every_number);
   g_test_add_func ("/app/study/edit", test_edit);
+  g_test_add_func ("/app/study/distribution", test_distribution);
   g_test_add_func ("/app/study/surface", test_surface);
   g_test_add_func ("/app/study/moving-load", test_moving_load);
 }

@@ -556,7 +556,7 @@ test_bad_file (void)
   QnWindow *window = driver_open_window (1280, 800);
   g_assert_false (qn_window_open_path (window, path));
   driver_screenshot (GTK_WIDGET (window), "bad-file");
-  driver_activate (window, "win.tool::wall");
+  driver_activate (window, "win.draw");
   driver_drag (window, 0.5, 0.5, 2.5, 2.25);
   g_assert_cmpuint (model_of (window)->block_count, >, 20);
   driver_discard (window);

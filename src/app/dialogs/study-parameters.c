@@ -5,7 +5,10 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "core/base/integer.h"
+#include "doc/text/path-text.h"
+#include "io/text/number-text.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 /* Fields of a row, kept with it. */
 typedef struct Row {
@@ -39,8 +42,11 @@ on_values (GtkWidget *part, QnStudyWindow *self)
 static void
 on_kind (GtkDropDown *choice, GParamSpec *pspec, QnStudyWindow *self)
 {
-  if (gtk_drop_down_get_selected (choice) < QN_DRAFT_OTHER)
-    on_values (GTK_WIDGET (choice), self);
+  guint kind = gtk_drop_down_get_selected (choice);
+  if (self->showing || kind >= QN_DRAFT_OTHER)
+    return;
+  qn_draft_set_kind (self->draft, index_of (GTK_WIDGET (choice)), (QnDraftKind) kind);
+  qn_study_window_show_draft (self);
 }
 
 static void
@@ -60,14 +66,54 @@ on_remove (GtkButton *button, QnStudyWindow *self)
   qn_study_window_show_draft (self);
 }
 
-/* What a field is, for those who do not see the others, and as its tooltip. */
 static void
-show_number (QnQuantityEntry *entry, const char *what, double value)
+show_number (GtkLabel *label, QnQuantityEntry *entry, const char *what, double value)
 {
+  gtk_label_set_text (label, what);
   gtk_accessible_update_property (GTK_ACCESSIBLE (entry), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   what, -1);
-  gtk_widget_set_tooltip_text (GTK_WIDGET (entry), what);
   qn_quantity_entry_set_value (entry, value);
+}
+
+/* Why the project is refused where the parameter has that value, or NULL; the caller frees it. */
+static char *
+dup_refusal (QnDocument *document, const char *path, double value)
+{
+  const char *text = qn_document_get_text (document);
+  char number[QN_NUMBER_TEXT_SIZE];
+  g_autofree char *override =
+    g_strconcat (path, "=", qn_number_text (value, number), NULL);
+  const char *const overrides[] = { override, NULL };
+  g_autoptr (GError) error = NULL;
+  QnProject probe;
+  if (qn_project_parse (text, strlen (text), "", overrides, &probe, &error)) {
+    qn_project_clear (&probe);
+    return NULL;
+  }
+  g_autofree char *reason = qn_path_dup_reason (error->message, path);
+  return g_strdup_printf (_ ("%.3g is refused: %s."), value, reason);
+}
+
+/* What a distribution means, and whether values that are likely cannot be computed. */
+static char *
+dup_meaning (QnStudyWindow *self, const QnDraftParameter *parameter)
+{
+  double low, high;
+  gboolean spread =
+    parameter->kind == QN_DRAFT_NORMAL || parameter->kind == QN_DRAFT_LOGNORMAL;
+  g_autoptr (GString) text = g_string_new (NULL);
+  qn_draft_get_fractiles (parameter, &low, &high);
+  if (spread)
+    g_string_printf (text, _ ("5 %% of the values lie below %.4g, 5 %% above %.4g."), low,
+                     high);
+  const double ends[] = { low, high };
+  for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
+    g_autofree char *refusal =
+      dup_refusal (self->parent.document, parameter->path, ends[i]);
+    if (refusal != NULL)
+      g_string_append_printf (text, "%s%s", text->len > 0 ? "\n" : "", refusal);
+  }
+  return g_string_free (g_steal_pointer (&text), FALSE);
 }
 
 static GMenuModel *
@@ -96,26 +142,34 @@ add_row (QnStudyWindow *self, guint index)
                 .name = GET (GTK_ENTRY, "name") };
   g_object_set_data_full (G_OBJECT (line), "qn-row", row, g_free);
   gtk_editable_set_text (GTK_EDITABLE (row->name), parameter.name);
-  gtk_label_set_text (GTK_LABEL (place), path);
-  gtk_widget_set_tooltip_text (place, path);
+  g_autofree char *words =
+    qn_path_dup_text (qn_document_get_model (self->parent.document), path);
+  gtk_label_set_text (GTK_LABEL (place), words);
+  gtk_widget_set_tooltip_text (place, words);
   if (parameter.kind == QN_DRAFT_OTHER) {
     gtk_label_set_text (GTK_LABEL (other), parameter.line
                                              ? _ ("along the line that was drawn")
                                              : _ ("as the study file says"));
     gtk_widget_set_visible (GET (GTK_WIDGET, "values"), FALSE);
   } else {
-    gboolean ends =
+    gboolean limits =
       parameter.kind == QN_DRAFT_UNIFORM || parameter.kind == QN_DRAFT_RANGE;
     int count;
     QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
     gtk_drop_down_set_selected (row->kind, parameter.kind);
-    show_number (row->first, ends ? _ ("Least") : _ ("Mean"), parameter.first);
-    show_number (row->second, ends ? _ ("Greatest") : _ ("Deviation"), parameter.second);
-    show_number (row->levels, _ ("Number of values"), parameter.levels);
-    gtk_widget_set_visible (GTK_WIDGET (row->levels), parameter.kind == QN_DRAFT_RANGE
-                                                        || plan == QN_PLAN_GRID
-                                                        || plan == QN_PLAN_ONE_AT_A_TIME);
-    gtk_widget_set_visible (other, FALSE);
+    show_number (GET (GTK_LABEL, "first_label"), row->first,
+                 limits ? _ ("Least") : _ ("Mean"), parameter.first);
+    show_number (GET (GTK_LABEL, "second_label"), row->second,
+                 limits ? _ ("Greatest") : _ ("Deviation"), parameter.second);
+    show_number (GET (GTK_LABEL, "levels_label"), row->levels, _ ("Values"),
+                 parameter.levels);
+    gboolean levels = parameter.kind == QN_DRAFT_RANGE || plan == QN_PLAN_GRID
+                      || plan == QN_PLAN_ONE_AT_A_TIME;
+    gtk_widget_set_visible (GTK_WIDGET (row->levels), levels);
+    gtk_widget_set_visible (GET (GTK_WIDGET, "levels_label"), levels);
+    g_autofree char *meaning = dup_meaning (self, &parameter);
+    gtk_label_set_text (GTK_LABEL (other), meaning);
+    gtk_widget_set_visible (other, *meaning != '\0');
   }
   g_signal_connect (row->name, "activate", G_CALLBACK (on_name), self);
   g_signal_connect (GET (GTK_WIDGET, "remove"), "clicked", G_CALLBACK (on_remove), self);

@@ -32,7 +32,7 @@ typedef struct QnStudyWindow {
   GtkSpinButton *count;
   GtkWidget *cases, *outputs, *plot, *over, *and;
   GtkProgressBar *progress;
-  GtkLabel *status;
+  GtkLabel *status, *failed;
 } QnStudyWindow;
 
 /* Figures that can be chosen, as in the list of study-window.ui. */

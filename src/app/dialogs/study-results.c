@@ -1,7 +1,9 @@
 /* What has been computed of a study, and what comes in while it runs. */
 #include "app/dialogs/study-private.h"
 
+#include "doc/text/path-text.h"
 #include "study/report/output-text.h"
+#include <glib/gi18n.h>
 
 char *
 qn_study_window_dup_folder (const QnStudy *study, const char *path)
@@ -11,6 +13,32 @@ qn_study_window_dup_folder (const QnStudy *study, const char *path)
                             ? g_strndup (path, strlen (path) - strlen (".quoin-study"))
                             : g_strdup (path);
   return g_strdup_printf ("%s-study-%s", stem, sum);
+}
+
+/* What the figures leave out is said above them. */
+static void
+show_failed (QnStudyWindow *self)
+{
+  guint failed = 0;
+  const char *reason = NULL;
+  for (guint i = 0; i < self->table.rows->len; i++) {
+    const QnRow *row = &g_array_index (self->table.rows, QnRow, i);
+    failed += row->failed ? 1 : 0;
+    reason = row->failed && reason == NULL ? row->reason : reason;
+  }
+  g_autofree char *why = g_strdup (reason != NULL ? reason : "");
+  for (guint i = 0; i < self->study.parameters->len; i++) {
+    char *shorter =
+      qn_path_dup_reason (why, qn_study_parameter (&self->study, i)->paths[0]);
+    g_free (why);
+    why = shorter;
+  }
+  g_autofree char *text = g_strdup_printf (
+    _ ("%u of %u cases have no answer; the figures are of the others. First reason: %s"),
+    failed, self->table.rows->len, why);
+  gtk_label_set_text (self->failed, text);
+  gtk_widget_set_visible (GTK_WIDGET (self->failed), failed > 0);
+  gtk_widget_queue_draw (self->plot);
 }
 
 void
@@ -49,6 +77,7 @@ qn_study_window_read_results (QnStudyWindow *self)
     qn_study_window_dup_folder (&study, qn_draft_get_path (self->draft));
   gboolean same = g_strcmp0 (folder, self->folder) == 0;
   qn_study_window_forget_results (self);
+  gtk_widget_set_visible (GTK_WIDGET (self->failed), FALSE);
   self->study = study;
   if (!qn_table_read (&table, &self->study, folder, NULL)) {
     qn_study_clear (&self->study);
@@ -63,7 +92,7 @@ qn_study_window_read_results (QnStudyWindow *self)
     if (self->study.parameters->len > 1)
       gtk_drop_down_set_selected (self->by_second, 1);
   }
-  gtk_widget_queue_draw (self->plot);
+  show_failed (self);
 }
 
 void
@@ -78,5 +107,5 @@ qn_study_window_read_more (QnStudyWindow *self)
     return;
   qn_table_clear (&self->table);
   self->table = table;
-  gtk_widget_queue_draw (self->plot);
+  show_failed (self);
 }

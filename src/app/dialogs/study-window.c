@@ -3,6 +3,7 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
+#include "doc/text/path-text.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
 #include <glib/gi18n.h>
@@ -225,6 +226,7 @@ new_window (const QnStudyParent *parent, QnDraft *draft)
     .and = GET (GTK_WIDGET, "and"),
     .progress = GET (GTK_PROGRESS_BAR, "progress"),
     .status = GET (GTK_LABEL, "status"),
+    .failed = GET (GTK_LABEL, "failed"),
   };
   gtk_window_set_modal (self->window, FALSE);
   qn_help_set_page (GTK_WIDGET (self->window), "uncertainty");
@@ -309,12 +311,12 @@ void
 qn_study_window_vary (GtkWindow *window, const char *path, double base)
 {
   QnStudyWindow *self = g_object_get_data (G_OBJECT (window), "qn-study");
-  g_autofree char *text = NULL;
-  if (qn_draft_vary (self->draft, path, base,
-                     !takes_fractions (self->parent.document, path, base)))
-    text = g_strdup_printf (_ ("%s varies now."), path);
-  else
-    text = g_strdup_printf (_ ("%s varies already."), path);
+  g_autofree char *words =
+    qn_path_dup_text (qn_document_get_model (self->parent.document), path);
+  gboolean added = qn_draft_vary (self->draft, path, base,
+                                  !takes_fractions (self->parent.document, path, base));
+  g_autofree char *text =
+    g_strdup_printf (added ? _ ("%s varies now.") : _ ("%s varies already."), words);
   qn_study_window_tell (self, text);
   show_now (self);
 }

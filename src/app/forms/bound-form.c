@@ -3,7 +3,6 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/choice-list.h"
 #include "app/widgets/context-menu.h"
-#include "app/widgets/popovers.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
 #include "core/base/integer.h"
@@ -707,9 +706,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   align_rows (form->root, labels, fields);
   g_object_weak_ref (G_OBJECT (form->root), on_gone, form);
   /* A window is kept by GTK, anything else by the parent that it gets. */
-  if (GTK_IS_WINDOW (form->root))
-    qn_popovers_attend (form->root);
-  else
+  if (!GTK_IS_WINDOW (form->root))
     g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
   if (canvas == NULL)
     return form;

@@ -1,5 +1,6 @@
 #include "app/widgets/builder.h"
 
+#include "app/widgets/dialog.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
 #include "app/widgets/shortened.h"
@@ -15,6 +16,8 @@ qn_builder_new (const char *name)
   for (GSList *each = objects; each != NULL; each = each->next)
     if (GTK_IS_LABEL (each->data) || GTK_IS_HEADER_BAR (each->data))
       qn_shortened_tell (each->data);
+    else if (GTK_IS_WINDOW (each->data))
+      qn_dialog_attend (each->data);
   return builder;
 }
 

@@ -5,6 +5,18 @@
 
 #include <glib/gi18n.h>
 
+void
+qn_dialog_attend (GtkWidget *window)
+{
+  qn_popovers_attend (window);
+  GtkEventController *keys = gtk_shortcut_controller_new ();
+  gtk_shortcut_controller_add_shortcut (
+    GTK_SHORTCUT_CONTROLLER (keys),
+    gtk_shortcut_new (gtk_keyval_trigger_new (GDK_KEY_Escape, 0),
+                      gtk_named_action_new ("window.close")));
+  gtk_widget_add_controller (window, keys);
+}
+
 GtkWidget *
 qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
 {
@@ -17,14 +29,7 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   GtkWidget *header = gtk_header_bar_new ();
   qn_shortened_tell (header);
   gtk_window_set_titlebar (GTK_WINDOW (dialog), header);
-  qn_popovers_attend (dialog);
-
-  GtkEventController *keys = gtk_shortcut_controller_new ();
-  gtk_shortcut_controller_add_shortcut (
-    GTK_SHORTCUT_CONTROLLER (keys),
-    gtk_shortcut_new (gtk_keyval_trigger_new (GDK_KEY_Escape, 0),
-                      gtk_named_action_new ("window.close")));
-  gtk_widget_add_controller (dialog, keys);
+  qn_dialog_attend (dialog);
   return dialog;
 }
 

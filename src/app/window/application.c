@@ -50,18 +50,23 @@ on_help (GSimpleAction *action, GVariant *parameter, gpointer application)
     window, QN_IS_WINDOW (window) ? qn_window_get_help_page (QN_WINDOW (window)) : NULL);
 }
 
-/* Closes the windows one by one, so that each can ask about its changes. */
 static void
 on_quit (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
-  GList *windows =
-    g_list_copy (gtk_application_get_windows (GTK_APPLICATION (application)));
-  for (GList *l = windows; l != NULL; l = l->next)
-    gtk_window_close (GTK_WINDOW (l->data));
-  g_list_free (windows);
+  qn_window_quit (application);
 }
 
 /* ---- life ---- */
+
+/* The window that is to open a file, or to say why it does not. */
+static QnWindow *
+find_host (gpointer application)
+{
+  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data))
+      return l->data;
+  return qn_window_new (application);
+}
 
 static void
 offer_recovery (QnApplication *self)
@@ -70,12 +75,9 @@ offer_recovery (QnApplication *self)
     return;
   self->recovery_offered = TRUE;
   g_autoptr (GPtrArray) paths = qn_recovery_list ();
-  for (guint i = 0; i < paths->len; i++) {
-    const char *path = g_ptr_array_index (paths, i);
-    QnWindow *window = qn_window_new (GTK_APPLICATION (self));
-    gtk_window_present (GTK_WINDOW (window));
-    qn_window_open_recovered (window, path);
-  }
+  for (guint i = 0; i < paths->len; i++)
+    qn_window_open_with (find_host (self), g_ptr_array_index (paths, i),
+                         qn_window_open_recovered);
 }
 
 static void
@@ -96,19 +98,23 @@ qn_application_open (GApplication *application, GFile **files, int count,
   offer_recovery (QN_APPLICATION (application));
   for (int i = 0; i < count; i++) {
     g_autofree char *path = g_file_get_path (files[i]);
-    QnWindow *window =
-      path != NULL ? qn_window_find_path (GTK_APPLICATION (application), path) : NULL;
-    if (window != NULL) {
-      gtk_window_present (GTK_WINDOW (window));
+    QnWindow *window = find_host (application);
+    if (path != NULL) {
+      qn_window_open (window, path);
       continue;
     }
-    window = qn_window_new (GTK_APPLICATION (application));
     gtk_window_present (GTK_WINDOW (window));
-    if (path != NULL)
-      qn_window_open_path (window, path);
-    else
-      qn_window_show_error (window, _ ("Only local files can be opened"));
+    qn_window_show_error (window, _ ("Only local files can be opened"));
   }
+}
+
+static void
+qn_application_window_removed (GtkApplication *application, GtkWindow *window)
+{
+  GTK_APPLICATION_CLASS (qn_application_parent_class)
+    ->window_removed (application, window);
+  if (QN_IS_WINDOW (window))
+    qn_window_save_next (application);
 }
 
 static int
@@ -159,6 +165,7 @@ qn_application_class_init (QnApplicationClass *klass)
   application_class->activate = qn_application_activate;
   application_class->open = qn_application_open;
   application_class->startup = qn_application_startup;
+  GTK_APPLICATION_CLASS (klass)->window_removed = qn_application_window_removed;
   application_class->handle_local_options = qn_application_handle_local_options;
 }
 

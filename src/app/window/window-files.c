@@ -54,36 +54,44 @@ qn_window_find_path (GtkApplication *application, const char *path)
   return NULL;
 }
 
-/* Files open in this window while it is blank, in a new one otherwise; one that is open already is
- * shown where it is. */
+void
+qn_window_open_with (QnWindow *self, const char *path,
+                     gboolean (*open) (QnWindow *, const char *))
+{
+  if (qn_window_is_blank (self)) {
+    open (self, path);
+    gtk_window_present (GTK_WINDOW (self));
+    return;
+  }
+  QnWindow *opened = qn_window_new (gtk_window_get_application (GTK_WINDOW (self)));
+  if (open (opened, path))
+    return;
+  qn_window_show_error (self, gtk_label_get_text (opened->info_label));
+  gtk_window_destroy (GTK_WINDOW (opened));
+}
+
+void
+qn_window_open (QnWindow *self, const char *path)
+{
+  QnWindow *shown =
+    qn_window_find_path (gtk_window_get_application (GTK_WINDOW (self)), path);
+  if (shown != NULL)
+    gtk_window_present (GTK_WINDOW (shown));
+  else
+    qn_window_open_with (self, path, qn_window_open_path);
+}
+
 static void
 open_path (QnWindow *self, GVariant *parameter)
 {
-  const char *path = g_variant_get_string (parameter, NULL);
-  GtkApplication *application = gtk_window_get_application (GTK_WINDOW (self));
-  QnWindow *target = qn_window_find_path (application, path);
-  if (target != NULL) {
-    gtk_window_present (GTK_WINDOW (target));
-    return;
-  }
-  target = self;
-  if (!qn_window_is_blank (self)) {
-    target = qn_window_new (application);
-    gtk_window_present (GTK_WINDOW (target));
-  }
-  qn_window_open_path (target, path);
+  qn_window_open (self, g_variant_get_string (parameter, NULL));
 }
 
 /* An example opens as a drawing of its own, which is saved elsewhere. */
 static void
 open_example (QnWindow *self, GVariant *parameter)
 {
-  QnWindow *target = self;
-  if (!qn_window_is_blank (self)) {
-    target = qn_window_new (gtk_window_get_application (GTK_WINDOW (self)));
-    gtk_window_present (GTK_WINDOW (target));
-  }
-  qn_window_open_copy (target, g_variant_get_string (parameter, NULL));
+  qn_window_open_with (self, g_variant_get_string (parameter, NULL), qn_window_open_copy);
 }
 
 static void
@@ -116,9 +124,21 @@ on_close_idle (gpointer data)
 static void
 close_soon (QnWindow *self)
 {
-  self->closing = TRUE;
+  self->closing = QN_CLOSING_NOW;
   g_idle_add_full (G_PRIORITY_DEFAULT_IDLE, on_close_idle, g_object_ref (self),
                    g_object_unref);
+}
+
+/* One window that stays keeps those that were to close after it. */
+static void
+stop_closing (QnWindow *self)
+{
+  self->closing = QN_CLOSING_NOT;
+  for (GList *l =
+         gtk_application_get_windows (gtk_window_get_application (GTK_WINDOW (self)));
+       l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data) && QN_WINDOW (l->data)->closing == QN_CLOSING_LATER)
+      QN_WINDOW (l->data)->closing = QN_CLOSING_NOT;
 }
 
 /* ---- saving ---- */
@@ -132,7 +152,7 @@ save_to (QnWindow *self, const char *path)
     qn_window_remember_recent (path);
     return TRUE;
   }
-  self->closing = FALSE;
+  stop_closing (self);
   qn_window_show_error (self, error->message);
   return FALSE;
 }
@@ -140,17 +160,20 @@ save_to (QnWindow *self, const char *path)
 static void
 on_save_response (GtkNativeDialog *dialog, int response, QnWindow *self)
 {
-  gboolean close_after = self->closing;
-  self->closing = FALSE;
+  gboolean closes = self->closing == QN_CLOSING_NOW, saved = FALSE;
   if (response == GTK_RESPONSE_ACCEPT) {
     const char *const endings[] = { ".quoin", ".json", NULL };
     g_autoptr (GError) error = NULL;
     g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
     if (path == NULL)
       qn_window_show_error (self, error->message);
-    else if (save_to (self, path) && close_after)
-      close_soon (self);
+    else
+      saved = save_to (self, path);
   }
+  if (closes && saved)
+    close_soon (self);
+  else
+    stop_closing (self);
   g_clear_object (&self->chooser);
 }
 
@@ -177,7 +200,7 @@ static void
 save_over (QnWindow *self)
 {
   g_autofree char *path = g_strdup (qn_document_get_path (self->document));
-  if (save_to (self, path) && self->closing)
+  if (save_to (self, path) && self->closing == QN_CLOSING_NOW)
     close_soon (self);
 }
 
@@ -185,7 +208,7 @@ save_over (QnWindow *self)
 
 /* Asks what is to become of something that may be lost. The answers are REJECT, which loses it,
  * CANCEL, and ACCEPT, which is the default. */
-static void
+static GtkWidget *
 ask (QnWindow *self, const char *question, const char *consequence, const char *reject,
      const char *accept, void (*respond) (GtkDialog *, int, QnWindow *))
 {
@@ -204,6 +227,7 @@ ask (QnWindow *self, const char *question, const char *consequence, const char *
   gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);
   g_signal_connect (dialog, "response", G_CALLBACK (respond), self);
   gtk_window_present (GTK_WINDOW (dialog));
+  return dialog;
 }
 
 static void
@@ -215,7 +239,7 @@ on_changed_response (GtkDialog *dialog, int response, QnWindow *self)
   else if (response == GTK_RESPONSE_ACCEPT)
     save_as (self, NULL);
   else
-    self->closing = FALSE;
+    stop_closing (self);
 }
 
 static void
@@ -254,22 +278,121 @@ on_unsaved_response (GtkDialog *dialog, int response, QnWindow *self)
   if (response == GTK_RESPONSE_REJECT)
     close_soon (self);
   else if (response == GTK_RESPONSE_ACCEPT) {
-    self->closing = TRUE;
+    self->closing = QN_CLOSING_NOW;
     save (self, NULL);
   }
+}
+
+static gboolean
+has_unsaved (QnWindow *self)
+{
+  return !qn_window_is_blank (self) && qn_document_is_modified (self->document);
+}
+
+static void
+ask_one (QnWindow *self, void (*respond) (GtkDialog *, int, QnWindow *))
+{
+  g_autofree char *name = qn_document_dup_display_name (self->document);
+  g_autofree char *question = g_strdup_printf (_ ("Save changes to “%s”?"), name);
+  ask (self, question, _ ("Unsaved changes will be lost."), _ ("_Discard"), _ ("_Save"),
+       respond);
 }
 
 gboolean
 qn_window_may_close (QnWindow *self)
 {
-  if (self->closing || qn_window_is_blank (self)
-      || !qn_document_is_modified (self->document))
+  if (self->closing == QN_CLOSING_NOW || !has_unsaved (self))
     return TRUE;
-  g_autofree char *name = qn_document_dup_display_name (self->document);
-  g_autofree char *question = g_strdup_printf (_ ("Save changes to “%s”?"), name);
-  ask (self, question, _ ("Unsaved changes will be lost."), _ ("_Discard"), _ ("_Save"),
-       on_unsaved_response);
+  ask_one (self, on_unsaved_response);
   return FALSE;
+}
+
+/* ---- quitting ---- */
+
+#define CHECK "qn-check" /* of a window in the list, while that is on the screen */
+
+void
+qn_window_save_next (GtkApplication *application)
+{
+  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data) && QN_WINDOW (l->data)->closing == QN_CLOSING_LATER) {
+      QnWindow *self = l->data;
+      self->closing = QN_CLOSING_NOW;
+      gtk_window_present (GTK_WINDOW (self));
+      save (self, NULL);
+      return;
+    }
+}
+
+/* Windows that are to be saved close one after another, for each may ask where; the others do at once. */
+static void
+on_quit_response (GtkDialog *dialog, int response, QnWindow *self)
+{
+  GtkApplication *application = gtk_window_get_application (GTK_WINDOW (self));
+  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next) {
+    if (!QN_IS_WINDOW (l->data))
+      continue;
+    QnWindow *each = l->data;
+    GtkCheckButton *check = g_object_get_data (G_OBJECT (each), CHECK);
+    gboolean wanted = check == NULL || gtk_check_button_get_active (check);
+    g_object_set_data (G_OBJECT (each), CHECK, NULL);
+    if (response == GTK_RESPONSE_ACCEPT && has_unsaved (each) && wanted)
+      each->closing = QN_CLOSING_LATER;
+    else if (response == GTK_RESPONSE_ACCEPT || response == GTK_RESPONSE_REJECT)
+      close_soon (each);
+  }
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  qn_window_save_next (application);
+}
+
+static void
+ask_all (const GPtrArray *unsaved)
+{
+  QnWindow *self = g_ptr_array_index (unsaved, 0);
+  g_autofree char *question =
+    g_strdup_printf (ngettext ("Save changes to %u drawing?",
+                               "Save changes to %u drawings?", unsaved->len),
+                     unsaved->len);
+  GtkWidget *dialog =
+    ask (self, question, _ ("Changes to those not ticked will be lost."),
+         _ ("_Discard All"), _ ("_Save"), on_quit_response);
+  GtkWidget *list = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
+  for (guint i = 0; i < unsaved->len; i++) {
+    QnWindow *each = g_ptr_array_index (unsaved, i);
+    g_autofree char *name = qn_document_dup_display_name (each->document);
+    GtkWidget *check = gtk_check_button_new_with_label (name);
+    gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
+    gtk_widget_set_tooltip_text (check, qn_document_get_path (each->document));
+    gtk_box_append (GTK_BOX (list), check);
+    g_object_set_data_full (G_OBJECT (each), CHECK, g_object_ref (check), g_object_unref);
+  }
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  g_object_set (scroller, "hscrollbar-policy", GTK_POLICY_NEVER, "max-content-height",
+                300, "propagate-natural-height", TRUE, "child", list, NULL);
+  gtk_box_append (
+    GTK_BOX (gtk_message_dialog_get_message_area (GTK_MESSAGE_DIALOG (dialog))),
+    scroller);
+}
+
+void
+qn_window_quit (GtkApplication *application)
+{
+  GList *windows = gtk_application_get_windows (application);
+  g_autoptr (GPtrArray) unsaved = g_ptr_array_new ();
+  for (GList *l = windows; l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data)) {
+      qn_window_commit_entry (l->data);
+      if (has_unsaved (l->data))
+        g_ptr_array_add (unsaved, l->data);
+    }
+  if (unsaved->len == 1)
+    ask_one (g_ptr_array_index (unsaved, 0), on_quit_response);
+  else if (unsaved->len > 1)
+    ask_all (unsaved);
+  else
+    for (GList *l = windows; l != NULL; l = l->next)
+      if (QN_IS_WINDOW (l->data))
+        close_soon (l->data);
 }
 
 static void

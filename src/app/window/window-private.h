@@ -14,6 +14,12 @@ typedef struct QnQueuedAnalysis {
   QnFlow flow;
 } QnQueuedAnalysis;
 
+typedef enum QnClosing {
+  QN_CLOSING_NOT,
+  QN_CLOSING_LATER, /* is saved first, when those before it have gone */
+  QN_CLOSING_NOW    /* unsaved changes have been dealt with */
+} QnClosing;
+
 struct _QnWindow {
   GtkApplicationWindow parent_instance;
 
@@ -23,8 +29,8 @@ struct _QnWindow {
   QnRecovery *recovery;
   guint live_timeout, message_timeout;
   const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
-  gboolean was_running;             /* an analysis, when the document last told */
-  gboolean closing;                 /* unsaved changes have been dealt with */
+  gboolean was_running; /* an analysis, when the document last told */
+  QnClosing closing;
   char *last_export;                /* path of the last exported figure */
   QnRecipe *last_recipe;            /* what it looked like */
   GtkPrintSettings *print_settings; /* of the last page, or NULL */

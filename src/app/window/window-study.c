@@ -76,7 +76,6 @@ qn_window_open_study (QnWindow *self, const char *path)
   QnStudy opened;
   g_autoptr (GError) error = NULL;
   if (!qn_study_read (path, NULL, &opened, &error)) {
-    qn_window_show_work (self);
     qn_window_show_error (self, error->message);
     return FALSE;
   }

@@ -273,11 +273,12 @@ show_warnings (QnWindow *self)
 static gboolean
 show_loaded (QnWindow *self, const GError *error)
 {
-  qn_window_show_work (self);
   if (error != NULL) {
     qn_window_show_error (self, error->message);
     return FALSE;
   }
+  gtk_window_present (GTK_WINDOW (self));
+  qn_window_show_work (self);
   qn_view_state_set_view (self->state, QN_VIEW_MODEL);
   qn_canvas_fit (self->canvas);
   show_warnings (self);
@@ -291,6 +292,7 @@ qn_window_open_path (QnWindow *self, const char *path)
   g_autoptr (GError) error = NULL;
   if (qn_import_knows_file (path) || qn_import_is_picture (path)
       || qn_is_result_file (path)) {
+    gtk_window_present (GTK_WINDOW (self));
     qn_window_take_file (self, absolute);
     return TRUE;
   }
@@ -318,10 +320,10 @@ qn_window_open_recovered (QnWindow *self, const char *recovery_path)
   g_autoptr (GError) error = NULL;
   if (!qn_recovery_read (recovery_path, &text, &original, &error)
       || !qn_document_load_recovered (self->document, text, original, &error)) {
-    qn_window_show_work (self);
     qn_window_show_error (self, error->message);
     return FALSE;
   }
+  gtk_window_present (GTK_WINDOW (self));
   if (qn_recovery_flush (self->recovery))
     qn_recovery_remove (recovery_path);
   qn_window_show_work (self);
@@ -408,12 +410,13 @@ bind_settings (QnWindow *self)
   gtk_widget_set_direction (GTK_WIDGET (self->view_box), GTK_TEXT_DIR_LTR);
   qn_canvas_set_corner (self->canvas, GTK_WIDGET (self->view_box));
   GSettings *settings = qn_settings_get ();
-  g_settings_bind (settings, "window-width", self, "default-width",
-                   G_SETTINGS_BIND_DEFAULT);
-  g_settings_bind (settings, "window-height", self, "default-height",
-                   G_SETTINGS_BIND_DEFAULT);
-  g_settings_bind (settings, "window-maximized", self, "maximized",
-                   G_SETTINGS_BIND_DEFAULT);
+  /* A new window is as the last one; none follows another. */
+  static const char *const places[][2] = { { "window-width", "default-width" },
+                                           { "window-height", "default-height" },
+                                           { "window-maximized", "maximized" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (places); i++)
+    g_settings_bind (settings, places[i][0], self, places[i][1],
+                     G_SETTINGS_BIND_DEFAULT | G_SETTINGS_BIND_GET_NO_CHANGES);
 }
 
 /* Messages lie over the drawing, not over the side panel. */

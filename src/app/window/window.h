@@ -25,8 +25,20 @@ gboolean qn_window_is_blank (QnWindow *window);
 /* The window that shows the project file, or NULL. */
 QnWindow *qn_window_find_path (GtkApplication *application, const char *path);
 
-/* Opens a project, or imports what the kind of file allows. Says so in the window where it
- * cannot be read, and returns FALSE. */
+/* Opens a file by one of the functions below, in this window while it is blank, in a new one otherwise. Where
+ * the file cannot be opened this window says so, and no other is left. */
+void qn_window_open_with (QnWindow *window, const char *path,
+                          gboolean (*open) (QnWindow *, const char *));
+/* The same for any file; a project that is open already is shown where it is. */
+void qn_window_open (QnWindow *window, const char *path);
+
+/* Closes all windows. What is not saved in them is asked for once. */
+void qn_window_quit (GtkApplication *application);
+/* When a window has gone: the next one that is to be saved by qn_window_quit() is. */
+void qn_window_save_next (GtkApplication *application);
+
+/* Opens a project, or imports what the kind of file allows, and presents the window. Says so in it
+ * where the file cannot be read, and returns FALSE. */
 gboolean qn_window_open_path (QnWindow *window, const char *path);
 
 /* Opens an example: a drawing of its own, to be saved elsewhere. */

@@ -285,6 +285,33 @@ qn_draft_parameter (const QnDraft *draft, guint index)
   return result;
 }
 
+/* Of the standard normal distribution. */
+#define FRACTILE_95 1.6448536269514722
+
+static gboolean
+has_limits (QnDraftKind kind)
+{
+  return kind == QN_DRAFT_UNIFORM || kind == QN_DRAFT_RANGE;
+}
+
+void
+qn_draft_get_fractiles (const QnDraftParameter *parameter, double *low, double *high)
+{
+  QnDistribution lognormal = { 0 };
+  *low = *high = NAN;
+  if (has_limits (parameter->kind)) {
+    *low = parameter->first;
+    *high = parameter->second;
+  } else if (parameter->kind == QN_DRAFT_NORMAL) {
+    *low = parameter->first - FRACTILE_95 * parameter->second;
+    *high = parameter->first + FRACTILE_95 * parameter->second;
+  } else if (parameter->kind == QN_DRAFT_LOGNORMAL) {
+    qn_distribution_set_lognormal (&lognormal, parameter->first, parameter->second);
+    *low = exp (lognormal.first - FRACTILE_95 * lognormal.second);
+    *high = exp (lognormal.first + FRACTILE_95 * lognormal.second);
+  }
+}
+
 /* A name that no parameter has: the path's last key, then the path. */
 static const char *
 name_of (const QnDraft *draft, const char *path)
@@ -381,6 +408,28 @@ qn_draft_set_name (QnDraft *draft, guint index, const char *name)
 {
   set (parameter (draft, index), "name", cJSON_CreateString (name));
   record (draft);
+}
+
+void
+qn_draft_set_kind (QnDraft *draft, guint index, QnDraftKind kind)
+{
+  QnDraftParameter old = qn_draft_parameter (draft, index);
+  double first = old.first, second = old.second, low, high;
+  qn_draft_get_fractiles (&old, &low, &high);
+  if (has_limits (kind)) {
+    first = low;
+    second = high;
+  } else if (has_limits (old.kind) && kind == QN_DRAFT_LOGNORMAL && low > 0.0) {
+    double mean = 0.5 * log (low * high),
+           deviation = 0.5 * log (high / low) / FRACTILE_95;
+    first = exp (mean + 0.5 * deviation * deviation);
+    second = first * sqrt (expm1 (deviation * deviation));
+  } else if (has_limits (old.kind)) {
+    first = 0.5 * (low + high);
+    second = 0.5 * (high - low) / FRACTILE_95;
+  }
+  g_free (old.path);
+  qn_draft_set_values (draft, index, kind, first, second, old.levels);
 }
 
 static gboolean

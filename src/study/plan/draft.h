@@ -29,6 +29,11 @@ typedef struct QnDraftParameter {
   gboolean line; /* OTHER: the way of a moving load */
 } QnDraftParameter;
 
+/* The values that 5 % and 95 % of all do not exceed; of limits, these. NaN of kinds that a form does not
+ * show. */
+void qn_draft_get_fractiles (const QnDraftParameter *parameter, double *low,
+                             double *high);
+
 /* A new draft for the project file `model`, to be kept as `path`; nothing is written yet. */
 QnDraft *qn_draft_new (const char *path, const char *model, QnStudyRun run);
 
@@ -62,6 +67,9 @@ void qn_draft_move_load (QnDraft *draft, const char *path, const QnVec2 *line,
 
 void qn_draft_remove (QnDraft *draft, guint index);
 void qn_draft_set_name (QnDraft *draft, guint index, const char *name);
+/* Another kind with the same mean and deviation, or, between limits and these, with the same
+ * fractiles. */
+void qn_draft_set_kind (QnDraft *draft, guint index, QnDraftKind kind);
 void qn_draft_set_values (QnDraft *draft, guint index, QnDraftKind kind, double first,
                           double second, int levels);
 

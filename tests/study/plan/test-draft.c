@@ -4,6 +4,7 @@
 #include "study/fixture.h"
 #include "support/room.h"
 
+#include <math.h>
 #include <string.h>
 
 static void
@@ -45,6 +46,51 @@ test_new (void)
   qn_draft_remove (draft, 0);
   g_assert_false (qn_draft_can_redo (draft));
   g_assert_cmpuint (qn_draft_count (draft), ==, 1);
+  qn_draft_free (draft);
+}
+
+/* Limits become the 5 % and 95 % fractiles of a distribution, and these limits again. */
+static void
+test_kinds (void)
+{
+  static const QnDraftKind kinds[] = { QN_DRAFT_NORMAL, QN_DRAFT_LOGNORMAL };
+  QnDraft *draft = qn_draft_new ("s.quoin-study", "m.quoin", QN_STUDY_SOLVE);
+  g_assert_true (qn_draft_vary (draft, "laws[0].friction", 0.5, FALSE));
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    double low, high;
+    qn_draft_set_values (draft, 0, QN_DRAFT_UNIFORM, 0.45, 0.55, 0);
+    qn_draft_set_kind (draft, 0, kinds[i]);
+    QnDraftParameter now = qn_draft_parameter (draft, 0);
+    g_assert_cmpint (now.kind, ==, kinds[i]);
+    g_assert_cmpfloat_with_epsilon (now.first, 0.5, 2e-3);
+    g_assert_cmpfloat_with_epsilon (now.second, 0.0304, 2e-4);
+    qn_draft_get_fractiles (&now, &low, &high);
+    g_free (now.path);
+    /* Against the quantiles that a study computes with. */
+    QnDistribution distribution = { .kind = QN_DISTRIBUTION_NORMAL,
+                                    .first = now.first,
+                                    .second = now.second,
+                                    .min = -INFINITY,
+                                    .max = INFINITY };
+    if (kinds[i] == QN_DRAFT_LOGNORMAL)
+      qn_distribution_set_lognormal (&distribution, now.first, now.second);
+    g_assert_cmpfloat_with_epsilon (qn_distribution_quantile (&distribution, 0.05), 0.45,
+                                    1e-9);
+    g_assert_cmpfloat_with_epsilon (qn_distribution_quantile (&distribution, 0.95), 0.55,
+                                    1e-9);
+    g_assert_cmpfloat_with_epsilon (low, 0.45, 1e-12);
+    g_assert_cmpfloat_with_epsilon (high, 0.55, 1e-12);
+    qn_draft_set_kind (draft, 0, QN_DRAFT_RANGE);
+    now = qn_draft_parameter (draft, 0);
+    g_free (now.path);
+    g_assert_cmpfloat_with_epsilon (now.first, 0.45, 1e-12);
+    g_assert_cmpfloat_with_epsilon (now.second, 0.55, 1e-12);
+  }
+  qn_draft_set_values (draft, 0, QN_DRAFT_NORMAL, 0.5, 0.05, 0);
+  qn_draft_set_kind (draft, 0, QN_DRAFT_LOGNORMAL);
+  QnDraftParameter now = qn_draft_parameter (draft, 0);
+  g_free (now.path);
+  g_assert_true (now.first == 0.5 && now.second == 0.05);
   qn_draft_free (draft);
 }
 
@@ -112,6 +158,7 @@ test_whole (void)
 QN_TESTS
 {
   g_test_add_func ("/study/draft/new", test_new);
+  g_test_add_func ("/study/draft/kinds", test_kinds);
   g_test_add_func ("/study/draft/whole", test_whole);
   g_test_add_func ("/study/draft/load", test_load);
 }
