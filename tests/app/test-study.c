@@ -179,6 +179,10 @@ test_vary (void)
   driver_screenshot (dialog, "study-scatter");
   driver_key ("Return");
   driver_wait (shows_case, window);
+  /* Nothing has changed since: it has other numbers than the drawing. */
+  g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, "Outdated"));
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), driver_says, "case of the study"));
   driver_screenshot (GTK_WIDGET (window), "study-case");
   click_points (dialog, window);
   g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,

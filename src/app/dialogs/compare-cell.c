@@ -5,6 +5,7 @@
 #include "render/backend/draw-cairo.h"
 #include "render/scene/scene-build.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 #define MARGIN_PX    24.0
 #define CAPTION_PX   60
@@ -150,12 +151,23 @@ qn_compare_cell_dup_caption (const QnRun *run, const char *name)
     run->result.has_collapse_multiplier
       ? g_strdup_printf ("λ\u00a0=\u00a0%.4f", run->result.collapse_multiplier)
       : g_strdup (qn_explain_outcome_label (&run->result));
-  g_autofree char *what = g_strdup_printf (_ ("%s: %s"), run->name, value);
-  return g_strdup_printf ("%s\n%s\n%s", name, what, words != NULL ? words : "");
+  return g_strdup_printf ("%s\n%s\n%s", name, value, words != NULL ? words : "");
+}
+
+void
+qn_compare_cell_set_title (GtkWidget *widget, const char *title, const char *above)
+{
+  const Cell *cell = cell_of (widget);
+  g_autofree char *caption = qn_compare_cell_dup_caption (cell->run, title);
+  const char *beneath =
+    g_strcmp0 (title, above) == 0 ? strchr (caption, '\n') + 1 : caption;
+  gtk_label_set_text (GTK_LABEL (gtk_widget_get_last_child (widget)), beneath);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (cell->area),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, caption, -1);
 }
 
 GtkWidget *
-qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view)
+qn_compare_cell_new (QnRun *run, QnCompareView *view)
 {
   Cell *cell = g_new0 (Cell, 1);
   cell->run = qn_run_ref (run);
@@ -183,14 +195,11 @@ qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view)
   g_signal_connect (drag, "drag-begin", G_CALLBACK (on_pan_begin), cell);
   g_signal_connect (drag, "drag-update", G_CALLBACK (on_pan_update), cell);
   gtk_widget_add_controller (cell->area, GTK_EVENT_CONTROLLER (drag));
-  g_autofree char *caption = qn_compare_cell_dup_caption (run, title);
-  GtkWidget *label = gtk_label_new (caption);
+  GtkWidget *label = gtk_label_new (NULL);
   gtk_label_set_wrap (GTK_LABEL (label), TRUE);
   gtk_label_set_max_width_chars (GTK_LABEL (label), 50);
   gtk_label_set_justify (GTK_LABEL (label), GTK_JUSTIFY_CENTER);
   gtk_widget_set_size_request (label, -1, CAPTION_PX);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (cell->area),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, caption, -1);
   gtk_box_append (GTK_BOX (box), cell->area);
   gtk_box_append (GTK_BOX (box), label);
   return box;

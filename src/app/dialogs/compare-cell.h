@@ -18,10 +18,13 @@ typedef struct QnCompareView {
   gpointer changed_data;
 } QnCompareView;
 
-/* `title`: of the run's project. `view` must live as long as the cell. */
-GtkWidget *qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view);
+/* `view` must live as long as the cell. */
+GtkWidget *qn_compare_cell_new (QnRun *run, QnCompareView *view);
 
-/* What stands beneath it; the caller frees it. */
+/* What stands beneath it, without the title where it is `above` it already (nullable). */
+void qn_compare_cell_set_title (GtkWidget *cell, const char *title, const char *above);
+
+/* The whole of it; the caller frees it. */
 char *qn_compare_cell_dup_caption (const QnRun *run, const char *title);
 
 QnRun *qn_compare_cell_get_run (GtkWidget *cell);

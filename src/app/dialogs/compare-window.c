@@ -1,7 +1,7 @@
 /* Compare: runs of the open drawings and of files side by side, at one scale, with linked zoom and
  * phase of motion; the first as an outline over the others on request; their numbers as a table and
  * their curves over each other. Files are opened and solved where they have no result. */
-#include "app/dialogs/compare-cell.h"
+#include "app/dialogs/compare-private.h"
 #include "app/dialogs/dialogs.h"
 #include "app/forms/form.h"
 #include "app/widgets/builder.h"
@@ -10,32 +10,13 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
-#include "app/widgets/shortened.h"
-#include "app/widgets/text-unit.h"
-#include "doc/document/batch.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run-name.h"
 #include "doc/text/explain.h"
 #include "render/figure/compare-sheet.h"
-#include "render/figure/curve-plot.h"
 #include <glib/gi18n.h>
 
 #define MOST_RUNS   12
 #define ZOOM_FACTOR 1.25
-
-typedef struct Compare {
-  GtkWindow *parent;
-  QnDocument *document;
-  QnDocumentsFunc list_others;
-  QnBatch *batch;    /* files that were opened here */
-  GHashTable *known; /* runs of these files that were put on show, of QnRun */
-  GtkWidget *dialog, *grid, *list, *hint, *table, *curves;
-  GtkLabel *message;
-  GPtrArray *shown; /* of QnRun, in the order chosen */
-  QnCompareView view;
-  gint64 started;
-  guint tick;
-  GObject *chooser;
-} Compare;
 
 static void
 compare_free (gpointer data, GObject *where)
@@ -51,9 +32,8 @@ compare_free (gpointer data, GObject *where)
 
 /* ---- documents ---- */
 
-/* Those of the windows, that of this one first, and of the files. */
-static GPtrArray *
-list_documents (Compare *compare)
+GPtrArray *
+qn_compare_list_documents (Compare *compare)
 {
   GPtrArray *documents = compare->list_others (compare->parent);
   const GPtrArray *files = qn_batch_get_documents (compare->batch);
@@ -61,144 +41,6 @@ list_documents (Compare *compare)
   for (guint i = 0; i < files->len; i++)
     g_ptr_array_add (documents, files->pdata[i]);
   return documents;
-}
-
-/* Title of the project that a run belongs to; of one whose drawing is closed, that of its model. */
-static char *
-dup_title (Compare *compare, QnRun *run)
-{
-  g_autoptr (GPtrArray) documents = list_documents (compare);
-  for (guint i = 0; i < documents->len; i++)
-    if (g_ptr_array_find ((GPtrArray *) qn_document_get_runs (documents->pdata[i]), run,
-                          NULL))
-      return qn_document_dup_display_name (documents->pdata[i]);
-  return g_strdup (run->model.title != NULL ? run->model.title : _ ("Untitled"));
-}
-
-/* ---- numbers and curves ---- */
-
-static void
-put (Compare *compare, int column, int row, const char *text)
-{
-  GtkWidget *label = gtk_label_new (text);
-  gtk_label_set_xalign (GTK_LABEL (label), column == 0 ? 0.0f : 1.0f);
-  if (row == 0)
-    gtk_widget_add_css_class (label, "heading");
-  if (row > 0 && column == 0) {
-    qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
-    gtk_label_set_max_width_chars (GTK_LABEL (label), 28);
-    gtk_label_set_width_chars (GTK_LABEL (label), 18);
-  }
-  gtk_grid_attach (GTK_GRID (compare->table), label, column, row, 1, 1);
-}
-
-static gboolean
-take_curve (QnCurve *curve, const QnRun *run)
-{
-  return qn_curve_from_result (curve, &run->model, &run->result,
-                               qn_result_curve_motion (&run->model, &run->result));
-}
-
-/* How far the curve's point had moved at the last step; in time, how far any block ever went. */
-static char *
-dup_displacement (const QnRun *run)
-{
-  const QnUnits millimetres = { .length = QN_LENGTH_MM };
-  QnCurve curve = { 0 };
-  char *text = NULL;
-  if (qn_run_is_in_time (run))
-    return qn_units_format_full (millimetres, QN_QUANTITY_LENGTH,
-                                 qn_result_peak (&run->result, NULL), 4);
-  if (qn_run_has_curve (run) && take_curve (&curve, run)) {
-    if (curve.count > 0)
-      text = qn_units_format_full (
-        millimetres, curve.rotation ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
-        curve.x[curve.count - 1], 4);
-    qn_curve_clear (&curve);
-  }
-  return text != NULL ? text : g_strdup ("–");
-}
-
-static void
-fill_table (Compare *compare)
-{
-  const char *const heads[] = { _ ("Project"), _ ("Multiplier"), _ ("Of the first"),
-                                _ ("Moved"),   _ ("Steps"),      _ ("Outcome") };
-  GtkWidget *child;
-  double first = NAN;
-  while ((child = gtk_widget_get_first_child (compare->table)) != NULL)
-    gtk_grid_remove (GTK_GRID (compare->table), child);
-  for (guint i = 0; i < G_N_ELEMENTS (heads); i++)
-    put (compare, (int) i, 0, heads[i]);
-  for (guint i = 0; i < compare->shown->len; i++) {
-    QnRun *run = compare->shown->pdata[i];
-    gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;
-    double value = given ? run->result.collapse_multiplier : NAN;
-    if (i == 0)
-      first = value;
-    g_autofree char *title = dup_title (compare, run);
-    g_autofree char *number = given ? g_strdup_printf ("%.4f", value) : g_strdup ("–");
-    g_autofree char *part = isfinite (value / first)
-                              ? g_strdup_printf ("%.1f %%", 100.0 * value / first)
-                              : g_strdup ("–");
-    g_autofree char *moved = dup_displacement (run);
-    g_autofree char *steps = g_strdup_printf ("%zu", run->result.step_count);
-    const char *outcome =
-      run->kind == QN_RUN_ANALYSIS ? qn_explain_outcome_label (&run->result) : "–";
-    const char *const cells[] = { title, number, part, moved, steps, outcome };
-    for (guint k = 0; k < G_N_ELEMENTS (cells); k++)
-      put (compare, (int) k, (int) i + 1, cells[k]);
-  }
-}
-
-static guint
-take_curves (Compare *compare, QnCurve *curves, GPtrArray *titles)
-{
-  guint count = 0;
-  for (guint i = 0; i < compare->shown->len; i++) {
-    QnRun *run = compare->shown->pdata[i];
-    QnCurve *curve = &curves[count];
-    if (!qn_run_has_curve (run) || !take_curve (curve, run))
-      continue;
-    qn_curve_cut_runaway (curve);
-    g_ptr_array_add (titles, dup_title (compare, run));
-    curve->label = titles->pdata[titles->len - 1];
-    count++;
-  }
-  return count;
-}
-
-/* Curves that share axes lie in one plot, the plots below each other. */
-static void
-draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
-{
-  Compare *compare = data;
-  g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
-  g_autofree QnCurve *curves = g_new0 (QnCurve, compare->shown->len + 1);
-  g_autofree QnCurve *alike = g_new0 (QnCurve, compare->shown->len + 1);
-  g_autofree guint *group = g_new0 (guint, compare->shown->len + 1); /* from 1 */
-  guint count = take_curves (compare, curves, titles), groups = 0;
-  for (guint i = 0; i < count; i++) {
-    for (guint k = 0; k < i && group[i] == 0; k++)
-      group[i] = qn_curve_shares_axes (&curves[k], &curves[i]) ? group[k] : 0;
-    if (group[i] == 0)
-      group[i] = ++groups;
-  }
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
-  for (guint g = 1; g <= groups; g++) {
-    QnCurvePlot plot = { .curves = alike };
-    const QnPage page = { width, height, qn_text_unit (GTK_WIDGET (area)),
-                          true,  false,  NULL };
-    double part = (double) height / groups;
-    for (guint i = 0; i < count; i++)
-      if (group[i] == g)
-        alike[plot.curve_count++] = curves[i];
-    qn_curve_plot_draw (&plot, cr, &page, 6.0, (g - 1) * part + 6.0, width - 12.0,
-                        part - 12.0);
-  }
-  for (guint i = 0; i < count; i++)
-    qn_curve_clear (&curves[i]);
 }
 
 /* ---- cells ---- */
@@ -238,6 +80,9 @@ redraw (gpointer data)
 }
 
 static void let_move (Compare *compare, GtkWidget *cell);
+static void tell (Compare *compare, const char *text);
+static void let_rename (Compare *compare, GtkWidget *cell);
+static void show_name (GtkWidget *cell, gpointer data);
 static void remove_run (Compare *compare, guint at);
 
 static void
@@ -251,14 +96,15 @@ fill (Compare *compare)
   compare->view.first = count > 0 ? g_ptr_array_index (compare->shown, 0) : NULL;
   for (guint i = 0; i < count; i++) {
     QnRun *run = compare->shown->pdata[i];
-    g_autofree char *title = dup_title (compare, run);
-    GtkWidget *cell = qn_compare_cell_new (run, title, &compare->view);
+    GtkWidget *cell = qn_compare_cell_new (run, &compare->view);
     let_move (compare, cell);
+    let_rename (compare, cell);
+    show_name (cell, compare);
     gtk_grid_attach (GTK_GRID (compare->grid), cell, (int) i % columns, (int) i / columns,
                      1, 1);
   }
   gtk_widget_set_visible (compare->hint, count < 2);
-  fill_table (compare);
+  qn_compare_fill_table (compare);
   gtk_widget_queue_draw (compare->curves);
   redraw (compare);
 }
@@ -374,7 +220,7 @@ copy_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
   guint at = g_variant_get_uint32 (parameter);
   if (at >= compare->shown->len)
     return;
-  g_autofree char *title = dup_title (compare, compare->shown->pdata[at]);
+  g_autofree char *title = qn_compare_dup_title (compare, compare->shown->pdata[at]);
   g_autofree char *text = qn_compare_cell_dup_caption (compare->shown->pdata[at], title);
   gdk_clipboard_set_text (gtk_widget_get_clipboard (compare->dialog), text);
 }
@@ -399,6 +245,56 @@ let_move (Compare *compare, GtkWidget *cell)
     gtk_widget_get_last_child (cell),
     _ ("Drag onto another picture to change the order, or press "
        "Alt and an arrow"));
+}
+
+/* ---- names ---- */
+
+static void
+on_renamed (GtkWidget *entry, Compare *compare)
+{
+  QnRun *run = qn_compare_cell_get_run (gtk_widget_get_parent (entry));
+  QnDocument *document = qn_compare_find_document (compare, run);
+  g_autoptr (GError) error = NULL;
+  if (document != NULL
+      && !qn_document_rename_run (document, run,
+                                  gtk_editable_get_text (GTK_EDITABLE (entry)), &error))
+    tell (compare, error->message);
+}
+
+static void
+on_left (GtkEventController *focus, Compare *compare)
+{
+  on_renamed (gtk_event_controller_get_widget (focus), compare);
+}
+
+static void
+show_name (GtkWidget *cell, gpointer data)
+{
+  Compare *compare = data;
+  QnRun *run = qn_compare_cell_get_run (cell);
+  GtkWidget *entry = gtk_widget_get_next_sibling (gtk_widget_get_first_child (cell));
+  g_autofree char *title = qn_compare_dup_title (compare, run);
+  if (GTK_IS_ENTRY (entry))
+    gtk_editable_set_text (GTK_EDITABLE (entry), run->label);
+  qn_compare_cell_set_title (cell, title, run->label);
+}
+
+/* What a run is called stands over the words beneath its picture, to be typed over. */
+static void
+let_rename (Compare *compare, GtkWidget *cell)
+{
+  const QnRun *run = qn_compare_cell_get_run (cell);
+  if (run->label == NULL)
+    return;
+  GtkWidget *entry = gtk_entry_new ();
+  GtkEventController *focus = gtk_event_controller_focus_new ();
+  gtk_entry_set_has_frame (GTK_ENTRY (entry), FALSE);
+  gtk_entry_set_alignment (GTK_ENTRY (entry), 0.5f);
+  gtk_widget_set_tooltip_text (entry, _ ("Name of the run"));
+  g_signal_connect (entry, "activate", G_CALLBACK (on_renamed), compare);
+  g_signal_connect (focus, "leave", G_CALLBACK (on_left), compare);
+  gtk_widget_add_controller (entry, focus);
+  gtk_box_insert_child_after (GTK_BOX (cell), entry, gtk_widget_get_first_child (cell));
 }
 
 /* ---- choosing ---- */
@@ -437,7 +333,7 @@ list_runs (Compare *compare)
   GtkWidget *child;
   while ((child = gtk_widget_get_first_child (compare->list)) != NULL)
     gtk_box_remove (GTK_BOX (compare->list), child);
-  g_autoptr (GPtrArray) documents = list_documents (compare);
+  g_autoptr (GPtrArray) documents = qn_compare_list_documents (compare);
   for (guint k = 0; k < documents->len; k++) {
     QnDocument *document = g_ptr_array_index (documents, k);
     const GPtrArray *runs = qn_document_get_runs (document);
@@ -463,7 +359,10 @@ on_runs_changed (Compare *compare)
     g_ptr_array_set_size (compare->shown, 0);
     choose_first (compare);
     fill (compare);
-  }
+  } else
+    each_cell (compare, show_name, compare); /* they may have other ones */
+  qn_compare_fill_table (compare);
+  gtk_widget_queue_draw (compare->curves);
   list_runs (compare);
 }
 
@@ -692,7 +591,7 @@ on_file_chosen (GtkNativeDialog *dialog, int response, Compare *compare)
     g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
     g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
     for (guint i = 0; i < compare->shown->len; i++)
-      g_ptr_array_add (titles, dup_title (compare, compare->shown->pdata[i]));
+      g_ptr_array_add (titles, qn_compare_dup_title (compare, compare->shown->pdata[i]));
     gboolean written =
       path != NULL
       && qn_compare_export (compare->shown, (const char *const *) titles->pdata, path,
@@ -760,8 +659,8 @@ build (Compare *compare)
                     G_CALLBACK (on_play), compare);
   g_signal_connect (qn_builder_get_widget (builder, "outline"), "toggled",
                     G_CALLBACK (on_outline), compare);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (compare->curves), draw_curves,
-                                  compare, NULL);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (compare->curves),
+                                  qn_compare_draw_curves, compare, NULL);
   gtk_window_set_titlebar (GTK_WINDOW (compare->dialog),
                            qn_builder_get_widget (builder, "header"));
   gtk_window_set_child (GTK_WINDOW (compare->dialog),
@@ -800,4 +699,5 @@ qn_compare_window_show (GtkWindow *parent, QnDocument *document,
   list_runs (compare);
   fill (compare);
   gtk_window_present (GTK_WINDOW (compare->dialog));
+  focus_cell (compare, 0);
 }

@@ -47,6 +47,7 @@ solve_case (GTask *task, gpointer source, gpointer data, GCancellable *cancellab
     error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, result.reason);
   } else {
     opening->run = qn_run_new (opening->name, "");
+    opening->run->of_study = TRUE;
     opening->run->model = model.project.model;
     opening->run->contacts = model.contacts;
     opening->run->result = model.result;
@@ -95,7 +96,12 @@ qn_study_window_open_case (QnStudyWindow *self)
   opening->folder = g_strdup (self->folder);
   opening->values = g_memdup2 (self->table.numbers + row * self->table.width,
                                self->table.parameters * sizeof (double));
-  opening->name = g_strdup_printf (_ ("Case %zu"), opening->index + 1);
+  g_autoptr (GString) name = g_string_new (NULL);
+  g_string_printf (name, _ ("Case %zu"), opening->index + 1);
+  for (gsize k = 0; k < self->table.parameters; k++)
+    g_string_append_printf (name, ", %s %.4g", qn_table_column_name (&self->table, k),
+                            opening->values[k]);
+  opening->name = g_string_free (g_steal_pointer (&name), FALSE);
   g_autoptr (GTask) task =
     g_task_new (self->parent.state, NULL, on_solved, g_object_ref (self->status));
   g_task_set_task_data (task, opening, free_opening);

@@ -4,6 +4,7 @@
 #include "app/views/energy-view.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/choice-list.h"
+#include "doc/document/run-name.h"
 #include "doc/document/run-text.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
@@ -13,6 +14,7 @@ typedef struct Panel {
   QnViewState *state;
   GtkWidget *empty, *content, *curve;
   GtkDropDown *runs, *stage, *onion;
+  GtkEditable *name;
 } Panel;
 
 static QnDocument *
@@ -25,6 +27,17 @@ static const QnRun *
 run_of (const Panel *panel)
 {
   return qn_document_get_run (document_of (panel));
+}
+
+/* Runs after edits and cases of studies have no name of their own. */
+static void
+update_name (Panel *panel)
+{
+  const QnRun *run = run_of (panel);
+  const char *label = run != NULL ? run->label : NULL;
+  gtk_widget_set_visible (GTK_WIDGET (panel->name), label != NULL);
+  if (label != NULL && g_strcmp0 (gtk_editable_get_text (panel->name), label) != 0)
+    gtk_editable_set_text (panel->name, label);
 }
 
 static void
@@ -43,6 +56,17 @@ on_onion_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
   guint row = gtk_drop_down_get_selected (choice);
   qn_view_state_set_onion (
     panel->state, row > 0 && row <= runs->len ? g_ptr_array_index (runs, row - 1) : NULL);
+}
+
+static void
+on_named (Panel *panel)
+{
+  const QnRun *run = run_of (panel);
+  g_autoptr (GError) error = NULL;
+  if (run == NULL
+      || !qn_document_rename_run (document_of (panel), run,
+                                  gtk_editable_get_text (panel->name), &error))
+    update_name (panel);
 }
 
 static char *
@@ -69,6 +93,7 @@ update_runs (Panel *panel)
     if (run == qn_view_state_get_onion (panel->state))
       onion = i + 1;
   }
+  update_name (panel);
   g_ptr_array_add (names, NULL);
   const char *const *all = (const char *const *) names->pdata;
   qn_choice_list_fill (panel->runs, all + 1, selected, panel);
@@ -171,6 +196,11 @@ qn_result_panel_new (QnCanvas *canvas)
     .stage = take_choice (builder, "stage", G_CALLBACK (on_stage_chosen), panel),
     .onion = take_choice (builder, "onion", G_CALLBACK (on_onion_chosen), panel),
   };
+  panel->name = GTK_EDITABLE (qn_builder_get_widget (builder, "run_name"));
+  g_signal_connect_swapped (panel->name, "activate", G_CALLBACK (on_named), panel);
+  GtkEventController *focus = gtk_event_controller_focus_new ();
+  g_signal_connect_swapped (focus, "leave", G_CALLBACK (on_named), panel);
+  gtk_widget_add_controller (GTK_WIDGET (panel->name), focus);
   qn_run_menu_attach (GTK_WIDGET (panel->runs));
   gtk_box_append (views, qn_answer_card_new (document));
   gtk_box_append (views, qn_inspector_new (canvas));

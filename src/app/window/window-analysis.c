@@ -96,7 +96,32 @@ clear_queue (QnWindow *self)
   self->next_analysis = self->last_analysis = NULL;
 }
 
-/* Starts the next of those to be compared; behind the last they are shown. */
+/* The run of the model as it is by that method, or NULL. */
+static QnRun *
+find_run (QnWindow *self, QnProcedure procedure, QnFlow flow)
+{
+  const GPtrArray *runs = qn_document_get_runs (self->document);
+  for (guint i = runs->len; i-- > 0;) {
+    QnRun *run = g_ptr_array_index (runs, i);
+    const QnAnalysisSettings *by = &run->model.analysis;
+    if (run->kind == QN_RUN_ANALYSIS && !run->live && by->procedure == procedure
+        && (procedure != QN_PROCEDURE_LIMIT || by->flow == flow)
+        && run->result.outcome != QN_OUTCOME_CANCELLED
+        && !qn_document_is_stale (self->document, run))
+      return run;
+  }
+  return NULL;
+}
+
+/* Of several methods that which follows a path, with a curve and steps: limit analysis has neither. */
+static QnProcedure
+path_procedure (QnWindow *self)
+{
+  QnProcedure own = qn_document_get_model (self->document)->analysis.procedure;
+  return own == QN_PROCEDURE_LIMIT ? QN_PROCEDURE_LOAD : own;
+}
+
+/* Starts the next of those to be compared that is not there yet; behind the last they are shown. */
 static void
 start_next (QnWindow *self)
 {
@@ -108,14 +133,16 @@ start_next (QnWindow *self)
     clear_queue (self);
     return;
   }
+  while (self->next_analysis != self->last_analysis
+         && find_run (self, self->next_analysis->procedure, self->next_analysis->flow)
+              != NULL)
+    self->next_analysis++;
   if (self->next_analysis == self->last_analysis) {
     clear_queue (self);
-    /* The path has a curve and steps; limit analysis has neither. */
-    const GPtrArray *runs = qn_document_get_runs (self->document);
-    guint back = G_N_ELEMENTS (queue) + 1;
+    QnRun *path = find_run (self, path_procedure (self), QN_FLOW_ASSOCIATIVE);
     gtk_stack_set_visible_child_name (self->side_stack, "result");
-    if (runs->len >= back)
-      qn_document_set_run (self->document, g_ptr_array_index (runs, runs->len - back));
+    if (path != NULL)
+      qn_document_set_run (self->document, path);
     return;
   }
   const QnQueuedAnalysis *next = self->next_analysis++;
@@ -126,17 +153,21 @@ start_next (QnWindow *self)
 static void
 run_all (QnWindow *self, GVariant *parameter)
 {
-  QnProcedure own = qn_document_get_model (self->document)->analysis.procedure;
+  QnRun *path = find_run (self, path_procedure (self), QN_FLOW_ASSOCIATIVE);
   g_autoptr (GError) error = NULL;
   gtk_info_bar_set_revealed (self->info_bar, FALSE);
-  if (!qn_document_analyse_with (self->document,
-                                 own == QN_PROCEDURE_LIMIT ? QN_PROCEDURE_LOAD : own,
-                                 QN_FLOW_ASSOCIATIVE, &error)) {
+  if (path == NULL
+      && !qn_document_analyse_with (self->document, path_procedure (self),
+                                    QN_FLOW_ASSOCIATIVE, &error)) {
     qn_window_show_error (self, error->message);
     return;
   }
   self->next_analysis = queue;
   self->last_analysis = queue + G_N_ELEMENTS (queue);
+  if (path != NULL) {
+    qn_document_set_run (self->document, path);
+    start_next (self);
+  }
 }
 
 static void

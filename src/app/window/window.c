@@ -132,6 +132,9 @@ update_stale (QnWindow *self)
     run != NULL && qn_view_needs_result (qn_view_state_get_view (self->state));
   QnRunAge age = shown ? qn_document_get_run_age (self->document, run) : QN_RUN_CURRENT;
   gtk_label_set_text (GTK_LABEL (self->stale_label), qn_run_age_text (age));
+  gtk_widget_set_css_classes (
+    self->stale_label,
+    (const char *[]){ age == QN_RUN_OF_STUDY ? "live" : "stale", NULL });
   gtk_widget_set_visible (self->stale_label, age != QN_RUN_CURRENT);
 }
 

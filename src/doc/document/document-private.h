@@ -21,6 +21,7 @@ struct _QnDocument {
   gboolean keeps_history; /* in the file */
 
   QnJob *job;
+  char *job_text; /* what the project was written as when it began; NULL: a live one */
   GError *job_error;
   QnDiag job_diag;
   GPtrArray *runs;
@@ -44,6 +45,12 @@ const char *qn_document_get_fingerprint (QnDocument *document);
 
 /* Emits one of the signals of document.h. */
 void qn_document_emit (QnDocument *document, QnDocumentSignal signal);
+
+/* run-name.c: proposes a name for a run that is to be added, whose name is its method so far, and drops
+ * those that it repeats; `text` is what the project was written as. */
+void qn_document_take_run (QnDocument *document, QnRun *run, const char *text);
+/* Names of all runs from what the project keeps; TRUE where one is new. */
+gboolean qn_document_name_runs (QnDocument *document);
 
 /* Ends the running analysis, if any, and forgets its outcome. */
 void qn_document_drop_job (QnDocument *document);

@@ -53,10 +53,17 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   if (run != NULL) {
     if (run->live)
       drop_live_run (self);
+    else
+      qn_document_take_run (self, run, self->job_text);
     g_ptr_array_add (self->runs, qn_run_ref (run));
     g_autoptr (GPtrArray) others = qn_job_take_others (job);
-    for (guint i = 0; others != NULL && i < others->len; i++)
-      g_ptr_array_add (self->runs, qn_run_ref (g_ptr_array_index (others, i)));
+    for (guint i = 0; others != NULL && i < others->len; i++) {
+      QnRun *other = g_ptr_array_index (others, i);
+      other->proposed = g_strdup (run->proposed);
+      other->method = g_strdup (run->method);
+      g_ptr_array_add (self->runs, qn_run_ref (other));
+    }
+    qn_document_name_runs (self);
     qn_document_set_run (self, run);
   } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
     self->job_error = g_steal_pointer (&error);
@@ -64,7 +71,7 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
 }
 
-/* A job for the model, with what distinguishes it from others; NULL with an error. */
+/* A job for the model, by that method; NULL: after an edit. NULL with an error. */
 static QnJob *
 make_job (QnDocument *self, const QnModel *model, const char *method, GError **error)
 {
@@ -73,12 +80,8 @@ make_job (QnDocument *self, const QnModel *model, const char *method, GError **e
                          _ ("There is nothing to analyse: draw a wall first"));
     return NULL;
   }
-  g_autofree char *name =
-    method == NULL ? g_strdup (_ ("After an edit"))
-                   : g_strdup_printf (_ ("Run %u, %s"), self->run_number + 1, method);
-  QnJob *job = qn_job_new (model, name, qn_document_get_fingerprint (self), error);
-  if (job != NULL && method != NULL)
-    self->run_number++;
+  QnJob *job = qn_job_new (model, method != NULL ? method : _ ("After an edit"),
+                           qn_document_get_fingerprint (self), error);
   if (job != NULL)
     qn_job_set_live (job, method == NULL);
   return job;
@@ -93,6 +96,8 @@ start (QnDocument *self, QnJob *job)
   qn_document_drop_job (self);
   g_clear_error (&self->job_error);
   self->job = job;
+  g_free (self->job_text);
+  self->job_text = qn_job_is_live (job) ? NULL : g_strdup (self->text->text);
   g_signal_connect (job, "progress", G_CALLBACK (on_job_progress), self);
   qn_job_start (job, on_job_done, g_object_ref (self));
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
@@ -230,6 +235,8 @@ QnRunAge
 qn_document_get_run_age (QnDocument *self, const QnRun *run)
 {
   const char *own = qn_document_get_fingerprint (self);
+  if (run->of_study)
+    return QN_RUN_OF_STUDY;
   if (g_strcmp0 (run->fingerprint, own) == 0)
     return QN_RUN_CURRENT;
   const char *structure = strchr (own, ' ');
@@ -252,6 +259,8 @@ qn_run_age_text (QnRunAge age)
     return _ ("The settings of the analysis have changed since this run.");
   case QN_RUN_OTHER_MODEL:
     return _ ("Outdated: the model has changed since this run.");
+  case QN_RUN_OF_STUDY:
+    return _ ("A case of the study, with numbers of its own.");
   case QN_RUN_CURRENT:
     break;
   }

@@ -67,6 +67,8 @@ adopt (QnDocument *self, QnProject *project, QnProjectText *text, GError **error
   qn_project_clear (&old);
   qn_contacts_clear (&old_contacts);
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_CHANGED);
+  if (qn_document_name_runs (self))
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
   return TRUE;
 }
 
@@ -123,6 +125,7 @@ qn_document_finalize (GObject *object)
   qn_history_free (self->history);
   g_clear_object (&self->selection);
   g_clear_error (&self->job_error);
+  g_free (self->job_text);
   g_clear_pointer (&self->run, qn_run_unref);
   g_ptr_array_unref (self->runs);
   g_free (self->path);

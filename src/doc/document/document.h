@@ -166,7 +166,8 @@ void qn_document_remove_run (QnDocument *document, QnRun *run);
 typedef enum {
   QN_RUN_CURRENT,
   QN_RUN_OTHER_SETTINGS, /* of the analysis alone: blocks, laws, loads are the same */
-  QN_RUN_OTHER_MODEL
+  QN_RUN_OTHER_MODEL,
+  QN_RUN_OF_STUDY /* a case, whatever has changed */
 } QnRunAge;
 
 QnRunAge qn_document_get_run_age (QnDocument *document, const QnRun *run);

@@ -37,6 +37,10 @@ clear (gpointer data)
   }
   g_clear_pointer (&run->base, qn_run_unref);
   g_free (run->name);
+  g_free (run->label);
+  g_free (run->proposed);
+  g_free (run->method);
+  g_free (run->text);
   g_free (run->fingerprint);
 }
 

@@ -1,6 +1,6 @@
 /* One analysis that has been run: the frozen model, its contacts and the result.
  *
- * Immutable and reference counted, so it may be read from any thread and outlives the
+ * But for what it is called, immutable and reference counted, so it may be read from any thread and outlives the
  * document's further edits: pictures of a stale result still show the wall that was solved.
  */
 #ifndef QN_DOC_RUN_H
@@ -30,9 +30,13 @@ typedef struct QnRun {
   gboolean
     loaded; /* MODE: about the last equilibrium of the analysis, not the dead load's */
   struct QnRun *base; /* holds model and contacts of this one, or NULL */
-  char *name;         /* what the user calls it, owned */
-  gboolean live;      /* replaced by the next live one */
-  char *fingerprint;  /* the document's when the model was frozen, owned */
+  char *name;         /* what it is called: label and method; owned, as are … */
+  char *label; /* … what the user says instead of `proposed`; NULL: it has no label */
+  char *proposed, *method;
+  char *text;        /* of the project, or NULL */
+  gboolean of_study; /* one case of a study: with numbers of its own */
+  gboolean live;     /* replaced by the next live one */
+  char *fingerprint; /* the document's when the model was frozen, owned */
 } QnRun;
 
 /* A run with empty members that the caller fills before sharing it. */

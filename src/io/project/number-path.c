@@ -81,8 +81,8 @@ compare (Difference *difference, const cJSON *before, const cJSON *after)
 static gboolean
 is_of_drawing (const char *path)
 {
-  static const char *const members[] = { "underlay", "guides", "view", "figures",
-                                         "history",  "report", NULL };
+  static const char *const members[] = { "underlay", "guides", "view",      "figures",
+                                         "history",  "report", "run_names", NULL };
   for (const char *const *member = members; *member != NULL; member++)
     if (qn_json_path_is_within (path, *member))
       return TRUE;

@@ -15,12 +15,12 @@
 /* Members of the document: those that become part of the model, and behind them those that it does
  * not hold, which are kept and written back as they are. */
 #define MODEL_KEYS 15
-static const char *const keys[] = { "format",   "version", "title",          "gravity",
-                                    "laws",     "blocks",  "walls",          "contact",
-                                    "loads",    "bars",    "ties",           "analysis",
-                                    "sections", "nodes",   "beams",          "view",
-                                    "figures",  "guides",  "underlay",       "history",
-                                    "capacity", "report",  QN_MASONRY_MEMBER };
+static const char *const keys[] = {
+  "format",   "version", "title",    "gravity", "laws",      "blocks",
+  "walls",    "contact", "loads",    "bars",    "ties",      "analysis",
+  "sections", "nodes",   "beams",    "view",    "figures",   "guides",
+  "underlay", "history", "capacity", "report",  "run_names", QN_MASONRY_MEMBER
+};
 
 static gboolean
 check_format (const QnJsonValue *root)

@@ -1,0 +1,40 @@
+/* The inside of the window of comparisons, shared by the files that make it up. */
+#ifndef QN_APP_COMPARE_PRIVATE_H
+#define QN_APP_COMPARE_PRIVATE_H
+
+#include "app/dialogs/compare-cell.h"
+#include "app/dialogs/dialogs.h"
+#include "doc/document/batch.h"
+
+typedef struct Compare {
+  GtkWindow *parent;
+  QnDocument *document;
+  QnDocumentsFunc list_others;
+  QnBatch *batch;    /* files that were opened here */
+  GHashTable *known; /* runs of these files that were put on show, of QnRun */
+  GtkWidget *dialog, *grid, *list, *hint, *table, *curves;
+  GtkLabel *message;
+  GPtrArray *shown; /* of QnRun, in the order chosen */
+  QnCompareView view;
+  gint64 started;
+  guint tick;
+  GObject *chooser;
+} Compare;
+
+/* Those of the windows, that of this one first, and of the files. */
+GPtrArray *qn_compare_list_documents (Compare *compare);
+
+/* compare-table.c: the document that a run belongs to, or NULL where it is closed. */
+QnDocument *qn_compare_find_document (Compare *compare, QnRun *run);
+
+/* What distinguishes a run from the others on show: its label, with the method where that is needed; its
+ * project; or both. The caller frees it. */
+char *qn_compare_dup_title (Compare *compare, QnRun *run);
+
+void qn_compare_fill_table (Compare *compare);
+
+/* Curves that share axes lie in one plot, the plots below each other. */
+void qn_compare_draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height,
+                             gpointer compare);
+
+#endif

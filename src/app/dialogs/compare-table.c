@@ -1,0 +1,201 @@
+/* What runs that are compared are called, their numbers as a table, their curves over each other. */
+#include "app/dialogs/compare-private.h"
+
+#include "app/widgets/shortened.h"
+#include "app/widgets/text-unit.h"
+#include "doc/document/run-name.h"
+#include "doc/document/run-text.h"
+#include "doc/text/explain.h"
+#include "doc/text/units.h"
+#include "render/figure/curve-plot.h"
+#include <glib/gi18n.h>
+
+QnDocument *
+qn_compare_find_document (Compare *compare, QnRun *run)
+{
+  g_autoptr (GPtrArray) documents = qn_compare_list_documents (compare);
+  for (guint i = 0; i < documents->len; i++)
+    if (g_ptr_array_find ((GPtrArray *) qn_document_get_runs (documents->pdata[i]), run,
+                          NULL))
+      return documents->pdata[i];
+  return NULL;
+}
+
+/* How many of the runs on show are of that document. */
+static guint
+count_of (Compare *compare, QnDocument *document)
+{
+  guint count = 0;
+  for (guint i = 0; i < compare->shown->len; i++)
+    count += qn_compare_find_document (compare, compare->shown->pdata[i]) == document;
+  return count;
+}
+
+/* Whether labels tell the runs on show apart: each has another one. */
+static gboolean
+are_labels_enough (Compare *compare)
+{
+  g_autoptr (GHashTable) labels = g_hash_table_new (g_str_hash, g_str_equal);
+  for (guint i = 0; i < compare->shown->len; i++) {
+    const QnRun *run = compare->shown->pdata[i];
+    if (run->label == NULL || !g_hash_table_add (labels, run->label))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+char *
+qn_compare_dup_title (Compare *compare, QnRun *run)
+{
+  QnDocument *document = qn_compare_find_document (compare, run);
+  guint count = count_of (compare, document);
+  if (count == compare->shown->len)
+    return g_strdup (are_labels_enough (compare) ? run->label : run->name);
+  g_autofree char *project = document != NULL ? qn_document_dup_display_name (document)
+                             : run->model.title != NULL ? g_strdup (run->model.title)
+                                                        : g_strdup (_ ("Untitled"));
+  return count > 1 ? g_strdup_printf (_ ("%s: %s"), project, run->name)
+                   : g_steal_pointer (&project);
+}
+
+/* What the project of a run says otherwise than that of the first. */
+static char *
+dup_changes (Compare *compare, const QnRun *run)
+{
+  const QnRun *first = compare->shown->pdata[0];
+  g_autoptr (GPtrArray) changes = run != first ? qn_run_list_changes (first, run) : NULL;
+  if (changes == NULL || changes->len == 0)
+    return g_strdup ("–");
+  g_ptr_array_add (changes, NULL);
+  return g_strjoinv (", ", (char **) changes->pdata);
+}
+
+/* The first columns of the table are words. */
+#define WORDS 2
+
+static void
+put (Compare *compare, int column, int row, const char *text)
+{
+  GtkWidget *label = gtk_label_new (text);
+  gboolean words = column < WORDS;
+  gtk_label_set_xalign (GTK_LABEL (label), words ? 0.0f : 1.0f);
+  if (row == 0)
+    gtk_widget_add_css_class (label, "heading");
+  if (row > 0 && words) {
+    qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    gtk_label_set_max_width_chars (GTK_LABEL (label), 28);
+    gtk_label_set_width_chars (GTK_LABEL (label), 18);
+  }
+  gtk_grid_attach (GTK_GRID (compare->table), label, column, row, 1, 1);
+}
+
+static gboolean
+take_curve (QnCurve *curve, const QnRun *run)
+{
+  return qn_curve_from_result (curve, &run->model, &run->result,
+                               qn_result_curve_motion (&run->model, &run->result));
+}
+
+/* How far the curve's point had moved at the last step; in time, how far any block ever went. */
+static char *
+dup_displacement (const QnRun *run)
+{
+  const QnUnits millimetres = { .length = QN_LENGTH_MM };
+  QnCurve curve = { 0 };
+  char *text = NULL;
+  if (qn_run_is_in_time (run))
+    return qn_units_format_full (millimetres, QN_QUANTITY_LENGTH,
+                                 qn_result_peak (&run->result, NULL), 4);
+  if (qn_run_has_curve (run) && take_curve (&curve, run)) {
+    if (curve.count > 0)
+      text = qn_units_format_full (
+        millimetres, curve.rotation ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
+        curve.x[curve.count - 1], 4);
+    qn_curve_clear (&curve);
+  }
+  return text != NULL ? text : g_strdup ("–");
+}
+
+void
+qn_compare_fill_table (Compare *compare)
+{
+  const char *const heads[] = { _ ("Run"),          _ ("Changed"), _ ("Multiplier"),
+                                _ ("Of the first"), _ ("Moved"),   _ ("Steps"),
+                                _ ("Outcome") };
+  GtkWidget *child;
+  double first = NAN;
+  while ((child = gtk_widget_get_first_child (compare->table)) != NULL)
+    gtk_grid_remove (GTK_GRID (compare->table), child);
+  for (guint i = 0; i < G_N_ELEMENTS (heads); i++)
+    put (compare, (int) i, 0, heads[i]);
+  for (guint i = 0; i < compare->shown->len; i++) {
+    QnRun *run = compare->shown->pdata[i];
+    gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;
+    double value = given ? run->result.collapse_multiplier : NAN;
+    if (i == 0)
+      first = value;
+    g_autofree char *title = qn_compare_dup_title (compare, run);
+    g_autofree char *number = given ? g_strdup_printf ("%.4f", value) : g_strdup ("–");
+    g_autofree char *part = isfinite (value / first)
+                              ? g_strdup_printf ("%.1f %%", 100.0 * value / first)
+                              : g_strdup ("–");
+    g_autofree char *moved = dup_displacement (run);
+    g_autofree char *steps = g_strdup_printf ("%zu", run->result.step_count);
+    const char *outcome =
+      run->kind == QN_RUN_ANALYSIS ? qn_explain_outcome_label (&run->result) : "–";
+    g_autofree char *changes = dup_changes (compare, run);
+    const char *const cells[] = { title, changes, number, part, moved, steps, outcome };
+    for (guint k = 0; k < G_N_ELEMENTS (cells); k++)
+      put (compare, (int) k, (int) i + 1, cells[k]);
+  }
+}
+
+static guint
+take_curves (Compare *compare, QnCurve *curves, GPtrArray *titles)
+{
+  guint count = 0;
+  for (guint i = 0; i < compare->shown->len; i++) {
+    QnRun *run = compare->shown->pdata[i];
+    QnCurve *curve = &curves[count];
+    if (!qn_run_has_curve (run) || !take_curve (curve, run))
+      continue;
+    qn_curve_cut_runaway (curve);
+    g_ptr_array_add (titles, qn_compare_dup_title (compare, run));
+    curve->label = titles->pdata[titles->len - 1];
+    count++;
+  }
+  return count;
+}
+
+void
+qn_compare_draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height,
+                        gpointer data)
+{
+  Compare *compare = data;
+  g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
+  g_autofree QnCurve *curves = g_new0 (QnCurve, compare->shown->len + 1);
+  g_autofree QnCurve *alike = g_new0 (QnCurve, compare->shown->len + 1);
+  g_autofree guint *group = g_new0 (guint, compare->shown->len + 1); /* from 1 */
+  guint count = take_curves (compare, curves, titles), groups = 0;
+  for (guint i = 0; i < count; i++) {
+    for (guint k = 0; k < i && group[i] == 0; k++)
+      group[i] = qn_curve_shares_axes (&curves[k], &curves[i]) ? group[k] : 0;
+    if (group[i] == 0)
+      group[i] = ++groups;
+  }
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+  cairo_paint (cr);
+  for (guint g = 1; g <= groups; g++) {
+    QnCurvePlot plot = { .curves = alike };
+    const QnPage page = { width, height, qn_text_unit (GTK_WIDGET (area)),
+                          true,  false,  NULL };
+    double part = (double) height / groups;
+    for (guint i = 0; i < count; i++)
+      if (group[i] == g)
+        alike[plot.curve_count++] = curves[i];
+    qn_curve_plot_draw (&plot, cr, &page, 6.0, (g - 1) * part + 6.0, width - 12.0,
+                        part - 12.0);
+  }
+  for (guint i = 0; i < count; i++)
+    qn_curve_clear (&curves[i]);
+}
