@@ -13,6 +13,7 @@
 #                                    compiled again
 #                  dist              the release archive, built without the window, tested, installed
 #                                    into a folder and run from there
+#                  gcc-unity         sources of a target compiled together: programs and tests
 #                  clang-sanitize    clang's address and undefined-behaviour sanitizers, with conversions
 #                                    and shifts: readers over the fuzzing corpus, mechanics, examples
 #                  gcc-debugoptimized, clang-release, clang-debug, clang-debugoptimized
@@ -27,7 +28,7 @@ export LSAN_OPTIONS="suppressions=$PWD/tests/sanitize/leaks.supp:print_suppressi
 export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
 
 in_ci=(gcc-release)
-others=(gcc-debug dist clang-sanitize gcc-debugoptimized clang-release clang-debug clang-debugoptimized)
+others=(gcc-debug dist gcc-unity clang-sanitize gcc-debugoptimized clang-release clang-debug clang-debugoptimized)
 programs=(src/cli/quoin-cli src/library/libquoin.so.0.1.0)
 tests=(core-equilibrium core-limit core-linalg core-contact io-project io-result cli-project)
 whole=no # all quick tests
@@ -123,6 +124,13 @@ sanitize () {
     fuzz-{project,record,result,study,svg,text}
 }
 
+unity () {
+  local folder=build-matrix/gcc-unity
+  configure "$folder" gcc -Dunity=on
+  ninja -C "$folder" --quiet
+  smoke "$folder/src/cli/quoin-cli"
+}
+
 # From the last commit, in a folder that knows nothing of this tree.
 dist () {
   local folder=build-matrix/dist unpacked=build-matrix/unpacked
@@ -153,6 +161,7 @@ cell () {
   case $1 in
     clang-sanitize) sanitize ;;
     dist) dist ;;
+    gcc-unity) unity ;;
     *) compile "${1%-*}" "${1#*-}" ;;
   esac
 }

@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* renameat2() */
 #include "disk/file-group.h"
 
 #include <dirent.h>

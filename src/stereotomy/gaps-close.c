@@ -37,7 +37,7 @@ typedef struct Line {
 
 /* A side of a ring, and the joint that it bounds. A joint is named by one of its sides, which begins
  * the lists of all its sides and gaps. */
-typedef struct Side {
+typedef struct ClosingSide {
   QnVec2 from, to, along; /* along: unit */
   double length;
   size_t before, after;       /* the sides of the same ring at both ends */
@@ -48,7 +48,7 @@ typedef struct Side {
   bool parted;                /* no line serves all of its joint */
   bool has_line;
   Line line;
-} Side;
+} ClosingSide;
 
 /* What a line must keep to at one end of a gap, in the frame of a joint. */
 typedef struct Sample {
@@ -60,7 +60,7 @@ typedef struct Closing {
   QnGaps gaps;
   double slack;  /* m: by how much a line may cut into a block */
   double widest; /* m: mean width of the widest gap */
-  Side *sides;
+  ClosingSide *sides;
   size_t side_count;
   size_t *first_side; /* of each ring */
   size_t *next_gap;   /* of the same joint */
@@ -179,7 +179,7 @@ stays_near (const Closing *closing, const size_t joints[2], size_t samples,
     most = fmax (most, closing->samples[i].high - closing->samples[i].low);
   for (int i = 0; i < 2; i++)
     for (size_t s = joints[i]; s != NONE; s = closing->sides[s].next) {
-      const Side *side = &closing->sides[s];
+      const ClosingSide *side = &closing->sides[s];
       double from = qn_vec2_cross (line->along, qn_vec2_sub (side->from, line->at));
       double to = qn_vec2_cross (line->along, qn_vec2_sub (side->to, line->at));
       if (fmax (fabs (from), fabs (to)) > most + closing->slack)
@@ -193,7 +193,7 @@ stays_near (const Closing *closing, const size_t joints[2], size_t samples,
 static bool
 fit_along (Closing *closing, const size_t joints[2], size_t g, QnVec2 along, Line *line)
 {
-  const Side *sides = closing->sides;
+  const ClosingSide *sides = closing->sides;
   QnVec2 origin = sides[joints[0]].from;
   size_t count = g != NONE ? add_samples (closing, g, origin, along, 0) : 0;
   for (int i = 0; i < 2; i++)
@@ -219,7 +219,7 @@ fit_along (Closing *closing, const size_t joints[2], size_t g, QnVec2 along, Lin
 static bool
 fit (Closing *closing, size_t a, size_t b, size_t g, Line *line)
 {
-  const Side *sides = closing->sides;
+  const ClosingSide *sides = closing->sides;
   const size_t joints[2] = { a, b == a ? NONE : b };
   QnVec2 ahead = sides[a].along, sum = { 0, 0 };
   size_t longest = a;
@@ -241,7 +241,7 @@ fit (Closing *closing, size_t a, size_t b, size_t g, Line *line)
 static size_t
 joint_of (Closing *closing, size_t side)
 {
-  Side *sides = closing->sides;
+  ClosingSide *sides = closing->sides;
   while (sides[side].joint != side) {
     sides[side].joint = sides[sides[side].joint].joint;
     side = sides[side].joint;
@@ -250,7 +250,7 @@ joint_of (Closing *closing, size_t side)
 }
 
 static void
-make_alone (Side *sides, size_t side)
+make_alone (ClosingSide *sides, size_t side)
 {
   sides[side].joint = sides[side].last = side;
   sides[side].next = sides[side].first_gap = sides[side].last_gap = NONE;
@@ -260,7 +260,7 @@ make_alone (Side *sides, size_t side)
 static void
 join (Closing *closing, size_t a, size_t b, size_t g)
 {
-  Side *sides = closing->sides;
+  ClosingSide *sides = closing->sides;
   if (a != b) {
     sides[sides[a].last].next = b;
     sides[a].last = sides[b].last;
@@ -297,12 +297,12 @@ try_join (Closing *closing, size_t one, size_t two, size_t g, bool fits)
 static bool
 goes_on (const Closing *closing, size_t g, int end, size_t *a, size_t *b)
 {
-  const Side *sides = closing->sides;
-  const Side *one = &sides[side_of (closing, g, 0)],
-             *two = &sides[side_of (closing, g, 1)];
+  const ClosingSide *sides = closing->sides;
+  const ClosingSide *one = &sides[side_of (closing, g, 0)],
+                    *two = &sides[side_of (closing, g, 1)];
   *a = end == 0 ? one->before : one->after;
   *b = end == 0 ? two->after : two->before;
-  const Side *p = &sides[*a], *q = &sides[*b];
+  const ClosingSide *p = &sides[*a], *q = &sides[*b];
   QnVec2 between = end == 0 ? qn_vec2_sub (q->from, p->to) : qn_vec2_sub (q->to, p->from);
   QnVec2 along = qn_vec2_add (p->along, q->along);
   return p->faces && q->faces && qn_vec2_dot (p->along, q->along) > ONWARD_COSINE
@@ -357,7 +357,7 @@ is_open (const Closing *closing, size_t joint)
 static bool
 find_lines (Closing *closing)
 {
-  Side *sides = closing->sides;
+  ClosingSide *sides = closing->sides;
   Rank *ranks = qn_alloc (closing->gaps.count, sizeof *ranks);
   if (ranks == NULL)
     return false;
@@ -417,7 +417,7 @@ projection (QnVec2 p, const Line *line)
 
 /* Where a corner goes: to the lines of both sides. */
 static QnVec2
-corner (const Side *before, const Side *after)
+corner (const ClosingSide *before, const ClosingSide *after)
 {
   QnVec2 p = after->from;
   if (!before->has_line && !after->has_line)
@@ -439,7 +439,7 @@ corner (const Side *before, const Side *after)
 
 typedef struct Corner {
   size_t ring;
-  const Side *sides[2]; /* that end and begin there */
+  const ClosingSide *sides[2]; /* that end and begin there */
   QnVec2 *at;
   bool taken;
 } Corner;
@@ -460,7 +460,7 @@ common_place (const Corner *corners, const QnId *group, size_t size)
     sum = qn_vec2_add (sum, *corners[group[i]].at);
   QnVec2 middle = qn_vec2_scale (1 / (double) size, sum);
   for (int i = 0; i < 2; i++) {
-    const Side *side = corners[group[0]].sides[i];
+    const ClosingSide *side = corners[group[0]].sides[i];
     size_t shared = 0;
     for (size_t k = 0; k < size; k++)
       shared += bounds (&corners[group[k]], side->joint);
@@ -481,7 +481,7 @@ gather_corners (const Closing *closing, QnRings *moved, double reach)
   bool done = corners != NULL && boxes != NULL;
   for (size_t i = 0; done && i < moved->count; i++)
     for (size_t k = 0; k < moved->items[i].count; k++) {
-      const Side *after = &closing->sides[closing->first_side[i] + k];
+      const ClosingSide *after = &closing->sides[closing->first_side[i] + k];
       if (!after->has_line || !closing->sides[after->before].has_line)
         continue;
       QnVec2 *at = &moved->items[i].points[k];
@@ -623,7 +623,7 @@ closing_init (Closing *closing, const QnRings *rings)
     const QnRing *ring = &rings->items[i];
     closing->first_side[i] = n;
     for (size_t k = 0; k < ring->count; k++, n++) {
-      Side *side = &closing->sides[n];
+      ClosingSide *side = &closing->sides[n];
       side->from = ring->points[k];
       side->to = ring->points[(k + 1) % ring->count];
       side->along = qn_vec2_sub (side->to, side->from);
@@ -700,7 +700,7 @@ close_once (QnRings *rings, double least, double most, QnGapClosing *told, QnDia
   for (size_t i = 0; done && i < rings->count; i++) {
     done = qn_rings_add (&moved, rings->items[i].points, rings->items[i].count);
     for (size_t k = 0; done && k < rings->items[i].count; k++) {
-      const Side *after = &closing.sides[closing.first_side[i] + k];
+      const ClosingSide *after = &closing.sides[closing.first_side[i] + k];
       moved.items[i].points[k] = corner (&closing.sides[after->before], after);
     }
   }

@@ -33,7 +33,7 @@ ends_of (const QnRings *rings, Side side, QnVec2 *from, QnVec2 *to)
 
 /* The point of a segment whose projection on `along` is `s`. */
 static QnVec2
-point_at (QnVec2 from, QnVec2 to, QnVec2 along, double s)
+point_along (QnVec2 from, QnVec2 to, QnVec2 along, double s)
 {
   double a = qn_vec2_dot (from, along), b = qn_vec2_dot (to, along);
   return qn_vec2_lerp (from, to, (s - a) / (b - a));
@@ -61,8 +61,8 @@ face_each_other (const Search *search, Side one, Side two, QnGap *gap)
   double widths[2];
   for (int end = 0; end < 2; end++) {
     double s = end == 0 ? from : to;
-    gap->sides[0][end] = point_at (p, q, along, s);
-    gap->sides[1][end] = point_at (v, u, along, s);
+    gap->sides[0][end] = point_along (p, q, along, s);
+    gap->sides[1][end] = point_along (v, u, along, s);
     widths[end] =
       qn_vec2_dot (qn_vec2_sub (gap->sides[1][end], gap->sides[0][end]), outward);
     if (widths[end] > search->most || widths[end] < fmin (search->least, 0))

@@ -519,7 +519,7 @@ driver_find_other (void)
 const char *
 driver_last_step (QnWindow *window)
 {
-  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
+  QnEditHistory *history = qn_document_get_history (qn_window_get_document (window));
   return qn_history_get_name (history, qn_history_get_position (history) - 1);
 }
 

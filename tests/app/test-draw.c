@@ -160,7 +160,7 @@ test_whole_wall (void)
   driver_drag (window, at.x, at.y, at.x, at.y + 0.8);
   g_assert_cmpuint (count_objects (window), ==, 0);
   g_assert_cmpfloat (place_of_stone (window).y, >, at.y + 0.5);
-  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
+  QnEditHistory *history = qn_document_get_history (qn_window_get_document (window));
   g_assert_cmpstr (qn_history_get_name (history, qn_history_get_position (history) - 1),
                    ==, "Move, Wall to Free Blocks");
   guint moved = 0;

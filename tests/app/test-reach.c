@@ -459,7 +459,7 @@ test_dissolving_is_named (void)
   QnId id = (QnId) model_of (window)->block_count - 1;
   g_assert_true (
     qn_canvas_edit (qn_window_get_canvas (window), "Move", NULL, move_one, &id));
-  QnHistory *history = qn_document_get_history (document);
+  QnEditHistory *history = qn_document_get_history (document);
   const char *name = qn_history_get_name (history, qn_history_get_position (history) - 1);
   g_assert_cmpstr (name, ==, "Move, Wall to Free Blocks");
   g_assert_true (qn_document_undo (document));
@@ -752,7 +752,7 @@ test_history_menu (void)
   driver_pass_over_gtk ();
   QnWindow *window = open_blocks ();
   QnDocument *document = qn_window_get_document (window);
-  QnHistory *history = qn_document_get_history (document);
+  QnEditHistory *history = qn_document_get_history (document);
   driver_key ("ctrl+a");
   driver_activate (window, "win.nudge((1.0,0.0))");
   driver_key ("Escape");

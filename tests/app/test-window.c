@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* RTLD_DEFAULT */
 #include "driver.h"
 
 #include "app/canvas/canvas-private.h"

@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* O_TMPFILE */
 #include "disk/whole-file.h"
 
 #include "support/room.h"

@@ -6,7 +6,6 @@
  *   QUOIN_DISK_MARK=PATH       made when it has failed; PATH itself is left in peace
  *   QUOIN_DISK_NAMED=1         there are no files without a name, as on some file systems
  */
-#define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>

@@ -1,6 +1,5 @@
 /* Any bytes as a study of a project with one block. Of an accepted study of few cases the values of
  * every case are finite. */
-#define _GNU_SOURCE /* memfd_create */
 #include "fuzz.h"
 #include "study/plan/sample.h"
 

@@ -60,7 +60,7 @@ check_pairs (const char *text)
 static void
 check_history (const char *text)
 {
-  QnHistory *history = qn_history_from_json (text, "{\n}\n");
+  QnEditHistory *history = qn_history_from_json (text, "{\n}\n");
   if (history == NULL)
     return;
   g_free (qn_history_undo (history, "{\n}\n"));

@@ -48,7 +48,7 @@ build_loaded (const StressCase *c, QnModel *model)
 
 /* A semicircular arch of 27 straight voussoirs, `value` thicker than the thinnest that stands. */
 static void
-build_arch (const StressCase *c, QnModel *model)
+build_arch_at_rest (const StressCase *c, QnModel *model)
 {
   QnArchRecipe recipe = qn_arch_recipe_default ();
 
@@ -82,7 +82,7 @@ add_verges (GArray *cases)
     StressBuild build;
   } kinds[] = { { "slope", build_slope },
                 { "overhang", build_overhang },
-                { "arch", build_arch },
+                { "arch", build_arch_at_rest },
                 { "hanging", build_hanging } };
 
   for (size_t kind = 0; kind < G_N_ELEMENTS (kinds); kind++)

@@ -6,7 +6,7 @@
 #define PI 3.14159265358979323846
 
 static QnStatus
-check_recipe (const QnArchRecipe *recipe, QnDiag *diag)
+check_arch (const QnArchRecipe *recipe, QnDiag *diag)
 {
   QnStatus status = qn_generate_check_material (&recipe->material, diag);
   if (status == QN_OK)
@@ -90,7 +90,7 @@ add_springer (QnModel *model, const QnArchRecipe *recipe, bool right, QnDiag *di
 QnStatus
 qn_generate_arch (QnModel *model, const QnArchRecipe *recipe, QnDiag *diag)
 {
-  QnStatus status = check_recipe (recipe, diag);
+  QnStatus status = check_arch (recipe, diag);
   if (status == QN_OK)
     status = qn_generate_begin (model, &recipe->material, diag);
   if (status == QN_OK)

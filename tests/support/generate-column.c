@@ -1,7 +1,7 @@
 #include "support/generate-parts.h"
 
 static QnStatus
-check_recipe (const QnColumnRecipe *recipe, QnDiag *diag)
+check_column (const QnColumnRecipe *recipe, QnDiag *diag)
 {
   QnStatus status = qn_generate_check_material (&recipe->material, diag);
   if (status == QN_OK)
@@ -28,7 +28,7 @@ half_width (const QnColumnRecipe *recipe, int32_t joint)
 QnStatus
 qn_generate_column (QnModel *model, const QnColumnRecipe *recipe, QnDiag *diag)
 {
-  QnStatus status = check_recipe (recipe, diag);
+  QnStatus status = check_column (recipe, diag);
   if (status == QN_OK)
     status = qn_generate_begin (model, &recipe->material, diag);
   if (status != QN_OK)

@@ -92,7 +92,7 @@ course_lengths (const Raster *raster, int32_t course, double *lengths)
 }
 
 static QnStatus
-check_recipe (const QnWallRecipe *recipe, QnDiag *diag)
+check_wall (const QnWallRecipe *recipe, QnDiag *diag)
 {
   QnStatus status = qn_generate_check_material (&recipe->material, diag);
   if (status == QN_OK)
@@ -132,7 +132,7 @@ add_courses (QnModel *model, const QnWallRecipe *recipe, const Raster *raster,
 QnStatus
 qn_generate_wall (QnModel *model, const QnWallRecipe *recipe, QnDiag *diag)
 {
-  QnStatus status = check_recipe (recipe, diag);
+  QnStatus status = check_wall (recipe, diag);
   if (status != QN_OK)
     return status;
 

@@ -254,7 +254,7 @@ static QnNeeds
 find_facts (QnWindow *self)
 {
   QnDocument *document = self->document;
-  QnHistory *history = qn_document_get_history (document);
+  QnEditHistory *history = qn_document_get_history (document);
   QnSelection *selection = qn_document_get_selection (document);
   const QnModel *model = qn_document_get_model (document);
   const QnRun *run = qn_document_get_run (document);

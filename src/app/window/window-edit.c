@@ -344,7 +344,7 @@ redo (QnWindow *self, GVariant *parameter)
 static void
 go_to_step (QnWindow *self, GVariant *parameter)
 {
-  QnHistory *history = qn_document_get_history (self->document);
+  QnEditHistory *history = qn_document_get_history (self->document);
   int step = g_variant_get_int32 (parameter);
   if (step >= 0 && (guint) step <= qn_history_get_count (history))
     qn_document_go_to (self->document, (guint) step);

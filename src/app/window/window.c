@@ -82,7 +82,7 @@ update_title (QnWindow *self)
 static void
 update_history (QnWindow *self)
 {
-  QnHistory *history = qn_document_get_history (self->document);
+  QnEditHistory *history = qn_document_get_history (self->document);
   guint position = qn_history_get_position (history);
   g_autofree char *undo =
     qn_history_can_undo (history)

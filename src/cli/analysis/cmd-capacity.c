@@ -26,13 +26,13 @@
 /* Share of mass below which a word is due. */
 #define SMALL_SHARE 0.5
 
-typedef struct Options {
+typedef struct CapacityOptions {
   QnPictureOptions picture;
   char *json, *csv, *spectrum, *ag, *soil, *unit, *control;
   QnInputOptions input;
   double damping, confidence;
   gboolean quiet;
-} Options;
+} CapacityOptions;
 
 typedef struct Answer {
   const QnInput *input;
@@ -75,7 +75,7 @@ take_text (char **option, const char *kept)
 /* Options that are not given are those of the project. A file that the project names lies beside
  * it. */
 static gboolean
-take_kept (Options *options, const QnProject *project, GError **error)
+take_kept (CapacityOptions *options, const QnProject *project, GError **error)
 {
   QnCapacitySettings kept;
   gboolean named = options->spectrum == NULL, found = TRUE;
@@ -105,7 +105,7 @@ take_kept (Options *options, const QnProject *project, GError **error)
 }
 
 static QnExit
-parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer)
+parse_spectrum (const QnSubcommand *self, const CapacityOptions *options, Answer *answer)
 {
   GError *error = NULL;
   if (!(options->confidence >= 1) || !isfinite (options->confidence))
@@ -157,7 +157,7 @@ parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer
 /* --- The path ---------------------------------------------------------------------------- */
 
 static QnExit
-find (QnInput *input, const Options *options, Answer *answer)
+find (QnInput *input, const CapacityOptions *options, Answer *answer)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
@@ -302,7 +302,8 @@ write_json (const Answer *answer, const char *path)
 }
 
 static QnExit
-draw (const Answer *answer, const Options *options, const QnOutput *output)
+draw_capacity (const Answer *answer, const CapacityOptions *options,
+               const QnOutput *output)
 {
   const QnProject *project = &answer->input->project;
   QnMetadata metadata;
@@ -315,7 +316,7 @@ draw (const Answer *answer, const Options *options, const QnOutput *output)
 }
 
 static QnExit
-report (const Options *options, const QnOutput *output, const Answer *answer)
+report (const CapacityOptions *options, const QnOutput *output, const Answer *answer)
 {
   QnExit code = QN_EXIT_DONE;
   GError *error = NULL;
@@ -329,16 +330,16 @@ report (const Options *options, const QnOutput *output, const Answer *answer)
     code = qn_cli_end (error);
   }
   if (code == QN_EXIT_DONE && options->picture.path != NULL)
-    code = draw (answer, options, output);
+    code = draw_capacity (answer, options, output);
   if (code == QN_EXIT_DONE && !options->quiet && !to_stdout)
     print (answer);
   return code;
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_capacity (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .damping = NOT_GIVEN, .confidence = NOT_GIVEN };
+  CapacityOptions options = { .damping = NOT_GIVEN, .confidence = NOT_GIVEN };
   GError *error = NULL;
   const GOptionEntry entries[] = {
     { "spectrum", 0, 0, G_OPTION_ARG_FILENAME, &options.spectrum,
@@ -411,5 +412,5 @@ const QnSubcommand qn_cmd_capacity = {
         "displacements is followed until its multiplier is zero again, and turned into "
         "the curve of a single mass. The page on capacity curves in the manual has every "
         "formula, and says what the checks do not cover."),
-  .run = run,
+  .run = run_capacity,
 };

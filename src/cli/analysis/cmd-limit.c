@@ -16,7 +16,7 @@ qn_cmd_limit_print (const char *title, const QnResult *result)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_limit (const QnSubcommand *self, int argc, char **argv)
 {
   return qn_cmd_solve_run (self, "analysis.procedure=\"limit\"", argc, argv);
 }
@@ -35,5 +35,5 @@ const QnSubcommand qn_cmd_limit = {
     "is "
     "no bound; the associative value bounds every other from above. Where the dead load "
     "alone does not stand on its path, that is told, with exit code 4."),
-  .run = run,
+  .run = run_limit,
 };

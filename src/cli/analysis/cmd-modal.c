@@ -9,16 +9,16 @@
 
 #include <glib/gi18n.h>
 
-typedef struct Options {
+typedef struct ModalOptions {
   char *output, *csv;
   QnInputOptions input;
   int count, mode;
   double damping;
   gboolean loaded, slip, quiet, no_timings;
-} Options;
+} ModalOptions;
 
 static QnExit
-write_csv (const Options *options, const QnModel *model, const QnModes *modes)
+write_modes (const ModalOptions *options, const QnModel *model, const QnModes *modes)
 {
   GError *error = NULL;
   QnFileWriter *writer = qn_file_writer_open (options->csv, &error);
@@ -49,7 +49,7 @@ write_csv (const Options *options, const QnModel *model, const QnModes *modes)
 
 /* A result whose mechanism is one of the modes, for pictures and animations. */
 static QnExit
-write_result (const Options *options, const QnInput *input, const QnModes *modes,
+write_result (const ModalOptions *options, const QnInput *input, const QnModes *modes,
               QnResult *result)
 {
   QnDiag diag = { 0 };
@@ -87,7 +87,7 @@ print_damping (double ratio, const QnModes *modes)
 }
 
 static QnExit
-solve (const Options *options, const QnInput *input)
+solve_modal (const ModalOptions *options, const QnInput *input)
 {
   QnTerminalProgress progress;
   QnModes modes;
@@ -141,7 +141,7 @@ solve (const Options *options, const QnInput *input)
         modes.slides, modes.open, input->contacts.pair_count);
   }
   if (code == QN_EXIT_DONE && options->csv != NULL)
-    code = write_csv (options, &input->project.model, &modes);
+    code = write_modes (options, &input->project.model, &modes);
   if (code == QN_EXIT_DONE && options->output != NULL)
     code = write_result (options, input, &modes, &result);
   qn_modes_clear (&modes);
@@ -150,9 +150,9 @@ solve (const Options *options, const QnInput *input)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_modal (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .count = 10, .mode = 1 };
+  ModalOptions options = { .count = 10, .mode = 1 };
   const GOptionEntry entries[] = {
     { "count", 'n', 0, G_OPTION_ARG_INT, &options.count, N_ ("How many modes (10)"),
       N_ ("N") },
@@ -190,7 +190,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       code = qn_input_load (&input, argv[1], &options.input);
   }
   if (code == QN_EXIT_DONE)
-    code = solve (&options, &input);
+    code = solve_modal (&options, &input);
   qn_input_clear (&input);
   qn_subcommand_free_values (entries);
   return code;
@@ -206,5 +206,5 @@ const QnSubcommand qn_cmd_modal = {
     "result written with --output can be drawn and animated "
     "like a mechanism. Structures without supports have rigid motions of "
     "frequency zero."),
-  .run = run,
+  .run = run_modal,
 };

@@ -19,12 +19,12 @@
 /* Part of its length that a joint may slide by without a word. */
 #define FAR_SLIP 0.1
 
-typedef struct Options {
+typedef struct SolveOptions {
   char *output, *csv, *detail;
   QnResultDetail level; /* of `detail` */
   QnInputOptions input;
   gboolean quiet, sensitivity, no_timings;
-} Options;
+} SolveOptions;
 
 /* Names the blocks that the dead load moves, the first few of them. */
 static QnExit
@@ -131,7 +131,7 @@ is_stdout (const char *path)
 }
 
 static QnExit
-write_outputs (const Options *options, const QnInput *input, const QnResult *result)
+write_outputs (const SolveOptions *options, const QnInput *input, const QnResult *result)
 {
   GError *error = NULL;
   if (options->output != NULL
@@ -163,7 +163,7 @@ probe_output (const char *path)
 }
 
 static QnExit
-report (const Options *options, const QnInput *input, const QnResult *result)
+report (const SolveOptions *options, const QnInput *input, const QnResult *result)
 {
   QnExit code = write_outputs (options, input, result);
   if (code != QN_EXIT_DONE)
@@ -224,7 +224,7 @@ require_dead_load (const QnInput *input)
 }
 
 static QnExit
-solve (const Options *options, QnInput *input)
+solve_project (const SolveOptions *options, QnInput *input)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
@@ -253,7 +253,7 @@ solve (const Options *options, QnInput *input)
 }
 
 static gboolean
-parse_detail (const QnSubcommand *self, Options *options)
+parse_detail (const QnSubcommand *self, SolveOptions *options)
 {
   options->level = QN_DETAIL_FORCES;
   if (options->detail == NULL || strcmp (options->detail, "forces") == 0)
@@ -286,7 +286,7 @@ add_override (char ***overrides, const char *override)
 QnExit
 qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char **argv)
 {
-  Options options = { 0 };
+  SolveOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Write the result file here; - is standard output"), N_ ("RESULT.json") },
@@ -324,7 +324,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   if (code == QN_EXIT_DONE)
     code = probe_output (options.csv);
   if (code == QN_EXIT_DONE)
-    code = solve (&options, &input);
+    code = solve_project (&options, &input);
 
   qn_input_clear (&input);
   qn_subcommand_free_values (entries);
@@ -332,7 +332,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_solve (const QnSubcommand *self, int argc, char **argv)
 {
   return qn_cmd_solve_run (self, NULL, argc, argv);
 }
@@ -345,5 +345,5 @@ const QnSubcommand qn_cmd_solve = {
     N_ ("The dead load is applied first; the multiplier of the live load then grows "
         "until no equilibrium is left, or as the project's \"analysis\" says. Ctrl+C "
         "ends the analysis and keeps what has converged."),
-  .run = run,
+  .run = run_solve,
 };

@@ -9,14 +9,14 @@
 
 #include <glib/gi18n.h>
 
-typedef struct Options {
+typedef struct StabilityOptions {
   char *output;
   QnInputOptions input;
   gboolean quiet, no_timings;
-} Options;
+} StabilityOptions;
 
 static void
-print_summary (const QnProject *project, const QnResult *result)
+print_stability (const QnProject *project, const QnResult *result)
 {
   const char *title = project->model.title != NULL ? project->model.title : project->name;
   if (result->outcome == QN_OUTCOME_SNAP) {
@@ -44,7 +44,7 @@ exit_code (const QnProject *project, const QnResult *result)
 }
 
 static QnExit
-solve (const Options *options, const QnInput *input)
+solve_stability (const StabilityOptions *options, const QnInput *input)
 {
   QnTerminalProgress progress;
   QnResult result;
@@ -62,7 +62,7 @@ solve (const Options *options, const QnInput *input)
   if (options->no_timings)
     qn_statistics_clear_timings (&result.statistics);
   if (!options->quiet && g_strcmp0 (options->output, "-") != 0)
-    print_summary (&input->project, &result);
+    print_stability (&input->project, &result);
   QnExit code = exit_code (&input->project, &result);
   if (options->output != NULL
       && !qn_result_file_write (options->output, &input->project, &input->contacts,
@@ -87,9 +87,9 @@ require_nonlinear (const QnInput *input)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_stability (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  StabilityOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Write a result here whose mechanism is the buckling mode"),
@@ -109,7 +109,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)
-    code = solve (&options, &input);
+    code = solve_stability (&options, &input);
   qn_input_clear (&input);
   qn_subcommand_free_values (entries);
   return code;
@@ -124,5 +124,5 @@ const QnSubcommand qn_cmd_stability = {
     "singular, which the path of a perfect structure does not show: the Euler load of "
     "a straight column. Set \"geometry\" to \"nonlinear\": without the effect of "
     "displacements on equilibrium nothing buckles."),
-  .run = run,
+  .run = run_stability,
 };

@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* fopencookie */
 #include "cli/base/shown-text.h"
 
 #include "cli/base/message.h"

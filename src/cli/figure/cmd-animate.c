@@ -12,18 +12,18 @@
 #include <string.h>
 #include <unistd.h>
 
-typedef struct Options {
+typedef struct AnimateOptions {
   QnPictureOptions picture;
   QnInputOptions input;
   char *result, *view, *scale;
   int frames;
   double rate, speed;
   gboolean once, no_curve, quiet;
-} Options;
+} AnimateOptions;
 
 /* What can be judged before any file is read. */
 static QnExit
-check (const QnSubcommand *self, const Options *options, double *scale)
+check (const QnSubcommand *self, const AnimateOptions *options, double *scale)
 {
   char *end = NULL;
   GError *error = NULL;
@@ -60,7 +60,8 @@ on_frame (int done, int total, void *user_data)
 }
 
 static void
-fill (QnAnimation *animation, const Options *options, double scale, gboolean *shown)
+fill (QnAnimation *animation, const AnimateOptions *options, double scale,
+      gboolean *shown)
 {
   animation->figure.options.monochrome = options->picture.monochrome;
   animation->figure.options.scale = scale;
@@ -75,7 +76,7 @@ fill (QnAnimation *animation, const Options *options, double scale, gboolean *sh
 
 /* The number of pictures at the given speed. */
 static bool
-choose_frames (QnAnimation *animation, const Options *options, GError **error)
+choose_frames (QnAnimation *animation, const AnimateOptions *options, GError **error)
 {
   if (!(options->speed > 0))
     return true;
@@ -96,7 +97,8 @@ choose_frames (QnAnimation *animation, const Options *options, GError **error)
 }
 
 static QnExit
-animate (const Options *options, const QnOutput *output, double scale, const char *path)
+animate (const AnimateOptions *options, const QnOutput *output, double scale,
+         const char *path)
 {
   QnSheetItem item;
   QnExit code = qn_sheet_item_load (&item, path, options->result, &options->input);
@@ -125,9 +127,9 @@ animate (const Options *options, const QnOutput *output, double scale, const cha
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_animate (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .rate = 24 };
+  AnimateOptions options = { .rate = 24 };
   const GOptionEntry entries[] = {
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result that is shown"), N_ ("RESULT.json") },
@@ -177,5 +179,5 @@ const QnSubcommand qn_cmd_animate = {
     N_ ("The ending of the output chooses the format; a name that ends in / is a "
         "folder for pictures frame-0001.png and so on. A project without a result is "
         "solved first."),
-  .run = run,
+  .run = run_animate,
 };

@@ -10,12 +10,12 @@
 /* Where --columns is not given. */
 #define CHOSEN_BY_FORMAT G_MININT
 
-typedef struct Options {
+typedef struct CompareOptions {
   QnPictureOptions picture;
   QnInputOptions input;
   char *title;
   int columns;
-} Options;
+} CompareOptions;
 
 /* A mechanism where the result has one, else the deformed state, else the model alone. */
 static QnView
@@ -27,8 +27,8 @@ choose_view (const QnResult *result)
 }
 
 static QnExit
-draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
-      gsize count)
+draw_sheet (const CompareOptions *options, const QnOutput *output,
+            const QnSheetItem *items, gsize count)
 {
   GError *error = NULL;
   if (qn_is_table (options->picture.path)) {
@@ -56,9 +56,9 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_compare (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .columns = CHOSEN_BY_FORMAT };
+  CompareOptions options = { .columns = CHOSEN_BY_FORMAT };
   const GOptionEntry entries[] = {
     { "columns", 0, 0, G_OPTION_ARG_INT, &options.columns,
       N_ ("Figures in a row; chosen by the format otherwise"), N_ ("N") },
@@ -83,7 +83,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
   if (code == QN_EXIT_DONE)
-    code = draw (&options, &output, items, count);
+    code = draw_sheet (&options, &output, items, count);
 
   if (items != NULL)
     qn_sheet_items_free (items, count);
@@ -99,5 +99,5 @@ const QnSubcommand qn_cmd_compare = {
     N_ ("A project without a result is solved first. Below each figure are its load "
         "multiplier and the name of its mechanism; results of the same structure that "
         "move alike have the same letter. With the ending .csv a table is written."),
-  .run = run,
+  .run = run_compare,
 };

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct CurveOptions {
   QnPictureOptions picture;
   QnInputOptions input;
   char *title;
@@ -18,10 +18,10 @@ typedef struct Options {
   gboolean whole, energy;
   char **references;
   GArray *lines; /* of QnReferenceLine, of `references` */
-} Options;
+} CurveOptions;
 
 static QnExit
-take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
+take_curve (QnCurve *curve, const QnSheetItem *item, const CurveOptions *options)
 {
   const QnModel *model = &item->input.project.model;
   const QnResult *result = &item->file.result;
@@ -62,7 +62,7 @@ label_curves (QnCurve *curves, const QnSheetItem *items, char **arguments, gsize
 
 /* "0.36" or "0.36=Ferris and Tin-Loi". */
 static QnExit
-parse_references (const QnSubcommand *self, Options *options)
+parse_references (const QnSubcommand *self, CurveOptions *options)
 {
   for (char **text = options->references; text != NULL && *text != NULL; text++) {
     char *end = NULL;
@@ -76,7 +76,7 @@ parse_references (const QnSubcommand *self, Options *options)
   return QN_EXIT_DONE;
 }
 
-static gboolean export(const Options *options, const QnOutput *output,
+static gboolean export(const CurveOptions *options, const QnOutput *output,
                        const QnCurve *curves, gsize count, const QnProject *project,
                        GError **error)
 {
@@ -97,8 +97,8 @@ static gboolean export(const Options *options, const QnOutput *output,
 }
 
 static QnExit
-draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
-      char **arguments, gsize count)
+draw_curve (const CurveOptions *options, const QnOutput *output, const QnSheetItem *items,
+            char **arguments, gsize count)
 {
   g_autofree QnCurve *curves = g_new0 (QnCurve, count);
   g_autoptr (GPtrArray) labels = g_ptr_array_new_with_free_func (g_free);
@@ -128,7 +128,7 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
 
 /* The energies of one analysis in time. */
 static QnExit
-draw_energy (const Options *options, const QnOutput *output, const QnSheetItem *item)
+draw_energy (const CurveOptions *options, const QnOutput *output, const QnSheetItem *item)
 {
   const QnProject *project = &item->input.project;
   QnEnergyPlot plot;
@@ -147,9 +147,9 @@ draw_energy (const Options *options, const QnOutput *output, const QnSheetItem *
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_curve (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  CurveOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "title", 0, 0, G_OPTION_ARG_STRING, &options.title, N_ ("Title of the plot"),
       N_ ("TEXT") },
@@ -189,7 +189,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
   if (code == QN_EXIT_DONE)
     code = options.energy ? draw_energy (&options, &output, &items[0])
-                          : draw (&options, &output, items, argv + 1, count);
+                          : draw_curve (&options, &output, items, argv + 1, count);
 
   if (items != NULL)
     qn_sheet_items_free (items, count);
@@ -206,5 +206,5 @@ const QnSubcommand qn_cmd_curve = {
     N_ ("A project without a result is solved first. Each curve shows the block that the "
         "project controls, or else the one that moves furthest since the dead load. With "
         "the ending .csv a table is written."),
-  .run = run,
+  .run = run_curve,
 };

@@ -11,12 +11,12 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct FiguresOptions {
   char *folder;
   char **names; /* make only these; NULL: all */
   gboolean list;
   QnInputOptions input;
-} Options;
+} FiguresOptions;
 
 /* The project with what was computed for its figures so far. */
 typedef struct Workshop {
@@ -36,8 +36,8 @@ fail (const QnRecipe *recipe, GError *error)
 }
 
 static QnExit
-draw (const QnRecipe *recipe, const QnInput *input, const QnResult *result,
-      const Workshop *shop, const char *path)
+draw_recipe (const QnRecipe *recipe, const QnInput *input, const QnResult *result,
+             const Workshop *shop, const char *path)
 {
   QnFigure figure;
   QnMetadata metadata;
@@ -66,7 +66,7 @@ draw_with_file (const QnRecipe *recipe, const Workshop *shop, const char *path)
   QnExit code = qn_sheet_item_load (&item, shop->path, result, shop->options);
   if (code != QN_EXIT_DONE)
     return code;
-  code = draw (recipe, &item.input, &item.file.result, shop, path);
+  code = draw_recipe (recipe, &item.input, &item.file.result, shop, path);
   qn_sheet_item_clear (&item);
   return code;
 }
@@ -89,8 +89,8 @@ make (const QnRecipe *recipe, Workshop *shop)
       shop->is_solved = code == QN_EXIT_DONE;
     }
     if (code == QN_EXIT_DONE)
-      code = draw (recipe, &shop->solved.input,
-                   shop->is_solved ? &shop->solved.file.result : NULL, shop, path);
+      code = draw_recipe (recipe, &shop->solved.input,
+                          shop->is_solved ? &shop->solved.file.result : NULL, shop, path);
   }
   if (code != QN_EXIT_DONE)
     return code;
@@ -103,7 +103,7 @@ make (const QnRecipe *recipe, Workshop *shop)
 
 /* Given names that no figure has are reported first. */
 static QnExit
-check_names (const GPtrArray *recipes, const Options *options)
+check_names (const GPtrArray *recipes, const FiguresOptions *options)
 {
   for (char **name = options->names; name != NULL && *name != NULL; name++) {
     gboolean found = FALSE;
@@ -118,7 +118,7 @@ check_names (const GPtrArray *recipes, const Options *options)
 }
 
 static QnExit
-make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
+make_all (const GPtrArray *recipes, const FiguresOptions *options, Workshop *shop)
 {
   const char *const *names = (const char *const *) options->names;
   GError *error = NULL;
@@ -145,7 +145,7 @@ make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
 }
 
 static QnExit
-run_with (const Options *options, const char *path)
+run_with (const FiguresOptions *options, const char *path)
 {
   Workshop shop = { .path = path,
                     .result_folder = g_path_get_dirname (path),
@@ -168,9 +168,9 @@ run_with (const Options *options, const char *path)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_figures (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  FiguresOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.folder,
       N_ ("Write the pictures here instead of beside the project"), N_ ("FOLDER") },
@@ -194,5 +194,5 @@ const QnSubcommand qn_cmd_figures = {
   .summary = N_ ("Make every figure stored in the project again"),
   .help = N_ ("A figure that names no result is drawn from a new analysis; one analysis "
               "serves them all."),
-  .run = run,
+  .run = run_figures,
 };

@@ -11,12 +11,12 @@
 
 #define SWITCHES "ghost,symbols,loads,dimensions,names,values,legend,titles,monochrome"
 
-typedef struct Options {
+typedef struct RenderOptions {
   QnPictureOptions picture;
   QnInputOptions input;
   char *result, *onion, *view, *step, *scale, *field, *diagram;
   char **show, **hide;
-} Options;
+} RenderOptions;
 
 static gboolean
 parse_step (const char *text, int32_t *step)
@@ -67,7 +67,7 @@ parse_switches (const QnSubcommand *self, char **lists, bool on, QnViewOptions *
 
 /* What can be judged before any file is read. */
 static QnExit
-parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *view)
+parse_view (const QnSubcommand *self, const RenderOptions *options, QnViewOptions *view)
 {
   QnView kind = QN_VIEW_MODEL;
   if (options->view != NULL && !qn_view_parse (options->view, &kind))
@@ -97,8 +97,9 @@ parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *vie
 }
 
 static QnExit
-draw (const Options *options, const QnViewOptions *view, const QnOutput *output,
-      const QnInput *input, const QnResult *result, const QnResult *onion)
+draw_picture (const RenderOptions *options, const QnViewOptions *view,
+              const QnOutput *output, const QnInput *input, const QnResult *result,
+              const QnResult *onion)
 {
   QnFigure figure;
   QnMetadata metadata;
@@ -117,20 +118,21 @@ draw (const Options *options, const QnViewOptions *view, const QnOutput *output,
 
 /* With a second result of the same project, which may have been computed otherwise. */
 static QnExit
-draw_onion (const Options *options, const QnViewOptions *view, const QnOutput *output,
-            const QnInput *input, const QnResult *result, const char *path)
+draw_onion (const RenderOptions *options, const QnViewOptions *view,
+            const QnOutput *output, const QnInput *input, const QnResult *result,
+            const char *path)
 {
   QnSheetItem other;
   QnExit code = qn_sheet_item_load (&other, path, options->onion, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
-  code = draw (options, view, output, input, result, &other.file.result);
+  code = draw_picture (options, view, output, input, result, &other.file.result);
   qn_sheet_item_clear (&other);
   return code;
 }
 
 static QnExit
-render (const Options *options, const QnViewOptions *view, const QnOutput *output,
+render (const RenderOptions *options, const QnViewOptions *view, const QnOutput *output,
         const char *path)
 {
   QnSheetItem item = { 0 };
@@ -145,15 +147,15 @@ render (const Options *options, const QnViewOptions *view, const QnOutput *outpu
   const QnResult *result = solved ? &item.file.result : NULL;
   code = options->onion != NULL
            ? draw_onion (options, view, output, &item.input, result, path)
-           : draw (options, view, output, &item.input, result, NULL);
+           : draw_picture (options, view, output, &item.input, result, NULL);
   qn_sheet_item_clear (&item);
   return code;
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_render (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  RenderOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "view", 0, 0, G_OPTION_ARG_STRING, &options.view, N_ ("What to show"),
       "model|contacts|deformed|mechanism|forces|diagrams" },
@@ -201,5 +203,5 @@ const QnSubcommand qn_cmd_render = {
   .summary = N_ ("Draw a project or a result of it as PNG, SVG or PDF"),
   .help = N_ ("The ending of the output file chooses the format; - is PNG. A view of a "
               "result is solved first where none is given."),
-  .run = run,
+  .run = run_render,
 };

@@ -7,12 +7,12 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct ReportOptions {
   char *output, *paper, *sections;
   char **results;
   double demand;
   QnInputOptions input;
-} Options;
+} ReportOptions;
 
 /* One result, and the project it was computed of. */
 typedef struct Item {
@@ -65,7 +65,7 @@ load_item (Item *item, const char *model, const char *result,
 
 /* A project without results is solved. */
 static QnExit
-solve (Item *item, const char *model, const QnInputOptions *options)
+solve_item (Item *item, const char *model, const QnInputOptions *options)
 {
   QnSheetItem solved;
   GError *error = NULL;
@@ -87,7 +87,7 @@ solve (Item *item, const char *model, const QnInputOptions *options)
 }
 
 static QnExit
-write_report (const Options *options, const QnInput *input, const Item *items,
+write_report (const ReportOptions *options, const QnInput *input, const Item *items,
               gsize count, QnReport *report)
 {
   GError *error = NULL;
@@ -113,8 +113,8 @@ write_report (const Options *options, const QnInput *input, const Item *items,
 
 /* What the project keeps, and what options say instead. */
 static QnExit
-plan_report (const QnSubcommand *self, const Options *options, const QnProject *project,
-             QnReportTemplate *plan)
+plan_report (const QnSubcommand *self, const ReportOptions *options,
+             const QnProject *project, QnReportTemplate *plan)
 {
   g_autoptr (GError) error = NULL;
   if (!qn_report_template_read (plan, project, &error))
@@ -134,7 +134,7 @@ plan_report (const QnSubcommand *self, const Options *options, const QnProject *
 }
 
 static QnExit
-make (const QnSubcommand *self, const Options *options, const char *model)
+make (const QnSubcommand *self, const ReportOptions *options, const char *model)
 {
   QnReport report = { 0 };
   guint given = options->results != NULL ? g_strv_length (options->results) : 0;
@@ -150,7 +150,7 @@ make (const QnSubcommand *self, const Options *options, const char *model)
     count += code == QN_EXIT_DONE;
   }
   if (given == 0 && code == QN_EXIT_DONE) {
-    code = solve (&items[0], model, &options->input);
+    code = solve_item (&items[0], model, &options->input);
     count += code == QN_EXIT_DONE;
   }
   if (code == QN_EXIT_DONE)
@@ -163,9 +163,9 @@ make (const QnSubcommand *self, const Options *options, const char *model)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_report (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  ReportOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Write the report here"), N_ ("OUT.pdf") },
@@ -203,5 +203,5 @@ const QnSubcommand qn_cmd_report = {
     "each, a comparison, files and versions. A project without a result is "
     "solved first. Tables of joints are whole where their section is named. The project "
     "may keep sections, paper, author and an introduction in \"report\"."),
-  .run = run,
+  .run = run_report,
 };

@@ -10,14 +10,14 @@
 
 #include <glib/gi18n.h>
 
-typedef struct Options {
+typedef struct CheckOptions {
   char *result;
   QnInputOptions input;
   gboolean json;
-} Options;
+} CheckOptions;
 
 static QnExit
-tell (const Options *options, const QnCheckReport *report)
+tell (const CheckOptions *options, const QnCheckReport *report)
 {
   GError *error = NULL;
   gsize length;
@@ -31,7 +31,7 @@ tell (const Options *options, const QnCheckReport *report)
 }
 
 static QnExit
-check_model (const Options *options, const char *path)
+check_model (const CheckOptions *options, const char *path)
 {
   QnInput input;
   QnExit code = qn_input_read (&input, path, &options->input);
@@ -72,7 +72,7 @@ tell_first_fault (const QnCheckReport *report)
 
 /* Everything that the result says; with `check`, the last equilibrium is added up too. */
 static gboolean
-find_faults (const Options *options, QnInput *input, const QnResultFile *file,
+find_faults (const CheckOptions *options, QnInput *input, const QnResultFile *file,
              const char *text, gsize length, QnResultCheck *check, QnCheckReport *report,
              QnResultFaults *faults, GError **error)
 {
@@ -90,7 +90,7 @@ find_faults (const Options *options, QnInput *input, const QnResultFile *file,
 }
 
 static QnExit
-check_result (const Options *options, const char *path)
+check_result (const CheckOptions *options, const char *path)
 {
   QnInput input;
   QnResultFile file;
@@ -133,9 +133,9 @@ check_result (const Options *options, const char *path)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_check (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  CheckOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "json", 0, 0, G_OPTION_ARG_NONE, &options.json,
       N_ ("Print a form that programs can read"), NULL },
@@ -163,5 +163,5 @@ const QnSubcommand qn_cmd_check = {
         "every step are those that its displacements cause, within the strength of the "
         "joints and in equilibrium; states, events, outcome, mechanism, reactions and "
         "bounds are those of the forces."),
-  .run = run,
+  .run = run_check,
 };

@@ -10,11 +10,11 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct ExportOptions {
   char *output, *result, *unit, *table;
   QnInputOptions input;
   double scale;
-} Options;
+} ExportOptions;
 
 typedef enum { FORMAT_DXF, FORMAT_PVD, FORMAT_CSV, FORMAT_QUOIN, FORMAT_COUNT } Format;
 
@@ -31,8 +31,8 @@ format_of (const char *path)
 }
 
 static gboolean
-write_csv (const Options *options, const QnInput *input, const QnResult *result,
-           GError **error)
+write_table (const ExportOptions *options, const QnInput *input, const QnResult *result,
+             GError **error)
 {
   const QnProject *project = &input->project;
   if (g_strcmp0 (options->table, "displacements") == 0 && result->step_count > 0)
@@ -50,7 +50,7 @@ write_csv (const Options *options, const QnInput *input, const QnResult *result,
 
 /* Walls and masonry become the polygons that they expand to, of the same names. */
 static gboolean
-write_polygons (const Options *options, QnInput *input, GError **error)
+write_polygons (const ExportOptions *options, QnInput *input, GError **error)
 {
   QnModel *model = &input->project.model;
   gboolean bound = FALSE;
@@ -66,7 +66,7 @@ write_polygons (const Options *options, QnInput *input, GError **error)
 }
 
 static QnExit
-load_and_export (const Options *options, Format format, const char *path)
+load_and_export (const ExportOptions *options, Format format, const char *path)
 {
   QnInput input;
   QnResultFile file;
@@ -90,7 +90,7 @@ load_and_export (const Options *options, Format format, const char *path)
     done = qn_vtu_export (model, &input.contacts, result, options->output, &error);
     break;
   case FORMAT_CSV:
-    done = write_csv (options, &input, result, &error);
+    done = write_table (options, &input, result, &error);
     break;
   case FORMAT_QUOIN:
     done = write_polygons (options, &input, &error);
@@ -106,7 +106,7 @@ load_and_export (const Options *options, Format format, const char *path)
 }
 
 static QnExit
-check_options (const QnSubcommand *self, const Options *options, Format *format)
+check_options (const QnSubcommand *self, const ExportOptions *options, Format *format)
 {
   static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
                                         "ties" };
@@ -131,9 +131,9 @@ check_options (const QnSubcommand *self, const Options *options, Format *format)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_export (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .scale = 1 };
+  ExportOptions options = { .scale = 1 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("File to write; its ending chooses the format"), N_ ("OUT.dxf|pvd|csv|quoin") },
@@ -169,5 +169,5 @@ const QnSubcommand qn_cmd_export = {
         "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
         "beams one more, and one with the contact forces. A project is written with its "
         "walls and masonry as polygons."),
-  .run = run,
+  .run = run_export,
 };

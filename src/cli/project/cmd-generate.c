@@ -6,15 +6,15 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct GenerateOptions {
   char *output;
   char *title;
   double friction;
   gboolean plain;
-} Options;
+} GenerateOptions;
 
 static QnExit
-generate (const Options *options, char **arguments)
+generate (const GenerateOptions *options, char **arguments)
 {
   QnProject project;
   GError *error = NULL;
@@ -65,9 +65,9 @@ join_keys (int argc, char **argv, const GOptionEntry *entries)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_generate (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .friction = 0.65 };
+  GenerateOptions options = { .friction = 0.65 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
       N_ ("Project file to write"), N_ ("MODEL.quoin") },
@@ -107,5 +107,5 @@ const QnSubcommand qn_cmd_generate = {
         "length=6, --bond english, unit=0.4x0.2, "
         "openings='[{\"at\": [1, 0], \"width\": 1, \"height\": 2}]'. What is not given "
         "has a default. Lengths are m, angles rad."),
-  .run = run,
+  .run = run_generate,
 };

@@ -8,15 +8,15 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct ImportOptions {
   char *output;
   gboolean report;
   QnImportSettings settings;
-} Options;
+} ImportOptions;
 
 /* The report goes to standard output, or to standard error where that takes the project. */
 static void
-tell (const Options *options, const QnImportReport *report)
+tell (const ImportOptions *options, const QnImportReport *report)
 {
   if (report->lines == NULL) /* the file could not be read */
     return;
@@ -34,7 +34,7 @@ tell (const Options *options, const QnImportReport *report)
 }
 
 static QnExit
-import_file (const Options *options, const char *path)
+import_file (const ImportOptions *options, const char *path)
 {
   QnProject project;
   QnImportReport report;
@@ -49,7 +49,7 @@ import_file (const Options *options, const char *path)
 }
 
 static QnExit
-take_options (const QnSubcommand *self, Options *options, const char *const *names,
+take_options (const QnSubcommand *self, ImportOptions *options, const char *const *names,
               char **values)
 {
   g_autoptr (GError) error = NULL;
@@ -63,9 +63,9 @@ take_options (const QnSubcommand *self, Options *options, const char *const *nam
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_import (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .settings = QN_IMPORT_DEFAULTS };
+  ImportOptions options = { .settings = QN_IMPORT_DEFAULTS };
   static const char *const names[] = { "unit",          "tolerance", "close-joints",
                                        "mortar-joints", "thickness", "unit-weight",
                                        "friction",      NULL };
@@ -117,5 +117,5 @@ const QnSubcommand qn_cmd_import = {
     N_ ("Closed outlines become blocks, line work the faces it encloses. Layers named "
         "like SUPPORTS, OPENINGS or TEXT are fixed, cut out or ignored; --layer decides "
         "otherwise. Without a layer of supports the lowest row is fixed."),
-  .run = run,
+  .run = run_import,
 };

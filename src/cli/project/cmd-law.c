@@ -9,12 +9,12 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct LawOptions {
   QnPictureOptions picture;
   char *csv, *model, *path;
   char **settings;
   double length;
-} Options;
+} LawOptions;
 
 typedef struct History {
   QnLawPreset what;
@@ -91,7 +91,7 @@ parse_path (const QnSubcommand *self, const char *text, QnLawPreset *what)
 
 /* A law of a project, by name. */
 static QnExit
-take_law_of_project (const Options *options, const char *name, QnLawPreset *what)
+take_law_of_project (const LawOptions *options, const char *name, QnLawPreset *what)
 {
   QnProject project;
   GError *error = NULL;
@@ -123,7 +123,7 @@ take_preset (const QnSubcommand *self, const char *name, QnLawPreset *what)
 }
 
 static QnExit
-prepare (const QnSubcommand *self, const Options *options, const char *name,
+prepare (const QnSubcommand *self, const LawOptions *options, const char *name,
          History *history)
 {
   QnLawPreset *what = &history->what;
@@ -164,7 +164,7 @@ trace (History *history)
 }
 
 static QnExit
-write_csv (const History *history, const char *path)
+write_history (const History *history, const char *path)
 {
   static const char *const units[QN_BASIS_COUNT][3] = {
     [QN_BASIS_CONTACT] = { "m", "N", "N/m" },
@@ -192,8 +192,8 @@ write_csv (const History *history, const char *path)
 }
 
 static QnExit
-draw (const History *history, const Options *options, const char *name,
-      const QnOutput *output)
+draw_history (const History *history, const LawOptions *options, const char *name,
+              const QnOutput *output)
 {
   QnCurve curve;
   QnCurvePlot plot;
@@ -210,7 +210,7 @@ draw (const History *history, const Options *options, const char *name,
 }
 
 static QnExit
-show (const QnSubcommand *self, const Options *options, const char *name)
+show (const QnSubcommand *self, const LawOptions *options, const char *name)
 {
   History history = { .samples = g_array_new (FALSE, FALSE, sizeof (QnLawSample)) };
   QnOutput output;
@@ -221,17 +221,17 @@ show (const QnSubcommand *self, const Options *options, const char *name)
   if (code == QN_EXIT_DONE)
     code = trace (&history);
   if (code == QN_EXIT_DONE && options->picture.path != NULL)
-    code = draw (&history, options, name, &output);
+    code = draw_history (&history, options, name, &output);
   if (code == QN_EXIT_DONE && (options->csv != NULL || options->picture.path == NULL))
-    code = write_csv (&history, options->csv != NULL ? options->csv : "-");
+    code = write_history (&history, options->csv != NULL ? options->csv : "-");
   g_array_free (history.samples, TRUE);
   return code;
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_law (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .length = 0.1 };
+  LawOptions options = { .length = 0.1 };
   const GOptionEntry entries[] = {
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
       N_ ("Write the history as a table here; - is standard output"), N_ ("OUT.csv") },
@@ -264,5 +264,5 @@ const QnSubcommand qn_cmd_law = {
   .help =
     N_ ("A kind has typical numbers; NAME is a law of the project that --model names. "
         "Without --plot the table goes to standard output."),
-  .run = run,
+  .run = run_law,
 };

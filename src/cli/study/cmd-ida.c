@@ -24,7 +24,7 @@
 /* s that a structure is followed beyond its record, where the project does not say how long. */
 #define AFTER 5.0
 
-typedef struct Options {
+typedef struct IdaOptions {
   QnPictureOptions picture;
   char *folder, *csv, *scale, *unit;
   char **records;
@@ -32,7 +32,7 @@ typedef struct Options {
   double time_step;
   int jobs;
   gboolean quiet;
-} Options;
+} IdaOptions;
 
 /* One record at all factors. */
 typedef struct Curve {
@@ -45,7 +45,7 @@ typedef struct Curve {
 } Curve;
 
 typedef struct Ida {
-  const Options *options;
+  const IdaOptions *options;
   QnProject project; /* the model as it was read, with the user's overrides */
   GArray *scales;    /* of double */
   Curve *curves;
@@ -91,7 +91,7 @@ parse_scales (const char *text, GArray *scales)
 }
 
 static QnExit
-check_options (const QnSubcommand *self, Options *options, GArray *scales)
+check_ida_options (const QnSubcommand *self, IdaOptions *options, GArray *scales)
 {
   if (options->records == NULL)
     return qn_cli_usage_error (self->name, _ ("--record is missing"));
@@ -256,7 +256,7 @@ print (const Ida *ida)
 }
 
 static QnExit
-write_csv (const Ida *ida)
+write_runs (const Ida *ida)
 {
   GError *error = NULL;
   QnFileWriter *out = qn_file_writer_open (ida->options->csv, &error);
@@ -284,7 +284,7 @@ write_csv (const Ida *ida)
 
 /* Every record up to where it first overturns, and dashed from there to that level and along it. */
 static QnExit
-draw (const Ida *ida, const QnOutput *output)
+draw_runs (const Ida *ida, const QnOutput *output)
 {
   g_autofree QnMarks *marks = g_new0 (QnMarks, 3 * ida->count);
   g_autofree double *levels = g_new0 (double, 6 * ida->count);
@@ -396,9 +396,9 @@ run_all (Ida *ida, const QnOutput *output)
   for (gsize i = 0; i < ida->count && code == QN_EXIT_DONE; i++)
     code = compute (ida, i, &ida->curves[i]);
   if (code == QN_EXIT_DONE && ida->options->csv != NULL)
-    code = write_csv (ida);
+    code = write_runs (ida);
   if (code == QN_EXIT_DONE && ida->options->picture.path != NULL)
-    code = draw (ida, output);
+    code = draw_runs (ida, output);
   if (code == QN_EXIT_DONE && !ida->options->quiet
       && g_strcmp0 (ida->options->csv, "-") != 0)
     print (ida);
@@ -409,9 +409,9 @@ run_all (Ida *ida, const QnOutput *output)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_ida (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  IdaOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "record", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options.records,
       N_ ("A record of ground motion; may be given again"), N_ ("FILE") },
@@ -446,7 +446,7 @@ run (const QnSubcommand *self, int argc, char **argv)
 
   qn_output_init (&output);
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = check_options (self, &options, ida.scales);
+    code = check_ida_options (self, &options, ida.scales);
   if (code == QN_EXIT_DONE && options.picture.path != NULL)
     code = qn_picture_output (self, &options.picture, &output);
   if (code == QN_EXIT_DONE) {
@@ -472,5 +472,5 @@ const QnSubcommand qn_cmd_ida = {
     "kept: after an interruption the same command computes what is missing. The "
     "record takes the place of the project's ground motions, along the direction of "
     "the first of them, or along x."),
-  .run = run,
+  .run = run_ida,
 };

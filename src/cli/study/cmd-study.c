@@ -325,7 +325,7 @@ print_help (void)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_subcommand (const QnSubcommand *self, int argc, char **argv)
 {
   if (argc < 2)
     return qn_cli_usage_error (self->name, _ ("an action is missing"));
@@ -352,5 +352,5 @@ const QnSubcommand qn_cmd_study = {
   .name = "study",
   .arguments = "ACTION",
   .summary = N_ ("Study uncertain parameters: compute many cases, and their statistics"),
-  .run = run,
+  .run = run_subcommand,
 };

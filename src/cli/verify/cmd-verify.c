@@ -13,10 +13,10 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct VerifyOptions {
   char *keep; /* folder for result files, or NULL */
   gboolean quiet;
-} Options;
+} VerifyOptions;
 
 /* Tally over all cases. */
 typedef struct Tally {
@@ -114,8 +114,8 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
 
 /* Writes the result as FOLDER/GROUP/<name of the model file>.json. */
 static QnExit
-keep_result (const Options *options, const QnVerifyGroup *group, const QnInput *input,
-             const QnResult *result)
+keep_result (const VerifyOptions *options, const QnVerifyGroup *group,
+             const QnInput *input, const QnResult *result)
 {
   if (options->keep == NULL)
     return QN_EXIT_DONE;
@@ -138,8 +138,8 @@ keep_result (const Options *options, const QnVerifyGroup *group, const QnInput *
 }
 
 static QnExit
-run_case (const Options *options, const QnVerifyGroup *group, const QnVerifyCase *test,
-          Tally *tally)
+run_case (const VerifyOptions *options, const QnVerifyGroup *group,
+          const QnVerifyCase *test, Tally *tally)
 {
   QnInput input;
   QnTerminalProgress progress;
@@ -198,7 +198,7 @@ check_names (const QnSubcommand *self, char **names)
 }
 
 static QnExit
-verify (const Options *options, char **names)
+verify (const VerifyOptions *options, char **names)
 {
   gsize count;
   const QnVerifyGroup *groups = qn_verify_groups (&count);
@@ -242,9 +242,9 @@ verify (const Options *options, char **names)
 }
 
 static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+run_verify (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  VerifyOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "keep", 'k', 0, G_OPTION_ARG_FILENAME, &options.keep,
       N_ ("Keep the result files in this folder"), N_ ("FOLDER") },
@@ -266,5 +266,5 @@ const QnSubcommand qn_cmd_verify = {
   .summary = N_ ("Compute the published cases now and compare, as a table"),
   .help = N_ ("All groups where none is named. The exit code is 1 when a value misses "
               "its tolerance."),
-  .run = run,
+  .run = run_verify,
 };

@@ -23,6 +23,8 @@ typedef int32_t QnId;
 
 #define QN_N_ELEMENTS(a) (sizeof (a) / sizeof ((a)[0]))
 
+#define QN_PI 3.14159265358979323846
+
 /* Before a loop of a fixed, small number of turns: written out, so that what it works on stays in
  * registers. */
 #if defined __clang__

@@ -6,8 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define PI 3.14159265358979323846
-
 /* Part of the largest motion from which on a block takes part; and with the load, where blocks that stand only
  * spring back as the multiplier falls. */
 #define PART_OF_MOTION 0.1
@@ -179,7 +177,7 @@ ntc_period (const QnCapacity *c, double confidence, QnNtcState which)
   static const double factors[QN_NTC_STATE_COUNT] = { 1.68, 1.56 };
   double capacity = ntc_parts[which] * c->end;
 
-  return factors[which] * PI
+  return factors[which] * QN_PI
          * sqrt (capacity * confidence / qn_capacity_acceleration (c, capacity));
 }
 
@@ -213,7 +211,7 @@ en_yield (const QnCapacity *c)
     d.energy += 0.5 * (c->points[i].acceleration + c->points[i - 1].acceleration)
                 * (c->points[i].displacement - c->points[i - 1].displacement);
   d.yield = fmax (2 * (d.mechanism - d.energy / d.yield_acceleration), 0);
-  d.period = 2 * PI * sqrt (d.yield / d.yield_acceleration);
+  d.period = 2 * QN_PI * sqrt (d.yield / d.yield_acceleration);
   return d;
 }
 

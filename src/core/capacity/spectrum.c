@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
-
 /* End of the long periods of annex A, s. */
 #define TF 10.0
 
@@ -65,13 +63,13 @@ qn_spectrum_acceleration (const QnSpectrum *spectrum, double t)
     return ground * top * soil->tc * soil->td / (t * t);
   double part = fmin ((t - soil->te) / (TF - soil->te), 1); /* annex A */
   double displacement = 0.025 * ground * soil->tc * soil->td * (top + part * (1 - top));
-  return displacement * 4 * PI * PI / (t * t);
+  return displacement * 4 * QN_PI * QN_PI / (t * t);
 }
 
 double
 qn_spectrum_displacement (const QnSpectrum *spectrum, double t)
 {
-  double omega_inverse = t / (2 * PI);
+  double omega_inverse = t / (2 * QN_PI);
 
   return qn_spectrum_acceleration (spectrum, t) * omega_inverse * omega_inverse;
 }

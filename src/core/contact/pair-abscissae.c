@@ -13,8 +13,6 @@
  * below four are enough for double precision. */
 #define STEPS 8
 
-static const double pi = 3.14159265358979323846;
-
 size_t
 qn_pair_rule_count (const QnPairRule *rule)
 {
@@ -68,7 +66,7 @@ qn_gauss_legendre (size_t n, size_t i, double *abscissa, double *weight)
 {
   double count = (double) n, p, slope;
   /* Abramowitz & Stegun 22.16.6, first term. */
-  double x = -cos (pi * ((double) i + 0.75) / (count + 0.5));
+  double x = -cos (QN_PI * ((double) i + 0.75) / (count + 0.5));
 
   if (2 * i + 1 == n)
     x = 0;
@@ -87,7 +85,7 @@ void
 qn_gauss_lobatto (size_t n, size_t i, double *abscissa, double *weight)
 {
   double count = (double) n, before;
-  double x = 2 * i + 1 == n ? 0 : -cos (pi * (double) i / (count - 1));
+  double x = 2 * i + 1 == n ? 0 : -cos (QN_PI * (double) i / (count - 1));
   double p = legendre (n - 1, x, &before);
 
   for (int step = 0; step < STEPS; step++) {

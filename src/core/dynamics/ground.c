@@ -4,8 +4,6 @@
 
 #include <stdlib.h>
 
-#define PI 3.14159265358979323846
-
 /* Part of a pulse's duration that is rounding of times. */
 #define ROUNDING 1e-9
 
@@ -57,15 +55,15 @@ static double
 pulse_acceleration (const QnPulse *pulse, double time)
 {
   double a = pulse->amplitude, s = (time - pulse->start) / pulse->duration;
-  double x = PI * (s - 1);
+  double x = QN_PI * (s - 1);
 
   if (s <= ROUNDING)
     return 0;
   switch (pulse->kind) {
   case QN_PULSE_HALF_SINE:
-    return s > 1 ? 0 : a * sin (PI * s);
+    return s > 1 ? 0 : a * sin (QN_PI * s);
   case QN_PULSE_SINE:
-    return s > 1 ? 0 : a * sin (2 * PI * s);
+    return s > 1 ? 0 : a * sin (2 * QN_PI * s);
   case QN_PULSE_RECTANGLE:
     return s > 1 + ROUNDING ? 0 : a;
   case QN_PULSE_RICKER:
@@ -88,14 +86,14 @@ pulse_velocity (const QnPulse *pulse, double time)
 
   switch (pulse->kind) {
   case QN_PULSE_HALF_SINE:
-    return a / PI * (1 - cos (PI * fmin (s, 1)));
+    return a / QN_PI * (1 - cos (QN_PI * fmin (s, 1)));
   case QN_PULSE_SINE:
-    return a / (2 * PI) * (1 - cos (2 * PI * fmin (s, 1)));
+    return a / (2 * QN_PI) * (1 - cos (2 * QN_PI * fmin (s, 1)));
   case QN_PULSE_RECTANGLE:
     return a * fmin (s, 1);
   case QN_PULSE_RICKER:
-    x = PI * (fmin (s, 2) - 1);
-    return a / PI * (x * exp (-x * x) + PI * exp (-PI * PI));
+    x = QN_PI * (fmin (s, 2) - 1);
+    return a / QN_PI * (x * exp (-x * x) + QN_PI * exp (-QN_PI * QN_PI));
   case QN_PULSE_STEP_IMPULSE:
     return a * (fmin (s, 1) - 0.5 * (fmin (fmax (s, 1), 3) - 1));
   case QN_PULSE_KIND_COUNT:

@@ -1,8 +1,7 @@
 #include "core/dynamics/response-spectrum.h"
+#include "core/base/base.h"
 
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 /* Places of the period after the end of the motion. */
 #define PLACES 20
@@ -44,7 +43,7 @@ qn_response_spectrum (const double *acceleration, size_t count, double step,
                       size_t period_count)
 {
   for (size_t k = 0; k < period_count; k++) {
-    double w = 2 * PI / periods[k], largest = 0;
+    double w = 2 * QN_PI / periods[k], largest = 0;
     Oscillator o = { .w = w,
                      .damping = damping,
                      .damped = w * sqrt (1 - damping * damping) };

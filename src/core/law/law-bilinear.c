@@ -60,7 +60,7 @@ qn_law_bilinear_evaluate (const QnSpring *s, const QnSpringMemory *committed,
 }
 
 static QnStatus
-check (const QnLaw *law, QnId index, QnDiag *diag)
+check_bilinear (const QnLaw *law, QnId index, QnDiag *diag)
 {
   if (law->hardening < 1)
     return QN_OK;
@@ -69,18 +69,19 @@ check (const QnLaw *law, QnId index, QnDiag *diag)
 }
 
 static void
-resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+resolve_bilinear (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   spring->yield = law->yield * scale.force;
   spring->hardening = law->hardening;
   spring->strength = INFINITY;
 }
 
-static const QnLawParameter parameters[] = {
+static const QnLawParameter bilinear_parameters[] = {
   QN_LAW_PARAMETER ("yield", yield, true, true),
   QN_LAW_PARAMETER ("hardening", hardening, false, false),
 };
 
-const QnLawOps qn_law_ops_bilinear = { QN_LAW_PARAMETERS (parameters), .check = check,
-                                       .resolve = resolve,
+const QnLawOps qn_law_ops_bilinear = { QN_LAW_PARAMETERS (bilinear_parameters),
+                                       .check = check_bilinear,
+                                       .resolve = resolve_bilinear,
                                        .evaluate = qn_law_bilinear_evaluate };

@@ -105,8 +105,8 @@ stretch (const QnSpring *s, double d, QnSpringResponse *r)
 }
 
 static void
-evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
-          QnSpringResponse *r)
+evaluate_concrete (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
+                   QnSpringResponse *r)
 {
   double plastic = -committed->opening;
 
@@ -121,7 +121,7 @@ evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 }
 
 static QnStatus
-check (const QnLaw *law, QnId index, QnDiag *diag)
+check_concrete (const QnLaw *law, QnId index, QnDiag *diag)
 {
   const char *field = NULL;
   QnProblem problem = QN_PROBLEM_NONE;
@@ -146,7 +146,7 @@ check (const QnLaw *law, QnId index, QnDiag *diag)
 }
 
 static void
-resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+resolve_concrete (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   bool crushes = law->ultimate_strain > 0;
 
@@ -158,7 +158,7 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 }
 
 static double
-softening (const QnSpring *s)
+softening_concrete (const QnSpring *s)
 {
   double steepest = 0;
 
@@ -173,7 +173,7 @@ softening (const QnSpring *s)
   return steepest;
 }
 
-static const QnLawParameter parameters[] = {
+static const QnLawParameter concrete_parameters[] = {
   QN_LAW_PARAMETER ("strength", strength, true, true),
   QN_LAW_PARAMETER ("ultimate_strain", ultimate_strain, false, true),
   QN_LAW_PARAMETER ("crushing_energy", crushing_energy, false, true),
@@ -181,6 +181,8 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER ("fracture_energy", fracture_energy, false, true),
 };
 
-const QnLawOps qn_law_ops_concrete = { QN_LAW_PARAMETERS (parameters), .check = check,
-                                       .resolve = resolve, .evaluate = evaluate,
-                                       .softening = softening };
+const QnLawOps qn_law_ops_concrete = { QN_LAW_PARAMETERS (concrete_parameters),
+                                       .check = check_concrete,
+                                       .resolve = resolve_concrete,
+                                       .evaluate = evaluate_concrete,
+                                       .softening = softening_concrete };

@@ -324,7 +324,7 @@ qn_law_coulomb_strength (const QnSpring *s, QnStrengthRow rows[])
 
 /* The steepest of a brittle bond is as steep as one likes: it breaks at once, and needs no refusal. */
 static double
-softening (const QnSpring *s)
+softening_coulomb (const QnSpring *s)
 {
   return qn_spring_has_bond (s) ? s->kn * QN_BOND_ROUNDING : 0;
 }
@@ -347,7 +347,7 @@ const QnLawOps qn_law_ops_coulomb = { QN_LAW_PARAMETERS (coulomb),
                                       .resolve = qn_law_coulomb_resolve,
                                       .evaluate = qn_law_coulomb_evaluate,
                                       .strength = qn_law_coulomb_strength,
-                                      .softening = softening,
+                                      .softening = softening_coulomb,
                                       .plastic = true };
 
 static void
@@ -367,5 +367,5 @@ const QnLawOps qn_law_ops_mohr_coulomb = { QN_LAW_PARAMETERS (mohr_coulomb),
                                            .resolve = resolve_crushing,
                                            .evaluate = qn_law_coulomb_evaluate,
                                            .strength = qn_law_coulomb_strength,
-                                           .softening = softening,
+                                           .softening = softening_coulomb,
                                            .plastic = true };

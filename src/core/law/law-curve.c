@@ -108,8 +108,8 @@ side_force (const Side *side, double e, double *slope, int *segment)
 }
 
 static void
-evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
-          QnSpringResponse *r)
+evaluate_curve (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
+                QnSpringResponse *r)
 {
   double trial = s->kn * (q[0] - committed->opening);
   double compressed = committed->extreme, stretched = committed->opening + compressed;
@@ -207,7 +207,7 @@ check_point (const QnLaw *law, int32_t i, QnProblem *problem)
 }
 
 static QnStatus
-check (const QnLaw *law, QnId index, QnDiag *diag)
+check_curve (const QnLaw *law, QnId index, QnDiag *diag)
 {
   const int32_t count = law->point_count;
   if (count < 1 || count > QN_MAX_CURVE_POINTS
@@ -237,7 +237,7 @@ check (const QnLaw *law, QnId index, QnDiag *diag)
 }
 
 static void
-resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+resolve_curve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   QnSpring plain = plain_spring (law);
 
@@ -253,7 +253,7 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 }
 
 static double
-softening (const QnSpring *s)
+softening_curve (const QnSpring *s)
 {
   double steepest = 0;
 
@@ -270,11 +270,12 @@ softening (const QnSpring *s)
   return steepest;
 }
 
-static const QnLawParameter parameters[] = {
+static const QnLawParameter curve_parameters[] = {
   QN_LAW_PARAMETER ("fracture_energy", fracture_energy, false, true),
   QN_LAW_PARAMETER ("crushing_energy", crushing_energy, false, true),
 };
 
-const QnLawOps qn_law_ops_curve = { QN_LAW_PARAMETERS (parameters), .check = check,
-                                    .resolve = resolve, .evaluate = evaluate,
-                                    .softening = softening };
+const QnLawOps qn_law_ops_curve = { QN_LAW_PARAMETERS (curve_parameters),
+                                    .check = check_curve, .resolve = resolve_curve,
+                                    .evaluate = evaluate_curve,
+                                    .softening = softening_curve };

@@ -5,18 +5,18 @@
 #include "core/law/law-ops.h"
 
 static void
-resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+resolve_elastic_plastic (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   spring->yield = law->yield * scale.force;
   spring->strength = INFINITY;
 }
 
-static const QnLawParameter parameters[] = {
+static const QnLawParameter elastic_plastic_parameters[] = {
   QN_LAW_PARAMETER ("yield", yield, true, true),
 };
 
-const QnLawOps qn_law_ops_elastic_plastic = { .parameters = parameters,
-                                              .parameter_count =
-                                                QN_N_ELEMENTS (parameters),
-                                              .resolve = resolve,
+const QnLawOps qn_law_ops_elastic_plastic = { .parameters = elastic_plastic_parameters,
+                                              .parameter_count = QN_N_ELEMENTS (
+                                                elastic_plastic_parameters),
+                                              .resolve = resolve_elastic_plastic,
                                               .evaluate = qn_law_bilinear_evaluate };

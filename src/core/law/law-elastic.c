@@ -2,8 +2,8 @@
 #include "core/law/law-ops.h"
 
 static void
-evaluate (const QnSpring *spring, const QnSpringMemory *committed, const double q[2],
-          QnSpringResponse *response)
+evaluate_elastic (const QnSpring *spring, const QnSpringMemory *committed,
+                  const double q[2], QnSpringResponse *response)
 {
   *response = (QnSpringResponse){
     .force = { spring->kn * q[0], spring->ks * q[1] },
@@ -21,4 +21,5 @@ strength (const QnSpring *spring, QnStrengthRow rows[])
   return 0;
 }
 
-const QnLawOps qn_law_ops_elastic = { .evaluate = evaluate, .strength = strength };
+const QnLawOps qn_law_ops_elastic = { .evaluate = evaluate_elastic,
+                                      .strength = strength };

@@ -8,14 +8,14 @@
 #include "core/law/law-ops.h"
 
 static void
-resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+resolve_no_tension (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   (void) law;
   (void) scale;
   spring->friction = spring->residual = QN_NO_TENSION_FRICTION;
 }
 
-const QnLawOps qn_law_ops_no_tension = { .resolve = resolve,
+const QnLawOps qn_law_ops_no_tension = { .resolve = resolve_no_tension,
                                          .evaluate = qn_law_coulomb_evaluate,
                                          .strength = qn_law_coulomb_strength,
                                          .plastic = true };

@@ -47,8 +47,8 @@ damage_factor (const QnSpring *s, double e, double *slope)
 }
 
 static void
-evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
-          QnSpringResponse *r)
+evaluate_steel (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
+                QnSpringResponse *r)
 {
   qn_law_bilinear_evaluate (s, committed, q, r);
   if (s->fracture == 0)
@@ -67,7 +67,7 @@ evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 }
 
 static QnStatus
-check (const QnLaw *law, QnId index, QnDiag *diag)
+check_steel (const QnLaw *law, QnId index, QnDiag *diag)
 {
   if (law->strength < law->yield)
     return qn_diag_set_field (diag, QN_PROBLEM_STRENGTH_BELOW_YIELD, QN_ENTITY_LAW, index,
@@ -79,7 +79,7 @@ check (const QnLaw *law, QnId index, QnDiag *diag)
 }
 
 static void
-resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+resolve_steel (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   double plastic_range = law->ultimate_strain - law->yield / law->kn;
 
@@ -91,7 +91,7 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 }
 
 static double
-softening (const QnSpring *s)
+softening_steel (const QnSpring *s)
 {
   double length = broken_at (s) - s->ultimate;
 
@@ -100,13 +100,14 @@ softening (const QnSpring *s)
   return length > 0 ? s->strength / length : INFINITY;
 }
 
-static const QnLawParameter parameters[] = {
+static const QnLawParameter steel_parameters[] = {
   QN_LAW_PARAMETER ("yield", yield, true, true),
   QN_LAW_PARAMETER ("strength", strength, true, true),
   QN_LAW_PARAMETER ("ultimate_strain", ultimate_strain, true, true),
   QN_LAW_PARAMETER ("fracture_energy", fracture_energy, false, false),
 };
 
-const QnLawOps qn_law_ops_steel = { QN_LAW_PARAMETERS (parameters), .check = check,
-                                    .resolve = resolve, .evaluate = evaluate,
-                                    .softening = softening };
+const QnLawOps qn_law_ops_steel = { QN_LAW_PARAMETERS (steel_parameters),
+                                    .check = check_steel, .resolve = resolve_steel,
+                                    .evaluate = evaluate_steel,
+                                    .softening = softening_steel };

@@ -125,7 +125,7 @@ find_residuals (QnCollapse *c)
 
 /* The direction that takes `share` off the residuals and has c->products as s dz + z ds. */
 static QnStatus
-solve_direction (QnCollapse *c, double share, QnIpVector *out, QnDiag *diag)
+solve_for_share (QnCollapse *c, double share, QnIpVector *out, QnDiag *diag)
 {
   const QnIpProblem *p = c->problem;
   QnIpKktVector solution = { out->y, out->s, out->v, 0 };
@@ -217,7 +217,7 @@ find_step (QnCollapse *c, double power, double *length, QnDiag *diag)
 
   for (int32_t i = 0; i < p->bound_count; i++)
     c->products[i] = -c->at.s[i] * c->at.z[i];
-  QnStatus status = solve_direction (c, 1, step, diag);
+  QnStatus status = solve_for_share (c, 1, step, diag);
   if (status)
     return status;
   double whole = fmin (1, way_to_boundary (c, step));
@@ -227,7 +227,7 @@ find_step (QnCollapse *c, double power, double *length, QnDiag *diag)
   double target = part * power / p->bound_count;
   for (int32_t i = 0; i < p->bound_count; i++)
     c->products[i] = target - c->at.s[i] * c->at.z[i] - step->s[i] * step->z[i];
-  status = solve_direction (c, 1 - part, step, diag);
+  status = solve_for_share (c, 1 - part, step, diag);
   *length = way_to_boundary (c, step);
   for (int32_t k = 0; !status && k < tuning.correctors && *length < tuning.full_step;
        k++) {
@@ -235,7 +235,7 @@ find_step (QnCollapse *c, double power, double *length, QnDiag *diag)
     for (int32_t i = 0; i < p->bound_count; i++)
       c->products[i] += centre (
         (c->at.s[i] + aim * step->s[i]) * (c->at.z[i] + aim * step->z[i]), target);
-    status = solve_direction (c, 1 - part, &c->trial, diag);
+    status = solve_for_share (c, 1 - part, &c->trial, diag);
     double reached = way_to_boundary (c, &c->trial);
     if (reached < *length + tuning.gain)
       break;

@@ -25,7 +25,7 @@
 #define ACCEPTED_GAP      1e-6
 #define ACCEPTED_RESIDUAL 1e-7
 
-typedef struct Run {
+typedef struct LimitRun {
   QnLimitProblem *limit;
   QnInteriorPoint *ip;
   const QnLimitStart *start;
@@ -40,7 +40,7 @@ typedef struct Run {
   double *inner;   /* cell_count x 2: the same just below the optimum */
   double *drawn;   /* cell_count x 2 */
   bool cancelled;
-} Run;
+} LimitRun;
 
 void
 qn_limit_solution_clear (QnLimitSolution *solution)
@@ -54,7 +54,7 @@ qn_limit_solution_clear (QnLimitSolution *solution)
 static bool
 go_on (void *data)
 {
-  Run *run = data;
+  LimitRun *run = data;
 
   run->solution->effort.iterations++;
   if (run->progress != NULL) {
@@ -69,7 +69,7 @@ go_on (void *data)
 }
 
 static QnStatus
-iterate_once (Run *run, QnDiag *diag)
+iterate_once (LimitRun *run, QnDiag *diag)
 {
   QnStatus status = qn_interior_point_iterate (run->ip, diag);
 
@@ -79,7 +79,7 @@ iterate_once (Run *run, QnDiag *diag)
 }
 
 static QnStatus
-begin (Run *run, const QnIpVector *start, QnDiag *diag)
+begin (LimitRun *run, const QnIpVector *start, QnDiag *diag)
 {
   if (start == NULL)
     return qn_interior_point_start (run->ip, diag);
@@ -88,7 +88,7 @@ begin (Run *run, const QnIpVector *start, QnDiag *diag)
 }
 
 static void
-count_effort (Run *run)
+count_effort (LimitRun *run)
 {
   run->solution->effort.factorizations += run->ip->factorizations;
   run->solution->effort.factor_seconds += run->ip->factor_seconds;
@@ -98,7 +98,7 @@ count_effort (Run *run)
  * are none. An iterate that can be moved into the interior is an early answer; only where there is
  * no interior does the program run to its end. */
 static QnStatus
-carry (Run *run, const double *constant, const QnIpVector *start, double *forces,
+carry (LimitRun *run, const double *constant, const QnIpVector *start, double *forces,
        bool *found, QnDiag *diag)
 {
   QnIpProblem *p = &run->limit->ip;
@@ -136,7 +136,7 @@ is_answer (const QnInteriorPoint *ip)
 /* The engine's certificate proves that there is no equilibrium, but moves blocks that could
  * stand as well; the fall moves those alone that cannot. */
 static QnStatus
-take_certificate (Run *run, QnDiag *diag)
+take_certificate (LimitRun *run, QnDiag *diag)
 {
   double *v = run->ip->at.v;
   bool found;
@@ -152,7 +152,7 @@ take_certificate (Run *run, QnDiag *diag)
  * its mechanism the dead load does more than the joints dissipate. So it is decided a millionth from the verge,
  * where an infeasible program differs from a feasible one by no more than rounding. */
 static bool
-falls (Run *run)
+falls (LimitRun *run)
 {
   const QnInteriorPoint *ip = run->ip;
 
@@ -164,7 +164,8 @@ falls (Run *run)
 /* Draws the forces run->y, which carry the scaled multiplier lambda, to forces within the
  * strength; keeps them as run->drawn where more is carried than *lower. */
 static void
-draw (Run *run, const double *anchor, double anchor_lambda, double lambda, double *lower)
+draw (LimitRun *run, const double *anchor, double anchor_lambda, double lambda,
+      double *lower)
 {
   size_t size = 2 * (size_t) run->limit->ip.cell_count * sizeof *run->y;
   QnLimitCheck check = run->solution->check;
@@ -187,7 +188,7 @@ draw (Run *run, const double *anchor, double anchor_lambda, double lambda, doubl
  * moved inside and into equilibrium by turns; where that is not enough, forces just below the
  * optimum are sought to draw them to. */
 static QnStatus
-prove_lower (Run *run, double *lower, QnDiag *diag)
+prove_lower (LimitRun *run, double *lower, QnDiag *diag)
 {
   const double *anchor = run->anchored ? run->anchor : NULL;
   double lambda = run->ip->at.lambda / run->ip->at.tau, slack;
@@ -227,7 +228,7 @@ prove_lower (Run *run, double *lower, QnDiag *diag)
 
 /* The two bounds with what proves them. */
 static QnStatus
-take_optimum (Run *run, QnDiag *diag)
+take_optimum (LimitRun *run, QnDiag *diag)
 {
   QnLimitSolution *solution = run->solution;
   const QnLimitProblem *limit = run->limit;
@@ -250,7 +251,7 @@ take_optimum (Run *run, QnDiag *diag)
 
 /* The whole program, from a start or from nothing. */
 static QnStatus
-find_optimum (Run *run, const QnIpVector *start, QnDiag *diag)
+find_optimum (LimitRun *run, const QnIpVector *start, QnDiag *diag)
 {
   QnInteriorPoint *ip = run->ip;
   bool refined = false;
@@ -272,7 +273,7 @@ find_optimum (Run *run, const QnIpVector *start, QnDiag *diag)
 /* The dead load first, from where an earlier solution leads and else from nothing; then as much of the
  * live load as there is. */
 static QnStatus
-solve (Run *run, bool from_dead_load, QnDiag *diag)
+solve (LimitRun *run, bool from_dead_load, QnDiag *diag)
 {
   const QnLimitStart *start = run->start;
   QnInteriorPoint *ip = run->ip;
@@ -326,17 +327,17 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
                 QnLimitSolution *solution, QnDiag *diag)
 {
   size_t cells = (size_t) limit->ip.cell_count;
-  Run run = { .limit = limit,
-              .ip = ip,
-              .start = start,
-              .progress = progress,
-              .user_data = user_data,
-              .solution = solution,
-              .y = qn_alloc (2 * cells, sizeof (double)),
-              .rates = qn_alloc (2 * cells, sizeof (double)),
-              .anchor = qn_alloc (2 * cells, sizeof (double)),
-              .inner = qn_alloc (2 * cells, sizeof (double)),
-              .drawn = qn_alloc (2 * cells, sizeof (double)) };
+  LimitRun run = { .limit = limit,
+                   .ip = ip,
+                   .start = start,
+                   .progress = progress,
+                   .user_data = user_data,
+                   .solution = solution,
+                   .y = qn_alloc (2 * cells, sizeof (double)),
+                   .rates = qn_alloc (2 * cells, sizeof (double)),
+                   .anchor = qn_alloc (2 * cells, sizeof (double)),
+                   .inner = qn_alloc (2 * cells, sizeof (double)),
+                   .drawn = qn_alloc (2 * cells, sizeof (double)) };
   QnStatus status;
 
   *solution = (QnLimitSolution){

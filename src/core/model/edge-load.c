@@ -70,8 +70,8 @@ refuse (const Resolver *r, QnProblem problem, const char *field)
 
 /* Intensities of one sign. */
 static QnStatus
-add_force (Resolver *r, QnId block, QnVec2 a, QnVec2 b, double q0, double q1,
-           QnVec2 direction)
+add_resultant (Resolver *r, QnId block, QnVec2 a, QnVec2 b, double q0, double q1,
+               QnVec2 direction)
 {
   QnModel *model = r->model;
   double length = qn_vec2_length (qn_vec2_sub (b, a));
@@ -104,10 +104,10 @@ add_stretch (Resolver *r, QnId block, QnVec2 a, QnVec2 b, double q0, double q1,
              QnVec2 direction)
 {
   if (!((q0 < 0 && q1 > 0) || (q0 > 0 && q1 < 0)))
-    return add_force (r, block, a, b, q0, q1, direction);
+    return add_resultant (r, block, a, b, q0, q1, direction);
   QnVec2 middle = qn_vec2_lerp (a, b, q0 / (q0 - q1));
-  QnStatus status = add_force (r, block, a, middle, q0, 0, direction);
-  return status == QN_OK ? add_force (r, block, middle, b, 0, q1, direction) : status;
+  QnStatus status = add_resultant (r, block, a, middle, q0, 0, direction);
+  return status == QN_OK ? add_resultant (r, block, middle, b, 0, q1, direction) : status;
 }
 
 /* Into the block, which is counter-clockwise. */

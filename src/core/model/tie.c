@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
-
 const char *const qn_tie_state_names[QN_TIE_STATE_COUNT] = {
   [QN_TIE_SLACK] = "slack",
   [QN_TIE_ELASTIC] = "elastic",
@@ -26,7 +24,7 @@ qn_tie_stiffness (const QnTie *tie)
 double
 qn_tie_plate_punching (const QnTiePlate *p)
 {
-  double strength = p->shear * PI * p->wall * (p->diameter + p->wall);
+  double strength = p->shear * QN_PI * p->wall * (p->diameter + p->wall);
 
   return p->diameter > 0 && strength > 0 ? strength : INFINITY;
 }
@@ -34,7 +32,7 @@ qn_tie_plate_punching (const QnTiePlate *p)
 double
 qn_tie_plate_bearing (const QnTiePlate *p)
 {
-  double strength = p->compression * 0.25 * PI * p->diameter * p->diameter;
+  double strength = p->compression * 0.25 * QN_PI * p->diameter * p->diameter;
 
   return strength > 0 ? strength : INFINITY;
 }

@@ -81,7 +81,7 @@ record_mode (Search *search, QnDiag *diag)
 }
 
 static QnStatus
-conclude (Search *search, QnDiag *diag)
+set_unstable (Search *search, QnDiag *diag)
 {
   QnPath *path = &search->path;
   QnResult *result = path->result;
@@ -98,7 +98,7 @@ conclude (Search *search, QnDiag *diag)
 /* One increment, or one bisection once there is an upper bound. Where no equilibrium is found the increment
  * was too long, until it is as short as the critical multiplier is resolved. */
 static QnStatus
-advance (Search *search, double *increment, QnDiag *diag)
+load_further (Search *search, double *increment, QnDiag *diag)
 {
   QnPath *path = &search->path;
   QnEquilibrium *eq = &path->equilibrium;
@@ -149,9 +149,9 @@ search_path (Search *search, QnDiag *diag)
     double bracket = search->unstable - eq->committed.multiplier;
     if (isfinite (bracket)
         && bracket <= RESOLUTION * settings->multiplier_tolerance * search->unstable)
-      status = conclude (search, diag);
+      status = set_unstable (search, diag);
     else
-      status = advance (search, &increment, diag);
+      status = load_further (search, &increment, diag);
   }
   return status;
 }

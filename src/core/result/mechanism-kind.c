@@ -30,9 +30,6 @@ const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT] = {
   [QN_MECHANISM_KIND_MIXED] = "mixed",
 };
 
-/* A joint that opens by more than this share of its slip, and not as friction dilates it, parts. */
-#define PARTING 0.05
-
 static bool
 is_hinge (const QnJointMotion *joint)
 {
@@ -223,8 +220,8 @@ loses_contact (const QnMechanism *m, const QnModel *model, const QnContacts *con
     double friction =
       fmax (model->laws[face->law_a].friction, model->laws[face->law_b].friction);
     if (joint->kind == QN_JOINT_SLIDING
-        && (opening < (largest_dilatancy (model, face) + PARTING) * slip
-            || fabs (opening - friction * slip) < PARTING * slip))
+        && (opening < (largest_dilatancy (model, face) + QN_JOINT_PARTING) * slip
+            || fabs (opening - friction * slip) < QN_JOINT_PARTING * slip))
       return false;
   }
   return true;

@@ -13,9 +13,6 @@
  * than this part of their motion. */
 #define ROTATION_SHARE 0.05
 
-/* A joint parts that opens by more than this part of its slip beyond what it dilates. */
-#define PARTING 0.05
-
 const char *const qn_joint_kind_names[QN_JOINT_KIND_COUNT] = {
   [QN_JOINT_CLOSED] = "closed",       [QN_JOINT_HINGE_START] = "hinge-start",
   [QN_JOINT_HINGE_END] = "hinge-end", [QN_JOINT_SLIDING] = "sliding",
@@ -119,7 +116,7 @@ joint_motion (const Field *field, const QnContacts *contacts, QnId id, double le
   joint.slides = fabs (joint.slip) > least;
   low = fmin (joint.opening_start, joint.opening_end);
   high = fmax (joint.opening_start, joint.opening_end);
-  dilated = (dilation (field, face) + PARTING) * fabs (joint.slip);
+  dilated = (dilation (field, face) + QN_JOINT_PARTING) * fabs (joint.slip);
   if (low > dilated + least) {
     joint.kind = QN_JOINT_OPENING;
     joint.slides = false;

@@ -21,6 +21,9 @@ typedef enum {
   QN_JOINT_KIND_COUNT
 } QnJointKind;
 
+/* A joint opens that parts by more than this part of its slip beyond what friction dilates it. */
+#define QN_JOINT_PARTING 0.05
+
 /* Motion of block b relative to block a of a face. */
 typedef struct QnJointMotion {
   QnJointKind kind;

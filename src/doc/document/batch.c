@@ -2,7 +2,7 @@
 
 #include "doc/document/run-file.h"
 #include "io/result/result-file.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 struct _QnBatch {

@@ -1,7 +1,7 @@
 #include "doc/document/bounds.h"
 
 #include "core/result/first-limit.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* Relative distance below which two multipliers are called equal. */

@@ -14,7 +14,7 @@ struct _QnDocument {
   QnContacts contacts;
   char *fingerprint; /* see below; NULL: to be computed */
   char *file_digest; /* of the file as it was read or written; NULL: not known */
-  QnHistory *history;
+  QnEditHistory *history;
   gboolean dissolved; /* a wall, by the last edit */
   QnSelection *selection;
   gboolean never_saved;   /* came from memory: counts as modified */

@@ -4,7 +4,7 @@
 
 #include "doc/edit/edit.h"
 #include "doc/text/explain.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 void

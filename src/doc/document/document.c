@@ -7,7 +7,7 @@
 #include "io/project/project-extras.h"
 #include "io/text/file-read.h"
 #include "io/text/file-writer.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 G_DEFINE_FINAL_TYPE (QnDocument, qn_document, G_TYPE_OBJECT)
@@ -237,7 +237,7 @@ adopt_history (QnDocument *self, const char *json)
   self->keeps_history = json != NULL;
   if (json == NULL)
     return;
-  QnHistory *history = qn_history_from_json (json, self->text->text);
+  QnEditHistory *history = qn_history_from_json (json, self->text->text);
   if (history != NULL) {
     qn_history_free (self->history);
     self->history = history;
@@ -576,7 +576,7 @@ qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
   return step_to (self, name, key, &draft, error);
 }
 
-QnHistory *
+QnEditHistory *
 qn_document_get_history (QnDocument *self)
 {
   return self->history;

@@ -116,7 +116,7 @@ gboolean qn_document_has_dissolved (QnDocument *document);
 gboolean qn_document_edit_extra (QnDocument *document, const char *name, const char *key,
                                  const char *member, const char *json, GError **error);
 
-QnHistory *qn_document_get_history (QnDocument *document); /* for reading */
+QnEditHistory *qn_document_get_history (QnDocument *document); /* for reading */
 gboolean qn_document_undo (QnDocument *document);
 gboolean qn_document_redo (QnDocument *document);
 /* Walks to the state after `position` steps. */

@@ -15,7 +15,7 @@
 /* ---- writing ---- */
 
 static void
-append_hunks (GString *json, const QnStep *step)
+append_hunks (GString *json, const QnEditStep *step)
 {
   for (guint i = 0; i < step->hunks->len; i++) {
     const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
@@ -30,7 +30,7 @@ append_hunks (GString *json, const QnStep *step)
 }
 
 char *
-qn_history_to_json (const QnHistory *history, const char *text)
+qn_history_to_json (const QnEditHistory *history, const char *text)
 {
   GString *json = g_string_new ("{");
   g_autofree char *digest = g_compute_checksum_for_string (G_CHECKSUM_SHA256, text, -1);
@@ -39,7 +39,7 @@ qn_history_to_json (const QnHistory *history, const char *text)
   qn_json_begin_member (json, "steps");
   g_string_append_c (json, '[');
   for (guint i = 0; i < history->steps->len; i++) {
-    const QnStep *step = g_ptr_array_index (history->steps, i);
+    const QnEditStep *step = g_ptr_array_index (history->steps, i);
     g_string_append (json, i > 0 ? ", {" : "{");
     qn_json_put_string (json, "name", step->name);
     qn_json_begin_member (json, "hunks");
@@ -54,7 +54,7 @@ qn_history_to_json (const QnHistory *history, const char *text)
 /* ---- reading ---- */
 
 static gboolean
-read_hunk (const cJSON *value, QnStep *step)
+read_hunk (const cJSON *value, QnEditStep *step)
 {
   const cJSON *offset = cJSON_GetArrayItem (value, 0);
   const cJSON *removed = cJSON_GetArrayItem (value, 1);
@@ -70,7 +70,7 @@ read_hunk (const cJSON *value, QnStep *step)
 }
 
 static gboolean
-read_steps (const cJSON *steps, QnHistory *history)
+read_steps (const cJSON *steps, QnEditHistory *history)
 {
   const cJSON *value, *element;
   cJSON_ArrayForEach (value, steps)
@@ -79,7 +79,7 @@ read_steps (const cJSON *steps, QnHistory *history)
     const cJSON *hunks = cJSON_GetObjectItemCaseSensitive (value, "hunks");
     if (!cJSON_IsString (name) || !cJSON_IsArray (hunks))
       return FALSE;
-    QnStep *step = qn_history_add_step (history, name->valuestring);
+    QnEditStep *step = qn_history_add_step (history, name->valuestring);
     cJSON_ArrayForEach (element, hunks)
     {
       if (!read_hunk (element, step))
@@ -92,7 +92,7 @@ read_steps (const cJSON *steps, QnHistory *history)
 /* Whether the hunks, one behind the other, are what stands in the text: `after` tells which of
  * their two sides, whose places are counted in the text after the step. */
 static gboolean
-fits (const QnStep *step, const char *text, gboolean after)
+fits (const QnEditStep *step, const char *text, gboolean after)
 {
   gsize length = strlen (text), at = 0;
   gssize shift = 0;
@@ -113,7 +113,7 @@ fits (const QnStep *step, const char *text, gboolean after)
 
 /* Walks to one end of the history and back to see that every step can be taken. */
 static gboolean
-try_steps (QnHistory *history, const char *text)
+try_steps (QnEditHistory *history, const char *text)
 {
   guint position = history->position;
   for (int back = 1; back >= 0; back--) {
@@ -133,7 +133,7 @@ try_steps (QnHistory *history, const char *text)
 }
 
 static gboolean
-read_history (const cJSON *root, const char *text, QnHistory *history)
+read_history (const cJSON *root, const char *text, QnEditHistory *history)
 {
   const cJSON *digest = cJSON_GetObjectItemCaseSensitive (root, "text_sha256");
   const cJSON *position = cJSON_GetObjectItemCaseSensitive (root, "position");
@@ -155,11 +155,11 @@ read_history (const cJSON *root, const char *text, QnHistory *history)
   return TRUE;
 }
 
-QnHistory *
+QnEditHistory *
 qn_history_from_json (const char *json, const char *text)
 {
   cJSON *root = qn_json_parse (json, strlen (json), "", NULL);
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   if (root == NULL || !read_history (root, text, history))
     g_clear_pointer (&history, qn_history_free);
   cJSON_Delete (root);

@@ -11,20 +11,20 @@ typedef struct QnHunk {
   char *inserted; /* owned */
 } QnHunk;
 
-typedef struct QnStep {
+typedef struct QnEditStep {
   char *name;
   char *key;
   GArray *hunks; /* of QnHunk, by offset */
-} QnStep;
+} QnEditStep;
 
-struct QnHistory {
-  GPtrArray *steps; /* of QnStep */
+struct QnEditHistory {
+  GPtrArray *steps; /* of QnEditStep */
   guint position;
   gint64 clean; /* position of the clean state; -1: it cannot be reached any more */
   gboolean broken;
 };
 
 /* Appends a step without hunks behind all others; does not move the position. */
-QnStep *qn_history_add_step (QnHistory *history, const char *name);
+QnEditStep *qn_history_add_step (QnEditHistory *history, const char *name);
 
 #endif

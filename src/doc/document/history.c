@@ -21,7 +21,7 @@ hunks_new (void)
 static void
 step_free (gpointer data)
 {
-  QnStep *step = data;
+  QnEditStep *step = data;
   g_free (step->name);
   g_free (step->key);
   g_array_unref (step->hunks);
@@ -107,7 +107,7 @@ diff (const char *before, const char *after)
 }
 
 static char *
-apply_backward (const QnStep *step, const char *after)
+apply_backward (const QnEditStep *step, const char *after)
 {
   GString *text = g_string_new (NULL);
   gsize at = 0;
@@ -122,7 +122,7 @@ apply_backward (const QnStep *step, const char *after)
 }
 
 static char *
-apply_forward (const QnStep *step, const char *before)
+apply_forward (const QnEditStep *step, const char *before)
 {
   GString *text = g_string_new (NULL);
   const char *at = before;
@@ -137,26 +137,26 @@ apply_forward (const QnStep *step, const char *before)
   return g_string_free (text, FALSE);
 }
 
-QnStep *
-qn_history_add_step (QnHistory *history, const char *name)
+QnEditStep *
+qn_history_add_step (QnEditHistory *history, const char *name)
 {
-  QnStep *step = g_new0 (QnStep, 1);
+  QnEditStep *step = g_new0 (QnEditStep, 1);
   step->name = g_strdup (name);
   step->hunks = hunks_new ();
   g_ptr_array_add (history->steps, step);
   return step;
 }
 
-QnHistory *
+QnEditHistory *
 qn_history_new (void)
 {
-  QnHistory *history = g_new0 (QnHistory, 1);
+  QnEditHistory *history = g_new0 (QnEditHistory, 1);
   history->steps = g_ptr_array_new_with_free_func (step_free);
   return history;
 }
 
 void
-qn_history_free (QnHistory *history)
+qn_history_free (QnEditHistory *history)
 {
   if (history == NULL)
     return;
@@ -165,18 +165,18 @@ qn_history_free (QnHistory *history)
 }
 
 static gboolean
-continues_gesture (const QnHistory *history, const char *key)
+continues_gesture (const QnEditHistory *history, const char *key)
 {
   if (key == NULL || history->broken || history->position == 0
       || history->position != history->steps->len
       || history->clean == (gint64) history->position)
     return FALSE;
-  const QnStep *last = g_ptr_array_index (history->steps, history->position - 1);
+  const QnEditStep *last = g_ptr_array_index (history->steps, history->position - 1);
   return g_strcmp0 (last->key, key) == 0;
 }
 
 void
-qn_history_record (QnHistory *history, const char *name, const char *key,
+qn_history_record (QnEditHistory *history, const char *name, const char *key,
                    const char *before, const char *after)
 {
   if (history->position < history->steps->len) {
@@ -186,14 +186,14 @@ qn_history_record (QnHistory *history, const char *name, const char *key,
   }
 
   if (continues_gesture (history, key)) {
-    QnStep *last = g_ptr_array_index (history->steps, history->position - 1);
+    QnEditStep *last = g_ptr_array_index (history->steps, history->position - 1);
     g_autofree char *first = apply_backward (last, before);
     g_array_unref (last->hunks);
     last->hunks = diff (first, after);
     return;
   }
 
-  QnStep *step = qn_history_add_step (history, name);
+  QnEditStep *step = qn_history_add_step (history, name);
   step->key = g_strdup (key);
   g_array_unref (step->hunks);
   step->hunks = diff (before, after);
@@ -202,25 +202,25 @@ qn_history_record (QnHistory *history, const char *name, const char *key,
 }
 
 void
-qn_history_break (QnHistory *history)
+qn_history_break (QnEditHistory *history)
 {
   history->broken = TRUE;
 }
 
 gboolean
-qn_history_can_undo (const QnHistory *history)
+qn_history_can_undo (const QnEditHistory *history)
 {
   return history->position > 0;
 }
 
 gboolean
-qn_history_can_redo (const QnHistory *history)
+qn_history_can_redo (const QnEditHistory *history)
 {
   return history->position < history->steps->len;
 }
 
 char *
-qn_history_undo (QnHistory *history, const char *text)
+qn_history_undo (QnEditHistory *history, const char *text)
 {
   if (!qn_history_can_undo (history))
     return NULL;
@@ -229,7 +229,7 @@ qn_history_undo (QnHistory *history, const char *text)
 }
 
 char *
-qn_history_redo (QnHistory *history, const char *text)
+qn_history_redo (QnEditHistory *history, const char *text)
 {
   if (!qn_history_can_redo (history))
     return NULL;
@@ -238,42 +238,42 @@ qn_history_redo (QnHistory *history, const char *text)
 }
 
 guint
-qn_history_get_count (const QnHistory *history)
+qn_history_get_count (const QnEditHistory *history)
 {
   return history->steps->len;
 }
 
 guint
-qn_history_get_position (const QnHistory *history)
+qn_history_get_position (const QnEditHistory *history)
 {
   return history->position;
 }
 
 const char *
-qn_history_get_name (const QnHistory *history, guint step)
+qn_history_get_name (const QnEditHistory *history, guint step)
 {
   g_return_val_if_fail (step < history->steps->len, NULL);
-  return ((const QnStep *) g_ptr_array_index (history->steps, step))->name;
+  return ((const QnEditStep *) g_ptr_array_index (history->steps, step))->name;
 }
 
 void
-qn_history_mark_clean (QnHistory *history)
+qn_history_mark_clean (QnEditHistory *history)
 {
   history->clean = history->position;
 }
 
 gboolean
-qn_history_is_clean (const QnHistory *history)
+qn_history_is_clean (const QnEditHistory *history)
 {
   return history->clean == (gint64) history->position;
 }
 
 gsize
-qn_history_get_size (const QnHistory *history)
+qn_history_get_size (const QnEditHistory *history)
 {
   gsize size = 0;
   for (guint i = 0; i < history->steps->len; i++) {
-    const QnStep *step = g_ptr_array_index (history->steps, i);
+    const QnEditStep *step = g_ptr_array_index (history->steps, i);
     for (guint j = 0; j < step->hunks->len; j++) {
       const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, j);
       size += sizeof *hunk + strlen (hunk->removed) + strlen (hunk->inserted) + 2;
@@ -284,7 +284,7 @@ qn_history_get_size (const QnHistory *history)
 }
 
 void
-qn_history_clear (QnHistory *history)
+qn_history_clear (QnEditHistory *history)
 {
   g_ptr_array_set_size (history->steps, 0);
   history->position = 0;

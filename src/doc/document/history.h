@@ -10,55 +10,55 @@
 
 #include <glib.h>
 
-typedef struct QnHistory QnHistory;
+typedef struct QnEditHistory QnEditHistory;
 
 /* Without steps, in a clean state. */
-QnHistory *qn_history_new (void);
-void qn_history_free (QnHistory *history);
+QnEditHistory *qn_history_new (void);
+void qn_history_free (QnEditHistory *history);
 
 /* Appends a step from one text to the next; steps that had been undone are forgotten.
  *
  * name: what the user reads after "Undo", copied.
  * key: NULL, or a word for the gesture that makes the step: consecutive steps of the same key
  *      are one (arrow keys that nudge a block, a value being dragged). */
-void qn_history_record (QnHistory *history, const char *name, const char *key,
+void qn_history_record (QnEditHistory *history, const char *name, const char *key,
                         const char *before, const char *after);
 
 /* Ends the gesture: the next step is separate even if it has the same key. */
-void qn_history_break (QnHistory *history);
+void qn_history_break (QnEditHistory *history);
 
 /* Whether there is a step before the present state, or behind it. */
-gboolean qn_history_can_undo (const QnHistory *history);
-gboolean qn_history_can_redo (const QnHistory *history);
+gboolean qn_history_can_undo (const QnEditHistory *history);
+gboolean qn_history_can_redo (const QnEditHistory *history);
 
 /* The text before the last step, or after the next one; `text` is the present one. NULL where
  * there is no such step. The caller frees it. */
-char *qn_history_undo (QnHistory *history, const char *text);
-char *qn_history_redo (QnHistory *history, const char *text);
+char *qn_history_undo (QnEditHistory *history, const char *text);
+char *qn_history_redo (QnEditHistory *history, const char *text);
 
 /* Steps that can be walked to: those done first, then those undone, oldest first. */
-guint qn_history_get_count (const QnHistory *history);
-guint qn_history_get_position (const QnHistory *history); /* steps done */
-const char *qn_history_get_name (const QnHistory *history, guint step);
+guint qn_history_get_count (const QnEditHistory *history);
+guint qn_history_get_position (const QnEditHistory *history); /* steps done */
+const char *qn_history_get_name (const QnEditHistory *history, guint step);
 
 /* Whether the present state is the one that was last declared clean. */
-void qn_history_mark_clean (QnHistory *history);
-gboolean qn_history_is_clean (const QnHistory *history);
+void qn_history_mark_clean (QnEditHistory *history);
+gboolean qn_history_is_clean (const QnEditHistory *history);
 
 /* Bytes held by all the steps. */
-gsize qn_history_get_size (const QnHistory *history);
+gsize qn_history_get_size (const QnEditHistory *history);
 
 /* Forgets all steps; the present state counts as clean. */
-void qn_history_clear (QnHistory *history);
+void qn_history_clear (QnEditHistory *history);
 
 /* ---- in a file (history-file.c) ---- */
 
 /* The history as a JSON object, to be kept beside `text`, the present state. The caller frees
  * it. */
-char *qn_history_to_json (const QnHistory *history, const char *text);
+char *qn_history_to_json (const QnEditHistory *history, const char *text);
 
 /* The history that was kept beside `text`, or NULL where it belongs to another text: every step
  * has been tried. The present state counts as clean. */
-QnHistory *qn_history_from_json (const char *json, const char *text);
+QnEditHistory *qn_history_from_json (const char *json, const char *text);
 
 #endif

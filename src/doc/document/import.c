@@ -1,7 +1,7 @@
 #include "doc/document/import.h"
 
 #include "doc/edit/edit.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 static gboolean

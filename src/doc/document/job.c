@@ -5,7 +5,7 @@
 #include "core/path/stability.h"
 #include "doc/document/threads.h"
 #include "doc/text/explain.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <pthread.h>
 
 #define PROGRESS_INTERVAL_MS 50

@@ -4,7 +4,7 @@
 #include "io/text/file-inside.h"
 #include "render/drawing/photo.h"
 #include "render/drawing/rectify.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 #define MEMBER "underlay"
 

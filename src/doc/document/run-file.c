@@ -7,7 +7,7 @@
 #include "io/result/result-file.h"
 #include "io/text/file-writer.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 /* ---- writing ---- */
 

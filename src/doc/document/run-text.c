@@ -4,7 +4,7 @@
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "io/text/mechanism-text.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 static double
 hertz_of (const QnRun *run)

@@ -3,7 +3,7 @@
 #include "core/base/box.h"
 #include "core/base/polygon.h"
 #include "doc/text/law-preset.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #define USUAL_DIAMETER 0.016

@@ -1,6 +1,6 @@
 #include "doc/edit/edit-beams.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <stdlib.h>
 
 QnTransform

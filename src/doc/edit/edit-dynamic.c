@@ -2,7 +2,7 @@
 
 #include "io/exchange/record.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "doc/edit/edit-face.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 static gboolean
 concerns (const QnFaceOverride *override, const QnContactFace *face)

@@ -1,6 +1,6 @@
 #include "doc/edit/edit-frame.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* Places nearer to each other, relative to their coordinates, are one. */

@@ -2,7 +2,7 @@
 
 #include "doc/edit/edit-shape.h"
 #include "io/text/width-text.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 /* Gaps below so many tolerances of contacts are none. */

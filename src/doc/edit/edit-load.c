@@ -3,7 +3,7 @@
 #include "core/model/edge-load.h"
 #include "doc/edit/edit.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 QnLoad *
 qn_edit_new_load (QnModel *model, gboolean live, GError **error)

@@ -3,7 +3,7 @@
 #include "core/base/memory.h"
 #include "io/project/project-extras.h"
 #include "io/project/project-masonry.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
 

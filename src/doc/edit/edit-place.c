@@ -1,7 +1,7 @@
 #include "doc/edit/edit-place.h"
 
 #include "doc/edit/edit-masonry.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 

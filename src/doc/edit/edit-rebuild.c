@@ -3,7 +3,7 @@
 #include "core/base/polygon.h"
 #include "doc/edit/edit-beams.h"
 #include "doc/text/explain.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* Distance from a joint that is rounding, relative to the size of a block. */

@@ -1,6 +1,6 @@
 #include "doc/edit/edit-frame.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #include "core/base/polygon.h"
 #include "doc/text/explain.h"
 #include "stereotomy/polygon-ops.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* Lengths below this part of a block's size are rounding. */

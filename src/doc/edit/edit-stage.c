@@ -3,7 +3,7 @@
 #include "core/base/box.h"
 #include "core/model/support.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

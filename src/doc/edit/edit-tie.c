@@ -3,7 +3,7 @@
 #include "core/base/polygon.h"
 #include "core/model/bar.h"
 #include "doc/edit/edit-frame.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
 

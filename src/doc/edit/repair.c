@@ -7,7 +7,7 @@
 #include "doc/text/explain.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* Repairs in one go at most; each can bring another finding to light. */

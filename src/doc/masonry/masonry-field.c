@@ -1,7 +1,7 @@
 #include "doc/masonry/masonry-field.h"
 #include "core/base/integer.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #define LARGEST 1e6  /* m */

@@ -1,6 +1,6 @@
 #include "doc/text/beam-summary.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* Values below this part of the largest of their kind are rounding. */

@@ -1,6 +1,6 @@
 #include "doc/text/count-text.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 static char *
 dup_phrase (QnCount count)

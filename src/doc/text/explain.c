@@ -8,7 +8,7 @@
 #include "io/text/tie-text.h"
 #include "render/drawing/text.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 static const char *

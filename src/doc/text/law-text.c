@@ -2,7 +2,7 @@
 
 #include "io/project/typical-joint.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 const char *const qn_law_kind_words[QN_LAW_KIND_COUNT] = {

@@ -1,7 +1,7 @@
 #include "doc/text/law-trace.h"
 
 #include "core/law/spring.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* Points between two turning points of the history. */

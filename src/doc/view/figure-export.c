@@ -1,6 +1,6 @@
 #include "doc/view/figure-export.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 static gboolean

@@ -6,7 +6,7 @@
 #include "doc/edit/edit.h"
 #include "doc/view/figure-export.h"
 #include "io/result/result-file.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 #define MEMBER "figures"
 

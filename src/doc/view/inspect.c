@@ -3,7 +3,7 @@
 #include "doc/text/explain.h"
 #include "render/scene/thrust.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #define DIGITS 4

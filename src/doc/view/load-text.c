@@ -2,7 +2,7 @@
 
 #include "doc/edit/edit-stage.h"
 #include "io/text/outcome-text.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 static const char *const components[QN_DOF_COUNT] = { "ux", "uy", "rz" };
 

@@ -3,7 +3,7 @@
 #include "core/contact/pair-abscissae.h"
 #include "doc/edit/edit.h"
 #include "doc/text/units.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 /* Numbers between semicolons or spaces; -1 where one cannot be read or there are too many. */
 static int

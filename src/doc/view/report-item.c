@@ -3,7 +3,7 @@
 #include "doc/document/run-file.h"
 #include "render/backend/output.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 void
 qn_report_item_clear (QnReportItem *item)

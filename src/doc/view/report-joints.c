@@ -7,7 +7,7 @@
 #include "doc/view/pair-text.h"
 #include "render/drawing/text.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* A column of numbers with the same decimals, so that the largest has four digits; or

@@ -8,7 +8,7 @@
 #include "doc/view/load-text.h"
 #include "render/drawing/text.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 static char *

@@ -10,7 +10,7 @@
 #include "render/drawing/text.h"
 #include "render/scene/motion.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* The picture of a result: how it fails, or else how it has moved. */

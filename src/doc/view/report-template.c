@@ -4,7 +4,7 @@
 #include "io/project/project-members.h"
 #include "io/text/json-text.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 
 static const char *const papers[QN_PAPER_COUNT] = { "a4", "letter" };
 

@@ -6,7 +6,7 @@
 #include "io/text/outcome-text.h"
 #include "render/drawing/text.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 

@@ -255,7 +255,7 @@ begin_entity (Scanner *scanner, QnDxfKind kind)
 }
 
 static void
-add_entity (Scanner *scanner, const QnDxfEntity *entity)
+keep_entity (Scanner *scanner, const QnDxfEntity *entity)
 {
   guint index = scanner->scan->entities->len;
   g_array_append_val (scanner->scan->entities, *entity);
@@ -302,7 +302,7 @@ take_hatch (Scanner *scanner)
     if (code == 92 || code == 97 || code == 75) {
       loop.numbers[0] = scanner->scan->entities->len == before;
       if (open && !odd && loop.point_count >= 2)
-        add_entity (scanner, &loop);
+        keep_entity (scanner, &loop);
       else if (open && odd)
         note (scanner, _ ("boundaries of hatches with ellipses or splines left out"));
       open = code == 92;
@@ -390,7 +390,7 @@ take_insert (Scanner *scanner)
     insert.numbers[k] = number_at (scanner, codes[k], k < 3);
   insert.name = name != NULL ? keep_text (scanner, name, TRUE) : NULL;
   take_point (scanner, &insert, 10);
-  add_entity (scanner, &insert);
+  keep_entity (scanner, &insert);
 }
 
 /* The entities whose points have a group code each. */
@@ -429,7 +429,7 @@ take_simple (Scanner *scanner)
     if (scanner->type[0] == 'C')
       entity.numbers[2] = 360;
     if (entity.point_count >= (entity.kind == QN_DXF_ARC ? 1 : 2))
-      add_entity (scanner, &entity);
+      keep_entity (scanner, &entity);
     return;
   }
   g_autofree char *text = g_strdup_printf (_ ("%s entities left out"), scanner->type);
@@ -460,7 +460,7 @@ take_curve (Scanner *scanner)
     note (scanner, _ ("splines without control points left out"));
     return;
   }
-  add_entity (scanner, &entity);
+  keep_entity (scanner, &entity);
   scanner->in_polyline = old;
 }
 

@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* strcasestr */
 #include "io/exchange/record-heading.h"
 
 #include <math.h>

@@ -107,7 +107,7 @@ parse_value (const char *text)
 
 /* "laws[7].kn=1": the project has no such place */
 static gboolean
-fail (GError **error, int code, const char *override, const char *message)
+fail_override (GError **error, int code, const char *override, const char *message)
 {
   GString *quoted = g_string_new (NULL);
   char *valid = g_utf8_make_valid (override, -1);
@@ -131,7 +131,7 @@ apply (cJSON *root, const GArray *path, const char *override, const char *text,
     if (obstacle != NULL) {
       g_autofree char *message =
         g_strconcat (_ ("the project has no such place"), ": ", obstacle, NULL);
-      return fail (error, QN_IO_ERROR_OVERRIDE, override, message);
+      return fail_override (error, QN_IO_ERROR_OVERRIDE, override, message);
     }
     if (i + 1 < path->len) {
       parent = container;
@@ -147,7 +147,7 @@ apply (cJSON *root, const GArray *path, const char *override, const char *text,
       return TRUE;
     container = NULL;
   }
-  return fail (error, QN_IO_ERROR_NO_MEMORY, override, _ ("not enough memory"));
+  return fail_override (error, QN_IO_ERROR_NO_MEMORY, override, _ ("not enough memory"));
 }
 
 gboolean
@@ -157,11 +157,12 @@ qn_json_override (cJSON *root, const char *override, GError **error)
   GArray *path =
     g_utf8_validate (override, -1, NULL) ? parse_path (override, &text) : NULL;
   if (path == NULL)
-    return fail (error, QN_IO_ERROR_OVERRIDE, override,
-                 strchr (override, '=') == NULL
-                   ? _ ("an override has the form path=value")
-                   : _ ("the path has keys parted by points, and numbers of elements in "
-                        "brackets, as laws[0].friction"));
+    return fail_override (
+      error, QN_IO_ERROR_OVERRIDE, override,
+      strchr (override, '=') == NULL
+        ? _ ("an override has the form path=value")
+        : _ ("the path has keys parted by points, and numbers of elements in "
+             "brackets, as laws[0].friction"));
   gboolean done = apply (root, path, override, text, error);
   g_array_unref (path);
   return done;

@@ -15,7 +15,7 @@
 /* Members of the document: those that become part of the model, and behind them those that it does
  * not hold, which are kept and written back as they are. */
 #define MODEL_KEYS 15
-static const char *const keys[] = {
+static const char *const project_keys[] = {
   "format",   "version", "title",    "gravity", "laws",      "blocks",
   "walls",    "contact", "loads",    "bars",    "ties",      "analysis",
   "sections", "nodes",   "beams",    "view",    "figures",   "guides",
@@ -66,12 +66,14 @@ keep_extras (const QnJsonValue *root, cJSON *document, QnProject *project)
   for (cJSON *child = document->child; child != NULL; child = next) {
     next = child->next;
     gsize key = 0;
-    while (key < G_N_ELEMENTS (keys) && strcmp (child->string, keys[key]) != 0)
+    while (key < G_N_ELEMENTS (project_keys)
+           && strcmp (child->string, project_keys[key]) != 0)
       key++;
     if (key < MODEL_KEYS)
       continue;
     QnJsonValue place = qn_json_value_child (root, child);
-    if (key == G_N_ELEMENTS (keys) && !qn_json_value_unknown (&place, keys, key))
+    if (key == G_N_ELEMENTS (project_keys)
+        && !qn_json_value_unknown (&place, project_keys, key))
       return FALSE;
     if (project->extras == NULL)
       project->extras = cJSON_CreateObject ();

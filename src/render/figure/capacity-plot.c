@@ -9,7 +9,7 @@
 #define LONGEST 10.0
 
 /* The spectrum is shown up to so many times the end of the curve. */
-#define BEYOND 1.3
+#define BEYOND_END 1.3
 
 /* Limit states of a plot. */
 #define MOST_MARKS 4
@@ -68,7 +68,7 @@ prepare (const QnCapacityPlot *plot)
                  .dashed = true,
                  .x = d->sx,
                  .y = d->sy,
-                 .count = find_spectrum (plot, BEYOND * farthest, d->sx, d->sy) };
+                 .count = find_spectrum (plot, BEYOND_END * farthest, d->sx, d->sy) };
   for (size_t i = 0; i < c->count; i++)
     highest = fmax (highest, d->y[i]);
   for (size_t i = 0; plot->spectrum != NULL && i < d->marks[1].count; i++)

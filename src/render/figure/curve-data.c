@@ -106,8 +106,8 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
 
 /* A motion counts as unlimited where it exceeds so many times the displacement at the peak, and is
  * drawn up to this many times. */
-#define RUNAWAY 4.0
-#define BEYOND  1.6
+#define RUNAWAY     4.0
+#define BEYOND_PEAK 1.6
 
 bool
 qn_curve_get_end (const QnCurve *curve, double *end)
@@ -130,7 +130,7 @@ qn_curve_get_end (const QnCurve *curve, double *end)
     else if (fabs (curve->x[i] - curve->x[0]) > fabs (farthest))
       farthest = curve->x[i] - curve->x[0];
   }
-  *end = curve->x[0] + copysign (BEYOND * at_peak, farthest);
+  *end = curve->x[0] + copysign (BEYOND_PEAK * at_peak, farthest);
   return at_peak > 0 && fabs (farthest) > RUNAWAY * at_peak;
 }
 

@@ -9,7 +9,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-#define MARGIN 8.0 /* pt */
+#define FRAME_MARGIN 8.0 /* pt */
 
 /* Share of the page that the curve takes. */
 #define CURVE_SHARE 0.38
@@ -144,7 +144,7 @@ static QnFrame
 divide_page (Player *player)
 {
   const QnPage *page = player->page;
-  QnFrame frame = qn_page_frame (page, MARGIN);
+  QnFrame frame = qn_page_frame (page, FRAME_MARGIN);
   if (!player->along_steps || !player->animation->curve || player->curve.count < 2)
     return frame;
   player->plot = frame;
@@ -253,7 +253,7 @@ draw_samples (Player *player, cairo_surface_t **samples, GError **error)
 }
 
 static bool
-add_frames (Player *player, cairo_t *cr, const QnMovieFormat *format, QnMovie *movie,
+add_frames (Player *player, cairo_t *cr, const QnMovieFormat *format, void *movie,
             GError **error)
 {
   const QnAnimation *animation = player->animation;
@@ -277,7 +277,7 @@ play (Player *player, cairo_t *cr, const QnMovieFormat *format, const char *path
 {
   cairo_surface_t *samples[SAMPLES] = { NULL };
   int count = draw_samples (player, samples, error);
-  QnMovie *movie = NULL;
+  void *movie = NULL;
   if (count > 0)
     movie = format->open (path, player->page, player->animation->rate, metadata, samples,
                           count, error);

@@ -9,15 +9,15 @@
 #include <glib/gstdio.h>
 #include <stdlib.h>
 
-struct QnMovie {
+typedef struct FrameFolder {
   char *folder;
   char *generator;
   bool made; /* the folder did not exist before */
   QnFileGroup pictures;
-};
+} FrameFolder;
 
 static void
-movie_free (QnMovie *movie)
+frames_free (FrameFolder *movie)
 {
   g_free (movie->folder);
   g_free (movie->generator);
@@ -25,15 +25,16 @@ movie_free (QnMovie *movie)
 }
 
 static void
-frames_abandon (QnMovie *movie)
+frames_abandon (void *state)
 {
+  FrameFolder *movie = state;
   qn_file_group_discard (&movie->pictures);
   if (movie->made)
     g_rmdir (movie->folder);
-  movie_free (movie);
+  frames_free (movie);
 }
 
-static QnMovie *
+static void *
 frames_open (const char *path, const QnPage *page, double rate,
              const QnMetadata *metadata, cairo_surface_t *const *samples,
              int sample_count, GError **error)
@@ -48,7 +49,7 @@ frames_open (const char *path, const QnPage *page, double rate,
                  _ ("%s: cannot be made: %s"), path, g_strerror (errno));
     return NULL;
   }
-  QnMovie *movie = g_new0 (QnMovie, 1);
+  FrameFolder *movie = g_new0 (FrameFolder, 1);
   movie->folder = g_strdup (path);
   movie->generator = g_strdup (metadata->generator);
   movie->made = !exists;
@@ -61,8 +62,9 @@ frames_open (const char *path, const QnPage *page, double rate,
 }
 
 static bool
-frames_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
+frames_add (void *state, cairo_surface_t *frame, GError **error)
 {
+  FrameFolder *movie = state;
   g_autofree char *name = g_strdup_printf ("frame-%04zu.png", movie->pictures.count + 1);
   QnPngText text = { "Software", movie->generator };
   g_autoptr (GBytes) bytes =
@@ -84,15 +86,16 @@ frames_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
 }
 
 static bool
-frames_finish (QnMovie *movie, GError **error)
+frames_finish (void *state, GError **error)
 {
+  FrameFolder *movie = state;
   int trouble = qn_file_group_commit (&movie->pictures);
   if (trouble != 0) {
     qn_render_error_set_unwritten (error, movie->folder, trouble);
     frames_abandon (movie);
     return false;
   }
-  movie_free (movie);
+  frames_free (movie);
   return true;
 }
 

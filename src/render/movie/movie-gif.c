@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-struct QnMovie {
+typedef struct GifMovie {
   char *path;
   GByteArray *bytes;
   GifFileType *gif;
@@ -17,7 +17,7 @@ struct QnMovie {
   int width, height, delay; /* delay in hundredths of a second */
   uint8_t *previous, *current;
   bool first;
-};
+} GifMovie;
 
 static int
 append_bytes (GifFileType *gif, const GifByteType *data, int length)
@@ -27,8 +27,9 @@ append_bytes (GifFileType *gif, const GifByteType *data, int length)
 }
 
 static void
-movie_free (QnMovie *movie)
+gif_free (void *state)
 {
+  GifMovie *movie = state;
   int code;
   if (movie->gif != NULL)
     EGifCloseFile (movie->gif, &code);
@@ -63,7 +64,7 @@ make_color_map (const QnPalette *palette)
 
 /* Screen, endless loop, and who made it. */
 static bool
-put_header (QnMovie *movie, const QnMetadata *metadata)
+put_header (GifMovie *movie, const QnMetadata *metadata)
 {
   static const GifByteType loop[3] = { 1, 0, 0 };
   GifFileType *gif = movie->gif;
@@ -91,12 +92,12 @@ put_header (QnMovie *movie, const QnMetadata *metadata)
   return done && (comment->len == 0 || EGifPutComment (gif, comment->str) == GIF_OK);
 }
 
-static QnMovie *
+static void *
 gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
           cairo_surface_t *const *samples, int sample_count, GError **error)
 {
   int code;
-  QnMovie *movie = g_new0 (QnMovie, 1);
+  GifMovie *movie = g_new0 (GifMovie, 1);
   movie->path = g_strdup (path);
   movie->bytes = g_byte_array_new ();
   movie->width = (int) qn_to_integer (page->width, 1, G_MAXINT16);
@@ -110,7 +111,7 @@ gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *m
   movie->gif = EGifOpen (movie->bytes, append_bytes, &code);
   if (movie->previous == NULL || movie->current == NULL || movie->gif == NULL
       || !put_header (movie, metadata)) {
-    movie_free (movie);
+    gif_free (movie);
     set_failed (error);
     return NULL;
   }
@@ -118,7 +119,7 @@ gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *m
 }
 
 static void
-index_frame (QnMovie *movie, cairo_surface_t *frame)
+index_frame (GifMovie *movie, cairo_surface_t *frame)
 {
   int stride = cairo_image_surface_get_stride (frame);
   const unsigned char *data = cairo_image_surface_get_data (frame);
@@ -132,7 +133,7 @@ index_frame (QnMovie *movie, cairo_surface_t *frame)
 
 /* The smallest rectangle outside which nothing changed; one pixel where nothing did. */
 static void
-find_change (const QnMovie *movie, int *left, int *top, int *right, int *bottom)
+find_change (const GifMovie *movie, int *left, int *top, int *right, int *bottom)
 {
   *left = movie->width;
   *top = movie->height;
@@ -157,8 +158,9 @@ find_change (const QnMovie *movie, int *left, int *top, int *right, int *bottom)
 }
 
 static bool
-gif_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
+gif_add (void *state, cairo_surface_t *frame, GError **error)
 {
+  GifMovie *movie = state;
   int left = 0, top = 0, right = movie->width, bottom = movie->height;
   index_frame (movie, frame);
   if (!movie->first)
@@ -187,8 +189,9 @@ gif_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
 }
 
 static bool
-gif_finish (QnMovie *movie, GError **error)
+gif_finish (void *state, GError **error)
 {
+  GifMovie *movie = state;
   int code;
   bool done = EGifCloseFile (movie->gif, &code) == GIF_OK;
   movie->gif = NULL;
@@ -196,7 +199,7 @@ gif_finish (QnMovie *movie, GError **error)
     set_failed (error);
   done =
     done && qn_file_replace (movie->path, movie->bytes->data, movie->bytes->len, error);
-  movie_free (movie);
+  gif_free (movie);
   return done;
 }
 
@@ -204,5 +207,5 @@ const QnMovieFormat qn_movie_gif = {
   .open = gif_open,
   .add = gif_add,
   .finish = gif_finish,
-  .abandon = movie_free,
+  .abandon = gif_free,
 };

@@ -18,14 +18,14 @@
 /* Of smaller pictures the encoder makes no stream. */
 #define LEAST_SIDE 16
 
-struct QnMovie {
+typedef struct WebmMovie {
   char *path;
   QnWholeFile file;
   GstElement *pipeline, *source;
   GstMessage *stopped; /* why the pipeline has, the first reason of several */
   int width, height;
   GstClockTime frame_time, time;
-};
+} WebmMovie;
 
 bool
 qn_movie_webm_available (GError **error)
@@ -51,7 +51,7 @@ qn_movie_webm_available (GError **error)
 }
 
 static void
-movie_free (QnMovie *movie)
+webm_free (WebmMovie *movie)
 {
   if (movie->pipeline != NULL) {
     gst_element_set_state (movie->pipeline, GST_STATE_NULL);
@@ -64,17 +64,18 @@ movie_free (QnMovie *movie)
 }
 
 static void
-webm_abandon (QnMovie *movie)
+webm_abandon (void *state)
 {
+  WebmMovie *movie = state;
   if (movie->pipeline != NULL)
     gst_element_set_state (movie->pipeline, GST_STATE_NULL);
   qn_whole_file_discard (&movie->file);
-  movie_free (movie);
+  webm_free (movie);
 }
 
 /* Waits for the end of the stream or an error, for so long; an error is kept. */
 static bool
-wait_for_message (QnMovie *movie, GstClockTime longest, GstMessageType type)
+wait_for_message (WebmMovie *movie, GstClockTime longest, GstMessageType type)
 {
   GstBus *bus = gst_element_get_bus (movie->pipeline);
   GstMessage *message =
@@ -90,7 +91,7 @@ wait_for_message (QnMovie *movie, GstClockTime longest, GstMessageType type)
 }
 
 static void
-set_pipeline_error (QnMovie *movie, GError **error)
+set_pipeline_error (WebmMovie *movie, GError **error)
 {
   g_autoptr (GError) cause = NULL;
   if (movie->stopped != NULL)
@@ -100,7 +101,7 @@ set_pipeline_error (QnMovie *movie, GError **error)
                cause != NULL ? cause->message : _ ("the encoder stopped"));
 }
 
-static QnMovie *
+static void *
 webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
            cairo_surface_t *const *samples, int sample_count, GError **error)
 {
@@ -112,7 +113,7 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
                  LEAST_SIDE);
     return NULL;
   }
-  QnMovie *movie = g_new0 (QnMovie, 1);
+  WebmMovie *movie = g_new0 (WebmMovie, 1);
   movie->path = g_strdup (path);
   movie->width = (int) qn_to_integer (page->width, 1, G_MAXINT16);
   movie->height = (int) qn_to_integer (page->height, 1, G_MAXINT16);
@@ -121,7 +122,7 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
   int trouble = qn_whole_file_open (&movie->file, path);
   if (trouble != 0) {
     qn_render_error_set_unwritten (error, movie->path, trouble);
-    movie_free (movie);
+    webm_free (movie);
     return NULL;
   }
   g_autoptr (GError) cause = NULL;
@@ -158,7 +159,7 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
 /* Waits until the encoder has taken most of what it was given; false where it has stopped, of
  * which a source that blocks by itself would never hear. */
 static bool
-wait_for_encoder (QnMovie *movie)
+wait_for_encoder (WebmMovie *movie)
 {
   guint64 most = (guint64) WAITING_FRAMES * movie->width * movie->height * 4;
   while (gst_app_src_get_current_level_bytes (GST_APP_SRC (movie->source)) >= most)
@@ -168,8 +169,9 @@ wait_for_encoder (QnMovie *movie)
 }
 
 static bool
-webm_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
+webm_add (void *state, cairo_surface_t *frame, GError **error)
 {
+  WebmMovie *movie = state;
   if (!wait_for_encoder (movie)) {
     set_pipeline_error (movie, error);
     return false;
@@ -191,8 +193,9 @@ webm_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
 }
 
 static bool
-webm_finish (QnMovie *movie, GError **error)
+webm_finish (void *state, GError **error)
 {
+  WebmMovie *movie = state;
   gst_app_src_end_of_stream (GST_APP_SRC (movie->source));
   bool done = wait_for_message (movie, GST_CLOCK_TIME_NONE, GST_MESSAGE_EOS);
   if (!done)
@@ -205,7 +208,7 @@ webm_finish (QnMovie *movie, GError **error)
   int trouble = qn_whole_file_commit (&movie->file);
   if (trouble != 0)
     qn_render_error_set_unwritten (error, movie->path, trouble);
-  movie_free (movie);
+  webm_free (movie);
   return trouble == 0;
 }
 
@@ -219,7 +222,7 @@ qn_movie_webm_available (GError **error)
   return false;
 }
 
-static QnMovie *
+static void *
 webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
            cairo_surface_t *const *samples, int sample_count, GError **error)
 {
@@ -235,24 +238,24 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
 
 /* Never reached: open() does not succeed. */
 static bool
-webm_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
+webm_add (void *state, cairo_surface_t *frame, GError **error)
 {
-  (void) movie;
+  (void) state;
   (void) frame;
   return qn_movie_webm_available (error);
 }
 
 static bool
-webm_finish (QnMovie *movie, GError **error)
+webm_finish (void *state, GError **error)
 {
-  (void) movie;
+  (void) state;
   return qn_movie_webm_available (error);
 }
 
 static void
-webm_abandon (QnMovie *movie)
+webm_abandon (void *state)
 {
-  (void) movie;
+  (void) state;
 }
 
 #endif

@@ -5,16 +5,15 @@
 
 #include "render/backend/output.h"
 
-typedef struct QnMovie QnMovie;
-
 typedef struct QnMovieFormat {
-  /* `samples` are a few frames typical of the whole, for choosing colours. */
-  QnMovie *(*open) (const char *path, const QnPage *page, double rate,
-                    const QnMetadata *metadata, cairo_surface_t *const *samples,
-                    int sample_count, GError **error);
-  bool (*add) (QnMovie *movie, cairo_surface_t *frame, GError **error);
-  bool (*finish) (QnMovie *movie, GError **error); /* writes; closes in any case */
-  void (*abandon) (QnMovie *movie);
+  /* Returns the state that the others take, or NULL. `samples` are a few frames typical of the
+   * whole, for choosing colours. */
+  void *(*open) (const char *path, const QnPage *page, double rate,
+                 const QnMetadata *metadata, cairo_surface_t *const *samples,
+                 int sample_count, GError **error);
+  bool (*add) (void *state, cairo_surface_t *frame, GError **error);
+  bool (*finish) (void *state, GError **error); /* writes; closes in any case */
+  void (*abandon) (void *state);
 } QnMovieFormat;
 
 extern const QnMovieFormat qn_movie_gif;

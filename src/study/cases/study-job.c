@@ -24,7 +24,7 @@ note_progress (const QnStudyProgress *progress, gpointer data)
 }
 
 static gpointer
-compute (gpointer data)
+compute_in_thread (gpointer data)
 {
   QnStudyJob *job = data;
   QnStudyProgress progress = { 0 };
@@ -59,7 +59,7 @@ qn_study_job_start (const char *study_path, const char *folder, const char *prog
   job->program = g_strdup (program);
   job->jobs = jobs;
   g_mutex_init (&job->lock);
-  job->thread = g_thread_new ("study", compute, job);
+  job->thread = g_thread_new ("study", compute_in_thread, job);
   return job;
 }
 

@@ -241,7 +241,7 @@ test_selection_ends_gesture (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   QnSelection *selection = qn_document_get_selection (document);
-  QnHistory *history = qn_document_get_history (document);
+  QnEditHistory *history = qn_document_get_history (document);
   const QnId first = 0;
   qn_selection_set (selection, QN_PART_BLOCK, &first, 1);
   change (document, 0.5, "nudge");

@@ -6,10 +6,10 @@
 #include <glib/gstdio.h>
 #include <string.h>
 
-static QnHistory *
+static QnEditHistory *
 make_history (void)
 {
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   qn_history_record (history, "One", NULL, "a\nb\nc\n", "a\nB \"x\"\nc\n");
   qn_history_record (history, "Two", NULL, "a\nB \"x\"\nc\n", "a\nc\n");
   qn_history_record (history, "Three", NULL, "a\nc\n", "a\nc\nd\n");
@@ -20,10 +20,10 @@ static void
 test_round_trip (void)
 {
   g_autofree char *text = g_strdup ("a\nc\nd\n");
-  QnHistory *history = make_history ();
+  QnEditHistory *history = make_history ();
   g_autofree char *back = qn_history_undo (history, text);
   g_autofree char *json = qn_history_to_json (history, back);
-  QnHistory *read = qn_history_from_json (json, back);
+  QnEditHistory *read = qn_history_from_json (json, back);
   g_assert_nonnull (read);
   g_assert_cmpuint (qn_history_get_count (read), ==, 3);
   g_assert_cmpuint (qn_history_get_position (read), ==, 2);
@@ -43,7 +43,7 @@ test_round_trip (void)
 static void
 test_refused (void)
 {
-  QnHistory *history = make_history ();
+  QnEditHistory *history = make_history ();
   g_autofree char *json = qn_history_to_json (history, "a\nc\nd\n");
   qn_history_free (history);
   g_assert_null (qn_history_from_json (json, "a\nc\ne\n"));

@@ -3,7 +3,7 @@
 
 /* Takes a step and moves on to the new text. */
 static void
-record (QnHistory *history, const char *name, const char *key, char **text,
+record (QnEditHistory *history, const char *name, const char *key, char **text,
         const char *next)
 {
   qn_history_record (history, name, key, *text, next);
@@ -12,7 +12,7 @@ record (QnHistory *history, const char *name, const char *key, char **text,
 }
 
 static void
-walk (QnHistory *history, gboolean back, char **text)
+walk (QnEditHistory *history, gboolean back, char **text)
 {
   char *next = back ? qn_history_undo (history, *text) : qn_history_redo (history, *text);
   g_assert_nonnull (next);
@@ -35,7 +35,7 @@ test_texts_come_back (void)
                                         "ü\nÜ\nß\n",
                                         "\n\n\n",
                                         "\n\n" };
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup (states[0]);
   for (gsize i = 1; i < G_N_ELEMENTS (states); i++)
     record (history, "step", NULL, &text, states[i]);
@@ -83,7 +83,7 @@ static void
 test_random_edits (void)
 {
   g_autoptr (GRand) rand = g_rand_new_with_seed (42);
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup ("one\ntwo\nthree\nfour\nfive\nsix\nseven\neight\n");
   g_autoptr (GPtrArray) states = g_ptr_array_new_with_free_func (g_free);
   g_ptr_array_add (states, g_strdup (text));
@@ -106,7 +106,7 @@ test_random_edits (void)
 static void
 test_new_step_forgets_undone_ones (void)
 {
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup ("0\n");
   record (history, "first", NULL, &text, "1\n");
   record (history, "second", NULL, &text, "2\n");
@@ -121,7 +121,7 @@ test_new_step_forgets_undone_ones (void)
 static void
 test_gesture_is_one_step (void)
 {
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup ("0\n");
   record (history, "Nudge", "nudge", &text, "1\n");
   record (history, "Nudge", "nudge", &text, "2\n");
@@ -139,7 +139,7 @@ test_gesture_is_one_step (void)
 static void
 test_clean_state (void)
 {
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup ("0\n");
   g_assert_true (qn_history_is_clean (history));
   record (history, "a", "key", &text, "1\n");
@@ -168,7 +168,7 @@ test_size (void)
   g_autoptr (GString) long_text = g_string_new (NULL);
   for (int i = 0; i < 10000; i++)
     g_string_append_printf (long_text, "block %d\n", i);
-  QnHistory *history = qn_history_new ();
+  QnEditHistory *history = qn_history_new ();
   g_autofree char *text = g_strdup (long_text->str);
   for (int i = 0; i < 100; i++) {
     /* Two far places at once. */
