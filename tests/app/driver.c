@@ -472,7 +472,8 @@ gboolean
 driver_is_check (GtkWidget *widget, gconstpointer label)
 {
   return GTK_IS_CHECK_BUTTON (widget)
-         && g_strcmp0 (gtk_check_button_get_label (GTK_CHECK_BUTTON (widget)), label) == 0;
+         && g_strcmp0 (gtk_check_button_get_label (GTK_CHECK_BUTTON (widget)), label)
+              == 0;
 }
 
 gboolean

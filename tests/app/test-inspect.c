@@ -129,6 +129,53 @@ test_small_joints (void)
   driver_discard (window);
 }
 
+static gboolean
+has_card (QnWindow *window)
+{
+  QnBox card = qn_canvas_get_card (qn_window_get_canvas (window));
+  return card.max.x > card.min.x;
+}
+
+/* What the pointer rests on is told once it has moved there, not because a result has come; and beside the
+ * buttons that lie over the drawing. */
+static void
+test_card (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnVec2 at = model_of (window)->blocks[model_of (window)->block_count / 2].centroid;
+  driver_point (window, at.x, at.y);
+  driver_key ("F5");
+  driver_wait_for_job (window);
+  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
+                   QN_VIEW_MECHANISM);
+  g_assert_false (has_card (window));
+  driver_point (window, at.x + 0.02, at.y);
+  g_assert_true (has_card (window));
+  driver_activate (window, "win.view::forces");
+  g_assert_false (has_card (window));
+
+  /* Over the lower right corner, where the buttons are. */
+  GtkWidget *buttons = driver_find_id (GTK_WIDGET (window), "view_box");
+  graphene_rect_t covered;
+  g_assert_true (gtk_widget_compute_bounds (buttons, GTK_WIDGET (canvas), &covered));
+  QnVec2 screen = qn_canvas_to_screen (canvas, at);
+  /* The drawing is moved until a block is there. */
+  QnVec2 wanted = qn_vec2 (covered.origin.x - 60, covered.origin.y - 30);
+  const char *const down[] = { "mousedown", "2", NULL }, *const up[] = { "mouseup", "2",
+                                                                         NULL };
+  driver_point_at (GTK_WIDGET (canvas), screen.x, screen.y);
+  driver_xdotool (down);
+  driver_point_at (GTK_WIDGET (canvas), wanted.x, wanted.y);
+  driver_xdotool (up);
+  driver_point_at (GTK_WIDGET (canvas), wanted.x + 2, wanted.y + 2);
+  g_assert_true (has_card (window));
+  QnBox card = qn_canvas_get_card (canvas);
+  driver_screenshot (GTK_WIDGET (window), "inspect-card");
+  g_assert_true (card.max.x <= covered.origin.x || card.max.y <= covered.origin.y);
+  driver_discard (window);
+}
+
 /* In the view of the model a drag that begins at a joint moves the block that lies there. */
 static void
 test_drag_beside_joint (void)
@@ -320,6 +367,7 @@ QN_TESTS
   gtk_init ();
   g_test_add_func ("/app/inspect/click-joint", test_click_joint);
   g_test_add_func ("/app/inspect/small-joints", test_small_joints);
+  g_test_add_func ("/app/inspect/card", test_card);
   g_test_add_func ("/app/inspect/drag-beside-joint", test_drag_beside_joint);
   g_test_add_func ("/app/inspect/table-row", test_table_row);
   g_test_add_func ("/app/inspect/stale-result", test_stale_result);

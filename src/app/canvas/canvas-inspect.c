@@ -143,7 +143,9 @@ on_rest (gpointer data)
 void
 qn_canvas_pointer_moved (QnCanvas *self)
 {
-  self->has_rested = qn_view_state_get_view (self->state) != QN_VIEW_MODEL;
+  self->rested_view = qn_view_state_get_view (self->state);
+  self->rested_run = qn_document_get_run (qn_canvas_get_document (self));
+  self->has_rested = self->rested_view != QN_VIEW_MODEL;
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   if (!self->has_rested)
     self->inspect_timeout = g_timeout_add (REST_MS, on_rest, self);
@@ -160,16 +162,47 @@ is_selected (QnCanvas *self, QnInspected what)
            : FALSE;
 }
 
+/* Whether buttons and labels that lie over the drawing would hide part of it. */
+static gboolean
+is_covered (QnCanvas *self, QnBox box)
+{
+  GtkWidget *canvas = GTK_WIDGET (self);
+  graphene_rect_t room =
+    GRAPHENE_RECT_INIT ((float) box.min.x, (float) box.min.y,
+                        (float) (box.max.x - box.min.x), (float) (box.max.y - box.min.y));
+  for (GtkWidget *other = gtk_widget_get_first_child (gtk_widget_get_parent (canvas));
+       other != NULL; other = gtk_widget_get_next_sibling (other)) {
+    graphene_rect_t bounds;
+    if (other != canvas && gtk_widget_get_mapped (other)
+        && gtk_widget_compute_bounds (other, canvas, &bounds)
+        && graphene_rect_intersection (&bounds, &room, NULL))
+      return TRUE;
+  }
+  return FALSE;
+}
+
 /* Beside the pointer, where there is room. */
-static QnVec2
+static QnBox
 card_place (QnCanvas *self, double width, double height)
 {
-  QnVec2 at = qn_vec2 (self->pointer.x + CARD_ASIDE, self->pointer.y + CARD_ASIDE);
-  if (at.x + width > self->camera.width)
-    at.x = self->pointer.x - CARD_ASIDE - width;
-  if (at.y + height > self->camera.height)
-    at.y = self->pointer.y - CARD_ASIDE - height;
-  return qn_vec2 (MAX (at.x, 0.0), MAX (at.y, 0.0));
+  double right = self->pointer.x + CARD_ASIDE, below = self->pointer.y + CARD_ASIDE;
+  double left = self->pointer.x - CARD_ASIDE - width;
+  double above = self->pointer.y - CARD_ASIDE - height;
+  const QnVec2 places[] = {
+    { right, below }, { left, below }, { right, above }, { left, above }
+  };
+  QnBox first = { 0 };
+  for (gsize i = 0; i < G_N_ELEMENTS (places); i++) {
+    QnVec2 at =
+      qn_vec2 (CLAMP (places[i].x, 0.0, fmax (self->camera.width - width, 0.0)),
+               CLAMP (places[i].y, 0.0, fmax (self->camera.height - height, 0.0)));
+    QnBox box = { at, qn_vec2_add (at, qn_vec2 (width, height)) };
+    if (i == 0)
+      first = box;
+    if (at.x == places[i].x && at.y == places[i].y && !is_covered (self, box))
+      return box;
+  }
+  return first;
 }
 
 /* Where the values begin, px: beside the longest name. */
@@ -236,11 +269,19 @@ trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnInspecte
   cairo_close_path (cr);
 }
 
+QnBox
+qn_canvas_get_card (QnCanvas *self)
+{
+  return self->card;
+}
+
 void
 qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
 {
+  self->card = QN_BOX_EMPTY;
   if (!self->pointer_inside || self->in_gesture || self->tool != self->resting
-      || !self->has_rested)
+      || !self->has_rested || self->rested_view != qn_view_state_get_view (self->state)
+      || self->rested_run != qn_document_get_run (qn_canvas_get_document (self)))
     return;
   QnInspected what = find_under_pointer (self);
   QnStepView view;
@@ -259,7 +300,8 @@ qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
     g_autoptr (PangoLayout) layout = make_card (self, title, values);
     int width, height;
     pango_layout_get_pixel_size (layout, &width, &height);
-    QnVec2 at = card_place (self, width + 2.0 * CARD_PAD, height + 2.0 * CARD_PAD);
+    self->card = card_place (self, width + 2.0 * CARD_PAD, height + 2.0 * CARD_PAD);
+    QnVec2 at = self->card.min;
     cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.95);
     cairo_rectangle (cr, floor (at.x) + 0.5, floor (at.y) + 0.5, width + 2.0 * CARD_PAD,
                      height + 2.0 * CARD_PAD);

@@ -40,11 +40,14 @@ struct _QnCanvas {
   QnVec2 pan_from, zoom_center;
   QnCamera gesture_camera;
 
-  gboolean has_rested; /* the pointer, long enough to be told what is there */
+  gboolean has_rested;     /* the pointer, long enough to be told what is there … */
+  QnView rested_view;      /* … in this view, … */
+  const QnRun *rested_run; /* … of this run, which may be gone */
   guint inspect_timeout;
   gboolean has_place;
   QnVec2 place; /* ringed, m */
   guint place_timeout;
+  QnBox card;        /* beside the pointer, px; empty: none */
   QnGaps gaps;       /* marked */
   GtkWidget *corner; /* weak */
 };

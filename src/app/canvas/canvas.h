@@ -126,4 +126,7 @@ void qn_canvas_draw_label (QnCanvas *canvas, cairo_t *cr, const char *text,
 /* Traces a polygon of the model as a path. */
 void qn_canvas_trace (QnCanvas *canvas, cairo_t *cr, const QnVec2 *points, gsize count);
 
+/* What the card beside the pointer covers, px, as it was drawn last; empty where there is none. */
+QnBox qn_canvas_get_card (QnCanvas *canvas);
+
 #endif
