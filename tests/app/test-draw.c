@@ -2,6 +2,7 @@
 #include "driver.h"
 
 #include "app/tools/tools.h"
+#include "app/widgets/row.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/text/law-preset.h"
@@ -569,6 +570,50 @@ test_findings (void)
   driver_discard (window);
 }
 
+static gboolean
+is_brick (GtkWidget *widget, gconstpointer name)
+{
+  g_autofree char *own = QN_IS_ROW (widget) && gtk_widget_get_mapped (widget)
+                           ? qn_row_dup_name (QN_ROW (widget))
+                           : NULL;
+  return own != NULL && g_str_has_prefix (own, name);
+}
+
+/* A wall that is selected stays selected as a whole when its bricks become others. */
+static void
+test_other_bricks (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  driver_activate (window, "win.draw");
+  driver_drag (window, 0.5, 0.5, 2.5, 2.25);
+  driver_key ("v");
+  QnVec2 at = model_of (window)->blocks[model_of (window)->block_count / 2].centroid;
+  g_object_set (gtk_settings_get_default (), "gtk-double-click-time", 10000, NULL);
+  for (int i = 0; i < 3; i++)
+    driver_click (window, at.x, at.y);
+  g_object_set (gtk_settings_get_default (), "gtk-double-click-time", 1, NULL);
+  guint selected = 0;
+  qn_selection_get (selection_of (window), QN_PART_BLOCK, &selected);
+  g_assert_cmpuint (selected, ==, model_of (window)->block_count);
+  gsize before = model_of (window)->block_count;
+
+  driver_activate (window, "win.show-panel::properties");
+  GtkWidget *row = driver_find_widget (GTK_WIDGET (window), is_brick, "Block length");
+  g_assert_nonnull (row);
+  gtk_widget_grab_focus (qn_row_get_field (QN_ROW (row)));
+  driver_key ("ctrl+a");
+  driver_type ("25 cm");
+  driver_key ("Return");
+  g_assert_cmpuint (model_of (window)->block_count, >, before);
+  qn_selection_get (selection_of (window), QN_PART_BLOCK, &selected);
+  g_assert_cmpuint (selected, ==, model_of (window)->block_count);
+  driver_screenshot (GTK_WIDGET (window), "other-bricks");
+  driver_activate (window, "win.undo");
+  qn_selection_get (selection_of (window), QN_PART_BLOCK, &selected);
+  g_assert_cmpuint (selected, ==, before);
+  driver_discard (window);
+}
+
 QN_TESTS
 {
   gtk_init ();
@@ -585,4 +630,5 @@ QN_TESTS
   g_test_add_func ("/app/draw/keyboard", test_keyboard);
   g_test_add_func ("/app/draw/joints", test_joints);
   g_test_add_func ("/app/draw/findings", test_findings);
+  g_test_add_func ("/app/draw/other-bricks", test_other_bricks);
 }

@@ -120,6 +120,35 @@ test_blocks_first (void)
   driver_discard (window);
 }
 
+/* A force is drawn with its size and angle beside the arrow; a unit that is none of forces is refused with the
+ * reason, and the force that is typed in another one comes. */
+static void
+test_typed_force (void)
+{
+  QnWindow *window = open_panel ("05-stack.quoin");
+  gsize before = model_of (window)->live_load_count;
+  QnVec2 from = model_of (window)->blocks[3].centroid;
+  driver_key ("f");
+  driver_point (window, from.x, from.y);
+  driver_press_button ("1");
+  driver_point (window, from.x + 0.3, from.y);
+  driver_screenshot (GTK_WIDGET (window), "force-angle");
+  driver_type ("2 kg");
+  driver_key ("Return");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, before);
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), driver_says, "“kg” is not a unit"));
+  for (int i = 0; i < 2; i++)
+    driver_key ("BackSpace");
+  driver_type ("kN");
+  driver_key ("Return");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, before + 1);
+  const QnLoad *load = &model_of (window)->live_loads[before];
+  g_assert_cmpfloat_with_epsilon (load->vector.x, 2000.0, 1e-9);
+  g_assert_cmpfloat_with_epsilon (load->vector.y, 0.0, 1e-9);
+  driver_discard (window);
+}
+
 /* Edges are chosen in the drawing: by a click, along several, by keys; for a load that is there. */
 static void
 test_draw_edge_load (void)
@@ -258,6 +287,7 @@ QN_TESTS
   g_test_add_func ("/app/loads/draw-tie", test_draw_tie);
   g_test_add_func ("/app/loads/both-ways", test_both_ways);
   g_test_add_func ("/app/loads/blocks-first", test_blocks_first);
+  g_test_add_func ("/app/loads/typed-force", test_typed_force);
   g_test_add_func ("/app/loads/draw-edge-load", test_draw_edge_load);
   g_test_add_func ("/app/loads/draw-bar", test_draw_bar);
 }

@@ -3,6 +3,7 @@
 
 #include "app/widgets/settings.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 static void
 refuse_typed (QnCanvas *self)
@@ -43,12 +44,14 @@ finish_typed (QnCanvas *self)
     refuse_typed (self);
 }
 
+/* A number begins without a letter; behind it every sign belongs to it, so that a unit which does not fit is
+ * refused and not passed over. */
 static gboolean
-is_number_character (gunichar c)
+belongs_to_number (QnCanvas *self, gunichar c)
 {
-  return (c < 128 && g_ascii_isdigit ((char) c)) || c == '.' || c == ',' || c == ';'
-         || c == '-' || c == ' ' || c == 'x' || c == 'm' || c == 'c' || c == '+'
-         || c == '*' || c == '/' || c == '(' || c == ')';
+  return self->typed->len > 0
+           ? g_unichar_isprint (c)
+           : c > 0 && c < 128 && strchr ("0123456789.,-+( ", (int) c) != NULL;
 }
 
 /* Numbers are typed for a gesture, with the button held or up, and for what is selected; the first
@@ -151,8 +154,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
     finish_typed (self);
   else if (keyval == GDK_KEY_BackSpace && self->typed->len > 0)
     g_string_truncate (self->typed, self->typed->len - 1);
-  else if (is_number_character (gdk_keyval_to_unicode (keyval))
-           && (self->typed->len > 0 || gdk_keyval_to_unicode (keyval) < 0x3a))
+  else if (belongs_to_number (self, gdk_keyval_to_unicode (keyval)))
     g_string_append_unichar (self->typed, gdk_keyval_to_unicode (keyval));
   else
     return FALSE;

@@ -2,9 +2,13 @@
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
+#include "app/widgets/settings.h"
 #include "doc/edit/edit.h"
 #include <glib/gi18n.h>
 #include <math.h>
+
+/* px, of size and angle from the head of the arrow. */
+#define LABEL_ASIDE 10.0
 
 typedef struct Force {
   QnId node; /* or QN_NONE, */
@@ -87,6 +91,14 @@ draw (QnCanvas *canvas, cairo_t *cr)
   cairo_line_to (cr, b.x - 12.0 * cos (angle + 0.4), b.y - 12.0 * sin (angle + 0.4));
   cairo_close_path (cr);
   cairo_fill (cr);
+  QnUnits units = qn_settings_get_units ();
+  g_autofree char *size = qn_units_format_full (
+    units, QN_QUANTITY_FORCE, qn_canvas_get_tool_settings (canvas)->force, 4);
+  QnVec2 way = qn_vec2_sub (gesture->to, gesture->from);
+  g_autofree char *turned =
+    qn_units_format_full (units, QN_QUANTITY_ANGLE, atan2 (way.y, way.x), 4);
+  g_autofree char *text = g_strdup_printf ("%s; %s", size, turned);
+  qn_canvas_draw_label (canvas, cr, text, qn_vec2 (b.x + LABEL_ASIDE, b.y + LABEL_ASIDE));
 }
 
 const QnTool qn_tool_force = {

@@ -35,7 +35,8 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   gesture->band = TRUE; /* the button is down */
 }
 
-/* The picture follows the pointer from where it was last. */
+/* The picture follows the pointer from where it was last, so that what was gripped comes to where the magnet
+ * has the pointer. */
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
@@ -51,8 +52,8 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
   }
   QnViewState *state = qn_canvas_get_state (canvas);
   QnUnderlay moved = *qn_view_state_get_underlay (state);
-  moved.origin = qn_vec2_add (moved.origin, qn_vec2_sub (event->model, gesture->to));
-  gesture->to = event->model;
+  moved.origin = qn_vec2_add (moved.origin, qn_vec2_sub (event->point, gesture->to));
+  gesture->to = event->point;
   qn_view_state_show_underlay_at (state, &moved);
 }
 

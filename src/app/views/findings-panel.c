@@ -53,7 +53,20 @@ static void
 on_repair_all (Panel *panel)
 {
   guint count = 0;
-  qn_canvas_edit (panel->canvas, _ ("Repair Contacts"), NULL, edit_repair_all, &count);
+  if (!qn_canvas_edit (panel->canvas, _ ("Repair Contacts"), NULL, edit_repair_all,
+                       &count))
+    return;
+  gsize left =
+    qn_document_get_contacts (qn_canvas_get_document (panel->canvas))->findings.count;
+  g_autofree char *repaired = g_strdup_printf (
+    ngettext ("%u finding repaired.", "%u findings repaired.", count), count);
+  g_autofree char *rest = g_strdup_printf (
+    ngettext ("%zu is left: choose what is to be done with it.",
+              "%zu are left: choose what is to be done with them.", left),
+    left);
+  g_autofree char *message = g_strdup_printf ("%s %s", repaired, rest);
+  if (left > 0)
+    qn_canvas_tell (panel->canvas, message);
 }
 
 static void

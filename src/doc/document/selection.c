@@ -380,6 +380,57 @@ follow_block (const QnModel *before, QnId old, const QnModel *after)
   return renamed ? old : QN_NONE;
 }
 
+/* The object that a block was made of, by its parameters: its bit is in `whole` where all of its blocks are
+ * selected. Bricks that change are other blocks of the same object. */
+static gboolean
+is_of_whole (const guint8 *whole, const QnModel *model, QnId block)
+{
+  QnId object = model->blocks[block].masonry;
+  return object != QN_NONE && whole[object];
+}
+
+/* Whether an object is the same as before: its blocks are called after it. */
+static gboolean
+is_same_object (const QnBlock *a, const QnBlock *b)
+{
+  gsize length = strcspn (a->name, ".");
+  return a->masonry == b->masonry && length == strcspn (b->name, ".")
+         && strncmp (a->name, b->name, length) == 0;
+}
+
+/* One byte for each object; the caller frees them. */
+static guint8 *
+find_whole (QnSelection *self, const QnModel *before, const QnModel *after)
+{
+  QnId most = QN_NONE;
+  for (gsize i = 0; i < before->block_count; i++)
+    most = MAX (most, before->blocks[i].masonry);
+  for (gsize i = 0; i < after->block_count; i++)
+    most = MAX (most, after->blocks[i].masonry);
+  guint8 *whole = g_malloc0 ((gsize) (most + 2));
+  g_autofree const QnBlock **firsts = g_new0 (const QnBlock *, (gsize) (most + 2));
+  for (guint i = 0; i < self->parts[QN_PART_BLOCK]->len; i++) {
+    QnId block = g_array_index (self->parts[QN_PART_BLOCK], QnId, i);
+    if ((gsize) block < before->block_count && before->blocks[block].masonry != QN_NONE)
+      whole[before->blocks[block].masonry] = TRUE;
+  }
+  for (QnId i = 0; i < (QnId) before->block_count; i++) {
+    const QnBlock *block = &before->blocks[i];
+    if (block->masonry == QN_NONE)
+      continue;
+    firsts[block->masonry] = block;
+    if (!qn_selection_has (self, QN_PART_BLOCK, i))
+      whole[block->masonry] = FALSE;
+  }
+  for (gsize i = 0; i < after->block_count; i++) {
+    const QnBlock *block = &after->blocks[i];
+    if (block->masonry != QN_NONE && whole[block->masonry]
+        && !is_same_object (firsts[block->masonry], block))
+      whole[block->masonry] = FALSE;
+  }
+  return whole;
+}
+
 static gsize
 count_items (const QnModel *model, QnItemKind kind)
 {
@@ -452,10 +503,15 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
   GArray *const parts[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
   const gsize counts[QN_PART_COUNT] = { before->block_count, before->beam_count,
                                         contacts_before->face_count };
+  g_autofree guint8 *whole = find_whole (self, before, after);
+  for (QnId i = 0; i < (QnId) after->block_count; i++)
+    if (is_of_whole (whole, after, i))
+      g_array_append_val (parts[QN_PART_BLOCK], i);
   for (int kind = 0; kind < QN_PART_COUNT; kind++)
     for (guint i = 0; i < self->parts[kind]->len; i++) {
       const QnId old = g_array_index (self->parts[kind], QnId, i);
-      if ((gsize) old >= counts[kind])
+      if ((gsize) old >= counts[kind]
+          || (kind == QN_PART_BLOCK && is_of_whole (whole, before, old)))
         continue;
       const QnId id =
         kind == QN_PART_BLOCK ? follow_block (before, old, after)
