@@ -93,11 +93,34 @@ test_tables (void)
   g_autofree char *settling = example ("18-spreading-arch.quoin");
   CliRun run = cli_run ("solve", staged, "-q", "--csv", "-", NULL);
   cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, ",event,stage\n"));
-  g_assert_nonnull (strstr (run.out, ",release\n"));
+  g_assert_nonnull (strstr (run.out, ",event,stage,cycle,work [J]\n"));
+  g_assert_nonnull (strstr (run.out, ",release,,"));
   cli_run_clear (&run);
   cli_says ("right abutment ux [m],right abutment Rx [N]\n", "solve", settling, "-q",
             "--csv", "-", NULL);
+}
+
+/* A cyclic protocol: the energy of each cycle in words, in the result, and as the work of the table. */
+static void
+test_cycles (void)
+{
+  g_autofree char *block = example ("01-sliding-block.quoin");
+  const char *set =
+    "analysis.stages=[{\"name\":\"shear\",\"loads\":\"live\",\"procedure\":"
+    "\"displacement\","
+    "\"increments\":10,\"control\":{\"block\":\"block\",\"component\":\"ux\"},"
+    "\"amplitudes\":[0.001],\"cycles\":2}]";
+  CliRun run = cli_run ("solve", block, "--set", set, "--csv", "-", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, ",shear 1+,1,"));
+  g_assert_nonnull (strstr (run.out, ",shear 2 0,2,"));
+  cli_run_clear (&run);
+  cli_says ("cycle 2: load multiplier from", "solve", block, "--set", set, NULL);
+  run = cli_run ("solve", block, "-q", "--set", set, "-o", "-", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (
+    strstr (run.out, "\"stage\": 3, \"cycle\": 2, \"lowest_multiplier\""));
+  cli_run_clear (&run);
 }
 
 static void
@@ -243,6 +266,7 @@ QN_TESTS
   g_test_add_func ("/cli/stages/refused", test_refused);
   g_test_add_func ("/cli/stages/wrong-sign", test_wrong_sign);
   g_test_add_func ("/cli/stages/tables", test_tables);
+  g_test_add_func ("/cli/stages/cycles", test_cycles);
   g_test_add_func ("/cli/stages/reasons", test_reasons);
   g_test_add_func ("/cli/stages/stability", test_stability);
   g_test_add_func ("/cli/stages/stability-linear", test_stability_linear);

@@ -13,8 +13,9 @@
 
 typedef struct Card {
   QnDocument *document;
-  GtkWidget *box, *stale, *bar, *events, *found, *others;
-  GtkLabel *number, *outcome, *verdict, *mechanism, *explanation, *happened, *values;
+  GtkWidget *box, *stale, *bar, *stages, *events, *found, *others;
+  GtkLabel *number, *outcome, *verdict, *mechanism, *explanation, *led, *happened,
+    *values;
 } Card;
 
 static GtkLabel *
@@ -134,6 +135,9 @@ update (Card *card)
   set_text (card->explanation, given ? explanation : whole);
   update_values (card, run, bounds);
   update_events (card, run);
+  g_autofree char *stages = qn_outcome_dup_stages (&run->model, &run->result);
+  set_text (card->led, stages);
+  gtk_widget_set_visible (card->stages, stages != NULL);
   /* Without a live load there is no multiplier that other methods could find. */
   gtk_widget_set_visible (
     card->others, !qn_model_lacks_live_load (qn_document_get_model (card->document)));
@@ -168,6 +172,7 @@ qn_answer_card_new (QnDocument *document)
   gtk_box_append (GTK_BOX (box), card->bar);
   card->verdict = add_text (box, "guarantee");
   card->mechanism = add_text (box, NULL);
+  card->stages = add_expander (box, _ ("Stages and _cycles"), &card->led);
   card->events = add_expander (box, "", &card->happened);
   gtk_expander_set_use_underline (GTK_EXPANDER (card->events), TRUE);
   card->found = add_expander (box, _ ("_How it was found"), &card->explanation);

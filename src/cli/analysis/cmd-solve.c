@@ -61,22 +61,6 @@ print_history (const char *title, const QnProject *project, const QnResult *resu
       100 * history->largest_slip);
 }
 
-/* Where each stage led, and the work of its loads. */
-static void
-print_stages (const QnModel *model, const QnResult *result)
-{
-  for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
-    QnStageFigures stage;
-    if (!qn_result_stage_figures (model, result, i, &stage))
-      continue;
-    g_autofree char *name = qn_stage_dup_name (model, i);
-    qn_print (
-      _ ("stage %d, “%s”: ends at load multiplier %.5g; lowest %.5g, highest %.5g; "
-         "work %.5g J\n"),
-      i, name, stage.multiplier, stage.lowest, stage.highest, stage.work);
-  }
-}
-
 static void
 print_summary (const QnProject *project, const QnResult *result)
 {
@@ -106,7 +90,10 @@ print_summary (const QnProject *project, const QnResult *result)
       && result->first_limit_multiplier < result->collapse_multiplier)
     qn_print (_ ("first limit point at %.5f: the path jumps to another equilibrium\n"),
               result->first_limit_multiplier);
-  print_stages (&project->model, result);
+  g_autofree char *stages = qn_outcome_dup_stages (&project->model, result);
+  g_auto (GStrv) lines = g_strsplit (stages != NULL ? stages : "", "\n", -1);
+  for (char **line = lines; *line != NULL; line++)
+    qn_print ("%s\n", *line);
   g_autofree char *interval = qn_outcome_dup_interval (&project->model, result);
   if (interval != NULL)
     qn_print ("%s\n", interval);

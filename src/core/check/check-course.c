@@ -256,8 +256,8 @@ suits_kind (const QnPathEvent *event)
   return true;
 }
 
-/* Events begin at steps and come in order, collapse last; the first snap is the first limit point, unless the
- * analysis stops where it loses its stability. What lies between is not compared. */
+/* Events begin at steps and come in order, the collapse of a stage last; the first snap of the last stage is the first
+ * limit point, unless the analysis stops where it loses its stability. What lies between is not compared. */
 static void
 check_events (QnCheck *check)
 {
@@ -271,16 +271,18 @@ check_events (QnCheck *check)
   for (size_t i = 0; i < r->event_count; i++) {
     const QnPathEvent *event = &r->events[i];
     bool is_last = event->stage == r->stage;
+    const QnPathEvent *before =
+      i > 0 && event[-1].stage == event->stage ? event - 1 : NULL;
     QnCheckStage stage = qn_check_stage (check, event->stage);
     bool is_true =
       begins_at_step (check, &stage, event) && suits_kind (event) && event->energy >= 0
-      && event->displacement_after >= 0
-      && (is_last || event->kind == QN_EVENT_KIND_BUCKLING)
-      && (i == 0 || event->stage > r->events[i - 1].stage
-          || stage.sense * event->multiplier >= stage.sense * r->events[i - 1].multiplier)
-      && !collapses;
-    collapses = event->kind == QN_EVENT_KIND_COLLAPSE;
-    if (isnan (first) && event->kind == QN_EVENT_KIND_SNAP)
+      && event->displacement_after >= 0 && event->stage <= r->stage
+      && (before != NULL
+            ? stage.sense * event->multiplier >= stage.sense * before->multiplier
+                && before->kind != QN_EVENT_KIND_COLLAPSE
+            : i == 0 || event->stage > event[-1].stage);
+    collapses = is_last && event->kind == QN_EVENT_KIND_COLLAPSE;
+    if (is_last && isnan (first) && event->kind == QN_EVENT_KIND_SNAP)
       first = event->multiplier;
     if (!is_true || (collapses && !r->has_collapse_multiplier))
       qn_check_tell (check, QN_CLAIM_EVENTS, QN_NONE, QN_ENTITY_ANALYSIS, (QnId) i,

@@ -303,8 +303,14 @@ typedef struct QnStage {
   QnId control_node;  /* likewise; at most one of both */
   QnDof control_dof;
   double control_target; /* m or rad, as a total; may be 0 */
+  int32_t
+    leg; /* from 1, of a cyclic protocol: each of its cycles is three stages, there, to the other side, and
+                  back to 0; 0: of none */
   int32_t note;
 } QnStage;
+
+/* Stages of a cycle. */
+#define QN_CYCLE_LEGS 3
 
 typedef struct QnModel {
   char *title;    /* owned, may be NULL */

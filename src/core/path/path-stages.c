@@ -79,7 +79,6 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle)
   path->result->outcome = QN_OUTCOME_NOT_CONVERGED;
   path->result->stop = QN_STOP_UNKNOWN;
   qn_result_clear_collapse (path->result);
-  qn_result_keep_buckling (path->result);
   set_loads (path, stage, at, 1);
   eq->multiplier = eq->committed.multiplier = 0;
   qn_equilibrium_restore (eq);

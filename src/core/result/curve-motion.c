@@ -86,6 +86,13 @@ qn_result_curve_motion (const QnModel *model, const QnResult *result)
     qn_model_controlled_body (model, settings->control_block, settings->control_node);
   QnCurveMotion motion = { QN_NONE, settings->control_dof, body == SIZE_MAX };
 
+  /* With stages what the last one has prescribed that prescribes anything. */
+  for (int32_t i = result->stage;
+       body == SIZE_MAX && i > 0 && (size_t) i <= model->stage_count; i--) {
+    const QnStage *stage = &model->stages[i - 1];
+    body = qn_model_controlled_body (model, stage->control_block, stage->control_node);
+    motion = (QnCurveMotion){ QN_NONE, stage->control_dof, body == SIZE_MAX };
+  }
   if (result->history.width > 0) {
     qn_model_followed (model, &body, &motion.dof);
     motion.since_dead = true;

@@ -171,20 +171,6 @@ qn_result_clear_events (QnResult *result)
   result->has_first_limit_multiplier = false;
 }
 
-void
-qn_result_keep_buckling (QnResult *result)
-{
-  size_t kept = 0;
-
-  for (size_t i = 0; i < result->event_count; i++)
-    if (result->events[i].kind == QN_EVENT_KIND_BUCKLING)
-      result->events[kept++] = result->events[i];
-    else
-      free (result->events[i].blocks);
-  result->event_count = kept;
-  result->has_first_limit_multiplier = false;
-}
-
 bool
 qn_result_set_supports (QnResult *result, const QnModel *model)
 {

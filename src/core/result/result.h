@@ -252,9 +252,7 @@ typedef struct QnResult {
   double
     first_limit_multiplier; /* of the first snap, or where `stability` finds the limit */
 
-  QnPathEvent
-    *events; /* by multiplier, those of the last stage; before them where earlier ones
-                          have lost their stability */
+  QnPathEvent *events; /* stage by stage, as the multiplier meets them */
   size_t event_count, event_capacity;
   bool events_unknown; /* read from a file of an earlier version, which has none */
 
@@ -397,9 +395,6 @@ extern const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT];
 /* Drops all events, and first_limit_multiplier. */
 void qn_result_clear_events (QnResult *result);
 
-/* The same, but for losses of stability, which are told of every stage. */
-void qn_result_keep_buckling (QnResult *result);
-
 /* Section forces by element of the step that was added last. False when memory runs out. */
 bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);
 
@@ -444,7 +439,7 @@ QnPairResult qn_result_pair_at (const QnResult *result, size_t step, size_t pair
 void qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
                              double *factors);
 
-/* What a stage (from 1) came to. */
+/* What stages came to. */
 typedef struct QnStageFigures {
   size_t last;            /* step */
   double multiplier;      /* of its load sets there */
@@ -454,9 +449,18 @@ typedef struct QnStageFigures {
                   the structure has dissipated */
 } QnStageFigures;
 
-/* False where the result has no step of it, or memory runs out. */
-bool qn_result_stage_figures (const QnModel *model, const QnResult *result, int32_t stage,
-                              QnStageFigures *figures);
+/* Of the stages from `first` to `last` (from 1) together, which drive the same loads. False where the result has no
+ * step of them, or memory runs out. */
+bool qn_result_stage_figures (const QnModel *model, const QnResult *result, int32_t first,
+                              int32_t last, QnStageFigures *figures);
+
+/* The work that driven loads have done up to every step, J, as above. sums: step_count. False when memory runs
+ * out. */
+bool qn_result_sum_work (const QnModel *model, const QnResult *result, double *sums);
+
+/* The first stage of the cycle that ends with a stage; 0: none does, or it was not completed. */
+int32_t qn_result_cycle_start (const QnModel *model, const QnResult *result,
+                               int32_t stage);
 
 /* Keeps `velocities` (a row for every block and node), scaled so that the largest of |(ux, uy)|
  * over the rows, or of |rz| x characteristic length where that is larger, is 1. */

@@ -4,6 +4,7 @@
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "io/text/mechanism-text.h"
+#include "io/text/outcome-text.h"
 #include <glib/gi18n-lib.h>
 
 static double
@@ -113,10 +114,16 @@ qn_run_dup_events (const QnRun *run, QnUnits units, guint *told)
   gulong settles = 0;
   for (gsize i = 0; i < result->event_count; i++) {
     const QnPathEvent *event = &result->events[i];
-    if (qn_result_is_felt (result, event))
-      g_ptr_array_add (events, describe_event (event, units));
-    else
+    if (!qn_result_is_felt (result, event)) {
       settles++;
+      continue;
+    }
+    g_autofree char *text = describe_event (event, units);
+    g_autofree char *stage =
+      event->stage > 0 ? qn_stage_dup_name (&run->model, event->stage) : NULL;
+    g_ptr_array_add (events, stage != NULL
+                               ? g_strdup_printf (_ ("Stage “%s”. %s"), stage, text)
+                               : g_steal_pointer (&text));
   }
   *told = events->len;
   if (settles > 0)

@@ -373,9 +373,23 @@ qn_edit_add_stage (QnModel *model, GError **error)
   return TRUE;
 }
 
+/* A protocol of which one stage is changed alone becomes stages like others. */
+static void
+dissolve_cycles (QnModel *model, gsize index)
+{
+  if (model->stages[index].leg == 0)
+    return;
+  while (model->stages[index].leg > 1)
+    index--;
+  do
+    model->stages[index++].leg = 0;
+  while (index < model->stage_count && model->stages[index].leg > 1);
+}
+
 gboolean
 qn_edit_delete_stage (QnModel *model, gsize index, GError **error)
 {
+  dissolve_cycles (model, index);
   free (model->stages[index].name);
   qn_edit_drop (model->stages, &model->stage_count, sizeof *model->stages, index);
   return TRUE;
@@ -387,6 +401,8 @@ qn_edit_move_stage (QnModel *model, gsize index, int by, GError **error)
   if ((by < 0 && index == 0) || (by > 0 && index + 1 >= model->stage_count))
     return qn_edit_refuse_nothing (error, _ ("There is no stage to swap with"));
   gsize other = by < 0 ? index - 1 : index + 1;
+  dissolve_cycles (model, index);
+  dissolve_cycles (model, other);
   QnStage stage = model->stages[index];
   model->stages[index] = model->stages[other];
   model->stages[other] = stage;
@@ -399,14 +415,17 @@ qn_edit_change_stage (QnModel *model, gsize index, const QnStage *settings,
                       GError **error)
 {
   char *name = model->stages[index].name;
+  dissolve_cycles (model, index);
   model->stages[index] = *settings;
   model->stages[index].name = name;
+  model->stages[index].leg = 0;
   return TRUE;
 }
 
 gboolean
 qn_edit_rename_stage (QnModel *model, gsize index, const char *name, GError **error)
 {
+  dissolve_cycles (model, index);
   if (*name != '\0')
     return qn_edit_take_name (&model->stages[index].name, name, error);
   free (model->stages[index].name);

@@ -151,6 +151,43 @@ write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
     write_settlement (pages, run, settlement, cracks, units);
 }
 
+static void
+add_stage (GPtrArray *cells, const char *name, const QnStageFigures *figures,
+           gboolean ends)
+{
+  g_ptr_array_add (cells, g_strdup (name));
+  qn_report_add_number (cells, "%.5g", ends ? figures->multiplier : (double) NAN);
+  qn_report_add_number (cells, "%.5g", figures->lowest);
+  qn_report_add_number (cells, "%.5g", figures->highest);
+  qn_report_add_number (cells, "%.5g", figures->work);
+}
+
+/* Where stages led, and what they took; the same of cycles. */
+static void
+write_stages (QnPages *pages, const QnReportRun *run)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
+    QnStageFigures figures;
+    int32_t start = qn_result_cycle_start (model, result, i);
+    g_autofree char *name = qn_stage_dup_name (model, i);
+    if (cells->len == 0)
+      qn_report_add_words (cells, _ ("Stage"), _ ("Ends at multiplier"), _ ("Lowest"),
+                           _ ("Highest"), _ ("Work (J)"), NULL);
+    if (qn_result_stage_figures (model, result, i, i, &figures))
+      add_stage (cells, name, &figures, TRUE);
+    if (start == 0 || !qn_result_stage_figures (model, result, start, i, &figures))
+      continue;
+    g_autofree char *cycle =
+      g_strdup_printf (_ ("Cycle %d"), model->stages[i - 1].leg / QN_CYCLE_LEGS);
+    add_stage (cells, cycle, &figures, FALSE);
+  }
+  if (cells->len > 0)
+    qn_report_table (pages, cells, 5);
+}
+
 /* The largest force of every tie, and what it uses of its strength. */
 static void
 write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
@@ -260,6 +297,7 @@ qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
   g_autofree char *interval = qn_outcome_dup_interval (model, result);
   if (interval != NULL)
     qn_pages_paragraph (pages, interval);
+  write_stages (pages, run);
   write_cracks (pages, run, units);
   write_tie_forces (pages, run, units);
   g_autofree char *words = qn_explain_mechanism (model, run->contacts, result);

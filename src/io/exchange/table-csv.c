@@ -4,9 +4,12 @@
 #include "core/result/first-limit.h"
 #include "io/result/result-contact.h"
 #include "io/text/file-writer.h"
+#include "io/text/io-error.h"
 #include "io/text/outcome-text.h"
 #include "io/text/plain-character.h"
 
+#include <errno.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 /* Heads of columns, behind the name of a body. */
@@ -119,6 +122,18 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
   return qn_file_writer_commit (writer, error);
 }
 
+/* The number of the cycle that a stage belongs to; empty where that is none. */
+static void
+write_cycle (QnFileWriter *writer, const QnModel *model, int32_t stage)
+{
+  int32_t leg =
+    stage > 0 && (size_t) stage <= model->stage_count ? model->stages[stage - 1].leg : 0;
+  if (leg > 0)
+    qn_file_writer_printf (writer, ",%d", (leg + QN_CYCLE_LEGS - 1) / QN_CYCLE_LEGS);
+  else
+    qn_file_writer_puts (writer, ",");
+}
+
 gboolean
 qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *result,
                     GError **error)
@@ -126,6 +141,12 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   static const char *const events[QN_EVENT_COUNT] = { "", "snap", "collapse" };
   if (result->history.width > 0)
     return write_history (path, &project->model, &result->history, error);
+  gboolean staged = project->model.stage_count > 0;
+  g_autofree double *works = staged ? g_new0 (double, result->step_count) : NULL;
+  if (staged && !qn_result_sum_work (&project->model, result, works)) {
+    qn_io_error_set_errno (error, path, _ ("cannot be written"), ENOMEM);
+    return FALSE;
+  }
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
@@ -139,8 +160,8 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
     write_text (writer, qn_result_body_name (&project->model, block), motions[dof]);
   }
   qn_file_writer_puts (writer, ",iterations,residual [-],event");
-  if (project->model.stage_count > 0)
-    qn_file_writer_puts (writer, ",stage");
+  if (staged)
+    qn_file_writer_puts (writer, ",stage,cycle,work [J]");
   if (result->reactions != NULL)
     write_settlements (writer, &project->model, result, NULL, 0);
   qn_file_writer_puts (writer, "\n");
@@ -156,12 +177,16 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
     write_numbers (writer, &step->residual, 1);
     qn_file_writer_printf (writer, ",%s",
                            (ptrdiff_t) i == buckles ? "buckling" : events[step->event]);
-    if (project->model.stage_count > 0)
+    if (staged)
       qn_file_writer_puts (writer, ",");
     if (step->stage > 0 && (size_t) step->stage <= project->model.stage_count) {
       g_autofree char *name = qn_stage_dup_name (&project->model, step->stage);
       write_text (writer, name, "");
     }
+    if (staged)
+      write_cycle (writer, &project->model, step->stage);
+    if (staged)
+      write_numbers (writer, &works[i], 1);
     if (result->reactions != NULL)
       write_settlements (writer, &project->model, result, result, i);
     qn_file_writer_puts (writer, "\n");

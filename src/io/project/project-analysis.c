@@ -19,6 +19,13 @@
 static const QnMember analysis_control[] = CONTROL_MEMBERS (QnAnalysisSettings);
 static const QnMember stage_control[] = CONTROL_MEMBERS (QnStage);
 
+static const QnMember cycle_control[] = {
+  QN_ENTITY ("node", OPTIONAL, NODE, QnStage, control_node),
+  QN_ENTITY ("block", OPTIONAL, BLOCK, QnStage, control_block),
+  QN_CHOICE ("component", REQUIRED, qn_dof_names, QnStage, control_dof),
+  { 0 },
+};
+
 static const QnMember stage_members[] = {
   QN_STRING ("name", READ, QnStage, name),
   QN_KNOWN ("loads"),
@@ -26,6 +33,8 @@ static const QnMember stage_members[] = {
   QN_GIVEN ("target", NUMBER, QN_RANGE_FINITE, QnStage, target, has_target),
   QN_COUNT ("increments", OPTIONAL, G_MAXINT32, QnStage, increments),
   QN_KNOWN ("control"),
+  QN_KNOWN ("amplitudes"),
+  QN_KNOWN ("cycles"),
   { 0 },
 };
 
@@ -103,15 +112,75 @@ read_stage_sets (const QnJsonValue *place, const QnModel *model, QnStage *stage)
   return TRUE;
 }
 
+/* The end of a stage: a displacement, or a multiplier. */
+static void
+end_at (QnStage *stage, double target)
+{
+  stage->has_target = stage->control_block == QN_NONE && stage->control_node == QN_NONE;
+  *(stage->has_target ? &stage->target : &stage->control_target) = target;
+}
+
+static double
+end_of (const QnStage *stage)
+{
+  return stage->has_target ? stage->target : stage->control_target;
+}
+
+/* Makes the last stage, read but for its end, the first of those of a cyclic protocol. */
+static gboolean
+read_cycles (const QnJsonValue *place, const QnJsonValue *amplitudes, QnModel *model)
+{
+  const QnStage first = model->stages[model->stage_count - 1];
+  QnJsonValue item = { 0 }, cycles_place = qn_json_value_member (place, "cycles");
+  QnJsonValue target = qn_json_value_member (place, "target");
+  int32_t cycles = 1, leg = 0;
+  double amplitude;
+  if (target.json != NULL)
+    return qn_json_value_fail (&target, _ ("target and amplitudes exclude each other"));
+  if (!qn_json_value_array (amplitudes)
+      || !qn_member_count (place, "cycles", QN_OPTIONAL, QN_MAX_STAGES, &cycles))
+    return FALSE;
+  while (qn_json_value_next (amplitudes, &item)) {
+    if (!qn_json_value_number (&item, QN_RANGE_FINITE, &amplitude))
+      return FALSE;
+    if (amplitude == 0)
+      return qn_json_value_fail (&item, _ ("an amplitude is not 0"));
+    for (int32_t i = 0; i < QN_CYCLE_LEGS * cycles; i++) {
+      if (leg >= QN_MAX_STAGES)
+        return qn_json_value_failf (&cycles_place, _ ("more than %d stages"),
+                                    QN_MAX_STAGES);
+      QnStage *stage = leg > 0 ? qn_model_add_stage (model, first.name)
+                               : &model->stages[model->stage_count - 1];
+      if (stage == NULL)
+        return qn_json_value_no_memory (place);
+      char *name = stage->name;
+      *stage = first;
+      stage->name = name;
+      stage->leg = ++leg;
+      end_at (stage, i % QN_CYCLE_LEGS == 0   ? amplitude
+                     : i % QN_CYCLE_LEGS == 1 ? -amplitude
+                                              : 0);
+    }
+  }
+  return leg > 0
+         || qn_json_value_fail (amplitudes, _ ("expected at least one amplitude"));
+}
+
 static gboolean
 read_stage (const QnJsonValue *place, QnModel *model)
 {
   QnStage *stage = qn_model_add_stage (model, NULL);
+  QnJsonValue amplitudes = qn_json_value_member (place, "amplitudes");
+  QnJsonValue cycles = qn_json_value_member (place, "cycles");
+  gboolean cyclic = amplitudes.json != NULL;
   if (stage == NULL)
     return qn_json_value_no_memory (place);
+  if (!cyclic && cycles.json != NULL)
+    return qn_json_value_fail (&cycles, _ ("needs amplitudes"));
   return qn_members_read (place, stage_members, model, stage)
          && read_stage_sets (place, model, stage)
-         && read_control (place, stage_control, model, stage);
+         && read_control (place, cyclic ? cycle_control : stage_control, model, stage)
+         && (!cyclic || read_cycles (place, &amplitudes, model));
 }
 
 /* Warns of load sets that no stage drives. */
@@ -155,11 +224,53 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
 
 /* ---- writing ---- */
 
-static int32_t
-append_stage (GString *json, const QnModel *model, size_t index)
+gsize
+qn_project_stage_entry (const QnModel *model, gsize index)
 {
-  const QnStage *stage = &model->stages[index], usual = { 0 };
+  gsize entry = 0;
+  for (gsize i = 1; i <= index && i < model->stage_count; i++)
+    entry += model->stages[i].leg <= 1;
+  return entry;
+}
+
+/* The amplitude of every cycle of the protocol that begins with a stage, or of all that follow each other in equal
+ * numbers one. */
+static void
+put_cycles (GString *json, const QnModel *model, gsize index)
+{
+  g_autofree double *amplitudes = g_new (double, model->stage_count);
+  gsize count = 0, cycles = 1, kept = 0;
+  gboolean uniform = TRUE;
+  for (gsize i = index;
+       i < model->stage_count && model->stages[i].leg == (int32_t) (i - index) + 1;
+       i += QN_CYCLE_LEGS)
+    amplitudes[count++] = end_of (&model->stages[i]);
+  while (cycles < count && amplitudes[cycles] == amplitudes[0])
+    cycles++;
+  for (gsize i = 0; i < count; i++)
+    uniform = uniform && amplitudes[i] == amplitudes[i - i % cycles];
+  if (!uniform || count % cycles > 0)
+    cycles = 1;
+  for (gsize i = 0; i < count; i += cycles)
+    amplitudes[kept++] = amplitudes[i];
+  qn_json_put_numbers (json, "amplitudes", amplitudes, kept);
+  if (cycles > 1) {
+    qn_json_begin_member (json, "cycles");
+    g_string_append_printf (json, "%zu", cycles);
+  }
+}
+
+static int32_t
+append_stage (GString *json, const QnModel *model, size_t entry)
+{
+  QnStage usual = { 0 };
   gboolean any = FALSE;
+  gsize index = entry;
+  while (qn_project_stage_entry (model, index) < entry)
+    index++;
+  const QnStage *stage = &model->stages[index];
+  QnStage shown = *stage;
+  shown.has_target = stage->has_target && stage->leg == 0;
   if (stage->name != NULL)
     qn_json_put_string (json, "name", stage->name);
   qn_json_begin_member (json, "loads");
@@ -171,9 +282,12 @@ append_stage (GString *json, const QnModel *model, size_t index)
     any = TRUE;
   }
   g_string_append (json, any ? "]" : "[]");
-  qn_members_write (json, stage_members, model, stage, &usual);
+  qn_members_write (json, stage_members, model, &shown, &usual);
   if (stage->control_block != QN_NONE || stage->control_node != QN_NONE)
-    qn_members_put (json, "control", stage_control, model, stage, NULL);
+    qn_members_put (json, "control", stage->leg > 0 ? cycle_control : stage_control,
+                    model, stage, NULL);
+  if (stage->leg > 0)
+    put_cycles (json, model, index);
   return stage->note;
 }
 
@@ -191,7 +305,10 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
     qn_members_put (json, "control", analysis_control, model, analysis, NULL);
     qn_json_append_inner (json, inner, "analysis.control");
   }
-  qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6, model->stage_count,
+  qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6,
+                       model->stage_count > 0
+                         ? qn_project_stage_entry (model, model->stage_count - 1) + 1
+                         : 0,
                        append_stage, "]");
   qn_project_append_dynamic (json, model, &usual->dynamic, inner);
   g_string_append (json, " }");

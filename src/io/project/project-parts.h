@@ -41,6 +41,9 @@ void qn_project_append_loads (GString *json, const QnModel *model, GHashTable *i
 gboolean qn_read_analysis (const QnJsonValue *root, QnModel *model);
 void qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner);
 
+/* Place in the file's list of a stage, of which a cyclic protocol has one. */
+gsize qn_project_stage_entry (const QnModel *model, gsize index);
+
 /* In project-dynamic.c: the member of `analysis`, written where it is set; `usual` are its
  * defaults. */
 gboolean qn_read_dynamic (const QnJsonValue *analysis, QnModel *model);

@@ -5,6 +5,7 @@
 #include "io/json/json-path.h"
 #include "io/project/project-extras.h"
 #include "io/project/project-masonry.h"
+#include "io/project/project-parts.h"
 #include "io/project/typical-joint.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
@@ -164,6 +165,8 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     g_string_append (path, containers[entity]);
     gboolean is_list = entity != QN_ENTITY_MODEL && entity != QN_ENTITY_CONTACT
                        && entity != QN_ENTITY_ANALYSIS;
+    if (entity == QN_ENTITY_STAGE && index >= 0)
+      index = (QnId) qn_project_stage_entry (model, (gsize) index);
     if (is_list && index != QN_NONE)
       g_string_append_printf (path, "[%d]", index);
   }

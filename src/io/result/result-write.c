@@ -161,7 +161,7 @@ write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result
   qn_file_writer_puts (writer, "],\n  \"stage_results\": [");
   for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
     QnStageFigures figures;
-    if (!qn_result_stage_figures (model, result, i, &figures))
+    if (!qn_result_stage_figures (model, result, i, i, &figures))
       figures =
         (QnStageFigures){ .multiplier = NAN, .lowest = NAN, .highest = NAN, .work = NAN };
     /* An analysis ends in the first stage that does not reach its end. */
@@ -172,6 +172,21 @@ write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result
                          "\"work\": %f }",
                          i - 1, qn_outcome_names[outcome], figures.multiplier,
                          figures.lowest, figures.highest, figures.work);
+  }
+  gboolean any = FALSE;
+  for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
+    int32_t start = qn_result_cycle_start (model, result, i);
+    QnStageFigures f;
+    if (start == 0 || !qn_result_stage_figures (model, result, start, i, &f))
+      continue;
+    qn_file_writer_puts (writer, any ? "" : "],\n  \"cycles\": [");
+    qn_file_writer_json (writer,
+                         ",\n    { \"stage\": %d, \"cycle\": %d, "
+                         "\"lowest_multiplier\": %f, \"highest_multiplier\": %f, "
+                         "\"energy\": %f }",
+                         start - 1, model->stages[i - 1].leg / QN_CYCLE_LEGS, f.lowest,
+                         f.highest, f.work);
+    any = TRUE;
   }
   qn_file_writer_puts (writer, "],\n");
 }

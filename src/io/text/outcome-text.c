@@ -52,8 +52,39 @@ task_of (const QnModel *model, const QnResult *result)
 char *
 qn_stage_dup_name (const QnModel *model, int32_t stage)
 {
-  const char *name = model->stages[stage - 1].name;
-  return name != NULL ? g_strdup (name) : qn_text_printf ("%d", stage);
+  static const char *const ways[QN_CYCLE_LEGS] = { "0", "+", "\u2212" };
+  const QnStage *s = &model->stages[stage - 1];
+  if (s->leg > 0)
+    return qn_text_printf (
+      "%s%s%d%s%s", s->name != NULL ? s->name : "", s->name != NULL ? " " : "",
+      (s->leg + QN_CYCLE_LEGS - 1) / QN_CYCLE_LEGS,
+      s->leg % QN_CYCLE_LEGS == 0 ? " " : "", ways[s->leg % QN_CYCLE_LEGS]);
+  return s->name != NULL ? g_strdup (s->name) : qn_text_printf ("%d", stage);
+}
+
+char *
+qn_outcome_dup_stages (const QnModel *model, const QnResult *result)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
+    QnStageFigures f;
+    if (!qn_result_stage_figures (model, result, i, i, &f))
+      continue;
+    g_autofree char *name = qn_stage_dup_name (model, i);
+    g_autofree char *line = qn_text_printf (
+      _ ("stage %d, “%s”: ends at load multiplier %.5g; lowest %.5g, highest %.5g; "
+         "work %.5g J"),
+      i, name, f.multiplier, f.lowest, f.highest, f.work);
+    g_string_append_printf (text, "%s%s", text->len > 0 ? "\n" : "", line);
+    int32_t start = qn_result_cycle_start (model, result, i);
+    if (start > 0 && qn_result_stage_figures (model, result, start, i, &f)) {
+      g_autofree char *cycle = qn_text_printf (
+        _ ("cycle %d: load multiplier from %.5g to %.5g; energy %.5g J"),
+        model->stages[i - 1].leg / QN_CYCLE_LEGS, f.lowest, f.highest, f.work);
+      g_string_append_printf (text, "\n%s", cycle);
+    }
+  }
+  return text->len > 0 ? g_strdup (text->str) : NULL;
 }
 
 /* Whether an acting load moves anything: settles a support, or is a force on a block or node that is
@@ -224,7 +255,8 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
   if (isnan (least))
     return NULL;
   for (gsize i = 0; i < result->event_count; i++)
-    if (result->events[i].kind == QN_EVENT_KIND_COLLAPSE)
+    if (result->events[i].kind == QN_EVENT_KIND_COLLAPSE
+        && result->events[i].stage == result->stage)
       carried = result->events[i].multiplier;
   for (gint32 i = 0; i < result->solution_count; i++)
     greatest = MAX (greatest, result->solutions[i].multiplier);

@@ -22,7 +22,12 @@ char *qn_outcome_dup_interval (const QnModel *model, const QnResult *result);
  * none. Part of the line above. */
 char *qn_outcome_dup_broken_bond (const QnResult *result);
 
-/* Name of a stage (number from 1): its own, or its number. Free with g_free(). */
+/* Lines: where each stage led and the work of its loads, and the same of every cycle; NULL without stages. Free
+ * with g_free(). */
+char *qn_outcome_dup_stages (const QnModel *model, const QnResult *result);
+
+/* Name of a stage (number from 1): its own, or its number; of a cyclic protocol with cycle and direction,
+ * “push 2+”. Free with g_free(). */
 char *qn_stage_dup_name (const QnModel *model, int32_t stage);
 
 /* Whether nothing but the dead load acts, so that there is no path to follow. */

@@ -5,8 +5,8 @@
 #include <glib.h>
 #include <math.h>
 
-/* The step from which the path first loses stability: the first that comes up to the multiplier
- * that the analysis reports, or the one before it goes beyond. Further on a path that descends
+/* The step from which the path, or that of the last stage, first loses stability: the first that comes up to the
+ * multiplier that the analysis reports, or the one before it goes beyond. Further on a path that descends
  * from its peak stays below. */
 static ptrdiff_t
 find_limit_point (const QnResult *result)
@@ -20,7 +20,10 @@ find_limit_point (const QnResult *result)
     return -1;
   double blur = 1e-9 * fabs (limit) + 1e-12;
   for (size_t s = 0; s < result->step_count; s++)
-    if (result->steps[s].multiplier >= limit - blur)
+    if (result->stage > 0 && result->steps[s].stage == result->stage
+        && fabs (result->steps[s].multiplier - limit) <= blur)
+      return (ptrdiff_t) s;
+    else if (result->stage == 0 && result->steps[s].multiplier >= limit - blur)
       return (ptrdiff_t) s - (result->steps[s].multiplier > limit + blur);
   return (ptrdiff_t) result->step_count - 1;
 }

@@ -449,7 +449,8 @@ test_work_of_a_cycle (void)
   solve (&run, &model);
   for (int stage = 3; stage <= 4; stage++) {
     QnStageFigures figures;
-    g_assert_true (qn_result_stage_figures (&run.model, &run.result, stage, &figures));
+    g_assert_true (
+      qn_result_stage_figures (&run.model, &run.result, stage, stage, &figures));
     g_assert_cmpuint (figures.last, ==, end_of (&run, stage));
     g_assert_cmpfloat_with_epsilon (figures.multiplier, stage == 3 ? 1 : -1, 1e-6);
     g_assert_cmpfloat_with_epsilon (figures.lowest, -1, 1e-6);
@@ -459,7 +460,7 @@ test_work_of_a_cycle (void)
   g_assert_cmpfloat_with_epsilon (work, plastic, 0.01 * plastic);
   QnStageFigures none;
   run.result.step_count = end_of (&run, 3) + 1;
-  g_assert_false (qn_result_stage_figures (&run.model, &run.result, 4, &none));
+  g_assert_false (qn_result_stage_figures (&run.model, &run.result, 4, 4, &none));
 }
 
 /* Two blocks side by side, pushed by the one that leads, then pulled by the one that follows: the other then
@@ -513,8 +514,17 @@ test_arch_to_and_fro (void)
     add_push (&model, 5, i % 2 == 0 ? 0.003 : -0.003);
   solve (&run, &model);
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
-  g_assert_cmpuint (run.result.event_count, >, 0);
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  /* Of every stage, each of which is checked as its own path. */
+  QnPathEvent *first = run.result.events, *last = first + run.result.event_count - 1;
+  g_assert_cmpuint (run.result.event_count, >, 3);
+  g_assert_cmpint (first->stage, ==, 1);
+  g_assert_cmpint (last->stage, ==, 4);
+  first->multiplier *= 1.001;
+  g_assert_cmpint (test_run_count_faults (&run), >, 0);
+  first->multiplier /= 1.001;
+  first->stage = 2;
+  g_assert_cmpint (test_run_count_faults (&run), >, 0);
 }
 
 static void

@@ -336,6 +336,32 @@ test_order (void)
   refuse (document, change_stage, &(Settings){ 1, stage });
 }
 
+/* A cyclic protocol of which one stage is changed becomes stages like others. */
+static void
+test_dissolves (void)
+{
+  static const gsize second = 1;
+  g_auto (GStrv) parts = g_strsplit (text, "\"max_multiplier\": 0.25", 2);
+  g_autofree char *cyclic = g_strjoinv (
+    "\"stages\": [ { \"loads\": \"live\", \"amplitudes\": [0.1, 0.2] } ]", parts);
+  g_autoptr (QnDocument) document = open_text (cyclic);
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->stage_count, ==, 6);
+  g_assert_cmpint (model->stages[5].leg, ==, 6);
+  model = edit (document, delete_stage, (gpointer) &second);
+  g_assert_cmpuint (model->stage_count, ==, 5);
+  for (gsize i = 0; i < 5; i++)
+    g_assert_cmpint (model->stages[i].leg, ==, 0);
+  g_assert_true (qn_document_undo (document));
+  model = qn_document_get_model (document);
+  g_assert_cmpint (model->stages[5].leg, ==, 6);
+  Settings settings = { 4, model->stages[4] };
+  settings.settings.target = -0.3;
+  model = edit (document, change_stage, &settings);
+  g_assert_cmpfloat (model->stages[4].target, ==, -0.3);
+  g_assert_cmpint (model->stages[0].leg, ==, 0);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/doc/edit-stage/loads", test_loads);
@@ -343,4 +369,5 @@ QN_TESTS
   g_test_add_func ("/doc/edit-stage/unknown-members", test_unknown_members);
   g_test_add_func ("/doc/edit-stage/stages", test_stages);
   g_test_add_func ("/doc/edit-stage/order", test_order);
+  g_test_add_func ("/doc/edit-stage/dissolves", test_dissolves);
 }

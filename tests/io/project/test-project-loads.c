@@ -214,6 +214,17 @@ test_sets_and_stages (void)
       "load set is named twice" },
     { "\"stages\": [ { \"name\": \"s\", \"loads\": \"b\" } ]", "\"a\": []",
       "analysis.stages[0].loads" },
+    { "\"stages\": [ { \"loads\": \"live\", \"target\": 1 }, { \"loads\": \"live\", "
+      "\"amplitudes\": [1, 0] } ]",
+      "\"a\": []", "analysis.stages[1].amplitudes[1]: an amplitude is not 0" },
+    { "\"stages\": [ { \"loads\": \"live\", \"amplitudes\": [] } ]", "\"a\": []",
+      "analysis.stages[0].amplitudes: expected at least one" },
+    { "\"stages\": [ { \"loads\": \"live\", \"amplitudes\": [1], \"target\": 1 } ]",
+      "\"a\": []", "target and amplitudes exclude each other" },
+    { "\"stages\": [ { \"loads\": \"live\", \"target\": 1, \"cycles\": 2 } ]",
+      "\"a\": []", "analysis.stages[0].cycles: needs amplitudes" },
+    { "\"stages\": [ { \"loads\": \"live\", \"amplitudes\": [1, 2], \"cycles\": 200 } ]",
+      "\"a\": []", "analysis.stages[0].cycles: more than 1000 stages" },
     { "\"stages\": [ 3 ]", "\"a\": []", "analysis.stages[0]: expected an object" },
     { "\"control\": { \"block\": \"top\", \"node\": \"n\", \"component\": \"ux\", "
       "\"target\": 1 }",

@@ -541,6 +541,60 @@ test_stages (void)
   g_free (text);
 }
 
+static char *
+with_protocol (const char *protocol)
+{
+  g_autofree char *stage = g_strdup_printf (
+    "\"version\": 1, \"analysis\": { \"stages\": [ { \"name\": \"push\", \"loads\": "
+    "\"live\", "
+    "\"procedure\": \"displacement\", \"control\": { \"block\": \"top\", \"component\": "
+    "\"ux\" }, %s, \"key\": 1 }, { \"loads\": \"live\", \"target\": 3 } ] },",
+    protocol);
+  return test_replace (test_project_text, "\"version\": 1,", stage);
+}
+
+/* The short form of a cyclic protocol becomes three stages for each cycle, and is written as short as it was. */
+static void
+test_cycles (void)
+{
+  static const struct {
+    const char *read, *written;
+    guint cycles;
+  } forms[] = {
+    { "\"amplitudes\": [0.001, -0.002], \"cycles\": 2",
+      "\"amplitudes\": [0.001, -0.002], \"cycles\": 2", 4 },
+    { "\"amplitudes\": [0.001]", "\"amplitudes\": [0.001]", 1 },
+    { "\"amplitudes\": [1, 1, 2]", "\"amplitudes\": [1, 1, 2]", 3 },
+    { "\"amplitudes\": [1, 1, 2, 2]", "\"amplitudes\": [1, 2], \"cycles\": 2", 4 },
+    { "\"amplitudes\": [1, 2, 2]", "\"amplitudes\": [1, 2, 2]", 3 },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (forms); i++) {
+    g_auto (QnProject) project, again;
+    g_autofree char *text = with_protocol (forms[i].read);
+    test_parse (text, &project);
+    g_autofree char *written = qn_project_to_text (&project, NULL);
+    g_assert_nonnull (strstr (written, forms[i].written));
+    g_assert_null (strstr (strstr (written, "\"key\": 1") + 1, "\"key\""));
+    test_parse (written, &again);
+    const QnModel *model = &again.model;
+    g_assert_cmpuint (model->stage_count, ==, 3 * forms[i].cycles + 1);
+    for (guint s = 0; s < 3 * forms[i].cycles; s++) {
+      const QnStage *stage = &model->stages[s];
+      double there = project.model.stages[s - s % 3].control_target;
+      g_assert_cmpint (stage->leg, ==, (int) s + 1);
+      g_assert_cmpfloat (stage->control_target, ==,
+                         s % 3 == 0   ? there
+                         : s % 3 == 1 ? -there
+                                      : 0);
+      g_assert_cmpint (stage->control_block, ==, model->stages[0].control_block);
+      g_assert_false (stage->has_target);
+    }
+    g_assert_cmpfloat (model->stages[3 * forms[i].cycles].target, ==, 3);
+    g_autofree char *rewritten = qn_project_to_text (&again, NULL);
+    g_assert_cmpstr (rewritten, ==, written);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/project-write/small", test_small);
@@ -554,4 +608,5 @@ QN_TESTS
   g_test_add_func ("/project-write/inner-members", test_inner_members);
   g_test_add_func ("/project-write/note-members", test_note_members);
   g_test_add_func ("/project-write/stages", test_stages);
+  g_test_add_func ("/project-write/cycles", test_cycles);
 }
