@@ -1,5 +1,6 @@
 #include "driver.h"
 
+#include "app/widgets/plot-view.h"
 #include "doc/edit/edit-masonry.h"
 
 #include <execinfo.h>
@@ -452,6 +453,22 @@ gboolean
 driver_has_id (GtkWidget *widget, gconstpointer id)
 {
   return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
+}
+
+gboolean
+driver_has_name (GtkWidget *widget, gconstpointer name)
+{
+  return strcmp (gtk_widget_get_name (widget), name) == 0;
+}
+
+QnBox
+driver_plot_range (GtkWidget *plot)
+{
+  driver_settle ();
+  const QnPlotPlace *place = qn_plot_view_get_place (plot);
+  const QnBox *frame = &place->frame;
+  return (QnBox){ qn_plot_place_value (place, qn_vec2 (frame->min.x, frame->max.y)),
+                  qn_plot_place_value (place, qn_vec2 (frame->max.x, frame->min.y)) };
 }
 
 gboolean

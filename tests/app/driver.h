@@ -99,9 +99,10 @@ GtkWidget *driver_find_message (void);
 typedef gboolean (*DriverMatch) (GtkWidget *widget, gconstpointer data);
 GtkWidget *driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer data);
 
-/* Matches: by the id in a .ui file; labels in sight that hold some words; by label; menus that are
+/* Matches: by the id in a .ui file; by name; labels in sight that hold some words; by label; menus that are
  * open; a run in the window of comparisons. */
 gboolean driver_has_id (GtkWidget *widget, gconstpointer id);
+gboolean driver_has_name (GtkWidget *widget, gconstpointer name);
 gboolean driver_says (GtkWidget *widget, gconstpointer text);
 gboolean driver_is_button (GtkWidget *widget, gconstpointer label);
 gboolean driver_is_check (GtkWidget *widget, gconstpointer label);
@@ -114,6 +115,9 @@ GtkWidget *driver_find_id (GtkWidget *root, const char *id);
 
 /* The window on the screen that is no main one, or NULL. */
 GtkWidget *driver_find_other (void);
+
+/* The values in view of a plot (app/widgets/plot-view.h). */
+QnBox driver_plot_range (GtkWidget *plot);
 
 /* Name of the last step of the history. */
 const char *driver_last_step (QnWindow *window);

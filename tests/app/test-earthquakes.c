@@ -2,7 +2,6 @@
  * capacity against a spectrum. */
 #include "driver.h"
 
-#include "app/views/curve-view.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
 #include "doc/view/capacity-settings.h"
@@ -11,19 +10,6 @@
 
 #include <math.h>
 #include <string.h>
-
-static gboolean
-has_name (GtkWidget *widget, gconstpointer name)
-{
-  return strcmp (gtk_widget_get_name (widget), name) == 0;
-}
-
-static gboolean
-is_curve (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return QN_IS_CURVE_VIEW (widget);
-}
 
 /* ---- while it runs ---- */
 
@@ -59,11 +45,10 @@ test_live_history (void)
   driver_activate (window, "win.show-panel::result");
   driver_activate (window, "win.run");
   driver_wait (has_live_history, window);
-  GtkWidget *curve = driver_find_widget (GTK_WIDGET (window), is_curve, NULL);
-  QnVec2 low, high;
-  qn_curve_view_get_range (QN_CURVE_VIEW (curve), &low, &high);
-  g_assert_cmpfloat (low.x, ==, 0.0);
-  g_assert_cmpfloat (high.x, ==, 5000.0);
+  QnBox range = driver_plot_range (
+    driver_find_widget (GTK_WIDGET (window), driver_has_name, "curve"));
+  g_assert_cmpfloat_with_epsilon (range.min.x, 0.0, 1e-6);
+  g_assert_cmpfloat_with_epsilon (range.max.x, 5000.0, 1e-6);
   driver_screenshot (GTK_WIDGET (window), "live-history");
   driver_activate (window, "win.cancel");
   driver_wait_for_job (window);
@@ -114,7 +99,8 @@ test_energies (void)
   driver_activate (window, "win.show-panel::result");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  GtkWidget *plot = driver_find_widget (GTK_WIDGET (window), has_name, "energy-plot");
+  GtkWidget *plot =
+    driver_find_widget (GTK_WIDGET (window), driver_has_name, "energy-plot");
   g_assert_true (gtk_widget_get_mapped (plot));
   double width = gtk_widget_get_width (plot);
   driver_point_at (plot, 0.6 * width, 40);
@@ -381,7 +367,7 @@ test_capacity (void)
     g_assert_nonnull (driver_find_widget (dialog, driver_says, states[i]));
 
   /* A spectrum from a file has no soil; none has no table. */
-  GtkWidget *kind = driver_find_widget (dialog, has_name, "GtkDropDown");
+  GtkWidget *kind = driver_find_widget (dialog, driver_has_name, "GtkDropDown");
   gtk_drop_down_set_selected (GTK_DROP_DOWN (kind), 3);
   driver_settle ();
   g_assert_false (has_ratio (dialog));

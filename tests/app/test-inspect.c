@@ -2,7 +2,6 @@
  * rows of tables; and the colours of results, chosen in the window. */
 #include "driver.h"
 
-#include "app/views/curve-view.h"
 #include "doc/view/inspect.h"
 #include "support/room.h"
 

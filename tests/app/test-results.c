@@ -9,27 +9,19 @@
 #include <math.h>
 #include <string.h>
 
-static gboolean
-is_curve (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return QN_IS_CURVE_VIEW (widget);
-}
-
-static QnCurveView *
+static GtkWidget *
 curve_of (QnWindow *window)
 {
-  GtkWidget *found = driver_find_widget (GTK_WIDGET (window), is_curve, NULL);
+  GtkWidget *found = driver_find_widget (GTK_WIDGET (window), driver_has_name, "curve");
   g_assert_nonnull (found);
-  return QN_CURVE_VIEW (found);
+  return found;
 }
 
 static double
-width_of_range (QnCurveView *curve)
+width_of_range (GtkWidget *curve)
 {
-  QnVec2 low, high;
-  qn_curve_view_get_range (curve, &low, &high);
-  return high.x - low.x;
+  QnBox range = driver_plot_range (curve);
+  return range.max.x - range.min.x;
 }
 
 static void
@@ -48,11 +40,11 @@ test_curve_of_sliding (void)
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));
   const QnResult *result = &run->result;
   const double *last = qn_result_step_displacements (result, result->step_count - 1) + 3;
-  QnVec2 low, high;
   g_assert_cmpfloat (fabs (last[QN_DOF_UY]), >, last[QN_DOF_UX]);
-  qn_curve_view_get_range (curve_of (window), &low, &high);
-  g_assert_cmpfloat (low.x, ==, 0.0);
-  g_assert_cmpfloat_with_epsilon (high.x, last[QN_DOF_UX], 1e-12);
+  QnBox range = driver_plot_range (curve_of (window));
+  g_assert_cmpfloat_with_epsilon (range.min.x, 0.0, 1e-12);
+  g_assert_cmpfloat (range.max.x, >=, last[QN_DOF_UX]);
+  g_assert_cmpfloat (range.max.x, <, 1.3 * last[QN_DOF_UX]);
   driver_discard (window);
 }
 
@@ -63,7 +55,7 @@ test_curve (void)
 {
   QnWindow *window = driver_open_example ("ferris-tin-loi/wall6.quoin");
   solve (window, "win.run");
-  QnCurveView *curve = curve_of (window);
+  GtkWidget *curve = curve_of (window);
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));
   double farthest = 0.0;
   const double *last =
@@ -73,7 +65,7 @@ test_curve (void)
   double fitting = width_of_range (curve);
   g_assert_cmpfloat (fitting, <, 0.3 * farthest);
 
-  GtkWidget *widget = GTK_WIDGET (curve);
+  GtkWidget *widget = curve;
   double x = 0.5 * gtk_widget_get_width (widget);
   double y = 0.4 * gtk_widget_get_height (widget);
   driver_point_at (widget, x, y);

@@ -1,7 +1,7 @@
 #include "bench/chart.h"
 
 #include "bench/bench.h"
-#include "render/figure/curve-plot.h"
+#include "render/figure/plot.h"
 
 #include <math.h>
 
@@ -60,57 +60,57 @@ compare_points (gconstpointer a, gconstpointer b)
   return (x > y) - (x < y);
 }
 
-static QnCurve
-curve_of (ChartSeries *series)
+static void
+add_series (QnPlot *plot, ChartSeries *series, int index)
 {
   guint count = series->points->len;
-  QnCurve curve = { .label = series->label,
-                    .x = g_new (double, count),
-                    .y = g_new (double, count),
-                    .count = count,
-                    .limit_point = -1,
-                    .collapse_point = -1,
-                    .dot = -1 };
+  double *x = qn_plot_keep (plot, g_new (double, count));
+  double *y = qn_plot_keep (plot, g_new (double, count));
   g_array_sort (series->points, compare_points);
   for (guint i = 0; i < count; i++) {
-    curve.x[i] = g_array_index (series->points, ChartPoint, i).x;
-    curve.y[i] = g_array_index (series->points, ChartPoint, i).y;
+    x[i] = g_array_index (series->points, ChartPoint, i).x;
+    y[i] = g_array_index (series->points, ChartPoint, i).y;
   }
-  return curve;
+  QnMarks marks = { .kind = QN_MARKS_LINE,
+                    .label = series->label,
+                    .series = index,
+                    .dash = index % 2 == 1 ? QN_USUAL_DASH : 0,
+                    .x = x,
+                    .y = y,
+                    .count = count };
+  qn_plot_add (plot, marks);
+  marks.kind = QN_MARKS_POINTS;
+  marks.label = NULL;
+  qn_plot_add (plot, marks);
 }
 
 void
 chart_write (Chart *chart)
 {
-  QnCurve curves[G_N_ELEMENTS (chart->series)];
   g_autofree char *file = g_strconcat (chart->name, ".svg", NULL);
   g_autofree char *path = g_build_filename (bench_output_folder (), file, NULL);
+  g_autofree char *x_label =
+    *chart->x_unit != '\0' ? g_strdup_printf ("%s (%s)", chart->x_label, chart->x_unit)
+                           : g_strdup (chart->x_label);
+  g_autoptr (QnPlot) plot = qn_plot_new (x_label, chart->y_label);
   GError *error = NULL;
   QnMetadata metadata;
   QnOutput output;
 
   if (chart->series_count == 0)
     return;
+  plot->title = chart->title;
+  plot->x.log = !chart->x_linear;
+  plot->y.log = !chart->y_linear;
   for (size_t i = 0; i < chart->series_count; i++)
-    curves[i] = curve_of (&chart->series[i]);
-  const QnCurvePlot plot = { .title = chart->title,
-                             .x_label = chart->x_label,
-                             .x_unit = chart->x_unit,
-                             .y_label = chart->y_label,
-                             .x_log = !chart->x_linear,
-                             .y_log = !chart->y_linear,
-                             .points = true,
-                             .curves = curves,
-                             .curve_count = chart->series_count };
+    add_series (plot, &chart->series[i], (int) i);
   qn_output_init (&output);
   output.width = 900;
   output.height = 640;
   qn_metadata_init (&metadata);
-  if (!qn_curve_export (&plot, path, &output, &metadata, &error))
+  if (!qn_plot_export (plot, path, &output, &metadata, &error))
     g_error ("%s", error->message);
   for (size_t i = 0; i < chart->series_count; i++) {
-    g_free (curves[i].x);
-    g_free (curves[i].y);
     g_free (chart->series[i].label);
     g_array_unref (chart->series[i].points);
   }

@@ -7,8 +7,9 @@
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
+#include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
-#include "app/widgets/text-unit.h"
+
 #include "doc/document/digest.h"
 #include "doc/view/capacity-answer.h"
 #include "doc/view/capacity-settings.h"
@@ -278,8 +279,9 @@ on_picture_chosen (GtkNativeDialog *dialog, int response, Form *form)
     QnMetadata metadata;
     qn_output_init (&output);
     qn_document_get_metadata (form->document, &metadata);
-    qn_capacity_answer_export (&form->answer, form->title, FALSE, path, &output,
-                               &metadata, &error);
+    g_autoptr (QnPlot) plot = qn_capacity_answer_plot (&form->answer);
+    plot->title = form->title;
+    qn_plot_export (plot, path, &output, &metadata, &error);
   }
   if (error != NULL)
     say (form, error->message);
@@ -545,16 +547,11 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 
 /* ---- what is shown ---- */
 
-/* Plots are drawn on paper, in a dark window too. */
-static void
-draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+static QnPlot *
+make_plot (gpointer data, gboolean zoomed, char **message)
 {
-  Form *form = data;
-  cairo_set_source_rgb (cr, 1, 1, 1);
-  cairo_paint (cr);
-  if (form->found)
-    qn_capacity_answer_draw (&form->answer, NULL, cr, width, height,
-                             TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
+  const Form *form = data;
+  return form->found ? qn_capacity_answer_plot (&form->answer) : NULL;
 }
 
 /* Takes up what the project keeps; what it does not say is as at first. */
@@ -633,12 +630,12 @@ void
 qn_capacity_window_show (GtkWindow *parent, QnDocument *document)
 {
   static const QnFormKind kind = QN_SHOWN_FORM_KIND ("capacity-window", Form);
+  static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;
   form->document = g_object_ref (document);
   g_object_set_data (G_OBJECT (form->base.root), FORM, form);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (form->base.widgets[PLOT]), draw_plot,
-                                  form, NULL);
+  qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_watch (form->base.root, document, "changed", G_CALLBACK (on_model_changed), form);
   gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
   qn_help_set_page (form->base.root, "earthquakes");

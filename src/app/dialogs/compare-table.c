@@ -186,15 +186,14 @@ qn_compare_draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
   for (guint g = 1; g <= groups; g++) {
-    QnCurvePlot plot = { .curves = alike };
-    const QnPage page = { width, height, qn_text_unit (GTK_WIDGET (area)),
-                          true,  false,  NULL };
     double part = (double) height / groups;
+    const QnFrame frame = { 6.0, (g - 1) * part + 6.0, width - 12.0, part - 12.0, 0.0 };
+    gsize found = 0;
     for (guint i = 0; i < count; i++)
       if (group[i] == g)
-        alike[plot.curve_count++] = curves[i];
-    qn_curve_plot_draw (&plot, cr, &page, 6.0, (g - 1) * part + 6.0, width - 12.0,
-                        part - 12.0);
+        alike[found++] = curves[i];
+    g_autoptr (QnPlot) plot = qn_curve_plot (alike, found, NULL, 0);
+    qn_plot_draw (plot, cr, qn_text_unit (GTK_WIDGET (area)), &frame, NULL);
   }
   for (guint i = 0; i < count; i++)
     qn_curve_clear (&curves[i]);

@@ -2,7 +2,7 @@
 #include "app/dialogs/study-private.h"
 
 #include "app/widgets/context-menu.h"
-#include "app/widgets/text-unit.h"
+#include "app/widgets/plot-view.h"
 #include "study/report/output-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -43,57 +43,39 @@ qn_study_window_chosen_figure (QnStudyWindow *self, QnStudyFigure *figure)
   return figure->column >= 0 && figure->parameters[0] >= 0 && figure->parameters[1] >= 0;
 }
 
-static void
-draw_message (cairo_t *cr, GtkWidget *widget, const char *text, int width, int height)
-{
-  g_autoptr (PangoLayout) layout = gtk_widget_create_pango_layout (widget, text);
-  int w, h;
-  pango_layout_set_width (layout, (width - 40) * PANGO_SCALE);
-  pango_layout_set_alignment (layout, PANGO_ALIGN_CENTER);
-  pango_layout_get_pixel_size (layout, &w, &h);
-  cairo_set_source_rgb (cr, 0.35, 0.35, 0.35);
-  cairo_move_to (cr, 20, (height - h) / 2.0);
-  pango_cairo_show_layout (cr, layout);
-}
-
-static void
-draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+static QnPlot *
+make_plot (gpointer data, gboolean zoomed, char **message)
 {
   QnStudyWindow *self = data;
   QnStudyFigure figure;
-  g_autoptr (GError) error = NULL;
   self->points = FALSE;
-  /* Figures are drawn on paper, in a dark window too. */
-  cairo_set_source_rgb (cr, 1, 1, 1);
-  cairo_paint (cr);
   if (!qn_study_window_chosen_figure (self, &figure)) {
-    draw_message (cr, GTK_WIDGET (area),
-                  _ ("Choose what varies, then run the study: its cases appear here."),
-                  width, height);
-    return;
+    *message =
+      g_strdup (_ ("Choose what varies, then run the study: its cases appear here."));
+    return NULL;
   }
-  if (!qn_study_figure_draw (&figure, &self->table, cr, width, height,
-                             qn_text_unit (GTK_WIDGET (area)), &self->place, &error)) {
-    draw_message (cr, GTK_WIDGET (area), _ ("No case has this output yet."), width,
-                  height);
-    return;
+  QnPlot *plot = qn_study_figure_plot (&figure, &self->table, NULL);
+  if (plot == NULL) {
+    *message = g_strdup (_ ("No case has this output yet."));
+    return NULL;
   }
   self->points =
     figure.kind == QN_STUDY_FIGURE_SCATTER || figure.kind == QN_STUDY_FIGURE_ENVELOPE;
   if (!self->points || self->chosen < 0
       || (guint64) self->chosen >= self->table.rows->len)
-    return;
-  double x =
+    return plot;
+  double *place = qn_plot_keep (plot, g_new (double, 2));
+  place[0] =
     qn_table_number (&self->table, (gsize) self->chosen, (gsize) figure.parameters[0]);
-  double y = qn_table_number (&self->table, (gsize) self->chosen, (gsize) figure.column);
-  if (isnan (y))
-    return;
-  cairo_new_path (cr);
-  cairo_arc (cr, self->place.x_zero + self->place.x_scale * x,
-             self->place.y_zero + self->place.y_scale * y, 7, 0, 2 * G_PI);
-  cairo_set_source_rgb (cr, 0.85, 0.35, 0);
-  cairo_set_line_width (cr, 2);
-  cairo_stroke (cr);
+  place[1] = qn_table_number (&self->table, (gsize) self->chosen, (gsize) figure.column);
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
+                                .series = 1,
+                                .x = place,
+                                .y = place + 1,
+                                .count = 1,
+                                .marker = QN_MARKER_RING,
+                                .size = 10.0 });
+  return plot;
 }
 
 static void
@@ -127,17 +109,18 @@ static gint64
 find_point (QnStudyWindow *self, double x, double y)
 {
   QnStudyFigure figure;
+  const QnPlotPlace *place = qn_plot_view_get_place (self->plot);
   double best = NEAR;
   gint64 nearest = -1;
   if (!self->points || !qn_study_window_chosen_figure (self, &figure))
     return -1;
   for (guint i = 0; i < self->table.rows->len; i++) {
-    double px = self->place.x_zero
-                + self->place.x_scale
-                    * qn_table_number (&self->table, i, (gsize) figure.parameters[0]);
+    double px =
+      place->x_zero
+      + place->x_scale * qn_table_number (&self->table, i, (gsize) figure.parameters[0]);
     double py =
-      self->place.y_zero
-      + self->place.y_scale * qn_table_number (&self->table, i, (gsize) figure.column);
+      place->y_zero
+      + place->y_scale * qn_table_number (&self->table, i, (gsize) figure.column);
     double distance = hypot (px - x, py - y);
     if (distance < best) { /* false for NaN */
       best = distance;
@@ -210,16 +193,17 @@ on_figure (QnStudyWindow *self)
   gtk_widget_set_visible (self->over, by);
   gtk_widget_set_visible (GTK_WIDGET (self->by_second), surface);
   gtk_widget_set_visible (self->and, surface);
-  gtk_widget_queue_draw (self->plot);
+  qn_plot_view_fit (self->plot);
 }
 
 void
 qn_study_window_connect_plot (QnStudyWindow *self)
 {
+  static const QnPlotHand hand = { .make = make_plot };
   GtkDropDown *const shown[] = { self->figure, self->of, self->by, self->by_second };
   for (gsize i = 0; i < G_N_ELEMENTS (shown); i++)
     g_signal_connect_swapped (shown[i], "notify::selected", G_CALLBACK (on_figure), self);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (self->plot), draw_plot, self, NULL);
+  qn_plot_view_init (self->plot, &hand, self);
   GtkGesture *click = gtk_gesture_click_new ();
   g_signal_connect (click, "released", G_CALLBACK (on_click), self);
   gtk_widget_add_controller (self->plot, GTK_EVENT_CONTROLLER (click));

@@ -23,8 +23,7 @@ typedef struct QnStudyWindow {
   QnStudy study; /* that they belong to */
   QnTable table;
   gint64 chosen;   /* row, or -1 */
-  gboolean points; /* were drawn, one for each row, and lie at `place` */
-  QnPlotPlace place;
+  gboolean points; /* were drawn, one for each row */
 
   /* from study-window.ui */
   GtkListBox *parameters;

@@ -2,7 +2,7 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/chooser.h"
-#include "app/widgets/text-unit.h"
+#include "app/widgets/plot-view.h"
 #include "doc/edit/edit-dynamic.h"
 #include "doc/view/ground-preview.h"
 #include "io/exchange/record.h"
@@ -333,15 +333,12 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-/* Plots are drawn on paper, in a dark window too. */
-static void
-draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+static QnPlot *
+make_plot (gpointer data, gboolean zoomed, char **message)
 {
-  Form *form = data;
-  cairo_set_source_rgb (cr, 1, 1, 1);
-  cairo_paint (cr);
-  qn_ground_preview_draw (&form->sampled, form->preview, cr, width, height,
-                          TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
+  const Form *form = data;
+  return form->sampled.count > 0 ? qn_ground_preview_plot (&form->sampled, form->preview)
+                                 : NULL;
 }
 
 static void
@@ -356,10 +353,10 @@ GtkWidget *
 qn_dynamic_form_new (QnCanvas *canvas)
 {
   static const QnFormKind kind = QN_FORM_KIND ("dynamic-form", Form, QN_FOLLOW_SELECTION);
+  static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = qn_bound_form_new (&kind, canvas);
   form->selected = 0;
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (form->base.widgets[PLOT]), draw_plot,
-                                  form, NULL);
+  qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_accept_files (form->base.root, import_file, form);
   g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
   return qn_bound_form_show (form);

@@ -309,9 +309,10 @@ draw_capacity (const Answer *answer, const CapacityOptions *options,
   QnMetadata metadata;
   GError *error = NULL;
   qn_picture_metadata (project, &metadata);
-  qn_capacity_answer_export (&answer->answer, project->model.title,
-                             options->picture.monochrome, options->picture.path, output,
-                             &metadata, &error);
+  g_autoptr (QnPlot) plot = qn_capacity_answer_plot (&answer->answer);
+  plot->title = project->model.title;
+  plot->monochrome = options->picture.monochrome;
+  qn_plot_export (plot, options->picture.path, output, &metadata, &error);
   return qn_cli_end (error);
 }
 

@@ -81,19 +81,15 @@ static gboolean export(const CurveOptions *options, const QnOutput *output,
                        GError **error)
 {
   QnMetadata metadata;
-  QnCurvePlot plot = {
-    .title = options->title,
-    .curves = curves,
-    .curve_count = count,
-    .references = (const QnReferenceLine *) (void *) options->lines->data,
-    .reference_count = options->lines->len,
-    .monochrome = options->picture.monochrome,
-  };
   if (qn_is_table (options->picture.path))
     return qn_curve_table_write (options->picture.path, curves, count, error);
   qn_picture_metadata (project, &metadata);
-  metadata.title = options->title;
-  return qn_curve_export (&plot, options->picture.path, output, &metadata, error);
+  g_autoptr (QnPlot) plot =
+    qn_curve_plot (curves, count, (const QnReferenceLine *) (void *) options->lines->data,
+                   options->lines->len);
+  plot->title = options->title;
+  plot->monochrome = options->picture.monochrome;
+  return qn_plot_export (plot, options->picture.path, output, &metadata, error);
 }
 
 static QnExit
@@ -131,7 +127,7 @@ static QnExit
 draw_energy (const CurveOptions *options, const QnOutput *output, const QnSheetItem *item)
 {
   const QnProject *project = &item->input.project;
-  QnEnergyPlot plot;
+  const char *unit;
   QnMetadata metadata;
   GError *error = NULL;
   if (item->file.result.history.row_count == 0) {
@@ -139,11 +135,11 @@ draw_energy (const CurveOptions *options, const QnOutput *output, const QnSheetI
     return QN_EXIT_INVALID;
   }
   qn_picture_metadata (project, &metadata);
-  qn_energy_plot_init (&plot, &item->file.result.history);
-  gboolean ok = qn_energy_plot_export (&plot, options->title, options->picture.monochrome,
-                                       options->picture.path, output, &metadata, &error);
-  qn_energy_plot_clear (&plot);
-  return ok ? QN_EXIT_DONE : qn_cli_fail (error);
+  g_autoptr (QnPlot) plot = qn_energy_plot (&item->file.result.history, &unit);
+  plot->title = options->title;
+  plot->monochrome = options->picture.monochrome;
+  qn_plot_export (plot, options->picture.path, output, &metadata, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit

@@ -195,17 +195,13 @@ static QnExit
 draw_history (const History *history, const LawOptions *options, const char *name,
               const QnOutput *output)
 {
-  QnCurve curve;
-  QnCurvePlot plot;
-  qn_law_plot (&history->what, history->samples, &curve, &plot);
-  plot.title = name;
-  plot.monochrome = options->picture.monochrome;
+  g_autoptr (QnPlot) plot = qn_law_plot (&history->what, history->samples);
+  plot->title = name;
+  plot->monochrome = options->picture.monochrome;
   QnMetadata metadata;
   GError *error = NULL;
   qn_picture_metadata (NULL, &metadata);
-  metadata.title = name;
-  qn_curve_export (&plot, options->picture.path, output, &metadata, &error);
-  qn_curve_clear (&curve);
+  qn_plot_export (plot, options->picture.path, output, &metadata, &error);
   return qn_cli_end (error);
 }
 

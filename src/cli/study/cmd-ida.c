@@ -9,7 +9,7 @@
 #include "io/text/file-writer.h"
 #include "io/text/json-text.h"
 #include "io/text/number-text.h"
-#include "render/figure/data-plot.h"
+#include "render/figure/plot.h"
 #include "study/cases/run.h"
 #include "study/report/table.h"
 
@@ -286,9 +286,9 @@ write_runs (const Ida *ida)
 static QnExit
 draw_runs (const Ida *ida, const QnOutput *output)
 {
-  g_autofree QnMarks *marks = g_new0 (QnMarks, 3 * ida->count);
-  g_autofree double *levels = g_new0 (double, 6 * ida->count);
-  gsize count = 0;
+  QnPlot *plot = qn_plot_new (_ ("Peak displacement (m)"),
+                              _ ("Peak acceleration of the ground (m/s²)"));
+  double *levels = qn_plot_keep (plot, g_new0 (double, 6 * ida->count));
   const char *overturning = _ ("overturns first at this level");
   double farthest = 0;
   QnMetadata metadata;
@@ -306,15 +306,16 @@ draw_runs (const Ida *ida, const QnOutput *output)
         last = curve->displacements[i];
         level = curve->peaks[i];
       }
-    marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
-                                .label = curve->name,
-                                .series = (int) c,
-                                .x = curve->displacements,
-                                .y = curve->peaks,
-                                .count = first };
-    marks[count] = marks[count - 1];
-    marks[count].kind = QN_MARKS_POINTS;
-    marks[count++].label = NULL;
+    const QnMarks marks = { .kind = QN_MARKS_LINE,
+                            .label = curve->name,
+                            .series = (int) c,
+                            .x = curve->displacements,
+                            .y = curve->peaks,
+                            .count = first };
+    qn_plot_add (plot, marks);
+    QnMarks *points = qn_plot_add (plot, marks);
+    points->kind = QN_MARKS_POINTS;
+    points->label = NULL;
     if (first == curve->count)
       continue;
     double *x = levels + 6 * c, *y = x + 3;
@@ -322,25 +323,20 @@ draw_runs (const Ida *ida, const QnOutput *output)
     x[2] = farthest > 0 ? 1.1 * farthest : 1;
     y[0] = level;
     y[1] = y[2] = curve->peaks[first];
-    marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
-                                .label = overturning,
-                                .series = (int) c,
-                                .dashed = true,
-                                .x = x,
-                                .y = y,
-                                .count = 3 };
+    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
+                                  .label = overturning,
+                                  .series = (int) c,
+                                  .dash = QN_USUAL_DASH,
+                                  .x = x,
+                                  .y = y,
+                                  .count = 3 });
     overturning = NULL; /* told once */
   }
-  QnDataPlot plot = { .title = ida->project.model.title,
-                      .x_label = _ ("Peak displacement (m)"),
-                      .y_label = _ ("Peak acceleration of the ground (m/s²)"),
-                      .x_from_zero = true,
-                      .y_from_zero = true,
-                      .marks = marks,
-                      .mark_count = count,
-                      .monochrome = ida->options->picture.monochrome };
+  plot->title = ida->project.model.title;
+  plot->monochrome = ida->options->picture.monochrome;
   qn_picture_metadata (&ida->project, &metadata);
-  qn_data_plot_export (&plot, ida->options->picture.path, output, &metadata, &error);
+  qn_plot_export (plot, ida->options->picture.path, output, &metadata, &error);
+  qn_plot_free (plot);
   return qn_cli_end (error);
 }
 

@@ -37,33 +37,30 @@ qn_law_trace (const QnLawPreset *what, double length, GArray *samples)
   return TRUE;
 }
 
-void
-qn_law_plot (const QnLawPreset *what, const GArray *samples, QnCurve *curve,
-             QnCurvePlot *plot)
+QnPlot *
+qn_law_plot (const QnLawPreset *what, const GArray *samples)
 {
   const gboolean strain = what->law.basis == QN_BASIS_MATERIAL;
   const gboolean stress = what->law.basis != QN_BASIS_CONTACT;
   const int axis = what->shear ? 1 : 0;
-  *curve = (QnCurve){ .x = g_new (double, samples->len),
-                      .y = g_new (double, samples->len),
-                      .count = samples->len,
-                      .limit_point = -1,
-                      .collapse_point = -1,
-                      .dot = -1 };
+  const char *name = what->shear ? _ ("Slip") : strain ? _ ("Strain") : _ ("Elongation");
+  QnPlot *plot = qn_plot_new (NULL, what->shear ? stress ? _ ("Shear stress (MPa)")
+                                                         : _ ("Shear force (kN)")
+                                    : stress ? _ ("Stress (MPa)")
+                                                : _ ("Force (kN)"));
+  double *x = qn_plot_keep (plot, g_new (double, samples->len));
+  double *y = qn_plot_keep (plot, g_new (double, samples->len));
   for (guint i = 0; i < samples->len; i++) {
     const QnLawSample *s = &g_array_index (samples, QnLawSample, i);
-    curve->x[i] = s->elongation[axis] * 1e3;
-    curve->y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
+    x[i] = s->elongation[axis] * 1e3;
+    y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
   }
-  *plot =
-    (QnCurvePlot){ .x_unit = strain ? "‰" : "mm", .curves = curve, .curve_count = 1 };
-  if (what->shear) {
-    plot->x_label = _ ("Slip");
-    plot->y_label = stress ? _ ("Shear stress (MPa)") : _ ("Shear force (kN)");
-  } else {
-    plot->x_label = strain ? _ ("Strain") : _ ("Elongation");
-    plot->y_label = stress ? _ ("Stress (MPa)") : _ ("Force (kN)");
-  }
+  plot->x.label =
+    qn_plot_keep (plot, g_strdup_printf ("%s (%s)", name, strain ? "‰" : "mm"));
+  plot->y.room = QN_CURVE_ROOM;
+  qn_plot_add (plot,
+               (QnMarks){ .kind = QN_MARKS_LINE, .x = x, .y = y, .count = samples->len });
+  return plot;
 }
 
 /* The elongation at which what is particular about a law happens. */

@@ -17,10 +17,8 @@ typedef struct QnLawSample {
  * too little fracture energy for that length. */
 gboolean qn_law_trace (const QnLawPreset *what, double length, GArray *samples);
 
-/* A plot of such samples with its axes, and its curve, which the caller keeps as long as the plot and
- * then clears. */
-void qn_law_plot (const QnLawPreset *what, const GArray *samples, QnCurve *curve,
-                  QnCurvePlot *plot);
+/* A plot of such samples. */
+QnPlot *qn_law_plot (const QnLawPreset *what, const GArray *samples);
 
 /* A law of one's own with the typical history of its kind, scaled to its numbers. */
 QnLawPreset qn_law_preset_for (const QnLaw *law);

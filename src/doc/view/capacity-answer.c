@@ -6,7 +6,6 @@
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
 #include "io/text/text-format.h"
-#include "render/figure/capacity-plot.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -359,66 +358,97 @@ qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,
 
 /* ---- output ---- */
 
-/* A plot with its labels, which are owned. */
-typedef struct Plot {
-  QnCapacityPlot plot;
-  QnCapacityMark marks[QN_CAPACITY_STATE_COUNT];
-  char *labels[2 * QN_CAPACITY_STATE_COUNT];
-} Plot;
+/* Points of the spectrum, evenly spread over periods from 0 to LONGEST s; it is shown up to so many times the
+ * end of the curve. */
+#define PERIODS 800
+#define LONGEST 10.0
+#define BEYOND  1.3
 
-static void
-plot_init (Plot *plot, const QnCapacityAnswer *answer, const char *title,
-           gboolean monochrome)
+/* Adds the spectrum up to this displacement; its largest acceleration. */
+static double
+add_spectrum (QnPlot *plot, const QnSpectrum *spectrum, double farthest)
 {
-  gsize count = answer->has_spectrum ? QN_CAPACITY_STATE_COUNT : 0;
-  *plot = (Plot){ 0 };
-  for (gsize i = 0; i < count; i++) {
-    const char *name = qn_capacity_check_name ((QnCapacityCheck) i);
-    plot->labels[2 * i] = qn_text_printf (_ ("%s: capacity"), name);
-    plot->labels[2 * i + 1] = qn_text_printf (_ ("%s: demand"), name);
-    plot->marks[i] =
-      (QnCapacityMark){ plot->labels[2 * i], plot->labels[2 * i + 1], answer->states[i] };
+  double *x = qn_plot_keep (plot, g_new (double, PERIODS)), highest = 0;
+  double *y = qn_plot_keep (plot, g_new (double, PERIODS));
+  gsize count = 0;
+  for (gsize i = 0; i < PERIODS; i++) {
+    double period = LONGEST * (double) i / (PERIODS - 1);
+    x[count] = qn_spectrum_displacement (spectrum, period);
+    y[count] = qn_spectrum_acceleration (spectrum, period);
+    if (x[count] > farthest)
+      continue;
+    highest = fmax (highest, y[count]);
+    count++;
   }
-  plot->plot =
-    (QnCapacityPlot){ .title = title,
-                      .x_label = _ ("Spectral displacement [m]"),
-                      .y_label = _ ("Spectral acceleration [m/s²]"),
-                      .curve_label = _ ("capacity curve"),
-                      .spectrum_label = _ ("elastic spectrum"),
-                      .capacity = &answer->capacity,
-                      .spectrum = answer->has_spectrum ? &answer->spectrum : NULL,
-                      .marks = plot->marks,
-                      .mark_count = count,
-                      .monochrome = monochrome };
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
+                                .label = _ ("elastic spectrum"),
+                                .series = 1,
+                                .dash = QN_USUAL_DASH,
+                                .x = x,
+                                .y = y,
+                                .count = count });
+  return highest;
 }
 
+/* The demand ends the line from the origin whose slope is that of its period, cut at `highest`, where
+ * curve and spectrum end; the capacity is a point of the curve. */
 static void
-plot_clear (Plot *plot)
+add_state (QnPlot *plot, const QnCapacityAnswer *answer, int k, double highest)
 {
-  for (gsize i = 0; i < G_N_ELEMENTS (plot->labels); i++)
-    g_free (plot->labels[i]);
+  const QnCapacityState *state = &answer->states[k];
+  const char *name = qn_capacity_check_name ((QnCapacityCheck) k);
+  double omega = 2 * G_PI / state->period;
+  double *x = qn_plot_keep (plot, g_new0 (double, 3));
+  double *y = qn_plot_keep (plot, g_new0 (double, 3));
+  x[1] = fmin (state->demand, highest / (omega * omega));
+  y[1] = omega * omega * x[1];
+  x[2] = state->capacity;
+  y[2] = qn_capacity_acceleration (&answer->capacity, state->capacity);
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
+                                .label = qn_plot_keep (
+                                  plot, qn_text_printf (_ ("%s: demand"), name)),
+                                .series = 2 + k,
+                                .x = x,
+                                .y = y,
+                                .count = 2 });
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
+                                .label = qn_plot_keep (
+                                  plot, qn_text_printf (_ ("%s: capacity"), name)),
+                                .series = 2 + k,
+                                .x = x + 2,
+                                .y = y + 2,
+                                .count = 1 });
 }
 
-void
-qn_capacity_answer_draw (const QnCapacityAnswer *answer, const char *title, cairo_t *cr,
-                         double width, double height, double unit)
+QnPlot *
+qn_capacity_answer_plot (const QnCapacityAnswer *answer)
 {
-  Plot plot;
-  plot_init (&plot, answer, title, FALSE);
-  qn_capacity_plot_draw (&plot.plot, cr, width, height, unit);
-  plot_clear (&plot);
-}
-
-gboolean
-qn_capacity_answer_export (const QnCapacityAnswer *answer, const char *title,
-                           gboolean monochrome, const char *path, const QnOutput *output,
-                           const QnMetadata *metadata, GError **error)
-{
-  Plot plot;
-  plot_init (&plot, answer, title, monochrome);
-  gboolean ok = qn_capacity_plot_export (&plot.plot, path, output, metadata, error);
-  plot_clear (&plot);
-  return ok;
+  const QnCapacity *c = &answer->capacity;
+  const gsize states = answer->has_spectrum ? QN_CAPACITY_STATE_COUNT : 0;
+  QnPlot *plot =
+    qn_plot_new (_ ("Spectral displacement [m]"), _ ("Spectral acceleration [m/s²]"));
+  double *x = qn_plot_keep (plot, g_new (double, c->count));
+  double *y = qn_plot_keep (plot, g_new (double, c->count));
+  double farthest = c->end, highest = 0;
+  for (gsize i = 0; i < c->count; i++) {
+    x[i] = c->points[i].displacement;
+    y[i] = c->points[i].acceleration;
+    highest = fmax (highest, y[i]);
+  }
+  for (gsize k = 0; k < states; k++)
+    if (!answer->states[k].refused)
+      farthest = fmax (farthest, answer->states[k].demand);
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
+                                .label = _ ("capacity curve"),
+                                .x = x,
+                                .y = y,
+                                .count = c->count });
+  if (answer->has_spectrum)
+    highest = fmax (highest, add_spectrum (plot, &answer->spectrum, BEYOND * farthest));
+  for (gsize k = 0; k < states; k++)
+    if (!answer->states[k].refused)
+      add_state (plot, answer, (int) k, highest);
+  return plot;
 }
 
 gboolean

@@ -6,7 +6,7 @@
 #include "core/base/progress.h"
 #include "core/capacity/capacity.h"
 #include "core/contact/contacts.h"
-#include "render/backend/output.h"
+#include "render/figure/plot.h"
 
 #include <gio/gio.h>
 
@@ -72,14 +72,8 @@ QnCapacity *qn_capacity_find_finish (GAsyncResult *result, char **control, char 
 /* The checks, where there is a spectrum. */
 void qn_capacity_answer_check (QnCapacityAnswer *answer);
 
-/* Draws the curve, and with a spectrum what it is held against, on a surface of this size, px, a point
- * being `unit` px; writes it as qn_page_export() does. title: or NULL. */
-void qn_capacity_answer_draw (const QnCapacityAnswer *answer, const char *title,
-                              cairo_t *cr, double width, double height, double unit);
-gboolean qn_capacity_answer_export (const QnCapacityAnswer *answer, const char *title,
-                                    gboolean monochrome, const char *path,
-                                    const QnOutput *output, const QnMetadata *metadata,
-                                    GError **error);
+/* The curve, and with a spectrum what it is held against; borrows nothing. */
+QnPlot *qn_capacity_answer_plot (const QnCapacityAnswer *answer);
 
 /* Writes the curve as a table. */
 gboolean qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,

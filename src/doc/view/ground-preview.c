@@ -3,7 +3,7 @@
 #include "core/base/integer.h"
 #include "core/dynamics/ground.h"
 #include "core/dynamics/response-spectrum.h"
-#include "render/figure/data-plot.h"
+#include "render/figure/plot.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -89,9 +89,8 @@ qn_ground_preview_clear (QnGroundPreview *preview)
   *preview = (QnGroundPreview){ 0 };
 }
 
-void
-qn_ground_preview_draw (const QnGroundPreview *preview, QnGroundPreviewKind kind,
-                        cairo_t *cr, double width, double height, double unit)
+QnPlot *
+qn_ground_preview_plot (const QnGroundPreview *preview, QnGroundPreviewKind kind)
 {
   const char *const labels[QN_GROUND_PREVIEW_COUNT] = {
     [QN_GROUND_ACCELERATION] = _ ("Acceleration (m/s²)"),
@@ -99,17 +98,12 @@ qn_ground_preview_draw (const QnGroundPreview *preview, QnGroundPreviewKind kind
     [QN_GROUND_DISPLACEMENT] = _ ("Displacement (m)"),
     [QN_GROUND_SPECTRUM] = _ ("Spectral acceleration (m/s²)"),
   };
-  const QnMarks marks = {
-    .kind = QN_MARKS_LINE, .x = preview->x, .y = preview->y, .count = preview->count
-  };
-  const QnDataPlot plot = { .x_label = kind == QN_GROUND_SPECTRUM
-                                         ? _ ("Period (s), damping 5 %")
-                                         : _ ("Time (s)"),
-                            .y_label = labels[kind],
-                            .x_from_zero = true,
-                            .y_from_zero = true,
-                            .marks = &marks,
-                            .mark_count = 1 };
-  if (preview->count > 0)
-    qn_data_plot_draw (&plot, cr, width, height, unit, NULL);
+  QnPlot *plot = qn_plot_new (kind == QN_GROUND_SPECTRUM ? _ ("Period (s), damping 5 %")
+                                                         : _ ("Time (s)"),
+                              labels[kind]);
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
+                                .x = preview->x,
+                                .y = preview->y,
+                                .count = preview->count });
+  return plot;
 }

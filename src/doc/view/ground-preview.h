@@ -5,7 +5,7 @@
 
 #include "core/model/model.h"
 
-#include <cairo.h>
+#include "render/figure/plot.h"
 #include <glib.h>
 
 typedef enum {
@@ -29,8 +29,7 @@ void qn_ground_preview_init (QnGroundPreview *preview, const QnModel *model, gsi
                              QnGroundPreviewKind kind);
 void qn_ground_preview_clear (QnGroundPreview *preview);
 
-/* Draws it as a plot on a surface of this size, px, a point being `unit` px. */
-void qn_ground_preview_draw (const QnGroundPreview *preview, QnGroundPreviewKind kind,
-                             cairo_t *cr, double width, double height, double unit);
+/* A plot of it, which borrows its numbers. */
+QnPlot *qn_ground_preview_plot (const QnGroundPreview *preview, QnGroundPreviewKind kind);
 
 #endif

@@ -222,19 +222,6 @@ write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
   qn_report_table (pages, cells, 5);
 }
 
-static void
-draw_energies (const void *data, cairo_t *cr, double width, double height)
-{
-  qn_energy_plot_draw (data, TRUE, cr, width, height, 1, NULL);
-}
-
-/* What draws the acceleration of one motion of the ground. */
-static void
-draw_ground (const void *data, cairo_t *cr, double width, double height)
-{
-  qn_ground_preview_draw (data, QN_GROUND_ACCELERATION, cr, width, height, 1);
-}
-
 /* The step that is nearest to a time. */
 static size_t
 step_at (const QnResult *result, double time)
@@ -252,13 +239,13 @@ write_history (QnPages *pages, const QnReportRun *run, GError **error)
 {
   const QnModel *model = &run->project->model;
   const QnResult *result = &run->file->result;
-  QnEnergyPlot energies;
   for (size_t i = 0; i < model->ground_count; i++) {
     QnGroundPreview ground;
     qn_ground_preview_init (&ground, model, i, QN_GROUND_ACCELERATION);
     if (ground.count > 0) {
       qn_report_write_ground_motion (pages, &model->ground[i]);
-      qn_pages_drawing (pages, draw_ground, &ground, 0.25);
+      g_autoptr (QnPlot) plot = qn_ground_preview_plot (&ground, QN_GROUND_ACCELERATION);
+      qn_pages_plot (pages, plot, 0.25);
     }
     qn_ground_preview_clear (&ground);
   }
@@ -271,10 +258,11 @@ write_history (QnPages *pages, const QnReportRun *run, GError **error)
     if (!qn_pages_figure (pages, &figure, 0.42, error))
       return false;
   }
-  qn_energy_plot_init (&energies, &result->history);
-  if (energies.count > 0)
-    qn_pages_drawing (pages, draw_energies, &energies, 0.3);
-  qn_energy_plot_clear (&energies);
+  if (result->history.row_count > 0) {
+    const char *unit;
+    g_autoptr (QnPlot) energies = qn_energy_plot (&result->history, &unit);
+    qn_pages_plot (pages, energies, 0.3);
+  }
   return true;
 }
 
@@ -312,12 +300,11 @@ qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
       && !write_figure (pages, run, QN_VIEW_DEFORMED, _ ("Displacements"), error))
     return false;
   if (take_curve (run, &curve)) {
-    const QnCurvePlot plot = { .title = curve.in_time   ? _ ("Displacement in time")
-                                        : curve.settles ? _ ("Reaction over settlement")
-                                                        : _ ("Load–displacement curve"),
-                               .curves = &curve,
-                               .curve_count = 1 };
-    qn_pages_curve (pages, &plot, 0.4);
+    g_autoptr (QnPlot) plot = qn_curve_plot (&curve, 1, NULL, 0);
+    plot->title = curve.in_time   ? _ ("Displacement in time")
+                  : curve.settles ? _ ("Reaction over settlement")
+                                  : _ ("Load–displacement curve");
+    qn_pages_plot (pages, plot, 0.4);
     qn_curve_clear (&curve);
   }
   if (result->history.width > 0 && !write_history (pages, run, error))
@@ -365,19 +352,20 @@ write_curves (QnPages *pages, const QnCurve *curves, size_t count)
 {
   g_autofree QnCurve *alike = g_new0 (QnCurve, count + 1);
   for (size_t first = 0; first < count; first++) {
-    QnCurvePlot plot = { .title = curves[first].in_time ? _ ("Displacement in time")
-                                  : curves[first].settles
-                                    ? _ ("Reactions over settlement")
-                                    : _ ("Load–displacement curves"),
-                         .curves = alike };
+    size_t found = 0;
     bool told = false;
     for (size_t i = 0; i < count; i++)
       if (qn_curve_shares_axes (&curves[i], &curves[first])) {
         told |= i < first;
-        alike[plot.curve_count++] = curves[i];
+        alike[found++] = curves[i];
       }
-    if (plot.curve_count > 1 && !told)
-      qn_pages_curve (pages, &plot, 0.45);
+    if (found < 2 || told)
+      continue;
+    g_autoptr (QnPlot) plot = qn_curve_plot (alike, found, NULL, 0);
+    plot->title = curves[first].in_time   ? _ ("Displacement in time")
+                  : curves[first].settles ? _ ("Reactions over settlement")
+                                          : _ ("Load–displacement curves");
+    qn_pages_plot (pages, plot, 0.45);
   }
 }
 

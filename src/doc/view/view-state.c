@@ -232,6 +232,15 @@ qn_view_state_set_step (QnViewState *self, int step)
 }
 
 void
+qn_view_state_show_step (QnViewState *self, int step)
+{
+  if (!qn_view_needs_result (self->options.view)
+      || self->options.view == QN_VIEW_MECHANISM)
+    qn_view_state_set_view (self, QN_VIEW_DEFORMED);
+  qn_view_state_set_step (self, step);
+}
+
+void
 qn_view_state_set_scale (QnViewState *self, double scale)
 {
   double *own = self->options.view == QN_VIEW_MECHANISM ? &self->mechanism_scale

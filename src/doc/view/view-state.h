@@ -27,6 +27,9 @@ void qn_view_state_set_view (QnViewState *state, QnView view);
 int qn_view_state_get_step (QnViewState *state);
 void qn_view_state_set_step (QnViewState *state, int step);
 
+/* The same, in the view of displacements where the one that is shown has no steps. */
+void qn_view_state_show_step (QnViewState *state, int step);
+
 /* Factor on displacements, QN_SCALE_AUTO for one that fits. The mechanism, whose size means nothing,
  * has one of its own, set and told while it is shown. */
 void qn_view_state_set_scale (QnViewState *state, double scale);

@@ -1,11 +1,11 @@
-/* Load-displacement curves: several runs in one plot with ticks, units, marked collapse and
- * limit points and reference lines. */
+/* Load-displacement curves: several runs in one plot with units, marked collapse and limit points and
+ * reference lines. */
 #ifndef QN_RENDER_CURVE_PLOT_H
 #define QN_RENDER_CURVE_PLOT_H
 
 #include "core/model/model.h"
 #include "core/result/curve-motion.h"
-#include "render/backend/output.h"
+#include "render/figure/plot.h"
 
 /* One run. */
 typedef struct QnCurve {
@@ -27,27 +27,14 @@ typedef struct QnCurve {
   bool runs_on;             /* cut at its last point: the motion goes on beyond */
 } QnCurve;
 
+/* Share of the largest value that plots of curves leave free above it. */
+#define QN_CURVE_ROOM 0.04
+
 /* A horizontal line with a label, for a published value. */
 typedef struct QnReferenceLine {
   double y;
   const char *label;
 } QnReferenceLine;
-
-typedef struct QnCurvePlot {
-  const char *title;   /* or NULL */
-  const char *x_label; /* without unit, or NULL: "Displacement ux", and since when */
-  const char
-    *x_unit; /* unit of x as it is, "" for none; NULL: x is in m or rad, or s where
-                          the first curve is in time */
-  const char *y_label; /* or NULL: "Load multiplier", or the displacement in time */
-  bool x_log, y_log;   /* decades: values that are not positive are left out */
-  bool points;         /* every point of the curves is marked */
-  const QnCurve *curves;
-  size_t curve_count;
-  const QnReferenceLine *references;
-  size_t reference_count;
-  bool monochrome;
-} QnCurvePlot;
 
 /* The curve of a displacement over the steps of a result, empty where there is none: the multiplier of the loads
  * that its last stage drives, at all steps. Of an analysis in time its history, of a settlement the
@@ -72,12 +59,8 @@ void qn_curve_cut_runaway (QnCurve *curve);
 void qn_curve_clear (QnCurve *curve);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnCurve, qn_curve_clear)
 
-/* Writes the plot as qn_page_export() does. */
-bool qn_curve_export (const QnCurvePlot *plot, const char *path, const QnOutput *output,
-                      const QnMetadata *metadata, GError **error);
-
-/* Draws the plot into a rectangle of a page. */
-void qn_curve_plot_draw (const QnCurvePlot *plot, cairo_t *cr, const QnPage *page,
-                         double x, double y, double width, double height);
+/* The plot of curves that share axes, with their marks; both arrays are borrowed. */
+QnPlot *qn_curve_plot (const QnCurve *curves, size_t count,
+                       const QnReferenceLine *references, size_t reference_count);
 
 #endif

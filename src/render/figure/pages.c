@@ -420,26 +420,13 @@ qn_pages_figure (QnPages *pages, const QnFigure *figure, double share, GError **
 }
 
 void
-qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share)
-{
-  double height = share * (bottom (pages) - MARGIN);
-  QnPage page = page_of (pages);
-  begin (pages, height);
-  cairo_save (pages->cr);
-  qn_curve_plot_draw (plot, pages->cr, &page, MARGIN, pages->y, text_width (pages),
-                      height);
-  cairo_restore (pages->cr);
-  pages->y += height + 8;
-}
-
-void
-qn_pages_drawing (QnPages *pages, QnDrawFunc draw, const void *data, double share)
+qn_pages_plot (QnPages *pages, const QnPlot *plot, double share)
 {
   double height = share * (bottom (pages) - MARGIN);
   begin (pages, height);
+  const QnFrame frame = { MARGIN, pages->y, text_width (pages), height, 0 };
   cairo_save (pages->cr);
-  cairo_translate (pages->cr, MARGIN, pages->y);
-  draw (data, pages->cr, text_width (pages), height);
+  qn_plot_draw (plot, pages->cr, 1, &frame, NULL);
   cairo_restore (pages->cr);
   pages->y += height + 8;
 }

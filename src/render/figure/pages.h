@@ -44,11 +44,7 @@ bool qn_pages_figure (QnPages *pages, const QnFigure *figure, double share,
 /* Figures beside each other, `columns` in a row, of one height. */
 bool qn_pages_figures (QnPages *pages, const QnFigure *figures, size_t count,
                        size_t columns, double share, GError **error);
-void qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share);
-
-/* Whatever draws itself on a surface of this size, pt. */
-typedef void (*QnDrawFunc) (const void *data, cairo_t *cr, double width, double height);
-void qn_pages_drawing (QnPages *pages, QnDrawFunc draw, const void *data, double share);
+void qn_pages_plot (QnPages *pages, const QnPlot *plot, double share);
 
 /* Frees the document; its PDF, or NULL with an error. */
 GBytes *qn_pages_finish (QnPages *pages, GError **error);

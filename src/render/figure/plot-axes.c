@@ -42,6 +42,14 @@ qn_axis_set (QnAxis *axis, double low, double high, double length, double spacin
   axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
 }
 
+void
+qn_axis_cut (QnAxis *axis, double low, double high)
+{
+  axis->low = low;
+  axis->high = high;
+  axis->first = ceil (low / axis->step - 1e-9) * axis->step;
+}
+
 /* The tick after v; decades that leave room are divided at 2 and 5. */
 static double
 next_tick (const QnAxis *axis, double v)

@@ -30,6 +30,9 @@ double qn_axis_place (const QnAxis *axis, double value);
  * it is near. */
 void qn_axis_set (QnAxis *axis, double low, double high, double length, double spacing);
 
+/* Lets a linear axis end at these values instead, with its ticks as they are. */
+void qn_axis_cut (QnAxis *axis, double low, double high);
+
 /* Ticks at decades, at most so many that they do not touch; short axes divide them. */
 void qn_axis_set_log (QnAxis *axis, double low, double high, double length,
                       double spacing);

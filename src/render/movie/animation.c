@@ -218,11 +218,9 @@ draw_frame (Player *player, cairo_t *cr, int k, GError **error)
   if (player->plot.width > 0) {
     player->curve.dot =
       MIN ((ptrdiff_t) player->steps[k], (ptrdiff_t) player->curve.count - 1);
-    QnCurvePlot plot = { .curves = &player->curve,
-                         .curve_count = 1,
-                         .monochrome = player->figure.options.monochrome };
-    qn_curve_plot_draw (&plot, cr, player->page, player->plot.x, player->plot.y,
-                        player->plot.width, player->plot.height);
+    g_autoptr (QnPlot) plot = qn_curve_plot (&player->curve, 1, NULL, 0);
+    plot->monochrome = player->figure.options.monochrome;
+    qn_plot_draw (plot, cr, player->page->unit, &player->plot, NULL);
   }
   cairo_surface_flush (cairo_get_target (cr));
   cairo_status_t status = cairo_status (cr);

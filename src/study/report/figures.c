@@ -5,7 +5,7 @@
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
 #include "render/figure/compare-sheet.h"
-#include "render/figure/data-plot.h"
+#include "render/figure/plot.h"
 #include "study/report/column.h"
 
 #include <glib/gi18n-lib.h>
@@ -28,41 +28,28 @@ const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT] = {
   [QN_STUDY_FIGURE_MECHANISMS] = "mechanisms",
 };
 
-/* What one export needs; with `cr` the figure is drawn there instead. */
+/* What is drawn of what. */
 typedef struct Page {
-  cairo_t *cr;
-  double width, height, unit; /* px */
-  QnPlotPlace *place;
   const QnStudyFigure *figure;
   const QnTable *table;
-  const char *path;
-  const QnOutput *output;
-  const QnMetadata *metadata;
   GError **error;
 } Page;
 
-static gboolean
+static QnPlot *
 fail (const Page *page, const char *message)
 {
   g_set_error (page->error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s",
                page->table->study->name, message);
-  return FALSE;
+  return NULL;
 }
 
-static gboolean
-export_plot (const Page *page, QnDataPlot plot, const QnMarks *marks, size_t count)
+/* A plot whose axes hold 0 only where that is said. */
+static QnPlot *
+new_plot (const char *x_label, const char *y_label)
 {
-  plot.title = page->table->study->title;
-  plot.marks = marks;
-  plot.mark_count = count;
-  plot.monochrome = page->figure->monochrome;
-  if (page->cr != NULL) {
-    qn_data_plot_draw (&plot, page->cr, page->width, page->height, page->unit,
-                       page->place);
-    return TRUE;
-  }
-  return qn_data_plot_export (&plot, page->path, page->output, page->metadata,
-                              page->error);
+  QnPlot *plot = qn_plot_new (x_label, y_label);
+  plot->x.from_zero = plot->y.from_zero = false;
+  return plot;
 }
 
 static const char *
@@ -71,20 +58,19 @@ name_of (const Page *page, int column)
   return qn_table_column_text (page->table, (gsize) column);
 }
 
-static gboolean
+static QnPlot *
 draw_scatter (const Page *page)
 {
-  g_autofree double *x = NULL, *y = NULL;
+  double *x = NULL, *y = NULL;
   gsize count = qn_table_dup_pairs (page->table, (gsize) page->figure->parameters[0],
                                     (gsize) page->figure->column, &x, &y);
-  if (count == 0)
-    return fail (page, _ ("no case has this output yet"));
-  QnMarks marks = { .kind = QN_MARKS_POINTS, .x = x, .y = y, .count = count };
-  return export_plot (
-    page,
-    (QnDataPlot){ .x_label = name_of (page, page->figure->parameters[0]),
-                  .y_label = name_of (page, page->figure->column) },
-    &marks, 1);
+  QnPlot *plot = new_plot (name_of (page, page->figure->parameters[0]),
+                           name_of (page, page->figure->column));
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
+                                .x = qn_plot_keep (plot, x),
+                                .y = qn_plot_keep (plot, y),
+                                .count = count });
+  return plot;
 }
 
 /* The rule of Freedman and Diaconis for the width of bars. */
@@ -97,22 +83,25 @@ bar_count (const double *sorted, gsize count)
   return (gsize) qn_to_integer (ceil (range / width), 1, MOST_BARS);
 }
 
-static gboolean
+static QnPlot *
 draw_histogram (const Page *page)
 {
   gsize count;
-  g_autofree double *sorted =
-    qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count);
+  QnPlot *plot = new_plot (name_of (page, page->figure->column), _ ("Cases"));
+  const double *sorted = qn_plot_keep (
+    plot, qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count));
   if (count == 0)
-    return fail (page, _ ("no case has this output yet"));
+    return plot;
   gsize bars = bar_count (sorted, count);
   double low = sorted[0], width = (sorted[count - 1] - low) / (double) bars;
   if (!(width > 0)) {
     width = fmax (fabs (low), 1) * 1e-3;
     low -= 0.5 * width;
   }
-  g_autofree double *x = g_new (double, bars), *x_end = g_new (double, bars);
-  g_autofree double *y = g_new0 (double, bars), *y_end = g_new0 (double, bars);
+  double *x = qn_plot_keep (plot, g_new (double, bars));
+  double *x_end = qn_plot_keep (plot, g_new (double, bars));
+  double *y = qn_plot_keep (plot, g_new0 (double, bars));
+  double *y_end = qn_plot_keep (plot, g_new0 (double, bars));
   gsize before = 0;
   for (gsize i = 0; i < bars; i++) {
     x[i] = low + width * (double) i;
@@ -121,32 +110,35 @@ draw_histogram (const Page *page)
     y_end[i] = (double) (upto - before);
     before = upto;
   }
-  QnMarks marks = { .kind = QN_MARKS_RECTANGLES,
-                    .x = x,
-                    .x_end = x_end,
-                    .y = y,
-                    .y_end = y_end,
-                    .count = bars };
-  return export_plot (page,
-                      (QnDataPlot){ .x_label = name_of (page, page->figure->column),
-                                    .y_label = _ ("Cases"),
-                                    .y_from_zero = true },
-                      &marks, 1);
+  plot->y.from_zero = true;
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_RECTANGLES,
+                                .x = x,
+                                .x_end = x_end,
+                                .y = y,
+                                .y_end = y_end,
+                                .count = bars });
+  return plot;
 }
 
 /* Share of the values up to each of them, and its bounds where they are a sample. */
-static gboolean
+static QnPlot *
 draw_cumulative (const Page *page)
 {
   gsize count;
-  g_autofree double *sorted =
-    qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count);
+  const char *share_text =
+    qn_table_fragility_text (page->table, (gsize) page->figure->column);
+  QnPlot *plot =
+    new_plot (name_of (page, page->figure->column),
+              share_text != NULL ? share_text : _ ("Share up to this value"));
+  double *sorted = qn_plot_keep (
+    plot, qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count));
   if (count == 0)
-    return fail (page, _ ("no case has this output yet"));
+    return plot;
   /* Of very many values, evenly spaced ones. */
   gsize every = (count + MOST_STEPS - 1) / MOST_STEPS, steps = 0;
-  g_autofree double *share = g_new (double, count);
-  g_autofree double *low = g_new (double, count), *high = g_new (double, count);
+  double *share = qn_plot_keep (plot, g_new (double, count));
+  double *low = qn_plot_keep (plot, g_new (double, count));
+  double *high = qn_plot_keep (plot, g_new (double, count));
   for (gsize i = (count - 1) % every; i < count; i += every, steps++) {
     QnInterval interval = qn_share_interval (i + 1, count);
     sorted[steps] = sorted[i];
@@ -154,30 +146,21 @@ draw_cumulative (const Page *page)
     low[steps] = interval.low;
     high[steps] = interval.high;
   }
-  QnMarks marks[] = {
-    { .kind = QN_MARKS_BAND,
-      /* xgettext:no-c-format */
-      .label = _ ("95 % interval"),
-      .x = sorted,
-      .y = low,
-      .y_end = high,
-      .count = steps },
-    { .kind = QN_MARKS_STEPS,
-      .label = _ ("share of the cases"),
-      .x = sorted,
-      .y = share,
-      .count = steps },
-  };
-  gboolean sample = qn_table_is_sample (page->table);
-  const char *share_text =
-    qn_table_fragility_text (page->table, (gsize) page->figure->column);
-  return export_plot (page,
-                      (QnDataPlot){ .x_label = name_of (page, page->figure->column),
-                                    .y_label = share_text != NULL
-                                                 ? share_text
-                                                 : _ ("Share up to this value"),
-                                    .y_from_zero = true },
-                      sample ? marks : marks + 1, sample ? 2 : 1);
+  plot->y.from_zero = true;
+  if (qn_table_is_sample (page->table))
+    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_BAND,
+                                  /* xgettext:no-c-format */
+                                  .label = _ ("95 % interval"),
+                                  .x = sorted,
+                                  .y = low,
+                                  .y_end = high,
+                                  .count = steps });
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_STEPS,
+                                .label = _ ("share of the cases"),
+                                .x = sorted,
+                                .y = share,
+                                .count = steps });
+  return plot;
 }
 
 /* Rows of a tornado, the longest on top. */
@@ -202,93 +185,67 @@ compare_bars (gconstpointer a, gconstpointer b)
   return (x < y) - (x > y);
 }
 
-/* `second` (nullable) names the second bars, `base` (or NaN) is where a line goes through all. */
-static gboolean
-draw_bars (const Page *page, GArray *bars, const char *x_label, const char *first,
-           const char *second, double base)
+/* Adds bars from `top` to `bottom` about the middle of each row, to `to` or to `second`; with a label
+ * they have whiskers. */
+static void
+add_bars (QnPlot *plot, const GArray *bars, int series, const char *label, double top,
+          double bottom)
 {
-  enum {
-    FROM,
-    TO,
-    END,
-    TOP,
-    MIDDLE,
-    BOTTOM,
-    LOW,
-    HIGH,
-    LOW_2,
-    HIGH_2,
-    ROW,
-    ROW_2,
-    COLUMNS
-  };
+  enum { FROM, TO, TOP, BOTTOM, LOW, HIGH, MIDDLE, COLUMNS };
   gsize count = bars->len;
-  g_array_sort (bars, compare_bars);
-  g_autofree const char **names = g_new (const char *, count);
-  g_autofree double *numbers = g_new (double, COLUMNS *count);
-  const double *column[COLUMNS];
-  for (int k = 0; k < COLUMNS; k++)
-    column[k] = numbers + (gsize) k * count;
+  double *numbers = qn_plot_keep (plot, g_new (double, COLUMNS *count));
   for (gsize i = 0; i < count; i++) {
     const Bar *bar = &g_array_index (bars, Bar, i);
-    double row = (double) i;
+    const double row = (double) i;
     const double values[COLUMNS] = {
-      bar->from,
-      bar->to,
-      bar->second,
-      row - HALF_BAR,
-      second != NULL ? row : row + HALF_BAR,
-      row + HALF_BAR,
-      bar->whiskers[0].low,
-      bar->whiskers[0].high,
-      bar->whiskers[1].low,
-      bar->whiskers[1].high,
-      row - HALF_BAR / 2,
-      row + HALF_BAR / 2,
+      [FROM] = bar->from,
+      [TO] = series == 0 ? bar->to : bar->second,
+      [TOP] = row + top,
+      [BOTTOM] = row + bottom,
+      [LOW] = bar->whiskers[series].low,
+      [HIGH] = bar->whiskers[series].high,
+      [MIDDLE] = row + 0.5 * (top + bottom),
     };
-    names[i] = bar->name;
     for (gsize k = 0; k < COLUMNS; k++)
       numbers[k * count + i] = values[k];
   }
-  const double base_x[] = { base, base }, base_y[] = { -0.5, (double) count - 0.5 };
-  QnMarks marks[4] = {
-    { QN_MARKS_RECTANGLES, first, 0, false, column[FROM], column[TOP], column[TO],
-      column[MIDDLE], NULL, count },
-    { QN_MARKS_RECTANGLES, second, 1, false, column[FROM], column[MIDDLE], column[END],
-      column[BOTTOM], NULL, count },
-    { QN_MARKS_WHISKERS, NULL, 0, false, column[LOW], column[ROW], column[HIGH], NULL,
-      NULL, count },
-    { QN_MARKS_WHISKERS, NULL, 0, false, column[LOW_2], column[ROW_2], column[HIGH_2],
-      NULL, NULL, count },
-  };
-  if (second == NULL)
-    marks[1] = (QnMarks){ QN_MARKS_LINE,
-                          _ ("the project as it is"),
-                          1,
-                          false,
-                          base_x,
-                          base_y,
-                          NULL,
-                          NULL,
-                          NULL,
-                          2 };
-  return export_plot (page,
-                      (QnDataPlot){ .x_label = x_label,
-                                    .y_label = _ ("Parameter"),
-                                    .y_names = names,
-                                    .y_name_count = count,
-                                    .x_from_zero = second != NULL },
-                      marks,
-                      second != NULL ? 4
-                      : isnan (base) ? 1
-                                     : 2);
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_RECTANGLES,
+                                .label = label,
+                                .series = series,
+                                .x = numbers + FROM * count,
+                                .y = numbers + TOP * count,
+                                .x_end = numbers + TO * count,
+                                .y_end = numbers + BOTTOM * count,
+                                .count = count });
+  if (label != NULL)
+    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_WHISKERS,
+                                  .x = numbers + LOW * count,
+                                  .y = numbers + MIDDLE * count,
+                                  .x_end = numbers + HIGH * count,
+                                  .count = count });
 }
 
-static gboolean
-draw_sobol (const Page *page, GArray *bars)
+/* One row for each bar, the longest on top. */
+static QnPlot *
+new_bars (GArray *bars, char *x_label)
+{
+  QnPlot *plot = new_plot (NULL, _ ("Parameter"));
+  const char **names = qn_plot_keep (plot, g_new (const char *, bars->len));
+  g_array_sort (bars, compare_bars);
+  for (guint i = 0; i < bars->len; i++)
+    names[i] = g_array_index (bars, Bar, i).name;
+  plot->x.label = qn_plot_keep (plot, x_label);
+  plot->y.names = names;
+  plot->y.name_count = bars->len;
+  return plot;
+}
+
+static QnPlot *
+draw_sobol (const Page *page)
 {
   const QnTable *table = page->table;
   g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
+  g_autoptr (GArray) bars = g_array_new (FALSE, FALSE, sizeof (Bar));
   if (!qn_table_sobol (table, (gsize) page->figure->column, indices))
     return fail (page, _ ("too few cases are known for Sobol indices"));
   for (gsize k = 0; k < table->parameters; k++) {
@@ -298,21 +255,26 @@ draw_sobol (const Page *page, GArray *bars)
                 .whiskers = { indices[k].of_first, indices[k].of_total } };
     g_array_append_val (bars, bar);
   }
-  g_autofree char *label =
-    g_strdup_printf (_ ("Sobol index: %s"), name_of (page, page->figure->column));
-  return draw_bars (page, bars, label, _ ("first order"), _ ("total"), NAN);
+  QnPlot *plot = new_bars (
+    bars, g_strdup_printf (_ ("Sobol index: %s"), name_of (page, page->figure->column)));
+  plot->x.from_zero = true;
+  add_bars (plot, bars, 0, _ ("first order"), -HALF_BAR, 0);
+  add_bars (plot, bars, 1, _ ("total"), 0, HALF_BAR);
+  return plot;
 }
 
-static gboolean
+/* Ranges have a line through all, where the project as it is stands. */
+static QnPlot *
 draw_tornado (const Page *page)
 {
   const QnTable *table = page->table;
   gsize column = (gsize) page->figure->column;
+  const char *name = name_of (page, page->figure->column);
   gboolean single = table->study->plan == QN_PLAN_ONE_AT_A_TIME;
   double base = NAN;
   g_autoptr (GArray) bars = g_array_new (FALSE, FALSE, sizeof (Bar));
   if (table->study->plan == QN_PLAN_SOBOL)
-    return draw_sobol (page, bars);
+    return draw_sobol (page);
   for (gsize k = 0; k < table->parameters; k++) {
     g_autofree double *x = NULL, *y = NULL;
     double r = 0;
@@ -328,13 +290,23 @@ draw_tornado (const Page *page)
     bar.to = single ? effect.high : r;
     g_array_append_val (bars, bar);
   }
-  if (bars->len == 0)
-    return fail (page, _ ("no case has this output yet"));
-  g_autofree char *correlation =
-    g_strdup_printf (_ ("Rank correlation: %s"), name_of (page, page->figure->column));
-  return draw_bars (page, bars,
-                    single ? name_of (page, page->figure->column) : correlation, NULL,
-                    NULL, base);
+  QnPlot *plot = new_bars (
+    bars, single ? g_strdup (name) : g_strdup_printf (_ ("Rank correlation: %s"), name));
+  if (bars->len > 0)
+    add_bars (plot, bars, 0, NULL, -HALF_BAR, HALF_BAR);
+  if (bars->len == 0 || isnan (base))
+    return plot;
+  double *line = qn_plot_keep (plot, g_new (double, 4));
+  line[0] = line[1] = base;
+  line[2] = -0.5;
+  line[3] = (double) bars->len - 0.5;
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
+                                .label = _ ("the project as it is"),
+                                .series = 1,
+                                .x = line,
+                                .y = line + 2,
+                                .count = 2 });
+  return plot;
 }
 
 /* The different values of a column, ascending; of double. */
@@ -377,14 +349,13 @@ level_of (const GArray *levels, double value)
 }
 
 /* A cell for each two levels, with the mean over what else varies. */
-static gboolean
-draw_cells (const Page *page, const QnDataPlot *plot, const double *x, const double *y,
-            const double *z, gsize count)
+static void
+add_cells (QnPlot *plot, const double *x, const double *y, const double *z, gsize count)
 {
   g_autoptr (GArray) across = dup_levels (x, count), up = dup_levels (y, count);
   gsize cells = (gsize) across->len * up->len, known = 0;
   g_autofree double *sum = g_new0 (double, cells), *weight = g_new0 (double, cells);
-  g_autofree double *numbers = g_new (double, 5 * cells);
+  double *numbers = qn_plot_keep (plot, g_new (double, 5 * cells));
   for (gsize i = 0; i < count; i++) {
     gsize cell = level_of (across, x[i]) * up->len + level_of (up, y[i]);
     sum[cell] += z[i];
@@ -399,23 +370,23 @@ draw_cells (const Page *page, const QnDataPlot *plot, const double *x, const dou
     numbers[3 * cells + known] = cell_edge (up, i % up->len + 1);
     numbers[4 * cells + known++] = sum[i] / weight[i];
   }
-  QnMarks marks = { .kind = QN_MARKS_RECTANGLES,
-                    .x = numbers,
-                    .x_end = numbers + cells,
-                    .y = numbers + 2 * cells,
-                    .y_end = numbers + 3 * cells,
-                    .values = numbers + 4 * cells,
-                    .count = known };
-  return export_plot (page, *plot, &marks, 1);
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_RECTANGLES,
+                                .x = numbers,
+                                .x_end = numbers + cells,
+                                .y = numbers + 2 * cells,
+                                .y_end = numbers + 3 * cells,
+                                .values = numbers + 4 * cells,
+                                .count = known });
 }
 
-static gboolean
+static QnPlot *
 draw_surface (const Page *page)
 {
   const QnTable *table = page->table;
   const int *parameters = page->figure->parameters;
-  g_autofree double *numbers = g_new (double, 3 * table->rows->len + 1);
-  double *x = numbers, *y = x + table->rows->len, *z = y + table->rows->len;
+  QnPlot *plot = new_plot (name_of (page, parameters[0]), name_of (page, parameters[1]));
+  double *x = qn_plot_keep (plot, g_new (double, 3 * table->rows->len + 1));
+  double *y = x + table->rows->len, *z = y + table->rows->len;
   gsize count = 0;
   for (gsize i = 0; i < table->rows->len; i++) {
     z[count] = qn_table_number (table, i, (gsize) page->figure->column);
@@ -423,79 +394,74 @@ draw_surface (const Page *page)
     y[count] = qn_table_number (table, i, (gsize) parameters[1]);
     count += isfinite (z[count]) != 0;
   }
-  if (count == 0)
-    return fail (page, _ ("no case has this output yet"));
-  QnDataPlot plot = { .x_label = name_of (page, parameters[0]),
-                      .y_label = name_of (page, parameters[1]),
-                      .bar_title = name_of (page, page->figure->column) };
-  if (table->study->plan == QN_PLAN_GRID)
-    return draw_cells (page, &plot, x, y, z, count);
-  QnMarks marks = {
-    .kind = QN_MARKS_POINTS, .x = x, .y = y, .values = z, .count = count
-  };
-  return export_plot (page, plot, &marks, 1);
+  plot->bar_title = name_of (page, page->figure->column);
+  if (table->study->plan == QN_PLAN_GRID && count > 0)
+    add_cells (plot, x, y, z, count);
+  else
+    qn_plot_add (
+      plot,
+      (QnMarks){ .kind = QN_MARKS_POINTS, .x = x, .y = y, .values = z, .count = count });
+  return plot;
 }
 
 /* Least and greatest value at every level of a parameter, with a gap where no case has one, and where
  * the least of all is. */
-static gboolean
+static QnPlot *
 draw_envelope (const Page *page)
 {
   g_autofree double *x = NULL, *y = NULL;
-  gsize count = qn_table_dup_pairs (page->table, (gsize) page->figure->parameters[0],
-                                    (gsize) page->figure->column, &x, &y);
+  const QnTable *table = page->table;
+  const gsize parameter = (gsize) page->figure->parameters[0], rows = table->rows->len;
+  gsize least = 0, count = qn_table_dup_pairs (table, parameter,
+                                               (gsize) page->figure->column, &x, &y);
+  QnPlot *plot = new_plot (name_of (page, page->figure->parameters[0]),
+                           name_of (page, page->figure->column));
   if (count == 0)
-    return fail (page, _ ("no case has this output yet"));
-  gsize rows = page->table->rows->len;
+    return plot;
   g_autofree double *all = g_new (double, rows);
   for (gsize i = 0; i < rows; i++)
-    all[i] = qn_table_number (page->table, i, (gsize) page->figure->parameters[0]);
-  g_autoptr (GArray) levels = dup_levels (all, rows);
-  g_autofree double *low = g_new (double, levels->len),
-                    *high = g_new (double, levels->len);
-  gsize least = 0;
+    all[i] = qn_table_number (table, i, parameter);
+  GArray *levels = dup_levels (all, rows);
+  const guint level_count = levels->len;
+  double *low = qn_plot_keep (plot, g_new (double, level_count));
+  double *high = qn_plot_keep (plot, g_new (double, level_count));
   gboolean wide = FALSE;
-  for (guint i = 0; i < levels->len; i++)
+  for (guint i = 0; i < level_count; i++)
     low[i] = high[i] = NAN;
   for (gsize i = 0; i < count; i++) {
     gsize level = level_of (levels, x[i]);
     low[level] = fmin (low[level], y[i]);
     high[level] = fmax (high[level], y[i]);
   }
-  const double *at = (const double *) (void *) levels->data;
-  for (gsize i = 0; i < levels->len; i++) {
+  const double *at = qn_plot_keep (plot, g_array_free (levels, FALSE));
+  for (gsize i = 0; i < level_count; i++) {
     least = !isnan (low[i]) && !(low[least] <= low[i]) ? i : least;
     wide |= high[i] > low[i];
   }
   char number[QN_NUMBER_TEXT_SIZE], place[QN_NUMBER_TEXT_SIZE];
   g_ascii_formatd (number, sizeof number, "%.5g", low[least]);
   g_ascii_formatd (place, sizeof place, "%.4g", at[least]);
-  g_autofree char *label = g_strdup_printf (_ ("least: %s at %s"), number, place);
-  const QnMarks marks[] = {
-    { .kind = QN_MARKS_LINE,
-      .label = wide ? _ ("least value") : NULL,
-      .x = at,
-      .y = low,
-      .count = levels->len },
-    { .kind = QN_MARKS_POINTS,
-      .label = label,
-      .series = 1,
-      .x = at + least,
-      .y = low + least,
-      .count = 1 },
-    { .kind = QN_MARKS_LINE,
-      .label = _ ("greatest value"),
-      .series = 2,
-      .x = at,
-      .y = high,
-      .count = levels->len },
-  };
-  return export_plot (
-    page,
-    (QnDataPlot){ .x_label = name_of (page, page->figure->parameters[0]),
-                  .y_label = name_of (page, page->figure->column),
-                  .y_from_zero = true },
-    marks, wide ? 3 : 2);
+  char *label =
+    qn_plot_keep (plot, g_strdup_printf (_ ("least: %s at %s"), number, place));
+  QnMarks line = { .kind = QN_MARKS_LINE,
+                   .label = wide ? _ ("least value") : NULL,
+                   .x = at,
+                   .y = low,
+                   .count = level_count };
+  plot->y.from_zero = true;
+  qn_plot_add (plot, line);
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
+                                .label = label,
+                                .series = 1,
+                                .x = at + least,
+                                .y = low + least,
+                                .count = 1 });
+  line.label = _ ("greatest value");
+  line.series = 2;
+  line.y = high;
+  if (wide)
+    qn_plot_add (plot, line);
+  return plot;
 }
 
 static char *
@@ -513,7 +479,8 @@ dup_caption (const QnTable *table, const QnMechanismShare *share, gsize whole)
 
 /* The typical case of every kind is analysed again: the same numbers give the same mechanism. */
 static gboolean
-draw_mechanisms (const Page *page)
+export_mechanisms (const Page *page, const char *path, const QnOutput *output,
+                   const QnMetadata *metadata)
 {
   const QnTable *table = page->table;
   QnCaseSolver solver;
@@ -524,9 +491,10 @@ draw_mechanisms (const Page *page)
   g_autofree QnFigure *figures = g_new0 (QnFigure, count + 1);
   g_autoptr (GPtrArray) captions = g_ptr_array_new_with_free_func (g_free);
   QnCompareSheet sheet = { .figures = figures, .title = table->study->title };
-  if (count == 0)
-    return fail (page,
-                 _ ("no case has a mechanism: is mechanism_shape among the outputs?"));
+  if (count == 0) {
+    fail (page, _ ("no case has a mechanism: is mechanism_shape among the outputs?"));
+    return FALSE;
+  }
   if (!qn_case_solver_init (&solver, table->study, page->error))
     return FALSE;
   for (guint i = 0; i < count; i++) {
@@ -548,27 +516,36 @@ draw_mechanisms (const Page *page)
     g_ptr_array_add (captions, dup_caption (table, share, whole));
     figure->caption = g_ptr_array_index (captions, captions->len - 1);
   }
-  gboolean ok = qn_compare_sheet_export (&sheet, page->path, page->output, page->metadata,
-                                         page->error);
+  gboolean ok = qn_compare_sheet_export (&sheet, path, output, metadata, page->error);
   for (guint i = 0; i < count; i++)
     qn_case_model_clear (&models[i]);
   qn_case_solver_clear (&solver);
   return ok;
 }
 
-static gboolean
-draw (const Page *page)
+QnPlot *
+qn_study_figure_plot (const QnStudyFigure *figure, const QnTable *table, GError **error)
 {
-  static gboolean (*const kinds[QN_STUDY_FIGURE_COUNT]) (const Page *) = {
+  static QnPlot *(*const kinds[QN_STUDY_FIGURE_MECHANISMS]) (const Page *) = {
     [QN_STUDY_FIGURE_SCATTER] = draw_scatter,
     [QN_STUDY_FIGURE_HISTOGRAM] = draw_histogram,
     [QN_STUDY_FIGURE_CUMULATIVE] = draw_cumulative,
     [QN_STUDY_FIGURE_TORNADO] = draw_tornado,
     [QN_STUDY_FIGURE_SURFACE] = draw_surface,
     [QN_STUDY_FIGURE_ENVELOPE] = draw_envelope,
-    [QN_STUDY_FIGURE_MECHANISMS] = draw_mechanisms,
   };
-  return kinds[page->figure->kind](page);
+  const Page page = { figure, table, error };
+  g_return_val_if_fail (figure->kind < QN_STUDY_FIGURE_MECHANISMS, NULL);
+  QnPlot *plot = kinds[figure->kind](&page);
+  if (plot == NULL)
+    return NULL;
+  if (plot->marks->len == 0 || g_array_index (plot->marks, QnMarks, 0).count == 0) {
+    qn_plot_free (plot);
+    return fail (&page, _ ("no case has this output yet"));
+  }
+  plot->title = table->study->title;
+  plot->monochrome = figure->monochrome;
+  return plot;
 }
 
 gboolean
@@ -583,28 +560,9 @@ qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
   metadata.model = model;
   metadata.model_sha256 = study->project.sha256;
   metadata.generator = "quoin " QN_VERSION;
-  const Page page = { .figure = figure,
-                      .table = table,
-                      .path = path,
-                      .output = output,
-                      .metadata = &metadata,
-                      .error = error };
-  return draw (&page);
-}
-
-gboolean
-qn_study_figure_draw (const QnStudyFigure *figure, const QnTable *table, cairo_t *cr,
-                      double width, double height, double unit, QnPlotPlace *place,
-                      GError **error)
-{
-  const Page page = { .cr = cr,
-                      .width = width,
-                      .height = height,
-                      .unit = unit,
-                      .place = place,
-                      .figure = figure,
-                      .table = table,
-                      .error = error };
-  g_return_val_if_fail (figure->kind != QN_STUDY_FIGURE_MECHANISMS, FALSE);
-  return draw (&page);
+  const Page page = { figure, table, error };
+  if (figure->kind == QN_STUDY_FIGURE_MECHANISMS)
+    return export_mechanisms (&page, path, output, &metadata);
+  g_autoptr (QnPlot) plot = qn_study_figure_plot (figure, table, error);
+  return plot != NULL && qn_plot_export (plot, path, output, &metadata, error);
 }

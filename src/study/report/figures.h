@@ -2,7 +2,7 @@
 #ifndef QN_STUDY_FIGURES_H
 #define QN_STUDY_FIGURES_H
 
-#include "render/figure/data-plot.h"
+#include "render/figure/plot.h"
 #include "study/report/table.h"
 
 typedef enum {
@@ -29,11 +29,9 @@ typedef struct QnStudyFigure {
 /* Spelling on the command line: "scatter", … */
 extern const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT];
 
-/* Draws a figure of one plot (not MECHANISMS) on a surface of this size, px, a point being `unit` px;
- * `place` says where its values lie. Errors as below. */
-gboolean qn_study_figure_draw (const QnStudyFigure *figure, const QnTable *table,
-                               cairo_t *cr, double width, double height, double unit,
-                               QnPlotPlace *place, GError **error);
+/* The plot of a figure (not MECHANISMS), which borrows from the table. NULL with an error as below. */
+QnPlot *qn_study_figure_plot (const QnStudyFigure *figure, const QnTable *table,
+                              GError **error);
 
 /* Writes the figure, with what it was made of: title, file and digest of the project, program.
  * Errors: QN_IO_ERROR where the table has nothing to show, QN_RENDER_ERROR. */

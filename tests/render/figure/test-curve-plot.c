@@ -123,7 +123,7 @@ test_limit_of_descending_curve (void)
 }
 
 static void
-export_plot (const QnCurvePlot *plot)
+export_plot (const QnPlot *plot)
 {
   static const char *const names[] = { "c.png", "c.svg", "c.pdf" };
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
@@ -134,7 +134,7 @@ export_plot (const QnCurvePlot *plot)
   for (size_t i = 0; i < G_N_ELEMENTS (names); i++) {
     GError *error = NULL;
     g_autofree char *path = g_build_filename (folder, names[i], NULL);
-    g_assert_true (qn_curve_export (plot, path, &output, &metadata, &error));
+    g_assert_true (qn_plot_export (plot, path, &output, &metadata, &error));
     g_assert_no_error (error);
     g_assert_cmpint (g_unlink (path), ==, 0);
   }
@@ -142,7 +142,7 @@ export_plot (const QnCurvePlot *plot)
 }
 
 static char *
-dup_svg (const QnCurvePlot *plot)
+dup_svg (const QnPlot *plot)
 {
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   g_autofree char *path = g_build_filename (folder, "c.svg", NULL);
@@ -151,7 +151,7 @@ dup_svg (const QnCurvePlot *plot)
   QnMetadata metadata;
   qn_output_init (&output);
   qn_metadata_init (&metadata);
-  g_assert_true (qn_curve_export (plot, path, &output, &metadata, NULL));
+  g_assert_true (qn_plot_export (plot, path, &output, &metadata, NULL));
   g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
   g_unlink (path);
   g_rmdir (folder);
@@ -181,8 +181,8 @@ test_units_of_motion (void)
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnCurve *first = &curves[cases[i].first];
     first->in_time = cases[i].in_time;
-    g_autofree char *svg =
-      dup_svg (&(QnCurvePlot){ .curves = first, .curve_count = cases[i].count });
+    g_autoptr (QnPlot) plot = qn_curve_plot (first, cases[i].count, NULL, 0);
+    g_autofree char *svg = dup_svg (plot);
     first->in_time = false;
     g_assert_nonnull (strstr (svg, cases[i].label));
   }
@@ -198,15 +198,12 @@ test_odd_data (void)
                         { .x = x, .y = y, .count = 4, .collapse_point = 3, .dot = 1 } };
   QnReferenceLine line = { 0.3, "reference" };
   for (size_t n = 0; n <= 3; n++) {
-    QnCurvePlot plot = { .curves = curves,
-                         .curve_count = n,
-                         .references = &line,
-                         .reference_count = n > 1 ? 1 : 0 };
-    export_plot (&plot);
-    plot.x_log = plot.y_log = plot.points = true;
-    export_plot (&plot);
-    plot.x_log = false;
-    export_plot (&plot);
+    g_autoptr (QnPlot) plot = qn_curve_plot (curves, n, &line, n > 1 ? 1 : 0);
+    export_plot (plot);
+    plot->x.log = plot->y.log = true;
+    export_plot (plot);
+    plot->x.log = false;
+    export_plot (plot);
   }
 }
 
@@ -235,19 +232,20 @@ test_decades (void)
     x[i] = pow (10, i / 10.0);
     y[i] = 1e-4 * pow (x[i], 1.5);
   }
-  QnCurve curve = {
-    .x = x, .y = y, .count = 31, .limit_point = -1, .collapse_point = -1, .dot = -1
-  };
-  QnCurvePlot plot = { .x_unit = "", .curves = &curve, .curve_count = 1, .points = true };
+  g_autoptr (QnPlot) plot = qn_plot_new ("x", "y");
+  QnMarks marks = { .kind = QN_MARKS_LINE, .x = x, .y = y, .count = 31 };
+  const QnFrame frame = { 0, 0, 400, 300, 0 };
   double share[2];
+  qn_plot_add (plot, marks);
+  marks.kind = QN_MARKS_POINTS;
+  qn_plot_add (plot, marks);
   for (int log = 0; log < 2; log++) {
-    plot.x_log = plot.y_log = log;
+    plot->x.log = plot->y.log = log;
     cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 400, 300);
     cairo_t *cr = cairo_create (surface);
     cairo_set_source_rgb (cr, 1, 1, 1);
     cairo_paint (cr);
-    qn_curve_plot_draw (&plot, cr, &(QnPage){ .width = 400, .height = 300, .unit = 1 }, 0,
-                        0, 400, 300);
+    qn_plot_draw (plot, cr, 1, &frame, NULL);
     cairo_destroy (cr);
     cairo_surface_flush (surface);
     share[log] = darkness (surface, 0.2, 0.5) / darkness (surface, 0.6, 0.9);
@@ -303,30 +301,18 @@ static void
 test_small (void)
 {
   const double x[2] = { 0, 1 }, y[2] = { 0, 1 };
-  const QnCurve curve = { .label = NULL,
-                          .count = 2,
-                          .x = (double *) x,
-                          .y = (double *) y,
-                          .limit_point = -1,
-                          .collapse_point = -1,
-                          .dot = -1 };
-  const QnCurvePlot plot = {
-    .curves = &curve,
-    .curve_count = 1,
-    .x_label = "Displacement of the crown since the dead load",
-    .x_unit = "mm",
-    .y_label = "Share of all cases that have collapsed before this value",
-  };
+  g_autoptr (QnPlot) plot =
+    qn_plot_new ("Displacement of the crown since the dead load (mm)",
+                 "Share of all cases that have collapsed before this value");
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE, .x = x, .y = y, .count = 2 });
   for (double height = 60; height < 400; height *= 1.2) {
     const double width = 1.3 * height;
     cairo_rectangle_t ink;
     cairo_surface_t *surface =
       cairo_recording_surface_create (CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cr = cairo_create (surface);
-    const QnPage page = {
-      .width = width, .height = height, .unit = 1, .antialias = true
-    };
-    qn_curve_plot_draw (&plot, cr, &page, 0, 0, width, height);
+    const QnFrame frame = { 0, 0, width, height, 0 };
+    qn_plot_draw (plot, cr, 1, &frame, NULL);
     cairo_recording_surface_ink_extents (surface, &ink.x, &ink.y, &ink.width,
                                          &ink.height);
     g_assert_cmpfloat (ink.x, >=, -1);

@@ -1,0 +1,400 @@
+#include "render/figure/plot.h"
+
+#include "render/backend/draw-cairo.h"
+#include "render/drawing/paint.h"
+#include "render/figure/figure-furniture.h"
+#include "render/figure/plot-axes.h"
+
+#include <math.h>
+
+/* Size of a dot, pt; with many of them, of the smallest. */
+#define DOT       4.0
+#define LEAST_DOT 1.8
+
+#define DASH_GAP    2.5
+#define LINE_WIDTH  1.3
+#define LEVEL_WIDTH 0.8
+#define BAND_ALPHA  0.22
+#define BAR_ALPHA   0.75
+#define PAGE_MARGIN 10.0
+
+typedef struct Drawing {
+  const QnPlot *plot;
+  cairo_t *cr;
+  double unit;
+  QnAxis x, y;
+  QnColorBar bar;
+} Drawing;
+
+/* ---- data ---- */
+
+QnPlot *
+qn_plot_new (const char *x_label, const char *y_label)
+{
+  QnPlot *plot = g_new0 (QnPlot, 1);
+  plot->x = (QnPlotAxis){ .label = x_label, .from_zero = true };
+  plot->y = (QnPlotAxis){ .label = y_label, .from_zero = true };
+  plot->marks = g_array_new (FALSE, FALSE, sizeof (QnMarks));
+  plot->kept = g_ptr_array_new_with_free_func (g_free);
+  return plot;
+}
+
+void
+qn_plot_free (QnPlot *plot)
+{
+  g_array_unref (plot->marks);
+  g_ptr_array_unref (plot->kept);
+  g_free (plot);
+}
+
+void *
+qn_plot_keep (QnPlot *plot, void *memory)
+{
+  g_ptr_array_add (plot->kept, memory);
+  return memory;
+}
+
+QnMarks *
+qn_plot_add (QnPlot *plot, QnMarks marks)
+{
+  g_array_append_val (plot->marks, marks);
+  return &g_array_index (plot->marks, QnMarks, plot->marks->len - 1);
+}
+
+/* ---- layout ---- */
+
+static void
+add_range (const double *numbers, size_t count, bool positive, double range[2])
+{
+  for (size_t i = 0; numbers != NULL && i < count; i++)
+    if (isfinite (numbers[i]) && (!positive || numbers[i] > 0)) {
+      range[0] = fmin (range[0], numbers[i]);
+      range[1] = fmax (range[1], numbers[i]);
+    }
+}
+
+/* Ends of what is drawn, in written units; 0 … 1 where there is nothing. */
+static void
+set_axis (QnAxis *axis, const QnPlotAxis *as, const double found[2], double start,
+          double end, double spacing)
+{
+  double factor = as->factor != 0 ? as->factor : 1, range[2] = { found[0], found[1] };
+  bool given = as->low < as->high;
+  axis->start = start;
+  axis->end = end;
+  if (as->names != NULL) {
+    qn_axis_set_names (axis, as->names, (int) as->name_count);
+    return;
+  }
+  if (!(range[0] <= range[1]))
+    range[0] = range[1] = as->log ? 1 : 0;
+  if (as->from_zero && !as->log) {
+    range[0] = fmin (range[0], 0);
+    range[1] = fmax (range[1], 0);
+  }
+  if (range[1] > 0 && !as->log)
+    range[1] *= 1 + as->room;
+  if (given) {
+    range[0] = as->low;
+    range[1] = as->high;
+  }
+  (as->log ? qn_axis_set_log : qn_axis_set) (axis, range[0] * factor, range[1] * factor,
+                                             end - start, spacing);
+  if (given)
+    qn_axis_cut (axis, range[0] * factor, range[1] * factor);
+}
+
+static void
+lay_out (Drawing *d, const QnFrame *frame, double top, double bottom)
+{
+  const QnPlot *plot = d->plot;
+  double u = d->unit, x[2] = { INFINITY, -INFINITY }, y[2] = { INFINITY, -INFINITY };
+  for (guint i = 0; i < plot->marks->len; i++) {
+    const QnMarks *m = &g_array_index (plot->marks, QnMarks, i);
+    add_range (m->x, m->count, plot->x.log, x);
+    add_range (m->x_end, m->count, plot->x.log, x);
+    add_range (m->y, m->count, plot->y.log, y);
+    add_range (m->y_end, m->count, plot->y.log, y);
+  }
+  set_axis (&d->y, &plot->y, y, bottom - (3.1 * QN_TYPE_TICK + 4) * u,
+            top + 0.6 * QN_TYPE_TICK * u, QN_TICK_SPACING_Y * u);
+  double left = 1.8 * QN_TYPE_LABEL * u + qn_axis_text_width (&d->y, d->cr, u) + 5 * u;
+  set_axis (&d->x, &plot->x, x, frame->x + left,
+            frame->x + frame->width - 2.2 * QN_TYPE_TICK * u, QN_TICK_SPACING_X * u);
+}
+
+static double
+place (const QnAxis *axis, const QnPlotAxis *as, double value)
+{
+  return qn_axis_place (axis, as->factor != 0 ? value * as->factor : value);
+}
+
+static double
+px (const Drawing *d, double x)
+{
+  return place (&d->x, &d->plot->x, x);
+}
+
+static double
+py (const Drawing *d, double y)
+{
+  return place (&d->y, &d->plot->y, y);
+}
+
+/* Whether the i-th of the marks has a place. */
+static bool
+is_placed (const Drawing *d, const QnMarks *m, size_t i)
+{
+  return isfinite (m->x[i]) && isfinite (m->y[i]) && (!d->plot->x.log || m->x[i] > 0)
+         && (!d->plot->y.log || m->y[i] > 0);
+}
+
+/* ---- drawing ---- */
+
+static QnColor
+series_color (const QnPlot *plot, int series)
+{
+  return series == QN_SERIES_INK         ? qn_ink (QN_INK_LINE, plot->monochrome)
+         : series == QN_SERIES_REFERENCE ? qn_ink (QN_INK_DEAD_LOAD, plot->monochrome)
+                                         : qn_series_color (series, plot->monochrome);
+}
+
+static QnColor
+color_of (const Drawing *d, const QnMarks *marks, size_t i)
+{
+  return marks->values == NULL
+           ? series_color (d->plot, marks->series)
+           : qn_color_bar_color (&d->bar, marks->values[i], d->plot->monochrome);
+}
+
+static void
+draw_points (const Drawing *d, const QnMarks *m)
+{
+  double size =
+    m->size > 0 ? m->size
+    : m->values != NULL
+      ? DOT
+      : fmax (LEAST_DOT, DOT * pow (fmax ((double) m->count, 60) / 60, -0.25));
+  double ahead = m->marker == QN_MARKER_ARROW_HEAD ? size * d->unit * cos (m->angle) : 0;
+  for (size_t i = 0; i < m->count; i++)
+    if (is_placed (d, m, i))
+      qn_draw_cairo_marker (d->cr, m->marker, px (d, m->x[i]) + ahead, py (d, m->y[i]),
+                            size * d->unit, m->angle, d->unit, color_of (d, m, i));
+}
+
+static void
+set_line (const Drawing *d, const QnMarks *m, double width)
+{
+  double dashes[2] = { m->dash * d->unit, DASH_GAP * d->unit };
+  qn_set_color (d->cr, color_of (d, m, 0), 1);
+  cairo_set_line_width (d->cr, width * d->unit);
+  cairo_set_line_join (d->cr, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_dash (d->cr, dashes, m->dash > 0 ? 2 : 0, 0);
+}
+
+/* What has no place interrupts the line; a value between two such is a dot. */
+static void
+draw_line (const Drawing *d, const QnMarks *m)
+{
+  cairo_t *cr = d->cr;
+  set_line (d, m, LINE_WIDTH);
+  for (size_t i = 0; i < m->count; i++) {
+    bool before = i > 0 && is_placed (d, m, i - 1);
+    if (!is_placed (d, m, i)) {
+      cairo_new_sub_path (cr);
+      continue;
+    }
+    if (before && m->kind == QN_MARKS_STEPS)
+      cairo_line_to (cr, px (d, m->x[i]), py (d, m->y[i - 1]));
+    cairo_line_to (cr, px (d, m->x[i]), py (d, m->y[i]));
+    if (!before && (i + 1 == m->count || !is_placed (d, m, i + 1))) {
+      cairo_line_to (cr, px (d, m->x[i]), py (d, m->y[i]));
+      cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
+    }
+  }
+  cairo_stroke (cr);
+}
+
+static void
+draw_levels (const Drawing *d, const QnMarks *m)
+{
+  set_line (d, m, LEVEL_WIDTH);
+  for (size_t i = 0; i < m->count; i++) {
+    cairo_move_to (d->cr, d->x.start, py (d, m->y[i]));
+    cairo_line_to (d->cr, d->x.end, py (d, m->y[i]));
+  }
+  cairo_stroke (d->cr);
+}
+
+/* Along the lower edge and back along the upper one. */
+static void
+draw_band (const Drawing *d, const QnMarks *m)
+{
+  qn_set_color (d->cr, color_of (d, m, 0), BAND_ALPHA);
+  for (size_t i = 0; i < m->count; i++) {
+    if (i > 0)
+      cairo_line_to (d->cr, px (d, m->x[i]), py (d, m->y[i - 1]));
+    cairo_line_to (d->cr, px (d, m->x[i]), py (d, m->y[i]));
+  }
+  for (size_t i = m->count; i-- > 0;) {
+    cairo_line_to (d->cr, px (d, m->x[i]), py (d, m->y_end[i]));
+    if (i > 0)
+      cairo_line_to (d->cr, px (d, m->x[i]), py (d, m->y_end[i - 1]));
+  }
+  cairo_close_path (d->cr);
+  cairo_fill (d->cr);
+}
+
+/* Cells of a surface have no rim, bars have. */
+static void
+draw_rectangles (const Drawing *d, const QnMarks *m)
+{
+  for (size_t i = 0; i < m->count; i++) {
+    double x0 = px (d, m->x[i]), x1 = px (d, m->x_end[i]);
+    double y0 = py (d, m->y[i]), y1 = py (d, m->y_end[i]);
+    QnColor c = color_of (d, m, i);
+    cairo_rectangle (d->cr, fmin (x0, x1), fmin (y0, y1), fabs (x1 - x0), fabs (y1 - y0));
+    qn_set_color (d->cr, c, m->values != NULL ? 1 : BAR_ALPHA);
+    if (m->values != NULL) {
+      cairo_fill (d->cr);
+      continue;
+    }
+    cairo_fill_preserve (d->cr);
+    qn_set_color (d->cr, c, 1);
+    cairo_set_line_width (d->cr, 0.6 * d->unit);
+    cairo_stroke (d->cr);
+  }
+}
+
+static void
+draw_whiskers (const Drawing *d, const QnMarks *m)
+{
+  double end = 2.2 * d->unit;
+  qn_set_color (d->cr, qn_ink (QN_INK_LINE, d->plot->monochrome), 1);
+  cairo_set_line_width (d->cr, 0.7 * d->unit);
+  for (size_t i = 0; i < m->count; i++) {
+    double x[2] = { px (d, m->x[i]), px (d, m->x_end[i]) }, y = py (d, m->y[i]);
+    cairo_move_to (d->cr, x[0], y);
+    cairo_line_to (d->cr, x[1], y);
+    for (int k = 0; k < 2; k++) {
+      cairo_move_to (d->cr, x[k], y - end);
+      cairo_line_to (d->cr, x[k], y + end);
+    }
+    cairo_stroke (d->cr);
+  }
+}
+
+static void
+draw_marks (const Drawing *d, const QnMarks *marks)
+{
+  static void (*const kinds[]) (const Drawing *, const QnMarks *) = {
+    [QN_MARKS_POINTS] = draw_points,
+    [QN_MARKS_LINE] = draw_line,
+    [QN_MARKS_STEPS] = draw_line,
+    [QN_MARKS_BAND] = draw_band,
+    [QN_MARKS_RECTANGLES] = draw_rectangles,
+    [QN_MARKS_WHISKERS] = draw_whiskers,
+    [QN_MARKS_LEVEL] = draw_levels,
+  };
+  cairo_save (d->cr);
+  if (d->plot->x.low < d->plot->x.high || d->plot->y.low < d->plot->y.high) {
+    cairo_rectangle (d->cr, d->x.start, d->y.end, d->x.end - d->x.start,
+                     d->y.start - d->y.end);
+    cairo_clip (d->cr);
+  }
+  if (marks->count > 0)
+    kinds[marks->kind](d, marks);
+  cairo_restore (d->cr);
+}
+
+/* Legend and colour bar as those of a scene without commands. */
+static QnScene *
+create_legend (const Drawing *d)
+{
+  const QnPlot *plot = d->plot;
+  QnScene *scene = qn_scene_new ();
+  scene->monochrome = plot->monochrome;
+  for (guint i = 0; i < plot->marks->len; i++) {
+    const QnMarks *m = &g_array_index (plot->marks, QnMarks, i);
+    bool filled = m->kind == QN_MARKS_BAND || m->kind == QN_MARKS_RECTANGLES;
+    QnColor color = series_color (plot, m->series);
+    if (m->label == NULL || plot->without_legend)
+      continue;
+    if (m->kind == QN_MARKS_POINTS) {
+      qn_scene_legend_marker (scene, m->marker, m->size > 0 ? m->size : DOT, color, "%s",
+                              m->label);
+      continue;
+    }
+    QnLegendEntry *entry =
+      qn_scene_legend (scene, filled ? QN_COMMAND_FILL : QN_COMMAND_STROKE,
+                       qn_color_fade (color, m->kind == QN_MARKS_BAND ? BAND_ALPHA
+                                             : filled                 ? BAR_ALPHA
+                                                                      : 1),
+                       "%s", m->label);
+    entry->dashed = m->dash > 0;
+    if (m->kind == QN_MARKS_LEVEL)
+      entry->size = (float) LEVEL_WIDTH;
+  }
+  scene->bar = d->bar;
+  scene->bar.title = g_strdup (plot->bar_title);
+  return scene;
+}
+
+void
+qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
+              QnPlotPlace *where)
+{
+  Drawing d = { .plot = plot, .cr = cr, .unit = u };
+  double top = frame->y, bottom = frame->y + frame->height;
+  double values[2] = { INFINITY, -INFINITY };
+  QnFurniture furniture;
+  for (guint i = 0; i < plot->marks->len; i++) {
+    const QnMarks *m = &g_array_index (plot->marks, QnMarks, i);
+    add_range (m->values, m->count, false, values);
+  }
+  d.bar = (QnColorBar){ .shown = plot->bar_title != NULL,
+                        .min = fmin (values[0], values[1]),
+                        .max = fmax (values[0], values[1]),
+                        .factor = 1 };
+  g_autoptr (QnScene) legend = create_legend (&d);
+  qn_furniture_init_plot (&furniture, legend, cr, u, plot->title, plot->monochrome,
+                          frame->x, frame->width, &top, &bottom);
+  lay_out (&d, frame, top, bottom);
+  if (d.y.start > d.y.end && d.x.end > d.x.start) {
+    qn_axes_draw (&d.x, &d.y, cr, u, plot->monochrome);
+    for (guint i = 0; i < plot->marks->len; i++)
+      draw_marks (&d, &g_array_index (plot->marks, QnMarks, i));
+    qn_axes_draw_names (&d.x, &d.y, cr, u, plot->x.label, plot->y.label, frame->x, bottom,
+                        plot->monochrome);
+  }
+  qn_furniture_draw (&furniture, cr, 1, false);
+  qn_furniture_clear (&furniture);
+  if (where != NULL)
+    *where = (QnPlotPlace){ .x_zero = px (&d, 0),
+                            .x_scale = px (&d, 1) - px (&d, 0),
+                            .y_zero = py (&d, 0),
+                            .y_scale = py (&d, 1) - py (&d, 0),
+                            .frame = { { d.x.start, d.y.end }, { d.x.end, d.y.start } } };
+}
+
+static bool
+draw_page (cairo_t *cr, const QnPage *page, void *plot, GError **error)
+{
+  QnFrame frame = qn_page_frame (page, PAGE_MARGIN);
+  (void) error;
+  cairo_set_antialias (cr,
+                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
+  qn_plot_draw (plot, cr, page->unit, &frame, NULL);
+  return true;
+}
+
+bool
+qn_plot_export (const QnPlot *plot, const char *path, const QnOutput *output,
+                const QnMetadata *metadata, GError **error)
+{
+  QnMetadata full = *metadata;
+  QnPlot copy = *plot;
+  if (full.title == NULL)
+    full.title = plot->title;
+  return qn_page_export (path, output, &full, draw_page, &copy, error);
+}
