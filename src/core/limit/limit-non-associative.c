@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Starts, in the order in which a collapse is sought. */
-typedef enum { REST, NEAR_REST, REST_AGAIN, ASSOCIATIVE, START_COUNT } Start;
+typedef enum { REST, NEAR_REST, REST_AGAIN, FORCES, START_COUNT } Start;
 
 /* How collapses are sought. Measured on the six walls and 48 seeded walls of 20 to 600 blocks
  * (docs/experiments/limit-analysis.md). */
@@ -31,11 +31,8 @@ static const struct {
   int32_t stiff;    /* of all, as long as it does not stand still, */
   int32_t spare;    /* and until others are sought beside one that does */
 } tuning = {
-  .strength = { [REST] = 10, [NEAR_REST] = 3, [REST_AGAIN] = 10, [ASSOCIATIVE] = 10 },
-  .coupling = { [REST] = 0.3,
-                [NEAR_REST] = 0.7,
-                [REST_AGAIN] = 0.6,
-                [ASSOCIATIVE] = 0.5 },
+  .strength = { [REST] = 10, [NEAR_REST] = 3, [REST_AGAIN] = 10, [FORCES] = 10 },
+  .coupling = { [REST] = 0.3, [NEAR_REST] = 0.7, [REST_AGAIN] = 0.6, [FORCES] = 0.5 },
   .compliance = 0.03,
   .softest = 1e-3,
   .softer = 10,
@@ -68,11 +65,14 @@ typedef struct Collapse {
 
 typedef struct Search {
   const QnModel *model;
+  const QnContacts *contacts;
+  bool elastic;       /* joints have their own stiffness, velocities are displacements, */
+  double flexibility; /* and this in the mean, m/N */
   QnLimitProblem limit;
   QnCollapse collapse;
   QnLimitInterval *interval;
-  double *forces;    /* cell_count x 2: of the associative solution */
-  double multiplier; /* and its scaled multiplier */
+  double *forces;    /* cell_count x 2: those that a collapse is sought from, */
+  double multiplier; /* and their scaled multiplier */
   Collapse found[QN_LIMIT_STARTS];
   int32_t count;
   double
@@ -126,7 +126,7 @@ are_same (const Search *search, const Collapse *a, const Collapse *b)
 
 /* Keeps the collapse just found; in place of one that it is, too, with softer joints. */
 static QnStatus
-keep (Search *search, QnDiag *diag)
+keep (Search *search, double compliance, QnDiag *diag)
 {
   const QnLimitProblem *limit = &search->limit;
   const QnCollapse *c = &search->collapse;
@@ -155,7 +155,31 @@ keep (Search *search, QnDiag *diag)
   kept->growth = new.growth;
   qn_limit_problem_forces (limit, c->at.y, 1, kept->forces);
   qn_limit_problem_velocities (limit, c->at.v, kept->velocities);
+  double scale =
+    search->elastic ? search->flexibility * limit->force_unit / compliance : 1;
+  for (size_t i = 0; i < limit->block_count * QN_DOF_COUNT; i++)
+    kept->velocities[i] *= scale;
   return QN_OK;
+}
+
+/* Joints give so much, in scaled rates per scaled force; elastic ones in the mean. */
+static void
+set_compliance (Search *search, double compliance)
+{
+  QnLimitProblem *limit = &search->limit;
+
+  for (int32_t c = 0; c < limit->ip.cell_count; c++) {
+    double k[2] = { 1, 1 };
+    if (search->elastic) {
+      QnPairSprings springs = qn_contacts_pair_springs (search->model, search->contacts,
+                                                        (size_t) limit->cell_pairs[c]);
+      qn_pair_elastic_stiffness (&springs, k);
+      k[0] *= search->flexibility;
+      k[1] *= search->flexibility;
+    }
+    for (int i = 0; i < 2; i++)
+      limit->cells[c].quadratic[i] = compliance / k[i];
+  }
 }
 
 /* One start. A collapse in which joints give too much is none. */
@@ -170,8 +194,8 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
 
   c->kkt.schur.factorizations = 0;
   c->kkt.schur.seconds = 0;
-  qn_limit_problem_set_compliance (&search->limit, compliance);
-  bool rest = start != ASSOCIATIVE;
+  set_compliance (search, compliance);
+  bool rest = start != FORCES;
   qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
                      tuning.strength[start], tuning.coupling[start]);
   QnStatus status =
@@ -187,7 +211,7 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   search->gives = compliance * qn_largest (c->at.y, 2 * (size_t) p->cell_count)
                   / qn_largest (c->at.v, (size_t) p->row_count);
   *found = search->gives <= tuning.rigid;
-  return keep (search, diag);
+  return keep (search, compliance, diag);
 }
 
 /* From each start until there is a collapse, with stiffer joints where they give too much, then from
@@ -202,10 +226,10 @@ seek_all (Search *search, QnDiag *diag)
   int32_t before = effort->factorizations;
   bool found = false;
   QnStatus status = QN_OK;
-  int start = REST, again = tuning.stiffenings;
+  int start = search->elastic ? FORCES : REST, again = tuning.stiffenings;
 
   for (; start <= START_COUNT && !found && !status && !search->cancelled; start++) {
-    if (start == START_COUNT)
+    if (start == START_COUNT && !search->elastic)
       compliance *= tuning.softer;
     status = seek (search, start % START_COUNT, compliance,
                    start == REST ? tuning.budget : tuning.again, &found, diag);
@@ -218,7 +242,7 @@ seek_all (Search *search, QnDiag *diag)
     int32_t spent = effort->factorizations - before;
     bool still = stands_still (search, find_least (search));
     /* Stiffer ones take longer. */
-    if (spent >= (still ? tuning.spare : tuning.stiff / 2))
+    if (spent >= (still ? tuning.spare : tuning.stiff / 2) || (still && search->elastic))
       break;
     if (still)
       return seek (search, REST, tuning.softer * compliance, tuning.stiff - spent, &found,
@@ -270,12 +294,13 @@ search_clear (Search *search)
   }
 }
 
+/* `forces` of pairs and then ties, at a multiplier: what a collapse is sought from. */
 static QnStatus
-search_init (Search *search, const QnContacts *contacts, QnDiag *diag)
+search_init (Search *search, const double *forces, double multiplier, QnDiag *diag)
 {
   QnLimitProblem *limit = &search->limit;
-  const QnLimitSolution *associative = &search->interval->solution;
-  QnStatus status = qn_limit_problem_init (limit, search->model, contacts, true, diag);
+  QnStatus status =
+    qn_limit_problem_init (limit, search->model, search->contacts, true, diag);
 
   if (status)
     return status;
@@ -283,9 +308,8 @@ search_init (Search *search, const QnContacts *contacts, QnDiag *diag)
   if (search->forces == NULL)
     return qn_diag_no_memory (diag);
   for (int32_t i = 0; i < 2 * limit->ip.cell_count; i++)
-    search->forces[i] =
-      associative->forces[2 * limit->cell_pairs[i / 2] + i % 2] / limit->force_unit;
-  search->multiplier = associative->lower_bound / qn_limit_problem_multiplier (limit, 1);
+    search->forces[i] = forces[2 * limit->cell_pairs[i / 2] + i % 2] / limit->force_unit;
+  search->multiplier = multiplier / qn_limit_problem_multiplier (limit, 1);
   return qn_collapse_init (&search->collapse, &limit->ip, diag);
 }
 
@@ -320,22 +344,56 @@ qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
                           QnProgressFunc progress, void *user_data,
                           QnLimitInterval *interval, QnDiag *diag)
 {
-  Search search = {
-    .model = model, .interval = interval, .progress = progress, .user_data = user_data
-  };
+  Search search = { .model = model,
+                    .contacts = contacts,
+                    .interval = interval,
+                    .progress = progress,
+                    .user_data = user_data };
 
   *interval = (QnLimitInterval){ 0 };
   QnStatus status = find_bound (&search, contacts, diag);
   if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
     return status;
   interval->associative = interval->solution.upper_bound;
-  status = search_init (&search, contacts, diag);
+  status = search_init (&search, interval->solution.forces,
+                        interval->solution.lower_bound, diag);
   if (!status)
     status = seek_all (&search, diag);
   conclude (&search);
   search_clear (&search);
   if (status)
     qn_limit_interval_clear (interval);
+  return status;
+}
+
+QnStatus
+qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *forces,
+                double multiplier, QnProgressFunc progress, void *user_data,
+                QnLimitSolution *solution, QnDiag *diag)
+{
+  QnLimitInterval interval = { .associative = INFINITY,
+                               .solution.effort = solution->effort };
+  Search search = { .model = model,
+                    .contacts = contacts,
+                    .elastic = true,
+                    .interval = &interval,
+                    .progress = progress,
+                    .user_data = user_data };
+  QnStatus status = search_init (&search, forces, multiplier, diag);
+
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    QnPairSprings springs = qn_contacts_pair_springs (model, contacts, p);
+    double k[2];
+    qn_pair_elastic_stiffness (&springs, k);
+    search.flexibility += 1 / (k[0] * (double) contacts->pair_count);
+  }
+  if (!status)
+    status = seek_all (&search, diag);
+  conclude (&search);
+  *solution = interval.solution;
+  search_clear (&search);
+  if (status)
+    qn_limit_solution_clear (solution);
   return status;
 }
 

@@ -111,6 +111,14 @@ QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *conta
 
 void qn_limit_interval_clear (QnLimitInterval *interval);
 
+/* The collapse to which elastic joints come that have these forces (pair_count x 2, N) at a multiplier now,
+ * sought likewise. solution->velocities are displacements, m and rad, so large that the multiplier
+ * depends on the stiffness of joints no more; together with the forces they are an equilibrium. The effort
+ * of `solution` on entry is added to. COLLAPSE, DEAD_LOAD_UNSTABLE, CANCELLED or NOT_CONVERGED. */
+QnStatus qn_limit_go_on (const QnModel *model, const QnContacts *contacts,
+                         const double *forces, double multiplier, QnProgressFunc progress,
+                         void *user_data, QnLimitSolution *solution, QnDiag *diag);
+
 /* The mechanism that goes with forces at collapse (`pairs`) without dilatancy, by one program whose
  * shear lines pass through them: where it carries no more than `multiplier`, the forces are among its
  * optimal ones, and its velocities move joints where these reach their strength alone. *velocities:

@@ -57,11 +57,8 @@ may_move_on (QnPathTrace *trace, double motion)
          && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
 
-/* Whether the multiplier has hardly climbed while the motion doubled last: where it goes like collapse -
- * constant / motion, as much is left to gain. The structure then has a collapse multiplier, although
- * no step shows how it moves on. */
-static bool
-hardly_climbs (const QnPathTrace *trace)
+bool
+qn_path_end_creeps (const QnPathTrace *trace, double part)
 {
   const QnResult *result = trace->path->result;
   size_t last = result->step_count - 1, first = last, half = last;
@@ -74,8 +71,7 @@ hardly_climbs (const QnPathTrace *trace)
   while (half > first && qn_result_motion (result, first, half) > motion / 2)
     half--;
   double gain = result->steps[last].multiplier - result->steps[half].multiplier;
-  return half > first
-         && gain <= tuning->least_gain * fabs (result->steps[last].multiplier);
+  return half > first && gain <= part * fabs (result->steps[last].multiplier);
 }
 
 /* Whether the multiplier has held still, or under load control has not climbed, while the motion grew
@@ -179,7 +175,8 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
     break;
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
-    if (may_end_on_plateau (trace) && (motion > eq->runaway || hardly_climbs (trace))) {
+    if (may_end_on_plateau (trace)
+        && (motion > eq->runaway || qn_path_end_creeps (trace, tuning->least_gain))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
       trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else

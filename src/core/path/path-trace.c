@@ -38,12 +38,15 @@ const QnPathTuning qn_path_tuning = {
   .jump = 3,
   .jump_stays = 0.5,
   .undecided = 1e-4,
-  .patience = 1000,
-  .most_patience = 6000,
-  .most_effort = 1e7,
+  .patience = 300,
+  .most_patience = 3000,
+  .effort = 1e6,
+  .most_effort = 6000,
   .plateau_tolerance = 1e-4,
   .plateau_growth = 10,
   .least_gain = 0.02,
+  .creep = 0.04,
+  .reach = 0.03,
   .steady = 1e-2,
   .nearly_settled = 5e-3,
   .settled = 0.1,
@@ -202,8 +205,8 @@ holds_still (double multiplier, double before)
 
 /* Accepts the current state. Load control records the equilibria that it meets, which lie above all
  * multipliers before. */
-static bool
-accept (QnPathTrace *trace)
+bool
+qn_path_trace_accept (QnPathTrace *trace)
 {
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
@@ -254,77 +257,7 @@ advance_by_load (QnPathTrace *trace, QnDiag *diag)
     return cut_first_increment (trace) ? QN_OK : take_work (trace, diag);
   }
   choose_next_step (trace, target - from, true);
-  if (!accept (trace))
-    return qn_diag_no_memory (diag);
-  qn_path_end_check (trace);
-  return QN_OK;
-}
-
-/* Whether the path is followed in long steps: under load control, where nobody asks for what lies
- * between. */
-static bool
-goes_far (const QnPathTrace *trace)
-{
-  return trace->load_control && trace->central != NULL && qn_path_trace_is_linear (trace)
-         && trace->measure.procedure == QN_PROCEDURE_WORK
-         && (trace->step == 0
-             || (trace->may_jump
-                 && trace->path->equilibrium.statistics.factorizations
-                      > trace->patience));
-}
-
-/* Work that the live load has done since it began to act. */
-static double
-work_so_far (const QnPathTrace *trace)
-{
-  const QnEquilibrium *eq = &trace->path->equilibrium;
-  double work = 0;
-
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    work += trace->measure.direction[i] * (eq->committed.u[i] - trace->events.rest[i]);
-  return work;
-}
-
-/* A structure that settles in one place after the other is not followed to each of them: the work
- * grows many times at once. Steps that lower the multiplier have lost the path, and are shortened. The
- * multiplier is proved all the same; how the structure moves on may not be settled. */
-static QnStatus
-advance_far (QnPathTrace *trace, QnDiag *diag)
-{
-  QnEquilibrium *eq = &trace->path->equilibrium;
-  const QnTarget target = { .direction = trace->measure.direction,
-                            .advance = (trace->long_growth - 1) * work_so_far (trace) };
-  const QnTarget end = qn_target_multiplier (trace->end);
-  QnSolveStatus status = QN_SOLVE_FAILED;
-
-  if (target.advance > 0)
-    status = qn_central_path_relax (trace->central, &target, tuning->undecided,
-                                    QN_CENTRAL_BUDGET);
-  if (status == QN_SOLVE_CONVERGED && eq->multiplier > trace->end)
-    status = qn_central_path_solve (trace->central, &end, QN_CENTRAL_BUDGET);
-  switch (status) {
-  case QN_SOLVE_NO_MEMORY:
-    return qn_diag_no_memory (diag);
-  case QN_SOLVE_CANCELLED:
-    qn_path_end_give_up (trace, status);
-    return QN_OK;
-  case QN_SOLVE_CONVERGED:
-    if (eq->multiplier > eq->committed.multiplier || !trace->may_jump)
-      break;
-    /* fall through */
-  case QN_SOLVE_FAILED:
-  case QN_SOLVE_MECHANISM:
-    qn_equilibrium_restore (eq);
-    trace->long_growth = sqrt (trace->long_growth);
-    if (trace->long_growth < tuning->growth)
-      qn_path_end_give_up (trace, QN_SOLVE_FAILED);
-    return QN_OK;
-  }
-  trace->long_growth =
-    fmin (trace->long_growth * trace->long_growth, tuning->plateau_growth);
-  trace->means = QN_FOUND_BY_CENTRAL_PATH;
-  trace->jumped = false;
-  if (!accept (trace))
+  if (!qn_path_trace_accept (trace))
     return qn_diag_no_memory (diag);
   qn_path_end_check (trace);
   return QN_OK;
@@ -400,6 +333,18 @@ goes_back (const QnPathTrace *trace)
   return way * qn_equilibrium_live_work (eq, eq->committed.u) < 0;
 }
 
+/* The path leads no farther by steps: what it leads to may be found directly. */
+static QnStatus
+give_up (QnPathTrace *trace, QnSolveStatus solve, QnDiag *diag)
+{
+  QnStatus status =
+    solve == QN_SOLVE_FAILED ? qn_path_end_direct (trace, true, diag) : QN_OK;
+
+  if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
+    qn_path_end_give_up (trace, solve);
+  return status;
+}
+
 /* One step of another measure than the multiplier. */
 static QnStatus
 advance (QnPathTrace *trace, QnDiag *diag)
@@ -423,17 +368,8 @@ advance (QnPathTrace *trace, QnDiag *diag)
     qn_equilibrium_restore (eq);
     return QN_OK;
   }
-  if (status == QN_SOLVE_FAILED) {
-    trace->step = 0; /* no short step leads on, perhaps a long one */
-    if (goes_far (trace)) {
-      qn_equilibrium_restore (eq);
-      return QN_OK;
-    }
-  }
-  if (status != QN_SOLVE_CONVERGED || (trace->jumped && stops)) {
-    qn_path_end_give_up (trace, status);
-    return QN_OK;
-  }
+  if (status != QN_SOLVE_CONVERGED || (trace->jumped && stops))
+    return give_up (trace, status, diag);
 
   if (trace->reverses != NULL) {
     *trace->reverses = goes_back (trace);
@@ -459,7 +395,7 @@ advance (QnPathTrace *trace, QnDiag *diag)
   if (!linear && !trace->load_control)
     qn_path_predictor_note (&trace->predictor, eq, step,
                             trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped);
-  if (!accept (trace) || !leave_branch (trace))
+  if (!qn_path_trace_accept (trace) || !leave_branch (trace))
     return qn_diag_no_memory (diag);
   if (trace->stop == QN_STOP_UNKNOWN)
     qn_path_end_check (trace);
@@ -675,7 +611,7 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
   trace->means = QN_FOUND_BY_RELAXATION;
   trace->jumped = true;
   trace->above = fmin (2 * trace->above, tuning->most_above);
-  if (!accept (trace))
+  if (!qn_path_trace_accept (trace))
     return qn_diag_no_memory (diag);
   qn_path_measure_keep_last (&trace->measure);
   trace->measure.procedure = QN_PROCEDURE_LOAD;
@@ -695,8 +631,7 @@ go_on (QnPathTrace *trace, QnDiag *diag)
     trace->load_control && !qn_path_trace_is_linear (trace) && !trace->events.below;
   QnStatus status = trace->measure.procedure == QN_PROCEDURE_LOAD
                       ? advance_by_load (trace, diag)
-                    : goes_far (trace) ? advance_far (trace, diag)
-                                       : advance (trace, diag);
+                      : advance (trace, diag);
   bool goes_on = trace->stop == QN_STOP_UNKNOWN;
   bool turns = (goes_on && trace->events.below) || trace->stop == QN_STOP_ZERO
                || trace->stop == QN_STOP_FALL;
@@ -756,6 +691,15 @@ follow_contacts (QnPathTrace *trace, QnDiag *diag)
            : qn_diag_no_memory (diag);
 }
 
+/* Whether a path that settles in one place after the other has taken more than it may. */
+static bool
+is_spent (const QnPathTrace *trace)
+{
+  return trace->load_control && trace->may_jump && qn_path_trace_is_linear (trace)
+         && trace->measure.procedure == QN_PROCEDURE_WORK
+         && trace->path->equilibrium.statistics.factorizations > tuning->most_effort;
+}
+
 static QnStatus
 run (QnPathTrace *trace, QnDiag *diag)
 {
@@ -775,6 +719,11 @@ run (QnPathTrace *trace, QnDiag *diag)
     known = trace->path->result->step_count;
     if (status == QN_OK)
       status = go_on (trace, diag);
+    if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN
+        && trace->path->result->step_count > known)
+      status = qn_path_end_direct (trace, false, diag);
+    if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN && is_spent (trace))
+      status = give_up (trace, QN_SOLVE_FAILED, diag);
   }
   if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
     qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEPS);
@@ -814,7 +763,6 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   double dead = qn_assembly_largest (as, as->dead, NULL);
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
-                        .long_growth = tuning->plateau_growth,
                         .above = 1,
                         .looks = tuning->most_looks,
                         .to_fall = INFINITY,
@@ -839,7 +787,7 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
           && qn_path_events_init (&trace.events, path, trace.unit)
           && (!trace.load_control || renew_highest (&trace));
   trace.patience =
-    (int32_t) qn_to_integer (tuning->most_effort / (double) path->model->block_count,
+    (int32_t) qn_to_integer (tuning->effort / (double) path->model->block_count,
                              tuning->patience, tuning->most_patience);
   if (ready && trace.load_control && trace.central != NULL && dead > 0)
     trace.measure.first = tuning->start * trace.unit;
@@ -851,6 +799,7 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   qn_fall_clear (&trace.fall);
   qn_equilibrium_state_clear (&trace.highest);
   qn_equilibrium_state_clear (&trace.lower);
+  qn_limit_solution_clear (&trace.direct);
   qn_path_measure_clear (&trace.measure);
   return status;
 }

@@ -5,6 +5,7 @@
 #ifndef QN_CORE_PATH_TRACE_H
 #define QN_CORE_PATH_TRACE_H
 
+#include "core/limit/limit.h"
 #include "core/path/path-events.h"
 #include "core/path/path-measure.h"
 #include "core/path/path-predictor.h"
@@ -48,13 +49,12 @@ typedef struct QnPathTuning {
    * path turns back; with more, relaxation finds equilibria above the collapse load. */
   double undecided;
 
-  /* Load control: from so many factorisations on a structure that settles in one place after the other
-   * is no longer followed to each of them: from `patience` on, in structures of few blocks until
-   * factorisations x blocks are most_effort, up to most_patience. Then, and where no short step leads on,
-   * the work grows by plateau_growth at once, for then a plateau shows in one step; by its square root where
-   * that leads nowhere, and so on; less than `growth` gains nothing. */
+  /* Load control of a structure that settles in one place after the other: from so many factorisations on it
+   * ends at a collapse found directly however far that is; `effort` over the blocks, between patience and
+   * most_patience. After most_effort of them it ends anyway. */
   int patience, most_patience;
-  double most_effort;
+  double effort;
+  int most_effort;
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
    * so many times is a plateau: collapse, in linear geometry. Where no step leads on it is collapse if the
@@ -62,6 +62,10 @@ typedef struct QnPathTuning {
    * structure moves on is uncertain. Without associativity a multiplier is not sharper than
    * plateau_tolerance; with it the tolerance of the settings counts. */
   double plateau_tolerance, plateau_growth, least_gain;
+
+  /* A path whose multiplier gains no more than `creep` of itself while the motion doubles creeps: its collapse
+   * is sought directly. It leads there once it has come within `reach` of that multiplier. */
+  double creep, reach;
 
   /* The motion on a plateau is steady if its pace changes by no more than this part in a step (where
    * nothing can jump it need not be), and if no joint is pressed together by this part of it. */
@@ -128,12 +132,15 @@ typedef struct QnPathTrace {
   bool ends_branch; /* the step just solved does: stability is lost with it */
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
-  bool straight;      /* the last step went on as the one before */
-  double long_growth; /* of the work in the next long step */
+  bool straight; /* the last step went on as the one before */
   double
     above; /* tolerances by which the load is held above the highest multiplier next */
-  int32_t patience;       /* factorisations from which on steps are long */
-  double last_multiplier; /* before the last accepted step */
+  int32_t
+    patience; /* factorisations from which on any collapse found directly is the end */
+  bool
+    sought; /* the collapse that the path leads to, directly; nothing where there is none */
+  QnLimitSolution direct;
+  double last_multiplier;                    /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
   QnStop stop;                               /* UNKNOWN while the path goes on */
   /* Load control: the state with the highest multiplier, and one below it: in linear geometry that from
@@ -182,6 +189,18 @@ void qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
  * associative bound, to multiplier_tolerance, for none is larger. How the structure moves on is not known
  * then. */
 QnStatus qn_path_end_at_bound (QnPathTrace *trace, QnDiag *diag);
+
+/* Whether the multiplier has climbed by no more than this part while the motion doubled last: where it goes like collapse -
+ * constant / motion, as much is left to gain. The structure then has a collapse multiplier, although
+ * no step shows how it moves on. */
+bool qn_path_end_creeps (const QnPathTrace *trace, double part);
+
+/* Where the path creeps in linear geometry, or is at its last: ends it at a collapse found directly
+ * (path-direct.c), if that is where it leads. */
+QnStatus qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag);
+
+/* Accepts the current state of the solver (path-trace.c). False when memory runs out. */
+bool qn_path_trace_accept (QnPathTrace *trace);
 
 void qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop);
 

@@ -1,4 +1,6 @@
+#include "core/check/result-check.h"
 #include "core/path/analysis.h"
+#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
 
@@ -226,6 +228,88 @@ test_cancel_anywhere (void)
   }
 }
 
+/* The same while the collapse is sought directly, from two thirds of the path on. */
+static void
+test_cancel_what_is_sought (void)
+{
+  QnModel model;
+  QnResult result;
+  test_model_init_wall (&model, 6, 0);
+  run (&model, NULL, NULL, &result);
+  int iterations = result.statistics.iterations;
+  size_t steps = result.step_count;
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  qn_result_clear (&result);
+
+  for (int at = 2 * iterations / 3; at < iterations; at += 7) {
+    test_model_init_wall (&model, 6, 0);
+    run (&model, refuse_at, &at, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_CANCELLED);
+    g_assert_cmpint (result.statistics.iterations, ==, at);
+    g_assert_cmpuint (result.step_count, <, steps);
+    qn_result_clear (&result);
+  }
+}
+
+static void
+init_bond (QnModel *model, double stiffness)
+{
+  QnWallRecipe recipe = qn_wall_recipe_default ();
+
+  recipe.length = 10;
+  recipe.courses = 20;
+  recipe.material.stiffness = stiffness;
+  qn_model_init (model);
+  g_assert_cmpint (qn_generate_wall (model, &recipe, NULL), ==, QN_OK);
+  model->analysis.geometry = QN_GEOMETRY_LINEAR;
+}
+
+/* A wall of 210 blocks creeps, and ends at the collapse that is found directly: that to which its steps lead
+ * where each is followed (0.49238), whatever the stiffness, below the associative bound. Forces and
+ * mechanism are proved as those of any result. */
+static void
+test_creeping_ends (void)
+{
+  for (double stiffness = 1e8; stiffness < 1e11; stiffness *= 100) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    g_auto (QnResult) result;
+    QnResultFaults faults;
+    init_bond (&model, stiffness);
+    g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+    g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+    g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                     QN_OK);
+    g_test_message ("%.5f below %.5f after %d factorisations", result.collapse_multiplier,
+                    result.associative_bound, result.statistics.factorizations);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_false (result.mechanism_uncertain);
+    g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.49238, 5e-4);
+    g_assert_true (result.has_associative_bound);
+    g_assert_cmpfloat (result.collapse_multiplier, <, result.associative_bound);
+    g_assert_cmpint (result.statistics.factorizations, <=, 300);
+    g_assert_true (result.steps[result.step_count - 1].relaxed);
+    g_assert_cmpint (qn_result_find_faults (&model, &contacts, &result,
+                                            QN_CHECK_RECOMPUTED, &faults, NULL),
+                     ==, QN_OK);
+    g_assert_cmpint (faults.count, ==, 0);
+  }
+}
+
+/* No load beyond the largest multiplier is applied, wherever collapse is. */
+static void
+test_creeping_to_a_target (void)
+{
+  QnModel model;
+  g_auto (QnResult) result;
+  init_bond (&model, 1e9);
+  model.analysis.max_multiplier = 0.49;
+  run (&model, NULL, NULL, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 0.49);
+}
+
 static void
 test_repeatable (void)
 {
@@ -393,6 +477,9 @@ QN_TESTS
   g_test_add_func ("/path-load/nonlinear-geometry", test_nonlinear_geometry);
   g_test_add_func ("/path-load/cancel/keeps", test_cancel_keeps_what_converged);
   g_test_add_func ("/path-load/cancel/anywhere", test_cancel_anywhere);
+  g_test_add_func ("/path-load/cancel/what-is-sought", test_cancel_what_is_sought);
+  g_test_add_func ("/path-load/creeping/ends", test_creeping_ends);
+  g_test_add_func ("/path-load/creeping/to-a-target", test_creeping_to_a_target);
   g_test_add_func ("/path-load/repeatable", test_repeatable);
   g_test_add_func ("/path-load/strength-that-is-lost", test_strength_that_is_lost);
   g_test_add_func ("/path-load/forces-of-every-step", test_forces_of_every_step);

@@ -829,7 +829,8 @@ test_peaks_between_steps (void)
         }
 }
 
-/* A wall that lies turned with its loads takes the same steps: no measure knows of the axes. */
+/* A wall that lies turned with its loads takes the same steps: no measure knows of the axes. A collapse
+ * found directly is exact to a part of the tolerance of the multiplier. */
 static void
 test_turned (void)
 {
@@ -846,7 +847,7 @@ test_turned (void)
     g_assert_cmpuint (results[0].step_count, ==, results[1].step_count);
     for (size_t s = 0; s < results[0].step_count; s++)
       g_assert_cmpfloat_with_epsilon (results[0].steps[s].multiplier,
-                                      results[1].steps[s].multiplier, 1e-7);
+                                      results[1].steps[s].multiplier, 1e-6);
     qn_result_clear (&results[0]);
     qn_result_clear (&results[1]);
   }

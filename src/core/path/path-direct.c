@@ -1,0 +1,171 @@
+/* Where the trace ends in linear geometry: a collapse found directly.
+ *
+ * A path that creeps is a structure that settles in one place after the other, and gains little by
+ * it. What it comes to is asked of limit analysis, from its own forces: joints of their own stiffness
+ * reach that collapse after a motion beside which all they have done so far is small. It is one more
+ * equilibrium of the path, a long step away.
+ */
+#include "core/base/memory.h"
+#include "core/path/path-trace.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const QnPathTuning *const tuning = &qn_path_tuning;
+
+/* A joint carries, and slides, by more than this part of the largest force. */
+#define LITTLE 1e-5
+
+/* Whether limit analysis knows the structure and its loads, and may tell more of it than the path does. */
+static bool
+applies (const QnPathTrace *trace)
+{
+  const QnModel *model = trace->path->model;
+  const QnAssembly *as = &trace->path->equilibrium.assembly;
+  bool known = model->stage_count == 0 && model->element_count == 0
+               && model->node_count == 0 && model->tie_count == 0
+               && as->settling_count == 0;
+
+  for (size_t p = 0; known && p < as->pair_count; p++)
+    known = qn_pair_is_plastic (&as->springs[p], &as->committed[p]);
+  return known && trace->load_control && qn_path_trace_is_linear (trace)
+         && trace->may_jump && !trace->may_soften;
+}
+
+static QnStatus
+seek (QnPathTrace *trace, QnDiag *diag)
+{
+  QnPath *path = trace->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  QnLimitSolution *direct = &trace->direct;
+  double *forces = qn_alloc (2 * as->pair_count, sizeof *forces);
+
+  if (forces == NULL)
+    return qn_diag_no_memory (diag);
+  for (size_t p = 0; p < as->pair_count; p++)
+    memcpy (forces + 2 * p, eq->committed.responses[p].force, 2 * sizeof *forces);
+  trace->sought = true;
+  qn_limit_solution_clear (direct);
+  direct->effort = eq->statistics;
+  QnStatus status =
+    qn_limit_go_on (path->model, as->contacts, forces, eq->committed.multiplier,
+                    eq->report, eq->report_data, direct, NULL);
+  free (forces);
+  if (status == QN_ERROR_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  if (status != QN_OK)
+    return QN_OK; /* nothing is known of joints or loads like these */
+  direct->effort.factorization_work +=
+    direct->effort.factorizations - eq->statistics.factorizations;
+  eq->statistics = direct->effort;
+  if (direct->outcome == QN_OUTCOME_CANCELLED)
+    qn_path_end_give_up (trace, QN_SOLVE_CANCELLED);
+  return QN_OK;
+}
+
+/* A pair at the elongation last evaluated, with the force that it has at collapse: slip and opening are
+ * what the force leaves of the elongation. False where its law has no answer. */
+static bool
+take_pair (QnAssembly *as, size_t p, const double force[2], double largest)
+{
+  const QnSpring *spring = &as->springs[p].a;
+  const double *q = as->elongations + 2 * p;
+  QnPairResponse *response = &as->responses[p];
+  QnPairMemory from = as->committed[p];
+  double crushed = qn_spring_crushed (spring, &from.a);
+  double ideal[2] = { q[0], q[1] };
+
+  bool slips =
+    qn_pair_state_of_force (&as->springs[p], &from, QN_PAIR_SLIP, force, LITTLE * largest)
+    == QN_PAIR_SLIP;
+  from.a.slip = slips ? from.a.slip : q[1] - force[1] / spring->ks;
+  from.a.opening = crushed + qn_spring_dilation (spring, from.a.slip);
+  if (hypot (force[0], force[1]) > LITTLE * largest && spring->kind == QN_LAW_COULOMB)
+    ideal[0] = from.a.opening + force[0] / spring->kn;
+  if (!qn_pair_evaluate (&as->springs[p], &from, ideal, response))
+    return false;
+  memcpy (response->force, force, sizeof response->force);
+  QnSpringMemory *memory = &response->memory.a;
+  crushed = qn_spring_crushed (spring, memory);
+  memory->slip = q[1] - force[1] / spring->ks;
+  memory->opening = crushed + qn_spring_dilation (spring, memory->slip);
+  return true;
+}
+
+/* The state at collapse becomes the current one. FAILED where it is no equilibrium. */
+static QnSolveStatus
+take_state (QnPathTrace *trace)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  QnAssembly *as = &eq->assembly;
+  const QnLimitSolution *direct = &trace->direct;
+  const QnTarget target = qn_target_multiplier (direct->lower_bound);
+  double largest = as->force_scale;
+
+  qn_equilibrium_restore (eq);
+  for (size_t i = 0; i < trace->path->model->block_count * QN_DOF_COUNT; i++)
+    if (as->unknown[i] != QN_NONE)
+      eq->u[as->unknown[i]] =
+        direct->velocities[i] * (i % QN_DOF_COUNT == QN_DOF_RZ ? as->length : 1);
+  qn_assembly_update_kinematics (as, eq->u);
+  for (size_t i = 0; i < 2 * as->pair_count; i++)
+    largest = fmax (largest, fabs (direct->forces[i]));
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (!take_pair (as, p, direct->forces + 2 * p, largest))
+      return QN_SOLVE_FAILED;
+  return qn_equilibrium_newton (eq, &target, 0, QN_MEASURE_ONLY);
+}
+
+/* Whether what was found is where the path leads: it does not lie below, and so little above that the
+ * path gains no more, or there is nothing else to come to it by. */
+static bool
+is_ahead (const QnPathTrace *trace, bool far)
+{
+  const QnLimitSolution *direct = &trace->direct;
+  double highest = trace->events.highest;
+
+  return direct->forces != NULL && direct->outcome == QN_OUTCOME_COLLAPSE
+         && direct->lower_bound > highest && direct->lower_bound <= trace->end
+         && (far || direct->lower_bound <= (1 + tuning->reach) * highest);
+}
+
+/* The path ends at what was found. Where that is no equilibrium nothing has changed. */
+static QnStatus
+end_there (QnPathTrace *trace, QnDiag *diag)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+
+  eq->keeps_forces = take_state (trace) == QN_SOLVE_CONVERGED;
+  if (!eq->keeps_forces) {
+    qn_limit_solution_clear (&trace->direct);
+    qn_equilibrium_restore (eq);
+    return QN_OK;
+  }
+  trace->means = QN_FOUND_BY_CENTRAL_PATH;
+  trace->jumped = false;
+  if (!qn_path_trace_accept (trace))
+    return qn_diag_no_memory (diag);
+  /* Its mechanism is the whole motion, not that from where the path has come. */
+  memset (trace->measure.last_u, 0,
+          (size_t) eq->assembly.unknown_count * sizeof (double));
+  qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
+  return QN_OK;
+}
+
+QnStatus
+qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag)
+{
+  int32_t spent = trace->path->equilibrium.statistics.factorizations;
+  bool far = last || spent > trace->patience;
+  QnStatus status = QN_OK;
+
+  if (trace->measure.procedure != QN_PROCEDURE_WORK || !applies (trace))
+    return QN_OK;
+  if (last ? !is_ahead (trace, true)
+           : !trace->sought && (far || qn_path_end_creeps (trace, tuning->creep)))
+    status = seek (trace, diag);
+  return status == QN_OK && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far)
+           ? end_there (trace, diag)
+           : status;
+}
