@@ -66,8 +66,15 @@ test_end_of_history (void)
   driver_activate (window, "win.show-panel::result");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  g_assert_nonnull (
-    driver_find_widget (GTK_WIDGET (window), driver_says, "End of the duration"));
+  /* It says so, and how far it moved; the picture is of that time, at true scale at least. */
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  QnViewState *state = qn_window_get_view_state (window);
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "Stands"));
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "Moves by "));
+  g_assert_cmpint (qn_view_state_get_step (state), ==,
+                   qn_run_step_at (run, run->result.history.peak_time));
+  g_assert_cmpfloat (qn_view_state_get_shown_scale (state), >=, 1.0);
+  driver_screenshot (GTK_WIDGET (window), "history-stands");
   g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, "Target reached"));
   GtkWidget *others =
     driver_find_widget (GTK_WIDGET (window), driver_is_button, "Solve by _All Methods");

@@ -5,6 +5,9 @@
 /* Objects with more blocks are drawn as a frame while they are dragged. */
 #define MOST_DRAWN_BLOCKS 3000
 
+/* px, of words about an end from it. */
+#define LABEL_ASIDE 10.0
+
 #define ANGLE_STEP (G_PI / 12.0)
 
 static void
@@ -185,6 +188,21 @@ qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
   cairo_stroke (cr);
   if (qn_vec2_length (qn_vec2_sub (b, a)) > 0.0)
     qn_canvas_draw_dimension (canvas, cr, a, b);
+}
+
+void
+qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
+                      char *(*dup_text) (const QnModel *model, QnVec2 at))
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnVec2 ends[] = { gesture->from, gesture->to };
+  qn_gesture_draw_line (canvas, cr, ends[0], ends[1]);
+  for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
+    g_autofree char *text = dup_text (qn_canvas_get_model (canvas), ends[i]);
+    QnVec2 at = qn_canvas_to_screen (canvas, ends[i]);
+    qn_canvas_draw_label (canvas, cr, text,
+                          qn_vec2 (at.x + LABEL_ASIDE, at.y + LABEL_ASIDE));
+  }
 }
 
 void

@@ -117,7 +117,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case SEAT:
     return qn_edit_set_node_seat (
       model, form->node, seats[(guint) value->number].seat,
-      node->block != QN_NONE ? node->block : qn_model_block_under (model, at, 1e-9),
+      node->block != QN_NONE ? node->block : qn_model_block_under (model, at),
       seats[(guint) value->number].side, error);
   case PART:
     return qn_edit_part_beam (model, form->beam, form->end, error);

@@ -40,8 +40,7 @@ complete (QnCanvas *canvas)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
+  qn_gesture_draw_held (canvas, cr, qn_beam_end_dup_text);
 }
 
 const QnTool qn_tool_beam = {

@@ -4,6 +4,7 @@
 #include "app/tools/tools.h"
 
 #include "doc/edit/edit-bar.h"
+#include "doc/edit/edit-frame.h"
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 
@@ -45,6 +46,12 @@ draw (QnCanvas *canvas, cairo_t *cr)
   qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
 }
 
+static void
+draw_tie (QnCanvas *canvas, cairo_t *cr)
+{
+  qn_gesture_draw_held (canvas, cr, qn_tie_end_dup_text);
+}
+
 const QnTool qn_tool_bar = {
   .name = "bar",
   .icon = "quoin-bar-symbolic",
@@ -67,5 +74,5 @@ const QnTool qn_tool_tie = {
   .accel = "k",
   QN_GESTURE_LINE,
   .complete = complete,
-  .draw = draw,
+  .draw = draw_tie,
 };

@@ -81,6 +81,11 @@ show_run (QnWindow *self)
   else if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
     qn_view_state_set_view (
       self->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+  /* What stands is shown where it was worst. */
+  if (qn_run_is_in_time (run) && run->result.outcome != QN_OUTCOME_COLLAPSE
+      && isfinite (run->result.history.peak_time))
+    qn_view_state_set_step (self->state,
+                            qn_run_step_at (run, run->result.history.peak_time));
 }
 
 /* ---- several analyses one after the other ---- */

@@ -11,7 +11,7 @@
 #include "doc/document/import.h"
 #include "doc/document/run-file.h"
 #include "doc/text/count-text.h"
-#include "io/project/typical-joint.h"
+#include "io/exchange/drawing-import.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -517,8 +517,7 @@ qn_window_init (QnWindow *self)
   self->document = qn_document_new ();
   self->state = qn_view_state_new (self->document);
   self->tool_settings = first_settings;
-  self->tool_settings.masonry.unit_weight =
-    qn_typical_joints[QN_JOINT_DRY_STONE].unit_weight;
+  self->tool_settings.masonry.unit_weight = QN_IMPORT_DEFAULTS.unit_weight;
   qn_canvas_set_state (self->canvas, self->state, &self->tool_settings, &qn_tool_select);
   qn_window_add_actions (self);
   qn_window_add_edit_actions (self);

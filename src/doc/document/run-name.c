@@ -2,7 +2,6 @@
 
 #include "doc/document/document-private.h"
 #include "io/project/project-extras.h"
-#include <cjson/cJSON.h>
 #include <glib/gi18n.h>
 #include <string.h>
 

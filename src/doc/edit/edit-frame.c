@@ -3,19 +3,10 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-/* Places nearer to each other, relative to their coordinates, are one. */
-#define SAME_PLACE 1e-9
-
 static gboolean
 refuse_nothing (GError **error)
 {
   return qn_edit_refuse_nothing (error, _ ("No beam is selected"));
-}
-
-static double
-reach_of (QnVec2 at)
-{
-  return SAME_PLACE * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
 }
 
 /* ---- adding ---- */
@@ -23,7 +14,7 @@ reach_of (QnVec2 at)
 QnId
 qn_edit_take_node (QnModel *model, QnVec2 at)
 {
-  QnId there = qn_model_node_near (model, at, reach_of (at));
+  QnId there = qn_model_node_near (model, at, qn_place_reach (at));
   if (there != QN_NONE)
     return there;
   g_autofree char *name = NULL;
@@ -36,7 +27,7 @@ qn_edit_take_node (QnModel *model, QnVec2 at)
   if (node == NULL)
     return QN_NONE;
   node->at = at;
-  node->block = qn_model_block_under (model, at, reach_of (at));
+  node->block = qn_model_block_under (model, at);
   node->seat = node->block != QN_NONE ? QN_SEAT_POINT : QN_SEAT_FREE;
   return (QnId) model->node_count - 1;
 }

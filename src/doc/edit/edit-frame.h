@@ -74,9 +74,16 @@ gboolean qn_edit_copy_all (QnProject *draft, QnPartSet set, QnTransform transfor
 
 /* ---- nodes (edit-node.c) ---- */
 
-/* The block that a node at this place would ride on, or QN_NONE: the one that contains it, or
- * has it on its outline within `reach`, the last of several. */
-QnId qn_model_block_under (const QnModel *model, QnVec2 at, double reach);
+/* Places nearer to each other than this, m, are one. */
+double qn_place_reach (QnVec2 at);
+
+/* The block that a node or the end of a tie at this place would ride on, or QN_NONE: the one that contains
+ * it, or has it on its outline, the last of several. */
+QnId qn_model_block_under (const QnModel *model, QnVec2 at);
+
+/* What a beam or a tie that ends at a place is held by, for the one who draws it. The caller frees it. */
+char *qn_beam_end_dup_text (const QnModel *model, QnVec2 at);
+char *qn_tie_end_dup_text (const QnModel *model, QnVec2 at);
 
 /* The node nearest to a place and not farther than `reach`, or QN_NONE; of those that the project
  * names, not those that cut a beam. */

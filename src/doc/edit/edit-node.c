@@ -9,15 +9,44 @@
 
 /* ---- where nodes are ---- */
 
-QnId
-qn_model_block_under (const QnModel *model, QnVec2 at, double reach)
+double
+qn_place_reach (QnVec2 at)
 {
+  return SAME_PLACE * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
+}
+
+QnId
+qn_model_block_under (const QnModel *model, QnVec2 at)
+{
+  const double reach = qn_place_reach (at);
   for (QnId i = (QnId) model->block_count - 1; i >= 0; i--) {
     const QnVec2 *v = qn_model_block_vertices (model, i);
     if (qn_polygon_depth (v, (gsize) model->blocks[i].vertex_count, at) >= -reach)
       return i;
   }
   return QN_NONE;
+}
+
+static char *
+dup_end_text (const QnModel *model, QnVec2 at, const char *nothing)
+{
+  QnId block = qn_model_block_under (model, at);
+  return block != QN_NONE ? g_strdup_printf (_ ("on block %s"), model->blocks[block].name)
+                          : g_strdup (nothing);
+}
+
+char *
+qn_beam_end_dup_text (const QnModel *model, QnVec2 at)
+{
+  QnId node = qn_model_node_near (model, at, qn_place_reach (at));
+  return node != QN_NONE ? g_strdup_printf (_ ("at node %s"), model->nodes[node].name)
+                         : dup_end_text (model, at, _ ("free"));
+}
+
+char *
+qn_tie_end_dup_text (const QnModel *model, QnVec2 at)
+{
+  return dup_end_text (model, at, _ ("in the ground"));
 }
 
 QnId
@@ -53,12 +82,6 @@ replace_id (QnId *id, QnId gone, QnId by)
     *id = by;
 }
 
-static double
-reach_of (QnVec2 at)
-{
-  return SAME_PLACE * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
-}
-
 static void
 seat_on (QnNode *node, QnSeat seat, QnId block)
 {
@@ -74,7 +97,7 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
   QnNode *node = &model->nodes[id];
   QnVec2 from = node->at;
   node->at = qn_vec2 (INFINITY, INFINITY); /* not found as its own neighbour */
-  QnId other = qn_model_node_near (model, at, reach_of (at));
+  QnId other = qn_model_node_near (model, at, qn_place_reach (at));
   if (other != QN_NONE) {
     node->at = from;
     /* Everything that named the one names the other; rebuilding leaves out a node without
@@ -94,7 +117,7 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
     return qn_edit_rebuild (model, NULL, error);
   }
   node->at = at;
-  QnId block = qn_model_block_under (model, at, reach_of (at));
+  QnId block = qn_model_block_under (model, at);
   seat_on (node, block != QN_NONE ? QN_SEAT_POINT : QN_SEAT_FREE, block);
   return TRUE;
 }

@@ -20,14 +20,10 @@ const double qn_tie_diameters[QN_TIE_DIAMETERS] = { 0.010, 0.012, 0.016, 0.020, 
 
 #define USUAL_DIAMETER 0.020
 
-/* Nearer to a block than this, relative to coordinates, an end lies on it. */
-#define ON_BLOCK 1e-9
-
 static QnTieEnd
 end_at (const QnModel *model, QnVec2 at)
 {
-  double reach = ON_BLOCK * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
-  return (QnTieEnd){ qn_model_block_under (model, at, reach), at };
+  return (QnTieEnd){ qn_model_block_under (model, at), at };
 }
 
 /* FALSE where both ends are fixed to the same: nothing would be tied. */

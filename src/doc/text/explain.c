@@ -111,8 +111,12 @@ qn_explain_outcome_label (const QnResult *result)
     [QN_OUTCOME_NOT_CONVERGED] = N_ ("Not converged"),
     [QN_OUTCOME_REST] = N_ ("At rest"),
   };
-  if (result->outcome == QN_OUTCOME_TARGET_REACHED && result->history.width > 0)
-    return _ ("End of the duration");
+  if (result->history.width > 0 && result->outcome == QN_OUTCOME_COLLAPSE)
+    return _ ("Overturns");
+  if (result->history.width > 0
+      && (result->outcome == QN_OUTCOME_TARGET_REACHED
+          || result->outcome == QN_OUTCOME_REST))
+    return _ ("Stands");
   if (result->outcome == QN_OUTCOME_TARGET_REACHED
       && qn_result_find_buckling (result) != NULL)
     return _ ("Buckled");

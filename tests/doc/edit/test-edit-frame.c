@@ -173,7 +173,7 @@ static gboolean
 seat_first (QnModel *model, gpointer data, GError **error)
 {
   const Seat *s = data;
-  QnId block = qn_model_block_under (model, model->nodes[0].at, 1e-9);
+  QnId block = qn_model_block_under (model, model->nodes[0].at);
   return qn_edit_set_node_seat (model, 0, s->seat, block, s->side, error);
 }
 

@@ -33,11 +33,27 @@ add (QnModel *model, gpointer data, GError **error)
 static const Line across = { { 0.5, 1.5 }, { 3.5, 0.5 } };
 static const Line aside = { { 0.5, 1.2 }, { -2, 1.2 } };
 
-/* Ends take the block that is there, or the ground. */
+/* Ends take the block that is there, or the ground, and say so before they are drawn. */
 static void
 test_add (void)
 {
   g_autoptr (QnDocument) document = open_text (text);
+  static const struct {
+    char *(*dup_text) (const QnModel *model, QnVec2 at);
+    QnVec2 at;
+    const char *text;
+  } held[] = {
+    { qn_tie_end_dup_text, { 0.5, 1.5 }, "on block top" },
+    { qn_tie_end_dup_text, { 4, 0.5 }, "on block right" }, /* on its edge */
+    { qn_tie_end_dup_text, { 4.001, 0.5 }, "in the ground" },
+    { qn_beam_end_dup_text, { 0.5, 1.5 }, "on block top" },
+    { qn_beam_end_dup_text, { -2, 1.2 }, "free" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (held); i++) {
+    g_autofree char *words =
+      held[i].dup_text (qn_document_get_model (document), held[i].at);
+    g_assert_cmpstr (words, ==, held[i].text);
+  }
   const QnModel *model = edit (document, add, &across);
   model = edit (document, add, &aside);
   g_assert_cmpuint (model->tie_count, ==, 2);

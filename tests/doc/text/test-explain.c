@@ -88,7 +88,7 @@ test_outcome (void)
   result.outcome = QN_OUTCOME_TARGET_REACHED;
   g_assert_cmpstr (qn_explain_outcome_label (&result), ==, "Target reached");
   result.history.width = 1;
-  g_assert_cmpstr (qn_explain_outcome_label (&result), ==, "End of the duration");
+  g_assert_cmpstr (qn_explain_outcome_label (&result), ==, "Stands");
   for (int i = 0; i < QN_PAIR_STATE_COUNT; i++)
     g_assert_cmpstr (qn_explain_pair_state ((QnPairState) i), !=, "");
 
