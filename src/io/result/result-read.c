@@ -232,7 +232,8 @@ static gboolean
 read_ties (QnJson *json, gsize list, size_t step, QnResult *result)
 {
   static const QnMember *const tables[] = { qn_tie_members, NULL };
-  QnTieResult *ties = result->ties + step * result->tie_count;
+  QnTieResult *ties =
+    result->tie_count > 0 ? result->ties + step * result->tie_count : NULL;
   size_t count = 0;
   for (size_t i = 0; list == 0 && i < result->tie_count; i++)
     ties[i] = (QnTieResult){ .force = (double) NAN, .elongation = (double) NAN };
