@@ -107,6 +107,9 @@ qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double s
 /* Between a label and a line through its place, pt. */
 #define LINE_GAP 1.0
 
+/* Width of the line from a joint to its number, where this has moved away, pt. */
+#define LEADER 0.35
+
 /* What the labels of a drawing take of the page, in the order in which they were drawn, and the lines
  * of loads and forces, which they keep clear of. */
 typedef struct Labels {
@@ -115,7 +118,10 @@ typedef struct Labels {
   GArray *lines; /* of QnVec2, px, two for each */
   bool optional; /* the next one may be left out */
   bool beside;   /* and stands beside its place: */
+  bool leads;    /* or is led to from there, where it stands farther away: */
   QnVec2 at;     /* px */
+  QnColor color;
+  cairo_t *cr;
 } Labels;
 
 static bool
@@ -198,6 +204,47 @@ place_beside (const Labels *labels, cairo_rectangle_t *box)
   return false;
 }
 
+/* A line from the place of a label to where it stands; others keep clear of it. */
+static void
+lead_to (Labels *labels, const cairo_rectangle_t *box)
+{
+  QnVec2 end = { fmin (fmax (labels->at.x, box->x), box->x + box->width),
+                 fmin (fmax (labels->at.y, box->y), box->y + box->height) };
+  cairo_move_to (labels->cr, labels->at.x, labels->at.y);
+  cairo_line_to (labels->cr, end.x, end.y);
+  cairo_set_line_width (labels->cr, LEADER * labels->camera->unit);
+  qn_set_color (labels->cr, labels->color, 1);
+  cairo_stroke (labels->cr);
+  g_array_append_val (labels->lines, labels->at);
+  g_array_append_val (labels->lines, end);
+}
+
+/* The nearest free place around; where there is none the label stays where it belongs. */
+static bool
+place_around (Labels *labels, cairo_rectangle_t *box)
+{
+  static const int ways[8][2] = { { 0, -1 }, { 0, 1 },   { 1, 0 }, { -1, 0 },
+                                  { 1, -1 }, { -1, -1 }, { 1, 1 }, { -1, 1 } };
+  const double gap = LINE_GAP * labels->camera->unit;
+  for (int ring = 0; ring <= 2 * FARTHEST_LABEL; ring++)
+    for (int i = 0; i < (ring == 0 ? 1 : 8); i++) {
+      cairo_rectangle_t place = *box;
+      place.x += 0.5 * ring * ways[i][0] * box->width;
+      place.y += 0.5 * ring * ways[i][1] * box->height;
+      cairo_rectangle_t apart = { place.x - gap, place.y, place.width + 2 * gap,
+                                  place.height };
+      if (is_taken (labels, &apart) || (ring > 0 && !is_inside (labels->camera, &place)))
+        continue;
+      *box = place;
+      if (ring > 1)
+        lead_to (labels, box);
+      g_array_append_val (labels->taken, *box);
+      return true;
+    }
+  g_array_append_val (labels->taken, *box);
+  return true;
+}
+
 /* The nearest free place above or below, of upright text beside. What has room elsewhere after
  * zooming in is left out; what has none stays where it belongs. */
 static bool
@@ -206,6 +253,8 @@ place_label (void *data, cairo_rectangle_t *box)
   Labels *labels = data;
   if (labels->optional && labels->beside)
     return place_beside (labels, box);
+  if (labels->leads)
+    return place_around (labels, box);
   const bool level = box->width >= box->height;
   const double step = (1 - LABEL_BLUR) * (level ? box->height : box->width);
   for (int i = 0; i <= 2 * FARTHEST_LABEL; i++) {
@@ -231,7 +280,9 @@ draw_text (cairo_t *cr, const QnCommand *command, QnVec2 at, Labels *labels)
   const double unit = labels->camera->unit;
   labels->optional = command->extent > 0;
   labels->beside = command->align_x < 0 || command->align_x > 1;
+  labels->leads = command->pick == QN_PICK_FACE;
   labels->at = at;
+  labels->color = command->color;
   qn_text_draw (cr,
                 &(QnTextStyle){ .size = command->size * unit,
                                 .halo = label ? LABEL_HALO * unit : 0,
@@ -249,6 +300,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   double line_factor = qn_scene_line_factor (scene, camera);
   QnDrawCounts tally = { 0, 0 };
   Labels labels = { .camera = camera,
+                    .cr = cr,
                     .taken = g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
                     .lines = g_array_new (FALSE, FALSE, sizeof (QnVec2)) };
   cairo_save (cr);

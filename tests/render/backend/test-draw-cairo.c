@@ -63,6 +63,20 @@ test_upright_labels (void)
   g_assert_cmpfloat (two.height, ==, one.height);
 }
 
+/* Numbers of joints at one place stand around it, and none covers another. */
+static void
+test_numbers_of_joints (void)
+{
+  enum { COUNT = 30 };
+  QnScene *scene = create_labels (COUNT, 0, 0), *first = create_labels (1, 0, 0);
+  for (guint i = 0; i < COUNT; i++)
+    qn_command_set_pick (&g_array_index (scene->commands, QnCommand, i), QN_PICK_FACE, 0);
+  cairo_rectangle_t one = extents_of (first), all = extents_of (scene);
+  g_assert_cmpfloat (all.width * all.height, >, 0.75 * COUNT * one.width * one.height);
+  g_assert_cmpfloat (all.width, >, 2.5 * one.width);
+  g_assert_cmpfloat (all.height, >, 4 * one.height);
+}
+
 /* A label whose place arrows of a load cross stands above them, but for that of loads in weights, which
  * lie in blocks as names do. */
 static void
@@ -127,6 +141,7 @@ QN_TESTS
 {
   g_test_add_func ("/render/draw-cairo/labels", test_labels_keep_clear);
   g_test_add_func ("/render/draw-cairo/upright-labels", test_upright_labels);
+  g_test_add_func ("/render/draw-cairo/numbers-of-joints", test_numbers_of_joints);
   g_test_add_func ("/render/draw-cairo/labels-beside-loads", test_labels_beside_loads);
   g_test_add_func ("/render/draw-cairo/labels-beside-forces", test_labels_beside_forces);
 }
