@@ -134,7 +134,7 @@ plan_report (const QnSubcommand *self, const ReportOptions *options,
 }
 
 static QnExit
-make (const QnSubcommand *self, const ReportOptions *options, const char *model)
+make_report (const QnSubcommand *self, const ReportOptions *options, const char *model)
 {
   QnReport report = { 0 };
   guint given = options->results != NULL ? g_strv_length (options->results) : 0;
@@ -187,7 +187,7 @@ run_report (const QnSubcommand *self, int argc, char **argv)
     if (options.output == NULL)
       qn_cli_usage_error (self->name, _ ("-o is missing"));
     else
-      code = make (self, &options, argv[1]);
+      code = make_report (self, &options, argv[1]);
   }
   qn_subcommand_free_values (entries);
   return code;

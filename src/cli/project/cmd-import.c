@@ -16,7 +16,7 @@ typedef struct ImportOptions {
 
 /* The report goes to standard output, or to standard error where that takes the project. */
 static void
-tell (const ImportOptions *options, const QnImportReport *report)
+tell_import (const ImportOptions *options, const QnImportReport *report)
 {
   if (report->lines == NULL) /* the file could not be read */
     return;
@@ -40,7 +40,7 @@ import_file (const ImportOptions *options, const char *path)
   QnImportReport report;
   GError *error = NULL;
   gboolean done = qn_import_file (path, &options->settings, &project, &report, &error);
-  tell (options, &report);
+  tell_import (options, &report);
   done = done && qn_project_save (&project, options->output, &error);
   QnExit code = done ? QN_EXIT_DONE : qn_cli_fail (error);
   qn_project_clear (&project);

@@ -193,7 +193,7 @@ make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **
 }
 
 static gboolean
-take_curve (Curve *curve, const QnStudy *study, const char *folder, GError **error)
+take_run_curve (Curve *curve, const QnStudy *study, const char *folder, GError **error)
 {
   QnTable table;
   if (!qn_table_read (&table, study, folder, error))
@@ -231,7 +231,7 @@ first_collapse (const Curve *curve)
 }
 
 static void
-print (const Ida *ida)
+print_runs (const Ida *ida)
 {
   for (gsize c = 0; c < ida->count; c++) {
     const Curve *curve = &ida->curves[c];
@@ -372,7 +372,7 @@ compute (const Ida *ida, gsize index, Curve *curve)
     qn_cli_error (_ ("%s: cancelled; the same command continues"), ida->options->folder);
     code = QN_EXIT_CANCELLED;
   }
-  if (code == QN_EXIT_DONE && !take_curve (curve, &study, folder, &error))
+  if (code == QN_EXIT_DONE && !take_run_curve (curve, &study, folder, &error))
     code = qn_cli_fail (error);
   qn_study_clear (&study);
   return code;
@@ -397,7 +397,7 @@ run_all (Ida *ida, const QnOutput *output)
     code = draw_runs (ida, output);
   if (code == QN_EXIT_DONE && !ida->options->quiet
       && g_strcmp0 (ida->options->csv, "-") != 0)
-    print (ida);
+    print_runs (ida);
   for (gsize i = 0; i < ida->count; i++)
     curve_clear (&ida->curves[i]);
   g_free (ida->curves);

@@ -7,7 +7,7 @@
 
 /* What remains of the stiffness of an end or a tie that yields or is slack, in the tangent only: a node
  * between two ends that yield is held by no stiffness at all. Far below what Newton's method notices. */
-#define TRACE 1e-9
+#define YIELDED_STIFFNESS 1e-9
 
 #define FULL_TURN 6.283185307179586
 
@@ -194,7 +194,7 @@ qn_beam_evaluate (const QnBeamProperties *p, const QnBeamMemory *committed,
     for (int j = 0; j < 2; j++)
       response->tangent[1 + i][1 + j] = k[i][j];
     if (sense[i] != 0 && p->moments[i] > 0)
-      response->tangent[1 + i][1 + i] += TRACE * full[i];
+      response->tangent[1 + i][1 + i] += YIELDED_STIFFNESS * full[i];
   }
 }
 
@@ -225,7 +225,7 @@ qn_tie_evaluate (const QnBeamProperties *p, const QnBeamMemory *committed,
   }
   response->force[0] = force;
   response->phase = phase;
-  response->tangent[0][0] = phase == PULLS ? p->axial : TRACE * p->axial;
+  response->tangent[0][0] = phase == PULLS ? p->axial : YIELDED_STIFFNESS * p->axial;
 }
 
 /* --- Loads, mass, shape ------------------------------------------------------------------ */

@@ -144,7 +144,7 @@ check_beams (QnCheck *check, double none)
 /* Ties give where they hang slack or have their strength; forces are none or reach the strength within
  * `little`, N. */
 static void
-check_ties (QnCheck *check, double none, double little)
+check_tie_rates (QnCheck *check, double none, double little)
 {
   const QnBeamAssembly *members = &check->assembly.beams;
   const size_t elements = check->model->element_count;
@@ -300,7 +300,7 @@ qn_check_mechanism (QnCheck *check)
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p])
       check_joint (check, p, rates + 2 * p, none);
-  check_ties (check, none, LITTLE * check->scale);
+  check_tie_rates (check, none, LITTLE * check->scale);
   if (!as->nonlinear)
     check_beams (check, none);
 }

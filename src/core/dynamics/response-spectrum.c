@@ -25,7 +25,7 @@ swing (Oscillator *o, double t)
 /* The same under an acceleration that goes from a to b: the particular solution is linear in time,
  * p + q t, and what is left swings freely. */
 static void
-follow (Oscillator *o, double a, double b, double t)
+follow_oscillator (Oscillator *o, double a, double b, double t)
 {
   double square = o->w * o->w, q = -(b - a) / (t * square),
          p = -a / square - 2 * o->damping * q / o->w;
@@ -49,7 +49,7 @@ qn_response_spectrum (const double *acceleration, size_t count, double step,
                      .damped = w * sqrt (1 - damping * damping) };
 
     for (size_t i = 1; i < count; i++) {
-      follow (&o, acceleration[i - 1], acceleration[i], step);
+      follow_oscillator (&o, acceleration[i - 1], acceleration[i], step);
       largest = fmax (largest, fabs (o.u));
     }
     for (int i = 0; i < PLACES; i++) {

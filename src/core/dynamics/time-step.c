@@ -34,8 +34,8 @@ scheme_of (double rho)
 }
 
 static void measure (QnStepEquation *equation);
-static QnFactorStatus solve_direction (QnStepEquation *equation);
-static bool advance (QnStepEquation *equation, int iteration);
+static QnFactorStatus solve_for_step (QnStepEquation *equation);
+static bool advance_time (QnStepEquation *equation, int iteration);
 
 /* --- Setting up -------------------------------------------------------------------------- */
 
@@ -199,7 +199,7 @@ commit (QnTimeStep *step)
 
 /* The state at the start, as the workspace has it. */
 static void
-begin (QnTimeStep *step)
+begin_step (QnTimeStep *step)
 {
   QnEquilibrium *eq = step->equation.eq;
 
@@ -216,15 +216,15 @@ qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag)
 
   *step = (QnTimeStep){ .equation = { .eq = eq,
                                       .measure = measure,
-                                      .solve = solve_direction,
-                                      .advance = advance },
+                                      .solve = solve_for_step,
+                                      .advance = advance_time },
                         .scheme = scheme_of (settings->rho),
                         .settings = settings };
   eq->factored = false;
   QnStatus status = prepare (step, diag);
   if (status == QN_OK) {
     add_initial_motion (step);
-    begin (step);
+    begin_step (step);
   } else
     qn_time_step_clear (step);
   return status;
@@ -247,7 +247,7 @@ qn_time_step_renew (QnTimeStep *step, QnDiag *diag)
   memcpy (next.start.a, step->start.a, bytes);
   qn_time_step_clear (step);
   *step = next;
-  begin (step);
+  begin_step (step);
   return QN_OK;
 }
 
@@ -316,7 +316,7 @@ move (QnTimeStep *step)
 }
 
 static QnPairInstant
-pair_at (const QnInstant *instant, const QnPairResponse *responses, size_t p)
+pair_instant (const QnInstant *instant, const QnPairResponse *responses, size_t p)
 {
   return (
     QnPairInstant){ .q = { instant->elongations[2 * p], instant->elongations[2 * p + 1] },
@@ -340,8 +340,8 @@ evaluate_pairs (QnTimeStep *step)
   if (pair_step.damping > 0)
     qn_assembly_elongation_rates (as, step->end.v, step->end.rates);
   for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairInstant start = pair_at (&step->start, step->start.at.responses, p);
-    QnPairInstant end = pair_at (&step->end, as->responses, p);
+    QnPairInstant start = pair_instant (&step->start, step->start.at.responses, p);
+    QnPairInstant end = pair_instant (&step->end, as->responses, p);
     QnPairForces *forces = &step->forces[p];
     if (as->inactive[p]) {
       *forces = (QnPairForces){ 0 };
@@ -439,7 +439,7 @@ is_still (const QnTimeStep *step)
 
 /* step = K \ residual, K = (M (1-am)/(beta h^2) + C (1-af) gamma/(beta h))/(1-af) + dP/du */
 static QnFactorStatus
-solve_direction (QnStepEquation *equation)
+solve_for_step (QnStepEquation *equation)
 {
   QnTimeStep *step = (QnTimeStep *) equation;
   QnEquilibrium *eq = equation->eq;
@@ -476,7 +476,7 @@ solve_direction (QnStepEquation *equation)
 /* Takes the direction, or a part of it where the residual grows although joints should have found
  * their states. */
 static bool
-advance (QnStepEquation *equation, int iteration)
+advance_time (QnStepEquation *equation, int iteration)
 {
   QnTimeStep *step = (QnTimeStep *) equation;
   int32_t n = equation->eq->assembly.unknown_count;

@@ -22,7 +22,7 @@
 /* Central paths that one step gets, where the dilation of joints has turned on the one before. */
 #define MOST_TURNS 4
 
-/* Complementarity from which an iterate may stand where nothing can turn back and rounding
+/* Complementarity from which an iterate_path may stand where nothing can turn back and rounding
  * forbids a better one: forces in balance leave a tenth of a millionth of their strength. */
 #define NEARLY 1e-7
 
@@ -30,7 +30,7 @@
 #define FINISH_BUDGET 12
 
 /* Viscosity in the tangent: holds what touches nothing. */
-#define TRACE 1e-12
+#define HOLDING_VISCOSITY 1e-12
 
 /* The mean product is lowered to this part of itself at most in one iteration. */
 #define LEAST_AIM 1e-6
@@ -50,9 +50,9 @@
 #define SHORT 0.2
 
 /* Complementarity at which a new central path begins: so many times that at which the last one
- * turned back, and LONGER times that of the last beginning, as long as that gets no further. */
-#define RISE   10.0
-#define LONGER 10.0
+ * turned back, and LONGER_RISE times that of the last beginning, as long as that gets no further. */
+#define RISE        10.0
+#define LONGER_RISE 10.0
 
 /* Central paths one after the other, until relaxation along them gives up. */
 #define PASSES 40
@@ -70,10 +70,10 @@ struct QnCentralPath {
   bool together;    /* residuals go down with complementarity where a measure advances */
   double viscosity; /* of a step of motion; 0: static */
   QnCentralPairs pairs;
-  double *near_u;    /* unknown_count: displacements of the best iterate, */
+  double *near_u;    /* unknown_count: displacements of the best iterate_path, */
   double *begun;     /* where the last central path began, */
   double *kept_step; /* and of the direction found so far */
-  double *lack;      /* out of balance at the iterate, where a part of it is to stay */
+  double *lack; /* out of balance at the iterate_path, where a part of it is to stay */
 };
 
 bool
@@ -143,19 +143,19 @@ typedef struct {
   double elongation; /* the largest, at least 1 */
   double target_gap; /* what the target lacks */
   double multiplier_step;
-  QnCentralForecast reach;          /* of the direction */
-  double complementarity;           /* asked for */
-  double watched_gap;               /* when it had last halved, */
-  int watched_since;                /* and that iteration */
-  bool relaxes;                     /* a new central path may begin where this one ends */
-  int short_steps;                  /* one after the other, up to now */
-  bool is_near;                     /* there is an iterate that may stand, */
+  QnCentralForecast reach; /* of the direction */
+  double complementarity;  /* asked for */
+  double watched_gap;      /* when it had last halved, */
+  int watched_since;       /* and that iteration */
+  bool relaxes;            /* a new central path may begin_path where this one ends */
+  int short_steps;         /* one after the other, up to now */
+  bool is_near;            /* there is an iterate_path that may stand, */
   double near_gap, near_multiplier; /* its complementarity and multiplier */
 } Increment;
 
 /* Everything at eq->u: residuals, tangents, the pairs of other laws. */
 static bool
-prepare (Increment *increment)
+prepare_path (Increment *increment)
 {
   QnCentralPath *path = increment->path;
   QnAssembly *as = &path->eq->assembly;
@@ -197,7 +197,7 @@ hand_over_forces (QnCentralPath *path)
 
 /* Factorises the tangent, and overwrites b with its solution. */
 static QnFactorStatus
-factorize (QnCentralPath *path, double *b)
+factorize_path (QnCentralPath *path, double *b)
 {
   QnEquilibrium *eq = path->eq;
   double start = qn_clock_seconds ();
@@ -205,8 +205,9 @@ factorize (QnCentralPath *path, double *b)
   if (eq->assembly.nonlinear)
     hand_over_forces (path);
   qn_central_pairs_get_tangents (&path->pairs);
-  qn_assembly_tangent_of (&eq->assembly, eq->multiplier, fmax (TRACE, path->viscosity),
-                          path->pairs.tangents, 4);
+  qn_assembly_tangent_of (&eq->assembly, eq->multiplier,
+                          fmax (HOLDING_VISCOSITY, path->viscosity), path->pairs.tangents,
+                          4);
   double assembled = qn_clock_seconds ();
   QnFactorStatus status =
     qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, b);
@@ -247,7 +248,7 @@ solve (QnEquilibrium *eq, double *b)
 
 /* The direction that brings every s z to what is aimed at, and takes that part off all residuals. */
 static void
-find_direction (Increment *increment, const QnCentralAim *aim)
+find_path_direction (Increment *increment, const QnCentralAim *aim)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
@@ -275,7 +276,7 @@ find_predictor (Increment *increment)
   if (bordered)
     memcpy (eq->live_step, eq->assembly.live,
             (size_t) eq->assembly.unknown_count * sizeof (double));
-  QnFactorStatus status = factorize (path, bordered ? eq->live_step : eq->step);
+  QnFactorStatus status = factorize_path (path, bordered ? eq->live_step : eq->step);
   if (status != QN_FACTOR_OK)
     return status;
   if (bordered)
@@ -286,7 +287,7 @@ find_predictor (Increment *increment)
 
 /* Largest part of the direction, up to all of it, that leaves s and z at zero or above. */
 static double
-way_to_boundary (const Increment *increment)
+path_to_boundary (const Increment *increment)
 {
   return 1 / qn_larger (increment->reach.boundary, 1);
 }
@@ -296,7 +297,7 @@ static double
 mean_by_predictor (const Increment *increment)
 {
   const QnCentralForecast *reach = &increment->reach;
-  double part = way_to_boundary (increment), products = increment->residuals.products;
+  double part = path_to_boundary (increment), products = increment->residuals.products;
   double left = (products + part * (reach->first + part * reach->second)) / products;
 
   return fmax (LEAST_AIM, left * left * left) * increment->gap;
@@ -304,7 +305,7 @@ mean_by_predictor (const Increment *increment)
 
 /* Gondzio: corrects the direction, keeping what lengthens the step, which is returned. */
 static double
-centre (Increment *increment, double mean, double part, double step)
+centre_pairs (Increment *increment, double mean, double part, double step)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
@@ -314,12 +315,12 @@ centre (Increment *increment, double mean, double part, double step)
     double longer = fmin (1, 1.3 * step + 0.1),
            multiplier_step = increment->multiplier_step;
     memcpy (path->kept_step, eq->step, step_bytes);
-    find_direction (increment, &(QnCentralAim){ .target = QN_CENTRAL_CENTRE,
-                                                .part = part,
-                                                .mean = mean,
-                                                .length = longer,
-                                                .spread = CENTRAL });
-    double reached = way_to_boundary (increment);
+    find_path_direction (increment, &(QnCentralAim){ .target = QN_CENTRAL_CENTRE,
+                                                     .part = part,
+                                                     .mean = mean,
+                                                     .length = longer,
+                                                     .spread = CENTRAL });
+    double reached = path_to_boundary (increment);
     if (reached < step + GAIN) {
       qn_central_pairs_exchange_steps (&path->pairs);
       memcpy (eq->step, path->kept_step, step_bytes);
@@ -343,7 +344,7 @@ take_step (Increment *increment, double part)
   qn_central_pairs_go (&path->pairs, part);
 }
 
-/* Whether the iterate is an equilibrium but for this complementarity and lack of balance.
+/* Whether the iterate_path is an equilibrium but for this complementarity and lack of balance.
  * Balance, the most expensive one, is asked last. */
 static bool
 is_within (Increment *increment, double complementarity, double out_of_balance)
@@ -365,7 +366,7 @@ is_within (Increment *increment, double complementarity, double out_of_balance)
          <= out_of_balance * scale;
 }
 
-/* Keeps the best iterate that may stand if no better one comes: where the path cannot turn back
+/* Keeps the best iterate_path that may stand if no better one comes: where the path cannot turn back
  * there is one as good as one likes, and what is in the way is rounding. */
 static void
 keep_near (Increment *increment)
@@ -383,7 +384,7 @@ keep_near (Increment *increment)
   memcpy (path->near_u, path->eq->u, (size_t) as->unknown_count * sizeof *path->near_u);
 }
 
-/* Whether the iterate is good enough for Newton's method to finish. */
+/* Whether the iterate_path is good enough for Newton's method to finish. */
 static bool
 has_converged (Increment *increment)
 {
@@ -437,7 +438,7 @@ adopt (Increment *increment)
                                                    : QN_SOLVE_FAILED;
 }
 
-/* The best iterate, if there is one that may stand. */
+/* The best iterate_path, if there is one that may stand. */
 static QnSolveStatus
 fall_back (Increment *increment)
 {
@@ -500,22 +501,22 @@ improve (Increment *increment)
     qn_central_pairs_get_forces (&increment->path->pairs);
     balance (increment->path, increment->path->lack);
   }
-  find_direction (
+  find_path_direction (
     increment,
     &(QnCentralAim){ .target = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });
-  double step = centre (increment, mean, part, way_to_boundary (increment));
+  double step = centre_pairs (increment, mean, part, path_to_boundary (increment));
   take_step (increment, fmin (1, TO_BOUNDARY * step));
   increment->short_steps = step < SHORT ? increment->short_steps + 1 : 0;
   return QN_SOLVE_CONVERGED;
 }
 
 static QnSolveStatus
-iterate (Increment *increment, int budget)
+iterate_path (Increment *increment, int budget)
 {
   int finishes = 0;
 
   for (int iteration = 0;; iteration++) {
-    if (!prepare (increment) || !isfinite (increment->gap))
+    if (!prepare_path (increment) || !isfinite (increment->gap))
       return fall_back (increment);
     if (has_converged (increment)) {
       QnSolveStatus status = finish (increment);
@@ -524,7 +525,7 @@ iterate (Increment *increment, int budget)
       if (++finishes == MOST_FINISHES)
         return adopt (increment);
       increment->complementarity *= TIGHTER;
-      prepare (increment);
+      prepare_path (increment);
       has_converged (increment);
     }
     if (iteration == budget || !makes_headway (increment, iteration))
@@ -550,7 +551,7 @@ expected_elongation (const QnCentralPath *path, const QnTarget *target)
 
 /* From the committed state towards the target. */
 static Increment
-begin (QnCentralPath *path, const QnTarget *target)
+begin_path (QnCentralPath *path, const QnTarget *target)
 {
   QnEquilibrium *eq = path->eq;
 
@@ -563,7 +564,7 @@ begin (QnCentralPath *path, const QnTarget *target)
 /* One central path from the current displacements and forces, from mean products of `size`; another one from
  * there where the dilation of joints has turned on the way. */
 static QnSolveStatus
-follow (Increment *increment, double size, int budget)
+follow_path (Increment *increment, double size, int budget)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
@@ -576,7 +577,7 @@ follow (Increment *increment, double size, int budget)
     increment->short_steps = 0;
     increment->is_near = false;
     qn_central_pairs_start (&path->pairs, size, turn > 0);
-    QnSolveStatus status = iterate (increment, budget);
+    QnSolveStatus status = iterate_path (increment, budget);
     if (status != QN_SOLVE_FAILED || !path->pairs.turned || turn == MOST_TURNS)
       return status;
     memcpy (eq->u, path->begun, bytes);
@@ -589,9 +590,9 @@ follow (Increment *increment, double size, int budget)
 QnSolveStatus
 qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
 {
-  Increment increment = begin (path, target);
+  Increment increment = begin_path (path, target);
 
-  return follow (&increment, expected_elongation (path, target), budget);
+  return follow_path (&increment, expected_elongation (path, target), budget);
 }
 
 QnSolveStatus
@@ -606,7 +607,7 @@ qn_central_path_move (QnCentralPath *path, const QnTarget *target, double viscos
   if (target->direction == NULL)
     eq->multiplier = target->multiplier;
   path->viscosity = viscosity;
-  QnSolveStatus status = follow (&increment, fmax (1, PART_OF_MOTION * way), budget);
+  QnSolveStatus status = follow_path (&increment, fmax (1, PART_OF_MOTION * way), budget);
   path->viscosity = 0;
   return status;
 }
@@ -620,11 +621,11 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undec
 
   if (!path->may_jump)
     return qn_central_path_solve (path, target, budget);
-  Increment increment = begin (path, target);
+  Increment increment = begin_path (path, target);
 
   increment.relaxes = true;
   for (int pass = 0; pass < PASSES; pass++) {
-    QnSolveStatus status = follow (&increment, size, budget);
+    QnSolveStatus status = follow_path (&increment, size, budget);
     if (status != QN_SOLVE_FAILED)
       return status;
     if (!isfinite (increment.gap))
@@ -644,7 +645,8 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undec
       return QN_SOLVE_FAILED;
     qn_assembly_commit (&eq->assembly);
     bool nearer = increment.gap <= 0.5 * gap_before;
-    size = fmax (fmax (1, RISE * increment.gap), nearer ? size / LONGER : size * LONGER);
+    size = fmax (fmax (1, RISE * increment.gap),
+                 nearer ? size / LONGER_RISE : size * LONGER_RISE);
     gap_before = increment.gap;
   }
   return QN_SOLVE_FAILED;

@@ -41,7 +41,7 @@ static const struct {
 #define REGULARIZATION 1e-12
 
 /* An error of the linear systems above this is no direction. */
-#define WORST_SOLUTION 1e-3
+#define WORST_ERROR 1e-3
 
 QnStatus
 qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
@@ -189,7 +189,7 @@ is_collapse (const QnCollapse *c, double power, double tolerance)
 
 /* What has to be added to a product that would leave the neighbourhood of the target. */
 static double
-centre (double product, double target)
+centre_collapse (double product, double target)
 {
   double low = target / tuning.spread, high = target * tuning.spread;
 
@@ -233,7 +233,7 @@ find_step (QnCollapse *c, double power, double *length, QnDiag *diag)
        k++) {
     double aim = fmin (1, 1.3 * *length + 0.1);
     for (int32_t i = 0; i < p->bound_count; i++)
-      c->products[i] += centre (
+      c->products[i] += centre_collapse (
         (c->at.s[i] + aim * step->s[i]) * (c->at.z[i] + aim * step->z[i]), target);
     status = solve_for_share (c, 1 - part, &c->trial, diag);
     double reached = way_to_boundary (c, &c->trial);
@@ -247,7 +247,7 @@ find_step (QnCollapse *c, double power, double *length, QnDiag *diag)
 
 /* Factorises for the iterate. *ok is false where the system has no solution. */
 static QnStatus
-factorize (QnCollapse *c, bool *ok, QnDiag *diag)
+factorize_collapse (QnCollapse *c, bool *ok, QnDiag *diag)
 {
   for (int32_t i = 0; i < c->problem->bound_count; i++)
     c->w[i] = c->at.z[i] / c->at.s[i];
@@ -273,7 +273,7 @@ find_growth (QnCollapse *c, QnDiag *diag)
 
   if (c->kkt.coupling < 1) {
     c->kkt.coupling = 1;
-    status = factorize (c, &ok, diag);
+    status = factorize_collapse (c, &ok, diag);
   }
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     c->right.y[i] = p->cells[i / 2].quadratic[i % 2] * c->at.y[i];
@@ -311,12 +311,12 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
       *state = QN_COLLAPSE_CANCELLED;
       return QN_OK;
     }
-    status = factorize (c, &ok, diag);
+    status = factorize_collapse (c, &ok, diag);
     if (status || !ok)
       return status;
     if (is_stable (&c->kkt)) {
       status = find_step (c, power, &length, diag);
-      if (status || !(c->kkt.error < WORST_SOLUTION))
+      if (status || !(c->kkt.error < WORST_ERROR))
         return status;
       add (p, &c->at, fmin (1, tuning.to_boundary * length), &c->step);
     } else if (*coupling <= least) {

@@ -349,11 +349,11 @@ relative_error (QnIpKkt *kkt, const QnIpKktRight *right, const QnIpKktVector *ou
   return error;
 }
 
-/* Lets the forces follow `sign` times the last correction of v (and ry, where given), and
+/* Lets the forces follow_rates `sign` times the last correction of v (and ry, where given), and
  * measures the residuals of the second and third block row. */
 static double
-follow (QnIpKkt *kkt, const QnIpKktRight *right, const double *ry, double sign,
-        QnIpKktVector *out)
+follow_rates (QnIpKkt *kkt, const QnIpKktRight *right, const double *ry, double sign,
+              QnIpKktVector *out)
 {
   const QnIpProblem *p = kkt->problem;
   double *e = kkt->residual_v;
@@ -447,7 +447,7 @@ undo (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
   for (int32_t r = 0; r < kkt->problem->row_count; r++)
     out->v[r] -= kkt->step_v[r];
   out->lambda -= kkt->step_lambda;
-  return follow (kkt, right, NULL, -1.0, out);
+  return follow_rates (kkt, right, NULL, -1.0, out);
 }
 
 QnStatus
@@ -466,7 +466,7 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
     double now;
     if (status)
       return status;
-    now = follow (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
+    now = follow_rates (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
     /* The first pass is the solution; later ones refine it while they gain a digit. */
     if (round > 0 && now > last)
       now = undo (kkt, right, out);

@@ -186,7 +186,7 @@ proves_unbounded (const QnInteriorPoint *ip)
 /* Factorises and solves for the border column, which does not depend on the direction's
  * right-hand side. */
 static QnStatus
-prepare (QnInteriorPoint *ip, bool *ok, QnDiag *diag)
+prepare_start (QnInteriorPoint *ip, bool *ok, QnDiag *diag)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
@@ -249,7 +249,7 @@ solve_tau (const QnInteriorPoint *ip, double share, const QnIpVector *base)
  *   ds = share rz - G dy + h dtau,   dz = (products - z ds) / s
  */
 static QnStatus
-solve_direction (QnInteriorPoint *ip, double share, QnIpVector *out, QnDiag *diag)
+solve_newton (QnInteriorPoint *ip, double share, QnIpVector *out, QnDiag *diag)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
@@ -303,7 +303,7 @@ longest_step (const QnInteriorPoint *ip, const QnIpVector *step)
 
 /* What has to be added to a product that would leave [low, high] of the target. */
 static double
-centre (double product, double target)
+centre_gap (double product, double target)
 {
   double low = CORRECTOR_LOW * target, high = CORRECTOR_HIGH * target;
 
@@ -327,11 +327,11 @@ correct_centrality (QnInteriorPoint *ip, double target, double share, double *le
 
   /* work->products still holds the right-hand side of `step`. */
   for (int32_t i = 0; i < p->bound_count; i++)
-    work->products[i] += centre (
+    work->products[i] += centre_gap (
       (ip->at.s[i] + aim * step->s[i]) * (ip->at.z[i] + aim * step->z[i]), target);
-  work->product_tau +=
-    centre ((ip->at.tau + aim * step->tau) * (ip->at.kappa + aim * step->kappa), target);
-  status = solve_direction (ip, share, trial, diag);
+  work->product_tau += centre_gap (
+    (ip->at.tau + aim * step->tau) * (ip->at.kappa + aim * step->kappa), target);
+  status = solve_newton (ip, share, trial, diag);
   if (status)
     return status;
   reached = longest_step (ip, trial);
@@ -359,14 +359,14 @@ newton_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
     (qn_ip_dot (ip->at.s, ip->at.z, p->bound_count) + ip->at.tau * ip->at.kappa)
     / (p->bound_count + 1.0);
   double centring, target, share;
-  QnStatus status = prepare (ip, ok, diag);
+  QnStatus status = prepare_start (ip, ok, diag);
 
   if (status || !*ok)
     return status;
   for (int32_t i = 0; i < p->bound_count; i++)
     work->products[i] = -ip->at.s[i] * ip->at.z[i];
   work->product_tau = -ip->at.tau * ip->at.kappa;
-  status = solve_direction (ip, 1.0, step, diag);
+  status = solve_newton (ip, 1.0, step, diag);
   if (status)
     return status;
 
@@ -377,7 +377,7 @@ newton_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
   for (int32_t i = 0; i < p->bound_count; i++)
     work->products[i] = target - ip->at.s[i] * ip->at.z[i] - step->s[i] * step->z[i];
   work->product_tau = target - ip->at.tau * ip->at.kappa - step->tau * step->kappa;
-  status = solve_direction (ip, share, step, diag);
+  status = solve_newton (ip, share, step, diag);
   if (status)
     return status;
   *length = longest_step (ip, step);
@@ -531,7 +531,7 @@ shift_positive (double *values, int32_t count)
 }
 
 static void
-begin (QnInteriorPoint *ip)
+begin_iterations (QnInteriorPoint *ip)
 {
   ip->state = QN_IP_RUNNING;
   ip->iterations = 0;
@@ -562,7 +562,7 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   QnStatus status;
   bool ok;
 
-  begin (ip);
+  begin_iterations (ip);
   for (int32_t i = 0; i < p->bound_count; i++)
     work->w[i] = 1.0;
   status = qn_ip_kkt_factorize (&work->kkt, work->w, &ok, diag);
@@ -604,7 +604,7 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
 void
 qn_interior_point_start_from (QnInteriorPoint *ip, const QnIpVector *iterate)
 {
-  begin (ip);
+  begin_iterations (ip);
   count_effort (ip);
   vector_copy (&ip->at, iterate, ip->work->problem);
   residuals (ip);

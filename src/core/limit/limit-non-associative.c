@@ -83,7 +83,7 @@ typedef struct Search {
 } Search;
 
 static bool
-go_on (void *data)
+go_on_search (void *data)
 {
   Search *search = data;
   QnStatistics *effort = &search->interval->solution.effort;
@@ -199,7 +199,7 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
                      tuning.strength[start], tuning.coupling[start]);
   QnStatus status =
-    qn_collapse_follow (c, tolerance, budget, go_on, search, &state, diag);
+    qn_collapse_follow (c, tolerance, budget, go_on_search, search, &state, diag);
   effort->factorizations += c->kkt.schur.factorizations;
   effort->factor_seconds += c->kkt.schur.seconds;
   search->cancelled = state == QN_COLLAPSE_CANCELLED;

@@ -52,7 +52,7 @@ qn_limit_solution_clear (QnLimitSolution *solution)
 
 /* Counts an iteration and reports it; false when the analysis is to be cancelled. */
 static bool
-go_on (void *data)
+go_on_limit (void *data)
 {
   LimitRun *run = data;
 
@@ -74,7 +74,7 @@ iterate_once (LimitRun *run, QnDiag *diag)
   QnStatus status = qn_interior_point_iterate (run->ip, diag);
 
   if (!status)
-    go_on (run);
+    go_on_limit (run);
   return status;
 }
 
@@ -140,7 +140,7 @@ take_certificate (LimitRun *run, QnDiag *diag)
 {
   double *v = run->ip->at.v;
   bool found;
-  QnStatus status = qn_limit_fall (run->limit, go_on, run, v, &found, diag);
+  QnStatus status = qn_limit_fall (run->limit, go_on_limit, run, v, &found, diag);
 
   run->solution->outcome =
     run->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_DEAD_LOAD_UNSTABLE;

@@ -21,7 +21,7 @@
 #define SETTLED 1e-12
 
 /* A second start that moves no wanted eigenvalue by more than this part has found none. */
-#define SAME 1e-6
+#define SAME_EIGENVALUE 1e-6
 
 /* LAPACK: eigenvalues, ascending, and eigenvectors, in a, of a symmetric matrix. The lengths of
  * strings come last, as Fortran has them. */
@@ -267,7 +267,7 @@ find_all (Lanczos *l, double *before)
     status = settle (l);
     changed = false;
     for (size_t k = 0; k < l->wanted && k < l->count; k++)
-      changed |= fabs (l->theta[k] - before[k]) > SAME * fabs (before[k]);
+      changed |= fabs (l->theta[k] - before[k]) > SAME_EIGENVALUE * fabs (before[k]);
   }
   return status;
 }

@@ -67,7 +67,7 @@ solve_shifted (const void *data, double *b)
 }
 
 static bool
-go_on (void *equilibrium)
+go_on_modes (void *equilibrium)
 {
   return qn_equilibrium_go_on (equilibrium);
 }
@@ -172,7 +172,7 @@ find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDi
                                        .shift = pencil.shift,
                                        .multiply = multiply,
                                        .solve = solve_shifted,
-                                       .go_on = go_on,
+                                       .go_on = go_on_modes,
                                        .user_data = eq,
                                        .data = &pencil };
     switch (

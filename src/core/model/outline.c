@@ -62,7 +62,7 @@ typedef struct {
 } Envelope;
 
 static double
-height_at (const Segment *s, double u)
+segment_height (const Segment *s, double u)
 {
   return s->low.y + (s->high.y - s->low.y) * ((u - s->low.x) / (s->high.x - s->low.x));
 }
@@ -111,8 +111,8 @@ find_envelope (const Segment *segments, size_t count, Piece *room, Piece *scratc
     } else {
       u = fmin (to_a, to_b);
       double middle = 0.5 * (from_a + u);
-      bool above =
-        height_at (a.items[i].segment, middle) >= height_at (b.items[j].segment, middle);
+      bool above = segment_height (a.items[i].segment, middle)
+                   >= segment_height (b.items[j].segment, middle);
       append (&out, from_a, u, above ? a.items[i].segment : b.items[j].segment);
     }
     i += i < a.count && u >= to_a;

@@ -49,7 +49,7 @@ G_DEFINE_QUARK (qn-job-error-quark, qn_job_error)
 /* clang-format on */
 
 enum { SIGNAL_PROGRESS, SIGNAL_COUNT };
-static guint signals[SIGNAL_COUNT];
+static guint job_signals[SIGNAL_COUNT];
 
 static void
 qn_job_finalize (GObject *object)
@@ -69,8 +69,8 @@ static void
 qn_job_class_init (QnJobClass *klass)
 {
   G_OBJECT_CLASS (klass)->finalize = qn_job_finalize;
-  signals[SIGNAL_PROGRESS] = g_signal_new ("progress", QN_TYPE_JOB, G_SIGNAL_RUN_LAST, 0,
-                                           NULL, NULL, NULL, G_TYPE_NONE, 0);
+  job_signals[SIGNAL_PROGRESS] = g_signal_new ("progress", QN_TYPE_JOB, G_SIGNAL_RUN_LAST,
+                                               0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
 static void
@@ -303,7 +303,7 @@ on_tick (gpointer data)
   g_array_append_vals (self->shown, self->curve->data, self->curve->len);
   pthread_mutex_unlock (&self->mutex);
   if (fresh)
-    g_signal_emit (self, signals[SIGNAL_PROGRESS], 0);
+    g_signal_emit (self, job_signals[SIGNAL_PROGRESS], 0);
   return G_SOURCE_CONTINUE;
 }
 

@@ -2,7 +2,7 @@
 
 #include "doc/document/document-private.h"
 #include "io/project/project-extras.h"
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 /* A label says at most so much of what differs. */

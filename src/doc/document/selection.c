@@ -19,7 +19,7 @@ struct _QnSelection {
 G_DEFINE_FINAL_TYPE (QnSelection, qn_selection, G_TYPE_OBJECT)
 
 enum { SIGNAL_CHANGED, SIGNAL_COUNT };
-static guint signals[SIGNAL_COUNT];
+static guint selection_signals[SIGNAL_COUNT];
 
 static void
 qn_selection_finalize (GObject *object)
@@ -33,8 +33,8 @@ static void
 qn_selection_class_init (QnSelectionClass *klass)
 {
   G_OBJECT_CLASS (klass)->finalize = qn_selection_finalize;
-  signals[SIGNAL_CHANGED] = g_signal_new ("changed", QN_TYPE_SELECTION, G_SIGNAL_RUN_LAST,
-                                          0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+  selection_signals[SIGNAL_CHANGED] = g_signal_new (
+    "changed", QN_TYPE_SELECTION, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
 static GArray *
@@ -131,7 +131,7 @@ replace_all (QnSelection *self, GArray *const parts[QN_PART_COUNT], QnId object,
   self->kind = kind;
   self->item = item;
   if (!same)
-    g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
+    g_signal_emit (self, selection_signals[SIGNAL_CHANGED], 0);
 }
 
 static void

@@ -15,7 +15,7 @@
 /* Corners may lie outside of the photo, so far at most, in its width and height. */
 #define MOST_PART 10.0
 
-static const QnMember members[] = {
+static const QnMember underlay_members[] = {
   QN_KNOWN ("image"),
   QN_TWO ("origin", WRITTEN, QnUnderlay, origin),
   QN_NUMBER ("width", REQUIRED, POSITIVE, QnUnderlay, width),
@@ -64,7 +64,7 @@ read_rectangle (const QnJsonValue *object, QnUnderlay *underlay)
 static gboolean
 read_members (const QnJsonValue *object, const char **image, QnUnderlay *underlay)
 {
-  if (!qn_members_read (object, members, NULL, underlay)
+  if (!qn_members_read (object, underlay_members, NULL, underlay)
       || !qn_member_string (object, "image", QN_REQUIRED, image)
       || !read_rectangle (object, underlay))
     return FALSE;
@@ -154,7 +154,7 @@ qn_underlay_to_json (const char *image, const QnUnderlay *underlay)
 {
   GString *json = g_string_new ("{");
   qn_json_put_string (json, "image", image);
-  qn_members_write (json, members, NULL, underlay, NULL);
+  qn_members_write (json, underlay_members, NULL, underlay, NULL);
   if (underlay->rectified) {
     qn_json_begin_member (json, "rectangle");
     g_string_append_c (json, '{');

@@ -6,7 +6,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-#define USUAL_DIAMETER 0.016
+#define BAR_DIAMETER 0.016
 
 /* From the edge of the blocks to the end of a bar, in parts of the shorter side of their box. */
 #define COVER 0.05
@@ -72,7 +72,7 @@ qn_edit_draw_bar (QnModel *model, QnVec2 start, QnVec2 end, GError **error)
   if (bar == NULL)
     return qn_edit_no_memory (error);
   *bar = (QnBar){
-    .law = law, .area = qn_bar_get_area (USUAL_DIAMETER), .start = start, .end = end
+    .law = law, .area = qn_bar_get_area (BAR_DIAMETER), .start = start, .end = end
   };
   return TRUE;
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 
 static gboolean
-refuse_nothing (GError **error)
+refuse_no_beam (GError **error)
 {
   return qn_edit_refuse_nothing (error, _ ("No beam is selected"));
 }
@@ -114,7 +114,7 @@ qn_edit_set_beam_kind (QnModel *model, QnBeamSet set, QnBeamKind kind, GError **
 {
   for (guint i = 0; i < set.count; i++)
     model->beams[set.ids[i]].kind = kind;
-  return set.count > 0 || refuse_nothing (error);
+  return set.count > 0 || refuse_no_beam (error);
 }
 
 gboolean
@@ -122,7 +122,7 @@ qn_edit_set_beam_section (QnModel *model, QnBeamSet set, QnId section, GError **
 {
   for (guint i = 0; i < set.count; i++)
     model->beams[set.ids[i]].section = section;
-  return set.count > 0 || refuse_nothing (error);
+  return set.count > 0 || refuse_no_beam (error);
 }
 
 gboolean
@@ -131,14 +131,14 @@ qn_edit_set_beam_hinge (QnModel *model, QnBeamSet set, int end, gboolean hinge,
 {
   for (guint i = 0; i < set.count; i++)
     model->beams[set.ids[i]].hinge[end] = hinge;
-  return set.count > 0 || refuse_nothing (error);
+  return set.count > 0 || refuse_no_beam (error);
 }
 
 gboolean
 qn_edit_set_beam_elements (QnModel *model, QnBeamSet set, int32_t count, GError **error)
 {
   if (set.count == 0)
-    return refuse_nothing (error);
+    return refuse_no_beam (error);
   for (guint i = 0; i < set.count; i++)
     model->beams[set.ids[i]].element_count = count;
   return qn_edit_rebuild (model, NULL, error);
@@ -197,5 +197,5 @@ qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live, QnVec2 valu
     load->beam = set.ids[k];
     load->vector = value;
   }
-  return set.count > 0 || refuse_nothing (error);
+  return set.count > 0 || refuse_no_beam (error);
 }

@@ -18,7 +18,7 @@ const QnTieSteel qn_tie_steels[QN_TIE_STEELS] = {
 const double qn_tie_diameters[QN_TIE_DIAMETERS] = { 0.010, 0.012, 0.016, 0.020, 0.024,
                                                     0.027, 0.030, 0.036, 0.042 };
 
-#define USUAL_DIAMETER 0.020
+#define TIE_DIAMETER 0.020
 
 static QnTieEnd
 end_at (const QnModel *model, QnVec2 at)
@@ -57,7 +57,7 @@ qn_edit_draw_tie (QnModel *model, QnVec2 from, QnVec2 to, GError **error)
     return qn_edit_no_memory (error);
   tie->ends[0] = end_at (model, from);
   tie->ends[1] = end_at (model, to);
-  tie->area = qn_bar_get_area (USUAL_DIAMETER);
+  tie->area = qn_bar_get_area (TIE_DIAMETER);
   tie->elasticity = qn_tie_steels[0].elasticity;
   tie->yield = qn_tie_steels[0].yield;
   return ties_something (tie, error);

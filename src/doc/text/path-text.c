@@ -1,6 +1,6 @@
 #include "doc/text/path-text.h"
 
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 typedef enum { NONE, LAW, BLOCK, SECTION, BEAM } Named;

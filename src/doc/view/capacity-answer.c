@@ -265,7 +265,7 @@ qn_capacity_answer_check (QnCapacityAnswer *answer)
 
 /* ---- in a thread ---- */
 
-typedef struct Work {
+typedef struct CapacityWork {
   QnModel model;
   QnContacts contacts;
   QnId control;
@@ -273,12 +273,12 @@ typedef struct Work {
   QnCapacityAnswer answer;
   char *reason;
   QnDiag diag;
-} Work;
+} CapacityWork;
 
 static void
-work_free (gpointer data)
+capacity_work_free (gpointer data)
 {
-  Work *work = data;
+  CapacityWork *work = data;
   qn_capacity_clear (&work->answer.capacity);
   g_free (work->reason);
   qn_contacts_clear (&work->contacts);
@@ -290,12 +290,12 @@ work_free (gpointer data)
 static bool
 may_go_on (const QnProgress *progress, void *data)
 {
-  const Work *work = data;
+  const CapacityWork *work = data;
   return !g_cancellable_is_cancelled (work->cancellable);
 }
 
 static QnCapacityEnd
-find (Work *work)
+find_capacity (CapacityWork *work)
 {
   QnStatus status = qn_contacts_detect (&work->model, &work->contacts, &work->diag);
   if (status == QN_OK)
@@ -310,8 +310,8 @@ find (Work *work)
 static void
 find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
 {
-  Work *work = data;
-  QnCapacityEnd end = find (work);
+  CapacityWork *work = data;
+  QnCapacityEnd end = find_capacity (work);
   g_autofree char *refused =
     end == QN_CAPACITY_REFUSED ? qn_explain_diag (&work->model, &work->diag) : NULL;
   if (end == QN_CAPACITY_FOUND) {
@@ -331,12 +331,12 @@ void
 qn_capacity_find_async (const QnModel *model, QnId control, GCancellable *cancellable,
                         GAsyncReadyCallback callback, gpointer user_data)
 {
-  Work *work = g_new0 (Work, 1);
+  CapacityWork *work = g_new0 (CapacityWork, 1);
   g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
   work->control = control;
   work->answer.has_spectrum = TRUE; /* one may be given later */
   work->cancellable = g_object_ref (cancellable);
-  g_task_set_task_data (task, work, work_free);
+  g_task_set_task_data (task, work, capacity_work_free);
   if (qn_model_copy (model, &work->model, &work->diag) != QN_OK) {
     g_autofree char *message = qn_explain_diag (model, &work->diag);
     g_task_return_new_error (task, QN_JOB_ERROR, QN_JOB_ERROR_NO_MEMORY, "%s", message);
@@ -349,7 +349,7 @@ QnCapacity *
 qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,
                          GError **error)
 {
-  Work *work = g_task_get_task_data (G_TASK (result));
+  CapacityWork *work = g_task_get_task_data (G_TASK (result));
   QnCapacity *found = g_task_propagate_pointer (G_TASK (result), error);
   *control = found != NULL ? g_strdup (work->model.blocks[found->block].name) : NULL;
   *reason = found != NULL ? g_steal_pointer (&work->reason) : NULL;

@@ -15,7 +15,7 @@
 #define BEFORE 0.05 /* of the duration, at rest after the end */
 
 /* Periods of the spectrum, s. */
-#define PERIODS         120
+#define PREVIEW_PERIODS 120
 #define SHORTEST_PERIOD 0.05
 #define LONGEST_PERIOD  4.0
 
@@ -69,14 +69,15 @@ qn_ground_preview_init (QnGroundPreview *preview, const QnModel *model, gsize mo
     sample (preview, &ground, kind);
   if (preview->count > 0 && kind == QN_GROUND_SPECTRUM) {
     /* Periods in equal ratios, and the accelerations in place of those in time. */
-    double *periods = g_new (double, PERIODS), *spectrum = g_new (double, PERIODS);
-    for (int k = 0; k < PERIODS; k++)
-      periods[k] =
-        SHORTEST_PERIOD * pow (LONGEST_PERIOD / SHORTEST_PERIOD, k / (PERIODS - 1.0));
+    double *periods = g_new (double, PREVIEW_PERIODS),
+           *spectrum = g_new (double, PREVIEW_PERIODS);
+    for (int k = 0; k < PREVIEW_PERIODS; k++)
+      periods[k] = SHORTEST_PERIOD
+                   * pow (LONGEST_PERIOD / SHORTEST_PERIOD, k / (PREVIEW_PERIODS - 1.0));
     qn_response_spectrum (preview->y, preview->count, preview->x[1], QN_GROUND_DAMPING,
-                          periods, spectrum, PERIODS);
+                          periods, spectrum, PREVIEW_PERIODS);
     qn_ground_preview_clear (preview);
-    *preview = (QnGroundPreview){ periods, spectrum, PERIODS };
+    *preview = (QnGroundPreview){ periods, spectrum, PREVIEW_PERIODS };
   }
   qn_ground_clear (&ground);
 }

@@ -24,7 +24,7 @@ write_nodes (QnFileWriter *out, const QnModel *model)
 }
 
 static void
-write_beams (QnFileWriter *out, const QnModel *model)
+write_beam_list (QnFileWriter *out, const QnModel *model)
 {
   qn_file_writer_puts (out, "  \"beams\": [");
   for (size_t i = 0; i < model->beam_count; i++) {
@@ -243,7 +243,7 @@ qn_check_report_dup_json (const QnCheckReport *report, gsize *length)
   }
   qn_file_writer_puts (out, "\n  ],\n");
   write_nodes (out, model);
-  write_beams (out, model);
+  write_beam_list (out, model);
   write_ties (out, model);
   write_loads (out, model);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)

@@ -23,14 +23,14 @@ static const struct {
               { 2, 0, 1, N_ ("seen from above, along z; blocks") },
               { 0, 1, 2, N_ ("seen from the side, along x; blocks") } };
 
-typedef struct Point {
+typedef struct MeshPoint {
   double at[3];
-} Point;
+} MeshPoint;
 
 /* A block as a mesh; a face is its number of corners and their indices. */
 typedef struct Mesh {
   char *name;
-  GArray *points, *faces; /* Point; guint */
+  GArray *points, *faces; /* MeshPoint; guint */
   gboolean support;
 } Mesh;
 
@@ -48,7 +48,7 @@ static Mesh *
 add_mesh (GPtrArray *meshes, const char *name, gboolean support)
 {
   Mesh *mesh = g_new (Mesh, 1);
-  *mesh = (Mesh){ g_strdup (name), g_array_new (FALSE, FALSE, sizeof (Point)),
+  *mesh = (Mesh){ g_strdup (name), g_array_new (FALSE, FALSE, sizeof (MeshPoint)),
                   g_array_new (FALSE, FALSE, sizeof (guint)), support };
   g_ptr_array_add (meshes, mesh);
   return mesh;
@@ -59,7 +59,7 @@ add_mesh (GPtrArray *meshes, const char *name, gboolean support)
 static QnVec2
 seen (const Mesh *mesh, guint index, int view)
 {
-  const double *p = g_array_index (mesh->points, Point, index).at;
+  const double *p = g_array_index (mesh->points, MeshPoint, index).at;
   return qn_vec2 (p[views[view].right], p[views[view].up]);
 }
 
@@ -71,8 +71,8 @@ extent_of (const Mesh *mesh, int view, double *front)
   for (int axis = 0; axis < 3; axis++) {
     double low = INFINITY, high = -INFINITY;
     for (guint i = 0; i < mesh->points->len; i++) {
-      low = fmin (low, g_array_index (mesh->points, Point, i).at[axis]);
-      high = fmax (high, g_array_index (mesh->points, Point, i).at[axis]);
+      low = fmin (low, g_array_index (mesh->points, MeshPoint, i).at[axis]);
+      high = fmax (high, g_array_index (mesh->points, MeshPoint, i).at[axis]);
     }
     extent = fmax (extent, high - low);
     if (axis == views[view].depth)
@@ -154,7 +154,7 @@ outline_of (const Mesh *mesh, int view, GArray *outline)
     gboolean across = TRUE;
     for (guint i = 1; i <= faces[f]; i++) {
       double depth =
-        g_array_index (mesh->points, Point, faces[f + i]).at[views[view].depth];
+        g_array_index (mesh->points, MeshPoint, faces[f + i]).at[views[view].depth];
       across = across && fabs (depth - front) <= tolerance;
     }
     for (guint i = 1; across && i <= faces[f]; i++)
@@ -226,7 +226,7 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
 
 /* Tries the views; what spoils the first one is told where another one is taken. */
 static gboolean
-choose_view (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
+view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
              GError **error)
 {
   g_autofree char *first = NULL;
@@ -261,11 +261,11 @@ member (const cJSON *object, const char *key)
 }
 
 /* A point by an object with x, y and z, or an array of three numbers. */
-static Point
+static MeshPoint
 point_of (const cJSON *vertex)
 {
   static const char *const axes[] = { "x", "y", "z" };
-  Point p;
+  MeshPoint p;
   for (int axis = 0; axis < 3; axis++) {
     const cJSON *value = cJSON_IsArray (vertex) ? cJSON_GetArrayItem (vertex, axis)
                                                 : member (vertex, axes[axis]);
@@ -276,9 +276,9 @@ point_of (const cJSON *vertex)
 
 /* Moves a point by the rows of a matrix of 4 x 4; NULL, or what is none, leaves it. */
 static void
-transform (Point *p, const cJSON *matrix)
+transform (MeshPoint *p, const cJSON *matrix)
 {
-  Point moved = *p;
+  MeshPoint moved = *p;
   for (int i = 0; i < 3; i++) {
     const cJSON *row = cJSON_GetArrayItem (matrix, i);
     if (cJSON_GetArraySize (row) != 4)
@@ -300,7 +300,7 @@ take_mesh (GPtrArray *meshes, const cJSON *vertices, const cJSON *faces, const c
     g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
   guint next = 0;
   for (const cJSON *v = vertices->child; v != NULL; v = v->next, next++) {
-    Point p = point_of (v);
+    MeshPoint p = point_of (v);
     transform (&p, matrix);
     g_array_append_val (mesh->points, p);
     g_hash_table_insert (
@@ -366,13 +366,13 @@ static void
 collect_objects (GPtrArray *meshes, const char *text)
 {
   g_auto (GStrv) lines = g_strsplit_set (text, "\r\n", -1);
-  g_autoptr (GArray) points = g_array_new (FALSE, FALSE, sizeof (Point));
+  g_autoptr (GArray) points = g_array_new (FALSE, FALSE, sizeof (MeshPoint));
   g_autoptr (GHashTable) indices = g_hash_table_new (NULL, NULL);
   Mesh *mesh = NULL;
   g_autofree char *name = g_strdup ("1");
   for (char **line = lines; *line != NULL; line++) {
     if (g_str_has_prefix (*line, "v ")) {
-      Point p;
+      MeshPoint p;
       char *at = *line + 1;
       for (int i = 0; i < 3; i++)
         p.at[i] = g_ascii_strtod (at, &at);
@@ -397,7 +397,7 @@ collect_objects (GPtrArray *meshes, const char *text)
         gpointer key = GUINT_TO_POINTER ((guint) index + 1);
         guint own = GPOINTER_TO_UINT (g_hash_table_lookup (indices, key));
         if (own == 0) {
-          g_array_append_val (mesh->points, g_array_index (points, Point, index));
+          g_array_append_val (mesh->points, g_array_index (points, MeshPoint, index));
           own = mesh->points->len;
           g_hash_table_insert (indices, key, GUINT_TO_POINTER (own));
         }
@@ -430,7 +430,7 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
       g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                    _ ("%s:1: no assembly of blocks"), name);
     else
-      done = choose_view (meshes, name, drawing, error);
+      done = view_meshes (meshes, name, drawing, error);
   }
   cJSON_Delete (document);
   if (!done)

@@ -205,7 +205,7 @@ put_objects (Export *export)
 }
 
 static void
-begin_entity (Export *export, const char *type, const char *layer, const char *subclass)
+write_entity (Export *export, const char *type, const char *layer, const char *subclass)
 {
   put (export, 0, type);
   put_handle (export, 5, export->handle++);
@@ -222,7 +222,7 @@ put_block (Export *export, const QnModel *model, QnId id, const char *layer,
 {
   const QnBlock *block = &model->blocks[id];
   const QnVec2 *vertices = qn_model_block_vertices (model, id);
-  begin_entity (export, "LWPOLYLINE", layer, "AcDbPolyline");
+  write_entity (export, "LWPOLYLINE", layer, "AcDbPolyline");
   put_int (export, 90, block->vertex_count);
   put_int (export, 70, 1);
   for (QnId i = 0; i < block->vertex_count; i++) {
@@ -242,7 +242,7 @@ put_block (Export *export, const QnModel *model, QnId id, const char *layer,
 static void
 put_segment (Export *export, const char *layer, QnVec2 start, QnVec2 end)
 {
-  begin_entity (export, "LINE", layer, "AcDbLine");
+  write_entity (export, "LINE", layer, "AcDbLine");
   put_length (export, 10, start.x);
   put_length (export, 20, start.y);
   put (export, 30, "0.0");

@@ -75,7 +75,7 @@ unit_factor (const char *unit)
   static const struct {
     const char *name;
     double factor;
-  } units[] = { { "px", 1 },         { "mm", 96 / 25.4 },   { "cm", 96 / 2.54 },
+  } known[] = { { "px", 1 },         { "mm", 96 / 25.4 },   { "cm", 96 / 2.54 },
                 { "in", 96 },        { "pt", 96.0 / 72 },   { "pc", 16 },
                 { "m", 96 / .0254 }, { "em", 16 },          { "ex", 8 },
                 { "deg", 1 },        { "rad", 180 / G_PI }, { "grad", 0.9 },
@@ -83,9 +83,9 @@ unit_factor (const char *unit)
   gsize length = 0;
   while (g_ascii_isalpha (unit[length]))
     length++;
-  for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
-    if (strlen (units[i].name) == length && strncmp (unit, units[i].name, length) == 0)
-      return units[i].factor;
+  for (gsize i = 0; i < G_N_ELEMENTS (known); i++)
+    if (strlen (known[i].name) == length && strncmp (unit, known[i].name, length) == 0)
+      return known[i].factor;
   return 0;
 }
 

@@ -114,7 +114,7 @@ qn_svg_dup_attribute (const xmlNode *node, const char *key)
 
 /* Whether one of the words of a list is this. */
 static gboolean
-has_word (const char *list, const char *word)
+list_has_word (const char *list, const char *word)
 {
   g_auto (GStrv) words = g_strsplit_set (list, " \t\r\n", -1);
   return g_strv_contains ((const char *const *) words, word);
@@ -124,7 +124,8 @@ static gboolean
 matches (const Rule *rule, const xmlNode *node, const char *id, const char *classes)
 {
   return (rule->element == NULL || strcmp (qn_svg_name (node), rule->element) == 0)
-         && (rule->weight != 1 || (classes != NULL && has_word (classes, rule->name)))
+         && (rule->weight != 1
+             || (classes != NULL && list_has_word (classes, rule->name)))
          && (rule->weight != 2 || g_strcmp0 (id, rule->name) == 0);
 }
 

@@ -55,11 +55,11 @@ qn_json_value_next (const QnJsonValue *array, QnJsonValue *element)
 }
 
 static void
-append_path (const QnJsonValue *place, GString *path)
+append_place (const QnJsonValue *place, GString *path)
 {
   if (place->parent == NULL)
     return;
-  append_path (place->parent, path);
+  append_place (place->parent, path);
   if (place->key != NULL)
     qn_json_path_append_key (path, place->key);
   else
@@ -70,7 +70,7 @@ static char *
 dup_path (const QnJsonValue *place)
 {
   GString *path = g_string_new (NULL);
-  append_path (place, path);
+  append_place (place, path);
   return g_string_free (path, FALSE);
 }
 

@@ -46,7 +46,7 @@ check_keys (const QnJsonValue *place, QnLawKind kind)
 }
 
 static gboolean
-read_points (const QnJsonValue *place, QnLaw *law)
+read_curve_points (const QnJsonValue *place, QnLaw *law)
 {
   QnJsonValue points, point = { 0 };
   if (!qn_member_array (place, "points", QN_REQUIRED, &points))
@@ -81,7 +81,7 @@ read_parameters (const QnJsonValue *place, QnLaw *law)
                             G_N_ELEMENTS (qn_law_softening_names), &softening))
     return FALSE;
   law->exponential = softening == 1;
-  return law->kind != QN_LAW_CURVE || read_points (place, law);
+  return law->kind != QN_LAW_CURVE || read_curve_points (place, law);
 }
 
 /* Either stiffnesses, or the elasticity of a material from which they follow. */

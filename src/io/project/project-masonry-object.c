@@ -258,7 +258,7 @@ read_edges (const QnJsonValue *place, QnMasonryWall *wall)
 }
 
 static gboolean
-read_wall (const QnJsonValue *place, QnMasonry *masonry)
+read_masonry_wall (const QnJsonValue *place, QnMasonry *masonry)
 {
   QnMasonryWall *wall = &masonry->wall;
   QnLeaf *leaf = &wall->leaves[0];
@@ -360,7 +360,7 @@ read_object (const QnJsonValue *place, const QnModel *model, int kind, QnMasonry
          && qn_read_own_law (place, model, &masonry->law)
          && read_seed (place, "perturbation_seed", &masonry->perturbation_seed)
          && qn_members_take (place, kind_members[kind], model, masonry)
-         && (kind != QN_MASONRY_WALL || read_wall (place, masonry))
+         && (kind != QN_MASONRY_WALL || read_masonry_wall (place, masonry))
          && (kind != QN_MASONRY_PORTAL || read_portal (place, &masonry->portal))
          && (kind != QN_MASONRY_RUBBLE
              || read_seed (place, "seed", &masonry->rubble.seed))
@@ -493,7 +493,7 @@ put_wall (GString *json, const QnMasonryWall *wall)
 
 /* The name of the kind, or of its variety. */
 static int
-name_of (const QnMasonry *masonry)
+name_index (const QnMasonry *masonry)
 {
   const QnMasonryWall *wall = &masonry->wall;
   if (masonry->kind == QN_MASONRY_WALL && wall->grid && wall->leaf_count == 1
@@ -509,7 +509,7 @@ put_kind (GString *json, const QnMasonry *masonry)
 {
   const QnMasonry usual = { 0 };
   const QnColumn *column = &masonry->column;
-  const int name = name_of (masonry);
+  const int name = name_index (masonry);
   if (name == QN_MASONRY_WALL) {
     put_wall (json, &masonry->wall);
     return;
@@ -535,7 +535,7 @@ qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *
 {
   const QnMasonry usual = { 0 };
   g_string_append_c (json, '{');
-  qn_json_put_string (json, "kind", qn_masonry_kind_names[name_of (masonry)]);
+  qn_json_put_string (json, "kind", qn_masonry_kind_names[name_index (masonry)]);
   qn_json_put_string (json, "name", masonry->name);
   qn_members_write (json, common_members, model, masonry, &usual);
   qn_json_put_weight (json, masonry->unit_weight, masonry->density);

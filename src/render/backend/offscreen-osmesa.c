@@ -38,21 +38,21 @@ load_library (void)
   return result == 1;
 }
 
-typedef struct State {
+typedef struct OsmesaState {
   OSMesaContext context;
   guint8 pixels[4]; /* a context needs a buffer; pictures are drawn into framebuffers */
-} State;
+} OsmesaState;
 
 static QnGlAddress
-get_address (const char *name)
+get_osmesa_address (const char *name)
 {
   return (QnGlAddress) osmesa.get_address (name);
 }
 
 static void
-release (QnOffscreen *self)
+release_osmesa (QnOffscreen *self)
 {
-  State *state = self->state;
+  OsmesaState *state = self->state;
   osmesa.destroy_context (state->context);
   g_free (state);
 }
@@ -74,12 +74,12 @@ qn_offscreen_new_osmesa (void)
   OSMesaContext context = osmesa.create_context (attributes, NULL);
   if (context == NULL)
     return NULL;
-  State *state = g_new0 (State, 1);
+  OsmesaState *state = g_new0 (OsmesaState, 1);
   state->context = context;
   QnOffscreen *self = g_new0 (QnOffscreen, 1);
-  *self = (QnOffscreen){ .name = "OSMesa", .state = state, .release = release };
+  *self = (QnOffscreen){ .name = "OSMesa", .state = state, .release = release_osmesa };
   if (!osmesa.make_current (context, state->pixels, GL_UNSIGNED_BYTE, 1, 1)
-      || !qn_gl_load (&self->gl, get_address))
+      || !qn_gl_load (&self->gl, get_osmesa_address))
     g_clear_pointer (&self, qn_offscreen_free);
   return self;
 }

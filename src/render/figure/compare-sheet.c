@@ -11,8 +11,8 @@
 #include <glib/gi18n-lib.h>
 
 /* Space around the sheet and between its parts, pt. */
-#define SHEET_MARGIN 10.0
-#define CELL_GAP     12.0
+#define SHEET_MARGIN   10.0
+#define SHEET_CELL_GAP 12.0
 /* Between the foot of a structure and the words beneath it: room for symbols at the foot. */
 #define FOOT_GAP 4.0
 
@@ -146,7 +146,7 @@ tallest_in_row (const SheetLayout *s, int columns, int row)
 static QnCamera
 cell_viewport (const SheetLayout *s, size_t cell, int columns, int rows)
 {
-  double gap = CELL_GAP * s->page->unit, foot = s->words + FOOT_GAP * s->page->unit;
+  double gap = SHEET_CELL_GAP * s->page->unit, foot = s->words + FOOT_GAP * s->page->unit;
   double width = (s->width - (columns - 1) * gap) / columns;
   double pictures = fmax (s->height - (rows - 1) * gap - rows * foot, 1), total = 0;
   int column = (int) cell % columns, row = (int) cell / columns;
@@ -254,7 +254,7 @@ draw_sheet (SheetLayout *s)
     s->sheet->columns > 0
       ? s->sheet->columns
       : (int) qn_to_integer (ceil (sqrt ((double) s->sheet->count)), 1, G_MAXINT16);
-  double cell = (s->width - (MAX (guess, 1) - 1) * CELL_GAP * u) / MAX (guess, 1);
+  double cell = (s->width - (MAX (guess, 1) - 1) * SHEET_CELL_GAP * u) / MAX (guess, 1);
   for (size_t i = 0; i < s->sheet->count; i++)
     s->words = fmax (s->words, lay_words (s, i, cell, 0, 0, false));
   int count = (int) s->sheet->count;

@@ -16,12 +16,12 @@ typedef struct Area {
   double x, y, width, height; /* px */
 } Area;
 
-typedef struct Drawing {
+typedef struct JointDrawing {
   const QnJointPlot *plot;
   cairo_t *cr;
   double unit;
   QnColor ink, faint;
-} Drawing;
+} JointDrawing;
 
 /* ---- data ---- */
 
@@ -82,7 +82,7 @@ qn_joint_plot_fill (QnJointPlot *plot, const QnModel *model, const QnContacts *c
 
 /* The ink of a state on this ground. */
 static QnColor
-state_ink (const Drawing *d, QnPairState state)
+state_ink (const JointDrawing *d, QnPairState state)
 {
   switch (state) {
   case QN_PAIR_SLIP:
@@ -99,7 +99,7 @@ state_ink (const Drawing *d, QnPairState state)
 
 /* Round: sticks; square: slips or yields; hollow: open. */
 static void
-draw_mark (const Drawing *d, double x, double y, QnPairState state)
+draw_mark (const JointDrawing *d, double x, double y, QnPairState state)
 {
   double r = MARK_PT * d->unit;
   qn_set_color (d->cr, state_ink (d, state), 1.0);
@@ -116,8 +116,8 @@ draw_mark (const Drawing *d, double x, double y, QnPairState state)
 }
 
 static void
-draw_line (const Drawing *d, double x0, double y0, double x1, double y1, QnColor color,
-           double width)
+draw_joint_line (const JointDrawing *d, double x0, double y0, double x1, double y1,
+                 QnColor color, double width)
 {
   qn_set_color (d->cr, color, 1.0);
   cairo_set_line_width (d->cr, width * d->unit);
@@ -127,7 +127,7 @@ draw_line (const Drawing *d, double x0, double y0, double x1, double y1, QnColor
 }
 
 static void
-draw_text (const Drawing *d, const char *text, double x, double y, double align_x,
+draw_text (const JointDrawing *d, const char *text, double x, double y, double align_x,
            double align_y, double angle)
 {
   QnTextStyle style = { .size = TEXT_PT * d->unit };
@@ -135,7 +135,7 @@ draw_text (const Drawing *d, const char *text, double x, double y, double align_
 }
 
 static void
-draw_force (const Drawing *d, double force, double x, double y, double align_x,
+draw_force (const JointDrawing *d, double force, double x, double y, double align_x,
             double align_y)
 {
   char *text = qn_label_number ("%.3g", force / d->plot->force_factor);
@@ -170,7 +170,7 @@ ranges (const QnJointPlot *plot, double *press, double *pull, double *shear)
 
 /* Both sides of every cone that differs from the one before. */
 static void
-draw_cones (const Drawing *d, Area a, double press, double pull, double shear)
+draw_cones (const JointDrawing *d, Area a, double press, double pull, double shear)
 {
   double zero = a.x + a.width * press / (press + pull), middle = a.y + a.height / 2;
   double per_n = a.width / (press + pull), per_t = a.height / 2 / shear;
@@ -206,7 +206,7 @@ draw_cones (const Drawing *d, Area a, double press, double pull, double shear)
 
 /* Compression as bars downwards, shear as marks to the same scale. */
 static void
-draw_along_diagram (const Drawing *d, Area a)
+draw_along_diagram (const JointDrawing *d, Area a)
 {
   double most = 0, u = d->unit;
   for (size_t i = 0; i < d->plot->count; i++)
@@ -215,14 +215,14 @@ draw_along_diagram (const Drawing *d, Area a)
   most = most > 0 ? 1.1 * most : 1;
   double middle = a.y + a.height / 2, per_force = a.height / 2 / most;
   double scale = d->plot->length > 0 ? a.width / d->plot->length : 0;
-  draw_line (d, a.x, middle, a.x + a.width, middle, d->ink, 0.8);
+  draw_joint_line (d, a.x, middle, a.x + a.width, middle, d->ink, 0.8);
   for (size_t i = 0; i < d->plot->count; i++) {
     const QnJointPoint *p = &d->plot->points[i];
     double x = a.x + p->along * scale;
-    draw_line (d, x, middle, x, middle - p->normal * per_force, state_ink (d, p->state),
-               2.4);
-    draw_line (d, x - 3 * u, middle - p->shear * per_force, x + 3 * u,
-               middle - p->shear * per_force, d->ink, 1.4);
+    draw_joint_line (d, x, middle, x, middle - p->normal * per_force,
+                     state_ink (d, p->state), 2.4);
+    draw_joint_line (d, x - 3 * u, middle - p->shear * per_force, x + 3 * u,
+                     middle - p->shear * per_force, d->ink, 1.4);
     draw_mark (d, x, middle - p->normal * per_force, p->state);
   }
   draw_text (d, d->plot->along_label, a.x + a.width / 2, a.y + a.height + 2 * u, 0.5, 0,
@@ -234,8 +234,8 @@ void
 qn_joint_plot_draw (const QnJointPlot *plot, cairo_t *cr, double width, double height,
                     double unit)
 {
-  Drawing d = { plot, cr, unit, qn_ink (QN_INK_LINE, false),
-                qn_ink (QN_INK_FAINT, false) };
+  JointDrawing d = { plot, cr, unit, qn_ink (QN_INK_LINE, false),
+                     qn_ink (QN_INK_FAINT, false) };
   if (plot->dark) {
     d.ink = qn_rgb (0xe6e6e6);
     d.faint = qn_rgb (0x8a8a8a);
@@ -253,8 +253,8 @@ qn_joint_plot_draw (const QnJointPlot *plot, cairo_t *cr, double width, double h
   double zero = cone.x + cone.width * press / (press + pull),
          middle = cone.y + cone.height / 2;
   draw_cones (&d, cone, press, pull, shear);
-  draw_line (&d, cone.x, middle, cone.x + cone.width, middle, d.faint, 0.5);
-  draw_line (&d, zero, cone.y, zero, cone.y + cone.height, d.faint, 0.5);
+  draw_joint_line (&d, cone.x, middle, cone.x + cone.width, middle, d.faint, 0.5);
+  draw_joint_line (&d, zero, cone.y, zero, cone.y + cone.height, d.faint, 0.5);
   for (size_t i = 0; i < d.plot->count; i++) {
     const QnJointPoint *p = &d.plot->points[i];
     draw_mark (&d, zero + p->normal * cone.width / (press + pull),

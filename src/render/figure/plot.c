@@ -16,7 +16,7 @@
 #define LEVEL_WIDTH 0.8
 #define BAND_ALPHA  0.22
 #define BAR_ALPHA   0.75
-#define PAGE_MARGIN 10.0
+#define PLOT_MARGIN 10.0
 
 typedef struct Drawing {
   const QnPlot *plot;
@@ -380,7 +380,7 @@ qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
 static bool
 draw_page (cairo_t *cr, const QnPage *page, void *plot, GError **error)
 {
-  QnFrame frame = qn_page_frame (page, PAGE_MARGIN);
+  QnFrame frame = qn_page_frame (page, PLOT_MARGIN);
   (void) error;
   cairo_set_antialias (cr,
                        page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);

@@ -88,8 +88,9 @@ add_force (QnBlockReading *reading, const QnBlock *block, QnVec2 at, QnVec2 f)
 
 /* The forces of a face on the block on one of its sides. */
 static void
-add_face (QnBlockReading *reading, const QnModel *model, const QnContacts *contacts,
-          const QnContactFace *face, const QnPairResult *pairs, QnId block)
+add_face_reading (QnBlockReading *reading, const QnModel *model,
+                  const QnContacts *contacts, const QnContactFace *face,
+                  const QnPairResult *pairs, QnId block)
 {
   double sign = block == face->a ? 1 : -1;
   for (QnId k = face->first_pair; k < face->first_pair + face->pair_count; k++) {
@@ -138,7 +139,7 @@ qn_block_reading (const QnModel *model, const QnContacts *contacts, QnId block,
   for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
     const QnContactFace *face = &contacts->faces[f];
     if (face->a == block || face->b == block)
-      add_face (&reading, model, contacts, face, pairs, block);
+      add_face_reading (&reading, model, contacts, face, pairs, block);
   }
   for (size_t i = 0; i < 2 * touch_count; i++)
     if (touches[i / 2].block[i % 2] == block)
@@ -155,8 +156,8 @@ qn_block_readings (const QnModel *model, const QnContacts *contacts,
   QnBlockReading *readings = g_new0 (QnBlockReading, MAX (model->block_count, 1));
   for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
     const QnContactFace *face = &contacts->faces[f];
-    add_face (&readings[face->a], model, contacts, face, pairs, face->a);
-    add_face (&readings[face->b], model, contacts, face, pairs, face->b);
+    add_face_reading (&readings[face->a], model, contacts, face, pairs, face->a);
+    add_face_reading (&readings[face->b], model, contacts, face, pairs, face->b);
   }
   for (size_t i = 0; i < 2 * touch_count; i++)
     add_touch (&readings[touches[i / 2].block[i % 2]], model, &touches[i / 2], i % 2);

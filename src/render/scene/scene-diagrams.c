@@ -6,7 +6,7 @@
 #include <glib/gi18n-lib.h>
 
 /* Straight pieces of the diagram of an element. */
-#define PIECES 24
+#define DIAGRAM_PIECES 24
 
 /* Largest ordinate, as a part of the structure's diagonal. */
 #define LARGEST 0.1
@@ -37,8 +37,9 @@ largest_value (const QnBeamDrawing *drawing, size_t count)
 {
   double largest = 0;
   for (size_t e = 0; e < count; e++)
-    for (int i = 0; i <= PIECES; i++)
-      largest = fmax (largest, fabs (value_at (drawing, (QnId) e, (double) i / PIECES)));
+    for (int i = 0; i <= DIAGRAM_PIECES; i++)
+      largest =
+        fmax (largest, fabs (value_at (drawing, (QnId) e, (double) i / DIAGRAM_PIECES)));
   return largest;
 }
 
@@ -57,15 +58,17 @@ static void
 add_area (QnSceneBuilder *b, const QnBeamDrawing *drawing, QnId element, double per_unit)
 {
   QnColor color = qn_builder_ink (b, QN_INK_FORCE), fill = color;
-  QnVec2 curve[PIECES + 1];
+  QnVec2 curve[DIAGRAM_PIECES + 1];
   fill.a = 64;
-  for (int i = 0; i <= PIECES; i++) {
+  for (int i = 0; i <= DIAGRAM_PIECES; i++) {
     QnVec2 foot, across, before;
-    curve[i] = ordinate (drawing, element, (double) i / PIECES, per_unit, &foot, &across);
+    curve[i] =
+      ordinate (drawing, element, (double) i / DIAGRAM_PIECES, per_unit, &foot, &across);
     if (i == 0)
       continue;
     /* Strip by strip: where the value changes its sign, the whole would cross itself. */
-    ordinate (drawing, element, (double) (i - 1) / PIECES, per_unit, &before, &across);
+    ordinate (drawing, element, (double) (i - 1) / DIAGRAM_PIECES, per_unit, &before,
+              &across);
     double low = qn_vec2_dot (qn_vec2_sub (curve[i - 1], before), across);
     double high = qn_vec2_dot (qn_vec2_sub (curve[i], foot), across);
     if (low * high < 0) {
@@ -79,8 +82,8 @@ add_area (QnSceneBuilder *b, const QnBeamDrawing *drawing, QnId element, double 
       qn_scene_fill (b->scene, QN_LAYER_FORCES, strip, 4, fill);
     }
   }
-  QnCommand *line =
-    qn_scene_stroke (b->scene, QN_LAYER_FORCES, curve, PIECES + 1, false, 1.1, color);
+  QnCommand *line = qn_scene_stroke (b->scene, QN_LAYER_FORCES, curve, DIAGRAM_PIECES + 1,
+                                     false, 1.1, color);
   qn_command_set_pick (line, QN_PICK_BEAM, b->model->elements[element].beam);
 }
 
@@ -111,12 +114,12 @@ label_beam (QnSceneBuilder *b, const QnBeamDrawing *drawing, const QnBeam *beam,
   double most = 0, place = 0;
 
   for (QnId e = beam->first_element; e <= last; e++)
-    for (int i = 0; i <= PIECES; i++) {
-      double value = fabs (value_at (drawing, e, (double) i / PIECES));
+    for (int i = 0; i <= DIAGRAM_PIECES; i++) {
+      double value = fabs (value_at (drawing, e, (double) i / DIAGRAM_PIECES));
       if (value > most * (1 + 1e-9)) {
         most = value;
         best = e;
-        place = (double) i / PIECES;
+        place = (double) i / DIAGRAM_PIECES;
       }
     }
   bool even =

@@ -8,7 +8,7 @@
 #define SIZE 4.6F
 
 /* Forces below this share of the largest are not drawn. */
-#define LEAST_SHARE 1e-3
+#define LEAST_FORCE_SHARE 1e-3
 
 static const QnFoundForce *
 forces_of (const QnSceneBuilder *b, size_t *count)
@@ -64,7 +64,7 @@ qn_build_found_forces (QnSceneBuilder *b, double per_newton, double largest)
   size_t count;
   const QnFoundForce *forces = forces_of (b, &count);
   for (size_t i = 0; i < count; i++)
-    if (hypot (forces[i].normal, forces[i].shear) >= LEAST_SHARE * largest)
+    if (hypot (forces[i].normal, forces[i].shear) >= LEAST_FORCE_SHARE * largest)
       qn_build_resultant (b,
                           qn_found_force (b->model, contact_of (b, &forces[i]),
                                           &forces[i], b->motion.displacements),

@@ -8,7 +8,7 @@
 #include <sqlite3.h>
 #include <string.h>
 
-#define FORMAT_VERSION 1
+#define STORE_VERSION 1
 
 /* "QnSt": tells such databases from others. */
 #define APPLICATION_ID 0x516e5374
@@ -124,7 +124,7 @@ check_study (QnStore *store, gboolean create, GError **error)
     char *values = sqlite3_mprintf (
       "INSERT INTO study VALUES ('format', '%d'), ('sha256', %Q), ('title', %Q), "
       "('run', %Q), ('plan', %Q), ('cases', '%lld');",
-      FORMAT_VERSION, store->study->sha256, store->study->title,
+      STORE_VERSION, store->study->sha256, store->study->title,
       qn_study_run_names[store->study->run], qn_plan_kind_names[store->study->plan],
       (long long) qn_study_case_count (store->study));
     g_string_printf (sql,

@@ -38,7 +38,7 @@ qn_slurm_dup_range (const guint8 *marks, guint count)
 /* What a program of Slurm says; NULL with an error where it cannot be started. Where it fails,
  * *refusal is what it said of that. */
 static char *
-ask (const char *const *command, char **refusal, GError **error)
+ask_scheduler (const char *const *command, char **refusal, GError **error)
 {
   GError *local = NULL;
   char *answer = NULL;
@@ -67,7 +67,7 @@ mark_active (const char *jobs, guint8 *active, guint slices, GError **error)
     const char *command[] = { "squeue", "--noheader", "--array", "--format=%K",
                               "--jobs", numbers[i],   NULL };
     g_autofree char *refusal = NULL;
-    g_autofree char *answer = ask (command, &refusal, error);
+    g_autofree char *answer = ask_scheduler (command, &refusal, error);
     if (answer == NULL)
       return FALSE;
     if (refusal != NULL && strstr (refusal, "Invalid job id") == NULL) {
@@ -127,7 +127,7 @@ hand_over (QnStore *store, const char *folder, const char *jobs, guint slices,
   const char *command[] = { "sbatch", "--parsable", path, NULL };
   if (!qn_file_write (path, submission->script, strlen (submission->script), error))
     return FALSE;
-  char *answer = ask (command, &refusal, error);
+  char *answer = ask_scheduler (command, &refusal, error);
   if (answer == NULL)
     return FALSE;
   if (refusal != NULL) {

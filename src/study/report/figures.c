@@ -53,7 +53,7 @@ new_plot (const char *x_label, const char *y_label)
 }
 
 static const char *
-name_of (const Page *page, int column)
+output_name (const Page *page, int column)
 {
   return qn_table_column_text (page->table, (gsize) column);
 }
@@ -64,8 +64,8 @@ draw_scatter (const Page *page)
   double *x = NULL, *y = NULL;
   gsize count = qn_table_dup_pairs (page->table, (gsize) page->figure->parameters[0],
                                     (gsize) page->figure->column, &x, &y);
-  QnPlot *plot = new_plot (name_of (page, page->figure->parameters[0]),
-                           name_of (page, page->figure->column));
+  QnPlot *plot = new_plot (output_name (page, page->figure->parameters[0]),
+                           output_name (page, page->figure->column));
   qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
                                 .x = qn_plot_keep (plot, x),
                                 .y = qn_plot_keep (plot, y),
@@ -87,7 +87,7 @@ static QnPlot *
 draw_histogram (const Page *page)
 {
   gsize count;
-  QnPlot *plot = new_plot (name_of (page, page->figure->column), _ ("Cases"));
+  QnPlot *plot = new_plot (output_name (page, page->figure->column), _ ("Cases"));
   const double *sorted = qn_plot_keep (
     plot, qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count));
   if (count == 0)
@@ -128,7 +128,7 @@ draw_cumulative (const Page *page)
   const char *share_text =
     qn_table_fragility_text (page->table, (gsize) page->figure->column);
   QnPlot *plot =
-    new_plot (name_of (page, page->figure->column),
+    new_plot (output_name (page, page->figure->column),
               share_text != NULL ? share_text : _ ("Share up to this value"));
   double *sorted = qn_plot_keep (
     plot, qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count));
@@ -241,7 +241,7 @@ new_bars (GArray *bars, char *x_label)
 }
 
 static QnPlot *
-draw_sobol (const Page *page)
+draw_sobol_plot (const Page *page)
 {
   const QnTable *table = page->table;
   g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
@@ -255,8 +255,9 @@ draw_sobol (const Page *page)
                 .whiskers = { indices[k].of_first, indices[k].of_total } };
     g_array_append_val (bars, bar);
   }
-  QnPlot *plot = new_bars (
-    bars, g_strdup_printf (_ ("Sobol index: %s"), name_of (page, page->figure->column)));
+  QnPlot *plot =
+    new_bars (bars, g_strdup_printf (_ ("Sobol index: %s"),
+                                     output_name (page, page->figure->column)));
   plot->x.from_zero = true;
   add_bars (plot, bars, 0, _ ("first order"), -HALF_BAR, 0);
   add_bars (plot, bars, 1, _ ("total"), 0, HALF_BAR);
@@ -269,12 +270,12 @@ draw_tornado (const Page *page)
 {
   const QnTable *table = page->table;
   gsize column = (gsize) page->figure->column;
-  const char *name = name_of (page, page->figure->column);
+  const char *name = output_name (page, page->figure->column);
   gboolean single = table->study->plan == QN_PLAN_ONE_AT_A_TIME;
   double base = NAN;
   g_autoptr (GArray) bars = g_array_new (FALSE, FALSE, sizeof (Bar));
   if (table->study->plan == QN_PLAN_SOBOL)
-    return draw_sobol (page);
+    return draw_sobol_plot (page);
   for (gsize k = 0; k < table->parameters; k++) {
     g_autofree double *x = NULL, *y = NULL;
     double r = 0;
@@ -384,7 +385,8 @@ draw_surface (const Page *page)
 {
   const QnTable *table = page->table;
   const int *parameters = page->figure->parameters;
-  QnPlot *plot = new_plot (name_of (page, parameters[0]), name_of (page, parameters[1]));
+  QnPlot *plot =
+    new_plot (output_name (page, parameters[0]), output_name (page, parameters[1]));
   double *x = qn_plot_keep (plot, g_new (double, 3 * table->rows->len + 1));
   double *y = x + table->rows->len, *z = y + table->rows->len;
   gsize count = 0;
@@ -394,7 +396,7 @@ draw_surface (const Page *page)
     y[count] = qn_table_number (table, i, (gsize) parameters[1]);
     count += isfinite (z[count]) != 0;
   }
-  plot->bar_title = name_of (page, page->figure->column);
+  plot->bar_title = output_name (page, page->figure->column);
   if (table->study->plan == QN_PLAN_GRID && count > 0)
     add_cells (plot, x, y, z, count);
   else
@@ -414,8 +416,8 @@ draw_envelope (const Page *page)
   const gsize parameter = (gsize) page->figure->parameters[0], rows = table->rows->len;
   gsize least = 0, count = qn_table_dup_pairs (table, parameter,
                                                (gsize) page->figure->column, &x, &y);
-  QnPlot *plot = new_plot (name_of (page, page->figure->parameters[0]),
-                           name_of (page, page->figure->column));
+  QnPlot *plot = new_plot (output_name (page, page->figure->parameters[0]),
+                           output_name (page, page->figure->column));
   if (count == 0)
     return plot;
   g_autofree double *all = g_new (double, rows);
