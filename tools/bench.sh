@@ -3,7 +3,7 @@
 # machine up first where something is missing, Clp among it, the peer of limit analysis.
 #
 #   tools/bench.sh [NAME...]     all, or some of: contacts dynamics earthquakes factor joints
-#                                members outcomes paths render scaling skip stress study
+#                                members outcomes paths render scaling stress study
 #                                variations walls
 #
 # Tables, charts and a description of the machine go to build/bench-results; the baseline is

@@ -463,9 +463,6 @@ makes_headway (Increment *increment, int iteration)
     increment->watched_gap = increment->gap;
     increment->watched_since = iteration;
   }
-  unsigned no_shortcuts = increment->path->eq->assembly.model->analysis.no_shortcuts;
-  if ((no_shortcuts & QN_SHORTCUT_EARLY_FAILURE) != 0)
-    return true;
   int patience = increment->relaxes ? SHORT_PATIENCE : PATIENCE;
   return iteration - increment->watched_since < patience
          && !(increment->relaxes && increment->short_steps == 2);

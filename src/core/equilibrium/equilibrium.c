@@ -86,12 +86,11 @@ static bool
 allocate_for_pairs (QnEquilibrium *eq)
 {
   const QnAssembly *as = &eq->assembly;
-  const QnAnalysisSettings *settings = &as->model->analysis;
   QnVec2 *points = qn_assembly_points (as);
 
   eq->linsys = points == NULL ? NULL
                               : qn_linsys_new (as->unknown_count, as->ap, as->ai, points,
-                                               settings->workers);
+                                               as->model->analysis.workers);
   free (points);
   eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
   eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);
@@ -99,9 +98,6 @@ allocate_for_pairs (QnEquilibrium *eq)
   bool ok = eq->linsys != NULL && eq->factored_phases != NULL && eq->gaps != NULL;
   for (size_t i = 0; i < QN_N_ELEMENTS (states); i++)
     ok = qn_equilibrium_state_init (states[i], as) && ok;
-  if (ok)
-    qn_linsys_always_factor_whole (
-      eq->linsys, (settings->no_shortcuts & QN_SHORTCUT_PARTIAL_ELIMINATION) != 0);
   return ok;
 }
 

@@ -123,8 +123,7 @@ static QnFactorStatus
 apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
 {
   QnAssembly *as = &eq->assembly;
-  bool same = is_factored (eq, viscosity)
-              && (as->model->analysis.no_shortcuts & QN_SHORTCUT_SAME_TANGENT) == 0;
+  bool same = is_factored (eq, viscosity);
 
   for (size_t p = 0; p < as->pair_count; p++)
     eq->factored_phases[p] = as->responses[p].phase;

@@ -26,7 +26,6 @@ struct QnLinsys {
   double *solution; /* its solution where it is not requested, */
   double *left;     /* and what that leaves */
   bool pivoted;     /* the last factorisation is KLU's */
-  bool whole;       /* everything is to be eliminated anew each time */
   QnFactorStatus status; /* of the last factorisation, */
   double work;           /* and what part of a whole one it took */
   klu_common common;
@@ -190,12 +189,6 @@ proves_singular (const Trial *trial)
               <= QN_TOLERANCE_SINGULAR * trial->matrix * trial->solution;
 }
 
-void
-qn_linsys_always_factor_whole (QnLinsys *system, bool always)
-{
-  system->whole = always;
-}
-
 double
 qn_linsys_work (const QnLinsys *system)
 {
@@ -219,7 +212,7 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse re
   bool zero = b == NULL || is_zero (b, system->n);
   double pivots;
 
-  if (system->whole || reuse == QN_LINSYS_ONCE) {
+  if (reuse == QN_LINSYS_ONCE) {
     pivots = qn_block_lu_factor (system->blocks, ax);
     system->work = 1;
   } else {

@@ -42,10 +42,6 @@ QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 QnFactorStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
                                            QnLinsysReuse reuse, double *b);
 
-/* Whether the next factorisations start from nothing, for comparison: otherwise only what new
- * values reach is eliminated anew. The factors are the same to the bit. */
-void qn_linsys_always_factor_whole (QnLinsys *system, bool always);
-
 /* What part of the work of a whole factorisation the last one took. */
 double qn_linsys_work (const QnLinsys *system);
 

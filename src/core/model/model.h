@@ -234,20 +234,6 @@ typedef enum {
 
 typedef enum { QN_FLOW_ASSOCIATIVE, QN_FLOW_NON_ASSOCIATIVE, QN_FLOW_COUNT } QnFlow;
 
-/* What the path of equilibria leaves out because it is not needed. Benchmarks and tests turn it off
- * to see what it brings: what is found is the same, to the tolerances, up to the first limit point;
- * beyond it QN_SHORTCUT_EARLY_FAILURE may lead to another branch. */
-typedef enum {
-  /* A tangent that is factorised already is neither assembled nor factorised: none of the joints has
-   * changed state. */
-  QN_SHORTCUT_SAME_TANGENT = 1,
-  /* Of a tangent, only what joints that changed state reach is eliminated anew; the rest of the
-   * structure stays condensed. */
-  QN_SHORTCUT_PARTIAL_ELIMINATION = 2,
-  /* An increment along the central path that does not converge is ended before its budget is spent. */
-  QN_SHORTCUT_EARLY_FAILURE = 8,
-} QnShortcut;
-
 /* Whether limit analysis computes the associative bound of a path that ends in collapse. */
 typedef enum {
   QN_BOUND_AUTO, /* where that takes little: up to QN_BOUND_PAIRS contact pairs */
@@ -284,7 +270,6 @@ typedef struct QnAnalysisSettings {
                   geometry */
   QnDynamicSettings dynamic; /* for QN_PROCEDURE_DYNAMIC */
   /* Of the run, not of the project: */
-  unsigned no_shortcuts;    /* of QnShortcut, those turned off */
   bool all_forces;          /* see QN_RESULT_FORCE_BUDGET */
   const QnWorkers *workers; /* borrowed; NULL: everything in the caller's thread */
 } QnAnalysisSettings;
