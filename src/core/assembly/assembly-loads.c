@@ -113,7 +113,8 @@ qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
   const QnModel *model = as->model;
   const double held[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 1 };
 
-  as->eccentric = qn_alloc (qn_model_acting_count (model), sizeof *as->eccentric);
+  as->eccentric =
+    qn_pool_alloc (&as->pool, qn_model_acting_count (model), sizeof *as->eccentric);
   if (as->eccentric == NULL)
     return qn_diag_no_memory (diag);
 

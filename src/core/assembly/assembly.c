@@ -14,38 +14,36 @@
 static bool
 allocate (QnAssembly *as)
 {
+  QnPool *pool = &as->pool;
   size_t pairs = as->pair_count, n = (size_t) as->unknown_count;
 
-  as->kinematics = qn_alloc (pairs, sizeof *as->kinematics);
-  as->gradients = qn_alloc (pairs, sizeof *as->gradients);
-  as->elongations = qn_alloc (2 * (pairs + 7), sizeof *as->elongations);
-  as->springs = qn_alloc (pairs, sizeof *as->springs);
-  as->committed = qn_alloc (pairs, sizeof *as->committed);
-  as->responses = qn_alloc (pairs, sizeof *as->responses);
-  as->inactive = qn_alloc (pairs, sizeof *as->inactive);
-  as->breaks = qn_alloc (pairs, sizeof *as->breaks);
-  for (size_t p = 0; as->breaks != NULL && p < as->pair_count; p++)
+  as->kinematics = qn_pool_alloc (pool, pairs, sizeof *as->kinematics);
+  as->gradients = qn_pool_alloc (pool, pairs, sizeof *as->gradients);
+  as->elongations = qn_pool_alloc (pool, 2 * (pairs + 7), sizeof *as->elongations);
+  as->springs = qn_pool_alloc (pool, pairs, sizeof *as->springs);
+  as->committed = qn_pool_alloc (pool, pairs, sizeof *as->committed);
+  as->responses = qn_pool_alloc (pool, pairs, sizeof *as->responses);
+  as->inactive = qn_pool_alloc (pool, pairs, sizeof *as->inactive);
+  as->breaks = qn_pool_alloc (pool, pairs, sizeof *as->breaks);
+  as->dead = qn_pool_alloc (pool, n, sizeof (double));
+  as->live = qn_pool_alloc (pool, n, sizeof (double));
+  as->dead_at_rest = qn_pool_alloc (pool, n, sizeof (double));
+  as->live_at_rest = qn_pool_alloc (pool, n, sizeof (double));
+  as->damping = qn_pool_alloc (pool, n, sizeof (double));
+  as->diagonal = qn_pool_alloc (pool, n, sizeof *as->diagonal);
+  as->scatter = qn_pool_alloc (pool, as->contacts->face_count * 36, sizeof *as->scatter);
+  as->first_pairs =
+    qn_pool_alloc (pool, as->contacts->face_count + 1, sizeof *as->first_pairs);
+  as->whole = qn_pool_alloc (pool, as->contacts->face_count, sizeof *as->whole);
+  as->forces = qn_pool_alloc (pool, qn_model_body_count (as->model) * QN_DOF_COUNT,
+                              sizeof *as->forces);
+  as->settles = qn_pool_alloc (pool, n, sizeof *as->settles);
+  as->loose = qn_pool_alloc (pool, qn_model_body_count (as->model), sizeof *as->loose);
+  as->face_unknowns = qn_pool_alloc (pool, as->contacts->face_count * QN_FACE_UNKNOWNS,
+                                     sizeof *as->face_unknowns);
+  for (size_t p = 0; !pool->failed && p < pairs; p++)
     as->breaks[p] = NAN;
-  as->dead = qn_alloc (n, sizeof (double));
-  as->live = qn_alloc (n, sizeof (double));
-  as->dead_at_rest = qn_alloc (n, sizeof (double));
-  as->live_at_rest = qn_alloc (n, sizeof (double));
-  as->damping = qn_alloc (n, sizeof (double));
-  as->diagonal = qn_alloc (n, sizeof *as->diagonal);
-  as->scatter = qn_alloc (as->contacts->face_count * 36, sizeof *as->scatter);
-  as->first_pairs = qn_alloc (as->contacts->face_count + 1, sizeof *as->first_pairs);
-  as->whole = qn_alloc (as->contacts->face_count, sizeof *as->whole);
-  as->forces =
-    qn_alloc (qn_model_body_count (as->model) * QN_DOF_COUNT, sizeof *as->forces);
-  as->settles = qn_alloc (n, sizeof *as->settles);
-  as->loose = qn_alloc (qn_model_body_count (as->model), sizeof *as->loose);
-  as->face_unknowns =
-    qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
-  return as->kinematics && as->gradients && as->elongations && as->springs
-         && as->committed && as->responses && as->inactive && as->breaks && as->dead
-         && as->live && as->dead_at_rest && as->live_at_rest && as->damping
-         && as->diagonal && as->scatter && as->first_pairs && as->whole && as->forces
-         && as->settles && as->face_unknowns && as->loose;
+  return !pool->failed;
 }
 
 /* Marks the supports that settle in any of the loads. */
@@ -64,7 +62,7 @@ number_unknowns (QnAssembly *as)
 
   const size_t count = qn_model_body_count (model) * QN_DOF_COUNT;
 
-  as->unknown = qn_alloc (count, sizeof *as->unknown);
+  as->unknown = qn_pool_alloc (&as->pool, count, sizeof *as->unknown);
   if (as->unknown == NULL)
     return false;
   mark_settling (model->dead_loads, model->dead_load_count, as->unknown);
@@ -72,7 +70,7 @@ number_unknowns (QnAssembly *as)
   as->settling_count = 0;
   for (size_t i = 0; i < model->block_count * QN_DOF_COUNT; i++)
     as->settling_count += as->unknown[i] != 0;
-  as->settling = qn_alloc (as->settling_count, sizeof *as->settling);
+  as->settling = qn_pool_alloc (&as->pool, as->settling_count, sizeof *as->settling);
   if (as->settling == NULL)
     return false;
 
@@ -120,7 +118,7 @@ find_settling_rows (QnAssembly *as)
     as->settles[i] = true;
     count += (size_t) (as->ap[i + 1] - as->ap[i]);
   }
-  as->settling_entries = qn_alloc (count, sizeof *as->settling_entries);
+  as->settling_entries = qn_pool_alloc (&as->pool, count, sizeof *as->settling_entries);
   if (as->settling_entries == NULL)
     return false;
   for (size_t s = 0; s < as->settling_count; s++) {
@@ -170,9 +168,15 @@ build_pattern (QnAssembly *as, QnDiag *diag)
   ok = ok && qn_beam_assembly_add_pattern (&as->beams, &pattern);
   ok = ok && qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
   qn_sparse_pattern_clear (&pattern);
+  if (ok) {
+    qn_pool_add (&as->pool, as->ap);
+    qn_pool_add (&as->pool, as->ai);
+    ok = !as->pool.failed;
+  }
   if (ok)
-    as->ax = qn_alloc ((size_t) as->ap[as->unknown_count], sizeof (double));
-  if (!ok || as->ax == NULL)
+    as->ax =
+      qn_pool_alloc (&as->pool, (size_t) as->ap[as->unknown_count], sizeof (double));
+  if (!ok || as->pool.failed)
     return qn_diag_no_memory (diag);
 
   for (size_t f = 0; f < contacts->face_count; f++)
@@ -340,34 +344,7 @@ void
 qn_assembly_clear (QnAssembly *as)
 {
   qn_beam_assembly_clear (&as->beams);
-  free (as->unknown);
-  free (as->kinematics);
-  free (as->gradients);
-  free (as->elongations);
-  free (as->dead_at_rest);
-  free (as->live_at_rest);
-  free (as->eccentric);
-  free (as->springs);
-  free (as->committed);
-  free (as->responses);
-  free (as->inactive);
-  free (as->breaks);
-  free (as->dead);
-  free (as->live);
-  free (as->damping);
-  free (as->ap);
-  free (as->ai);
-  free (as->ax);
-  free (as->scatter);
-  free (as->first_pairs);
-  free (as->whole);
-  free (as->diagonal);
-  free (as->settling);
-  free (as->settles);
-  free (as->loose);
-  free (as->settling_entries);
-  free (as->forces);
-  free (as->face_unknowns);
+  qn_pool_clear (&as->pool);
   *as = (QnAssembly){ 0 };
 }
 

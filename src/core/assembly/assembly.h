@@ -14,6 +14,7 @@
 #define QN_CORE_ASSEMBLY_H
 
 #include "core/assembly/beam-assembly.h"
+#include "core/base/memory.h"
 #include "core/contact/contact-pair.h"
 #include "core/contact/contacts.h"
 #include "core/contact/pair-kinematics.h"
@@ -49,6 +50,7 @@ typedef struct QnSettling {
 #define QN_FACE_UNKNOWNS 6
 
 typedef struct QnAssembly {
+  QnPool pool; /* of all that follows */
   const QnModel *model;
   const QnContacts *contacts;
   double length;  /* L, m */

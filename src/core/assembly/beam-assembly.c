@@ -132,21 +132,21 @@ bool
 qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t *unknowns)
 {
   size_t count = model->element_count + model->tie_count;
+  QnPool *pool = &as->pool;
 
   *as = (QnBeamAssembly){ .model = model,
                           .length = model->characteristic_length,
                           .nonlinear = model->analysis.geometry == QN_GEOMETRY_NONLINEAR,
                           .count = count };
-  as->beams = qn_alloc (count, sizeof *as->beams);
-  as->committed = qn_alloc (count, sizeof *as->committed);
-  as->responses = qn_alloc (count, sizeof *as->responses);
-  as->loads[0] = qn_alloc (count, sizeof *as->loads[0]);
-  as->loads[1] = qn_alloc (count, sizeof *as->loads[1]);
-  as->scratch = qn_alloc (count, sizeof *as->scratch);
-  as->assembled_phases = qn_alloc (count, sizeof *as->assembled_phases);
-  as->shares = qn_alloc (model->node_count, sizeof *as->shares);
-  if (!(as->beams && as->committed && as->responses && as->loads[0] && as->loads[1]
-        && as->scratch && as->assembled_phases && as->shares))
+  as->beams = qn_pool_alloc (pool, count, sizeof *as->beams);
+  as->committed = qn_pool_alloc (pool, count, sizeof *as->committed);
+  as->responses = qn_pool_alloc (pool, count, sizeof *as->responses);
+  as->loads[0] = qn_pool_alloc (pool, count, sizeof *as->loads[0]);
+  as->loads[1] = qn_pool_alloc (pool, count, sizeof *as->loads[1]);
+  as->scratch = qn_pool_alloc (pool, count, sizeof *as->scratch);
+  as->assembled_phases = qn_pool_alloc (pool, count, sizeof *as->assembled_phases);
+  as->shares = qn_pool_alloc (pool, model->node_count, sizeof *as->shares);
+  if (pool->failed)
     return false;
 
   for (size_t i = 0; i < count; i++)
@@ -158,14 +158,7 @@ qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t 
 void
 qn_beam_assembly_clear (QnBeamAssembly *as)
 {
-  free (as->beams);
-  free (as->committed);
-  free (as->responses);
-  free (as->loads[0]);
-  free (as->loads[1]);
-  free (as->scratch);
-  free (as->assembled_phases);
-  free (as->shares);
+  qn_pool_clear (&as->pool);
   *as = (QnBeamAssembly){ 0 };
 }
 

@@ -14,6 +14,7 @@
 #define QN_CORE_BEAM_ASSEMBLY_H
 
 #include "core/assembly/beam-element.h"
+#include "core/base/memory.h"
 #include "core/linalg/sparse.h"
 #include "core/model/model.h"
 
@@ -40,6 +41,7 @@ typedef struct QnBeamShare {
 } QnBeamShare;
 
 typedef struct QnBeamAssembly {
+  QnPool pool; /* of all that follows */
   const QnModel *model;
   double length; /* by which rotations are scaled, m */
   bool nonlinear;

@@ -96,3 +96,36 @@ qn_array_reserve (void *array, size_t *capacity, size_t need, size_t size)
   memcpy (array, &moved, sizeof moved);
   return true;
 }
+
+void *
+qn_pool_add (QnPool *pool, void *block)
+{
+  bool kept =
+    block != NULL && QN_ARRAY_PUSH (pool->blocks, pool->count, pool->capacity, block);
+
+  if (!kept)
+    free (block);
+  pool->failed = pool->failed || !kept;
+  return kept ? block : NULL;
+}
+
+void *
+qn_pool_alloc (QnPool *pool, size_t count, size_t size)
+{
+  return qn_pool_add (pool, qn_alloc (count, size));
+}
+
+void *
+qn_pool_lines (QnPool *pool, size_t count, size_t size)
+{
+  return qn_pool_add (pool, qn_alloc_lines (count, size));
+}
+
+void
+qn_pool_clear (QnPool *pool)
+{
+  for (size_t i = 0; i < pool->count; i++)
+    free (pool->blocks[i]);
+  free (pool->blocks);
+  *pool = (QnPool){ 0 };
+}

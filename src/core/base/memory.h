@@ -38,4 +38,21 @@ bool qn_array_reserve (void *array, size_t *capacity, size_t need, size_t size);
     || qn_array_reserve (&(items), &(capacity), (count) + 1, sizeof *(items)))           \
    && ((items)[(count)++] = __VA_ARGS__, true))
 
+/* What one owner has taken, to be freed together. That some was not to be had is remembered, so that it is
+ * asked once, before any of it is used. A zeroed pool is empty; a copy is the same pool. */
+typedef struct QnPool {
+  void **blocks;
+  size_t count, capacity;
+  bool failed;
+} QnPool;
+
+/* Takes a block over (NULL: none was to be had), and returns it. */
+void *qn_pool_add (QnPool *pool, void *block);
+
+/* qn_alloc() and qn_alloc_lines() from a pool. */
+void *qn_pool_alloc (QnPool *pool, size_t count, size_t size);
+void *qn_pool_lines (QnPool *pool, size_t count, size_t size);
+
+void qn_pool_clear (QnPool *pool);
+
 #endif

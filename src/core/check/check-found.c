@@ -83,11 +83,10 @@ qn_check_found_init (QnCheck *check, QnDiag *diag)
   if (qn_contact_follow_init (&check->follow, check->model, check->contacts, diag)
       != QN_OK)
     return false;
-  check->found = qn_alloc (r->found_count, sizeof *check->found);
-  check->begins = qn_alloc (r->found_count, sizeof *check->begins);
+  check->found = qn_pool_alloc (&check->pool, r->found_count, sizeof *check->found);
+  check->begins = qn_pool_alloc (&check->pool, r->found_count, sizeof *check->begins);
   QnFoundContact *contacts = qn_alloc (r->found_count, sizeof *contacts);
-  bool known = refers (check),
-       ok = check->found != NULL && check->begins != NULL && contacts != NULL;
+  bool known = refers (check), ok = !check->pool.failed && contacts != NULL;
   if (!known)
     qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, NAN,
                    NAN);
@@ -107,8 +106,6 @@ qn_check_found_clear (QnCheck *check)
 {
   qn_contact_follow_clear (&check->follow);
   qn_contacts_clear (&check->all);
-  free (check->found);
-  free (check->begins);
 }
 
 void

@@ -193,7 +193,8 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     return QN_OK;
   if (check->mass == NULL) {
     const QnAssembly *as = &check->assembly;
-    check->mass = qn_alloc ((size_t) as->ap[as->unknown_count], sizeof *check->mass);
+    check->mass = qn_pool_alloc (&check->pool, (size_t) as->ap[as->unknown_count],
+                                 sizeof *check->mass);
     if (check->mass == NULL)
       return qn_diag_no_memory (diag);
     QnStatus status = qn_assembly_mass (as, check->mass, diag);

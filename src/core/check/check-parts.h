@@ -29,6 +29,7 @@
 #define QN_CHECK_STATE 1e-4
 
 typedef struct QnCheck {
+  QnPool pool; /* of arrays */
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;

@@ -4,7 +4,6 @@
 #include "core/base/numbers.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Squares of frequencies that differ by less than this part are taken for one. */
@@ -15,17 +14,17 @@ qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, bool 
                     QnDiag *diag)
 {
   size_t n = (size_t) as->unknown_count, entries = (size_t) as->ap[n];
+  QnPool *pool = &proof->pool;
 
   *proof = (QnModeProof){ .assembly = as,
                           .n = as->unknown_count,
-                          .stiffness = qn_alloc (entries, sizeof (double)),
-                          .mass = qn_alloc (entries, sizeof (double)),
-                          .shifted = qn_alloc (entries, sizeof (double)),
-                          .product = qn_alloc (n, sizeof (double)),
-                          .tangents = qn_alloc (4 * as->pair_count, sizeof (double)),
                           .inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai) };
-  if (proof->stiffness == NULL || proof->mass == NULL || proof->shifted == NULL
-      || proof->product == NULL || proof->tangents == NULL || proof->inertia == NULL)
+  proof->stiffness = qn_pool_alloc (pool, entries, sizeof (double));
+  proof->mass = qn_pool_alloc (pool, entries, sizeof (double));
+  proof->shifted = qn_pool_alloc (pool, entries, sizeof (double));
+  proof->product = qn_pool_alloc (pool, n, sizeof (double));
+  proof->tangents = qn_pool_alloc (pool, 4 * as->pair_count, sizeof (double));
+  if (pool->failed || proof->inertia == NULL)
     return qn_diag_no_memory (diag);
   QnStatus status = qn_assembly_mass (as, proof->mass, diag);
   if (status != QN_OK)
@@ -43,11 +42,7 @@ qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, bool 
 void
 qn_mode_proof_clear (QnModeProof *proof)
 {
-  free (proof->stiffness);
-  free (proof->mass);
-  free (proof->shifted);
-  free (proof->product);
-  free (proof->tangents);
+  qn_pool_clear (&proof->pool);
   qn_inertia_free (proof->inertia);
   *proof = (QnModeProof){ 0 };
 }

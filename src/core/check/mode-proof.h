@@ -18,6 +18,7 @@
 #define QN_MODE_ZERO 1e-12
 
 typedef struct QnModeProof {
+  QnPool pool;                /* of numbers */
   const QnAssembly *assembly; /* borrowed */
   int32_t n;
   double *stiffness, *mass; /* K and M in the pattern of the assembly */

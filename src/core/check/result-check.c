@@ -102,6 +102,7 @@ init (QnCheck *check, QnDiag *diag)
 {
   const QnModel *model = check->model;
   size_t bodies = qn_model_body_count (model);
+  QnPool *pool = &check->pool;
 
   if (!qn_check_found_init (check, diag)
       || qn_assembly_setup (&check->assembly, model,
@@ -111,16 +112,16 @@ init (QnCheck *check, QnDiag *diag)
     return false;
   size_t pairs = check->assembly.pair_count;
   size_t unknowns = (size_t) check->assembly.unknown_count;
-  check->u = qn_alloc (unknowns, sizeof *check->u);
-  check->residual = qn_alloc (unknowns, sizeof *check->residual);
-  check->rows = qn_alloc (bodies * QN_DOF_COUNT, sizeof *check->rows);
-  check->forces = qn_alloc (2 * pairs, sizeof *check->forces);
-  check->beam_forces = qn_alloc (model->element_count, sizeof *check->beam_forces);
-  check->elongations = qn_alloc (2 * pairs, sizeof *check->elongations);
-  check->velocity = qn_alloc (unknowns, sizeof *check->velocity);
-  check->unknown = qn_alloc (pairs, sizeof *check->unknown);
-  return check->unknown && check->velocity && check->elongations && check->u
-         && check->residual && check->rows && check->forces && check->beam_forces;
+  check->u = qn_pool_alloc (pool, unknowns, sizeof *check->u);
+  check->residual = qn_pool_alloc (pool, unknowns, sizeof *check->residual);
+  check->rows = qn_pool_alloc (pool, bodies * QN_DOF_COUNT, sizeof *check->rows);
+  check->forces = qn_pool_alloc (pool, 2 * pairs, sizeof *check->forces);
+  check->beam_forces =
+    qn_pool_alloc (pool, model->element_count, sizeof *check->beam_forces);
+  check->elongations = qn_pool_alloc (pool, 2 * pairs, sizeof *check->elongations);
+  check->velocity = qn_pool_alloc (pool, unknowns, sizeof *check->velocity);
+  check->unknown = qn_pool_alloc (pool, pairs, sizeof *check->unknown);
+  return !pool->failed;
 }
 
 QnStatus
@@ -156,14 +157,6 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   qn_inertia_free (check.inertia);
   qn_assembly_clear (&check.assembly);
   qn_check_found_clear (&check);
-  free (check.u);
-  free (check.residual);
-  free (check.rows);
-  free (check.forces);
-  free (check.beam_forces);
-  free (check.velocity);
-  free (check.unknown);
-  free (check.elongations);
-  free (check.mass);
+  qn_pool_clear (&check.pool);
   return status;
 }

@@ -19,6 +19,7 @@
 #define STEP_ENERGY 2e-5
 
 typedef struct {
+  QnPool pool; /* of arrays */
   QnEquilibrium *eq;
   QnTimeStep step;
   QnGround ground;
@@ -421,15 +422,14 @@ set_up (Run *run, QnDiag *diag)
 
   *history = (QnHistory){ .width = QN_HISTORY_TRACK + model->track_count };
   history->peaks = qn_alloc (model->block_count, sizeof *history->peaks);
-  run->start = qn_alloc (bodies, sizeof *run->start);
-  run->displacements = qn_alloc (bodies, sizeof *run->displacements);
-  run->distances = qn_alloc (model->block_count, sizeof *run->distances);
-  run->row = qn_alloc (history->width, sizeof *run->row);
-  run->beam_forces = qn_alloc (model->element_count, sizeof *run->beam_forces);
-  run->ties = qn_alloc (model->tie_count, sizeof *run->ties);
-  if (history->peaks == NULL || run->start == NULL || run->displacements == NULL
-      || run->row == NULL || run->distances == NULL || run->beam_forces == NULL
-      || run->ties == NULL || !qn_ground_init (&run->ground, model))
+  run->start = qn_pool_alloc (&run->pool, bodies, sizeof *run->start);
+  run->displacements = qn_pool_alloc (&run->pool, bodies, sizeof *run->displacements);
+  run->distances = qn_pool_alloc (&run->pool, model->block_count, sizeof *run->distances);
+  run->row = qn_pool_alloc (&run->pool, history->width, sizeof *run->row);
+  run->beam_forces =
+    qn_pool_alloc (&run->pool, model->element_count, sizeof *run->beam_forces);
+  run->ties = qn_pool_alloc (&run->pool, model->tie_count, sizeof *run->ties);
+  if (history->peaks == NULL || run->pool.failed || !qn_ground_init (&run->ground, model))
     return qn_diag_no_memory (diag);
   qn_assembly_expand (&run->eq->assembly, run->eq->u, run->start);
   const QnDynamicSettings *s = run->settings;
@@ -483,12 +483,7 @@ qn_dynamics_run (QnEquilibrium *eq, QnMovingContacts *moving, QnResult *result,
   result->history.energy_error =
     run.largest_input > 0 ? run.largest_error / run.largest_input : 0;
   qn_ground_clear (&run.ground);
-  free (run.start);
-  free (run.displacements);
-  free (run.distances);
-  free (run.row);
-  free (run.beam_forces);
-  free (run.ties);
+  qn_pool_clear (&run.pool);
   qn_time_step_clear (&run.step);
   return status;
 }

@@ -40,30 +40,17 @@ static bool advance_time (QnStepEquation *equation, int iteration);
 /* --- Setting up -------------------------------------------------------------------------- */
 
 static bool
-instant_init (QnInstant *instant, const QnAssembly *as)
+instant_init (QnInstant *instant, const QnAssembly *as, QnPool *pool)
 {
   size_t n = (size_t) as->unknown_count, pairs = as->pair_count;
 
-  instant->v = qn_alloc (n, sizeof (double));
-  instant->a = qn_alloc (n, sizeof (double));
-  instant->dead = qn_alloc (n, sizeof (double));
-  instant->residual = qn_alloc (n, sizeof (double));
-  instant->elongations = qn_alloc (2 * pairs, sizeof (double));
-  instant->rates = qn_alloc (2 * pairs, sizeof (double));
-  return qn_equilibrium_state_init (&instant->at, as) && instant->v && instant->a
-         && instant->dead && instant->residual && instant->elongations && instant->rates;
-}
-
-static void
-instant_clear (QnInstant *instant)
-{
-  free (instant->v);
-  free (instant->a);
-  free (instant->dead);
-  free (instant->residual);
-  free (instant->elongations);
-  free (instant->rates);
-  qn_equilibrium_state_clear (&instant->at);
+  instant->v = qn_pool_alloc (pool, n, sizeof (double));
+  instant->a = qn_pool_alloc (pool, n, sizeof (double));
+  instant->dead = qn_pool_alloc (pool, n, sizeof (double));
+  instant->residual = qn_pool_alloc (pool, n, sizeof (double));
+  instant->elongations = qn_pool_alloc (pool, 2 * pairs, sizeof (double));
+  instant->rates = qn_pool_alloc (pool, 2 * pairs, sizeof (double));
+  return qn_equilibrium_state_init (&instant->at, as);
 }
 
 static bool
@@ -72,29 +59,21 @@ allocate (QnTimeStep *step)
   const QnAssembly *as = &step->equation.eq->assembly;
   size_t n = (size_t) as->unknown_count, entries = (size_t) as->ap[n],
          pairs = as->pair_count;
-  const struct {
-    double **vector;
-    size_t count;
-  } vectors[] = {
-    { &step->mass, entries },
-    { &step->beam_damping, entries },
-    { &step->inertia[0], n },
-    { &step->inertia[1], n },
-    { &step->increment, n },
-    { &step->tangents, 4 * pairs },
-    { &step->sums, 2 * pairs },
-    { &step->branches, QN_BRANCH * pairs },
-    { &step->factored, QN_BRANCH * pairs },
-  };
-  bool ok = instant_init (&step->start, as) && instant_init (&step->end, as);
+  QnPool *pool = &step->pool;
+  bool ok = instant_init (&step->start, as, pool) && instant_init (&step->end, as, pool);
 
-  for (size_t i = 0; i < QN_N_ELEMENTS (vectors); i++) {
-    *vectors[i].vector = qn_alloc (vectors[i].count, sizeof (double));
-    ok &= *vectors[i].vector != NULL;
-  }
-  step->elasticity = qn_alloc (pairs, sizeof *step->elasticity);
-  step->forces = qn_alloc (pairs, sizeof *step->forces);
-  return ok && step->elasticity != NULL && step->forces != NULL;
+  step->mass = qn_pool_alloc (pool, entries, sizeof (double));
+  step->beam_damping = qn_pool_alloc (pool, entries, sizeof (double));
+  step->inertia[0] = qn_pool_alloc (pool, n, sizeof (double));
+  step->inertia[1] = qn_pool_alloc (pool, n, sizeof (double));
+  step->increment = qn_pool_alloc (pool, n, sizeof (double));
+  step->tangents = qn_pool_alloc (pool, 4 * pairs, sizeof (double));
+  step->sums = qn_pool_alloc (pool, 2 * pairs, sizeof (double));
+  step->branches = qn_pool_alloc (pool, QN_BRANCH * pairs, sizeof (double));
+  step->factored = qn_pool_alloc (pool, QN_BRANCH * pairs, sizeof (double));
+  step->elasticity = qn_pool_alloc (pool, pairs, sizeof *step->elasticity);
+  step->forces = qn_pool_alloc (pool, pairs, sizeof *step->forces);
+  return ok && !pool->failed;
 }
 
 /* The stiffness of beams that damping goes with. */
@@ -254,19 +233,9 @@ qn_time_step_renew (QnTimeStep *step, QnDiag *diag)
 void
 qn_time_step_clear (QnTimeStep *step)
 {
-  instant_clear (&step->start);
-  instant_clear (&step->end);
-  free (step->mass);
-  free (step->beam_damping);
-  free (step->inertia[0]);
-  free (step->inertia[1]);
-  free (step->elasticity);
-  free (step->increment);
-  free (step->forces);
-  free (step->tangents);
-  free (step->sums);
-  free (step->branches);
-  free (step->factored);
+  qn_equilibrium_state_clear (&step->start.at);
+  qn_equilibrium_state_clear (&step->end.at);
+  qn_pool_clear (&step->pool);
   *step = (QnTimeStep){ 0 };
 }
 

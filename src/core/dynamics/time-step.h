@@ -57,7 +57,8 @@ typedef struct QnInstant {
 
 typedef struct QnTimeStep {
   QnStepEquation
-    equation; /* with the workspace, borrowed: its residual, step, and scratch */
+    equation;  /* with the workspace, borrowed: its residual, step, and scratch */
+  QnPool pool; /* of all that follows but states */
   QnTimeScheme scheme;
   const QnDynamicSettings *settings;
   double h;      /* length of the step tried, s, */

@@ -3,7 +3,6 @@
 #include "core/base/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The strengths of a plastic pair by what they limit. */
@@ -50,35 +49,28 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
 {
   size_t count = (as->pair_count + QN_CENTRAL_WIDTH - 1) / QN_CENTRAL_WIDTH;
   size_t padded = count * QN_CENTRAL_WIDTH;
+  QnPool *pool = &pairs->pool;
 
   *pairs = (QnCentralPairs){ .assembly = as,
                              .loops = qn_central_loops (QN_CENTRAL_WIDTH),
                              .count = count };
   pairs->force = as->force_scale > 0 ? as->force_scale : 1;
   pairs->length = pairs->force / as->stiffness;
-  pairs->packs = qn_alloc_lines (count, sizeof *pairs->packs);
-  pairs->steps = qn_alloc_lines (count, sizeof *pairs->steps);
-  pairs->kept = qn_alloc_lines (count, sizeof *pairs->kept);
-  pairs->near = qn_alloc_lines (count, sizeof *pairs->near);
-  pairs->slips = qn_alloc (padded, sizeof *pairs->slips);
-  pairs->rates = qn_alloc (2 * padded, sizeof *pairs->rates);
-  pairs->forces = qn_alloc_lines (2 * padded, sizeof *pairs->forces);
-  pairs->tangents = qn_alloc_lines (4 * padded, sizeof *pairs->tangents);
-  return pairs->packs && pairs->steps && pairs->kept && pairs->near && pairs->rates
-         && pairs->slips && pairs->forces && pairs->tangents;
+  pairs->packs = qn_pool_lines (pool, count, sizeof *pairs->packs);
+  pairs->steps = qn_pool_lines (pool, count, sizeof *pairs->steps);
+  pairs->kept = qn_pool_lines (pool, count, sizeof *pairs->kept);
+  pairs->near = qn_pool_lines (pool, count, sizeof *pairs->near);
+  pairs->slips = qn_pool_alloc (pool, padded, sizeof *pairs->slips);
+  pairs->rates = qn_pool_alloc (pool, 2 * padded, sizeof *pairs->rates);
+  pairs->forces = qn_pool_lines (pool, 2 * padded, sizeof *pairs->forces);
+  pairs->tangents = qn_pool_lines (pool, 4 * padded, sizeof *pairs->tangents);
+  return !pool->failed;
 }
 
 void
 qn_central_pairs_clear (QnCentralPairs *pairs)
 {
-  free (pairs->packs);
-  free (pairs->steps);
-  free (pairs->kept);
-  free (pairs->near);
-  free (pairs->rates);
-  free (pairs->slips);
-  free (pairs->forces);
-  free (pairs->tangents);
+  qn_pool_clear (&pairs->pool);
   *pairs = (QnCentralPairs){ 0 };
 }
 

@@ -6,6 +6,7 @@
 #include "core/equilibrium/central-pack.h"
 
 typedef struct QnCentralPairs {
+  QnPool pool;          /* of all that follows */
   QnAssembly *assembly; /* borrowed */
   double force, length; /* units, N and m */
   double products;      /* how many s z there are */

@@ -65,6 +65,7 @@
 #define GAIN       0.01
 
 struct QnCentralPath {
+  QnPool pool; /* of vectors */
   QnEquilibrium *eq;
   bool may_jump;    /* and then the path may turn back */
   bool together;    /* residuals go down with complementarity where a measure advances */
@@ -103,12 +104,15 @@ qn_central_path_new (QnEquilibrium *eq)
   path->eq = eq;
   path->may_jump = qn_assembly_may_jump (as);
   path->together = path->may_jump && !as->nonlinear;
-  path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
-  path->begun = qn_alloc ((size_t) as->unknown_count, sizeof *path->begun);
-  path->near_u = qn_alloc ((size_t) as->unknown_count, sizeof *path->near_u);
-  path->lack = qn_alloc ((size_t) as->unknown_count, sizeof *path->lack);
-  if (!qn_central_pairs_init (&path->pairs, &eq->assembly) || !path->near_u
-      || !path->begun || !path->kept_step || !path->lack) {
+  path->kept_step =
+    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->kept_step);
+  path->begun =
+    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->begun);
+  path->near_u =
+    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->near_u);
+  path->lack =
+    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->lack);
+  if (!qn_central_pairs_init (&path->pairs, &eq->assembly) || path->pool.failed) {
     qn_central_path_free (path);
     return NULL;
   }
@@ -127,10 +131,7 @@ qn_central_path_free (QnCentralPath *path)
   if (path == NULL)
     return;
   qn_central_pairs_clear (&path->pairs);
-  free (path->kept_step);
-  free (path->begun);
-  free (path->near_u);
-  free (path->lack);
+  qn_pool_clear (&path->pool);
   free (path);
 }
 

@@ -128,12 +128,10 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
 
   double **vectors[] = { &eq->u,     &eq->residual,  &eq->step,
                          &eq->trial, &eq->live_step, &eq->motion };
-  bool ok = allocate_for_pairs (eq);
-  for (size_t i = 0; i < QN_N_ELEMENTS (vectors); i++) {
-    *vectors[i] = qn_alloc ((size_t) eq->assembly.unknown_count, sizeof (double));
-    ok &= *vectors[i] != NULL;
-  }
-  if (!ok) {
+  for (size_t i = 0; i < QN_N_ELEMENTS (vectors); i++)
+    *vectors[i] =
+      qn_pool_alloc (&eq->pool, (size_t) eq->assembly.unknown_count, sizeof (double));
+  if (!allocate_for_pairs (eq) || eq->pool.failed) {
     qn_equilibrium_clear (eq);
     return qn_diag_no_memory (diag);
   }
@@ -181,11 +179,6 @@ void
 qn_equilibrium_clear (QnEquilibrium *eq)
 {
   free_for_pairs (eq);
-  free (eq->u);
-  free (eq->residual);
-  free (eq->step);
-  free (eq->trial);
-  free (eq->live_step);
-  free (eq->motion);
+  qn_pool_clear (&eq->pool);
   *eq = (QnEquilibrium){ 0 };
 }

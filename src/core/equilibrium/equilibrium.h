@@ -67,6 +67,7 @@ qn_solve_status_of (QnFactorStatus status)
 }
 
 typedef struct QnEquilibrium {
+  QnPool pool; /* of vectors of unknowns */
   QnAssembly assembly;
   QnLinsys *linsys;
   double tolerance; /* largest out-of-balance, relative to the loads */

@@ -37,6 +37,7 @@ typedef struct {
 #define PART_OF_WORK 0.0625
 
 struct QnBlockLu {
+  QnPool pool; /* of all but the tree */
   QnFrontTree tree;
   const QnWorkers *workers;
   const QnFrontLoops *loops;
@@ -116,9 +117,9 @@ lay_out_parts (QnBlockLu *lu)
   double most = lu->work > WORK_TO_SHARE ? PART_OF_WORK * lu->work : INFINITY;
   double *work = qn_alloc (count, sizeof *work);    /* of each front's subtree, */
   int32_t *first = qn_alloc (count, sizeof *first); /* and its first front */
-  lu->parts = qn_alloc (count, sizeof *lu->parts);
-  lu->top = qn_alloc (count, sizeof *lu->top);
-  bool ok = work && first && lu->parts && lu->top;
+  lu->parts = qn_pool_alloc (&lu->pool, count, sizeof *lu->parts);
+  lu->top = qn_pool_alloc (&lu->pool, count, sizeof *lu->top);
+  bool ok = work && first && !lu->pool.failed;
 
   for (int32_t f = 0; ok && f < tree->front_count; f++)
     first[f] = f;
@@ -302,7 +303,7 @@ lay_out_scratch (QnBlockLu *lu)
   lu->scratch_above = end;
   for (int32_t t = 0; t < lu->top_count; t++)
     widen_scratch (lu, lu->top[t], lu->scratch_above, &end);
-  lu->scratch = qn_alloc_lines (end, sizeof *lu->scratch);
+  lu->scratch = qn_pool_lines (&lu->pool, end, sizeof *lu->scratch);
   return lu->scratch != NULL;
 }
 
@@ -318,13 +319,12 @@ lay_out_solution (QnBlockLu *lu)
     outside += (size_t) tree->fronts[lu->parts[p].end - 1].rest;
   int32_t *place = qn_alloc (n, sizeof *place), *where = qn_alloc (n, sizeof *where);
 
-  lu->solution = qn_alloc_lines (lu->solution_size, sizeof *lu->solution);
-  lu->outside = qn_alloc (outside, sizeof *lu->outside);
-  lu->unknown_places = qn_alloc (n, sizeof *lu->unknown_places);
-  lu->rest_places = qn_alloc (rests, sizeof *lu->rest_places);
-  lu->outside_places = qn_alloc (outside, sizeof *lu->outside_places);
-  bool ok = place && where && lu->solution && lu->outside && lu->unknown_places
-            && lu->rest_places && lu->outside_places && lay_out_scratch (lu);
+  lu->solution = qn_pool_lines (&lu->pool, lu->solution_size, sizeof *lu->solution);
+  lu->outside = qn_pool_alloc (&lu->pool, outside, sizeof *lu->outside);
+  lu->unknown_places = qn_pool_alloc (&lu->pool, n, sizeof *lu->unknown_places);
+  lu->rest_places = qn_pool_alloc (&lu->pool, rests, sizeof *lu->rest_places);
+  lu->outside_places = qn_pool_alloc (&lu->pool, outside, sizeof *lu->outside_places);
+  bool ok = place && where && !lu->pool.failed && lay_out_scratch (lu);
   if (ok) {
     for (int32_t f = 0; f < tree->front_count; f++)
       for (int32_t c = 0; c < tree->fronts[f].pivots; c++)
@@ -353,18 +353,19 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai,
 
   if (!qn_front_tree_init (&lu->tree, n, ap, ai, points))
     return false;
-  lu->matrices = qn_alloc ((size_t) lu->tree.front_count + 1, sizeof *lu->matrices);
-  lu->sources = qn_alloc (entries, sizeof *lu->sources);
-  lu->places = qn_alloc (entries, sizeof *lu->places);
-  lu->values = qn_alloc (entries, sizeof *lu->values);
-  lu->exchanges = qn_alloc ((size_t) n, sizeof *lu->exchanges);
-  if (!lu->matrices || !lu->sources || !lu->places || !lu->values || !lu->exchanges)
+  lu->matrices =
+    qn_pool_alloc (&lu->pool, (size_t) lu->tree.front_count + 1, sizeof *lu->matrices);
+  lu->sources = qn_pool_alloc (&lu->pool, entries, sizeof *lu->sources);
+  lu->places = qn_pool_alloc (&lu->pool, entries, sizeof *lu->places);
+  lu->values = qn_pool_alloc (&lu->pool, entries, sizeof *lu->values);
+  lu->exchanges = qn_pool_alloc (&lu->pool, (size_t) n, sizeof *lu->exchanges);
+  if (lu->pool.failed)
     return false;
   size_t factors = lay_out_factors (lu);
   if (!lay_out_parts (lu))
     return false;
   lu->numbers =
-    qn_alloc_lines (factors + lay_out_rests (lu, factors), sizeof *lu->numbers);
+    qn_pool_lines (&lu->pool, factors + lay_out_rests (lu, factors), sizeof *lu->numbers);
   return lu->numbers && lay_out_solution (lu) && list_all_entries (lu, ap, ai);
 }
 
@@ -391,20 +392,7 @@ qn_block_lu_free (QnBlockLu *lu)
   if (lu == NULL)
     return;
   qn_front_tree_clear (&lu->tree);
-  free (lu->matrices);
-  free (lu->numbers);
-  free (lu->sources);
-  free (lu->places);
-  free (lu->values);
-  free (lu->exchanges);
-  free (lu->parts);
-  free (lu->top);
-  free (lu->solution);
-  free (lu->outside);
-  free (lu->unknown_places);
-  free (lu->rest_places);
-  free (lu->outside_places);
-  free (lu->scratch);
+  qn_pool_clear (&lu->pool);
   free (lu);
 }
 

@@ -24,6 +24,7 @@
 /* What the analysis works on: the graph of nodes, which are unknowns that stand together and
  * meet the same others. */
 typedef struct {
+  QnPool pool; /* of all that follows but rows */
   int32_t n, count;
   const int32_t *ap, *ai;
   const QnVec2 *points;  /* n, or NULL */
@@ -191,15 +192,6 @@ order_by_dissection (const Analysis *a, int32_t *order)
   return ok;
 }
 
-static void
-free_order (Analysis *a)
-{
-  free (a->order);
-  free (a->place);
-  free (a->column_start);
-  free (a->rows);
-}
-
 /* The cheaper of two orders, with its columns. */
 static bool
 choose_order (Analysis *a)
@@ -214,18 +206,18 @@ choose_order (Analysis *a)
     return true;
 
   Analysis other = *a; /* the same graph, another order */
-  other.order = qn_alloc (nodes, sizeof *other.order);
-  other.place = qn_alloc (nodes, sizeof *other.place);
-  other.column_start = qn_alloc (nodes + 1, sizeof *other.column_start);
+  other.order = qn_pool_alloc (&a->pool, nodes, sizeof *other.order);
+  other.place = qn_pool_alloc (&a->pool, nodes, sizeof *other.place);
+  other.column_start = qn_pool_alloc (&a->pool, nodes + 1, sizeof *other.column_start);
   other.rows = NULL;
   other.row_capacity = 0;
-  bool ok = other.order && other.place && other.column_start
-            && order_by_dissection (a, other.order) && try_order (&other, &by_dissection);
-  if (ok && by_dissection < by_degree) {
-    free_order (a);
+  bool ok = !a->pool.failed && order_by_dissection (a, other.order)
+            && try_order (&other, &by_dissection);
+  bool better = ok && by_dissection < by_degree;
+  free (better ? a->rows : other.rows);
+  other.pool = a->pool;
+  if (better)
     *a = other;
-  } else
-    free_order (&other);
   return ok;
 }
 
@@ -368,10 +360,10 @@ list_rests (const Analysis *a, QnFrontTree *tree)
   for (int32_t j = 0; j < a->count; j++)
     if (a->group[j] == j)
       total += (size_t) rows_below (a, j);
-  tree->rows = qn_alloc (total + 1, sizeof *tree->rows);
-  tree->places = qn_alloc (total + 1, sizeof *tree->places);
-  tree->runs = qn_alloc (total + 1, sizeof *tree->runs);
-  if (tree->rows == NULL || tree->places == NULL || tree->runs == NULL)
+  tree->rows = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->rows);
+  tree->places = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->places);
+  tree->runs = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->runs);
+  if (tree->pool.failed)
     return false;
   for (int32_t j = 0; j < a->count; j++) {
     if (a->group[j] != j)
@@ -436,16 +428,15 @@ static bool
 analyse (Analysis *a, QnFrontTree *tree)
 {
   size_t n = (size_t) a->n, entries = (size_t) a->ap[a->n];
-  int32_t **lists[] = { &a->node,   &a->width,      &a->start,        &a->order,
-                        &a->place,  &a->marks,      &a->column_start, &a->group,
-                        &a->counts, &tree->position };
+  int32_t **lists[] = { &a->node,  &a->width,        &a->start, &a->order, &a->place,
+                        &a->marks, &a->column_start, &a->group, &a->counts };
 
   for (size_t i = 0; i < QN_N_ELEMENTS (lists); i++)
-    if ((*lists[i] = qn_alloc (n + 1, sizeof (int32_t))) == NULL)
-      return false;
-  a->next = qn_alloc (entries, sizeof *a->next);
-  tree->fronts = qn_alloc (n, sizeof *tree->fronts);
-  if (a->next == NULL || tree->fronts == NULL)
+    *lists[i] = qn_pool_alloc (&a->pool, n + 1, sizeof (int32_t));
+  a->next = qn_pool_alloc (&a->pool, entries, sizeof *a->next);
+  tree->position = qn_pool_alloc (&tree->pool, n + 1, sizeof *tree->position);
+  tree->fronts = qn_pool_alloc (&tree->pool, n, sizeof *tree->fronts);
+  if (a->pool.failed || tree->pool.failed)
     return false;
   gather_nodes (a);
   fill_graph (a);
@@ -467,24 +458,14 @@ qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap, const int32
 
   *tree = (QnFrontTree){ .n = n };
   bool ok = analyse (&a, tree);
-  free (a.node);
-  free (a.width);
-  free (a.start);
-  free (a.next);
-  free_order (&a);
-  free (a.group);
-  free (a.counts);
-  free (a.marks);
+  free (a.rows);
+  qn_pool_clear (&a.pool);
   return ok;
 }
 
 void
 qn_front_tree_clear (QnFrontTree *tree)
 {
-  free (tree->fronts);
-  free (tree->position);
-  free (tree->rows);
-  free (tree->places);
-  free (tree->runs);
+  qn_pool_clear (&tree->pool);
   *tree = (QnFrontTree){ 0 };
 }

@@ -10,6 +10,7 @@
 #define QN_CORE_FRONT_TREE_H
 
 #include "core/base/base.h"
+#include "core/base/memory.h"
 #include "core/base/vec2.h"
 
 /* Positions: unknowns in the order of elimination. */
@@ -23,6 +24,7 @@ typedef struct QnFront {
 } QnFront;
 
 typedef struct QnFrontTree {
+  QnPool pool; /* of all that follows */
   int32_t n;
   QnFront *fronts; /* in postorder: each comes right after the subtrees of its children */
   int32_t front_count;

@@ -30,6 +30,7 @@ void dsyev_ (const char *job, const char *part, const int *n, double *a, const i
              size_t part_length);
 
 typedef struct {
+  QnPool pool; /* of all that follows */
   const QnLanczosProblem *problem;
   size_t n, wanted;
   size_t most;  /* vectors that the basis has room for, the next one not counted */
@@ -72,26 +73,14 @@ lanczos_init (Lanczos *l, const QnLanczosProblem *problem, size_t wanted)
   l->most = most < n ? most : n;
   l->wanted = wanted < l->most ? wanted : l->most;
   l->work_length = (int) (34 * l->most);
-  l->basis = qn_alloc (n, (l->most + 1) * sizeof (double));
-  l->mass = qn_alloc (n, sizeof (double));
-  l->other = qn_alloc (n, sizeof (double));
-  l->matrix = qn_alloc (l->most, l->most * sizeof (double));
-  l->ritz = qn_alloc (l->most, l->most * sizeof (double));
-  l->theta = qn_alloc (l->most, sizeof (double));
-  l->work = qn_alloc ((size_t) l->work_length, sizeof (double));
-  return l->basis && l->mass && l->other && l->matrix && l->ritz && l->theta && l->work;
-}
-
-static void
-lanczos_clear (Lanczos *l)
-{
-  free (l->basis);
-  free (l->mass);
-  free (l->other);
-  free (l->matrix);
-  free (l->ritz);
-  free (l->theta);
-  free (l->work);
+  l->basis = qn_pool_alloc (&l->pool, n, (l->most + 1) * sizeof (double));
+  l->mass = qn_pool_alloc (&l->pool, n, sizeof (double));
+  l->other = qn_pool_alloc (&l->pool, n, sizeof (double));
+  l->matrix = qn_pool_alloc (&l->pool, l->most, l->most * sizeof (double));
+  l->ritz = qn_pool_alloc (&l->pool, l->most, l->most * sizeof (double));
+  l->theta = qn_pool_alloc (&l->pool, l->most, sizeof (double));
+  l->work = qn_pool_alloc (&l->pool, (size_t) l->work_length, sizeof (double));
+  return !l->pool.failed;
 }
 
 /* Takes out of w what lies in the first `count` vectors, twice, as once leaves digits behind, and
@@ -312,6 +301,6 @@ qn_lanczos_run (const QnLanczosProblem *problem, size_t wanted, size_t *found,
   if (status == QN_LANCZOS_DONE && l.count > 0)
     *found = take (&l, values, vectors);
   free (before);
-  lanczos_clear (&l);
+  qn_pool_clear (&l.pool);
   return status;
 }

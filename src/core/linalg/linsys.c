@@ -18,6 +18,7 @@
 #include <string.h>
 
 struct QnLinsys {
+  QnPool pool; /* of numbers */
   int32_t n;
   /* KLU takes its read-only arguments without const. */
   int32_t *ap, *ai;
@@ -52,12 +53,11 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *po
   system->ap = (int32_t *) ap;
   system->ai = (int32_t *) ai;
   system->blocks = qn_block_lu_new (n, ap, ai, points, workers);
-  system->trial = qn_alloc ((size_t) n, sizeof *system->trial);
-  system->solution = qn_alloc ((size_t) n, sizeof *system->solution);
-  system->left = qn_alloc ((size_t) n, sizeof *system->left);
-  system->visited = qn_alloc ((size_t) n, sizeof *system->visited);
-  if (system->blocks == NULL || system->trial == NULL || system->solution == NULL
-      || system->left == NULL || system->visited == NULL) {
+  system->trial = qn_pool_alloc (&system->pool, (size_t) n, sizeof *system->trial);
+  system->solution = qn_pool_alloc (&system->pool, (size_t) n, sizeof *system->solution);
+  system->left = qn_pool_alloc (&system->pool, (size_t) n, sizeof *system->left);
+  system->visited = qn_pool_alloc (&system->pool, (size_t) n, sizeof *system->visited);
+  if (system->blocks == NULL || system->pool.failed) {
     qn_linsys_free (system);
     return NULL;
   }
@@ -70,12 +70,9 @@ qn_linsys_free (QnLinsys *system)
   if (system == NULL)
     return;
   qn_block_lu_free (system->blocks);
-  free (system->trial);
-  free (system->solution);
-  free (system->left);
   klu_free_numeric (&system->numeric, &system->common);
   klu_free_symbolic (&system->symbolic, &system->common);
-  free (system->visited);
+  qn_pool_clear (&system->pool);
   free (system);
 }
 
