@@ -67,7 +67,8 @@ out_of_balance (const QnModel *model, const QnContacts *contacts, const double *
   return largest > 0 ? worst / largest : 0;
 }
 
-/* Largest excess over the strength of a pair, over the largest force. */
+/* Largest excess over the strength of a pair, over the largest force. A bond of cohesion alone bears as much tension as
+ * the law calls rounding. */
 static double
 excess (const QnModel *model, const QnContacts *contacts, const double *forces)
 {
@@ -77,7 +78,8 @@ excess (const QnModel *model, const QnContacts *contacts, const double *forces)
     Strength s = pair_strength (model, contacts, p);
     double n = forces[2 * p], t = forces[2 * p + 1];
     largest = fmax (largest, hypot (n, t));
-    worst = fmax (worst, fmax (fabs (t) + s.friction * n - s.cohesion, n - s.cap));
+    double apart = n - fmax (s.cap, QN_BOND_ROUNDING * s.cohesion);
+    worst = fmax (worst, fmax (fabs (t) + s.friction * n - s.cohesion, apart));
   }
   return largest > 0 ? worst / largest : 0;
 }

@@ -17,15 +17,11 @@
 #define WEDGES                                                                           \
   "Joints wedge and let go by turns: the path is given up while it still climbs."
 #define BONDS                                                                            \
-  "Bonds break one after the other, and between two of them no equilibrium is found, "   \
-  "or "                                                                                  \
-  "forces exceed the strength by a thousandth of the largest one."
+  "Bonds break one after the other: the path leads to collapse in more iterations than " \
+  "these cases have."
 
 static const StressShortfall shortfalls[] = {
-  { "cohesion=*", STRESS_NO_ANSWER | STRESS_STRENGTH, BONDS },
-  { "random-17", STRESS_NO_ANSWER, BONDS },
-  { "random-50", STRESS_NO_ANSWER, BONDS },
-  { "random-54", STRESS_NO_ANSWER, BONDS },
+  { "cohesion=10-wall5", STRESS_NO_ANSWER | STRESS_BUDGET, BONDS },
   { "contrast=10000-wall5", STRESS_NO_ANSWER, STIFFNESSES },
   { "contrast=1e+06-wall6", STRESS_NO_ANSWER | STRESS_UNCERTAIN, STIFFNESSES },
   { "contrast=1e+0?-*", STRESS_NO_ANSWER, STIFFNESSES },

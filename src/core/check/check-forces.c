@@ -366,18 +366,21 @@ may_yield (const QnSpring *spring)
 }
 
 /* Whether a joint stands open by more than what little force would close; rigid blocks do not tell, nor
- * do joints in time that dilate between the steps that are kept. */
+ * do joints in time that dilate between the steps that are kept, nor those whose dilation adds up on the way of a
+ * motion that has come to rest. */
 static bool
 is_apart (const QnCheck *check, size_t p)
 {
   const QnPairSprings *springs = &check->assembly.springs[p];
   bool dilates = springs->a.dilatancy > 0 || springs->b.dilatancy > 0;
+  bool adds_up = springs->a.associative || springs->b.associative;
   const QnAssembly *as = &check->assembly;
   const QnPairMemory *memory = &as->responses[p].memory;
   double gap = as->elongations[2 * p] - memory->a.opening
                - (as->springs[p].equal ? 0 : memory->b.opening);
 
   return !check->result->limit.given && !(dilates && check->result->history.width > 0)
+         && !(adds_up && check->relaxed)
          && gap > check->slack + QN_CHECK_STATE * check->scale / as->springs[p].a.kn;
 }
 
