@@ -691,11 +691,13 @@ follow_contacts (QnPathTrace *trace, QnDiag *diag)
            : qn_diag_no_memory (diag);
 }
 
-/* Whether a path that settles in one place after the other has taken more than it may. */
+/* Whether a path that settles in one place after the other has taken more than it may. Where bonds break, one of
+ * them after the other leads to collapse. */
 static bool
 is_spent (const QnPathTrace *trace)
 {
-  return trace->load_control && trace->may_jump && qn_path_trace_is_linear (trace)
+  return trace->load_control && trace->may_jump && !trace->may_soften
+         && qn_path_trace_is_linear (trace)
          && trace->measure.procedure == QN_PROCEDURE_WORK
          && trace->path->equilibrium.statistics.factorizations > tuning->most_effort;
 }
