@@ -6,6 +6,9 @@
 #include <glib/gi18n.h>
 #include <stdlib.h>
 
+/* The plot's text over that of the window: it is small. */
+#define TEXT_SHARE 0.8
+
 typedef struct View {
   QnJointPlot plot;
 } View;
@@ -22,26 +25,26 @@ static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   View *view = data;
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+  cairo_paint (cr);
   if (view->plot.count == 0)
     return;
-  GdkRGBA color;
-  gtk_style_context_get_color (gtk_widget_get_style_context (GTK_WIDGET (area)), &color);
   QnUnits units = qn_settings_get_units ();
   const char *force = qn_units_symbol (units, QN_QUANTITY_FORCE);
-  const char *length = qn_units_symbol (units, QN_QUANTITY_LENGTH);
   g_autofree char *normal = g_strdup_printf (_ ("N, %s"), force);
   g_autofree char *shear = g_strdup_printf (_ ("T, %s"), force);
   g_autofree char *size =
     qn_units_format (units, QN_QUANTITY_LENGTH, view->plot.length, 4);
-  g_autofree char *along = g_strdup_printf (_ ("along the joint, %s %s"), size, length);
+  g_autofree char *along = g_strdup_printf (_ ("along the joint, %s %s"), size,
+                                            qn_units_symbol (units, QN_QUANTITY_LENGTH));
   QnJointPlot plot = view->plot;
   plot.force_factor = qn_units_factor (units, QN_QUANTITY_FORCE);
-  plot.force_unit = force;
+  plot.length_factor = qn_units_factor (units, QN_QUANTITY_LENGTH);
   plot.normal_label = normal;
   plot.shear_label = shear;
   plot.along_label = along;
-  plot.dark = color.red + color.green + color.blue > 1.5f;
-  qn_joint_plot_draw (&plot, cr, width, height, qn_text_unit (GTK_WIDGET (area)));
+  qn_joint_plot_draw (&plot, cr, width, height,
+                      TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
 }
 
 void

@@ -20,11 +20,10 @@ typedef struct QnJointPoint {
 typedef struct QnJointPlot {
   QnJointPoint *points;
   size_t count;
-  double length;          /* of the face, m */
-  double force_factor;    /* N in a displayed unit of force */
-  const char *force_unit; /* its symbol */
+  double length;        /* of the face, m */
+  double force_factor;  /* N in a displayed unit of force */
+  double length_factor; /* m in one of length */
   const char *normal_label, *shear_label, *along_label; /* axis titles */
-  bool dark;                                            /* light ink on a dark ground */
 } QnJointPlot;
 
 /* Forces of the pairs of a face at a step, or at the last equilibrium where `step` is negative or
