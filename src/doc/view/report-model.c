@@ -137,14 +137,13 @@ write_sections (QnPages *pages, const QnModel *model)
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   if (model->beam_count == 0)
     return;
-  qn_report_add_words (cells, _ ("Section"), _ ("Beams"), _ ("Numbers"), NULL);
+  qn_report_row (cells, QN_UNITS_SI, "www", _ ("Section"), _ ("Beams"), _ ("Numbers"));
   for (size_t i = 0; i < model->section_count; i++) {
     size_t users = 0;
     for (size_t k = 0; k < model->beam_count; k++)
       users += model->beams[k].section == (QnId) i;
-    g_ptr_array_add (cells, g_strdup (model->sections[i].name));
-    g_ptr_array_add (cells, g_strdup_printf ("%zu", users));
-    g_ptr_array_add (cells, dup_section_numbers (&model->sections[i]));
+    qn_report_row (cells, QN_UNITS_SI, "wzo", model->sections[i].name, users,
+                   dup_section_numbers (&model->sections[i]));
   }
   qn_report_table (pages, cells, 3);
 }
@@ -156,21 +155,15 @@ write_bars (QnPages *pages, const QnReport *report)
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   if (model->bar_count == 0)
     return;
-  qn_report_add_words (cells, _ ("Reinforcing bars"), _ ("Diameter (mm)"),
-                       _ ("Area (mm²)"), NULL);
-  g_ptr_array_add (cells,
-                   g_strdup_printf (_ ("Length (%s)"),
-                                    qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
-  qn_report_add_words (cells, _ ("Law"), NULL);
+  qn_report_row (cells, report->units, "wwwuw", _ ("Reinforcing bars"),
+                 _ ("Diameter (mm)"), _ ("Area (mm²)"), _ ("Length (%s)"),
+                 QN_QUANTITY_LENGTH, _ ("Law"));
   for (size_t i = 0; i < model->bar_count; i++) {
     const QnBar *bar = &model->bars[i];
     double length = qn_vec2_length (qn_vec2_sub (bar->end, bar->start));
-    g_ptr_array_add (cells, g_strdup_printf ("%zu", i + 1));
-    qn_report_add_number (cells, "%.4g", 1e3 * qn_bar_get_diameter (bar->area));
-    qn_report_add_number (cells, "%.5g", 1e6 * bar->area);
-    g_ptr_array_add (cells,
-                     qn_units_format (report->units, QN_QUANTITY_LENGTH, length, 5));
-    g_ptr_array_add (cells, g_strdup (model->laws[bar->law].name));
+    qn_report_row (cells, report->units, "znnqw", i + 1, "%.4g",
+                   1e3 * qn_bar_get_diameter (bar->area), "%.5g", 1e6 * bar->area,
+                   QN_QUANTITY_LENGTH, length, 5, model->laws[bar->law].name);
   }
   qn_report_table (pages, cells, 5);
 }
@@ -208,16 +201,13 @@ write_ties (QnPages *pages, const QnReport *report)
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   if (model->tie_count == 0)
     return;
-  qn_report_add_words (cells, _ ("Tie"), _ ("Numbers"), NULL);
-  g_ptr_array_add (cells,
-                   g_strdup_printf (_ ("Length (%s)"),
-                                    qn_units_symbol (report->units, QN_QUANTITY_LENGTH)));
+  qn_report_row (cells, report->units, "wwu", _ ("Tie"), _ ("Numbers"), _ ("Length (%s)"),
+                 QN_QUANTITY_LENGTH);
   for (size_t i = 0; i < model->tie_count; i++) {
     const QnTie *tie = &model->ties[i];
-    g_ptr_array_add (cells, g_strdup (tie->name));
-    g_ptr_array_add (cells, dup_tie_numbers (tie, report->units));
-    g_ptr_array_add (
-      cells, qn_units_format (report->units, QN_QUANTITY_LENGTH, qn_tie_length (tie), 5));
+    qn_report_row (cells, report->units, "woq", tie->name,
+                   dup_tie_numbers (tie, report->units), QN_QUANTITY_LENGTH,
+                   qn_tie_length (tie), 5);
   }
   qn_report_table (pages, cells, 3);
 }
@@ -236,21 +226,20 @@ qn_report_write_materials (QnPages *pages, const QnReport *report)
   g_autoptr (GPtrArray) laws = g_ptr_array_new_with_free_func (g_free);
   g_autoptr (GPtrArray) blocks = g_ptr_array_new_with_free_func (g_free);
   qn_pages_heading (pages, _ ("Materials"));
-  qn_report_add_words (laws, _ ("Law"), _ ("Kind"), _ ("Given per"), _ ("Numbers"), NULL);
+  qn_report_row (laws, report->units, "wwww", _ ("Law"), _ ("Kind"), _ ("Given per"),
+                 _ ("Numbers"));
   for (size_t i = 0; i < model->law_count; i++) {
     const QnLaw *law = &model->laws[i];
-    qn_report_add_words (laws, law->name, _ (qn_law_kind_words[law->kind]),
-                         _ (qn_basis_words[law->basis]), NULL);
-    g_ptr_array_add (laws, dup_law_numbers (law, report->units));
+    qn_report_row (laws, report->units, "wwwo", law->name,
+                   _ (qn_law_kind_words[law->kind]), _ (qn_basis_words[law->basis]),
+                   dup_law_numbers (law, report->units));
   }
   if (model->law_count > 0)
     qn_report_table (pages, laws, 4);
 
-  g_autofree char *thickness = g_strdup_printf (
-    _ ("Thickness (%s)"), qn_units_symbol (report->units, QN_QUANTITY_LENGTH));
-  g_autofree char *weight = g_strdup_printf (
-    _ ("Unit weight (%s)"), qn_units_symbol (report->units, QN_QUANTITY_UNIT_WEIGHT));
-  qn_report_add_words (blocks, _ ("Blocks"), thickness, weight, _ ("Law"), NULL);
+  qn_report_row (blocks, report->units, "wuuw", _ ("Blocks"), _ ("Thickness (%s)"),
+                 QN_QUANTITY_LENGTH, _ ("Unit weight (%s)"), QN_QUANTITY_UNIT_WEIGHT,
+                 _ ("Law"));
   for (size_t b = 0; b < model->block_count; b++) {
     size_t alike = 0;
     gboolean told = FALSE;
@@ -262,14 +251,10 @@ qn_report_write_materials (QnPages *pages, const QnReport *report)
     if (told)
       continue;
     const QnBlock *block = &model->blocks[b];
-    g_ptr_array_add (blocks, g_strdup_printf ("%zu", alike));
-    g_ptr_array_add (
-      blocks, qn_units_format (report->units, QN_QUANTITY_LENGTH, block->thickness, 5));
-    g_ptr_array_add (blocks, qn_units_format (report->units, QN_QUANTITY_UNIT_WEIGHT,
-                                              block->unit_weight, 6));
-    g_ptr_array_add (blocks,
-                     g_strdup (block->law != QN_NONE ? model->laws[block->law].name
-                                                     : _ ("that of the contacts")));
+    qn_report_row (blocks, report->units, "zqqw", alike, QN_QUANTITY_LENGTH,
+                   block->thickness, 5, QN_QUANTITY_UNIT_WEIGHT, block->unit_weight, 6,
+                   block->law != QN_NONE ? model->laws[block->law].name
+                                         : _ ("that of the contacts"));
   }
   if (model->block_count > 0)
     qn_report_table (pages, blocks, 4);

@@ -15,10 +15,10 @@ void qn_report_say (QnPages *pages, const char *format, ...) G_GNUC_PRINTF (2, 3
 
 /* ---- tables that grow by cells ---- */
 
-/* Copies words, NULL-terminated. */
-void qn_report_add_words (GPtrArray *cells, ...) G_GNUC_NULL_TERMINATED;
-/* A dash where the value is not finite. */
-void qn_report_add_number (GPtrArray *cells, const char *format, double value);
+/* Adds cells, whose kinds are letters: 'w' a word, copied; 'o' one that is taken over; 'u' a heading with "%s"
+ * for the unit of a QnQuantity; 'q' a QnQuantity, a number and its digits; 'n' a format and a number; 'z'
+ * a size_t. A number that is not finite is a dash. */
+void qn_report_row (GPtrArray *cells, QnUnits units, const char *kinds, ...);
 void qn_report_table (QnPages *pages, GPtrArray *cells, size_t columns);
 
 /* ---- report-model.c ---- */

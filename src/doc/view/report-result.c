@@ -103,27 +103,17 @@ write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settleme
   const QnQuantity moved = turns ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
   const QnQuantity taken = turns ? QN_QUANTITY_MOMENT : QN_QUANTITY_FORCE;
   size_t rows = MIN (result->step_count, QN_REPORT_ROWS);
-  g_ptr_array_add (
-    cells, g_strdup_printf (_ ("Settlement (%s)"), qn_units_symbol (units, moved)));
-  g_ptr_array_add (cells,
-                   g_strdup_printf (_ ("Reaction (%s)"), qn_units_symbol (units, taken)));
-  g_ptr_array_add (cells, g_strdup_printf (_ ("Widest crack (%s)"),
-                                           qn_units_symbol (units, QN_QUANTITY_LENGTH)));
-  qn_report_add_words (cells, _ ("Between"), NULL);
+  qn_report_row (cells, units, "uuuw", _ ("Settlement (%s)"), moved, _ ("Reaction (%s)"),
+                 taken, _ ("Widest crack (%s)"), QN_QUANTITY_LENGTH, _ ("Between"));
   for (size_t r = 0; r < rows; r++) {
     size_t step = rows > 1 ? r * (result->step_count - 1) / (rows - 1) : 0;
     const Crack *crack = &cracks[step];
-    g_ptr_array_add (
-      cells,
-      qn_units_format (units, moved, qn_curve_motion_at (result, motion, step), 4));
-    g_ptr_array_add (
-      cells, qn_units_format (
-               units, taken,
-               qn_result_settlement_reaction (model, result, settlement, step), 5));
-    g_ptr_array_add (cells, qn_units_format (units, QN_QUANTITY_LENGTH, crack->width, 3));
-    g_ptr_array_add (cells, crack->face != NULL ? qn_report_dup_between (
-                              model, crack->face->a, crack->face->b)
-                                                : g_strdup ("–"));
+    qn_report_row (
+      cells, units, "qqqo", moved, qn_curve_motion_at (result, motion, step), 4, taken,
+      qn_result_settlement_reaction (model, result, settlement, step), 5,
+      QN_QUANTITY_LENGTH, crack->width, 3,
+      crack->face != NULL ? qn_report_dup_between (model, crack->face->a, crack->face->b)
+                          : g_strdup ("–"));
   }
   qn_report_table (pages, cells, 4);
 }
@@ -155,11 +145,9 @@ static void
 add_stage (GPtrArray *cells, const char *name, const QnStageFigures *figures,
            gboolean ends)
 {
-  g_ptr_array_add (cells, g_strdup (name));
-  qn_report_add_number (cells, "%.5g", ends ? figures->multiplier : (double) NAN);
-  qn_report_add_number (cells, "%.5g", figures->lowest);
-  qn_report_add_number (cells, "%.5g", figures->highest);
-  qn_report_add_number (cells, "%.5g", figures->work);
+  qn_report_row (cells, QN_UNITS_SI, "wnnnn", name, "%.5g",
+                 ends ? figures->multiplier : (double) NAN, "%.5g", figures->lowest,
+                 "%.5g", figures->highest, "%.5g", figures->work);
 }
 
 /* Where stages led, and what they took; the same of cycles. */
@@ -174,8 +162,8 @@ write_stages (QnPages *pages, const QnReportRun *run)
     int32_t start = qn_result_cycle_start (model, result, i);
     g_autofree char *name = qn_stage_dup_name (model, i);
     if (cells->len == 0)
-      qn_report_add_words (cells, _ ("Stage"), _ ("Ends at multiplier"), _ ("Lowest"),
-                           _ ("Highest"), _ ("Work (J)"), NULL);
+      qn_report_row (cells, QN_UNITS_SI, "wwwww", _ ("Stage"), _ ("Ends at multiplier"),
+                     _ ("Lowest"), _ ("Highest"), _ ("Work (J)"));
     if (qn_result_stage_figures (model, result, i, i, &figures))
       add_stage (cells, name, &figures, TRUE);
     if (start == 0 || !qn_result_stage_figures (model, result, start, i, &figures))
@@ -197,12 +185,9 @@ write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   if (model->tie_count == 0 || result->tie_count != model->tie_count)
     return;
-  qn_report_add_words (cells, _ ("Tie"), NULL);
-  g_ptr_array_add (cells, g_strdup_printf (_ ("Largest force (%s)"),
-                                           qn_units_symbol (units, QN_QUANTITY_FORCE)));
-  g_ptr_array_add (cells, g_strdup_printf (_ ("Strength (%s)"),
-                                           qn_units_symbol (units, QN_QUANTITY_FORCE)));
-  qn_report_add_words (cells, _ ("Used (%)"), _ ("State"), NULL);
+  qn_report_row (cells, units, "wuuww", _ ("Tie"), _ ("Largest force (%s)"),
+                 QN_QUANTITY_FORCE, _ ("Strength (%s)"), QN_QUANTITY_FORCE,
+                 _ ("Used (%)"), _ ("State"));
   for (size_t i = 0; i < model->tie_count; i++) {
     const QnTie *tie = &model->ties[i];
     gssize step = qn_tie_worst_step (result, i);
@@ -210,14 +195,10 @@ write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
       return;
     const QnTieResult *at = &qn_result_step_ties (result, (gsize) step)[i];
     gboolean limited = isfinite (qn_tie_strength (tie));
-    g_ptr_array_add (cells, g_strdup (tie->name));
-    g_ptr_array_add (cells, qn_units_format (units, QN_QUANTITY_FORCE, at->force, 4));
-    g_ptr_array_add (cells, limited ? qn_units_format (units, QN_QUANTITY_FORCE,
-                                                       qn_tie_strength (tie), 4)
-                                    : g_strdup ("–"));
-    qn_report_add_number (
-      cells, "%.3g", limited ? 100 * qn_tie_utilisation (tie, at->force) : (double) NAN);
-    g_ptr_array_add (cells, g_strdup (qn_tie_state_text (at->state)));
+    qn_report_row (cells, units, "wqqnw", tie->name, QN_QUANTITY_FORCE, at->force, 4,
+                   QN_QUANTITY_FORCE, qn_tie_strength (tie), 4, "%.3g",
+                   limited ? 100 * qn_tie_utilisation (tie, at->force) : (double) NAN,
+                   qn_tie_state_text (at->state));
   }
   qn_report_table (pages, cells, 5);
 }
@@ -376,21 +357,18 @@ qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **err
   g_autofree QnCurve *curves = g_new0 (QnCurve, report->run_count);
   size_t count = 0;
   qn_pages_heading (pages, _ ("Comparison"));
-  qn_report_add_words (cells, _ ("Result"), _ ("Outcome"), _ ("Multiplier"),
-                       _ ("First limit"), _ ("Lower bound"), _ ("Upper bound"),
-                       _ ("Associative bound"), NULL);
+  qn_report_row (cells, QN_UNITS_SI, "wwwwwww", _ ("Result"), _ ("Outcome"),
+                 _ ("Multiplier"), _ ("First limit"), _ ("Lower bound"),
+                 _ ("Upper bound"), _ ("Associative bound"));
   for (size_t i = 0; i < report->run_count; i++) {
     const QnResult *r = &report->runs[i].file->result;
-    const double numbers[] = {
-      r->has_collapse_multiplier ? r->collapse_multiplier : (double) NAN,
-      r->has_first_limit_multiplier ? r->first_limit_multiplier : (double) NAN,
-      r->limit.given ? r->limit.lower_bound : (double) NAN,
-      r->limit.given ? r->limit.upper_bound : (double) NAN,
-      r->has_associative_bound ? r->associative_bound : (double) NAN,
-    };
-    qn_report_add_words (cells, report->runs[i].name, qn_explain_outcome_label (r), NULL);
-    for (size_t k = 0; k < G_N_ELEMENTS (numbers); k++)
-      qn_report_add_number (cells, "%.6g", numbers[k]);
+    qn_report_row (
+      cells, QN_UNITS_SI, "wwnnnnn", report->runs[i].name, qn_explain_outcome_label (r),
+      "%.6g", r->has_collapse_multiplier ? r->collapse_multiplier : (double) NAN, "%.6g",
+      r->has_first_limit_multiplier ? r->first_limit_multiplier : (double) NAN, "%.6g",
+      r->limit.given ? r->limit.lower_bound : (double) NAN, "%.6g",
+      r->limit.given ? r->limit.upper_bound : (double) NAN, "%.6g",
+      r->has_associative_bound ? r->associative_bound : (double) NAN);
     count += take_curve (&report->runs[i], &curves[count]);
   }
   qn_report_table (pages, cells, 2 + 5);

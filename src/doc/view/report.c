@@ -27,22 +27,35 @@ qn_report_say (QnPages *pages, const char *format, ...)
   qn_pages_paragraph (pages, text);
 }
 
-void
-qn_report_add_words (GPtrArray *cells, ...)
+/* "Length (%s)" with its unit. */
+static char *
+dup_heading (const char *format, const char *unit)
 {
-  va_list words;
-  const char *word;
-  va_start (words, cells);
-  while ((word = va_arg (words, const char *)) != NULL)
-    g_ptr_array_add (cells, g_strdup (word));
-  va_end (words);
+  g_auto (GStrv) parts = g_strsplit (format, "%s", 2);
+  return g_strjoinv (unit, parts);
 }
 
 void
-qn_report_add_number (GPtrArray *cells, const char *format, double value)
+qn_report_row (GPtrArray *cells, QnUnits units, const char *kinds, ...)
 {
-  g_ptr_array_add (cells,
-                   isfinite (value) ? qn_label_number (format, value) : g_strdup ("–"));
+  va_list arguments;
+  va_start (arguments, kinds);
+  for (const char *kind = kinds; *kind != '\0'; kind++) {
+    const char *text = *kind != 'q' && *kind != 'z' ? va_arg (arguments, char *) : NULL;
+    QnQuantity quantity =
+      *kind == 'q' || *kind == 'u' ? va_arg (arguments, QnQuantity) : QN_QUANTITY_NUMBER;
+    double value = *kind == 'q' || *kind == 'n' ? va_arg (arguments, double) : 0;
+    int digits = *kind == 'q' ? va_arg (arguments, int) : 0;
+    char *cell = *kind == 'z'   ? g_strdup_printf ("%zu", va_arg (arguments, size_t))
+                 : *kind == 'o' ? (char *) text
+                 : *kind == 'u' ? dup_heading (text, qn_units_symbol (units, quantity))
+                 : *kind == 'w' ? g_strdup (text)
+                 : !isfinite (value) ? g_strdup ("–")
+                 : *kind == 'n'      ? qn_label_number (text, value)
+                                     : qn_units_format (units, quantity, value, digits);
+    g_ptr_array_add (cells, cell);
+  }
+  va_end (arguments);
 }
 
 void
@@ -262,14 +275,14 @@ write_files (QnPages *pages, const QnReport *report)
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   g_autofree char *project = g_path_get_basename (report->project->name);
   qn_pages_heading (pages, _ ("Files and Versions"));
-  qn_report_add_words (
-    cells, _ ("File"), _ ("Made by"), _ ("SHA-256 of the project"), project, "–",
-    report->project->sha256 != NULL ? report->project->sha256 : "–", NULL);
+  qn_report_row (cells, report->units, "wwwwww", _ ("File"), _ ("Made by"),
+                 _ ("SHA-256 of the project"), project, "–",
+                 report->project->sha256 != NULL ? report->project->sha256 : "–");
   for (size_t i = 0; i < report->run_count; i++) {
     const QnResultFile *file = report->runs[i].file;
-    qn_report_add_words (cells, report->runs[i].name,
-                         file->generator != NULL ? file->generator : "–",
-                         file->model_sha256 != NULL ? file->model_sha256 : "–", NULL);
+    qn_report_row (cells, report->units, "www", report->runs[i].name,
+                   file->generator != NULL ? file->generator : "–",
+                   file->model_sha256 != NULL ? file->model_sha256 : "–");
   }
   qn_report_table (pages, cells, 3);
   qn_report_say (pages, _ ("This report was made by %s."), report->generator);
