@@ -36,12 +36,12 @@ typedef struct IdaOptions {
 
 /* One record at all factors. */
 typedef struct Curve {
-  char *name;  /* of the record's file, without folders; owned */
-  double peak; /* of the record, m/s2 */
-  gsize count; /* by ascending factor: */
-  double *scales, *peaks, *displacements,
-    *times;        /* owned; times of collapse, NaN: it stands */
-  gboolean *known; /* owned: FALSE where the case failed */
+  char *name;                    /* of the record's file, without folders; owned */
+  double peak;                   /* of the record, m/s2 */
+  gsize count;                   /* by ascending factor: */
+  double *scales, *peaks;        /* owned; what follows goes with `scales` */
+  double *displacements, *times; /* NaN: the case failed; it stands */
+  gsize first; /* case in which it overturns; their number where it does in none */
 } Curve;
 
 typedef struct Ida {
@@ -57,10 +57,6 @@ curve_clear (Curve *curve)
 {
   g_free (curve->name);
   g_free (curve->scales);
-  g_free (curve->peaks);
-  g_free (curve->displacements);
-  g_free (curve->times);
-  g_free (curve->known);
 }
 
 /* --- What is asked ----------------------------------------------------------------------- */
@@ -201,18 +197,18 @@ take_run_curve (Curve *curve, const QnStudy *study, const char *folder, GError *
   const gsize scale = (gsize) qn_table_find (&table, "scale"),
               peak = (gsize) qn_table_find (&table, "peak_displacement"),
               time = (gsize) qn_table_find (&table, "time_of_collapse");
-  curve->count = table.rows->len;
-  curve->scales = g_new0 (double, curve->count);
-  curve->peaks = g_new0 (double, curve->count);
-  curve->displacements = g_new0 (double, curve->count);
-  curve->times = g_new0 (double, curve->count);
-  curve->known = g_new0 (gboolean, curve->count);
+  curve->count = curve->first = table.rows->len;
+  curve->scales = g_new (double, 4 * curve->count);
+  curve->peaks = curve->scales + curve->count;
+  curve->displacements = curve->peaks + curve->count;
+  curve->times = curve->displacements + curve->count;
   for (gsize i = 0; i < curve->count; i++) {
     curve->scales[i] = qn_table_number (&table, i, scale);
     curve->peaks[i] = curve->scales[i] * curve->peak;
     curve->displacements[i] = qn_table_number (&table, i, peak);
     curve->times[i] = qn_table_number (&table, i, time);
-    curve->known[i] = isfinite (curve->displacements[i]);
+    if (isfinite (curve->times[i]))
+      curve->first = MIN (curve->first, i);
   }
   qn_table_clear (&table);
   return TRUE;
@@ -220,25 +216,16 @@ take_run_curve (Curve *curve, const QnStudy *study, const char *folder, GError *
 
 /* --- What comes out ------------------------------------------------------------------------ */
 
-/* The first case in which the structure overturns; the number of cases where none does. */
-static gsize
-first_collapse (const Curve *curve)
-{
-  gsize i = 0;
-  while (i < curve->count && !isfinite (curve->times[i]))
-    i++;
-  return i;
-}
-
 static void
 print_runs (const Ida *ida)
 {
   for (gsize c = 0; c < ida->count; c++) {
     const Curve *curve = &ida->curves[c];
-    gsize first = first_collapse (curve), failed = 0, stands = 0;
+    gsize first = curve->first, failed = 0, stands = 0;
     for (gsize i = 0; i < curve->count; i++) {
-      failed += !curve->known[i];
-      stands += i > first && curve->known[i] && !isfinite (curve->times[i]);
+      gboolean known = isfinite (curve->displacements[i]) != 0;
+      failed += !known;
+      stands += i > first && known && !isfinite (curve->times[i]);
     }
     if (first < curve->count)
       qn_print (
@@ -294,15 +281,14 @@ draw_runs (const Ida *ida, const QnOutput *output)
   QnMetadata metadata;
   GError *error = NULL;
   for (gsize c = 0; c < ida->count; c++)
-    for (gsize i = 0; i < first_collapse (&ida->curves[c]); i++)
-      if (ida->curves[c].known[i])
-        farthest = MAX (farthest, ida->curves[c].displacements[i]);
+    for (gsize i = 0; i < ida->curves[c].first; i++)
+      farthest = fmax (farthest, ida->curves[c].displacements[i]); /* passes over NaN */
   for (gsize c = 0; c < ida->count; c++) {
     Curve *curve = &ida->curves[c];
-    gsize first = first_collapse (curve);
+    gsize first = curve->first;
     double last = 0, level = 0;
     for (gsize i = 0; i < first; i++)
-      if (curve->known[i]) {
+      if (isfinite (curve->displacements[i])) {
         last = curve->displacements[i];
         level = curve->peaks[i];
       }
