@@ -1,5 +1,6 @@
 #include "core/contact/plausible.h"
 
+#include "core/base/box.h"
 #include "core/base/memory.h"
 
 #include <math.h>
@@ -203,39 +204,26 @@ examine_laws (Doubts *d)
   }
 }
 
-typedef struct Box {
-  QnVec2 low, high;
-} Box;
-
-static void
-extend (Box *box, QnVec2 point)
-{
-  box->low = qn_vec2 (fmin (box->low.x, point.x), fmin (box->low.y, point.y));
-  box->high = qn_vec2 (fmax (box->high.x, point.x), fmax (box->high.y, point.y));
-}
-
 static double
-size_of (Box box)
+size_of (QnBox box)
 {
-  return fmax (box.high.x - box.low.x, box.high.y - box.low.y);
+  return fmax (box.max.x - box.min.x, box.max.y - box.min.y);
 }
-
-static const Box nothing = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
 
 /* Returns the largest extent of all, m. A ground that stands for the earth has any size. */
 static double
 examine_blocks (Doubts *d)
 {
   const QnModel *model = d->model;
-  Box all = nothing;
+  QnBox all = QN_BOX_EMPTY;
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
     const QnVec2 *v = qn_model_block_vertices (model, (QnId) i);
-    Box box = nothing;
+    QnBox box = QN_BOX_EMPTY;
     for (QnId k = 0; k < block->vertex_count; k++)
-      extend (&box, v[k]);
-    extend (&all, box.low);
-    extend (&all, box.high);
+      qn_box_add_point (&box, v[k]);
+    qn_box_add_point (&all, box.min);
+    qn_box_add_point (&all, box.max);
     examine (d, block->density >= 0 ? DENSITY : UNIT_WEIGHT, i, (QnId) i,
              block->density >= 0 ? block->density : block->unit_weight);
     examine (d, THICKNESS, i, (QnId) i, block->thickness);
