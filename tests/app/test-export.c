@@ -5,6 +5,7 @@
 #include "app/dialogs/dialogs.h"
 #include "app/window/window-private.h"
 #include "doc/view/figures.h"
+#include "doc/view/report-template.h"
 #include "support/room.h"
 
 #include <glib/gstdio.h>
@@ -347,6 +348,18 @@ find_titled (GtkWidget *root, const char *label)
   return found;
 }
 
+/* The load multiplier that a report of the project compares with; 0: none. */
+static double
+kept_demand (QnDocument *document)
+{
+  QnReportTemplate plan;
+  g_assert_true (
+    qn_report_template_read (&plan, qn_document_get_project (document), NULL));
+  double demand = plan.demand;
+  qn_report_template_clear (&plan);
+  return demand;
+}
+
 /* What a report holds is asked, kept as a step, and followed; runs stay what they are. */
 static void
 test_report_template (void)
@@ -365,12 +378,22 @@ test_report_template (void)
   GtkWidget *results = find_titled (dialog, "_Results");
   g_assert_true (gtk_check_button_get_active (GTK_CHECK_BUTTON (results)));
   gtk_check_button_set_active (GTK_CHECK_BUTTON (results), FALSE);
+  GtkEditable *demand = GTK_EDITABLE (driver_find_id (dialog, "demand"));
+  g_assert_cmpstr (gtk_editable_get_text (demand), ==, "");
+  gtk_editable_set_text (demand, "-0.1");
   driver_press (dialog, "Export…");
+  g_assert_cmpfloat (kept_demand (document), ==, 0); /* refused: the dialog stays */
+  gtk_editable_set_text (demand, "0.1*1.2");
+  driver_press (dialog, "Export…");
+  g_assert_cmpfloat (kept_demand (document), ==, 0.1 * 1.2);
   g_assert_false (qn_document_is_stale (document, qn_document_get_run (document)));
   gsize part = report_size (window, path);
   g_assert_cmpuint (part, <, whole);
   driver_activate (window, "win.undo");
   g_assert_cmpuint (report_size (window, path), >, part);
+  g_assert_cmpfloat (kept_demand (document), ==, 0);
+  driver_activate (window, "win.redo");
+  g_assert_cmpfloat (kept_demand (document), ==, 0.1 * 1.2);
   driver_discard (window);
 }
 

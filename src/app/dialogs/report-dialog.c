@@ -5,15 +5,18 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
+#include "doc/text/units.h"
 #include "doc/view/report-template.h"
+
 #include <glib/gi18n.h>
+#include <math.h>
 
 typedef struct Dialog {
   GtkWindow *window, *parent;
   QnDocument *document;
   GtkCheckButton *sections[QN_REPORT_SECTION_COUNT], *every_joint;
   GtkDropDown *paper;
-  GtkEditable *author, *text;
+  GtkEditable *demand, *author, *text;
   GtkLabel *trouble;
   QnReportFunc choose;
 } Dialog;
@@ -25,16 +28,34 @@ dup_entry (GtkEditable *entry)
   return *text != '\0' ? g_strdup (text) : NULL;
 }
 
+/* A load multiplier, as a number or a product of numbers; nothing: 0. */
+static gboolean
+read_demand (Dialog *dialog, double *demand, GError **error)
+{
+  const char *text = gtk_editable_get_text (dialog->demand);
+  *demand = 0;
+  if (*text == '\0')
+    return TRUE;
+  if (!qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, text, demand, error))
+    return FALSE;
+  if (*demand > 0 && isfinite (*demand))
+    return TRUE;
+  g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_NOT_A_NUMBER,
+               _ ("The demand is a load multiplier, a positive number"));
+  return FALSE;
+}
+
 static gboolean
 keep (Dialog *dialog, GError **error)
 {
   QnReportTemplate before = { 0 }, plan = { 0 };
+  if (!read_demand (dialog, &plan.demand, error))
+    return FALSE;
   gboolean was_sound =
     qn_report_template_read (&before, qn_document_get_project (dialog->document), NULL);
   for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
     plan.sections[i] = gtk_check_button_get_active (dialog->sections[i]);
   plan.every_joint = gtk_check_button_get_active (dialog->every_joint);
-  plan.demand = before.demand;
   plan.paper =
     gtk_drop_down_get_selected (dialog->paper) == 1 ? QN_PAPER_LETTER : QN_PAPER_A4;
   plan.author = dup_entry (dialog->author);
@@ -72,6 +93,9 @@ update (Dialog *dialog, const QnReportTemplate *plan)
     gtk_check_button_set_active (dialog->sections[i], plan->sections[i]);
   gtk_check_button_set_active (dialog->every_joint, plan->every_joint);
   gtk_drop_down_set_selected (dialog->paper, plan->paper == QN_PAPER_LETTER ? 1 : 0);
+  g_autofree char *demand =
+    qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, plan->demand, 15);
+  gtk_editable_set_text (dialog->demand, plan->demand > 0 ? demand : "");
   gtk_editable_set_text (dialog->author, plan->author != NULL ? plan->author : "");
   gtk_editable_set_text (dialog->text, plan->text != NULL ? plan->text : "");
 }
@@ -91,6 +115,7 @@ qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFunc cho
       GTK_CHECK_BUTTON (qn_builder_get_widget (builder, qn_report_section_names[i]));
   dialog->every_joint = GTK_CHECK_BUTTON (qn_builder_get_widget (builder, "every-joint"));
   dialog->paper = GTK_DROP_DOWN (qn_builder_get_widget (builder, "paper"));
+  dialog->demand = GTK_EDITABLE (qn_builder_get_widget (builder, "demand"));
   dialog->author = GTK_EDITABLE (qn_builder_get_widget (builder, "author"));
   dialog->text = GTK_EDITABLE (qn_builder_get_widget (builder, "text"));
   dialog->trouble = GTK_LABEL (qn_builder_get_widget (builder, "trouble"));
