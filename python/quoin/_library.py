@@ -44,14 +44,14 @@ lib = _load()
 
 
 class Error(Exception):
-    """What Quoin refuses. `file`, `line`, `column` and `key` tell the place, or are None; `report` is
-    what reading a drawing had found by then."""
+    """What Quoin refuses. `file`, `line`, `column` and `key` tell the place, or are None; `import_report` is what
+    reading a drawing had found by then."""
 
     def __init__(self, message: str | None, file: str | None = None, line: int | None = None,
                  column: int | None = None, key: str | None = None) -> None:
         super().__init__(message)
         self.file, self.line, self.column, self.key = file, line, column, key
-        self.report: list[str] = []
+        self.import_report: list[str] = []
 
 
 class InvalidError(Error, ValueError):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import typing
@@ -9,8 +10,9 @@ import typing
 import numpy
 import numpy.typing
 
-from . import _library
+from . import _library, cases
 from ._library import Array, Path, ProgressFunc, Value, ffi, lib
+from .cases import Study
 from .result import Modes, Result, draw
 
 #: Values by their path in the project file: {"laws[0].friction": 0.5}.
@@ -57,11 +59,11 @@ class Model:
     """A structure of blocks with its contact faces. Read-only: `set` gives another one."""
 
     #: What reading a drawing has found, repaired and left out: a line each.
-    report: list[str]
+    import_report: list[str]
 
-    def __init__(self, handle: typing.Any, report: list[str] | None = None) -> None:
+    def __init__(self, handle: typing.Any, import_report: list[str] | None = None) -> None:
         self._handle = ffi.gc(handle, lib.quoin_model_unref)
-        self.report = report or []
+        self.import_report = import_report or []
 
     @property
     def title(self) -> str:
@@ -71,6 +73,29 @@ class Model:
     def path(self) -> str:
         """The name of its file; files that the project names lie beside it."""
         return _library.text(lib.quoin_model_get_path(self._handle))
+
+    @property
+    def overrides(self) -> list[str]:
+        """Values that were set after it was read, as of --set: "laws[0].friction=0.5"."""
+        found: list[str] = []
+        while override := _library.text(
+                lib.quoin_model_get_override(self._handle, len(found))):
+            found.append(override)
+        return found
+
+    def _source(self) -> bytes:
+        length = ffi.new("size_t *")
+        source = lib.quoin_model_get_source(self._handle, length)
+        return bytes(ffi.buffer(source, length[0]))
+
+    @property
+    def is_of_file(self) -> bool:
+        """Whether the file of its path has what it was read from."""
+        try:
+            with io.open(self.path, "rb") as file:
+                return file.read() == self._source()
+        except OSError:
+            return False
 
     @property
     def warnings(self) -> list[str]:
@@ -169,14 +194,8 @@ class Model:
 
     def __reduce__(self) -> tuple[Value, ...]:
         """As it was read, with the place of its file."""
-        length = ffi.new("size_t *")
-        source = lib.quoin_model_get_source(self._handle, length)
-        overrides: list[str] = []
-        while override := _library.text(
-                lib.quoin_model_get_override(self._handle, len(overrides))):
-            overrides.append(override)
-        content = bytes(ffi.buffer(source, length[0]))
-        return _restore, (content, os.path.abspath(self.path), overrides, self.report)
+        return _restore, (self._source(), os.path.abspath(self.path), self.overrides,
+                          self.import_report)
 
     def to_polygons(self) -> list[typing.Any]:
         """The blocks as polygons of shapely."""
@@ -210,6 +229,60 @@ class Model:
         return {"dtype": "compas_assembly.datastructures/Assembly",
                 "data": {"graph": {"dtype": "compas.datastructures/Graph", "data": graph}}}
 
+    def capacity(self, spectrum: Path | None = None, ag: float | str | None = None,
+                 soil: str | None = None, damping: float | None = None,
+                 unit: str | None = None, confidence: float | None = None,
+                 control: str | None = None, picture: Path | None = None,
+                 progress: ProgressFunc | None = None) -> dict[str, Value]:
+        """The capacity curve, and the displacement checks of EN 1998-3 and NTC 2018, as
+        `quoin-cli capacity --json` writes them. spectrum: "type1", "type2" with `ag` (m/s2, or
+        "0.25g") and `soil`, or a table of period and acceleration with `unit`; what is not given is
+        the project's. picture: PNG, SVG, PDF or CSV of the curve."""
+        given = {"spectrum": spectrum, "ag": ag, "soil": soil, "damping": damping,
+                 "unit": unit, "confidence": confidence, "control": control}
+        options, _kept = _library.strings(
+            f"{name}={value}" for name, value in given.items() if value is not None)
+        place = ffi.NULL if picture is None else ffi.new("char[]", _library.encoded(picture))
+        return json.loads(_library.owned(
+            _library.watched(progress, lib.quoin_capacity, self._handle, options, place)))
+
+    def study(self, parameters: typing.Sequence[typing.Mapping[str, Value]],
+              outputs: typing.Sequence[str], folder: Path, run: str = "solve",
+              plan: typing.Mapping[str, Value] | None = None, jobs: int | None = None,
+              **members: Value) -> Study:
+        """Computes many cases on all cores: members as of a study file, "parameters" with "name",
+        "path" and "values", "range" or a distribution, plan {"kind": "grid"} where none is given.
+        Cases that are in the folder already are not computed again."""
+        return cases.study_of(self, parameters, outputs, folder, run,
+                              plan or {"kind": "grid"}, jobs, members)
+
+    def ida(self, records: typing.Sequence[Path], scale: tuple[float, float, float],
+            folder: Path, picture: Path | None = None, unit: str | None = None,
+            time_step: float | None = None, jobs: int | None = None) -> list[cases.Row]:
+        """Incremental dynamic analysis: every record at every factor, (least, greatest, step). A row
+        for each with record, scale, peaks and whether it overturned."""
+        return cases.ida(self, records, scale, folder, picture,
+                         {"unit": unit, "time_step": time_step, "jobs": jobs})
+
+    def export(self, path: Path, **options: Value) -> None:
+        """Writes the blocks as DXF, PVD, or a project of plain polygons, by the ending."""
+        with cases.files(self) as arguments:
+            cases.command("export", *arguments, "--output", path, *cases.options(**options))
+
+    def report(self, path: Path, results: typing.Sequence[Result] | None = None,
+               **options: Value) -> None:
+        """Writes a report as PDF on the model and results of it; solves it where none are given.
+        options: paper "a4" or "letter", sections=["model", "results"], demand=0.3."""
+        draw(self._handle, [self.solve()] if results is None else results, "report", path,
+             None, options)
+
+    def figures(self, folder: Path, names: typing.Sequence[str] = ()) -> list[str]:
+        """Makes the figures that the project keeps, and gives their files."""
+        with cases.files(self) as arguments:
+            made = cases.command("figures", *arguments, "--output", folder,
+                                 *cases.options(figure=list(names)))
+        return made.splitlines()
+
     def draw(self, view: str = "model", path: Path | None = None, format: str | None = None,
              **options: Value) -> bytes | None:
         """Draws into a file by its ending, or returns the bytes of a format ("svg")."""
@@ -230,10 +303,10 @@ def open(path: Path, values: Values | None = None) -> Model:
     return Model(_library.call(lib.quoin_model_open, _library.encoded(path), given))
 
 
-def _restore(content: bytes, path: str, overrides: list[str], report: list[str]) -> Model:
+def _restore(content: bytes, path: str, overrides: list[str], import_report: list[str]) -> Model:
     given, _kept = _library.strings(overrides)
     return Model(_library.call(lib.quoin_model_parse, content, len(content), path.encode(),
-                               given), report)
+                               given), import_report)
 
 
 def from_dict(project: typing.Mapping[str, Value], name: str = "model",
@@ -254,8 +327,8 @@ def read_drawing(path: Path, unit: float | str = 0.0, thickness: float = 1.0,
     """Reads a drawing (DXF, SVG, text of HybriDFEM) or a COMPAS assembly (JSON, OBJ). unit: m per
     unit of the drawing, or "mm", "in" …; 0: as the file says. layers: {"VAULT*": "block"}, with
     "block", "support", "opening" or "ignored". close_joints, mortar_joints: joints of mortar up to
-    this width, m (0: automatic), are closed, or filled with blocks of mortar. The model's `report`
-    says what was found, repaired and left out, that of an error what was by then."""
+    this width, m (0: automatic), are closed, or filled with blocks of mortar. The model's
+    `import_report` says what was found, repaired and left out, that of an error what was by then."""
     options = [f"thickness={thickness!r}", f"unit-weight={unit_weight!r}",
                f"friction={friction!r}", f"tolerance={tolerance!r}"]
     if unit:
@@ -269,7 +342,7 @@ def read_drawing(path: Path, unit: float | str = 0.0, thickness: float = 1.0,
     try:
         handle = _library.call(lib.quoin_model_import_with, _library.encoded(path), given, told)
     except _library.Error as error:
-        error.report = _library.owned(told[0]).splitlines()
+        error.import_report = _library.owned(told[0]).splitlines()
         raise
     return Model(handle, _library.owned(told[0]).splitlines())
 

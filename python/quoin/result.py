@@ -9,11 +9,34 @@ import warnings
 
 import numpy
 
-from . import _library
+from . import _library, cases
 from ._library import Array, ChangedWarning, Path, Value, ffi, lib, number
 
 if typing.TYPE_CHECKING:
     from .model import Model
+
+
+def _sheet(view: str, results: typing.Sequence[Result], path: Path | None, format: str,
+           options: typing.Mapping[str, Value]) -> bytes | None:
+    if not results:
+        raise ValueError("results: there is none")
+    model = lib.quoin_result_get_model(results[0]._handle)
+    return draw(model, results, view, path, format, options)
+
+
+def curve(results: typing.Sequence[Result], path: Path | None = None, format: str = "svg",
+          **options: Value) -> bytes | None:
+    """The load-displacement curves of results, of one model or several, over the same axes: a file
+    by its ending (.png, .svg, .pdf, .csv), or the bytes of a format. options: title, until=0.05 (m
+    or rad), whole=True, reference=[0.36, "0.4=published"], size, monochrome."""
+    return _sheet("curve", results, path, format, options)
+
+
+def compare(results: typing.Sequence[Result], path: Path | None = None, format: str = "svg",
+            **options: Value) -> bytes | None:
+    """Their mechanisms on one sheet, at one scale; a table with the ending .csv. options: title,
+    columns, size, monochrome."""
+    return _sheet("compare", results, path, format, options)
 
 
 def draw(model: typing.Any, results: typing.Sequence[Result], view: str, path: Path | None,
@@ -22,10 +45,15 @@ def draw(model: typing.Any, results: typing.Sequence[Result], view: str, path: P
     first = results[0]._handle if results else ffi.NULL
     figure = ffi.gc(_library.call(lib.quoin_figure_new, model, first, view.encode()),
                     lib.quoin_figure_free)
+    for result in results[1:]:
+        lib.quoin_figure_add(figure, result._handle)
     for name, value in options.items():
-        if isinstance(value, bool):
-            value = "on" if value else "off"
-        _library.call(lib.quoin_figure_set, figure, name.encode(), str(value).encode())
+        if name == "sections" and not isinstance(value, str):
+            value = ",".join(value)
+        for one in value if isinstance(value, (list, tuple)) else [value]:
+            if isinstance(one, bool):
+                one = "on" if one else "off"
+            _library.call(lib.quoin_figure_set, figure, name.encode(), str(one).encode())
     if path is not None:
         _library.call(lib.quoin_figure_write, figure, _library.encoded(path))
         return None
@@ -264,6 +292,34 @@ class Result:
         """Draws into a file by its ending, or returns the bytes of a format ("svg")."""
         model = lib.quoin_result_get_model(self._handle)
         return draw(model, [self], view, path, format, options)
+
+    def animate(self, path: Path, view: str | None = None, size: str = "960x720",
+                **options: Value) -> None:
+        """Moves the mechanism, or with view="deformed" the path: GIF, WebM, or pictures in FOLDER/.
+        options: frames, rate (pictures per second), speed (of an analysis in time, 1 is real time),
+        scale, once, curve=False, monochrome."""
+        first = "mechanism" if self.mechanism is not None else "deformed"
+        self.draw(view or first, path, size=size, **options)
+
+    def curve(self, path: Path | None = None, format: str = "svg",
+              **options: Value) -> bytes | None:
+        """Its load-displacement curve; see quoin.curve."""
+        return curve([self], path, format, **options)
+
+    def energy(self, path: Path | None = None, format: str = "svg",
+               **options: Value) -> bytes | None:
+        """The energies of an analysis in time, over its time."""
+        return _sheet("energy", [self], path, format, options)
+
+    def report(self, path: Path, **options: Value) -> None:
+        """Writes a report on it as PDF; see Model.report."""
+        self.model.report(path, [self], **options)
+
+    def export(self, path: Path, **options: Value) -> None:
+        """Writes it as DXF, PVD, or a table (.csv): table="curve", "displacements", "contacts",
+        "beams" or "ties"; scale of displacements, unit of a DXF."""
+        with cases.files(self.model, self) as arguments:
+            cases.command("export", *arguments, "--output", path, *cases.options(**options))
 
     def __reduce__(self) -> tuple[Value, ...]:
         """As its file would be, with the model."""

@@ -1,17 +1,54 @@
 #include "doc/document/underlay.h"
+#include "doc/view/report-item.h"
+#include "doc/view/sheet.h"
 #include "library/library-private.h"
-#include "render/figure/figure.h"
+#include "render/movie/animation.h"
 
+#include <float.h>
+#include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
 
+/* Views that are no picture of one model: of several results, or pages. */
+typedef enum { PICTURE, CURVE, ENERGY, COMPARISON, REPORT } Kind;
+
+static const char *const kind_names[] = {
+  [CURVE] = "curve", [ENERGY] = "energy", [COMPARISON] = "compare", [REPORT] = "report"
+};
+
 struct QuoinFigure {
   QuoinModel *model;
-  QuoinResult *result; /* or NULL */
+  GPtrArray *results; /* of QuoinResult *, held, */
+  GPtrArray *labels;  /* and of char *: what tells the first ones apart */
+  Kind kind;
   QnFigure figure;
   QnOutput output;
   char *title, *caption;
+  QnAnimation animation; /* its settings alone */
+  double speed;          /* s of an analysis in time in a second; 0: by the frames */
+  QnCurveSheet sheet;
+  GArray *references; /* of QnReferenceLine, with labels of their own */
+  double columns;
+  QnReportTemplate plan;
 };
+
+static bool
+find_kind (const char *view, Kind *kind, QnView *picture)
+{
+  *kind = PICTURE;
+  for (int i = CURVE; i <= REPORT; i++)
+    if (strcmp (kind_names[i], view) == 0) {
+      *kind = (Kind) i;
+      return true;
+    }
+  return qn_view_parse (view, picture);
+}
+
+static void
+clear_reference (gpointer line)
+{
+  g_free ((char *) ((QnReferenceLine *) line)->label);
+}
 
 QuoinFigure *
 quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
@@ -20,23 +57,48 @@ quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
   if (!quoin_library_given (model, "model", error)
       || !quoin_library_given (view, "view", error))
     return NULL;
-  QnView kind;
-  if (!qn_view_parse (view, &kind)) {
+  Kind kind;
+  QnView picture = QN_VIEW_MODEL;
+  GError *cause = NULL;
+  if (!find_kind (view, &kind, &picture)) {
     quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: no such view", view);
     return NULL;
   }
-  if (result == NULL && kind != QN_VIEW_MODEL && kind != QN_VIEW_CONTACTS) {
+  if (result == NULL
+      && (kind == PICTURE ? picture != QN_VIEW_MODEL && picture != QN_VIEW_CONTACTS
+                          : kind != REPORT)) {
     quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: this view needs a result",
                              view);
     return NULL;
   }
   QuoinFigure *figure = g_new0 (QuoinFigure, 1);
   figure->model = quoin_model_ref (model);
-  figure->result = result != NULL ? quoin_library_result_ref (result) : NULL;
+  figure->results = g_ptr_array_new_with_free_func ((GDestroyNotify) quoin_result_free);
+  figure->labels = g_ptr_array_new_with_free_func (g_free);
+  figure->kind = kind;
+  figure->references = g_array_new (FALSE, FALSE, sizeof (QnReferenceLine));
+  g_array_set_clear_func (figure->references, clear_reference);
   qn_figure_init (&figure->figure, &model->project.model, &model->contacts,
-                  result != NULL ? &result->result : NULL, kind);
+                  result != NULL ? &result->result : NULL, picture);
+  qn_animation_init (&figure->animation, &model->project.model, &model->contacts,
+                     result != NULL ? &result->result : NULL, picture);
   qn_output_init (&figure->output);
+  if (result != NULL)
+    quoin_figure_add (figure, result);
+  if (kind == REPORT
+      && !qn_report_template_read (&figure->plan, &model->project, &cause)) {
+    quoin_library_take_error (error, model->project.name, cause);
+    quoin_figure_free (figure);
+    return NULL;
+  }
   return figure;
+}
+
+void
+quoin_figure_add (QuoinFigure *figure, QuoinResult *result)
+{
+  if (figure != NULL && result != NULL)
+    g_ptr_array_add (figure->results, quoin_library_result_ref (result));
 }
 
 void
@@ -45,7 +107,10 @@ quoin_figure_free (QuoinFigure *figure)
   if (figure == NULL)
     return;
   quoin_model_unref (figure->model);
-  quoin_result_free (figure->result);
+  g_ptr_array_unref (figure->results);
+  g_ptr_array_unref (figure->labels);
+  g_array_unref (figure->references);
+  qn_report_template_clear (&figure->plan);
   g_free (figure->title);
   g_free (figure->caption);
   g_free (figure);
@@ -78,12 +143,63 @@ parse_step (const QuoinFigure *figure, const char *value, int32_t *step)
   *step = QN_STEP_LAST;
   if (strcmp (value, "last") == 0)
     return true;
-  if (figure->result == NULL
+  if (figure->figure.result == NULL
       || !g_ascii_string_to_unsigned (value, 10, 0, G_MAXINT32, &number, NULL)
-      || number >= figure->result->result.step_count)
+      || number >= figure->figure.result->step_count)
     return false;
   *step = (int32_t) number;
   return true;
+}
+
+/* "0.36", or "0.36=Ferris and Tin-Loi". */
+static bool
+add_reference (QuoinFigure *figure, const char *value)
+{
+  char *end;
+  QnReferenceLine line = { .y = g_ascii_strtod (value, &end) };
+  if (end == value || (*end != '\0' && *end != '=') || !isfinite (line.y))
+    return false;
+  line.label = g_strdup (*end == '=' ? end + 1 : "reference");
+  g_array_append_val (figure->references, line);
+  return true;
+}
+
+/* What is on or off; NULL: no such switch. */
+static bool *
+find_switch (QuoinFigure *figure, const char *name)
+{
+  QnViewOptions *options = &figure->figure.options;
+  const struct {
+    const char *name;
+    bool *flag;
+  } switches[] = { { "monochrome", &options->monochrome },
+                   { "transparent", &figure->output.transparent },
+                   { "once", &figure->animation.once },
+                   { "curve", &figure->animation.curve } };
+  for (gsize i = 0; i < G_N_ELEMENTS (switches); i++)
+    if (strcmp (switches[i].name, name) == 0)
+      return switches[i].flag;
+  return qn_view_switch (options, name);
+}
+
+/* A number, and the least that it may be; NULL: no such number. */
+static double *
+find_number (QuoinFigure *figure, const char *name, double *least)
+{
+  const struct {
+    const char *name;
+    double least, *number;
+  } numbers[] = { { "dpi", 1, &figure->output.dpi },
+                  { "rate", 1, &figure->animation.rate },
+                  { "speed", DBL_MIN, &figure->speed },
+                  { "until", DBL_MIN, &figure->sheet.until },
+                  { "columns", 1, &figure->columns } };
+  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
+    if (strcmp (numbers[i].name, name) == 0) {
+      *least = numbers[i].least;
+      return numbers[i].number;
+    }
+  return NULL;
 }
 
 /* Whether there is an option of this name and the value is one of its. */
@@ -91,23 +207,41 @@ static bool
 set_option (QuoinFigure *figure, const char *name, const char *value, GError **cause)
 {
   QnViewOptions *options = &figure->figure.options;
-  bool on = strcmp (value, "on") == 0, *flag = qn_view_switch (options, name);
-  if (strcmp (name, "monochrome") == 0)
-    flag = &options->monochrome;
-  if (flag != NULL) {
-    *flag = on;
+  double least = 0, *number = find_number (figure, name, &least);
+  bool on = strcmp (value, "on") == 0, *flag = find_switch (figure, name);
+  if (flag != NULL || strcmp (name, "whole") == 0) {
+    if (flag != NULL)
+      *flag = on;
+    else
+      figure->sheet.whole = on;
     return on || strcmp (value, "off") == 0;
   }
+  if (number != NULL)
+    return parse_number (value, least, number);
   if (strcmp (name, "size") == 0)
     return qn_output_parse_size (&figure->output, value, cause);
-  if (strcmp (name, "dpi") == 0)
-    return parse_number (value, 1, &figure->output.dpi);
   if (strcmp (name, "field") == 0)
     return qn_field_parse (value, &options->field);
   if (strcmp (name, "diagram") == 0)
     return qn_diagram_parse (value, &options->diagram);
   if (strcmp (name, "step") == 0)
     return parse_step (figure, value, &options->step);
+  if (strcmp (name, "frames") == 0) {
+    double frames;
+    bool given = parse_number (value, 2, &frames) && frames <= QN_MAX_FRAMES;
+    figure->animation.frames = given ? (int) frames : 0;
+    return given;
+  }
+  if (strcmp (name, "reference") == 0)
+    return add_reference (figure, value);
+  if (strcmp (name, "label") == 0) {
+    g_ptr_array_add (figure->labels, g_strdup (value));
+    return true;
+  }
+  if (figure->kind == REPORT
+      && (strcmp (name, "paper") == 0 || strcmp (name, "sections") == 0
+          || strcmp (name, "demand") == 0))
+    return qn_report_template_set (&figure->plan, name, value, cause);
   if (strcmp (name, "scale") == 0 && strcmp (value, "auto") == 0) {
     options->scale = QN_SCALE_AUTO;
     return true;
@@ -142,18 +276,15 @@ quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
   return false;
 }
 
-/* Draws in a format, or by the ending of a path. */
+/* ---- pictures ---- */
+
 static GBytes *
-encode (const QuoinFigure *self, QnFormat format, GError **cause)
+encode_picture (const QuoinFigure *self, QnFormat format, GError **cause)
 {
   QnMetadata metadata;
   QnFigure figure = self->figure;
   const QnProject *project = &self->model->project;
-  qn_metadata_init (&metadata);
-  metadata.generator = "quoin " QN_VERSION;
-  metadata.model_sha256 = project->sha256;
-  g_autofree char *base = g_path_get_basename (project->name);
-  metadata.model = base;
+  qn_project_get_metadata (project, &metadata);
   if (!qn_underlay_read (project, FALSE, &figure.options.underlay, cause))
     return NULL;
   GBytes *bytes = qn_figure_encode (&figure, format, &self->output, &metadata, cause);
@@ -161,42 +292,172 @@ encode (const QuoinFigure *self, QnFormat format, GError **cause)
   return bytes;
 }
 
+static bool
+animate (const QuoinFigure *self, const char *path, GError **cause)
+{
+  QnMetadata metadata;
+  QnAnimation animation = self->animation;
+  qn_project_get_metadata (&self->model->project, &metadata);
+  animation.figure.options.monochrome = self->figure.options.monochrome;
+  animation.figure.options.scale = self->figure.options.scale;
+  return (self->speed == 0 || qn_animation_set_speed (&animation, self->speed, cause))
+         && qn_animation_export (&animation, path, &self->output, &metadata, cause);
+}
+
+/* ---- sheets and reports ---- */
+
+static QnSheetRun *
+get_runs (const QuoinFigure *figure)
+{
+  QnSheetRun *runs = g_new0 (QnSheetRun, figure->results->len + 1);
+  for (guint i = 0; i < figure->results->len; i++) {
+    const QuoinResult *result = figure->results->pdata[i];
+    runs[i] = (QnSheetRun){ .project = &result->model->project,
+                            .contacts = &result->model->contacts,
+                            .result = &result->result,
+                            .name = i < figure->labels->len ? figure->labels->pdata[i]
+                                                            : result->name };
+  }
+  return runs;
+}
+
+static GBytes *
+encode_report (const QuoinFigure *figure, GError **cause)
+{
+  guint count = figure->results->len, read = 0;
+  g_autofree QnReportItem *items = g_new0 (QnReportItem, count + 1);
+  g_autofree QnReportRun *runs = g_new0 (QnReportRun, count + 1);
+  g_autofree QnSheetRun *given = get_runs (figure);
+  gboolean done = TRUE;
+  for (guint i = 0; i < count && done; i++) {
+    gsize length;
+    const QnSheetRun *run = &given[i];
+    g_autofree char *text =
+      qn_result_dup_text (run->project, run->contacts, run->result, &length);
+    done = qn_report_item_parse (&items[i], text, length, run->name, run->project,
+                                 run->contacts, cause);
+    read += done;
+    if (done)
+      runs[i] = qn_report_item_get_run (&items[i], run->project, run->contacts);
+  }
+  GBytes *bytes =
+    done ? qn_report_encode_runs (&figure->model->project, &figure->model->contacts,
+                                  &figure->plan, runs, count, cause)
+         : NULL;
+  for (guint i = 0; i < read; i++)
+    qn_report_item_clear (&items[i]);
+  return bytes;
+}
+
+static bool
+write_sheet (const QuoinFigure *figure, const char *path, GError **cause)
+{
+  gsize count = figure->results->len;
+  bool monochrome = figure->figure.options.monochrome;
+  g_autofree QnSheetRun *runs = get_runs (figure);
+  QnCurveSheet sheet = figure->sheet;
+  sheet.title = figure->title;
+  sheet.monochrome = monochrome;
+  sheet.references = (const QnReferenceLine *) (void *) figure->references->data;
+  sheet.reference_count = figure->references->len;
+  if (figure->kind == ENERGY)
+    return qn_energy_sheet_export (&sheet, runs, path, &figure->output, cause);
+  if (figure->kind == CURVE)
+    return qn_curve_sheet_export (&sheet, runs, count, path, &figure->output, cause);
+  return qn_comparison_export (runs, count, (int) figure->columns, figure->title,
+                               monochrome, path, &figure->output, cause);
+}
+
+/* ---- files ---- */
+
+static bool
+is_animation (const QuoinFigure *figure, const char *path)
+{
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  return figure->kind == PICTURE
+         && (g_str_has_suffix (lower, ".gif") || g_str_has_suffix (lower, ".webm")
+             || g_str_has_suffix (lower, "/") || g_file_test (path, G_FILE_TEST_IS_DIR));
+}
+
+static GBytes *
+encode (const QuoinFigure *figure, const char *path, GError **cause)
+{
+  QnFormat format;
+  if (!qn_format_of_path (path, &format, cause))
+    return NULL;
+  if (figure->kind == PICTURE)
+    return encode_picture (figure, format, cause);
+  if (format == QN_FORMAT_PDF)
+    return encode_report (figure, cause);
+  g_set_error (cause, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE, "%s: a report is a PDF",
+               path);
+  return NULL;
+}
+
+static bool
+write_figure (const QuoinFigure *figure, const char *path, GError **cause)
+{
+  gsize length;
+  if (is_animation (figure, path))
+    return animate (figure, path, cause);
+  if (figure->kind != PICTURE && figure->kind != REPORT)
+    return write_sheet (figure, path, cause);
+  g_autoptr (GBytes) bytes = encode (figure, path, cause);
+  const void *content = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
+  return content != NULL && qn_file_replace (path, content, length, cause);
+}
+
 bool
 quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error)
 {
+  GError *cause = NULL;
   if (!quoin_library_given (figure, "figure", error)
       || !quoin_library_given (path, "path", error))
     return false;
-  QnFormat format;
-  GError *cause = NULL;
-  g_autoptr (GBytes) bytes = NULL;
-  gsize length;
-  if (qn_format_of_path (path, &format, &cause)
-      && (bytes = encode (figure, format, &cause)) != NULL) {
-    const void *content = g_bytes_get_data (bytes, &length);
-    if (qn_file_replace (path, content, length, &cause))
-      return true;
-  }
+  if (write_figure (figure, path, &cause))
+    return true;
   quoin_library_take_error (error, path, cause);
   return false;
+}
+
+/* What only files can take is written to one that goes again. */
+static void *
+encode_by_file (const QuoinFigure *figure, const char *format, size_t *length,
+                GError **cause)
+{
+  char *content = NULL;
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", cause);
+  if (folder == NULL)
+    return NULL;
+  g_autofree char *name = g_strconcat ("figure.", format, NULL);
+  g_autofree char *path = g_build_filename (folder, name, NULL);
+  if (write_figure (figure, path, cause))
+    g_file_get_contents (path, &content, length, cause);
+  g_unlink (path);
+  g_rmdir (folder);
+  return content;
 }
 
 void *
 quoin_figure_encode (const QuoinFigure *figure, const char *format, size_t *length,
                      QuoinError **error)
 {
+  GError *cause = NULL;
   if (!quoin_library_given (figure, "figure", error)
       || !quoin_library_given (format, "format", error)
       || !quoin_library_given (length, "length", error))
     return NULL;
-  QnFormat kind;
-  GError *cause = NULL;
   g_autofree char *path = g_strconcat ("figure.", format, NULL);
-  GBytes *bytes = NULL;
-  if (qn_format_of_path (path, &kind, &cause))
-    bytes = encode (figure, kind, &cause);
-  if (bytes != NULL)
-    return g_bytes_unref_to_data (bytes, length);
+  if (is_animation (figure, path)
+      || (figure->kind != PICTURE && figure->kind != REPORT)) {
+    void *content = encode_by_file (figure, format, length, &cause);
+    if (content != NULL)
+      return content;
+  } else {
+    GBytes *bytes = encode (figure, path, &cause);
+    if (bytes != NULL)
+      return g_bytes_unref_to_data (bytes, length);
+  }
   quoin_library_take_error (error, NULL, cause);
   return NULL;
 }

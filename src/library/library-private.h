@@ -21,6 +21,7 @@ struct QuoinResult {
   QnResult result;
   double *multipliers; /* steps */
   double *forces;      /* pairs x 2, last step */
+  char *name;          /* of its file, without folders, or "result" */
   bool changed;        /* read of a file whose project had other bytes */
 };
 

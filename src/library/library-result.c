@@ -1,6 +1,8 @@
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
+#include "doc/view/capacity-settings.h"
+#include "doc/view/sheet.h"
 #include "io/project/project-names.h"
 #include "io/result/result-claims.h"
 #include "io/text/fault-text.h"
@@ -91,11 +93,12 @@ report_end (Caller *caller, const QnResult *result)
 
 /* A result that takes over what the core has filled. */
 static QuoinResult *
-make_result (QuoinModel *model, QnResult *filled)
+make_result (QuoinModel *model, QnResult *filled, const char *name)
 {
   QuoinResult *result = g_new0 (QuoinResult, 1);
   g_atomic_ref_count_init (&result->references);
   result->model = quoin_model_ref (model);
+  result->name = g_path_get_basename (name);
   result->result = *filled;
   result->multipliers = g_new (double, filled->step_count + 1);
   for (size_t i = 0; i < filled->step_count; i++)
@@ -136,7 +139,7 @@ run (Analysis analysis, QuoinModel *model, QuoinProgressFunc progress, void *dat
     return NULL;
   }
   report_end (&caller, &result);
-  return make_result (model, &result);
+  return make_result (model, &result, "result");
 }
 
 QuoinResult *
@@ -209,6 +212,105 @@ quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc pro
                            model->project.name);
   quoin_modes_free (modes);
   return NULL;
+}
+
+/* "option=value" one after the other. */
+static bool
+set_capacity (QnCapacitySettings *settings, const char *const *options, GError **cause)
+{
+  for (; options != NULL && *options != NULL; options++) {
+    g_auto (GStrv) parts = g_strsplit (*options, "=", 2);
+    const char *value = parts[0] != NULL && parts[1] != NULL ? parts[1] : "";
+    if (!qn_capacity_settings_set (settings, parts[0] != NULL ? parts[0] : "", value,
+                                   cause))
+      return false;
+  }
+  return true;
+}
+
+/* The picture or the table of an answer, where one is asked for. */
+static bool
+write_capacity (const QnCapacityAnswer *answer, const QnProject *project,
+                const char *picture, GError **cause)
+{
+  QnOutput output;
+  QnMetadata metadata;
+  if (picture == NULL)
+    return true;
+  if (qn_is_table (picture))
+    return qn_capacity_answer_write_csv (answer, picture, cause);
+  qn_output_init (&output);
+  qn_project_get_metadata (project, &metadata);
+  g_autoptr (QnPlot) plot = qn_capacity_answer_plot (answer);
+  plot->title = project->model.title;
+  return qn_plot_export (plot, picture, &output, &metadata, cause);
+}
+
+/* The answer of a model that is written over; false with an error of either kind. */
+static bool
+find_capacity (QuoinModel *own, const QnCapacitySettings *settings,
+               QnCapacityAnswer *answer, Caller *caller, GError **cause,
+               QuoinError **error)
+{
+  QnProject *project = &own->project;
+  QnDiag diag = { 0 };
+  QnId control;
+  g_autofree char *reason = NULL;
+  if (!qn_capacity_settings_find_control (settings, project, &control, cause))
+    return false;
+  if (qn_contacts_require_sound (&project->model, &own->contacts, &diag) != QN_OK) {
+    quoin_library_take_diag (error, project, &diag);
+    return false;
+  }
+  QnCapacityEnd end = qn_capacity_answer_find (answer, &project->model, &own->contacts,
+                                               control, report, caller, &reason, &diag);
+  if (end == QN_CAPACITY_FOUND) {
+    qn_capacity_answer_check (answer);
+    return true;
+  }
+  if (end == QN_CAPACITY_REFUSED)
+    quoin_library_take_diag (error, project, &diag);
+  else
+    quoin_library_set_error (
+      error, end == QN_CAPACITY_STAGES ? QUOIN_ERROR_INVALID : QUOIN_ERROR_NO_ANSWER,
+      "%s: %s", project->name, reason != NULL ? reason : "cancelled");
+  return false;
+}
+
+char *
+quoin_capacity (QuoinModel *model, const char *const *options, const char *picture,
+                QuoinProgressFunc progress, void *data, QuoinError **error)
+{
+  if (!quoin_library_given (model, "model", error))
+    return NULL;
+  QnCapacitySettings settings;
+  QnCapacityAnswer answer = { 0 };
+  QnRecord points = { 0 };
+  GError *cause = NULL;
+  gsize length;
+  char *text = NULL;
+  QuoinModel *own = quoin_library_model_with (model, NULL, NULL, error);
+  if (own == NULL)
+    return NULL;
+  Caller caller = {
+    .func = progress, .data = data, .model = &own->project.model, .all = "capacity"
+  };
+  if (qn_capacity_settings_read (&own->project, &settings, &cause)
+      && set_capacity (&settings, options, &cause)
+      && qn_capacity_settings_apply (&settings, &own->project, FALSE, &answer, &points,
+                                     &cause)
+      && find_capacity (own, &settings, &answer, &caller, &cause, error)
+      && write_capacity (&answer, &own->project, picture, &cause)) {
+    report_end (&caller, &(QnResult){ .outcome = QN_OUTCOME_TARGET_REACHED });
+    text = qn_capacity_answer_dup_json (&answer, &own->project, &length);
+  }
+  if (cause != NULL)
+    quoin_library_take_error (error, own->project.name, cause);
+  qn_capacity_clear (&answer.capacity);
+  qn_record_clear (&points);
+  qn_capacity_settings_clear (&settings);
+  quoin_model_unref (own);
+  return text;
 }
 
 void
@@ -286,7 +388,7 @@ take_file (QuoinModel *model, QnResultFile *file, gboolean read, const char *nam
     return NULL;
   }
   if (qn_result_file_match (file, name, &own->project, &own->contacts, &same, &cause)) {
-    result = make_result (own, &file->result);
+    result = make_result (own, &file->result, name);
     result->changed = !same || !equal_lists (file->overrides, own->project.overrides);
     file->result = (QnResult){ 0 };
   } else
@@ -402,6 +504,7 @@ quoin_result_free (QuoinResult *result)
     return;
   quoin_model_unref (result->model);
   qn_result_clear (&result->result);
+  g_free (result->name);
   g_free (result->multipliers);
   g_free (result->forces);
   g_free (result);

@@ -222,6 +222,13 @@ QuoinResult *quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc
 QuoinModes *quoin_modal (QuoinModel *model, size_t count, bool loaded,
                          QuoinProgressFunc progress, void *data, QuoinError **error);
 void quoin_modes_free (QuoinModes *modes);
+
+/* The capacity curve, and the displacement checks of EN 1998-3 and NTC 2018, as JSON, keys as the command line
+ * writes; to be freed with quoin_free(). options: "spectrum=type1", "ag=0.25g", "soil=B", "damping=0.05",
+ * "unit=g", "confidence=1.2", "control=w.6.5" instead of the project's, NULL-terminated or NULL. picture
+ * (nullable): PNG, SVG, PDF or CSV of the curve. */
+char *quoin_capacity (QuoinModel *model, const char *const *options, const char *picture,
+                      QuoinProgressFunc progress, void *data, QuoinError **error);
 size_t quoin_modes_get_count (const QuoinModes *modes);
 const double *quoin_modes_get_omega (const QuoinModes *modes);  /* count, rad/s */
 const double *quoin_modes_get_shapes (const QuoinModes *modes); /* count x bodies x 3 */
@@ -337,24 +344,39 @@ const char *quoin_result_get_tie_state (const QuoinResult *result, size_t step,
 int32_t quoin_result_get_iterations (const QuoinResult *result);
 int32_t quoin_result_get_factorizations (const QuoinResult *result);
 
+/* --- Studies, and the rest of the command line --------------------------------------------- */
+
+/* Runs quoin-cli, whose cases are computed by processes anyway: "study", "run", "friction.quoin-study", "-o",
+ * "folder"; NULL-terminated. It is the program that QUOIN_CLI names in the environment, or the one of PATH.
+ * *output (nullable): what it printed, to be freed with quoin_free(). Ends with the error of the program. */
+bool quoin_command (const char *const *arguments, char **output, QuoinError **error);
+
 /* --- Figures ----------------------------------------------------------------------------- */
 
-/* view: "model", "contacts", "deformed", "mechanism", "forces", "diagrams"; `result` may be NULL
- * for the first two. Keeps what it draws alive: model and result may go before it. */
+/* view: "model", "contacts", "deformed", "mechanism", "forces", "diagrams"; "curve" (of the loads over
+ * displacement), "energy" (of an analysis in time), "compare" (mechanisms on one sheet), "report". `result` may be
+ * NULL for "model", "contacts" and "report". Keeps what it draws alive: model and result may go before it. */
 QuoinFigure *quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
                                QuoinError **error);
+
+/* One more result, of any model, for "curve", "compare" and "report". */
+void quoin_figure_add (QuoinFigure *figure, QuoinResult *result);
 void quoin_figure_free (QuoinFigure *figure);
 
-/* "size" ("1600x1200", "160mmx120mm"), "dpi", "field" ("stress", …), "step" ("last" or a number),
- * "scale" ("auto" or a factor), "title", "caption", "monochrome" and the switches of the command
- * line ("ghost", "loads", "names", …) with "on" or "off". */
+/* "size" ("1600x1200", "160mmx120mm"), "dpi", "transparent", "monochrome", "title", "caption"; of a picture "field"
+ * ("stress", …), "diagram", "step" ("last" or a number), "scale" ("auto" or a factor) and the switches of the
+ * command line ("ghost", "loads", "names", …); of an animation "frames", "rate", "speed", "once", "curve"; of
+ * curves "until", "whole", "reference" ("0.36=published", again for each), "label" of the results of one model,
+ * again for each; "columns" of a comparison; "paper",
+ * "sections", "demand" of a report. Switches are "on" or "off". */
 bool quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
                        QuoinError **error);
 
-/* PNG, SVG or PDF by the ending; whole or not at all. */
+/* PNG, SVG or PDF by the ending, CSV of "curve" and "compare"; "deformed" and "mechanism" move in GIF, WebM or
+ * pictures in a FOLDER/. Whole or not at all. */
 bool quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error);
 
-/* The same into memory, format "png", "svg" or "pdf"; to be freed with quoin_free(). */
+/* The same into memory, format "png", "svg", "pdf", "csv", "gif", "webm"; to be freed with quoin_free(). */
 void *quoin_figure_encode (const QuoinFigure *figure, const char *format, size_t *length,
                            QuoinError **error);
 

@@ -465,6 +465,8 @@ is_first (void)
   X (builder_free, (quoin_builder_free (NULL), true)) \
   X (builder_new, (quoin_builder_free (quoin_builder_new (NULL)), true)) \
   X (builder_set, (quoin_builder_set (NULL, "a", "1"), quoin_builder_set (o->builder, NULL, "1"), quoin_builder_set (o->builder, "a", NULL), true)) \
+  X (capacity, REFUSED (quoin_capacity (NULL, NULL, NULL, NULL, NULL, &error))) \
+  X (command, REFUSED (quoin_command (NULL, NULL, &error))) \
   X (error_free, (quoin_error_free (NULL), true)) \
   X (error_get_column, quoin_error_get_column (NULL) == 0) \
   X (error_get_file, quoin_error_get_file (NULL) == NULL) \
@@ -472,6 +474,7 @@ is_first (void)
   X (error_get_kind, quoin_error_get_kind (NULL) == QUOIN_ERROR_USAGE) \
   X (error_get_line, quoin_error_get_line (NULL) == 0) \
   X (error_get_message, quoin_error_get_message (NULL) == NULL) \
+  X (figure_add, (quoin_figure_add (NULL, o->result), quoin_figure_add (o->figure, NULL), true)) \
   X (figure_encode, REFUSED (quoin_figure_encode (NULL, "png", &o->count, &error)) && REFUSED (quoin_figure_encode (o->figure, NULL, &o->count, &error)) && REFUSED (quoin_figure_encode (o->figure, "png", NULL, &error))) \
   X (figure_free, (quoin_figure_free (NULL), true)) \
   X (figure_new, REFUSED (quoin_figure_new (NULL, NULL, "model", &error)) && REFUSED (quoin_figure_new (o->model, NULL, NULL, &error))) \
@@ -711,6 +714,113 @@ test_made_models (void)
   error = NULL;
 }
 
+static bool
+is_error (QuoinErrorKind kind, const char *part)
+{
+  bool is = error != NULL && quoin_error_get_kind (error) == kind
+            && strstr (quoin_error_get_message (error), part) != NULL;
+  quoin_error_free (error);
+  error = NULL;
+  return is;
+}
+
+/* Curves and mechanisms of two results, a report, and a short film. */
+static void
+test_sheets (void)
+{
+  const char *const slippery[] = { "laws[0].friction=0.5", NULL };
+  QuoinModel *wall = open_wall (1), *other = quoin_model_with (wall, slippery, &error);
+  QuoinResult *a = quoin_limit (wall, true, NULL, NULL, &error);
+  QuoinResult *b = quoin_solve (other, NULL, NULL, &error);
+  size_t length;
+  static const char *const sheets[][3] = {
+    { "curve", "svg", "title=Friction" },  { "curve", "csv", "label=rough" },
+    { "compare", "pdf", "columns=1" },     { "compare", "csv", "monochrome=on" },
+    { "report", "pdf", "sections=model" }, { "mechanism", "gif", "frames=2" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (sheets); i++) {
+    g_auto (GStrv) option = g_strsplit (sheets[i][2], "=", 2);
+    QuoinFigure *figure = quoin_figure_new (other, b, sheets[i][0], &error);
+    quoin_figure_add (figure, i == 2 || i == 3 ? a : b);
+    g_assert_true (quoin_figure_set (figure, "size", "160x120", &error));
+    g_assert_true (quoin_figure_set (figure, option[0], option[1], &error));
+    char *content = quoin_figure_encode (figure, sheets[i][1], &length, &error);
+    g_assert_null (error);
+    g_assert_cmpuint (length, >, 100);
+    if (i == 1)
+      g_assert_nonnull (strstr (content, "\"Wall 1 (rough)\",0,0,0,"));
+    if (i == 3)
+      g_assert_nonnull (strstr (content, "Sliding"));
+    quoin_free (content);
+    g_assert_false (quoin_figure_set (figure, "columns", "0", &error));
+    g_assert_true (is_error (QUOIN_ERROR_USAGE, "columns=0"));
+    quoin_figure_free (figure);
+  }
+  QuoinFigure *figure = quoin_figure_new (wall, a, "energy", &error);
+  g_assert_null (quoin_figure_encode (figure, "svg", &length, &error));
+  g_assert_true (is_error (QUOIN_ERROR_INVALID, "in time"));
+  quoin_figure_free (figure);
+  g_assert_null (quoin_figure_new (wall, NULL, "curve", &error));
+  g_assert_true (is_error (QUOIN_ERROR_USAGE, "needs a result"));
+  quoin_result_free (a);
+  quoin_result_free (b);
+  quoin_model_unref (other);
+  quoin_model_unref (wall);
+}
+
+/* The answer is that of the command line, and what is missing is said. */
+static void
+test_capacity (void)
+{
+  static const char *const code[] = { "spectrum=type1", "ag=0.25g", "soil=B",
+                                      "control=w.6.5", NULL };
+  static const char *const wrong[][2] = {
+    { "spectrum=type1", "ag and soil" },
+    { "ag=1", "spectrum is missing" },
+    { "speed=1", "no such option" },
+    { "confidence=0.5", "1 or more" },
+  };
+  QuoinModel *wall = open_wall (1);
+  double done = NAN;
+  char *text = quoin_capacity (wall, code, NULL, watch_share, &done, &error);
+  g_assert_null (error);
+  g_assert_true (done == 1);
+  g_assert_nonnull (strstr (text, "\"control_block\": \"w.6.5\""));
+  g_assert_nonnull (strstr (text, "\"code\": \"EN 1998-3\""));
+  quoin_free (text);
+  for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    const char *const options[] = { wrong[i][0], NULL };
+    g_assert_null (quoin_capacity (wall, options, NULL, NULL, NULL, &error));
+    g_assert_true (is_error (QUOIN_ERROR_USAGE, wrong[i][1]));
+  }
+  const char *const nobody[] = { "control=nobody", NULL };
+  g_assert_null (quoin_capacity (wall, nobody, NULL, NULL, NULL, &error));
+  g_assert_true (is_error (QUOIN_ERROR_INVALID, "nobody"));
+  quoin_model_unref (wall);
+}
+
+/* What the program prints, and its errors. */
+static void
+test_command (void)
+{
+  const char *const version[] = { "--version", NULL }, *const none[] = { "chek", NULL },
+                    *const missing[] = { "check", "/no/such.quoin", NULL };
+  char *output = NULL;
+  g_assert_true (quoin_command (version, &output, &error));
+  g_assert_nonnull (strstr (output, quoin_version ()));
+  quoin_free (output);
+  g_assert_false (quoin_command (none, &output, &error));
+  g_assert_null (output);
+  g_assert_true (is_error (QUOIN_ERROR_USAGE, "chek"));
+  g_assert_false (quoin_command (missing, NULL, &error));
+  g_assert_true (is_error (QUOIN_ERROR_FILE, "such.quoin"));
+  g_autofree char *program = g_strdup (g_getenv ("QUOIN_CLI"));
+  g_setenv ("QUOIN_CLI", "/no/such/program", TRUE);
+  g_assert_false (quoin_command (version, NULL, &error));
+  g_assert_true (is_error (QUOIN_ERROR_FILE, "/no/such/program"));
+  g_setenv ("QUOIN_CLI", program, TRUE);
+}
+
 /* An analysis in time reads its records as the command line does; without them it is refused, and the
  * model is there all the same. */
 static void
@@ -803,6 +913,9 @@ QN_TESTS
   g_test_add_func ("/library/progress", test_progress);
   g_test_add_func ("/library/read-again", test_read_again);
   g_test_add_func ("/library/made-models", test_made_models);
+  g_test_add_func ("/library/sheets", test_sheets);
+  g_test_add_func ("/library/capacity", test_capacity);
+  g_test_add_func ("/library/command", test_command);
   g_test_add_func ("/library/records", test_records);
   g_test_add_func ("/library/free-modes", test_free_modes);
   g_test_add_func ("/library/stability", test_stability);

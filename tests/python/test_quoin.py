@@ -174,7 +174,7 @@ def test_check_says_what_is_wrong():
 def test_drawings_are_read_with_a_report(tmp_path):
     mortar = EXAMPLES / "dxf" / "wall-mortar.dxf"
     closed = quoin.read_drawing(mortar, close_joints=0.02)
-    assert any("joints of mortar" in line for line in closed.report)
+    assert any("joints of mortar" in line for line in closed.import_report)
     assert len(quoin.read_drawing(mortar, mortar_joints=0.02).blocks) > len(closed.blocks)
     ignored = quoin.read_drawing(mortar, unit="mm", layers={"SUP*": "ignored"})
     assert len(ignored.blocks) == len(closed.blocks) - 1
@@ -186,7 +186,7 @@ def test_drawings_are_read_with_a_report(tmp_path):
     empty.write_text('<svg xmlns="http://www.w3.org/2000/svg"><text x="1" y="1">no</text></svg>')
     with pytest.raises(quoin.InvalidError) as caught:
         quoin.read_drawing(empty)
-    assert caught.value.report != []
+    assert caught.value.import_report != []
 
 
 def test_progress_runs_once_from_0_to_1():
@@ -309,6 +309,113 @@ def test_compas_there_and_back(tmp_path):
     assert len(again.faces) == len(model.faces)
     # Vertices are welded on reading: not the same digits, but the same wall.
     assert again.limit().multiplier == pytest.approx(model.limit().multiplier, rel=1e-6)
+
+
+def test_capacity(tmp_path):
+    """What the command line writes; settings that the project keeps count."""
+    wall = quoin.open(WALLS / "wall1.quoin")
+    answer = wall.capacity("type1", ag="0.25g", soil="B", control="w.6.5",
+                           picture=tmp_path / "curve.csv")
+    assert [check["state"] for check in answer["checks"]] == ["SLV", "SLC", "SD", "NC"]
+    quoin.command("capacity", WALLS / "wall1.quoin", "--spectrum", "type1", "--ag", "0.25g",
+                  "--soil", "B", "--control", "w.6.5", "--json", tmp_path / "c.json", "-q")
+    assert answer == json.loads((tmp_path / "c.json").read_text())
+    assert len((tmp_path / "curve.csv").read_text().splitlines()) == len(answer["curve"]) + 1
+    kept = wall.to_dict()
+    kept["capacity"] = {"control": "w.6.1", "spectrum": "type2", "ag": 2, "soil": "A"}
+    kept = quoin.from_dict(kept).capacity()
+    assert kept["control_block"] == "w.6.1" and len(kept["checks"]) == 4
+    with pytest.raises(quoin.UsageError, match="soil is"):
+        wall.capacity("type1", ag=1, soil="F")
+    with pytest.raises(quoin.NoAnswerError, match="cancelled"):
+        wall.capacity(progress=lambda state: False)
+
+
+def test_sheets_films_and_reports(tmp_path):
+    wall = quoin.open(WALLS / "wall1.quoin")
+    rough, smooth = wall.solve(), wall.set({"laws[0].friction": 0.5}).solve()
+    quoin.curve([rough, smooth], tmp_path / "c.csv", label=["0.65", "0.5"])
+    rows = (tmp_path / "c.csv").read_text().splitlines()
+    assert len(rows) == 1 + len(rough.multipliers) + len(smooth.multipliers)
+    assert rows[1].startswith('"Wall 1 (0.65)"') and rows[-1].startswith('"Wall 1 (0.5)"')
+    assert b"published" in rough.curve(reference=[0.64, "0.643=published"], until=0.01)
+    quoin.compare([rough, smooth], tmp_path / "m.pdf", columns=2, title="Walls")
+    assert b"Sliding" in quoin.compare([rough, smooth], format="csv")
+    rough.animate(tmp_path / "m.gif", frames=3, size="160x120")
+    assert (tmp_path / "m.gif").read_bytes()[:4] == b"GIF8"
+    rough.animate(f"{tmp_path}/film/", "deformed", frames=2, size="160x120", curve=False)
+    assert len(list((tmp_path / "film").iterdir())) == 2
+    wall.report(tmp_path / "both.pdf", [rough, smooth], demand=0.6, paper="letter")
+    rough.report(tmp_path / "one.pdf", sections=["title", "results"])
+    assert (tmp_path / "one.pdf").stat().st_size < (tmp_path / "both.pdf").stat().st_size
+    for wrong in ({"frames": 1}, {"speed": 1}, {"rate": 0}):
+        with pytest.raises(quoin.UsageError):
+            rough.animate(tmp_path / "n.gif", **wrong)
+    with pytest.raises(quoin.UsageError, match="modl"):
+        rough.report(tmp_path / "n.pdf", sections=["modl"])
+    with pytest.raises(quoin.InvalidError, match="in time"):
+        rough.energy()
+    with pytest.raises(ValueError, match="there is none"):
+        quoin.curve([])
+    rocking = quoin.open(EXAMPLES / "40-rocking-in-time.quoin",
+                         {"analysis.dynamic.duration": 0.1}).solve()
+    assert b"<svg" in rocking.energy()
+    with pytest.raises(quoin.InvalidError, match="no axes in common"):
+        quoin.curve([rough, rocking])
+
+
+def test_studies(tmp_path):
+    """On processes of quoin-cli; of a file with values, which are those of the cases too."""
+    wall = quoin.open(WALLS / "wall1.quoin", {"laws[0].dilatancy": 0.1})
+    friction = [{"name": "mu", "path": "laws[0].friction", "values": [0.4, 0.6]}]
+    outputs = ["associative_multiplier", "mechanism_kind"]
+    study = wall.study(friction, outputs, tmp_path / "s", run="limit", jobs=1)
+    table = study.table()
+    assert [row["mu"] for row in table] == [0.4, 0.6]
+    for row in table:
+        bound = wall.set({"laws[0].friction": row["mu"]}).limit().multiplier
+        assert row["associative_multiplier"] == pytest.approx(bound, rel=1e-6)
+    model = quoin.open(tmp_path / "s" / "model.quoin").to_dict()
+    assert model["laws"][0]["dilatancy"] == 0.1
+    assert "2 of 2 cases" in study.summary()
+    study.plot(tmp_path / "s.svg", "scatter", of="associative_multiplier", by="mu")
+    assert quoin.Study(tmp_path / "s").run().table() == table
+    assert list(study.to_dataframe()["mu"]) == [0.4, 0.6]
+    with pytest.raises(quoin.InvalidError, match="no such output"):
+        wall.study(friction, ["mystery"], tmp_path / "t")
+    with pytest.raises(quoin.FileError):
+        quoin.Study(tmp_path / "none").table()
+
+
+def test_records_that_grow(tmp_path):
+    block = quoin.open(EXAMPLES / "02-overturning-block.quoin")
+    rows = block.ida([EXAMPLES / "43-synthetic-record.csv"], (0.5, 1, 0.5), tmp_path / "ida",
+                     picture=tmp_path / "ida.svg", jobs=1)
+    assert [row["scale"] for row in rows] == [0.5, 1]
+    assert rows[1]["peak acceleration [m/s2]"] == 2 * rows[0]["peak acceleration [m/s2]"]
+    assert (tmp_path / "ida.svg").exists()
+
+
+def test_exports_and_kept_figures(tmp_path):
+    wall = quoin.generate("wall", length=1, height=0.4)
+    result = wall.limit()
+    result.export(tmp_path / "t.csv", table="contacts")
+    assert len((tmp_path / "t.csv").read_text().splitlines()) > len(result.states)
+    wall.export(tmp_path / "w.dxf", unit="mm")
+    assert len(quoin.read_drawing(tmp_path / "w.dxf").blocks) == len(wall.blocks)
+    wall.export(tmp_path / "p.quoin")
+    assert len(quoin.open(tmp_path / "p.quoin").to_dict()["blocks"]) == len(wall.blocks)
+    figures = quoin.open(EXAMPLES / "12-facade.quoin").figures(tmp_path, ["elevation"])
+    assert figures == [str(tmp_path / "facade.pdf")]
+
+
+def test_the_program(monkeypatch):
+    assert quoin.command("--version").split() == ["quoin", quoin.__version__]
+    with pytest.raises(quoin.UsageError, match="chek"):
+        quoin.command("chek")
+    monkeypatch.setenv("QUOIN_CLI", "/no/such/program")
+    with pytest.raises(quoin.FileError, match="/no/such/program"):
+        quoin.command("--version")
 
 
 def test_modes():

@@ -1,6 +1,7 @@
 #include "cli/base/picture.h"
 
 #include "cli/base/message.h"
+#include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -46,14 +47,15 @@ qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
   return code;
 }
 
-void
-qn_picture_metadata (const QnProject *project, QnMetadata *metadata)
+QnExit
+qn_picture_or_table (const QnSubcommand *self, const QnPictureOptions *options,
+                     QnOutput *output)
 {
-  qn_metadata_init (metadata);
-  metadata->generator = "quoin " QN_VERSION;
-  if (project != NULL) {
-    const char *slash = strrchr (project->name, G_DIR_SEPARATOR);
-    metadata->model = slash != NULL ? slash + 1 : project->name;
-    metadata->model_sha256 = project->sha256;
-  }
+  QnFormat format;
+  QnExit code = qn_picture_page (self, options, output);
+  if (code == QN_EXIT_DONE && !qn_is_table (options->path)
+      && !qn_format_of_path (options->path, &format, NULL))
+    return qn_cli_usage_error (self->name, "%s: %s", options->path,
+                               _ ("the name ends in .png, .svg, .pdf or .csv"));
+  return code;
 }

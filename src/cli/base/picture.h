@@ -4,7 +4,6 @@
 
 #include "cli/base/exit-code.h"
 #include "cli/base/subcommand.h"
-#include "io/project/project.h"
 #include "render/backend/output.h"
 
 /* The options as they stand on the command line; all NULL or zero before parsing. */
@@ -38,8 +37,8 @@ QnExit qn_picture_output (const QnSubcommand *self, const QnPictureOptions *opti
 QnExit qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
                         QnOutput *output);
 
-/* What the picture says of the project it shows; strings are borrowed from it, but for
- * model, which is the file's name without folders. `project` may be NULL. */
-void qn_picture_metadata (const QnProject *project, QnMetadata *metadata);
+/* The same for a picture or a table. */
+QnExit qn_picture_or_table (const QnSubcommand *self, const QnPictureOptions *options,
+                            QnOutput *output);
 
 #endif

@@ -3,7 +3,7 @@
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
-#include "core/base/integer.h"
+#include "doc/view/sheet.h"
 #include "render/movie/animation.h"
 
 #include <glib/gi18n.h>
@@ -74,28 +74,6 @@ fill (QnAnimation *animation, const AnimateOptions *options, double scale,
   animation->user_data = shown;
 }
 
-/* The number of pictures at the given speed. */
-static bool
-choose_frames (QnAnimation *animation, const AnimateOptions *options, GError **error)
-{
-  if (!(options->speed > 0))
-    return true;
-  double frames =
-    qn_animation_frames_at (animation->figure.result, options->rate, options->speed);
-  if (frames == 0)
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("--speed: the result is not one of an analysis in time"));
-  else if (frames > QN_MAX_FRAMES)
-    g_set_error (
-      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-      _ ("--speed: these are %.0f pictures; at most %d can be written: choose a "
-         "lower --rate or a higher speed"),
-      frames, QN_MAX_FRAMES);
-  else
-    animation->frames = (int) qn_to_integer (frames, 2, QN_MAX_FRAMES);
-  return frames > 0 && frames <= QN_MAX_FRAMES;
-}
-
 static QnExit
 animate (const AnimateOptions *options, const QnOutput *output, double scale,
          const char *path)
@@ -116,9 +94,9 @@ animate (const AnimateOptions *options, const QnOutput *output, double scale,
   GError *error = NULL;
   qn_animation_init (&animation, &input->project.model, &input->contacts, result, view);
   fill (&animation, options, scale, &shown);
-  qn_picture_metadata (&input->project, &metadata);
+  qn_project_get_metadata (&input->project, &metadata);
   qn_interrupt_install ();
-  if (!choose_frames (&animation, options, &error)
+  if ((options->speed > 0 && !qn_animation_set_speed (&animation, options->speed, &error))
       || !qn_animation_export (&animation, options->picture.path, output, &metadata,
                                &error))
     code = qn_cli_fail (error);

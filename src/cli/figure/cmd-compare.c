@@ -1,9 +1,8 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
-#include "cli/figure/curve-table.h"
 #include "cli/figure/sheet-input.h"
-#include "render/figure/compare-sheet.h"
+#include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 
@@ -16,44 +15,6 @@ typedef struct CompareOptions {
   char *title;
   int columns;
 } CompareOptions;
-
-/* A mechanism where the result has one, else the deformed state, else the model alone. */
-static QnView
-choose_view (const QnResult *result)
-{
-  if (result->mechanism != NULL)
-    return QN_VIEW_MECHANISM;
-  return result->step_count > 0 ? QN_VIEW_DEFORMED : QN_VIEW_MODEL;
-}
-
-static QnExit
-draw_sheet (const CompareOptions *options, const QnOutput *output,
-            const QnSheetItem *items, gsize count)
-{
-  GError *error = NULL;
-  if (qn_is_table (options->picture.path)) {
-    qn_comparison_table_write (options->picture.path, items, count, &error);
-    return qn_cli_end (error);
-  }
-  g_autofree QnFigure *figures = g_new0 (QnFigure, count);
-  for (gsize i = 0; i < count; i++) {
-    const QnSheetItem *item = &items[i];
-    qn_figure_init (&figures[i], &item->input.project.model, &item->input.contacts,
-                    &item->file.result, choose_view (&item->file.result));
-    figures[i].options.monochrome = options->picture.monochrome;
-    figures[i].title = qn_sheet_item_title (item);
-  }
-
-  QnMetadata metadata;
-  QnCompareSheet sheet = { .figures = figures,
-                           .count = count,
-                           .columns = MAX (options->columns, 0),
-                           .title = options->title };
-  qn_picture_metadata (NULL, &metadata);
-  metadata.title = options->title;
-  qn_compare_sheet_export (&sheet, options->picture.path, output, &metadata, &error);
-  return qn_cli_end (error);
-}
 
 static QnExit
 run_compare (const QnSubcommand *self, int argc, char **argv)
@@ -70,6 +31,7 @@ run_compare (const QnSubcommand *self, int argc, char **argv)
   };
   QnOutput output;
   QnSheetItem *items = NULL;
+  GError *error = NULL;
   QnExit code = QN_EXIT_USAGE;
 
   qn_output_init (&output);
@@ -82,8 +44,13 @@ run_compare (const QnSubcommand *self, int argc, char **argv)
   gsize count = (gsize) MAX (argc - 1, 0);
   if (code == QN_EXIT_DONE)
     code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
-  if (code == QN_EXIT_DONE)
-    code = draw_sheet (&options, &output, items, count);
+  if (code == QN_EXIT_DONE) {
+    g_autofree QnSheetRun *runs = qn_sheet_items_get_runs (items, argv + 1, count);
+    qn_comparison_export (runs, count, MAX (options.columns, 0), options.title,
+                          options.picture.monochrome, options.picture.path, &output,
+                          &error);
+    code = qn_cli_end (error);
+  }
 
   if (items != NULL)
     qn_sheet_items_free (items, count);

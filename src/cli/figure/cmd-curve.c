@@ -1,14 +1,11 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
-#include "cli/figure/curve-table.h"
 #include "cli/figure/sheet-input.h"
-#include "doc/view/energy-plot.h"
-#include "render/figure/curve-plot.h"
+#include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 typedef struct CurveOptions {
   QnPictureOptions picture;
@@ -19,46 +16,6 @@ typedef struct CurveOptions {
   char **references;
   GArray *lines; /* of QnReferenceLine, of `references` */
 } CurveOptions;
-
-static QnExit
-take_curve (QnCurve *curve, const QnSheetItem *item, const CurveOptions *options)
-{
-  const QnModel *model = &item->input.project.model;
-  const QnResult *result = &item->file.result;
-  QnCurveMotion motion = qn_result_curve_motion (model, result);
-  if (motion.body == QN_NONE) {
-    qn_cli_error (_ ("%s: no step to show"), item->input.project.name);
-    return QN_EXIT_INVALID;
-  }
-  if (!qn_curve_from_result (curve, model, result, motion)) {
-    qn_cli_error (_ ("not enough memory"));
-    return QN_EXIT_INTERNAL;
-  }
-  if (options->until > 0)
-    qn_curve_cut (curve, options->until);
-  else if (!options->whole && !qn_is_table (options->picture.path))
-    qn_curve_cut_runaway (curve);
-  return QN_EXIT_DONE;
-}
-
-/* Runs of one project are distinguished by the names of their results. */
-static void
-label_curves (QnCurve *curves, const QnSheetItem *items, char **arguments, gsize count,
-              GPtrArray *labels)
-{
-  for (gsize i = 0; i < count; i++) {
-    const char *title = qn_sheet_item_title (&items[i]);
-    gsize alike = 0;
-    for (gsize k = 0; k < count; k++)
-      alike += strcmp (title, qn_sheet_item_title (&items[k])) == 0;
-    const char *equals = strrchr (arguments[i], '=');
-    g_autofree char *file =
-      g_path_get_basename (equals != NULL ? equals + 1 : arguments[i]);
-    curves[i].label =
-      alike > 1 ? g_strdup_printf ("%s (%s)", title, file) : g_strdup (title);
-    g_ptr_array_add (labels, (gpointer) curves[i].label);
-  }
-}
 
 /* "0.36" or "0.36=Ferris and Tin-Loi". */
 static QnExit
@@ -76,69 +33,25 @@ parse_references (const QnSubcommand *self, CurveOptions *options)
   return QN_EXIT_DONE;
 }
 
-static gboolean export(const CurveOptions *options, const QnOutput *output,
-                       const QnCurve *curves, gsize count, const QnProject *project,
-                       GError **error)
-{
-  QnMetadata metadata;
-  if (qn_is_table (options->picture.path))
-    return qn_curve_table_write (options->picture.path, curves, count, error);
-  qn_picture_metadata (project, &metadata);
-  g_autoptr (QnPlot) plot =
-    qn_curve_plot (curves, count, (const QnReferenceLine *) (void *) options->lines->data,
-                   options->lines->len);
-  plot->title = options->title;
-  plot->monochrome = options->picture.monochrome;
-  return qn_plot_export (plot, options->picture.path, output, &metadata, error);
-}
-
 static QnExit
 draw_curve (const CurveOptions *options, const QnOutput *output, const QnSheetItem *items,
             char **arguments, gsize count)
 {
-  g_autofree QnCurve *curves = g_new0 (QnCurve, count);
-  g_autoptr (GPtrArray) labels = g_ptr_array_new_with_free_func (g_free);
-  QnExit code = QN_EXIT_DONE;
-  for (gsize i = 0; i < count && code == QN_EXIT_DONE; i++)
-    code = take_curve (&curves[i], &items[i], options);
-
-  for (gsize i = 1; i < count && code == QN_EXIT_DONE; i++)
-    if (!qn_curve_shares_axes (&curves[i], &curves[0])) {
-      qn_cli_error (
-        _ ("%s and %s: paths of different loads, settlements and analyses in time have "
-           "no axes in common"),
-        arguments[0], arguments[i]);
-      code = QN_EXIT_INVALID;
-    }
-  label_curves (curves, items, arguments, count, labels);
-
   GError *error = NULL;
-  if (code == QN_EXIT_DONE
-      && !export(options, output, curves, count,
-                 count == 1 ? &items[0].input.project : NULL, &error))
-    code = qn_cli_fail (error);
-  for (gsize i = 0; i < count; i++)
-    qn_curve_clear (&curves[i]);
-  return code;
-}
-
-/* The energies of one analysis in time. */
-static QnExit
-draw_energy (const CurveOptions *options, const QnOutput *output, const QnSheetItem *item)
-{
-  const QnProject *project = &item->input.project;
-  const char *unit;
-  QnMetadata metadata;
-  GError *error = NULL;
-  if (item->file.result.history.row_count == 0) {
-    qn_cli_error (_ ("%s: only analyses in time have energies"), project->name);
-    return QN_EXIT_INVALID;
-  }
-  qn_picture_metadata (project, &metadata);
-  g_autoptr (QnPlot) plot = qn_energy_plot (&item->file.result.history, &unit);
-  plot->title = options->title;
-  plot->monochrome = options->picture.monochrome;
-  qn_plot_export (plot, options->picture.path, output, &metadata, &error);
+  const char *path = options->picture.path;
+  const QnCurveSheet sheet = {
+    .title = options->title,
+    .until = options->until,
+    .whole = options->whole,
+    .references = (const QnReferenceLine *) (void *) options->lines->data,
+    .reference_count = options->lines->len,
+    .monochrome = options->picture.monochrome,
+  };
+  g_autofree QnSheetRun *runs = qn_sheet_items_get_runs (items, arguments, count);
+  if (options->energy)
+    qn_energy_sheet_export (&sheet, runs, path, output, &error);
+  else
+    qn_curve_sheet_export (&sheet, runs, count, path, output, &error);
   return qn_cli_end (error);
 }
 
@@ -184,8 +97,7 @@ run_curve (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
   if (code == QN_EXIT_DONE)
-    code = options.energy ? draw_energy (&options, &output, &items[0])
-                          : draw_curve (&options, &output, items, argv + 1, count);
+    code = draw_curve (&options, &output, items, argv + 1, count);
 
   if (items != NULL)
     qn_sheet_items_free (items, count);

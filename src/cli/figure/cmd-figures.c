@@ -6,6 +6,7 @@
 #include "cli/figure/sheet-input.h"
 #include "doc/document/underlay.h"
 #include "doc/view/recipe.h"
+#include "doc/view/sheet.h"
 #include "io/text/file-inside.h"
 
 #include <glib/gi18n.h>
@@ -43,7 +44,7 @@ draw_recipe (const QnRecipe *recipe, const QnInput *input, const QnResult *resul
   QnMetadata metadata;
   GError *error = NULL;
   qn_recipe_fill (recipe, &input->project.model, &input->contacts, result, &figure);
-  qn_picture_metadata (&input->project, &metadata);
+  qn_project_get_metadata (&input->project, &metadata);
   bool done = qn_underlay_read (&input->project, shop->options->allow_outside,
                                 &figure.options.underlay, &error)
               && qn_figure_export (&figure, path, &recipe->output, &metadata, &error);

@@ -3,6 +3,7 @@
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
 #include "doc/document/underlay.h"
+#include "doc/view/sheet.h"
 #include "render/figure/figure.h"
 
 #include <glib/gi18n.h>
@@ -107,7 +108,7 @@ draw_picture (const RenderOptions *options, const QnViewOptions *view,
   qn_figure_init (&figure, &input->project.model, &input->contacts, result, view->view);
   figure.options = *view;
   figure.options.onion = onion;
-  qn_picture_metadata (&input->project, &metadata);
+  qn_project_get_metadata (&input->project, &metadata);
   bool done =
     qn_underlay_read (&input->project, options->input.allow_outside,
                       &figure.options.underlay, &error)

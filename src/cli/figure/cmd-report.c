@@ -7,10 +7,9 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct ReportOptions {
-  char *output, *paper, *sections;
+typedef struct Options {
+  char *output, *paper, *sections, *demand;
   char **results;
-  double demand;
   QnInputOptions input;
 } ReportOptions;
 
@@ -25,25 +24,6 @@ item_clear (Item *item)
 {
   qn_report_item_clear (&item->report);
   qn_input_clear (&item->input);
-}
-
-/* The sections that are named. */
-static QnExit
-choose_sections (const QnSubcommand *self, const char *list, bool *sections)
-{
-  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
-    sections[i] = false;
-  g_auto (GStrv) names = g_strsplit (list, ",", -1);
-  for (char **name = names; *name != NULL; name++) {
-    int i = 0;
-    while (i < QN_REPORT_SECTION_COUNT && strcmp (qn_report_section_names[i], *name) != 0)
-      i++;
-    if (i == QN_REPORT_SECTION_COUNT)
-      return qn_cli_refuse_name (self->name, *name, qn_report_section_names,
-                                 QN_REPORT_SECTION_COUNT);
-    sections[i] = true;
-  }
-  return QN_EXIT_DONE;
 }
 
 static QnExit
@@ -88,22 +68,15 @@ solve_item (Item *item, const char *model, const QnInputOptions *options)
 
 static QnExit
 write_report (const ReportOptions *options, const QnInput *input, const Item *items,
-              gsize count, QnReport *report)
+              gsize count, const QnReportTemplate *plan)
 {
   GError *error = NULL;
   g_autofree QnReportRun *runs = g_new0 (QnReportRun, count + 1);
   for (gsize i = 0; i < count; i++)
     runs[i] = qn_report_item_get_run (&items[i].report, &items[i].input.project,
                                       &items[i].input.contacts);
-  report->project = &input->project;
-  report->contacts = &input->contacts;
-  report->runs = runs;
-  report->run_count = count;
-  report->units = QN_UNITS_SI;
-  report->units.force = QN_FORCE_KN;
-  report->units.stress = QN_STRESS_MPA;
-  report->generator = "quoin " QN_VERSION;
-  g_autoptr (GBytes) bytes = qn_report_encode (report, &error);
+  g_autoptr (GBytes) bytes =
+    qn_report_encode_runs (&input->project, &input->contacts, plan, runs, count, &error);
   gsize length;
   const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
   if (data != NULL)
@@ -117,26 +90,22 @@ plan_report (const QnSubcommand *self, const ReportOptions *options,
              const QnProject *project, QnReportTemplate *plan)
 {
   g_autoptr (GError) error = NULL;
+  const char *const given[][2] = { { "paper", options->paper },
+                                   { "demand", options->demand },
+                                   { "sections", options->sections } };
   if (!qn_report_template_read (plan, project, &error))
     return qn_cli_fail (g_steal_pointer (&error));
-  if (options->paper != NULL && !qn_paper_parse (options->paper, &plan->paper))
-    return qn_cli_usage_error (self->name, "%s: %s", options->paper,
-                               _ ("a paper is a4 or letter"));
-  if (options->demand != 0)
-    plan->demand = options->demand;
-  if (plan->demand < 0)
-    return qn_cli_usage_error (self->name, _ ("--demand is a positive number"));
-  if (options->sections == NULL)
-    return QN_EXIT_DONE;
-  QnExit code = choose_sections (self, options->sections, plan->sections);
-  plan->every_joint = plan->sections[QN_REPORT_JOINTS];
-  return code;
+  for (gsize i = 0; i < G_N_ELEMENTS (given); i++)
+    if (given[i][1] != NULL
+        && !qn_report_template_set (plan, given[i][0], given[i][1], &error))
+      return qn_cli_usage_error (self->name, "--%s: %s", given[i][0], error->message);
+  return QN_EXIT_DONE;
 }
 
 static QnExit
 make_report (const QnSubcommand *self, const ReportOptions *options, const char *model)
 {
-  QnReport report = { 0 };
+  QnReportTemplate plan;
   guint given = options->results != NULL ? g_strv_length (options->results) : 0;
   g_autofree Item *items = g_new0 (Item, given + 1);
   gsize count = 0;
@@ -144,7 +113,7 @@ make_report (const QnSubcommand *self, const ReportOptions *options, const char 
   QnExit code = qn_input_load (&input, model, &options->input);
   if (code != QN_EXIT_DONE)
     return code;
-  code = plan_report (self, options, &input.project, &report.plan);
+  code = plan_report (self, options, &input.project, &plan);
   for (guint i = 0; i < given && code == QN_EXIT_DONE; i++) {
     code = load_item (&items[i], model, options->results[i], &options->input);
     count += code == QN_EXIT_DONE;
@@ -154,10 +123,10 @@ make_report (const QnSubcommand *self, const ReportOptions *options, const char 
     count += code == QN_EXIT_DONE;
   }
   if (code == QN_EXIT_DONE)
-    code = write_report (options, &input, items, count, &report);
+    code = write_report (options, &input, items, count, &plan);
   for (gsize i = 0; i < count; i++)
     item_clear (&items[i]);
-  qn_report_template_clear (&report.plan);
+  qn_report_template_clear (&plan);
   qn_input_clear (&input);
   return code;
 }
@@ -177,7 +146,7 @@ run_report (const QnSubcommand *self, int argc, char **argv)
       N_ ("Only these, commas between them"),
       "title,model,materials,loads,findings,contacts,results,joints,certificate,"
       "comparison,files" },
-    { "demand", 0, 0, G_OPTION_ARG_DOUBLE, &options.demand,
+    { "demand", 0, 0, G_OPTION_ARG_STRING, &options.demand,
       N_ ("Say whether this load multiplier is carried"), N_ ("MULTIPLIER") },
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,

@@ -91,12 +91,18 @@ qn_sheet_items_free (QnSheetItem *items, gsize count)
   g_free (items);
 }
 
-const char *
-qn_sheet_item_title (const QnSheetItem *item)
+QnSheetRun *
+qn_sheet_items_get_runs (const QnSheetItem *items, char **arguments, gsize count)
 {
-  const QnProject *project = &item->input.project;
-  const char *slash = strrchr (project->name, G_DIR_SEPARATOR);
-  if (project->model.title != NULL && *project->model.title != '\0')
-    return project->model.title;
-  return slash != NULL ? slash + 1 : project->name;
+  QnSheetRun *runs = g_new0 (QnSheetRun, count);
+  for (gsize i = 0; i < count; i++) {
+    const char *equals = strrchr (arguments[i], '=');
+    const char *name = equals != NULL ? equals + 1 : arguments[i];
+    const char *slash = strrchr (name, G_DIR_SEPARATOR);
+    runs[i] = (QnSheetRun){ .project = &items[i].input.project,
+                            .contacts = &items[i].input.contacts,
+                            .result = &items[i].file.result,
+                            .name = slash != NULL ? slash + 1 : name };
+  }
+  return runs;
 }

@@ -4,6 +4,7 @@
 #define QN_CLI_SHEET_INPUT_H
 
 #include "cli/base/input.h"
+#include "doc/view/sheet.h"
 
 typedef struct QnSheetItem {
   QnInput input;
@@ -28,7 +29,8 @@ QnExit qn_sheet_items_load (char **arguments, gsize count, const QnInputOptions 
                             QnSheetItem **items);
 void qn_sheet_items_free (QnSheetItem *items, gsize count);
 
-/* Title of the project, or else the name of its file without folders; borrowed. */
-const char *qn_sheet_item_title (const QnSheetItem *item);
+/* They as a sheet takes them: borrows from both, named by the results of the arguments. Free with g_free(). */
+QnSheetRun *qn_sheet_items_get_runs (const QnSheetItem *items, char **arguments,
+                                     gsize count);
 
 #endif

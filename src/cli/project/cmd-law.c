@@ -2,6 +2,7 @@
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
 #include "doc/text/law-trace.h"
+#include "doc/view/sheet.h"
 #include "io/project/project.h"
 #include "io/text/file-writer.h"
 
@@ -200,7 +201,7 @@ draw_history (const History *history, const LawOptions *options, const char *nam
   plot->monochrome = options->picture.monochrome;
   QnMetadata metadata;
   GError *error = NULL;
-  qn_picture_metadata (NULL, &metadata);
+  qn_project_get_metadata (NULL, &metadata);
   qn_plot_export (plot, options->picture.path, output, &metadata, &error);
   return qn_cli_end (error);
 }

@@ -5,6 +5,7 @@
 #include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "cli/study/cmd-study.h"
+#include "doc/view/sheet.h"
 #include "io/exchange/record.h"
 #include "io/text/file-writer.h"
 #include "io/text/json-text.h"
@@ -320,7 +321,7 @@ draw_runs (const Ida *ida, const QnOutput *output)
   }
   plot->title = ida->project.model.title;
   plot->monochrome = ida->options->picture.monochrome;
-  qn_picture_metadata (&ida->project, &metadata);
+  qn_project_get_metadata (&ida->project, &metadata);
   qn_plot_export (plot, ida->options->picture.path, output, &metadata, &error);
   qn_plot_free (plot);
   return qn_cli_end (error);

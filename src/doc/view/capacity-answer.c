@@ -469,3 +469,57 @@ qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,
   }
   return qn_file_writer_commit (out, error);
 }
+
+char *
+qn_capacity_answer_dup_json (const QnCapacityAnswer *answer, const QnProject *project,
+                             gsize *length)
+{
+  const QnCapacity *c = &answer->capacity;
+  const QnEnDemand *en = &answer->en;
+  QnFileWriter *out = qn_file_writer_new_in_memory ();
+  qn_file_writer_json (
+    out,
+    "{\n  \"format\": \"quoin-capacity\", \"version\": 1,\n  \"generator\": %s,\n"
+    "  \"model\": %s,\n  \"control_block\": %s,\n  \"participating_blocks\": %zu,\n"
+    "  \"moving_mass\": %f,\n  \"participating_mass\": %f,\n  \"mass_share\": %f,\n"
+    "  \"mass_left_out\": %f,\n  \"displacement_ratio\": %f,\n"
+    "  \"peak_multiplier\": %f,\n  \"end_displacement\": %f,\n  \"reaches_zero\": %i",
+    "quoin " QN_VERSION, project->name, project->model.blocks[c->block].name,
+    c->participating, c->moving_mass, c->mass, c->share, c->left_out, c->ratio,
+    c->points[c->peak].multiplier, c->end, c->reaches_zero);
+  if (answer->has_spectrum) {
+    qn_file_writer_json (
+      out,
+      ",\n  \"confidence\": %g,\n  \"en_demand\": { \"yield_acceleration\": %f, "
+      "\"mechanism_displacement\": %f, \"energy\": %f, \"yield_displacement\": %f, "
+      "\"period\": %f, \"elastic_demand\": %f, \"q\": %f, \"target\": %f },\n"
+      "  \"checks\": [",
+      answer->confidence, en->yield_acceleration, en->mechanism, en->energy, en->yield,
+      en->period, en->elastic, en->q, en->target);
+    for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
+      const QnCapacityState *s = &answer->states[i];
+      qn_file_writer_json (
+        out,
+        ",\n    { \"code\": %s, \"state\": %s, \"capacity\": %f, \"acceleration\": %f, "
+        "\"period\": %f, \"period_half_stiffness\": %f, \"demand\": %f, \"ratio\": "
+        "%f, \"met\": ",
+        i < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3",
+        qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
+        s->period, s->softer, s->demand, s->ratio);
+      qn_file_writer_puts (out, s->refused      ? "null }"
+                                : s->ratio >= 1 ? "true }"
+                                                : "false }");
+    }
+    qn_file_writer_puts (out, "\n  ]");
+  }
+  qn_file_writer_puts (out, ",\n  \"curve\": [");
+  for (size_t i = 0; i < c->count; i++) {
+    const QnCapacityPoint *p = &c->points[i];
+    qn_file_writer_json (out,
+                         ",\n    { \"multiplier\": %f, \"control\": %f, "
+                         "\"displacement\": %f, \"acceleration\": %f }",
+                         p->multiplier, p->control, p->displacement, p->acceleration);
+  }
+  qn_file_writer_puts (out, "\n  ]\n}\n");
+  return qn_file_writer_steal (out, length);
+}

@@ -6,6 +6,7 @@
 #include "core/base/progress.h"
 #include "core/capacity/capacity.h"
 #include "core/contact/contacts.h"
+#include "io/project/project.h"
 #include "render/figure/plot.h"
 
 #include <gio/gio.h>
@@ -74,6 +75,10 @@ void qn_capacity_answer_check (QnCapacityAnswer *answer);
 
 /* The curve, and with a spectrum what it is held against; borrows nothing. */
 QnPlot *qn_capacity_answer_plot (const QnCapacityAnswer *answer);
+
+/* Curve and checks as JSON, keys as in the manual; free with g_free(). */
+char *qn_capacity_answer_dup_json (const QnCapacityAnswer *answer,
+                                   const QnProject *project, gsize *length);
 
 /* Writes the curve as a table. */
 gboolean qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,

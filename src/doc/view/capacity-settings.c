@@ -1,7 +1,17 @@
 #include "doc/view/capacity-settings.h"
 
+#include "core/base/numbers.h"
 #include "io/project/project-extras.h"
 #include "io/project/project-members.h"
+#include "io/text/file-inside.h"
+#include "io/text/io-error.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+/* What "g" is of an acceleration, m/s2. */
+#define STANDARD_GRAVITY 9.80665
 
 static const QnMember members[] = {
   QN_STRING ("control", OPTIONAL, QnCapacitySettings, control),
@@ -26,6 +36,141 @@ qn_capacity_settings_read (const QnProject *project, QnCapacitySettings *setting
     return TRUE;
   qn_capacity_settings_clear (settings);
   g_propagate_error (error, reader.error);
+  return FALSE;
+}
+
+static gboolean
+refuse (const char *problem, GError **error)
+{
+  g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, problem);
+  return FALSE;
+}
+
+static gboolean
+parse_number (const char *text, double *number, double unit)
+{
+  char *end;
+  *number = g_ascii_strtod (text, &end);
+  if (end != text && unit != 0 && strcmp (end, "g") == 0)
+    *number *= unit;
+  else if (end == text || *end != '\0')
+    return FALSE;
+  return qn_number_problem (*number, QN_RANGE_POSITIVE, QN_LARGEST_NUMBER)
+         == QN_PROBLEM_NONE;
+}
+
+static gboolean
+is_of_code (const char *spectrum)
+{
+  return strcmp (spectrum, "type1") == 0 || strcmp (spectrum, "type2") == 0;
+}
+
+gboolean
+qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char *value,
+                          GError **error)
+{
+  char **text = strcmp (option, "control") == 0    ? &s->control
+                : strcmp (option, "spectrum") == 0 ? &s->spectrum
+                : strcmp (option, "soil") == 0     ? &s->soil
+                : strcmp (option, "unit") == 0     ? &s->unit
+                                                   : NULL;
+  if (text == &s->spectrum) { /* what belongs to another one goes */
+    s->direct = TRUE;
+    g_clear_pointer (&s->unit, g_free);
+    if (!is_of_code (value)) {
+      s->ag = 0;
+      g_clear_pointer (&s->soil, g_free);
+    }
+  }
+  if (text != NULL) {
+    g_free (*text);
+    *text = g_strdup (value);
+    return TRUE;
+  }
+  if (strcmp (option, "ag") == 0)
+    return parse_number (value, &s->ag, STANDARD_GRAVITY)
+           || refuse (_ ("ag is a positive acceleration in m/s2, or in g as 0.25g"),
+                      error);
+  if (strcmp (option, "damping") == 0)
+    return parse_number (value, &s->damping, 0)
+           || refuse (_ ("damping is a ratio between 0 and 1"), error);
+  if (strcmp (option, "confidence") == 0)
+    return parse_number (value, &s->confidence, 0)
+           || refuse (_ ("confidence is a factor of 1 or more"), error);
+  g_autofree char *problem = g_strdup_printf (_ ("%s: no such option"), option);
+  return refuse (problem, error);
+}
+
+/* A table of periods and accelerations. */
+static gboolean
+read_spectrum (const QnCapacitySettings *s, const QnProject *project,
+               gboolean allow_outside, QnRecord *points, GError **error)
+{
+  g_autofree char *folder =
+    g_path_get_dirname (project->path != NULL ? project->path : "");
+  g_autofree char *path = s->direct
+                            ? g_strdup (s->spectrum)
+                            : qn_file_inside (folder, s->spectrum, allow_outside, error);
+  if (path == NULL || !qn_record_read (path, s->unit, 0, points, error))
+    return FALSE;
+  for (gsize i = 0; i < points->count; i++)
+    if (!(points->points[i].y > 0)) {
+      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                   _ ("%s: accelerations of a spectrum must be positive"), path);
+      return FALSE;
+    }
+  return TRUE;
+}
+
+gboolean
+qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *project,
+                            gboolean allow_outside, QnCapacityAnswer *answer,
+                            QnRecord *points, GError **error)
+{
+  QnSpectrum *spectrum = &answer->spectrum;
+  const char *soil = s->soil != NULL ? s->soil : "";
+  *points = (QnRecord){ 0 };
+  answer->confidence = s->confidence > 0 ? s->confidence : 1;
+  answer->has_spectrum = s->spectrum != NULL;
+  *spectrum = (QnSpectrum){ .damping = s->damping > 0 ? s->damping : 0.05 };
+  if (!(answer->confidence >= 1))
+    return refuse (_ ("confidence is a factor of 1 or more"), error);
+  if (!(spectrum->damping < 1))
+    return refuse (_ ("damping is a ratio between 0 and 1"), error);
+  if (s->spectrum == NULL)
+    return (s->ag == 0 && s->soil == NULL && s->unit == NULL)
+           || refuse (_ ("spectrum is missing"), error);
+  if (!is_of_code (s->spectrum)) {
+    if (s->ag != 0 || s->soil != NULL)
+      return refuse (_ ("ag and soil belong to the spectra type1 and type2"), error);
+    if (!read_spectrum (s, project, allow_outside, points, error))
+      return FALSE;
+    spectrum->kind = QN_SPECTRUM_POINTS;
+    spectrum->points = points->points;
+    spectrum->point_count = points->count;
+    return TRUE;
+  }
+  if (s->ag == 0 || s->soil == NULL)
+    return refuse (_ ("ag and soil are needed by a spectrum of EN 1998-1"), error);
+  if (strlen (soil) != 1 || *soil < 'A' || *soil > 'E')
+    return refuse (_ ("soil is A, B, C, D or E"), error);
+  spectrum->kind =
+    strcmp (s->spectrum, "type1") == 0 ? QN_SPECTRUM_EN_1 : QN_SPECTRUM_EN_2;
+  spectrum->ground_acceleration = s->ag;
+  spectrum->soil = (QnSoil) (*soil - 'A');
+  return TRUE;
+}
+
+gboolean
+qn_capacity_settings_find_control (const QnCapacitySettings *s, const QnProject *project,
+                                   QnId *control, GError **error)
+{
+  *control =
+    s->control != NULL ? qn_model_find_block (&project->model, s->control) : QN_NONE;
+  if (s->control == NULL || *control != QN_NONE)
+    return TRUE;
+  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+               _ ("%s: --control: no block has the name %s"), project->name, s->control);
   return FALSE;
 }
 

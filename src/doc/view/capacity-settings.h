@@ -8,6 +8,8 @@
 #ifndef QN_DOC_CAPACITY_SETTINGS_H
 #define QN_DOC_CAPACITY_SETTINGS_H
 
+#include "doc/view/capacity-answer.h"
+#include "io/exchange/record.h"
 #include "io/project/project.h"
 
 #define QN_CAPACITY_MEMBER "capacity"
@@ -20,12 +22,32 @@ typedef struct QnCapacitySettings {
   double damping;    /* ratio; 0: not said */
   double confidence; /* 0: not said */
   char *unit;        /* NULL: as the file says */
+  gboolean
+    direct; /* a file of `spectrum` is a path of the user's, not one beside the project */
 } QnCapacitySettings;
 
 /* Reads them; all is empty where the project has none. FALSE with an error that names the place.
  * `settings` is overwritten without being cleared. */
 gboolean qn_capacity_settings_read (const QnProject *project,
                                     QnCapacitySettings *settings, GError **error);
+
+/* Sets one of them by its name, as an option of the command line: `ag` in m/s2, or "0.25g". FALSE with
+ * QN_IO_ERROR_OVERRIDE, whose message begins with the name. */
+gboolean qn_capacity_settings_set (QnCapacitySettings *settings, const char *option,
+                                   const char *value, GError **error);
+
+/* What an answer is to be held against: damping 0.05 and confidence 1 where they are not said. `points`, to be
+ * cleared, are those of a file. FALSE with QN_IO_ERROR_OVERRIDE where settings are missing or contradict, and
+ * errors of the file. */
+gboolean qn_capacity_settings_apply (const QnCapacitySettings *settings,
+                                     const QnProject *project, gboolean allow_outside,
+                                     QnCapacityAnswer *answer, QnRecord *points,
+                                     GError **error);
+
+/* The block of `control`; QN_NONE where none is named. FALSE where no block has the name. */
+gboolean qn_capacity_settings_find_control (const QnCapacitySettings *settings,
+                                            const QnProject *project, QnId *control,
+                                            GError **error);
 
 /* As JSON text, for qn_document_edit_extra(). Free with g_free(). */
 char *qn_capacity_settings_to_json (const QnCapacitySettings *settings);

@@ -55,6 +55,23 @@ qn_report_item_parse (QnReportItem *item, const char *text, gsize length,
   return TRUE;
 }
 
+GBytes *
+qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
+                       const QnReportTemplate *plan, const QnReportRun *runs,
+                       size_t count, GError **error)
+{
+  QnReport report = { .project = project,
+                      .contacts = contacts,
+                      .runs = runs,
+                      .run_count = count,
+                      .plan = *plan,
+                      .units = QN_UNITS_SI,
+                      .generator = "quoin " QN_VERSION };
+  report.units.force = QN_FORCE_KN;
+  report.units.stress = QN_STRESS_MPA;
+  return qn_report_encode (&report, error);
+}
+
 static gboolean
 load_item (QnReportItem *item, QnDocument *document, const QnRun *run,
            const QnProject *project, GError **error)

@@ -29,6 +29,11 @@ gboolean qn_report_item_parse (QnReportItem *item, const char *text, gsize lengt
 QnReportRun qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
                                     const QnContacts *contacts);
 
+/* The report on these runs as a file, with the units that the command line has: kN, MPa. */
+GBytes *qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
+                               const QnReportTemplate *plan, const QnReportRun *runs,
+                               size_t count, GError **error);
+
 void qn_report_item_clear (QnReportItem *item);
 
 /* Writes the report on the document as its template says, with all of its runs that belong to the

@@ -2,9 +2,12 @@
 
 #include "io/project/project-extras.h"
 #include "io/project/project-members.h"
+#include "io/text/io-error.h"
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
 
 static const char *const papers[QN_PAPER_COUNT] = { "a4", "letter" };
 
@@ -24,6 +27,15 @@ const char *const qn_report_section_names[] = {
 };
 
 static gboolean
+find_section (const char *name, int *section)
+{
+  for (*section = 0; *section < QN_REPORT_SECTION_COUNT; (*section)++)
+    if (strcmp (qn_report_section_names[*section], name) == 0)
+      return TRUE;
+  return FALSE;
+}
+
+static gboolean
 read_sections (const QnJsonValue *object, QnReportTemplate *plan)
 {
   QnJsonValue list, element = { 0 };
@@ -35,16 +47,57 @@ read_sections (const QnJsonValue *object, QnReportTemplate *plan)
     plan->sections[i] = false;
   while (qn_json_value_next (&list, &element)) {
     const char *name = cJSON_IsString (element.json) ? element.json->valuestring : "";
-    int i = 0;
-    while (i < QN_REPORT_SECTION_COUNT && !g_str_equal (qn_report_section_names[i], name))
-      i++;
-    if (i == QN_REPORT_SECTION_COUNT) {
+    int i;
+    if (!find_section (name, &i)) {
       g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
       return qn_json_value_failf (&element, _ ("is none of %s"), known);
     }
     plan->sections[i] = true;
   }
   return TRUE;
+}
+
+/* The sections that are named; tables of joints are whole where theirs is. */
+static gboolean
+set_sections (QnReportTemplate *plan, const char *list, GError **error)
+{
+  g_auto (GStrv) names = g_strsplit (list, ",", -1);
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    plan->sections[i] = false;
+  for (char **name = names; *name != NULL; name++) {
+    int i;
+    if (!find_section (*name, &i)) {
+      g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
+      g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known);
+      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", *name, reason);
+      return FALSE;
+    }
+    plan->sections[i] = true;
+  }
+  plan->every_joint = plan->sections[QN_REPORT_JOINTS];
+  return TRUE;
+}
+
+gboolean
+qn_report_template_set (QnReportTemplate *plan, const char *option, const char *value,
+                        GError **error)
+{
+  char *end = NULL;
+  const char *problem = NULL;
+  if (strcmp (option, "sections") == 0)
+    return set_sections (plan, value, error);
+  if (strcmp (option, "paper") == 0) {
+    problem = qn_paper_parse (value, &plan->paper) ? NULL : _ ("a paper is a4 or letter");
+  } else if (strcmp (option, "demand") == 0) {
+    plan->demand = g_ascii_strtod (value, &end);
+    if (end == value || *end != '\0' || !(plan->demand >= 0) || !isfinite (plan->demand))
+      problem = _ ("demand is a positive number");
+  } else
+    problem = _ ("no such option");
+  if (problem == NULL)
+    return TRUE;
+  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", value, problem);
+  return FALSE;
 }
 
 gboolean

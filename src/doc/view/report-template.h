@@ -39,6 +39,11 @@ typedef struct QnReportTemplate {
 gboolean qn_report_template_read (QnReportTemplate *plan, const QnProject *project,
                                   GError **error);
 
+/* Sets "paper" to "a4" or "letter", "sections" to a list with commas, or "demand" to a number; false with
+ * QN_IO_ERROR_OVERRIDE where that is none of these. */
+gboolean qn_report_template_set (QnReportTemplate *plan, const char *option,
+                                 const char *value, GError **error);
+
 /* As JSON text, for qn_document_edit_extra(). Free with g_free(). */
 char *qn_report_template_to_json (const QnReportTemplate *plan);
 

@@ -53,6 +53,27 @@ qn_animation_frames_at (const QnResult *result, double rate, double speed)
   return seconds > 0 ? fmax (1 + round (seconds * rate / speed), 2) : 0;
 }
 
+bool
+qn_animation_set_speed (QnAnimation *animation, double speed, GError **error)
+{
+  double frames =
+    qn_animation_frames_at (animation->figure.result, animation->rate, speed);
+  if (frames > 0 && frames <= QN_MAX_FRAMES) {
+    animation->frames = (int) qn_to_integer (frames, 2, QN_MAX_FRAMES);
+    return true;
+  }
+  if (frames == 0)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("--speed: the result is not one of an analysis in time"));
+  else
+    g_set_error (
+      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+      _ ("--speed: these are %.0f pictures; at most %d can be written: choose a "
+         "lower --rate or a higher speed"),
+      frames, QN_MAX_FRAMES);
+  return false;
+}
+
 double
 qn_animation_speed_of (const QnResult *result, double rate, int frames)
 {

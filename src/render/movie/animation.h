@@ -30,6 +30,10 @@ void qn_animation_init (QnAnimation *animation, const QnModel *model,
 double qn_animation_frames_at (const QnResult *result, double rate, double speed);
 double qn_animation_speed_of (const QnResult *result, double rate, int frames);
 
+/* Takes as many pictures as show so many seconds of an analysis in time in one second. False with an error,
+ * USAGE, where the result is not one in time or there were too many. */
+bool qn_animation_set_speed (QnAnimation *animation, double speed, GError **error);
+
 /* Writes OUT.gif, OUT.webm, or numbered pictures frame-0001.png … into FOLDER/ (a path that
  * ends in a slash or is a folder already; made where missing). On failure or cancelling
  * nothing of this export is left. */

@@ -1,0 +1,250 @@
+#include "doc/view/sheet.h"
+
+#include "core/result/mechanism.h"
+#include "doc/view/energy-plot.h"
+#include "io/text/file-writer.h"
+#include "io/text/io-error.h"
+#include "io/text/mechanism-text.h"
+#include "render/figure/compare-sheet.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+static const char *
+without_folders (const char *path)
+{
+  const char *slash = strrchr (path, G_DIR_SEPARATOR);
+  return slash != NULL ? slash + 1 : path;
+}
+
+const char *
+qn_sheet_run_title (const QnSheetRun *run)
+{
+  const QnProject *project = run->project;
+  const char *title = project->model.title;
+  return title != NULL && *title != '\0' ? title : without_folders (project->name);
+}
+
+void
+qn_project_get_metadata (const QnProject *project, QnMetadata *metadata)
+{
+  qn_metadata_init (metadata);
+  metadata->generator = "quoin " QN_VERSION;
+  if (project != NULL) {
+    metadata->model = without_folders (project->name);
+    metadata->model_sha256 = project->sha256;
+  }
+}
+
+gboolean
+qn_is_table (const char *path)
+{
+  g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
+  return lower != NULL && g_str_has_suffix (lower, ".csv");
+}
+
+/* ---- tables ---- */
+
+/* A field in quotes, which are doubled within. */
+static void
+write_text (QnFileWriter *writer, const char *text)
+{
+  g_auto (GStrv) parts = g_strsplit (text, "\"", -1);
+  g_autofree char *doubled = g_strjoinv ("\"\"", parts);
+  qn_file_writer_printf (writer, "\"%s\"", doubled);
+}
+
+static gboolean
+write_curve_table (const char *path, const QnCurve *curves, gsize count, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_puts (writer,
+                       count > 0 && curves[0].in_time
+                         ? "run,step,time [s],displacement [m or rad],mark\n"
+                       : count > 0 && curves[0].settles
+                         ? "run,step,settlement [m or rad],reaction [N or N m],mark\n"
+                         : "run,step,displacement [m or rad],multiplier [-],mark\n");
+  for (gsize c = 0; c < count; c++)
+    for (gsize i = 0; i < curves[c].count; i++) {
+      const QnCurve *curve = &curves[c];
+      const char *mark = (ptrdiff_t) i == curve->collapse_point ? "collapse"
+                         : (ptrdiff_t) i == curve->limit_point  ? "limit point"
+                                                                : "";
+      write_text (writer, curve->label != NULL ? curve->label : "");
+      qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT ",", i);
+      qn_file_writer_number (writer, curve->x[i]);
+      qn_file_writer_puts_number (writer, ",", curve->y[i]);
+      qn_file_writer_printf (writer, ",%s\n", mark);
+    }
+  return qn_file_writer_commit (writer, error);
+}
+
+/* Its name alone; empty where there is none. */
+static char *
+dup_mechanism (const QnSheetRun *run)
+{
+  QnMechanism mechanism;
+  const QnResult *result = run->result;
+  if (result->mechanism == NULL
+      || qn_mechanism_of_result (&mechanism, &run->project->model, run->contacts, result,
+                                 NULL)
+           != QN_OK)
+    return g_strdup ("");
+  char *title = qn_mechanism_dup_title (&mechanism);
+  qn_mechanism_clear (&mechanism);
+  return title;
+}
+
+static gboolean
+write_comparison (const char *path, const QnSheetRun *runs, gsize count, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_puts (writer, "project,title,outcome,multiplier [-],mechanism,steps\n");
+  for (gsize i = 0; i < count; i++) {
+    const QnResult *result = runs[i].result;
+    g_autofree char *mechanism = dup_mechanism (&runs[i]);
+    write_text (writer, runs[i].project->name);
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, qn_sheet_run_title (&runs[i]));
+    qn_file_writer_printf (writer, ",%s,", qn_outcome_names[result->outcome]);
+    if (result->has_collapse_multiplier)
+      qn_file_writer_number (writer, result->collapse_multiplier);
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, mechanism);
+    qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT "\n", result->step_count);
+  }
+  return qn_file_writer_commit (writer, error);
+}
+
+/* ---- curves ---- */
+
+static gboolean
+read_curve (QnCurve *curve, const QnSheetRun *run, const QnCurveSheet *sheet,
+            gboolean table, GError **error)
+{
+  const QnModel *model = &run->project->model;
+  QnCurveMotion motion = qn_result_curve_motion (model, run->result);
+  if (motion.body == QN_NONE) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, _ ("%s: no step to show"),
+                 run->project->name);
+    return FALSE;
+  }
+  if (!qn_curve_from_result (curve, model, run->result, motion)) {
+    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
+                         _ ("not enough memory"));
+    return FALSE;
+  }
+  if (sheet->until > 0)
+    qn_curve_cut (curve, sheet->until);
+  else if (!sheet->whole && !table)
+    qn_curve_cut_runaway (curve);
+  return TRUE;
+}
+
+/* Runs of one project are distinguished by their own names. */
+static char *
+dup_label (const QnSheetRun *runs, gsize count, gsize i)
+{
+  const char *title = qn_sheet_run_title (&runs[i]);
+  gsize alike = 0;
+  for (gsize k = 0; k < count; k++)
+    alike += strcmp (title, qn_sheet_run_title (&runs[k])) == 0;
+  return alike > 1 ? g_strdup_printf ("%s (%s)", title, runs[i].name) : g_strdup (title);
+}
+
+static gboolean
+draw_curves (const QnCurveSheet *sheet, const QnSheetRun *runs, const QnCurve *curves,
+             gsize count, const char *path, const QnOutput *output, GError **error)
+{
+  QnMetadata metadata;
+  qn_project_get_metadata (count == 1 ? runs[0].project : NULL, &metadata);
+  g_autoptr (QnPlot) plot =
+    qn_curve_plot (curves, count, sheet->references, sheet->reference_count);
+  plot->title = sheet->title;
+  plot->monochrome = sheet->monochrome;
+  return qn_plot_export (plot, path, output, &metadata, error);
+}
+
+gboolean
+qn_curve_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *runs, gsize count,
+                       const char *path, const QnOutput *output, GError **error)
+{
+  g_autofree QnCurve *curves = g_new0 (QnCurve, count);
+  g_autoptr (GPtrArray) labels = g_ptr_array_new_with_free_func (g_free);
+  gboolean table = qn_is_table (path), done = TRUE;
+  for (gsize i = 0; i < count && done; i++) {
+    done = read_curve (&curves[i], &runs[i], sheet, table, error);
+    g_ptr_array_add (labels, dup_label (runs, count, i));
+    curves[i].label = labels->pdata[i];
+    if (done && !qn_curve_shares_axes (&curves[i], &curves[0])) {
+      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                   _ ("%s and %s: paths of different loads, settlements and analyses in "
+                      "time have no axes in common"),
+                   runs[0].name, runs[i].name);
+      done = FALSE;
+    }
+  }
+  if (done)
+    done = table ? write_curve_table (path, curves, count, error)
+                 : draw_curves (sheet, runs, curves, count, path, output, error);
+  for (gsize i = 0; i < count; i++)
+    qn_curve_clear (&curves[i]);
+  return done;
+}
+
+gboolean
+qn_energy_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *run,
+                        const char *path, const QnOutput *output, GError **error)
+{
+  QnMetadata metadata;
+  const char *unit;
+  if (run->result->history.row_count == 0) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s: only analyses in time have energies"), run->project->name);
+    return FALSE;
+  }
+  qn_project_get_metadata (run->project, &metadata);
+  g_autoptr (QnPlot) plot = qn_energy_plot (&run->result->history, &unit);
+  plot->title = sheet->title;
+  plot->monochrome = sheet->monochrome;
+  return qn_plot_export (plot, path, output, &metadata, error);
+}
+
+/* ---- mechanisms ---- */
+
+/* A mechanism where the result has one, else the deformed state, else the model alone. */
+static QnView
+choose_view (const QnResult *result)
+{
+  if (result->mechanism != NULL)
+    return QN_VIEW_MECHANISM;
+  return result->step_count > 0 ? QN_VIEW_DEFORMED : QN_VIEW_MODEL;
+}
+
+gboolean
+qn_comparison_export (const QnSheetRun *runs, gsize count, int columns, const char *title,
+                      gboolean monochrome, const char *path, const QnOutput *output,
+                      GError **error)
+{
+  if (qn_is_table (path))
+    return write_comparison (path, runs, count, error);
+  g_autofree QnFigure *figures = g_new0 (QnFigure, count);
+  for (gsize i = 0; i < count; i++) {
+    const QnSheetRun *run = &runs[i];
+    qn_figure_init (&figures[i], &run->project->model, run->contacts, run->result,
+                    choose_view (run->result));
+    figures[i].options.monochrome = monochrome;
+    figures[i].title = qn_sheet_run_title (run);
+  }
+  QnMetadata metadata;
+  QnCompareSheet sheet = {
+    .figures = figures, .count = count, .columns = columns, .title = title
+  };
+  qn_project_get_metadata (NULL, &metadata);
+  metadata.title = title;
+  return qn_compare_sheet_export (&sheet, path, output, &metadata, error);
+}
