@@ -8,8 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-/* What coincides in projection does so within this part of the block's extent. */
-#define PLANAR_TOLERANCE 1e-6
+/* What coincides in projection does so within this part of the block's extent: files of single precision
+ * are off by 2e-6. */
+#define PLANAR_TOLERANCE 1e-5
 
 /* More blocks are not compared with each other; a block with more vertices is no prism. */
 #define MOST_COMPARED 20000
@@ -32,6 +33,7 @@ typedef struct Mesh {
   char *name;
   GArray *points, *faces; /* MeshPoint; guint */
   gboolean support;
+  double density; /* kg/m3, or 0 */
 } Mesh;
 
 static void
@@ -45,11 +47,11 @@ free_mesh (gpointer data)
 }
 
 static Mesh *
-add_mesh (GPtrArray *meshes, const char *name, gboolean support)
+add_mesh (GPtrArray *meshes, const char *name, gboolean support, double density)
 {
   Mesh *mesh = g_new (Mesh, 1);
   *mesh = (Mesh){ g_strdup (name), g_array_new (FALSE, FALSE, sizeof (MeshPoint)),
-                  g_array_new (FALSE, FALSE, sizeof (guint)), support };
+                  g_array_new (FALSE, FALSE, sizeof (guint)), support, density };
   g_ptr_array_add (meshes, mesh);
   return mesh;
 }
@@ -63,9 +65,9 @@ seen (const Mesh *mesh, guint index, int view)
   return qn_vec2 (p[views[view].right], p[views[view].up]);
 }
 
-/* Extent of the block along its largest axis; the least depth in a view. */
+/* Extent of the block along its largest axis; its least and greatest depth in a view. */
 static double
-extent_of (const Mesh *mesh, int view, double *front)
+extent_of (const Mesh *mesh, int view, double ends[2])
 {
   double extent = 0;
   for (int axis = 0; axis < 3; axis++) {
@@ -75,8 +77,10 @@ extent_of (const Mesh *mesh, int view, double *front)
       high = fmax (high, g_array_index (mesh->points, MeshPoint, i).at[axis]);
     }
     extent = fmax (extent, high - low);
-    if (axis == views[view].depth)
-      *front = low;
+    if (axis == views[view].depth) {
+      ends[0] = low;
+      ends[1] = high;
+    }
   }
   return extent;
 }
@@ -114,63 +118,94 @@ add_edge (GArray *edges, guint from, guint to)
   g_array_append_val (edges, ((Edge){ from, to }));
 }
 
-/* The edges as one ring of points; FALSE where they are none. */
-static gboolean
+/* Takes the edges apart into rings: the largest, and how many; 0 where they are none. */
+static guint
 chain (const Mesh *mesh, int view, GArray *edges, GArray *outline)
 {
+  guint count = 0;
+  double largest = 0;
   g_array_set_size (outline, 0);
-  if (edges->len < 3)
-    return FALSE;
-  guint start = g_array_index (edges, Edge, 0).from, at = start;
-  while (edges->len > 0) {
-    guint i = 0;
-    while (i < edges->len && g_array_index (edges, Edge, i).from != at
-           && g_array_index (edges, Edge, i).to != at)
-      i++;
-    if (i == edges->len)
-      return FALSE;
-    Edge edge = g_array_index (edges, Edge, i);
-    QnVec2 p = seen (mesh, at, view);
-    g_array_append_val (outline, p);
-    at = edge.from == at ? edge.to : edge.from;
-    g_array_remove_index_fast (edges, i);
-    if (at == start)
-      break;
+  for (; edges->len > 0; count++) {
+    g_autoptr (GArray) ring = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+    guint start = g_array_index (edges, Edge, 0).from, at = start;
+    do {
+      guint i = 0;
+      while (i < edges->len && g_array_index (edges, Edge, i).from != at
+             && g_array_index (edges, Edge, i).to != at)
+        i++;
+      if (i == edges->len)
+        return 0;
+      Edge edge = g_array_index (edges, Edge, i);
+      QnVec2 p = seen (mesh, at, view);
+      g_array_append_val (ring, p);
+      at = edge.from == at ? edge.to : edge.from;
+      g_array_remove_index_fast (edges, i);
+    } while (at != start);
+    double area =
+      fabs (qn_ring_area (&(QnRing){ (QnVec2 *) (void *) ring->data, ring->len }));
+    if (area > largest) {
+      largest = area;
+      g_array_set_size (outline, 0);
+      g_array_append_vals (outline, ring->data, ring->len);
+    }
   }
-  return edges->len == 0 && at == start && outline->len >= 3;
+  return outline->len >= 3 ? count : 0;
 }
 
-/* The outline of a prism in a view: of all faces of its front together. FALSE where the block is none:
- * there is no such front, or some vertex is not seen on its outline. */
-static gboolean
-outline_of (const Mesh *mesh, int view, GArray *outline)
+/* The outline of all faces at one depth together, and how many rings they have. */
+static guint
+outline_at (const Mesh *mesh, int view, double at, double tolerance, GArray *outline)
 {
-  double front = 0, tolerance = PLANAR_TOLERANCE * extent_of (mesh, view, &front);
   g_autoptr (GArray) edges = g_array_new (FALSE, FALSE, sizeof (Edge));
   const guint *faces = (const guint *) (const void *) mesh->faces->data;
-  if (mesh->points->len > MOST_VERTICES)
-    return FALSE;
   for (guint f = 0; f < mesh->faces->len; f += faces[f] + 1) {
     gboolean across = TRUE;
     for (guint i = 1; i <= faces[f]; i++) {
       double depth =
         g_array_index (mesh->points, MeshPoint, faces[f + i]).at[views[view].depth];
-      across = across && fabs (depth - front) <= tolerance;
+      across = across && fabs (depth - at) <= tolerance;
     }
     for (guint i = 1; across && i <= faces[f]; i++)
       add_edge (edges, place_of (mesh, faces[f + i], view, tolerance),
                 place_of (mesh, faces[f + (i < faces[f] ? i + 1 : 1)], view, tolerance));
   }
-  if (!chain (mesh, view, edges, outline))
-    return FALSE;
+  return chain (mesh, view, edges, outline);
+}
+
+static gboolean
+is_on (const GArray *outline, QnVec2 p, double tolerance)
+{
   const QnVec2 *ring = (const QnVec2 *) (const void *) outline->data;
+  double nearest = INFINITY;
+  for (guint i = 0; i < outline->len; i++)
+    nearest =
+      fmin (nearest, qn_segment_distance (ring[i], ring[(i + 1) % outline->len], p));
+  return nearest <= tolerance;
+}
+
+/* The outline of a prism in a view, and how many holes it has. FALSE where the block is none: its front and
+ * its back have not one outline, or some vertex between them is not seen on it. */
+static gboolean
+outline_of (const Mesh *mesh, int view, GArray *outline, guint *holes)
+{
+  double ends[2] = { 0 }, tolerance = PLANAR_TOLERANCE * extent_of (mesh, view, ends);
+  g_autoptr (GArray) back = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  if (mesh->points->len > MOST_VERTICES)
+    return FALSE;
+  guint rings = outline_at (mesh, view, ends[0], tolerance, outline);
+  if (rings == 0 || outline_at (mesh, view, ends[1], tolerance, back) != rings)
+    return FALSE;
+  for (guint i = 0; i < outline->len; i++)
+    if (!is_on (back, g_array_index (outline, QnVec2, i), tolerance))
+      return FALSE;
+  for (guint i = 0; i < back->len; i++)
+    if (!is_on (outline, g_array_index (back, QnVec2, i), tolerance))
+      return FALSE;
+  *holes = rings - 1;
   for (guint v = 0; v < mesh->points->len; v++) {
-    double nearest = INFINITY;
-    QnVec2 p = seen (mesh, v, view);
-    for (guint i = 0; i < outline->len; i++)
-      nearest =
-        fmin (nearest, qn_segment_distance (ring[i], ring[(i + 1) % outline->len], p));
-    if (!(nearest <= tolerance))
+    double depth = g_array_index (mesh->points, MeshPoint, v).at[views[view].depth];
+    gboolean between = depth - ends[0] > tolerance && ends[1] - depth > tolerance;
+    if (between && *holes == 0 && !is_on (outline, seen (mesh, v, view), tolerance))
       return FALSE;
   }
   return TRUE;
@@ -202,9 +237,11 @@ static char *
 add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
 {
   g_autoptr (GArray) outline = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  guint dense = 0, hollow = 0;
   for (guint i = 0; i < meshes->len; i++) {
     const Mesh *mesh = meshes->pdata[i];
-    if (!outline_of (mesh, view, outline))
+    guint holes = 0;
+    if (!outline_of (mesh, view, outline, &holes))
       return g_strdup_printf (_ ("block %s is not a prism along %c"), mesh->name,
                               'x' + views[view].depth);
     QnRing ring = { (QnVec2 *) (void *) outline->data, outline->len };
@@ -212,16 +249,33 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
     QnDrawingPath *path = qn_drawing_add_path (drawing, "BLOCKS", 0);
     path->closed = TRUE;
     path->support = mesh->support;
+    path->density = mesh->density;
+    dense += mesh->density > 0;
+    hollow += holes > 0;
     for (guint k = 0; k < outline->len; k++)
       qn_drawing_path_add (path, g_array_index (outline, QnVec2, k));
   }
   const QnDrawingPath *covered = find_covered (drawing);
-  if (covered == NULL)
+  if (covered == NULL) {
+    if (hollow > 0)
+      qn_drawing_note (drawing, _ ("blocks with holes, which are taken as solid"), 0,
+                       qn_vec2 (NAN, NAN))
+        ->count = hollow;
+    if (dense > 0) {
+      QnDrawingNote *note = qn_drawing_note (
+        drawing, _ ("blocks with a density of the file"), 0, qn_vec2 (NAN, NAN));
+      note->count = dense;
+      note->minor = TRUE;
+    }
     return NULL;
+  }
   const Mesh *mesh =
     meshes->pdata[covered - &g_array_index (drawing->paths, QnDrawingPath, 0)];
-  return g_strdup_printf (_ ("block %s lies behind another one along %c"), mesh->name,
-                          'x' + views[view].depth);
+  return g_strdup_printf (
+    hollow > 0 ? _ ("block %s lies behind another one along %c, or in its hole: "
+                    "blocks cannot be hollow")
+               : _ ("block %s lies behind another one along %c"),
+    mesh->name, 'x' + views[view].depth);
 }
 
 /* Tries the views; what spoils the first one is told where another one is taken. */
@@ -293,9 +347,9 @@ transform (MeshPoint *p, const cJSON *matrix)
 /* The mesh of a block: vertices and faces by keys. */
 static void
 take_mesh (GPtrArray *meshes, const cJSON *vertices, const cJSON *faces, const char *name,
-           gboolean support, const cJSON *matrix)
+           gboolean support, double density, const cJSON *matrix)
 {
-  Mesh *mesh = add_mesh (meshes, name, support);
+  Mesh *mesh = add_mesh (meshes, name, support, density);
   g_autoptr (GHashTable) indices =
     g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
   guint next = 0;
@@ -326,11 +380,11 @@ take_mesh (GPtrArray *meshes, const cJSON *vertices, const cJSON *faces, const c
 }
 
 /* Every mesh in the document that is no joint, whichever class has it: assemblies, networks, models with
- * elements. Support, name and place are those of what is nearest around it. In files of old assemblies the blocks stand beside the
+ * elements. Support, density, name and place are those of what is nearest around it. In files of old assemblies the blocks stand beside the
  * nodes, which say what is a support. */
 static void
 collect (GPtrArray *meshes, const cJSON *item, const cJSON *nodes, const char *name,
-         gboolean support, const cJSON *matrix)
+         gboolean support, double density, const cJSON *matrix)
 {
   static const char *const joints[] = { "edge",       "edgedata", "adjacency",
                                         "interfaces", "contacts", NULL };
@@ -338,12 +392,17 @@ collect (GPtrArray *meshes, const cJSON *item, const cJSON *nodes, const char *n
   const cJSON *given = member (item, "is_support"), *blocks = member (item, "blocks");
   if (given != NULL)
     support = cJSON_IsTrue (given);
+  const cJSON *own_density = member (item, "density");
+  if (own_density == NULL)
+    own_density = member (member (item, "attributes"), "density");
+  if (cJSON_IsNumber (own_density) && own_density->valuedouble > 0)
+    density = own_density->valuedouble;
   const cJSON *placed = member (item, "transformation");
   const cJSON *data = member (placed, "data");
   if (cJSON_IsObject (placed))
     matrix = member (data != NULL ? data : placed, "matrix");
   if (vertices != NULL && faces != NULL && cJSON_GetArraySize (faces) > 0) {
-    take_mesh (meshes, vertices, faces, name, support, matrix);
+    take_mesh (meshes, vertices, faces, name, support, density, matrix);
     return;
   }
   const cJSON *own = member (member (item, "assembly"), "vertex");
@@ -357,7 +416,8 @@ collect (GPtrArray *meshes, const cJSON *item, const cJSON *nodes, const char *n
     if (cJSON_IsString (title) && !numbered)
       inner = title->valuestring;
     collect (meshes, child, child == blocks ? own : NULL, inner,
-             node != NULL ? cJSON_IsTrue (member (node, "is_support")) : support, matrix);
+             node != NULL ? cJSON_IsTrue (member (node, "is_support")) : support, density,
+             matrix);
   }
 }
 
@@ -383,7 +443,7 @@ collect_objects (GPtrArray *meshes, const char *text)
       name = g_strstrip (g_strdup (*line + 2));
     } else if (g_str_has_prefix (*line, "f ")) {
       if (mesh == NULL) {
-        mesh = add_mesh (meshes, name, FALSE);
+        mesh = add_mesh (meshes, name, FALSE, 0);
         g_hash_table_remove_all (indices);
       }
       g_auto (GStrv) corners = g_strsplit_set (*line + 2, " \t", -1);
@@ -423,7 +483,7 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
   gboolean done = FALSE;
   if (!json || document != NULL) {
     if (json)
-      collect (meshes, document, NULL, "1", FALSE, NULL);
+      collect (meshes, document, NULL, "1", FALSE, 0, NULL);
     else
       collect_objects (meshes, text);
     if (meshes->len == 0)

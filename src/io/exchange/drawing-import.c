@@ -149,7 +149,8 @@ fill_project (QnImportWork *work, QnProject *project)
     if (block == NULL)
       return FALSE;
     block->thickness = settings->thickness;
-    block->unit_weight = settings->unit_weight;
+    block->unit_weight =
+      outline->density > 0 ? outline->density * model->gravity : settings->unit_weight;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = outline->role == QN_ROLE_SUPPORT;
   }

@@ -26,6 +26,7 @@ typedef struct QnDrawingPath {
   gboolean hidden;   /* on a layer that the file does not show */
   const char *layer; /* kept by the drawing */
   const char *name;  /* likewise; NULL where the file has none */
+  double density;    /* kg/m3; 0 where the file has none */
   guint line;        /* of the file, from 1; 0 unknown */
 } QnDrawingPath;
 

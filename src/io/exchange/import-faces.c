@@ -83,7 +83,7 @@ take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
     QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
     if (!lies_in_outline (work, inner, outlines)
         && touches_lines (work, &tree, lines, face))
-      qn_import_add_outline (work, face, role, NULL, 0);
+      qn_import_add_outline (work, face, role, NULL, 0, 0);
   }
   qn_box_tree_clear (&tree);
 }

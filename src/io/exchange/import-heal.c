@@ -124,7 +124,7 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
     if (!qn_gaps_fill (&work->report->gaps, &bodies))
       work->no_memory = TRUE;
     for (gsize i = 0; i < bodies.count; i++)
-      qn_import_add_outline (work, &bodies.items[i], QN_ROLE_BLOCK, NULL, 0);
+      qn_import_add_outline (work, &bodies.items[i], QN_ROLE_BLOCK, NULL, 0, 0);
     qn_rings_clear (&bodies);
     work->has_mortar = TRUE;
     status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
@@ -163,7 +163,7 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
         if (2 * qn_ring_area (&parts.items[k])
             > work->tolerance * qn_ring_perimeter (&parts.items[k]))
           qn_import_add_outline (work, &parts.items[k], outline.role, outline.name,
-                                 outline.line);
+                                 outline.density, outline.line);
       g_array_index (work->outlines, QnOutline, i).ring.count = 0;
     }
     qn_rings_clear (&parts);

@@ -26,9 +26,9 @@ qn_import_tell_healing (QnImportWork *work, const char *what, const QnHealing *h
 
 void
 qn_import_add_outline (QnImportWork *work, const QnRing *ring, QnRole role,
-                       const char *name, guint line)
+                       const char *name, double density, guint line)
 {
-  QnOutline outline = { .role = role, .name = name, .line = line };
+  QnOutline outline = { .role = role, .name = name, .density = density, .line = line };
   if (!qn_ring_init (&outline.ring, ring->points, ring->count)) {
     work->no_memory = TRUE;
     return;

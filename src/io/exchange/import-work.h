@@ -14,6 +14,7 @@ typedef struct QnOutline {
   QnRing ring; /* m; counter-clockwise */
   QnRole role;
   const char *name; /* kept by the drawing; NULL where it has none */
+  double density;   /* kg/m3; 0: that of the settings */
   guint line;       /* of the file, from 1; 0 for faces of line work */
 } QnOutline;
 
@@ -45,7 +46,7 @@ void qn_import_tell_healing (QnImportWork *work, const char *what,
 
 /* Adds a copy of a ring (m), turned counter-clockwise. */
 void qn_import_add_outline (QnImportWork *work, const QnRing *ring, QnRole role,
-                            const char *name, guint line);
+                            const char *name, double density, guint line);
 
 /* Adds the sides of a path (m) to the line work of a role. */
 void qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,

@@ -2,6 +2,7 @@
 #include "io/text/io-error.h"
 #include "support/room.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* A box from 0 to w, 0 to d, 0 to h, lifted by z. */
@@ -129,6 +130,75 @@ test_views (void)
          0);
 }
 
+/* An object of the points (x, z) of `corners`, four outer and four others, at y = 0 and, the others moved
+ * to the middle by `taper`, at y = 1; faces of the front and, turned, of the back. */
+static char *
+dup_extruded (double taper, const char *const *faces, gsize count)
+{
+  static const double corners[8][2] = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 },
+                                        { 1, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 } };
+  GString *text = g_string_new ("o f\n");
+  for (int y = 0; y < 2; y++)
+    for (int i = 0; i < 8; i++) {
+      double share = y == 1 ? taper : 0;
+      g_string_append_printf (text, "v %g %d %g\n",
+                              corners[i][0] + share * (1.5 - corners[i][0]), y,
+                              corners[i][1] + share * (1.5 - corners[i][1]));
+    }
+  for (gsize i = 0; i < count; i++) {
+    g_auto (GStrv) numbers = g_strsplit (faces[i], " ", -1);
+    g_string_append_printf (text, "f %s\nf", faces[i]);
+    for (guint k = g_strv_length (numbers); k > 0; k--)
+      g_string_append_printf (text, " %d", atoi (numbers[k - 1]) + 8);
+    g_string_append (text, "\n");
+  }
+  return g_string_free (text, FALSE);
+}
+
+/* A frame is taken as solid and told; what lies in its hole is no block. A face may have vertices inside;
+ * one that tapers is no prism. */
+static void
+test_holes_and_inner_vertices (void)
+{
+  static const char *const frame[] = { "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8" };
+  static const char *const full[] = { "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8",
+                                      "5 6 7 8" };
+  g_autofree char *hollow = dup_extruded (0, frame, 4);
+  parse (
+    hollow,
+    "blocks with holes, which are taken as solid; seen from the front, along y; blocks; ",
+    1);
+  g_autofree char *inner = dup_extruded (0, full, 5);
+  parse (inner, "seen from the front, along y; blocks; ", 1);
+  g_autofree char *tapers = dup_extruded (0.1, full, 5);
+  parse (tapers,
+         "test.obj:1: the blocks are not prisms of one direction: block f is not a prism "
+         "along y",
+         0);
+  g_autofree char *both =
+    g_strconcat (hollow, BOX ("in", "1.2", "1.8", "0", "1", "1", "1.5"), NULL);
+  parse (both,
+         "test.obj:1: the blocks are not prisms of one direction: block in lies behind "
+         "another one along y, or in its hole: blocks cannot be hollow",
+         0);
+}
+
+/* Of the mesh, or of what is nearest around it. */
+static void
+test_density (void)
+{
+  g_autofree char *a = box (2, 1, 0.5, 0), *b = box (2, 1, 0.5, 0.5);
+  g_autofree char *text = g_strdup_printf (
+    "{ \"node\": { \"0\": { \"density\": 1800, \"block\": { \"data\": %s } }, \"1\": { "
+    "\"block\": { \"data\": { \"attributes\": { \"density\": 2500 }, %s } } } }",
+    a, b + 1);
+  g_auto (QnDrawing) drawing;
+  g_assert_true (qn_compas_import (text, strlen (text), "test.json", &drawing, NULL));
+  g_assert_cmpuint (drawing.paths->len, ==, 2);
+  g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 0).density, ==, 1800);
+  g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 1).density, ==, 2500);
+}
+
 static void
 test_bad_files (void)
 {
@@ -155,5 +225,7 @@ QN_TESTS
   g_test_add_func ("/compas-import/other-forms", test_other_forms);
   g_test_add_func ("/compas-import/views", test_views);
   g_test_add_func ("/compas-import/both-forms", test_both_forms);
+  g_test_add_func ("/compas-import/holes", test_holes_and_inner_vertices);
+  g_test_add_func ("/compas-import/density", test_density);
   g_test_add_func ("/compas-import/bad-files", test_bad_files);
 }
