@@ -31,7 +31,9 @@ def _load() -> typing.Any:
     folder = pathlib.Path(__file__).parent
     header = os.environ.get("QUOIN_HEADER", folder / "quoin.h")
     ffi.cdef(_declarations(pathlib.Path(header).read_text(encoding="utf-8")))
-    # A wheel has the library beside this file, a package of a distribution where libraries are.
+    # A wheel has library and program beside this file, a package of a distribution where they are.
+    if (folder / "quoin-cli").exists():
+        os.environ.setdefault("QUOIN_CLI", str(folder / "quoin-cli"))
     own = folder / "libquoin.so"
     library = os.environ.get("QUOIN_LIBRARY", own if own.exists() else "libquoin.so.0")
     try:

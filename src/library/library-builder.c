@@ -1,63 +1,56 @@
+#include "io/text/json-text.h"
 #include "library/library-private.h"
 
-#include <cjson/cJSON.h>
 #include <string.h>
 
 /* A project file in the making: finishing reads it as any other, so that every rule stands in one
  * place. */
 struct QuoinBuilder {
-  cJSON *root, *laws, *blocks, *dead, *live;
-  GPtrArray *overrides; /* of char *: "path=value" */
+  GString *head;                        /* members before the lists */
+  GString *laws, *blocks, *dead, *live; /* entries of these */
+  GPtrArray *overrides;                 /* of char *: "path=value" */
 };
 
-/* Adds a number to an object or, where `key` is NULL, to a list. */
 static void
-add_number (cJSON *parent, const char *key, double value)
+begin_entry (GString *list)
 {
-  cJSON *number = cJSON_CreateNumber (value);
-  if (key != NULL)
-    cJSON_AddItemToObject (parent, key, number);
-  else
-    cJSON_AddItemToArray (parent, number);
+  g_string_append (list, list->len > 0 ? ",\n{" : "{");
 }
 
-static cJSON *
-add_vector (cJSON *parent, const char *key, double x, double y)
+/* "[x, y]", as a member or, where `key` is NULL, in a list. */
+static void
+put_vector (GString *json, const char *key, double x, double y)
 {
-  cJSON *vector = cJSON_CreateArray ();
-  add_number (vector, NULL, x);
-  add_number (vector, NULL, y);
   if (key != NULL)
-    cJSON_AddItemToObject (parent, key, vector);
-  else
-    cJSON_AddItemToArray (parent, vector);
-  return vector;
+    qn_json_begin_member (json, key);
+  g_string_append_c (json, '[');
+  qn_json_append_number (json, x);
+  g_string_append (json, ", ");
+  qn_json_append_number (json, y);
+  g_string_append_c (json, ']');
 }
 
-static cJSON *
-add_load (cJSON *list, const char *kind)
+static void
+add_weight (GString *list, double x, double y)
 {
-  cJSON *load = cJSON_CreateObject ();
-  cJSON_AddStringToObject (load, "kind", kind);
-  cJSON_AddItemToArray (list, load);
-  return load;
+  begin_entry (list);
+  qn_json_put_string (list, "kind", "weight");
+  put_vector (list, "direction", x, y);
+  g_string_append_c (list, '}');
 }
 
 QuoinBuilder *
 quoin_builder_new (const char *title)
 {
   QuoinBuilder *builder = g_new0 (QuoinBuilder, 1);
-  cJSON *root = builder->root = cJSON_CreateObject ();
-  cJSON_AddStringToObject (root, "format", "quoin");
-  add_number (root, "version", 1);
+  builder->head = g_string_new ("{ \"format\": \"quoin\", \"version\": 1");
   if (title != NULL)
-    cJSON_AddStringToObject (root, "title", title);
-  builder->laws = cJSON_AddArrayToObject (root, "laws");
-  builder->blocks = cJSON_AddArrayToObject (root, "blocks");
-  cJSON *loads = cJSON_AddObjectToObject (root, "loads");
-  builder->dead = cJSON_AddArrayToObject (loads, "dead");
-  builder->live = cJSON_AddArrayToObject (loads, "live");
-  add_vector (add_load (builder->dead, "weight"), "direction", 0, -1);
+    qn_json_put_string (builder->head, "title", title);
+  builder->laws = g_string_new (NULL);
+  builder->blocks = g_string_new (NULL);
+  builder->dead = g_string_new (NULL);
+  builder->live = g_string_new (NULL);
+  add_weight (builder->dead, 0, -1);
   builder->overrides = g_ptr_array_new_with_free_func (g_free);
   return builder;
 }
@@ -67,7 +60,10 @@ quoin_builder_free (QuoinBuilder *builder)
 {
   if (builder == NULL)
     return;
-  cJSON_Delete (builder->root);
+  GString *const texts[] = { builder->head, builder->laws, builder->blocks, builder->dead,
+                             builder->live };
+  for (gsize i = 0; i < G_N_ELEMENTS (texts); i++)
+    g_string_free (texts[i], TRUE);
   g_ptr_array_unref (builder->overrides);
   g_free (builder);
 }
@@ -79,20 +75,23 @@ quoin_builder_add_joint (QuoinBuilder *builder, const char *name, double kn, dou
 {
   if (!(builder != NULL && name != NULL))
     return;
-  cJSON *law = cJSON_CreateObject ();
-  cJSON_AddStringToObject (law, "name", name);
-  cJSON_AddStringToObject (law, "kind", "coulomb");
-  cJSON_AddStringToObject (law, "basis", "contact");
-  add_number (law, "kn", kn);
-  add_number (law, "ks", ks);
-  add_number (law, "friction", friction);
-  add_number (law, "dilatancy", dilatancy);
-  add_number (law, "cohesion", cohesion);
-  add_number (law, "tension", tension);
-  cJSON_AddItemToArray (builder->laws, law);
-  if (cJSON_GetArraySize (builder->laws) == 1)
-    cJSON_AddStringToObject (cJSON_AddObjectToObject (builder->root, "contact"), "law",
-                             name);
+  GString *laws = builder->laws;
+  if (laws->len == 0) {
+    g_string_append (builder->head, ", \"contact\": {");
+    qn_json_put_string (builder->head, "law", name);
+    g_string_append_c (builder->head, '}');
+  }
+  begin_entry (laws);
+  qn_json_put_string (laws, "name", name);
+  qn_json_put_string (laws, "kind", "coulomb");
+  qn_json_put_string (laws, "basis", "contact");
+  qn_json_put_number (laws, "kn", kn);
+  qn_json_put_number (laws, "ks", ks);
+  qn_json_put_number (laws, "friction", friction);
+  qn_json_put_number (laws, "dilatancy", dilatancy);
+  qn_json_put_number (laws, "cohesion", cohesion);
+  qn_json_put_number (laws, "tension", tension);
+  g_string_append_c (laws, '}');
 }
 
 void
@@ -101,28 +100,27 @@ quoin_builder_add_block (QuoinBuilder *builder, const char *name, const double *
 {
   if (builder == NULL)
     return;
-  cJSON *block = cJSON_CreateObject ();
+  GString *blocks = builder->blocks;
+  begin_entry (blocks);
   if (name != NULL)
-    cJSON_AddStringToObject (block, "name", name);
-  cJSON *list = cJSON_AddArrayToObject (block, "vertices");
-  for (size_t i = 0; vertices != NULL && i < count; i++)
-    add_vector (list, NULL, vertices[2 * i], vertices[2 * i + 1]);
-  add_number (block, "thickness", thickness);
-  add_number (block, "unit_weight", unit_weight);
-  if (fixed) {
-    cJSON *support = cJSON_AddArrayToObject (block, "support");
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-      cJSON_AddItemToArray (support, cJSON_CreateTrue ());
+    qn_json_put_string (blocks, "name", name);
+  qn_json_begin_member (blocks, "vertices");
+  g_string_append_c (blocks, '[');
+  for (size_t i = 0; vertices != NULL && i < count; i++) {
+    g_string_append (blocks, i > 0 ? ", " : "");
+    put_vector (blocks, NULL, vertices[2 * i], vertices[2 * i + 1]);
   }
-  cJSON_AddItemToArray (builder->blocks, block);
+  g_string_append_c (blocks, ']');
+  qn_json_put_number (blocks, "thickness", thickness);
+  qn_json_put_number (blocks, "unit_weight", unit_weight);
+  g_string_append (blocks, fixed ? ", \"support\": [true, true, true]}" : "}");
 }
 
 void
 quoin_builder_add_live_weight (QuoinBuilder *builder, double x, double y)
 {
-  if (builder == NULL)
-    return;
-  add_vector (add_load (builder->live, "weight"), "direction", x, y);
+  if (builder != NULL)
+    add_weight (builder->live, x, y);
 }
 
 void
@@ -131,18 +129,20 @@ quoin_builder_add_force (QuoinBuilder *builder, const char *block, double x, dou
 {
   if (!(builder != NULL && block != NULL))
     return;
-  cJSON *load = add_load (live ? builder->live : builder->dead, "force");
-  cJSON_AddStringToObject (load, "block", block);
-  add_vector (load, "value", x, y);
-  add_number (load, "moment", moment);
+  GString *list = live ? builder->live : builder->dead;
+  begin_entry (list);
+  qn_json_put_string (list, "kind", "force");
+  qn_json_put_string (list, "block", block);
+  put_vector (list, "value", x, y);
+  qn_json_put_number (list, "moment", moment);
+  g_string_append_c (list, '}');
 }
 
 void
 quoin_builder_set (QuoinBuilder *builder, const char *path, const char *value)
 {
-  if (!(builder != NULL && path != NULL && value != NULL))
-    return;
-  g_ptr_array_add (builder->overrides, g_strconcat (path, "=", value, NULL));
+  if (builder != NULL && path != NULL && value != NULL)
+    g_ptr_array_add (builder->overrides, g_strconcat (path, "=", value, NULL));
 }
 
 QuoinModel *
@@ -150,17 +150,15 @@ quoin_builder_finish (const QuoinBuilder *builder, QuoinError **error)
 {
   if (!quoin_library_given (builder, "builder", error))
     return NULL;
-  char *text = cJSON_Print (builder->root);
-  if (text == NULL) {
-    quoin_library_set_error (error, QUOIN_ERROR_NO_MEMORY, "out of memory");
-    return NULL;
-  }
+  g_autofree char *text = g_strdup_printf (
+    "%s,\n\"laws\": [%s],\n\"blocks\": [%s],\n\"loads\": { \"dead\": [%s], \"live\": "
+    "[%s] } }\n",
+    builder->head->str, builder->laws->str, builder->blocks->str, builder->dead->str,
+    builder->live->str);
   g_autoptr (GPtrArray) overrides = g_ptr_array_new ();
   for (guint i = 0; i < builder->overrides->len; i++)
     g_ptr_array_add (overrides, g_ptr_array_index (builder->overrides, i));
   g_ptr_array_add (overrides, NULL);
-  QuoinModel *model = quoin_model_parse (text, strlen (text), "model",
-                                         (const char *const *) overrides->pdata, error);
-  cJSON_free (text);
-  return model;
+  return quoin_model_parse (text, strlen (text), "model",
+                            (const char *const *) overrides->pdata, error);
 }

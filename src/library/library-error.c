@@ -113,49 +113,37 @@ quoin_library_given (const void *argument, const char *name, QuoinError **error)
 QuoinErrorKind
 quoin_error_get_kind (const QuoinError *error)
 {
-  if (error == NULL)
-    return QUOIN_ERROR_USAGE;
-  return error->kind;
+  return error != NULL ? error->kind : QUOIN_ERROR_USAGE;
 }
 
 const char *
 quoin_error_get_message (const QuoinError *error)
 {
-  if (error == NULL)
-    return NULL;
-  return error->message;
+  return error != NULL ? error->message : NULL;
 }
 
 const char *
 quoin_error_get_file (const QuoinError *error)
 {
-  if (error == NULL)
-    return NULL;
-  return error->file;
+  return error != NULL ? error->file : NULL;
 }
 
 int
 quoin_error_get_line (const QuoinError *error)
 {
-  if (error == NULL)
-    return 0;
-  return error->line;
+  return error != NULL ? error->line : 0;
 }
 
 int
 quoin_error_get_column (const QuoinError *error)
 {
-  if (error == NULL)
-    return 0;
-  return error->column;
+  return error != NULL ? error->column : 0;
 }
 
 const char *
 quoin_error_get_key (const QuoinError *error)
 {
-  if (error == NULL)
-    return NULL;
-  return error->key;
+  return error != NULL ? error->key : NULL;
 }
 
 void

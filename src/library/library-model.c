@@ -259,9 +259,7 @@ quoin_model_save (const QuoinModel *model, const char *path, QuoinError **error)
 char *
 quoin_model_to_text (const QuoinModel *model)
 {
-  if (model == NULL)
-    return NULL;
-  return qn_project_to_text (&model->project, NULL);
+  return model != NULL ? qn_project_to_text (&model->project, NULL) : NULL;
 }
 
 const char *
@@ -297,25 +295,21 @@ quoin_model_get_override (const QuoinModel *model, size_t index)
 size_t
 quoin_model_get_warning_count (const QuoinModel *model)
 {
-  if (model == NULL)
-    return 0;
-  return model->warnings->len;
+  return model != NULL ? model->warnings->len : 0;
 }
 
 const char *
 quoin_model_get_warning (const QuoinModel *model, size_t index)
 {
-  if (!(model != NULL && index < model->warnings->len))
-    return NULL;
-  return g_ptr_array_index (model->warnings, index);
+  return model != NULL && index < model->warnings->len
+           ? g_ptr_array_index (model->warnings, index)
+           : NULL;
 }
 
 size_t
 quoin_model_get_block_count (const QuoinModel *model)
 {
-  if (model == NULL)
-    return 0;
-  return model->project.model.block_count;
+  return model != NULL ? model->project.model.block_count : 0;
 }
 
 /* NULL where there is none. */
@@ -382,9 +376,7 @@ quoin_model_is_block_fixed (const QuoinModel *model, size_t block, int dof)
 size_t
 quoin_model_get_face_count (const QuoinModel *model)
 {
-  if (model == NULL)
-    return 0;
-  return model->contacts.face_count;
+  return model != NULL ? model->contacts.face_count : 0;
 }
 
 void
@@ -409,15 +401,13 @@ quoin_model_get_face_ends (const QuoinModel *model, size_t face, double ends[4])
 size_t
 quoin_model_get_pair_count (const QuoinModel *model)
 {
-  if (model == NULL)
-    return 0;
-  return model->contacts.pair_count;
+  return model != NULL ? model->contacts.pair_count : 0;
 }
 
 size_t
 quoin_model_get_pair_face (const QuoinModel *model, size_t pair)
 {
-  if (!(model != NULL && pair < model->contacts.pair_count))
-    return SIZE_MAX;
-  return (size_t) model->contacts.pairs[pair].face;
+  return model != NULL && pair < model->contacts.pair_count
+           ? (size_t) model->contacts.pairs[pair].face
+           : SIZE_MAX;
 }

@@ -325,33 +325,25 @@ quoin_modes_free (QuoinModes *modes)
 size_t
 quoin_modes_get_count (const QuoinModes *modes)
 {
-  if (modes == NULL)
-    return 0;
-  return modes->modes.count;
+  return modes != NULL ? modes->modes.count : 0;
 }
 
 const double *
 quoin_modes_get_omega (const QuoinModes *modes)
 {
-  if (modes == NULL)
-    return NULL;
-  return modes->modes.omega;
+  return modes != NULL ? modes->modes.omega : NULL;
 }
 
 const double *
 quoin_modes_get_shapes (const QuoinModes *modes)
 {
-  if (modes == NULL)
-    return NULL;
-  return modes->modes.shapes;
+  return modes != NULL ? modes->modes.shapes : NULL;
 }
 
 size_t
 quoin_modes_get_body_count (const QuoinModes *modes)
 {
-  if (modes == NULL)
-    return 0;
-  return modes->modes.block_count + modes->modes.node_count;
+  return modes != NULL ? modes->modes.block_count + modes->modes.node_count : 0;
 }
 
 /* --- Files ------------------------------------------------------------------------------- */
@@ -448,10 +440,11 @@ char *
 quoin_result_to_text (const QuoinResult *result)
 {
   gsize length;
-  if (result == NULL)
-    return NULL;
-  return qn_result_dup_text_detailed (&result->model->project, &result->model->contacts,
-                                      &result->result, QN_DETAIL_STEPS, &length);
+  return result != NULL
+           ? qn_result_dup_text_detailed (&result->model->project,
+                                          &result->model->contacts, &result->result,
+                                          QN_DETAIL_STEPS, &length)
+           : NULL;
 }
 
 bool
@@ -513,17 +506,13 @@ quoin_result_free (QuoinResult *result)
 QuoinModel *
 quoin_result_get_model (const QuoinResult *result)
 {
-  if (result == NULL)
-    return NULL;
-  return result->model;
+  return result != NULL ? result->model : NULL;
 }
 
 const char *
 quoin_result_get_outcome (const QuoinResult *result)
 {
-  if (result == NULL)
-    return NULL;
-  return qn_outcome_names[result->result.outcome];
+  return result != NULL ? qn_outcome_names[result->result.outcome] : NULL;
 }
 
 char *
@@ -576,33 +565,31 @@ quoin_result_get_upper_bound (const QuoinResult *result)
 size_t
 quoin_result_get_solution_count (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return (size_t) result->result.solution_count;
+  return result != NULL ? (size_t) result->result.solution_count : 0;
 }
 
 double
 quoin_result_get_solution_multiplier (const QuoinResult *result, size_t solution)
 {
-  if (!(result != NULL && solution < (size_t) result->result.solution_count))
-    return (double) NAN;
-  return result->result.solutions[solution].multiplier;
+  return result != NULL && solution < (size_t) result->result.solution_count
+           ? result->result.solutions[solution].multiplier
+           : (double) NAN;
 }
 
 const char *
 quoin_result_get_solution_found_by (const QuoinResult *result, size_t solution)
 {
-  if (!(result != NULL && solution < (size_t) result->result.solution_count))
-    return NULL;
-  return qn_procedure_names[result->result.solutions[solution].found_by];
+  return result != NULL && solution < (size_t) result->result.solution_count
+           ? qn_procedure_names[result->result.solutions[solution].found_by]
+           : NULL;
 }
 
 double
 quoin_result_get_solution_displacement (const QuoinResult *result, size_t solution)
 {
-  if (!(result != NULL && solution < (size_t) result->result.solution_count))
-    return (double) NAN;
-  return result->result.solutions[solution].displacement;
+  return result != NULL && solution < (size_t) result->result.solution_count
+           ? result->result.solutions[solution].displacement
+           : (double) NAN;
 }
 
 void
@@ -617,9 +604,7 @@ quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2
 bool
 quoin_result_is_beyond_linear (const QuoinResult *result)
 {
-  if (result == NULL)
-    return false;
-  return result->result.linearity == QN_LINEARITY_BEYOND;
+  return result != NULL ? result->result.linearity == QN_LINEARITY_BEYOND : false;
 }
 
 double
@@ -635,25 +620,23 @@ quoin_result_get_beyond_linear_multiplier (const QuoinResult *result)
 size_t
 quoin_result_get_event_count (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return result->result.event_count;
+  return result != NULL ? result->result.event_count : 0;
 }
 
 double
 quoin_result_get_event_multiplier (const QuoinResult *result, size_t event)
 {
-  if (!(result != NULL && event < result->result.event_count))
-    return (double) NAN;
-  return result->result.events[event].multiplier;
+  return result != NULL && event < result->result.event_count
+           ? result->result.events[event].multiplier
+           : (double) NAN;
 }
 
 const char *
 quoin_result_get_event_kind (const QuoinResult *result, size_t event)
 {
-  if (!(result != NULL && event < result->result.event_count))
-    return NULL;
-  return qn_event_kind_names[result->result.events[event].kind];
+  return result != NULL && event < result->result.event_count
+           ? qn_event_kind_names[result->result.events[event].kind]
+           : NULL;
 }
 
 void
@@ -669,9 +652,9 @@ quoin_result_get_event_displacements (const QuoinResult *result, size_t event,
 double
 quoin_result_get_event_energy (const QuoinResult *result, size_t event)
 {
-  if (!(result != NULL && event < result->result.event_count))
-    return (double) NAN;
-  return result->result.events[event].energy;
+  return result != NULL && event < result->result.event_count
+           ? result->result.events[event].energy
+           : (double) NAN;
 }
 
 const int32_t *
@@ -686,73 +669,57 @@ quoin_result_get_event_blocks (const QuoinResult *result, size_t event, size_t *
 size_t
 quoin_result_get_step_count (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return result->result.step_count;
+  return result != NULL ? result->result.step_count : 0;
 }
 
 size_t
 quoin_result_get_body_count (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return qn_result_body_count (&result->result);
+  return result != NULL ? qn_result_body_count (&result->result) : 0;
 }
 
 const double *
 quoin_result_get_multipliers (const QuoinResult *result)
 {
-  if (result == NULL)
-    return NULL;
-  return result->multipliers;
+  return result != NULL ? result->multipliers : NULL;
 }
 
 const double *
 quoin_result_get_displacements (const QuoinResult *result)
 {
-  if (result == NULL)
-    return NULL;
-  return result->result.displacements;
+  return result != NULL ? result->result.displacements : NULL;
 }
 
 const double *
 quoin_result_get_mechanism (const QuoinResult *result)
 {
-  if (result == NULL)
-    return NULL;
-  return result->result.mechanism;
+  return result != NULL ? result->result.mechanism : NULL;
 }
 
 size_t
 quoin_result_get_pair_count (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return result->result.pair_count;
+  return result != NULL ? result->result.pair_count : 0;
 }
 
 const double *
 quoin_result_get_forces (const QuoinResult *result)
 {
-  if (result == NULL)
-    return NULL;
-  return result->forces;
+  return result != NULL ? result->forces : NULL;
 }
 
 const char *
 quoin_result_get_pair_state (const QuoinResult *result, size_t pair)
 {
-  if (!(result != NULL && pair < result->result.pair_count))
-    return NULL;
-  return qn_pair_state_names[result->result.pairs[pair].state];
+  return result != NULL && pair < result->result.pair_count
+           ? qn_pair_state_names[result->result.pairs[pair].state]
+           : NULL;
 }
 
 size_t
 quoin_result_get_tie_count (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return result->result.tie_count;
+  return result != NULL ? result->result.tie_count : 0;
 }
 
 /* NULL where the step does not tell it, or there is none. */
@@ -788,15 +755,11 @@ quoin_result_get_tie_state (const QuoinResult *result, size_t step, size_t tie)
 int32_t
 quoin_result_get_iterations (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return result->result.statistics.iterations;
+  return result != NULL ? result->result.statistics.iterations : 0;
 }
 
 int32_t
 quoin_result_get_factorizations (const QuoinResult *result)
 {
-  if (result == NULL)
-    return 0;
-  return result->result.statistics.factorizations;
+  return result != NULL ? result->result.statistics.factorizations : 0;
 }

@@ -305,8 +305,10 @@ def test_compas_there_and_back(tmp_path):
     model = quoin.open(WALLS / "wall1.quoin")
     path = tmp_path / "assembly.json"
     path.write_text(json.dumps(model.to_compas()), encoding="utf-8")
-    again = quoin.read_drawing(path, unit_weight=10000)
+    again = quoin.read_drawing(path)
     assert len(again.faces) == len(model.faces)
+    # The weights are those of the file, whatever the unit weight of the others.
+    assert [b.weight for b in again.blocks] == pytest.approx([b.weight for b in model.blocks])
     # Vertices are welded on reading: not the same digits, but the same wall.
     assert again.limit().multiplier == pytest.approx(model.limit().multiplier, rel=1e-6)
 
