@@ -1,29 +1,33 @@
-/* Collapse of rigid blocks whose joints flow by a rule of their own, found directly.
+/* The engine of limit analysis: collapse of rigid blocks, by interior-point steps.
  *
  * Unknowns are the motion v, the pair forces y, what strength they leave s, the flow z, and the
- * multiplier:
+ * multiplier (interior-point.h):
  *
  *     B y + lambda f + d = 0         balance
- *     e y + B'v + F z = 0            the motion is that of joints which flow, and of their compliance e
+ *     Q y + B'v + F z = 0            the motion is that of joints which flow, and of their compliance Q
  *     G y + s = h
  *     s z = 0,  s >= 0,  z >= 0      flow only at the strength
  *     f'v = load_gain                work of the live load
  *
- * F is the flow of each strength row, G' where it is associative. A small compliance e decides which of
- * many force states that reach a strength is taken: the one that elastic joints of one stiffness reach.
- * Without it blocks wedge each other. The multiplier does not depend on e any more where e is small
- * enough; how far it does is told by its derivative.
+ * Steps (Mehrotra's predictor and corrector, Gondzio's centrality correctors) lower all products s z
+ * and residuals together. Pairs are eliminated, each iteration has one factorisation of the size of the
+ * blocks.
  *
- * It is sought by interior-point steps (Mehrotra's predictor and corrector, Gondzio's centrality
- * correctors), which lower all products s z and residuals together. Friction without associativity
- * makes the curve on which all s z are equal turn back: its matrix has a determinant of the wrong sign
- * there, or a step is short because the strength of a few joints runs away with their normal force.
- * Then an iteration takes into account but a part of that, the coupling c: its matrix has
+ * Associative flow, F = G', is a convex program, without compliance a linear one; a step goes as near
+ * to the boundary as the predictor leaves of mu. Where there is no solution the iterate grows without end,
+ * in the direction that proves it: v and z where no forces keep equilibrium under any multiplier, y and
+ * lambda where the multiplier has no bound.
+ *
+ * With a flow of its own a small compliance decides which of many force states that reach a strength
+ * is taken: the one that elastic joints of one stiffness reach. Without it blocks wedge each other. The
+ * multiplier does not depend on it any more where it is small enough; how far it does is told by its
+ * derivative. The curve on which all s z are equal turns back: its matrix has a determinant of the
+ * wrong sign there, or a step is short because the strength of a few joints runs away with their normal
+ * force. Then an iteration takes into account but a part of that, the coupling c: its matrix has
  * F' + c (G - F') in place of G. With c = 0 it is that of associative flow, symmetric and positive
  * definite. What is left out stays in the residual of G y + s = h and is taken off by later
  * iterations, so the solution is that of the equations above whatever c was; and the iterate has
- * passed to the other side of the turn. Pairs are eliminated, each iteration has one factorisation of
- * the size of the blocks.
+ * passed to the other side of the turn.
  */
 #ifndef QN_CORE_COLLAPSE_H
 #define QN_CORE_COLLAPSE_H
@@ -32,24 +36,35 @@
 
 typedef enum {
   QN_COLLAPSE_FOUND,
-  QN_COLLAPSE_LOST, /* budget spent, or rounding ended the progress */
+  QN_COLLAPSE_INFEASIBLE, /* associative: v and z prove that no forces keep equilibrium */
+  QN_COLLAPSE_UNBOUNDED,  /* associative: y over lambda balances the live load alone */
+  QN_COLLAPSE_LOST,       /* budget spent, or rounding ended the progress */
   QN_COLLAPSE_CANCELLED
 } QnCollapseState;
 
 typedef struct QnCollapse {
   const QnIpProblem *problem; /* borrowed */
   QnIpKkt kkt;
-  QnIpVector at; /* the iterate, tau and kappa unused */
+  QnIpVector at; /* the iterate: collapse, or certificate */
   double growth; /* of a collapse: d lambda / d log (1 / compliance) */
   double least_coupling;
+  double least_multiplier; /* one that is smaller is found as well as this */
+  bool own_flow;           /* some strength row is not associative */
 
   QnIpVector step, trial;
   double *w;            /* z / s */
   double *ry, *rv, *rz; /* residuals, minus the left-hand sides */
   double r_lambda;      /* that of the work */
+  double power;         /* s'z */
   double *products;     /* right-hand side of s dz + z ds */
   QnIpKktRight right;
 } QnCollapse;
+
+/* least_multiplier after a start. */
+#define QN_COLLAPSE_LEAST 1e-4
+
+/* Factorisations by which a program of associative flow comes to its end, if it does. */
+#define QN_COLLAPSE_BUDGET 200
 
 /* Analyses the structure and allocates everything; `problem` is borrowed until _clear(). `collapse` is
  * overwritten without being cleared. */
@@ -63,11 +78,30 @@ void qn_collapse_clear (QnCollapse *collapse);
 void qn_collapse_start (QnCollapse *collapse, const double *y, double lambda,
                         double strength, double coupling);
 
-/* Goes from the start to a collapse, with the compliance that the problem's cells have and at most
+/* From rest as well, with a strength of the size of the forces by which joints of one stiffness would carry
+ * the constant loads: one factorisation. Of associative problems. */
+void qn_collapse_start_elastic (QnCollapse *collapse);
+
+/* Goes on from the iterate to a collapse, with the compliance that the problem's cells have and at most
  * `budget` factorisations. FOUND: the multiplier is known to `tolerance` of itself. go_on (data) is
  * asked once an iteration. */
-QnStatus qn_collapse_follow (QnCollapse *collapse, double tolerance, int32_t budget,
-                             bool (*go_on) (void *), void *data, QnCollapseState *state,
-                             QnDiag *diag);
+QnCollapseState qn_collapse_follow (QnCollapse *collapse, double tolerance,
+                                    int32_t budget, bool (*go_on) (void *), void *data);
+
+/* Whether v and z of the iterate prove that no forces keep equilibrium under any multiplier: the dead
+ * load does more power along v than the joints can dissipate, and the live load none. `problem`: that of
+ * the engine, or its first groups, cells and bounds alone. */
+bool qn_collapse_proves_infeasible (const QnCollapse *collapse,
+                                    const QnIpProblem *problem);
+
+/* Forces in equilibrium nearest to those of the iterate, in the metric of its barrier: a by-product of
+ * the last factorisation, at the price of a few solves.
+ *
+ * *lambda in: the required multiplier; out: unchanged where `fixed`, else the nearest one in the
+ * metric. *residual is the largest remaining |By + lambda f + d|, *slack the smallest h - Gy
+ * (INFINITY without bounds); slack >= 0 proves that this multiplier can be carried. Towards the
+ * optimum the metric becomes flat: request a fixed multiplier early. */
+void qn_collapse_project (QnCollapse *collapse, bool fixed, double *lambda, double *y,
+                          double *residual, double *slack);
 
 #endif

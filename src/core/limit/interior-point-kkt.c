@@ -3,7 +3,6 @@
 #include "core/base/clock.h"
 #include "core/base/memory.h"
 #include "core/base/numbers.h"
-#include "core/limit/interior-point-apply.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -99,10 +98,7 @@ schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnDiag *diag)
   schur->columns = qn_alloc (n + 1, sizeof *schur->columns);
   schur->rows = qn_alloc (count, sizeof *schur->rows);
   schur->values = qn_alloc (count, sizeof *schur->values);
-  schur->right = qn_alloc (n, sizeof *schur->right);
-  schur->solution = qn_alloc (n, sizeof *schur->solution);
-  if (schur->slots && schur->diagonal && schur->columns && schur->rows && schur->values
-      && schur->right && schur->solution) {
+  if (schur->slots && schur->diagonal && schur->columns && schur->rows && schur->values) {
     fill_pattern (schur, keys, count);
     schur->lu = qn_block_lu_new (problem->row_count, schur->columns, schur->rows, NULL,
                                  problem->workers);
@@ -111,15 +107,13 @@ schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnDiag *diag)
   return schur->lu != NULL ? QN_OK : qn_diag_no_memory (diag);
 }
 
-/* Builds and factorises M for the compliances H^-1 (cell_count x 4, by rows) and r. *ok is
- * false where M is singular to working precision. */
-static QnStatus
-schur_factorize (QnIpSchur *schur, const double *compliance, double regularization,
-                 bool *ok, QnDiag *diag)
+/* Builds and factorises M for the compliances H^-1 (cell_count x 4, by rows) and r; false where it is
+ * singular to working precision. */
+static bool
+schur_factorize (QnIpSchur *schur, const double *compliance, double regularization)
 {
   double start = qn_clock_seconds ();
 
-  (void) diag;
   memset (schur->values, 0,
           (size_t) schur->columns[schur->problem->row_count] * sizeof *schur->values);
   for (int32_t r = 0; r < schur->problem->row_count; r++)
@@ -145,32 +139,20 @@ schur_factorize (QnIpSchur *schur, const double *compliance, double regularizati
         if (slots[QN_IP_GROUP_ROWS * i + j] >= 0)
           schur->values[slots[QN_IP_GROUP_ROWS * i + j]] += sum[i][j];
   }
-  *ok = qn_block_lu_factor (schur->lu, schur->values) > 0;
+  bool ok = qn_block_lu_factor (schur->lu, schur->values) > 0;
   schur->factorizations++;
   schur->seconds += qn_clock_seconds () - start;
-  return QN_OK;
+  return ok;
 }
 
-/* The vector (row_count) to fill before _solve(). */
-static double *
-schur_get_right (QnIpSchur *schur)
-{
-  return schur->right;
-}
-
-/* *solution = M^-1 right, owned by `schur` and valid until the next call. */
-static QnStatus
-schur_solve (QnIpSchur *schur, const double **solution, QnDiag *diag)
+/* Overwrites x (row_count) with M^-1 x. */
+static void
+schur_solve (QnIpSchur *schur, double *x)
 {
   double start = qn_clock_seconds ();
 
-  (void) diag;
-  memcpy (schur->solution, schur->right,
-          (size_t) schur->problem->row_count * sizeof *schur->solution);
-  qn_block_lu_solve (schur->lu, schur->solution);
+  qn_block_lu_solve (schur->lu, x);
   schur->seconds += qn_clock_seconds () - start;
-  *solution = schur->solution;
-  return QN_OK;
 }
 
 static void
@@ -180,8 +162,6 @@ schur_clear (QnIpSchur *schur)
   free (schur->columns);
   free (schur->rows);
   free (schur->values);
-  free (schur->right);
-  free (schur->solution);
   free (schur->slots);
   free (schur->diagonal);
   *schur = (QnIpSchur){ 0 };
@@ -196,7 +176,7 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
 {
   size_t cells = (size_t) problem->cell_count, rows = (size_t) problem->row_count;
 
-  *kkt = (QnIpKkt){ .problem = problem, .coupling = 1 };
+  *kkt = (QnIpKkt){ .problem = problem, .coupling = 1, .error = INFINITY };
   kkt->compliance = qn_alloc (4 * cells, sizeof (double));
   kkt->axes = qn_alloc (2 * cells, sizeof (double));
   kkt->turns = qn_alloc ((size_t) problem->bound_count, sizeof (double));
@@ -268,36 +248,24 @@ invert_cell (QnIpKkt *kkt, int32_t c, const double *w)
     turns[i] = cell->no_shear ? 0.0 : w[i] / determinant;
 }
 
-static QnStatus
-solve_border (QnIpKkt *kkt, QnDiag *diag)
+bool
+qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w)
 {
   const QnIpProblem *p = kkt->problem;
-  size_t size = (size_t) p->row_count * sizeof (double);
-  const double *solution;
-  QnStatus status;
 
-  kkt->bordered = p->load != NULL;
-  if (!kkt->bordered)
-    return QN_OK;
-  memcpy (schur_get_right (&kkt->schur), p->load, size);
-  status = schur_solve (&kkt->schur, &solution, diag);
-  if (status)
-    return status;
-  memcpy (kkt->border, solution, size);
-  kkt->border_power = qn_ip_dot (p->load, kkt->border, p->row_count);
-  return QN_OK;
-}
-
-QnStatus
-qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w, bool *ok, QnDiag *diag)
-{
-  QnStatus status;
-
-  for (int32_t c = 0; c < kkt->problem->cell_count; c++)
+  for (int32_t c = 0; c < p->cell_count; c++)
     invert_cell (kkt, c, w);
+  kkt->error = INFINITY;
+  if (!schur_factorize (&kkt->schur, kkt->compliance, kkt->regularization))
+    return false;
   kkt->error = 0.0;
-  status = schur_factorize (&kkt->schur, kkt->compliance, kkt->regularization, ok, diag);
-  return !status && *ok ? solve_border (kkt, diag) : status;
+  kkt->bordered = p->load != NULL;
+  if (kkt->bordered) {
+    memcpy (kkt->border, p->load, (size_t) p->row_count * sizeof *kkt->border);
+    schur_solve (&kkt->schur, kkt->border);
+    kkt->border_power = qn_ip_dot (p->load, kkt->border, p->row_count);
+  }
+  return true;
 }
 
 /* y += dy = (H+r)^-1 (normal, shear), g += G dy for one cell. A row's own part of dy is at right
@@ -349,7 +317,7 @@ relative_error (QnIpKkt *kkt, const QnIpKktRight *right, const QnIpKktVector *ou
   return error;
 }
 
-/* Lets the forces follow_rates `sign` times the last correction of v (and ry, where given), and
+/* Lets the forces follow `sign` times the last correction of v (and ry, where given), and
  * measures the residuals of the second and third block row. */
 static double
 follow_rates (QnIpKkt *kkt, const QnIpKktRight *right, const double *ry, double sign,
@@ -413,46 +381,36 @@ condense (QnIpKkt *kkt, const QnIpKktRight *right)
 }
 
 /* The change of v and lambda that removes the residuals. */
-static QnStatus
-correct (QnIpKkt *kkt, QnIpKktVector *out, QnDiag *diag)
+static void
+correct (QnIpKkt *kkt, QnIpKktVector *out)
 {
   const QnIpProblem *p = kkt->problem;
-  double *right = schur_get_right (&kkt->schur), *step = kkt->step_v;
-  const double *solution;
-  QnStatus status;
+  double *step = kkt->step_v;
 
   for (int32_t r = 0; r < p->row_count; r++)
-    right[r] = -kkt->residual_v[r]; /* M dv - f dl = -e,  f'dv = e_l */
-  status = schur_solve (&kkt->schur, &solution, diag);
-  if (status)
-    return status;
-  memcpy (step, solution, (size_t) p->row_count * sizeof (double));
+    step[r] = -kkt->residual_v[r]; /* M dv - f dl = -e,  f'dv = e_l */
+  schur_solve (&kkt->schur, step);
   kkt->step_lambda = 0.0;
   if (kkt->bordered && kkt->border_power != 0.0) {
     kkt->step_lambda = (kkt->residual_lambda - qn_ip_dot (p->load, step, p->row_count))
                        / kkt->border_power;
-    for (int32_t r = 0; r < p->row_count; r++)
-      step[r] += kkt->step_lambda * kkt->border[r];
+    qn_ip_add_multiple (step, kkt->step_lambda, kkt->border, p->row_count);
   }
-  for (int32_t r = 0; r < p->row_count; r++)
-    out->v[r] += step[r];
+  qn_ip_add_multiple (out->v, 1, step, p->row_count);
   out->lambda += kkt->step_lambda;
-  return QN_OK;
 }
 
 /* Takes the last correction back. */
 static double
 undo (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
 {
-  for (int32_t r = 0; r < kkt->problem->row_count; r++)
-    out->v[r] -= kkt->step_v[r];
+  qn_ip_add_multiple (out->v, -1, kkt->step_v, kkt->problem->row_count);
   out->lambda -= kkt->step_lambda;
   return follow_rates (kkt, right, NULL, -1.0, out);
 }
 
-QnStatus
-qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
-                 QnDiag *diag)
+void
+qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
 {
   double last = INFINITY;
 
@@ -462,11 +420,8 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
   out->lambda = 0.0;
   condense (kkt, right);
   for (int round = 0; round <= MOST_REFINEMENTS; round++) {
-    QnStatus status = correct (kkt, out, diag);
-    double now;
-    if (status)
-      return status;
-    now = follow_rates (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
+    correct (kkt, out);
+    double now = follow_rates (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
     /* The first pass is the solution; later ones refine it while they gain a digit. */
     if (round > 0 && now > last)
       now = undo (kkt, right, out);
@@ -478,5 +433,4 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
   }
   if (!(last <= kkt->error)) /* NaN counts as the worst */
     kkt->error = isnan (last) ? INFINITY : last;
-  return QN_OK;
 }

@@ -1,4 +1,4 @@
-/* The linear systems of the interior-point engine; private to interior-point*.c.
+/* The linear systems of the interior-point engine; private to collapse.c.
  *
  * Solves   [ H+r  B' 0 ] [ y ]   [ ry ]
  *          [ B   -r  f ] [ v ] = [ rv ]      H = Q + F diag (w) G
@@ -37,9 +37,8 @@ typedef struct QnIpSchur {
   int32_t *columns, *rows;    /* pattern of M, both halves */
   double *values;
   QnBlockLu *lu;
-  double *right, *solution; /* row_count */
-  int32_t *slots;           /* group_count x 36: place of each entry in values, or -1 */
-  int32_t *diagonal;        /* row_count: place of the diagonal entry */
+  int32_t *slots;    /* group_count x 36: place of each entry in values, or -1 */
+  int32_t *diagonal; /* row_count: place of the diagonal entry */
   int32_t factorizations;
   double seconds; /* spent in factorising and solving */
 } QnIpSchur;
@@ -60,14 +59,15 @@ typedef struct QnIpKkt {
   double border_power;   /* f'M^-1 f */
   double regularization; /* r */
   double coupling;       /* G of the matrix is F' + coupling (G - F'); 1: exact */
-  double error;          /* largest relative residual left since the last _factorize() */
+  double
+    error; /* largest relative residual left since the last _factorize(); INFINITY where that
+                            failed */
 } QnIpKkt;
 
 QnStatus qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag);
 
-/* Factorises for the weights w (bound_count). *ok is false where the matrix could not be
- * made positive definite. */
-QnStatus qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w, bool *ok, QnDiag *diag);
+/* Factorises for the weights w (bound_count); false where the matrix is singular. */
+bool qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w);
 
 /* A right-hand side of the system. */
 typedef struct QnIpKktRight {
@@ -85,8 +85,7 @@ typedef struct QnIpKktVector {
 } QnIpKktVector;
 
 /* Solves for one right-hand side; `out` must not overlap it. */
-QnStatus qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
-                          QnDiag *diag);
+void qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out);
 
 void qn_ip_kkt_clear (QnIpKkt *kkt);
 

@@ -1,80 +1,7 @@
 #include "core/limit/limit-bounds.h"
 
-#include "core/base/numbers.h"
-#include "core/base/tolerance.h"
-
 #include <math.h>
-
-static double
-slack_at (const QnIpBound *b, const double *force)
-{
-  return b->limit - b->normal * force[0] - b->shear * force[1];
-}
-
-/* How far towards the anchor all bounds are kept. */
-static double
-share_to_anchor (const QnIpProblem *p, const double *y, const double *anchor)
-{
-  double share = 0.0;
-
-  for (int32_t c = 0; c < p->cell_count; c++) {
-    const QnIpCell *cell = &p->cells[c];
-    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
-      double slack = slack_at (&p->bounds[i], y + 2 * c);
-      double safe = slack_at (&p->bounds[i], anchor + 2 * c);
-      if (slack < -QN_TOLERANCE_STRENGTH && safe > 0.0)
-        share = fmax (share, -slack / (safe - slack));
-    }
-  }
-  return fmin (1.0, share);
-}
-
-static double
-worst_excess (const QnIpProblem *p, const double *y)
-{
-  double worst = 0.0;
-
-  for (int32_t c = 0; c < p->cell_count; c++) {
-    const QnIpCell *cell = &p->cells[c];
-    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
-      const QnIpBound *b = &p->bounds[i];
-      worst = qn_worse (worst, -slack_at (b, y + 2 * c));
-    }
-  }
-  return worst;
-}
-
-void
-qn_limit_move_inside (const QnLimitProblem *limit, double *y)
-{
-  const QnIpProblem *p = &limit->ip;
-
-  for (int32_t c = 0; c < p->cell_count; c++) {
-    const QnIpCell *cell = &p->cells[c];
-    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
-      const QnIpBound *b = &p->bounds[i];
-      double shear = cell->no_shear ? 0.0 : b->shear;
-      double square = b->normal * b->normal + shear * shear;
-      double share =
-        square > 0.0 ? 2.0 * fmin (0.0, slack_at (b, y + 2 * c)) / square : 0.0;
-      y[2 * c] += share * b->normal;
-      y[2 * c + 1] += share * shear;
-    }
-  }
-}
-
-double
-qn_limit_draw_inside (const QnLimitProblem *limit, const double *anchor,
-                      double anchor_lambda, double lambda, double *y, QnLimitCheck *check)
-{
-  const QnIpProblem *p = &limit->ip;
-  double share = anchor ? share_to_anchor (p, y, anchor) : 0.0;
-
-  for (int32_t i = 0; i < 2 * p->cell_count && share > 0.0; i++)
-    y[i] += share * (anchor[i] - y[i]);
-  check->static_violation = worst_excess (p, y);
-  return lambda + share * (anchor_lambda - lambda);
-}
+#include <string.h>
 
 /* Least dissipation sum h z over z >= 0 with G'z = rate, at a vertex of that little program,
  * that is with two rows at most. Where the rate cannot be had, the nearest vertex counts and
@@ -116,7 +43,7 @@ dissipation (const QnIpProblem *p, const QnIpCell *cell, const double *rate,
 }
 
 double
-qn_limit_upper_bound (const QnLimitProblem *limit, double *v, const double *y, double tau,
+qn_limit_upper_bound (const QnLimitProblem *limit, double *v, const double *y,
                       double *rates, QnLimitCheck *check)
 {
   const QnIpProblem *p = &limit->ip;
@@ -129,11 +56,12 @@ qn_limit_upper_bound (const QnLimitProblem *limit, double *v, const double *y, d
     largest = fmax (largest, fabs (v[r]));
     bound -= p->constant[r] * v[r];
   }
-  qn_interior_point_rates (p, v, rates);
+  memset (rates, 0, 2 * (size_t) p->cell_count * sizeof *rates);
+  qn_ip_add_rates (p, v, -1, rates);
   for (int32_t c = 0; c < p->cell_count; c++) {
     double missing;
     bound += dissipation (p, &p->cells[c], rates + 2 * c, &missing);
-    bound += missing * hypot (y[2 * c], y[2 * c + 1]) / tau;
+    bound += missing * hypot (y[2 * c], y[2 * c + 1]);
     violation = fmax (violation, missing);
   }
   check->kinematic_violation = violation / largest;

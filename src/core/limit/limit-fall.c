@@ -1,19 +1,19 @@
 #include "core/limit/limit-fall.h"
 
 #include "core/base/memory.h"
+#include "core/limit/collapse.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* A measure of the quadratic program above this is no answer. */
-#define ACCEPTED_MEASURE 1e-5
+/* Accuracy of the quadratic program. */
+#define FALL_TOLERANCE 1e-9
 
 QnStatus
 qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
-               void *user_data, double *v, bool *found, QnDiag *diag)
+               void *user_data, double *v, bool *proved, QnDiag *diag)
 {
-  QnIpSettings settings = qn_interior_point_defaults ();
-  QnInteriorPoint ip = { 0 };
+  QnCollapse engine = { 0 };
   QnIpProblem fall = limit->ip;
   size_t blocks = limit->block_count, group_count = (size_t) fall.group_count,
          cell_count = (size_t) fall.cell_count;
@@ -21,9 +21,8 @@ qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
    * block with a quadratic price. */
   QnIpGroup *groups = qn_alloc (group_count + blocks, sizeof *groups);
   QnIpCell *cells = qn_alloc (cell_count + 2 * blocks, sizeof *cells);
-  bool going_on = true;
 
-  *found = false;
+  *proved = false;
   if (!groups || !cells) {
     free (groups);
     free (cells);
@@ -53,22 +52,16 @@ qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
   fall.cell_count += 2 * (int32_t) blocks;
   fall.load = NULL;
   fall.load_gain = 0.0;
-  QnStatus status = qn_interior_point_init (&ip, &fall, &settings, diag);
-  if (!status)
-    status = qn_interior_point_start (&ip, diag);
-  while (!status && ip.state == QN_IP_RUNNING && going_on) {
-    status = qn_interior_point_iterate (&ip, diag);
-    going_on = go_on (user_data);
+  QnStatus status = qn_collapse_init (&engine, &fall, diag);
+  if (!status) {
+    qn_collapse_start_elastic (&engine);
+    if (qn_collapse_follow (&engine, FALL_TOLERANCE, QN_COLLAPSE_BUDGET, go_on, user_data)
+        == QN_COLLAPSE_FOUND) {
+      memcpy (v, engine.at.v, (size_t) limit->ip.row_count * sizeof *v);
+      *proved = qn_collapse_proves_infeasible (&engine, &limit->ip);
+    }
   }
-  if (!status && going_on) {
-    const QnIpMeasures *m = &ip.measures;
-    *found = ip.state == QN_IP_OPTIMAL
-             || (ip.state == QN_IP_STALLED && m->primal_residual < ACCEPTED_MEASURE
-                 && m->dual_residual < ACCEPTED_MEASURE && m->gap < ACCEPTED_MEASURE);
-    for (int32_t r = 0; r < limit->ip.row_count && *found; r++)
-      v[r] = ip.at.v[r] / ip.at.tau;
-  }
-  qn_interior_point_clear (&ip);
+  qn_collapse_clear (&engine);
   free (groups);
   free (cells);
   return status;

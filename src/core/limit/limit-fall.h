@@ -12,9 +12,10 @@
  * At the optimum this is a certificate too: the dead load does positive power along it, and
  * no joint resists with more than that.
  *
- * v: row_count, out, unchanged where *found is false. `go_on` is called with `user_data` after
- * every iteration; false ends the search, nothing found. */
+ * v: row_count, out, unchanged where the program has not come to its end; *proved: whether v is such a
+ * certificate. `go_on` is called with `user_data` once an iteration; false ends the search, nothing
+ * found. */
 QnStatus qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
-                        void *user_data, double *v, bool *found, QnDiag *diag);
+                        void *user_data, double *v, bool *proved, QnDiag *diag);
 
 #endif

@@ -188,25 +188,19 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
       QnDiag *diag)
 {
   QnCollapse *c = &search->collapse;
-  QnStatistics *effort = &search->interval->solution.effort;
   double tolerance = tuning.tolerance * search->model->analysis.multiplier_tolerance;
-  QnCollapseState state;
 
-  c->kkt.schur.factorizations = 0;
-  c->kkt.schur.seconds = 0;
   set_compliance (search, compliance);
   bool rest = start != FORCES;
   qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
                      tuning.strength[start], tuning.coupling[start]);
-  QnStatus status =
-    qn_collapse_follow (c, tolerance, budget, go_on_search, search, &state, diag);
-  effort->factorizations += c->kkt.schur.factorizations;
-  effort->factor_seconds += c->kkt.schur.seconds;
+  QnCollapseState state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
+  qn_limit_take_effort (c, &search->interval->solution.effort);
   search->cancelled = state == QN_COLLAPSE_CANCELLED;
   search->gives = 0;
   *found = false;
-  if (status || state != QN_COLLAPSE_FOUND)
-    return status;
+  if (state != QN_COLLAPSE_FOUND)
+    return QN_OK;
   const QnIpProblem *p = &search->limit.ip;
   search->gives = compliance * qn_largest (c->at.y, 2 * (size_t) p->cell_count)
                   / qn_largest (c->at.v, (size_t) p->row_count);
@@ -313,25 +307,6 @@ search_init (Search *search, const double *forces, double multiplier, QnDiag *di
   return qn_collapse_init (&search->collapse, &limit->ip, diag);
 }
 
-static QnStatus
-find_bound (Search *search, const QnContacts *contacts, QnDiag *diag)
-{
-  QnLimitSolution *solution = &search->interval->solution;
-  QnStatus status = QN_OK;
-
-  for (int hasten = 1; hasten >= 0 && !status; hasten--) {
-    const QnStatistics before = solution->effort;
-    qn_limit_solution_clear (solution);
-    status =
-      qn_limit_associative_in_haste (search->model, contacts, hasten == 1,
-                                     search->progress, search->user_data, solution, diag);
-    qn_statistics_add (&solution->effort, &before);
-    if (solution->outcome != QN_OUTCOME_NOT_CONVERGED)
-      break;
-  }
-  return status;
-}
-
 void
 qn_limit_interval_clear (QnLimitInterval *interval)
 {
@@ -351,7 +326,8 @@ qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
                     .user_data = user_data };
 
   *interval = (QnLimitInterval){ 0 };
-  QnStatus status = find_bound (&search, contacts, diag);
+  QnStatus status = qn_limit_associative (model, contacts, progress, user_data,
+                                          &interval->solution, diag);
   if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
     return status;
   interval->associative = interval->solution.upper_bound;
@@ -403,9 +379,8 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
                          QnProgressFunc progress, void *user_data, double **velocities,
                          QnDiag *diag)
 {
-  QnIpSettings settings = qn_interior_point_defaults ();
   QnLimitSolution solution = { 0 };
-  QnInteriorPoint ip = { 0 };
+  QnCollapse engine = { 0 };
   QnLimitProblem limit;
   QnStatus status = qn_limit_problem_init (&limit, model, contacts, true, diag);
 
@@ -424,11 +399,10 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
       bound->normal = bound->opening = slope;
     }
   }
-  settings.tolerance = QN_LIMIT_TOLERANCE;
-  status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
+  status = qn_collapse_init (&engine, &limit.ip, diag);
   if (!status)
     status =
-      qn_limit_solve (&limit, &ip, false, NULL, progress, user_data, &solution, diag);
+      qn_limit_solve (&limit, &engine, false, progress, user_data, &solution, diag);
   if (!status && solution.outcome == QN_OUTCOME_COLLAPSE
       && solution.lower_bound - multiplier
            <= MECHANISM_GAP * fabs (solution.lower_bound)) {
@@ -436,7 +410,7 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
     solution.velocities = NULL;
   }
   qn_limit_solution_clear (&solution);
-  qn_interior_point_clear (&ip);
+  qn_collapse_clear (&engine);
   qn_limit_problem_clear (&limit);
   return status;
 }

@@ -369,14 +369,14 @@ qn_limit_problem_multiplier (const QnLimitProblem *limit, double lambda)
 }
 
 void
-qn_limit_problem_forces (const QnLimitProblem *limit, const double *y, double tau,
+qn_limit_problem_forces (const QnLimitProblem *limit, const double *y, double per,
                          double *forces)
 {
   for (size_t i = 0; i < 2 * limit->pair_count; i++)
     forces[i] = 0.0;
   for (int32_t c = 0; c < limit->ip.cell_count; c++)
     for (int k = 0; k < 2; k++)
-      forces[2 * limit->cell_pairs[c] + k] = y[2 * c + k] / tau * limit->force_unit;
+      forces[2 * limit->cell_pairs[c] + k] = y[2 * c + k] / per * limit->force_unit;
 }
 
 void

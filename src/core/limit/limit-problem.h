@@ -45,8 +45,8 @@ void qn_limit_problem_set_compliance (QnLimitProblem *limit, double compliance);
 double qn_limit_problem_multiplier (const QnLimitProblem *limit, double lambda);
 
 /* Scaled unknowns to model quantities; unset pairs and supported degrees become 0.
- * forces: pair_count x 2, N; velocities: block_count x 3. */
-void qn_limit_problem_forces (const QnLimitProblem *limit, const double *y, double tau,
+ * forces: pair_count x 2, N, per so many of the scaled ones; velocities: block_count x 3. */
+void qn_limit_problem_forces (const QnLimitProblem *limit, const double *y, double per,
                               double *forces);
 void qn_limit_problem_velocities (const QnLimitProblem *limit, const double *v,
                                   double *velocities);

@@ -29,6 +29,7 @@
 #define QN_CORE_LIMIT_H
 
 #include "core/base/progress.h"
+#include "core/limit/collapse.h"
 #include "core/limit/limit-problem.h"
 #include "core/result/result.h"
 
@@ -57,38 +58,27 @@ typedef struct QnLimitSolution {
 
 void qn_limit_solution_clear (QnLimitSolution *solution);
 
+/* Moves the counters of an engine to `effort`. */
+void qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort);
+
 /* Accuracy of the program. The bounds that are reported are proved afterwards, from forces put
  * into equilibrium and velocities summed up; they come out within 1e-6 of each other, most of them
  * within 1e-7. */
 #define QN_LIMIT_TOLERANCE 1e-8
 
-/* Iterates of a program of the same structure, to start from: of the dead load alone, and of the
- * whole. */
-typedef struct QnLimitStart {
-  QnIpVector dead, whole;
-} QnLimitStart;
-
 /* Solves the program as it stands, with certificates for every outcome. With `from_dead_load`,
  * DEAD_LOAD_UNSTABLE is also the outcome where equilibrium exists under some live load but not
- * without, and the lower bound is proved by strictly admissible forces. `ip` must have been
- * initialised with &limit->ip; only its numbers may have changed since. `start` (nullable) spares
- * iterations; where it leads to no answer, the program is started anew. `solution` is overwritten
+ * without. `engine` must have been initialised with &limit->ip; only its numbers may have changed
+ * since. `solution` is overwritten
  * without being cleared. */
-QnStatus qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
-                         const QnLimitStart *start, QnProgressFunc progress,
-                         void *user_data, QnLimitSolution *solution, QnDiag *diag);
+QnStatus qn_limit_solve (QnLimitProblem *limit, QnCollapse *engine, bool from_dead_load,
+                         QnProgressFunc progress, void *user_data,
+                         QnLimitSolution *solution, QnDiag *diag);
 
 /* The associative limit analysis of a model from beginning to end. */
 QnStatus qn_limit_associative (const QnModel *model, const QnContacts *contacts,
                                QnProgressFunc progress, void *user_data,
                                QnLimitSolution *solution, QnDiag *diag);
-
-/* The same, with `hasten` in about three iterations fewer (interior-point.h); it may not converge where the
- * multiplier is very small beside the loads. */
-QnStatus qn_limit_associative_in_haste (const QnModel *model, const QnContacts *contacts,
-                                        bool hasten, QnProgressFunc progress,
-                                        void *user_data, QnLimitSolution *solution,
-                                        QnDiag *diag);
 
 /* Most collapses that one analysis tells. */
 #define QN_LIMIT_STARTS 4

@@ -58,13 +58,12 @@ static const Change changes[] = {
   { 0.65, 50, 1.4, 1 }, { 0.65, 50, 0.6, 1 }, { 0.5, 150, 2, 1 }, { 0.65, 50, 1, 2 },
 };
 
-/* Every answer is that of an analysis by itself, whatever came before, in fewer iterations. */
+/* Every answer is that of an analysis by itself, whatever came before. */
 static void
 test_same_answers (void)
 {
   for (int wall = 1; wall <= TEST_WALL_COUNT; wall++) {
     QnLimitSeries series;
-    int32_t alone = 0, shared = 0;
 
     begin (&series, wall, middle);
     for (size_t i = 0; i < G_N_ELEMENTS (changes); i++) {
@@ -72,17 +71,11 @@ test_same_answers (void)
       QnLimitSolution found = solve (&series, wall, changes[i]);
       g_assert_cmpint (found.outcome, ==, QN_OUTCOME_COLLAPSE);
       g_assert_cmpint (expected.outcome, ==, QN_OUTCOME_COLLAPSE);
-      double tolerance = 1e-6 * expected.upper_bound;
-      g_assert_cmpfloat (fabs (found.lower_bound - expected.lower_bound), <, tolerance);
-      g_assert_cmpfloat (fabs (found.upper_bound - expected.upper_bound), <, tolerance);
-      g_assert_cmpfloat (found.lower_bound, <=, found.upper_bound * (1 + 1e-9));
-      alone += expected.effort.iterations;
-      shared += found.effort.iterations;
+      g_assert_true (found.lower_bound == expected.lower_bound);
+      g_assert_true (found.upper_bound == expected.upper_bound);
       qn_limit_solution_clear (&expected);
       qn_limit_solution_clear (&found);
     }
-    g_test_message ("wall %d: %d iterations, alone %d", wall, shared, alone);
-    g_assert_cmpint (10 * shared, <, 9 * alone);
     qn_limit_series_clear (&series);
   }
 }
@@ -128,7 +121,6 @@ test_other_outcomes (void)
   qn_limit_series_clear (&series);
 
   begin (&series, 3, lifted);
-  g_assert_false (series.ready);
   solution = solve (&series, 3, middle);
   g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
   qn_limit_solution_clear (&solution);

@@ -1,5 +1,5 @@
 /* The engine on programs whose answers are known by hand, bodies being single rows here. */
-#include "core/limit/interior-point.h"
+#include "core/limit/collapse.h"
 #include "support/room.h"
 
 #include <glib.h>
@@ -40,41 +40,43 @@ slider_init (Slider *slider, double friction, double cohesion)
   };
 }
 
-static void
-iterate_to_end (QnInteriorPoint *ip)
+static bool
+go_on (void *data)
 {
-  g_assert_cmpint (qn_interior_point_start (ip, NULL), ==, QN_OK);
-  while (ip->state == QN_IP_RUNNING)
-    g_assert_cmpint (qn_interior_point_iterate (ip, NULL), ==, QN_OK);
+  (void) data;
+  return true;
 }
 
-static void
-solve (QnInteriorPoint *ip, const QnIpProblem *problem)
+static QnCollapseState
+follow (QnCollapse *engine)
 {
-  QnIpSettings settings = qn_interior_point_defaults ();
-  g_assert_cmpint (qn_interior_point_init (ip, problem, &settings, NULL), ==, QN_OK);
-  iterate_to_end (ip);
+  qn_collapse_start (engine, NULL, 0, 1, 1);
+  return qn_collapse_follow (engine, 1e-9, 100, go_on, NULL);
+}
+
+static QnCollapseState
+solve (QnCollapse *engine, const QnIpProblem *problem)
+{
+  g_assert_cmpint (qn_collapse_init (engine, problem, NULL), ==, QN_OK);
+  return follow (engine);
 }
 
 static void
 test_optimum (void)
 {
   Slider slider;
-  QnInteriorPoint ip;
+  QnCollapse engine;
 
   slider_init (&slider, 0.65, 0.1);
-  solve (&ip, &slider.problem);
-  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.at.lambda / ip.at.tau, 0.75, 1e-8);
-  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.tau, -1, 1e-8);
-  g_assert_cmpfloat_with_epsilon (fabs (ip.at.y[1] / ip.at.tau), 0.75, 1e-8);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpfloat_with_epsilon (engine.at.lambda, 0.75, 1e-8);
+  g_assert_cmpfloat_with_epsilon (engine.at.y[0], -1, 1e-8);
+  g_assert_cmpfloat_with_epsilon (fabs (engine.at.y[1]), 0.75, 1e-8);
   /* The mechanism slides and, flow being associative, lifts by the friction. */
-  g_assert_cmpfloat_with_epsilon (ip.at.v[0] / ip.at.tau, 1, 1e-7);
-  g_assert_cmpfloat_with_epsilon (ip.at.v[1] / ip.at.tau, 0.65, 1e-7);
-  g_assert_cmpfloat (ip.measures.primal_residual, <, 1e-9);
-  g_assert_cmpfloat (ip.measures.dual_residual, <, 1e-9);
-  g_assert_cmpfloat (ip.measures.gap, <, 1e-9);
-  qn_interior_point_clear (&ip);
+  g_assert_cmpfloat_with_epsilon (engine.at.v[0], 1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (engine.at.v[1], 0.65, 1e-7);
+  g_assert_cmpfloat (engine.power, <, 1e-9);
+  qn_collapse_clear (&engine);
 }
 
 /* Pulled upwards by twice its weight, a block without tension lifts off: no forces carry it. */
@@ -82,35 +84,34 @@ static void
 test_infeasible (void)
 {
   Slider slider;
-  QnInteriorPoint ip;
+  QnCollapse engine;
   double rates[2];
 
   slider_init (&slider, 0.65, 0);
   slider.constant[1] = 2;
-  solve (&ip, &slider.problem);
-  g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
-  double power = slider.constant[1] * ip.at.v[1];
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_INFEASIBLE);
+  double power = slider.constant[1] * engine.at.v[1];
   g_assert_cmpfloat (power, >, 0);
-  g_assert_cmpfloat_with_epsilon (ip.at.v[0] / ip.at.v[1], 0, 1e-6);
-  qn_interior_point_rates (&slider.problem, ip.at.v, rates);
+  g_assert_cmpfloat_with_epsilon (engine.at.v[0] / engine.at.v[1], 0, 1e-6);
+  rates[0] = rates[1] = 0;
+  qn_ip_add_rates (&slider.problem, engine.at.v, -1, rates);
   g_assert_cmpfloat (rates[0], >, 0.65 * fabs (rates[1]));
-  qn_interior_point_clear (&ip);
+  qn_collapse_clear (&engine);
 }
 
 static void
 test_unbounded (void)
 {
   Slider slider;
-  QnInteriorPoint ip;
+  QnCollapse engine;
 
   slider_init (&slider, 0.65, 0);
   slider.load[0] = 0.6;
   slider.load[1] = -1;
-  solve (&ip, &slider.problem);
-  g_assert_cmpint (ip.state, ==, QN_IP_UNBOUNDED);
-  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.lambda, -1, 1e-6);
-  g_assert_cmpfloat_with_epsilon (ip.at.y[1] / ip.at.lambda, -0.6, 1e-6);
-  qn_interior_point_clear (&ip);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_UNBOUNDED);
+  g_assert_cmpfloat_with_epsilon (engine.at.y[0] / engine.at.lambda, -1, 1e-6);
+  g_assert_cmpfloat_with_epsilon (engine.at.y[1] / engine.at.lambda, -0.6, 1e-6);
+  qn_collapse_clear (&engine);
 }
 
 /* A cell without bounds carries whatever it must. */
@@ -118,7 +119,7 @@ static void
 test_no_bounds (void)
 {
   Slider slider;
-  QnInteriorPoint ip;
+  QnCollapse engine;
 
   slider_init (&slider, 0.65, 0);
   slider.cell.bound_count = 0;
@@ -126,11 +127,10 @@ test_no_bounds (void)
   slider.problem.load = NULL;
   slider.problem.load_gain = 0;
   slider.constant[0] = 3;
-  solve (&ip, &slider.problem);
-  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.tau, -1, 1e-7);
-  g_assert_cmpfloat_with_epsilon (ip.at.y[1] / ip.at.tau, -3, 1e-7);
-  qn_interior_point_clear (&ip);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpfloat_with_epsilon (engine.at.y[0], -1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (engine.at.y[1], -3, 1e-7);
+  qn_collapse_clear (&engine);
 }
 
 /* Two equal cells side by side share a weight as their compliances ask, which is what the
@@ -161,13 +161,12 @@ test_quadratic (void)
                           .cells = cells,
                           .bounds = bounds,
                           .constant = &constant };
-  QnInteriorPoint ip;
+  QnCollapse engine;
 
-  solve (&ip, &problem);
-  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.at.y[0] / ip.at.tau, -0.75, 1e-6);
-  g_assert_cmpfloat_with_epsilon (ip.at.y[2] / ip.at.tau, -0.25, 1e-6);
-  qn_interior_point_clear (&ip);
+  g_assert_cmpint (solve (&engine, &problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpfloat_with_epsilon (engine.at.y[0], -0.75, 1e-6);
+  g_assert_cmpfloat_with_epsilon (engine.at.y[2], -0.25, 1e-6);
+  qn_collapse_clear (&engine);
 }
 
 /* A row that no cell acts on, and a row that repeats another: both harmless while their loads
@@ -176,28 +175,26 @@ static void
 test_empty_row (void)
 {
   Slider slider;
-  QnInteriorPoint ip;
+  QnCollapse engine;
   double constant[3] = { 0, -1, 0 }, load[3] = { 1, 0, 0 };
 
   slider_init (&slider, 0.65, 0);
   slider.problem.row_count = 3;
   slider.problem.constant = constant;
   slider.problem.load = load;
-  solve (&ip, &slider.problem);
-  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.at.lambda / ip.at.tau, 0.65, 1e-8);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpfloat_with_epsilon (engine.at.lambda, 0.65, 1e-8);
   constant[2] = 0.1;
-  iterate_to_end (&ip);
-  g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
-  g_assert_cmpfloat (ip.at.v[2] * constant[2], >, 0);
-  qn_interior_point_clear (&ip);
+  g_assert_cmpint (follow (&engine), ==, QN_COLLAPSE_INFEASIBLE);
+  g_assert_cmpfloat (engine.at.v[2] * constant[2], >, 0);
+  qn_collapse_clear (&engine);
 }
 
 static void
 test_redundant_row (void)
 {
   Slider slider;
-  QnInteriorPoint ip;
+  QnCollapse engine;
   double constant[3] = { 0, -1, -1 }, load[3] = { 1, 0, 0 };
 
   slider_init (&slider, 0.65, 0);
@@ -206,13 +203,11 @@ test_redundant_row (void)
   slider.problem.row_count = 3;
   slider.problem.constant = constant;
   slider.problem.load = load;
-  solve (&ip, &slider.problem);
-  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
-  g_assert_cmpfloat_with_epsilon (ip.at.lambda / ip.at.tau, 0.65, 1e-8);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpfloat_with_epsilon (engine.at.lambda, 0.65, 1e-8);
   constant[2] = -2;
-  iterate_to_end (&ip);
-  g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
-  qn_interior_point_clear (&ip);
+  g_assert_cmpint (follow (&engine), ==, QN_COLLAPSE_INFEASIBLE);
+  qn_collapse_clear (&engine);
 }
 
 /* The projection keeps equilibrium exactly and tells whether a multiplier can be carried. Its
@@ -220,53 +215,50 @@ test_redundant_row (void)
 static void
 test_project (void)
 {
-  QnIpSettings settings = qn_interior_point_defaults ();
   Slider slider;
-  QnInteriorPoint ip;
+  QnCollapse engine;
   double y[2], residual, slack, lambda = 0.5;
 
   slider_init (&slider, 0.65, 0);
-  g_assert_cmpint (qn_interior_point_init (&ip, &slider.problem, &settings, NULL), ==,
-                   QN_OK);
-  g_assert_cmpint (qn_interior_point_start (&ip, NULL), ==, QN_OK);
-  for (int i = 0; i < 2; i++)
-    g_assert_cmpint (qn_interior_point_iterate (&ip, NULL), ==, QN_OK);
-  qn_interior_point_project (&ip, true, &lambda, y, &residual, &slack, NULL);
+  g_assert_cmpint (qn_collapse_init (&engine, &slider.problem, NULL), ==, QN_OK);
+  qn_collapse_start (&engine, NULL, 0, 1, 1);
+  g_assert_cmpint (qn_collapse_follow (&engine, 1e-9, 2, go_on, NULL), ==,
+                   QN_COLLAPSE_LOST);
+  qn_collapse_project (&engine, true, &lambda, y, &residual, &slack);
   g_assert_cmpfloat (residual, <, 1e-12);
   g_assert_cmpfloat (lambda, ==, 0.5);
   g_assert_cmpfloat_with_epsilon (slack, 0.15, 1e-9);
   lambda = 0.7;
-  qn_interior_point_project (&ip, true, &lambda, y, &residual, &slack, NULL);
+  qn_collapse_project (&engine, true, &lambda, y, &residual, &slack);
   g_assert_cmpfloat_with_epsilon (slack, -0.05, 1e-9);
-  qn_interior_point_clear (&ip);
+  qn_collapse_clear (&engine);
 }
 
 static void
 test_repeat (void)
 {
   Slider slider;
-  QnInteriorPoint a, b;
+  QnCollapse a, b;
 
   slider_init (&slider, 0.65, 0.1);
   solve (&a, &slider.problem);
   solve (&b, &slider.problem);
-  g_assert_cmpint (a.iterations, ==, b.iterations);
   g_assert_true (a.at.lambda == b.at.lambda && a.at.v[0] == b.at.v[0]);
-  iterate_to_end (&a);
+  follow (&a);
   g_assert_true (a.at.lambda == b.at.lambda && a.at.v[0] == b.at.v[0]);
-  qn_interior_point_clear (&a);
-  qn_interior_point_clear (&b);
+  qn_collapse_clear (&a);
+  qn_collapse_clear (&b);
 }
 
 QN_TESTS
 {
-  g_test_add_func ("/interior-point/optimum", test_optimum);
-  g_test_add_func ("/interior-point/infeasible", test_infeasible);
-  g_test_add_func ("/interior-point/unbounded", test_unbounded);
-  g_test_add_func ("/interior-point/no-bounds", test_no_bounds);
-  g_test_add_func ("/interior-point/quadratic", test_quadratic);
-  g_test_add_func ("/interior-point/empty-row", test_empty_row);
-  g_test_add_func ("/interior-point/redundant-row", test_redundant_row);
-  g_test_add_func ("/interior-point/project", test_project);
-  g_test_add_func ("/interior-point/repeat", test_repeat);
+  g_test_add_func ("/collapse/optimum", test_optimum);
+  g_test_add_func ("/collapse/infeasible", test_infeasible);
+  g_test_add_func ("/collapse/unbounded", test_unbounded);
+  g_test_add_func ("/collapse/no-bounds", test_no_bounds);
+  g_test_add_func ("/collapse/quadratic", test_quadratic);
+  g_test_add_func ("/collapse/empty-row", test_empty_row);
+  g_test_add_func ("/collapse/redundant-row", test_redundant_row);
+  g_test_add_func ("/collapse/project", test_project);
+  g_test_add_func ("/collapse/repeat", test_repeat);
 }
