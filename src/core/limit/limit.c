@@ -120,7 +120,7 @@ qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort)
 }
 
 static QnCollapseState
-follow (LimitRun *run, double least)
+follow_program (LimitRun *run, double least)
 {
   QnCollapse *engine = run->engine;
 
@@ -142,7 +142,7 @@ follow_dead_load (LimitRun *run)
   p->load_gain = 0;
   run->dead_only = true;
   qn_collapse_start_elastic (run->engine);
-  QnCollapseState state = follow (run, 1);
+  QnCollapseState state = follow_program (run, 1);
   *p = whole;
   return state;
 }
@@ -208,7 +208,7 @@ solve (LimitRun *run, QnDiag *diag)
   QnStatus status = QN_OK;
 
   qn_collapse_start_elastic (engine);
-  state = follow (run, 1);
+  state = follow_program (run, 1);
   bool falls = state == QN_COLLAPSE_INFEASIBLE;
   if (state == QN_COLLAPSE_UNBOUNDED) {
     qn_limit_problem_forces (limit, engine->at.y,
@@ -217,7 +217,7 @@ solve (LimitRun *run, QnDiag *diag)
   } else if (state == QN_COLLAPSE_FOUND || state == QN_COLLAPSE_LOST) {
     take_optimum (run);
     if (state == QN_COLLAPSE_FOUND && fabs (engine->at.lambda) < limit_tuning.small) {
-      follow (run, QN_COLLAPSE_LEAST);
+      follow_program (run, QN_COLLAPSE_LEAST);
       take_optimum (run);
     }
     falls =
