@@ -349,7 +349,7 @@ find_growth (QnCollapse *c)
 
 /* What the iterate is. */
 static QnCollapseState
-judge (const QnCollapse *c, double misfit)
+judge_iterate (const QnCollapse *c, double misfit)
 {
   if (misfit <= 1)
     return QN_COLLAPSE_FOUND;
@@ -361,7 +361,7 @@ judge (const QnCollapse *c, double misfit)
 /* Takes a step, or regularises more. Returns how much of the step may be gone; *ok is false where there
  * is none. */
 static double
-take_step (QnCollapse *c, bool *ok)
+step_on (QnCollapse *c, bool *ok)
 {
   double part, length = find_step (c, &part);
 
@@ -394,7 +394,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
   for (int32_t iteration = 0; ok; iteration++) {
     find_residuals (c);
     double misfit = find_misfit (c, tolerance), length = 0;
-    QnCollapseState state = iteration > 0 ? judge (c, misfit) : QN_COLLAPSE_LOST;
+    QnCollapseState state = iteration > 0 ? judge_iterate (c, misfit) : QN_COLLAPSE_LOST;
     if (state == QN_COLLAPSE_FOUND)
       find_growth (c);
     idle = misfit < best ? 0 : idle + 1;
@@ -406,7 +406,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
       return QN_COLLAPSE_CANCELLED;
     ok = factorize_collapse (c);
     if (ok && is_stable (c))
-      length = take_step (c, &ok);
+      length = step_on (c, &ok);
     else if (*coupling <= least)
       least = 0;
     if (length < tuning.short_step)

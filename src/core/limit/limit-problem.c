@@ -355,13 +355,6 @@ qn_limit_problem_clear (QnLimitProblem *limit)
   *limit = (QnLimitProblem){ 0 };
 }
 
-void
-qn_limit_problem_set_compliance (QnLimitProblem *limit, double compliance)
-{
-  for (int32_t c = 0; c < limit->ip.cell_count; c++)
-    limit->cells[c].quadratic[0] = limit->cells[c].quadratic[1] = compliance;
-}
-
 double
 qn_limit_problem_multiplier (const QnLimitProblem *limit, double lambda)
 {

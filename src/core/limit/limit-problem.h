@@ -38,9 +38,6 @@ QnStatus qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
 
 void qn_limit_problem_clear (QnLimitProblem *limit);
 
-/* Sets the compliance of every joint, of scaled rates per scaled force. */
-void qn_limit_problem_set_compliance (QnLimitProblem *limit, double compliance);
-
 /* The multiplier that a scaled lambda stands for, and back. */
 double qn_limit_problem_multiplier (const QnLimitProblem *limit, double lambda);
 

@@ -129,7 +129,8 @@ collapse_at (QnLimitProblem *limit, double compliance, const double *start,
   QnCollapse collapse;
 
   g_assert_cmpint (qn_collapse_init (&collapse, &limit->ip, NULL), ==, QN_OK);
-  qn_limit_problem_set_compliance (limit, compliance);
+  for (int32_t c = 0; c < limit->ip.cell_count; c++)
+    limit->cells[c].quadratic[0] = limit->cells[c].quadratic[1] = compliance;
   qn_collapse_start (&collapse, start, 0, 10, coupling);
   g_assert_cmpint (qn_collapse_follow (&collapse, 1e-9, 200, always, NULL), ==,
                    QN_COLLAPSE_FOUND);
