@@ -421,6 +421,41 @@ test_laws (void)
   driver_discard (window);
 }
 
+static gboolean
+take_fracture_energy (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  (void) error;
+  model->laws[0].cohesion = 1e5;
+  model->laws[0].fracture_energy_shear = 50;
+  return TRUE;
+}
+
+/* How a bond softens is asked where it has a fracture energy; a choice is one step. */
+static void
+test_softening (void)
+{
+  QnWindow *window = driver_open_example ("05-stack.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *softening = driver_find_widget (GTK_WIDGET (window), is_called, "softening");
+  g_assert_nonnull (softening);
+  g_assert_false (gtk_widget_get_visible (gtk_widget_get_parent (softening)));
+  g_assert_true (
+    qn_document_edit (document, "Bond", NULL, take_fracture_energy, NULL, NULL));
+  driver_settle ();
+  g_assert_true (gtk_widget_get_visible (gtk_widget_get_parent (softening)));
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  gtk_widget_grab_focus (softening);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (softening), 1);
+  g_assert_true (qn_document_get_model (document)->laws[0].exponential);
+  g_assert_nonnull (
+    strstr (qn_document_get_text (document), "\"softening\": \"exponential\""));
+  driver_activate (window, "win.undo");
+  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  driver_discard (window);
+}
+
 static void
 enter (GtkWidget *root, const char *id, const char *text)
 {
@@ -495,6 +530,7 @@ QN_TESTS
   g_test_add_func ("/app/forms/study", test_study);
   g_test_add_func ("/app/forms/joint", test_joint);
   g_test_add_func ("/app/forms/laws", test_laws);
+  g_test_add_func ("/app/forms/softening", test_softening);
   g_test_add_func ("/app/forms/cases", test_cases);
   g_test_add_func ("/app/forms/project", test_project);
   g_test_add_func ("/app/forms/refusal", test_refusal);

@@ -53,6 +53,7 @@ enum {
   KIND,
   BASIS,
   CELLS,
+  SOFTENING,
   POINTS,
   VIEW,
   ADD,
@@ -73,6 +74,7 @@ static const QnFormField fields[] = {
   [KIND] = { .id = "kind", .step = N_ ("Change Law") },
   [BASIS] = { .id = "basis", .step = N_ ("Change Law") },
   [CELLS] = { .id = "cells", .step = N_ ("Change Law") },
+  [SOFTENING] = { .id = "softening", .step = N_ ("Change Law") },
   [POINTS] = { .id = "points", .step = N_ ("Change Law") },
   [VIEW] = { .id = "view" },
   [ADD] = { .id = "add", .step = N_ ("Add Law") },
@@ -179,6 +181,12 @@ show (gpointer data, guint field, QnValue *value)
     qn_value_add_row (value, _ ("Of the material, blocks in a grid"));
     value->number = law.elasticity > 0.0 ? 1 + (int) law.arrangement : 0;
     return law.basis == QN_BASIS_MATERIAL;
+  case SOFTENING:
+    qn_value_add_row (value, _ ("In a straight line"));
+    qn_value_add_row (value, _ ("Along an exponential curve"));
+    value->number = law.exponential;
+    return qn_law_may_bond (law.kind)
+           && (law.fracture_energy_tension > 0.0 || law.fracture_energy_shear > 0.0);
   case POINTS:
     value->text = qn_law_points_dup_text (law.points, law.point_count);
     return law.kind == QN_LAW_CURVE;
@@ -348,6 +356,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     if (law->elasticity > 0.0)
       law->arrangement = (QnArrangement) (value->number - 1.0);
     qn_law_derive (law);
+    return TRUE;
+  case SOFTENING:
+    law->exponential = value->number > 0.0;
     return TRUE;
   case POINTS:
     if (!qn_law_points_parse (value->text, points, &count))

@@ -1,5 +1,5 @@
 /* What the joints do: open ones as filled gaps, hinges as rings, sliding ones as lines with
- * opposed half arrows. All three differ in shape, not in colour alone. */
+ * opposed half arrows, broken bonds as crosses. All differ in shape, not in colour alone. */
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
@@ -70,6 +70,25 @@ add_sliding (QnSceneBuilder *b, QnId index, const QnContactFace *face,
   qn_command_set_extent (command, face->length, 1.6f * SYMBOL_LEAST);
 }
 
+/* A cross at every pair whose bond is broken; returns how many. */
+static int
+add_broken (QnSceneBuilder *b, QnId index, const QnContactFace *face, QnColor color)
+{
+  int broken = 0;
+  for (int32_t k = 0; k < face->pair_count && b->pairs != NULL; k++) {
+    QnId pair = face->first_pair + k;
+    if (b->pairs[pair].damage < 1)
+      continue;
+    QnVec2 at = qn_builder_place_joint (b, face, b->contacts->pairs[pair].point);
+    QnCommand *command =
+      qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_CROSS, at, 5, 0, color);
+    qn_command_set_pick (command, QN_PICK_FACE, index);
+    qn_command_set_extent (command, face->length / face->pair_count, SYMBOL_LEAST);
+    broken++;
+  }
+  return broken;
+}
+
 void
 qn_build_joints (QnSceneBuilder *b)
 {
@@ -77,11 +96,13 @@ qn_build_joints (QnSceneBuilder *b)
   QnColor slide = qn_builder_ink (b, QN_INK_SLIDE);
   QnColor hinge = qn_builder_ink (b, QN_INK_HINGE);
   JointTally tally = { 0, 0, 0 };
+  int broken = 0;
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
     const QnJoint *joint = &b->joints[f];
     if (b->left != NULL && b->left[f])
       continue;
+    broken += add_broken (b, (QnId) f, face, qn_builder_ink (b, QN_INK_LINE));
     if (joint->open_start || joint->open_end) {
       add_gap (b, (QnId) f, face, open);
       tally.open++;
@@ -108,4 +129,7 @@ qn_build_joints (QnSceneBuilder *b)
     qn_scene_legend_marker (b->scene, QN_MARKER_RING, 4.2f, hinge, "%s", hinges);
   if (tally.sliding > 0)
     qn_scene_legend_marker (b->scene, QN_MARKER_SLIDE, 11, slide, "%s", slides);
+  if (broken > 0)
+    qn_scene_legend_marker (b->scene, QN_MARKER_CROSS, 5, qn_builder_ink (b, QN_INK_LINE),
+                            "%s", _ ("broken bond"));
 }

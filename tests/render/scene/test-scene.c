@@ -7,6 +7,7 @@
 #include "support/contacts.h"
 #include "support/models.h"
 #include "support/room.h"
+#include "support/run.h"
 
 #include <glib.h>
 
@@ -510,6 +511,36 @@ test_legend (void)
   fixture_clear (&f);
 }
 
+/* A cross at every pair whose bond is broken at the step shown, and what it means. */
+static void
+test_broken_bonds (void)
+{
+  for (int broken = 0; broken < 2; broken++) {
+    g_auto (TestRun) run;
+    QnViewOptions options;
+    g_autoptr (GError) error = NULL;
+    guint crosses = 0;
+    test_model_init_block_on_plane (&run.model, 2, 0.5);
+    test_model_add_weight_loads (&run.model, 1);
+    run.model.laws[0].cohesion = 1e3;
+    run.model.analysis.max_multiplier = 0.1;
+    test_run_solve (&run);
+    run.result.pairs[1].damage = broken ? 1 : 0.9;
+    qn_view_options_init (&options, QN_VIEW_DEFORMED);
+    g_autoptr (QnScene) scene =
+      qn_scene_build (&run.model, &run.contacts, &run.result, &options, &error);
+    g_assert_no_error (error);
+    g_assert_cmpint (has_legend (scene, "broken bond"), ==, broken);
+    for (guint i = 0; i < scene->commands->len; i++) {
+      const QnCommand *command = &g_array_index (scene->commands, QnCommand, i);
+      crosses += command->kind == QN_COMMAND_MARKER
+                 && command->marker == (int) QN_MARKER_CROSS
+                 && command->pick == QN_PICK_FACE;
+    }
+    g_assert_cmpuint (crosses, ==, broken);
+  }
+}
+
 static bool
 has_text (const QnScene *scene, const char *text)
 {
@@ -554,6 +585,7 @@ QN_TESTS
   g_test_add_func ("/render/scene/nonlinear-forces", test_forces_of_nonlinear_geometry);
   g_test_add_func ("/render/scene/found", test_found);
   g_test_add_func ("/render/scene/legend", test_legend);
+  g_test_add_func ("/render/scene/broken-bonds", test_broken_bonds);
   g_test_add_func ("/render/scene/arrow-heads", test_arrow_heads);
   g_test_add_func ("/render/scene/names-beside-loads", test_names_beside_loads);
   g_test_add_func ("/scene/pressure-label", test_pressure_label);
