@@ -135,22 +135,6 @@ parse_number (const char *value, double least, double *number)
   return true;
 }
 
-/* "last" or a step that the result has. */
-static bool
-parse_step (const QuoinFigure *figure, const char *value, int32_t *step)
-{
-  guint64 number;
-  *step = QN_STEP_LAST;
-  if (strcmp (value, "last") == 0)
-    return true;
-  if (figure->figure.result == NULL
-      || !g_ascii_string_to_unsigned (value, 10, 0, G_MAXINT32, &number, NULL)
-      || number >= figure->figure.result->step_count)
-    return false;
-  *step = (int32_t) number;
-  return true;
-}
-
 /* "0.36", or "0.36=Ferris and Tin-Loi". */
 static bool
 add_reference (QuoinFigure *figure, const char *value)
@@ -164,22 +148,21 @@ add_reference (QuoinFigure *figure, const char *value)
   return true;
 }
 
-/* What is on or off; NULL: no such switch. */
+/* What is on or off beside the switches of a view; NULL: no such switch. */
 static bool *
 find_switch (QuoinFigure *figure, const char *name)
 {
-  QnViewOptions *options = &figure->figure.options;
   const struct {
     const char *name;
     bool *flag;
-  } switches[] = { { "monochrome", &options->monochrome },
-                   { "transparent", &figure->output.transparent },
+  } switches[] = { { "transparent", &figure->output.transparent },
                    { "once", &figure->animation.once },
-                   { "curve", &figure->animation.curve } };
+                   { "curve", &figure->animation.curve },
+                   { "whole", &figure->sheet.whole } };
   for (gsize i = 0; i < G_N_ELEMENTS (switches); i++)
     if (strcmp (switches[i].name, name) == 0)
       return switches[i].flag;
-  return qn_view_switch (options, name);
+  return NULL;
 }
 
 /* A number, and the least that it may be; NULL: no such number. */
@@ -202,30 +185,34 @@ find_number (QuoinFigure *figure, const char *name, double *least)
   return NULL;
 }
 
+/* An option of the picture; a step must be one of the result. What is refused changes nothing. */
+static bool
+set_view (QuoinFigure *figure, const char *name, const char *value)
+{
+  QnViewOptions *options = &figure->figure.options, before = *options;
+  const QnResult *result = figure->figure.result;
+  if (qn_view_options_set (options, name, value)
+      && (options->step == QN_STEP_LAST
+          || (result != NULL && (size_t) options->step < result->step_count)))
+    return true;
+  *options = before;
+  return false;
+}
+
 /* Whether there is an option of this name and the value is one of its. */
 static bool
 set_option (QuoinFigure *figure, const char *name, const char *value, GError **cause)
 {
-  QnViewOptions *options = &figure->figure.options;
   double least = 0, *number = find_number (figure, name, &least);
   bool on = strcmp (value, "on") == 0, *flag = find_switch (figure, name);
-  if (flag != NULL || strcmp (name, "whole") == 0) {
-    if (flag != NULL)
-      *flag = on;
-    else
-      figure->sheet.whole = on;
+  if (flag != NULL) {
+    *flag = on;
     return on || strcmp (value, "off") == 0;
   }
   if (number != NULL)
     return parse_number (value, least, number);
   if (strcmp (name, "size") == 0)
     return qn_output_parse_size (&figure->output, value, cause);
-  if (strcmp (name, "field") == 0)
-    return qn_field_parse (value, &options->field);
-  if (strcmp (name, "diagram") == 0)
-    return qn_diagram_parse (value, &options->diagram);
-  if (strcmp (name, "step") == 0)
-    return parse_step (figure, value, &options->step);
   if (strcmp (name, "frames") == 0) {
     double frames;
     bool given = parse_number (value, 2, &frames) && frames <= QN_MAX_FRAMES;
@@ -242,18 +229,12 @@ set_option (QuoinFigure *figure, const char *name, const char *value, GError **c
       && (strcmp (name, "paper") == 0 || strcmp (name, "sections") == 0
           || strcmp (name, "demand") == 0))
     return qn_report_template_set (&figure->plan, name, value, cause);
-  if (strcmp (name, "scale") == 0 && strcmp (value, "auto") == 0) {
-    options->scale = QN_SCALE_AUTO;
-    return true;
-  }
-  if (strcmp (name, "scale") == 0)
-    return parse_number (value, DBL_MIN, &options->scale);
   if (strcmp (name, "title") == 0)
     keep_text (&figure->title, &figure->figure.title, value);
   else if (strcmp (name, "caption") == 0)
     keep_text (&figure->caption, &figure->figure.caption, value);
   else
-    return false;
+    return set_view (figure, name, value);
   return true;
 }
 

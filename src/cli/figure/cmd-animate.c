@@ -23,19 +23,15 @@ typedef struct AnimateOptions {
 
 /* What can be judged before any file is read. */
 static QnExit
-check (const QnSubcommand *self, const AnimateOptions *options, double *scale)
+check (const QnSubcommand *self, const AnimateOptions *options, QnViewOptions *view)
 {
-  char *end = NULL;
   GError *error = NULL;
   if (options->view != NULL && strcmp (options->view, "mechanism") != 0
       && strcmp (options->view, "deformed") != 0)
     return qn_cli_usage_error (self->name, _ ("--view is mechanism or deformed"));
-  *scale = QN_SCALE_AUTO;
-  if (options->scale != NULL && strcmp (options->scale, "auto") != 0) {
-    *scale = g_ascii_strtod (options->scale, &end);
-    if (end == options->scale || *end != '\0' || !isfinite (*scale) || *scale <= 0)
-      return qn_cli_usage_error (self->name, _ ("--scale is a positive number, or auto"));
-  }
+  view->scale = QN_SCALE_AUTO;
+  if (options->scale != NULL && !qn_view_options_set (view, "scale", options->scale))
+    return qn_cli_usage_error (self->name, _ ("--scale is a positive number, or auto"));
   if (!isfinite (options->speed) || options->speed < 0)
     return qn_cli_usage_error (self->name, _ ("--speed is a positive number"));
   if (options->speed > 0 && options->frames > 0)
@@ -132,7 +128,7 @@ run_animate (const QnSubcommand *self, int argc, char **argv)
     G_OPTION_ENTRY_NULL,
   };
   QnOutput output;
-  double scale = 0;
+  QnViewOptions view = { 0 };
   QnExit code = QN_EXIT_USAGE;
 
   qn_output_init (&output);
@@ -141,9 +137,9 @@ run_animate (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = qn_picture_page (self, &options.picture, &output);
   if (code == QN_EXIT_DONE)
-    code = check (self, &options, &scale);
+    code = check (self, &options, &view);
   if (code == QN_EXIT_DONE)
-    code = animate (&options, &output, scale, argv[1]);
+    code = animate (&options, &output, view.scale, argv[1]);
 
   qn_subcommand_free_values (entries);
   return code;

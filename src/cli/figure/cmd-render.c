@@ -7,7 +7,6 @@
 #include "render/figure/figure.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 #include <string.h>
 
 #define SWITCHES "ghost,symbols,loads,dimensions,names,values,legend,titles,monochrome"
@@ -18,36 +17,6 @@ typedef struct RenderOptions {
   char *result, *onion, *view, *step, *scale, *field, *diagram;
   char **show, **hide;
 } RenderOptions;
-
-static gboolean
-parse_step (const char *text, int32_t *step)
-{
-  guint64 number;
-  if (text == NULL || strcmp (text, "last") == 0) {
-    *step = QN_STEP_LAST;
-    return TRUE;
-  }
-  if (!g_ascii_string_to_unsigned (text, 10, 0, G_MAXINT32, &number, NULL))
-    return FALSE;
-  *step = (int32_t) number;
-  return TRUE;
-}
-
-static gboolean
-parse_scale (const char *text, double *scale)
-{
-  char *end = NULL;
-  if (text == NULL || strcmp (text, "auto") == 0) {
-    *scale = QN_SCALE_AUTO;
-    return TRUE;
-  }
-  if (strcmp (text, "true") == 0) {
-    *scale = 1;
-    return TRUE;
-  }
-  *scale = g_ascii_strtod (text, &end);
-  return end != text && *end == '\0' && isfinite (*scale) && *scale > 0;
-}
 
 /* Sets the switches that a --show or --hide names, several with commas between them. */
 static QnExit
@@ -75,16 +44,17 @@ parse_view (const QnSubcommand *self, const RenderOptions *options, QnViewOption
     return qn_cli_refuse_name (self->name, options->view, qn_view_names, QN_VIEW_COUNT);
   qn_view_options_init (view, kind);
   view->monochrome = options->picture.monochrome;
-  if (options->field != NULL && !qn_field_parse (options->field, &view->field))
+  if (options->field != NULL && !qn_view_options_set (view, "field", options->field))
     return qn_cli_refuse_name (self->name, options->field, qn_field_names,
                                QN_FIELD_COUNT);
-  if (options->diagram != NULL && !qn_diagram_parse (options->diagram, &view->diagram))
+  if (options->diagram != NULL
+      && !qn_view_options_set (view, "diagram", options->diagram))
     return qn_cli_refuse_name (self->name, options->diagram, qn_diagram_names,
                                QN_DIAGRAM_COUNT);
-  if (!parse_step (options->step, &view->step))
+  if (options->step != NULL && !qn_view_options_set (view, "step", options->step))
     return qn_cli_usage_error (self->name, "%s: %s", options->step,
                                _ ("a step is a number from 0, or last"));
-  if (!parse_scale (options->scale, &view->scale))
+  if (options->scale != NULL && !qn_view_options_set (view, "scale", options->scale))
     return qn_cli_usage_error (self->name, "%s: %s", options->scale,
                                _ ("a scale is a positive number, auto or true"));
   if (options->onion != NULL && kind != QN_VIEW_DEFORMED && kind != QN_VIEW_MECHANISM)

@@ -29,7 +29,7 @@ typedef struct QnCurveSheet {
   double
     until; /* the curves end at this displacement, m or rad; 0: where they have nothing more to
                         tell, */
-  gboolean whole; /* or at their own end; tables do where `until` is 0 */
+  bool whole; /* or at their own end; tables do where `until` is 0 */
   const QnReferenceLine *references;
   size_t reference_count;
   gboolean monochrome;

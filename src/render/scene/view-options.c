@@ -1,5 +1,6 @@
 #include "render/scene/view-options.h"
 
+#include <glib.h>
 #include <math.h>
 #include <string.h>
 
@@ -94,6 +95,47 @@ qn_diagram_parse (const char *name, QnDiagram *diagram)
     return false;
   *diagram = (QnDiagram) i;
   return true;
+}
+
+static bool
+parse_step (const char *text, int32_t *step)
+{
+  guint64 number;
+  *step = QN_STEP_LAST;
+  if (strcmp (text, "last") == 0)
+    return true;
+  if (!g_ascii_string_to_unsigned (text, 10, 0, G_MAXINT32, &number, NULL))
+    return false;
+  *step = (int32_t) number;
+  return true;
+}
+
+static bool
+parse_scale (const char *text, double *scale)
+{
+  char *end;
+  *scale = strcmp (text, "true") == 0 ? 1 : QN_SCALE_AUTO;
+  if (*scale == 1 || strcmp (text, "auto") == 0)
+    return true;
+  *scale = g_ascii_strtod (text, &end);
+  return end != text && *end == '\0' && isfinite (*scale) && *scale > 0;
+}
+
+bool
+qn_view_options_set (QnViewOptions *options, const char *name, const char *value)
+{
+  bool on = strcmp (value, "on") == 0, *flag = qn_view_switch (options, name);
+  if (flag != NULL) {
+    *flag = on;
+    return on || strcmp (value, "off") == 0;
+  }
+  if (strcmp (name, "field") == 0)
+    return qn_field_parse (value, &options->field);
+  if (strcmp (name, "diagram") == 0)
+    return qn_diagram_parse (value, &options->diagram);
+  if (strcmp (name, "step") == 0)
+    return parse_step (value, &options->step);
+  return strcmp (name, "scale") == 0 && parse_scale (value, &options->scale);
 }
 
 bool

@@ -114,4 +114,8 @@ extern const char *const qn_field_names[QN_FIELD_COUNT];
 bool qn_diagram_parse (const char *name, QnDiagram *diagram);
 extern const char *const qn_diagram_names[QN_DIAGRAM_COUNT];
 
+/* Sets "field" or "diagram" by the name of one, "step" to "last" or a number from 0, "scale" to "auto", "true" or a
+ * positive number, or a switch to "on" or "off". False where that is none of these. */
+bool qn_view_options_set (QnViewOptions *options, const char *name, const char *value);
+
 #endif
