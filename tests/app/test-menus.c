@@ -7,6 +7,8 @@
 #include "support/room.h"
 #include "support/scratch.h"
 
+#include <string.h>
+
 /* An item of a menu, by its label without underlines. */
 static gboolean
 is_item (GtkWidget *widget, gconstpointer label)
@@ -410,6 +412,62 @@ test_all_methods (void)
   driver_discard (window);
 }
 
+/* ---- words ---- */
+
+static gboolean
+is_emoji_item (GtkWidget *widget, gconstpointer data)
+{
+  g_autofree char *text = NULL;
+  (void) data;
+  if (!g_str_equal (G_OBJECT_TYPE_NAME (widget), "GtkModelButton")
+      || !gtk_widget_get_mapped (widget))
+    return FALSE;
+  g_object_get (widget, "text", &text, NULL);
+  return text != NULL && strstr (text, "moji") != NULL;
+}
+
+/* Names take any sign, numbers do not. A project without a title has the name of its file once in the title
+ * bar, and among those opened last its name with the folder. */
+static void
+test_words (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "plain.quoin", NULL);
+  const char *text =
+    "{ \"format\": \"quoin\", \"version\": 1, \"blocks\": [ { \"name\": \"a\","
+    "  \"vertices\": [[0,0],[1,0],[1,1],[0,1]], \"thickness\": 1, \"unit_weight\": 1e4,"
+    "  \"support\": [true, true, true] } ],"
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": 0.6 } ], \"contact\": { \"law\": \"dry\" } }";
+  driver_pass_over_gtk ();
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *row = driver_find_widget (GTK_WIDGET (window), is_row, "Increments");
+  GtkWidget *entry = qn_row_get_field (QN_ROW (row));
+  right_click (entry);
+  g_assert_null (driver_find_widget (entry, is_emoji_item, NULL));
+  driver_screenshot (GTK_WIDGET (window), "number-menu");
+  driver_key ("Escape");
+  driver_discard (window);
+
+  window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, path));
+  driver_settle ();
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "plain.quoin"));
+  g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, "plain.quoin —"));
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, folder));
+  driver_screenshot (GTK_WIDGET (window), "title-once");
+  driver_discard (window);
+  window = driver_open_window (1280, 800);
+  driver_screenshot (GTK_WIDGET (window), "recent");
+  GtkWidget *recent = driver_find_widget (GTK_WIDGET (window), driver_says, folder);
+  g_assert_nonnull (recent);
+  g_assert_cmpstr (gtk_label_get_text (GTK_LABEL (gtk_widget_get_prev_sibling (recent))),
+                   ==, "plain");
+  driver_discard (window);
+}
+
 /* ---- dragging ---- */
 
 static void
@@ -645,6 +703,7 @@ QN_TESTS
   g_test_add_func ("/app/menus/main-submenu", test_main_submenu);
   g_test_add_func ("/app/menus/comparison", test_comparison);
   g_test_add_func ("/app/menus/variants", test_variants);
+  g_test_add_func ("/app/menus/words", test_words);
   g_test_add_func ("/app/menus/all-methods", test_all_methods);
   g_test_add_func ("/app/menus/drag-caption", test_drag_caption);
   g_test_add_func ("/app/menus/drop-files", test_drop_files);

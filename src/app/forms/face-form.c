@@ -101,10 +101,10 @@ dup_states (const QnJointPlot *plot)
                             _ ("Pair"), (int) i + 1, qn_explain_pair_state (point->state),
                             n, t);
   }
-  for (int state = 0; state < QN_PAIR_STATE_COUNT && !told; state++)
-    g_string_append_printf (text, _ ("%s%s: %u"), state > 0 ? ", " : "",
-                            qn_explain_pair_state ((QnPairState) state), counts[state]);
-  return g_string_free (text, FALSE);
+  if (told)
+    return g_string_free (text, FALSE);
+  g_string_free (text, TRUE);
+  return qn_explain_pairs (counts);
 }
 
 /* Of a single joint at the step that is shown; FALSE without a run of these contacts. The points are

@@ -63,11 +63,7 @@ dup_description (const QnJointPlot *plot)
   guint states[QN_PAIR_STATE_COUNT] = { 0 };
   for (gsize i = 0; i < plot->count; i++)
     states[plot->points[i].state]++;
-  GString *text = g_string_new (NULL);
-  for (int state = 0; state < QN_PAIR_STATE_COUNT; state++)
-    g_string_append_printf (text, "%s%u %s", state > 0 ? ", " : "", states[state],
-                            qn_explain_pair_state ((QnPairState) state));
-  return g_string_free (text, FALSE);
+  return qn_explain_pairs (states);
 }
 
 void

@@ -56,23 +56,6 @@ dup_number (const QnRun *run)
   return g_strdup (qn_explain_outcome_label (result));
 }
 
-/* How it ended; of an analysis in time how far blocks went before. */
-static char *
-dup_outcome (const QnRun *run)
-{
-  char *outcome = qn_run_dup_explanation (run);
-  double peak = qn_result_peak (&run->result, NULL);
-  if (!qn_run_is_in_time (run) || !(peak > 0))
-    return outcome;
-  g_autofree char *ended = outcome;
-  g_autofree char *far = qn_units_format_full (
-    qn_units_of_motion (qn_settings_get_units ()), QN_QUANTITY_LENGTH, peak, 3);
-  double time = run->result.history.peak_time;
-  return isnan (time)
-           ? g_strdup_printf (_ ("Moves by %s. %s"), far, ended)
-           : g_strdup_printf (_ ("Moves by %s, at %.3g s. %s"), far, time, ended);
-}
-
 static void
 update_number (Card *card, const QnRun *run)
 {
@@ -140,7 +123,7 @@ update (Card *card)
   g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
   set_text (card->mechanism, sentence);
   g_autofree char *whole = qn_run_dup_mechanism (run);
-  g_autofree char *outcome = dup_outcome (run);
+  g_autofree char *outcome = qn_run_dup_explanation (run);
   g_autofree char *explanation =
     whole != NULL ? g_strdup_printf ("%s\n\n%s", outcome, whole) : g_strdup (outcome);
   gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;

@@ -186,6 +186,25 @@ make_examples (void)
   return flow;
 }
 
+/* Name of a file, and where it is in fewer words. */
+static GtkWidget *
+make_recent (const char *path)
+{
+  const char *home = g_get_home_dir ();
+  g_autofree char *name = dup_label (path), *folder = g_path_get_dirname (path);
+  g_autofree char *place = g_str_has_prefix (folder, home)
+                             ? g_strconcat ("~", folder + strlen (home), NULL)
+                             : g_strdup (folder);
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
+  GtkWidget *label = gtk_label_new (place);
+  gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_START);
+  gtk_label_set_max_width_chars (GTK_LABEL (label), 40);
+  gtk_widget_add_css_class (label, "dim-label");
+  gtk_box_append (GTK_BOX (box), gtk_label_new (name));
+  gtk_box_append (GTK_BOX (box), label);
+  return box;
+}
+
 GtkWidget *
 qn_start_page_new (void)
 {
@@ -223,8 +242,9 @@ qn_start_page_new (void)
       continue;
     if (shown++ == 0)
       gtk_box_append (GTK_BOX (box), make_heading (_ ("Recent")));
-    g_autofree char *display = gtk_recent_info_get_uri_display (info);
-    GtkWidget *button = gtk_button_new_with_label (display != NULL ? display : path);
+    GtkWidget *button = gtk_button_new ();
+    gtk_button_set_child (GTK_BUTTON (button), make_recent (path));
+    gtk_widget_set_tooltip_text (button, path);
     gtk_widget_add_css_class (button, "flat");
     gtk_widget_set_halign (button, GTK_ALIGN_START);
     gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-path");

@@ -186,6 +186,7 @@ static void
 qn_quantity_entry_constructed (GObject *object)
 {
   G_OBJECT_CLASS (qn_quantity_entry_parent_class)->constructed (object);
+  gtk_entry_set_input_hints (GTK_ENTRY (object), GTK_INPUT_HINT_NO_EMOJI);
   show_value (QN_QUANTITY_ENTRY (object));
 }
 

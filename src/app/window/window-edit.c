@@ -207,7 +207,7 @@ delete_selected (QnWindow *self, GVariant *parameter)
 static void
 detach (QnWindow *self, GVariant *parameter)
 {
-  edit_parts (self, _ ("Detach Wall"), edit_detach);
+  edit_parts (self, _ ("Detach into Free Blocks"), edit_detach);
 }
 
 static void

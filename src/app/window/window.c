@@ -63,14 +63,18 @@ update_title (QnWindow *self)
   const char *home = g_get_home_dir ();
   if (folder != NULL) {
     g_free (subtitle);
-    subtitle = g_str_has_prefix (folder, home)
-                 ? g_strdup_printf ("%s — ~%s", base, folder + strlen (home))
-                 : g_strdup_printf ("%s — %s", base, folder);
+    g_autofree char *place = g_str_has_prefix (folder, home)
+                               ? g_strconcat ("~", folder + strlen (home), NULL)
+                               : g_strdup (folder);
+    /* A project without a title is called by its file. */
+    subtitle = g_str_equal (base, name) ? g_steal_pointer (&place)
+                                        : g_strdup_printf ("%s — %s", base, place);
   }
   gboolean blank = qn_window_is_blank (self);
   gtk_label_set_text (self->title_label, blank ? _ ("Quoin") : title);
-  gtk_label_set_text (self->subtitle_label,
-                      self->is_small && base != NULL ? base : subtitle);
+  gtk_label_set_text (
+    self->subtitle_label,
+    self->is_small && base != NULL && !g_str_equal (base, name) ? base : subtitle);
   gtk_widget_set_tooltip_text (gtk_widget_get_parent (GTK_WIDGET (self->title_label)),
                                blank ? NULL : subtitle);
   gtk_widget_set_visible (GTK_WIDGET (self->subtitle_label), !blank);

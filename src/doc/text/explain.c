@@ -69,6 +69,8 @@ qn_explain_diag (const QnModel *model, const QnDiag *diag)
   const char *word = entity_word (diag->entity);
   const char *name = entity_name (model, diag->entity, diag->index);
   const char *other = entity_name (model, diag->entity, diag->other);
+  if (name != NULL && other != NULL && diag->entity == QN_ENTITY_BLOCK)
+    return g_strdup_printf (_ ("Blocks “%s” and “%s”: %s"), name, other, text);
   if (name != NULL && other != NULL)
     return g_strdup_printf (_ ("%s “%s” and “%s”: %s"), word, name, other, text);
   if (name != NULL)
@@ -133,6 +135,37 @@ qn_explain_pair_state (QnPairState state)
     [QN_PAIR_YIELD] = N_ ("yields"),
   };
   return _ (texts[state]);
+}
+
+static char *
+dup_pairs (QnPairState state, guint count)
+{
+  switch (state) {
+  case QN_PAIR_SLIP:
+    return g_strdup_printf (ngettext ("%u pair slides", "%u pairs slide", count), count);
+  case QN_PAIR_OPEN:
+    return g_strdup_printf (ngettext ("%u pair is open", "%u pairs are open", count),
+                            count);
+  case QN_PAIR_YIELD:
+    return g_strdup_printf (ngettext ("%u pair yields", "%u pairs yield", count), count);
+  case QN_PAIR_STICK:
+  case QN_PAIR_STATE_COUNT:
+    break;
+  }
+  return g_strdup_printf (ngettext ("%u pair sticks", "%u pairs stick", count), count);
+}
+
+char *
+qn_explain_pairs (const guint counts[QN_PAIR_STATE_COUNT])
+{
+  GString *text = g_string_new (NULL);
+  for (int state = 0; state < QN_PAIR_STATE_COUNT; state++) {
+    if (counts[state] == 0)
+      continue;
+    g_autofree char *pairs = dup_pairs ((QnPairState) state, counts[state]);
+    g_string_append_printf (text, "%s%s", text->len > 0 ? ", " : "", pairs);
+  }
+  return g_string_free (text, FALSE);
 }
 
 /* How far blocks went in an analysis in time, and when; NULL where none did. */

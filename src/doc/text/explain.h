@@ -30,5 +30,7 @@ const char *qn_explain_procedure (const QnAnalysisSettings *analysis);
 /* Short label of how an analysis ended and of a pair's state, translated; static strings. */
 const char *qn_explain_outcome_label (const QnResult *result);
 const char *qn_explain_pair_state (QnPairState state);
+/* How many pairs are in each state: "1 pair sticks, 2 pairs are open". The caller frees it. */
+char *qn_explain_pairs (const guint counts[QN_PAIR_STATE_COUNT]);
 
 #endif

@@ -154,20 +154,10 @@ add_eccentricity (GString *text, QnUnits units, const QnContactFace *face,
 char *
 qn_inspect_dup_state (const QnJointReading *reading)
 {
-  GString *text = g_string_new (NULL);
-  int kinds = 0;
+  guint counts[QN_PAIR_STATE_COUNT];
   for (int state = 0; state < QN_PAIR_STATE_COUNT; state++)
-    kinds += reading->states[state] > 0;
-  for (int state = 0; state < QN_PAIR_STATE_COUNT; state++) {
-    if (reading->states[state] == 0)
-      continue;
-    if (text->len > 0)
-      g_string_append (text, ", ");
-    if (kinds > 1)
-      g_string_append_printf (text, "%d ", reading->states[state]);
-    g_string_append (text, qn_explain_pair_state ((QnPairState) state));
-  }
-  return g_string_free (text, FALSE);
+    counts[state] = (guint) reading->states[state];
+  return qn_explain_pairs (counts);
 }
 
 /* Where a joint is one of a row, what passes through the whole row: the force of the line of thrust. */

@@ -180,6 +180,25 @@ test_modes (void)
   g_assert_cmpstr (buckling, ==, "Buckling mode, of no given size.");
 }
 
+/* Singular and plural agree, of pairs and of blocks. */
+static void
+test_numbers (void)
+{
+  const guint counts[QN_PAIR_STATE_COUNT] = {
+    [QN_PAIR_STICK] = 1, [QN_PAIR_OPEN] = 2, [QN_PAIR_YIELD] = 1
+  };
+  g_autofree char *pairs = qn_explain_pairs (counts);
+  g_assert_cmpstr (pairs, ==, "1 pair sticks, 2 pairs are open, 1 pair yields");
+  QnBlock blocks[] = { { .name = (char *) "b12" }, { .name = (char *) "b52" } };
+  const QnModel model = { .blocks = blocks, .block_count = 2 };
+  const QnDiag diag = { .problem = QN_PROBLEM_BLOCKS_OVERLAP,
+                        .entity = QN_ENTITY_BLOCK,
+                        .index = 0,
+                        .other = 1 };
+  g_autofree char *words = qn_explain_diag (&model, &diag);
+  g_assert_true (g_str_has_prefix (words, "Blocks “b12” and “b52”: "));
+}
+
 QN_TESTS
 {
   g_test_add_func ("/doc/explain/diag", test_diag);
@@ -189,4 +208,5 @@ QN_TESTS
   g_test_add_func ("/doc/explain/frame", test_frame);
   g_test_add_func ("/doc/explain/not-converged", test_not_converged);
   g_test_add_func ("/explain/modes", test_modes);
+  g_test_add_func ("/doc/explain/numbers", test_numbers);
 }
