@@ -370,6 +370,11 @@ test_variants (void)
   GtkWidget *name = driver_find_widget (dialog, is_name, "friction 0.8");
   g_assert_nonnull (name);
   driver_screenshot (dialog, "comparison-names");
+  GtkWidget *outcome = driver_find_widget (dialog, driver_says, "Outcome");
+  GtkAdjustment *across = gtk_scrollable_get_hadjustment (
+    GTK_SCROLLABLE (gtk_widget_get_ancestor (outcome, GTK_TYPE_VIEWPORT)));
+  g_assert_cmpfloat (gtk_adjustment_get_upper (across), <=,
+                     gtk_adjustment_get_page_size (across) + 1.0);
   driver_point_at (name, 0.5 * gtk_widget_get_width (name), 8.0);
   driver_press_button ("1");
   driver_key ("ctrl+a");

@@ -7,7 +7,7 @@
 
 #define FIT_TOP_POINTS    33.0
 #define FIT_MARGIN_POINTS 42.0
-#define MOST_MARGIN_SHARE 0.17
+#define MOST_STRIP_SHARE  0.17
 #define DIMENSION_POINTS  33.0 /* from the structure to the far side of a dimension */
 #define REST_MS           150  /* without motion, until a heavy drawing is drawn anew */
 #define PLACE_SECONDS     4
@@ -107,13 +107,13 @@ qn_canvas_fit (QnCanvas *self)
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
-/* Around what is fitted, px: for rulers and dimensions, which grow with the text, but not so far that
- * nothing is left in a narrow window. */
+/* px beside what is fitted for things that grow with the text, but not so far that nothing is left in a
+ * small window. */
 static double
-fit_margin (const QnCanvas *self)
+fit_strip (const QnCanvas *self, double points)
 {
-  return fmin (FIT_MARGIN_POINTS * self->camera.unit,
-               MOST_MARGIN_SHARE * self->camera.width);
+  return fmin (points * self->camera.unit,
+               MOST_STRIP_SHARE * fmin (self->camera.width, self->camera.height));
 }
 
 /* Centres the box in what strips on the left, at the top and at the bottom leave. */
@@ -122,13 +122,13 @@ fit_beside (QnCanvas *self, QnBox box, double left, double bottom)
 {
   QnCamera room = self->camera;
   room.width -= left;
-  room.height -= FIT_TOP_POINTS * self->camera.unit + bottom;
-  qn_camera_fit (&room, box, fit_margin (self));
+  double top = fit_strip (self, FIT_TOP_POINTS);
+  room.height -= top + bottom;
+  /* Rulers and dimensions. */
+  qn_camera_fit (&room, box, fit_strip (self, FIT_MARGIN_POINTS));
   self->camera.scale = CLAMP (room.scale, LEAST_SCALE, MOST_SCALE);
   self->camera.center.x = room.center.x - 0.5 * left / self->camera.scale;
-  self->camera.center.y =
-    room.center.y
-    + 0.5 * (FIT_TOP_POINTS * self->camera.unit - bottom) / self->camera.scale;
+  self->camera.center.y = room.center.y + 0.5 * (top - bottom) / self->camera.scale;
 }
 
 /* Whether the structure, with its dimensions, lies under the legend. */
@@ -200,7 +200,7 @@ void
 qn_canvas_show_place (QnCanvas *self, QnVec2 at)
 {
   QnVec2 screen = qn_camera_to_screen (&self->camera, at);
-  double margin = fit_margin (self);
+  double margin = fit_strip (self, FIT_MARGIN_POINTS);
   if (screen.x < margin || screen.y < margin || screen.x > self->camera.width - margin
       || screen.y > self->camera.height - margin)
     self->camera.center = at;

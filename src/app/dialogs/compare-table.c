@@ -70,23 +70,31 @@ dup_changes (Compare *compare, const QnRun *run)
   return g_strjoinv (", ", (char **) changes->pdata);
 }
 
-/* The first columns of the table are words. */
-#define WORDS 2
+enum { RUN, CHANGED, MULTIPLIER, PART, MOVED, STEPS, OUTCOME, COLUMNS };
 
+/* What differs is told of one project's runs, in place of the steps. */
 static void
-put (Compare *compare, int column, int row, const char *text)
+put_row (Compare *compare, int row, const char *const texts[COLUMNS])
 {
-  GtkWidget *label = gtk_label_new (text);
-  gboolean words = column < WORDS;
-  gtk_label_set_xalign (GTK_LABEL (label), words ? 0.0f : 1.0f);
-  if (row == 0)
-    gtk_widget_add_css_class (label, "heading");
-  if (row > 0 && words) {
-    qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
-    gtk_label_set_max_width_chars (GTK_LABEL (label), 28);
-    gtk_label_set_width_chars (GTK_LABEL (label), 18);
+  guint count = compare->shown->len;
+  QnRun *first = count > 0 ? compare->shown->pdata[0] : NULL;
+  gboolean changed =
+    first != NULL
+    && count_of (compare, qn_compare_find_document (compare, first)) == count;
+  for (int i = 0, column = 0; i < COLUMNS; i++) {
+    if (i == (changed ? STEPS : CHANGED))
+      continue;
+    GtkWidget *label = gtk_label_new (texts[i]);
+    gtk_label_set_xalign (GTK_LABEL (label), i <= CHANGED ? 0.0f : 1.0f);
+    if (row == 0)
+      gtk_widget_add_css_class (label, "heading");
+    if (row > 0 && i <= CHANGED) {
+      qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+      gtk_label_set_max_width_chars (GTK_LABEL (label), 28);
+      gtk_label_set_width_chars (GTK_LABEL (label), changed ? 12 : 18);
+    }
+    gtk_grid_attach (GTK_GRID (compare->table), label, column++, row, 1, 1);
   }
-  gtk_grid_attach (GTK_GRID (compare->table), label, column, row, 1, 1);
 }
 
 static gboolean
@@ -119,15 +127,15 @@ dup_displacement (const QnRun *run)
 void
 qn_compare_fill_table (Compare *compare)
 {
-  const char *const heads[] = { _ ("Run"),          _ ("Changed"), _ ("Multiplier"),
-                                _ ("Of the first"), _ ("Moved"),   _ ("Steps"),
-                                _ ("Outcome") };
+  const char *const heads[COLUMNS] = { _ ("Run"),        _ ("Changed"),
+                                       _ ("Multiplier"), _ ("Of the first"),
+                                       _ ("Moved"),      _ ("Steps"),
+                                       _ ("Outcome") };
   GtkWidget *child;
   double first = NAN;
   while ((child = gtk_widget_get_first_child (compare->table)) != NULL)
     gtk_grid_remove (GTK_GRID (compare->table), child);
-  for (guint i = 0; i < G_N_ELEMENTS (heads); i++)
-    put (compare, (int) i, 0, heads[i]);
+  put_row (compare, 0, heads);
   for (guint i = 0; i < compare->shown->len; i++) {
     QnRun *run = compare->shown->pdata[i];
     gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;
@@ -144,9 +152,9 @@ qn_compare_fill_table (Compare *compare)
     const char *outcome =
       run->kind == QN_RUN_ANALYSIS ? qn_explain_outcome_label (&run->result) : "–";
     g_autofree char *changes = dup_changes (compare, run);
-    const char *const cells[] = { title, changes, number, part, moved, steps, outcome };
-    for (guint k = 0; k < G_N_ELEMENTS (cells); k++)
-      put (compare, (int) k, (int) i + 1, cells[k]);
+    const char *const cells[COLUMNS] = { title, changes, number, part,
+                                         moved, steps,   outcome };
+    put_row (compare, (int) i + 1, cells);
   }
 }
 

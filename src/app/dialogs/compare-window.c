@@ -264,7 +264,9 @@ on_renamed (GtkWidget *entry, Compare *compare)
 static void
 on_left (GtkEventController *focus, Compare *compare)
 {
-  on_renamed (gtk_event_controller_get_widget (focus), compare);
+  GtkWidget *entry = gtk_event_controller_get_widget (focus);
+  if (gtk_widget_get_mapped (entry)) /* not while the window goes */
+    on_renamed (entry, compare);
 }
 
 static void

@@ -63,6 +63,8 @@ on_named (Panel *panel)
 {
   const QnRun *run = run_of (panel);
   g_autoptr (GError) error = NULL;
+  if (!gtk_widget_get_mapped (GTK_WIDGET (panel->name))) /* the window goes */
+    return;
   if (run == NULL
       || !qn_document_rename_run (document_of (panel), run,
                                   gtk_editable_get_text (panel->name), &error))

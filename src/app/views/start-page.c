@@ -127,6 +127,13 @@ collect_examples (const char *folder, GPtrArray *paths, int depth)
   }
 }
 
+static void
+let_wrap (GtkWidget *label)
+{
+  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_justify (GTK_LABEL (label), GTK_JUSTIFY_CENTER);
+}
+
 static GtkWidget *
 make_heading (const char *text)
 {
@@ -154,7 +161,7 @@ make_examples (void)
   GtkWidget *flow = gtk_flow_box_new ();
   gtk_flow_box_set_selection_mode (GTK_FLOW_BOX (flow), GTK_SELECTION_NONE);
   gtk_flow_box_set_max_children_per_line (GTK_FLOW_BOX (flow), 6);
-  gtk_flow_box_set_min_children_per_line (GTK_FLOW_BOX (flow), 2);
+  gtk_flow_box_set_min_children_per_line (GTK_FLOW_BOX (flow), 1);
   gtk_flow_box_set_homogeneous (GTK_FLOW_BOX (flow), TRUE);
   g_autofree char *folder = dup_examples_folder ();
   g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
@@ -217,6 +224,7 @@ qn_start_page_new (void)
   gtk_widget_set_margin_top (image, 36);
   GtkWidget *title = gtk_label_new (_ ("How does it stand, and how would it fall?"));
   gtk_widget_add_css_class (title, "title-2");
+  let_wrap (title);
   GtkWidget *buttons = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
   gtk_widget_set_halign (buttons, GTK_ALIGN_CENTER);
   gtk_box_append (GTK_BOX (buttons),
@@ -226,6 +234,7 @@ qn_start_page_new (void)
   GtkWidget *hint =
     gtk_label_new (_ ("Or drop a project, a DXF drawing or a picture here"));
   gtk_widget_add_css_class (hint, "dim-label");
+  let_wrap (hint);
 
   GtkWidget *parts[] = { image, title, buttons, hint };
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)

@@ -55,6 +55,7 @@ struct _QnWindow {
   QnCanvas *canvas;
   GtkWidget *playback, *side_panel, *open_button, *save_button, *export_button;
   gboolean is_narrow; /* too narrow for drawing and side panel beside each other */
+  gboolean is_tight;  /* too narrow for any drawing beside the side panel */
   gboolean is_small;  /* too narrow for a title between all buttons */
 };
 

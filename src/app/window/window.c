@@ -7,6 +7,7 @@
 #include "app/widgets/popovers.h"
 #include "app/widgets/settings.h"
 #include "app/widgets/shortened.h"
+#include "app/widgets/text-unit.h"
 #include "app/window/action-table.h"
 #include "doc/document/import.h"
 #include "doc/document/run-file.h"
@@ -21,7 +22,10 @@
 /* px of the window beside the side panel, below which the panel folds away. */
 #define DRAWING_WIDTH 550
 
-/* px of the window below which the title has no room between all buttons. */
+/* px beside the side panel below which there is no drawing while it is open. */
+#define LEAST_DRAWING 260
+
+/* px of the window below which the title has no room between all buttons, with text of usual size. */
 #define TITLED_WIDTH 800
 
 /* Of what is told of a running analysis, where there is room. */
@@ -456,13 +460,18 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
   int panel = 0;
   gtk_widget_measure (GTK_WIDGET (self->side_stack), GTK_ORIENTATION_HORIZONTAL, -1,
                       &panel, NULL, NULL, NULL);
-  gboolean narrow = width < DRAWING_WIDTH + panel, small = width < TITLED_WIDTH;
+  gboolean narrow = width < DRAWING_WIDTH + panel, tight = width < LEAST_DRAWING + panel;
+  gboolean small = width < TITLED_WIDTH * qn_text_unit (GTK_WIDGET (self)) / QN_TEXT_UNIT;
   if (small != self->is_small) { /* the menu has them too */
     self->is_small = small;
     gtk_widget_set_visible (self->open_button, !small);
     gtk_widget_set_visible (self->save_button, !small);
     gtk_label_set_width_chars (self->progress_label, small ? 3 : PROGRESS_CHARS);
     update_title (self);
+  }
+  if (tight != self->is_tight) {
+    self->is_tight = tight;
+    qn_window_update_palette (self);
   }
   if (narrow == self->is_narrow)
     return;
@@ -476,8 +485,11 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
 void
 qn_window_update_palette (QnWindow *self)
 {
-  gtk_widget_set_visible (GTK_WIDGET (self->tool_box),
-                          !self->is_narrow || !gtk_widget_get_visible (self->side_panel));
+  gboolean panel = gtk_widget_get_visible (self->side_panel);
+  gtk_widget_set_visible (GTK_WIDGET (self->tool_box), !self->is_narrow || !panel);
+  /* Where there is no room for both, the panel is there instead of the drawing. */
+  gtk_widget_set_visible (GTK_WIDGET (self->canvas_box), !self->is_tight || !panel);
+  gtk_widget_set_hexpand (self->side_panel, self->is_tight);
 }
 
 /* A window that begins narrow must not grow by its side panel first. */
