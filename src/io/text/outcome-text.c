@@ -234,15 +234,31 @@ found_by_words (const QnModel *model, QnProcedure procedure)
   return texts[procedure] != NULL ? _ (texts[procedure]) : "";
 }
 
-char *
-qn_outcome_dup_broken_bond (const QnResult *result)
+/* Whether joints slide with less dilatancy than friction: then associativity carries more than they do. */
+static gboolean
+exceeds_joints (const QnModel *model)
 {
-  return result->has_broken_bound
-           ? qn_text_printf (_ ("The bound takes the bonds of joints as ductile, which "
-                                "they are not; with all of them broken it is %.4f, and "
-                                "only that is safe."),
-                             result->broken_bound)
-           : NULL;
+  gboolean any = FALSE;
+  for (gsize i = 0; i < model->law_count; i++)
+    any |= qn_law_may_bond (model->laws[i].kind)
+           && model->laws[i].dilatancy < model->laws[i].friction;
+  return any;
+}
+
+/* That the bound takes the bonds of joints as ductile, and what it is without them; NULL where there are none. */
+static char *
+dup_broken_bond (const QnModel *model, const QnResult *result)
+{
+  if (!result->has_broken_bound)
+    return NULL;
+  return qn_text_printf (
+    exceeds_joints (model)
+      ? _ ("The bound takes the bonds of joints as ductile, which they are not; with all "
+           "of them broken it is %.4f, and joints that slide with less dilatancy than "
+           "friction may carry less than that.")
+      : _ ("The bound takes the bonds of joints as ductile, which they are not; with all "
+           "of them broken it is %.4f, and only that is safe."),
+    result->broken_bound);
 }
 
 char *
@@ -274,7 +290,7 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
     isnan (bound)
       ? g_strdup (_ ("what bounds it from above is not known."))
       : qn_text_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
-  g_autofree char *safe = qn_outcome_dup_broken_bond (result);
+  g_autofree char *safe = dup_broken_bond (model, result);
   return safe != NULL ? qn_text_printf ("%s %s %s", from, to, safe)
                       : qn_text_printf ("%s %s", from, to);
 }

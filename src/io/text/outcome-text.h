@@ -18,10 +18,6 @@ char *qn_outcome_dup_cause (const QnModel *model, const QnResult *result);
  * nothing exceeds. NULL where no collapse was found. Free with g_free(). */
 char *qn_outcome_dup_interval (const QnModel *model, const QnResult *result);
 
-/* That the bound takes the bonds of joints as ductile, and what it is without them; NULL where there are
- * none. Part of the line above. */
-char *qn_outcome_dup_broken_bond (const QnResult *result);
-
 /* Lines: where each stage led and the work of its loads, and the same of every cycle; NULL without stages. Free
  * with g_free(). */
 char *qn_outcome_dup_stages (const QnModel *model, const QnResult *result);
