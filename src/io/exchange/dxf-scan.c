@@ -1,4 +1,5 @@
 #include "io/exchange/dxf-scan.h"
+#include "core/base/integer.h"
 #include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
@@ -314,7 +315,7 @@ take_hatch (Scanner *scanner)
           note (scanner, _ ("hatches without a boundary that can be read left out"));
         return;
       }
-      edge = ((int) number & 2) != 0 ? -1 : 0;
+      edge = (qn_to_integer (number, 0, G_MAXINT) & 2) != 0 ? -1 : 0;
     } else if (open && edge < 0) { /* a polyline */
       QnDxfPoint *last = loop.point_count > 0
                            ? &g_array_index (scanner->scan->points, QnDxfPoint,
@@ -327,7 +328,7 @@ take_hatch (Scanner *scanner)
       else if (code == 42 && last != NULL)
         last->extra = number;
     } else if (open && code == 72) {
-      edge = (int) CLAMP (number, 1, 5);
+      edge = (int) qn_to_integer (number, 1, 5);
       memset (n, 0, sizeof n);
     } else if (open && edge > 0) {
       static const int codes[] = { 10, 20, 11, 40, 50, 51, 73 };
