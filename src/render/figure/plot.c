@@ -17,6 +17,7 @@
 #define BAND_ALPHA  0.22
 #define BAR_ALPHA   0.75
 #define PLOT_MARGIN 10.0
+#define FAR_OFF     1e5 /* px */
 
 typedef struct Drawing {
   const QnPlot *plot;
@@ -73,12 +74,18 @@ add_range (const double *numbers, size_t count, bool positive, double range[2])
     }
 }
 
+static double
+factor_of (const QnPlotAxis *axis)
+{
+  return axis->factor != 0 ? axis->factor : 1;
+}
+
 /* Ends of what is drawn, in written units; 0 … 1 where there is nothing. */
 static void
 set_axis (QnAxis *axis, const QnPlotAxis *as, const double found[2], double start,
           double end, double spacing)
 {
-  double factor = as->factor != 0 ? as->factor : 1, range[2] = { found[0], found[1] };
+  double factor = factor_of (as), range[2] = { found[0], found[1] };
   bool given = as->low < as->high;
   axis->start = start;
   axis->end = end;
@@ -123,10 +130,12 @@ lay_out (Drawing *d, const QnFrame *frame, double top, double bottom)
             frame->x + frame->width - 2.2 * QN_TYPE_TICK * u, QN_TICK_SPACING_X * u);
 }
 
+/* Cairo has no room for what lies very far from the part that is shown. */
 static double
 place (const QnAxis *axis, const QnPlotAxis *as, double value)
 {
-  return qn_axis_place (axis, as->factor != 0 ? value * as->factor : value);
+  double at = qn_axis_place (axis, value * factor_of (as));
+  return as->low < as->high && isfinite (at) ? CLAMP (at, -FAR_OFF, FAR_OFF) : at;
 }
 
 static double
@@ -145,8 +154,7 @@ py (const Drawing *d, double y)
 static bool
 is_placed (const Drawing *d, const QnMarks *m, size_t i)
 {
-  return isfinite (m->x[i]) && isfinite (m->y[i]) && (!d->plot->x.log || m->x[i] > 0)
-         && (!d->plot->y.log || m->y[i] > 0);
+  return isfinite (px (d, m->x[i])) && isfinite (py (d, m->y[i]));
 }
 
 /* ---- drawing ---- */
@@ -220,6 +228,8 @@ draw_levels (const Drawing *d, const QnMarks *m)
 {
   set_line (d, m, LEVEL_WIDTH);
   for (size_t i = 0; i < m->count; i++) {
+    if (!isfinite (py (d, m->y[i])))
+      continue;
     cairo_move_to (d->cr, d->x.start, py (d, m->y[i]));
     cairo_line_to (d->cr, d->x.end, py (d, m->y[i]));
   }
@@ -369,12 +379,13 @@ qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
   }
   qn_furniture_draw (&furniture, cr, 1, false);
   qn_furniture_clear (&furniture);
-  if (where != NULL)
-    *where = (QnPlotPlace){ .x_zero = px (&d, 0),
-                            .x_scale = px (&d, 1) - px (&d, 0),
-                            .y_zero = py (&d, 0),
-                            .y_scale = py (&d, 1) - py (&d, 0),
-                            .frame = { { d.x.start, d.y.end }, { d.x.end, d.y.start } } };
+  if (where == NULL)
+    return;
+  *where = (QnPlotPlace){ .x_zero = qn_axis_place (&d.x, 0),
+                          .y_zero = qn_axis_place (&d.y, 0),
+                          .frame = { { d.x.start, d.y.end }, { d.x.end, d.y.start } } };
+  where->x_scale = qn_axis_place (&d.x, factor_of (&plot->x)) - where->x_zero;
+  where->y_scale = qn_axis_place (&d.y, factor_of (&plot->y)) - where->y_zero;
 }
 
 static bool
