@@ -41,8 +41,7 @@ detect (const QnModel *model, QnContacts *contacts, GError **error)
   QnDiag diag = { 0 };
   if (qn_contacts_detect (model, contacts, &diag) == QN_OK)
     return TRUE;
-  g_autofree char *message = qn_explain_diag (model, &diag);
-  return qn_edit_refuse (error, message);
+  return qn_edit_refuse_diag (error, model, &diag);
 }
 
 /* Takes over `project` (cleared on failure) as the state, and `text`, what it is written as. */

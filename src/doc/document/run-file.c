@@ -90,8 +90,7 @@ fill_contacts (QnRun *run, GError **error)
   QnDiag diag = { 0 };
   if (qn_contacts_detect (&run->model, &run->contacts, &diag) == QN_OK)
     return TRUE;
-  g_autofree char *message = qn_explain_diag (&run->model, &diag);
-  return qn_edit_refuse (error, message);
+  return qn_edit_refuse_diag (error, &run->model, &diag);
 }
 
 /* A procedure that is run once is no change of the model. */

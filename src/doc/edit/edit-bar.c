@@ -22,11 +22,10 @@ find_metal (QnModel *model, QnId *law, GError **error)
         *law = (QnId) i;
         return TRUE;
       }
-  g_autofree char *name = g_strdup (_ ("steel"));
-  for (int i = 2; qn_model_find_law (model, name) != QN_NONE; i++) {
-    g_free (name);
-    name = g_strdup_printf ("%s %d", _ ("steel"), i);
-  }
+  g_autofree char *name =
+    qn_model_find_law (model, _ ("steel")) == QN_NONE
+      ? g_strdup (_ ("steel"))
+      : qn_edit_dup_new_name (model, qn_model_find_law, _ ("steel"), " ", 2);
   QnLaw *added = qn_model_add_law (model, name);
   if (added == NULL)
     return qn_edit_no_memory (error);
@@ -97,11 +96,8 @@ qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
 static gboolean
 has_bar (const QnModel *model, QnId bar, GError **error)
 {
-  gboolean has = bar >= 0 && (gsize) bar < model->bar_count;
-  if (!has)
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is no such bar"));
-  return has;
+  return (bar >= 0 && (gsize) bar < model->bar_count)
+         || qn_edit_refuse_nothing (error, _ ("There is no such bar"));
 }
 
 gboolean

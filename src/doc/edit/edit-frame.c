@@ -17,12 +17,7 @@ qn_edit_take_node (QnModel *model, QnVec2 at)
   QnId there = qn_model_node_near (model, at, qn_place_reach (at));
   if (there != QN_NONE)
     return there;
-  g_autofree char *name = NULL;
-  for (gsize number = 1; name == NULL; number++) {
-    g_autofree char *candidate = g_strdup_printf ("n%" G_GSIZE_FORMAT, number);
-    if (qn_model_find_node (model, candidate) == QN_NONE)
-      name = g_steal_pointer (&candidate);
-  }
+  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_node, "n", "", 1);
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
     return QN_NONE;
@@ -147,11 +142,8 @@ qn_edit_set_beam_elements (QnModel *model, QnBeamSet set, int32_t count, GError 
 gboolean
 qn_edit_rename_beam (QnModel *model, QnId id, const char *name, GError **error)
 {
-  if (qn_model_find_beam (model, name) != QN_NONE) {
-    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                 _ ("There is a beam named “%s” already"), name);
-    return FALSE;
-  }
+  if (qn_model_find_beam (model, name) != QN_NONE)
+    return qn_edit_refuse (error, _ ("There is a beam named “%s” already"), name);
   /* Nodes between elements are named by their beam. */
   return qn_edit_take_name (&model->beams[id].name, name, error)
          && qn_edit_rebuild (model, NULL, error);

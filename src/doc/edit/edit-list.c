@@ -6,14 +6,13 @@
 
 char *
 qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
-                      gsize number)
+                      const char *between, gsize number)
 {
-  char *name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, word, number);
-  while (find (model, name) != QN_NONE) {
-    g_free (name);
-    name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, word, ++number);
+  for (;; number++) {
+    g_autofree char *name = g_strdup_printf ("%s%s%zu", word, between, number);
+    if (find (model, name) == QN_NONE)
+      return g_steal_pointer (&name);
   }
-  return name;
 }
 
 gboolean

@@ -253,11 +253,8 @@ qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction, GError
 gboolean
 qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error)
 {
-  if (qn_model_find_law (model, name) != QN_NONE) {
-    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                 _ ("There is a law named “%s” already"), name);
-    return FALSE;
-  }
+  if (qn_model_find_law (model, name) != QN_NONE)
+    return qn_edit_refuse (error, _ ("There is a law named “%s” already"), name);
   QnLaw *law = qn_model_add_law (model, name);
   return (law != NULL && qn_law_assign (law, &model->laws[like]))
          || qn_edit_no_memory (error);

@@ -149,23 +149,14 @@ qn_edit_set_node_support (QnModel *model, QnId id, const bool support[QN_DOF_COU
   return TRUE;
 }
 
-static char *
-dup_name_like (const QnModel *model, const char *name)
-{
-  for (guint number = 2;; number++) {
-    g_autofree char *candidate = g_strdup_printf ("%s-%u", name, number);
-    if (qn_model_find_node (model, candidate) == QN_NONE)
-      return g_steal_pointer (&candidate);
-  }
-}
-
 gboolean
 qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error)
 {
   QnId shared = model->beams[beam].nodes[end];
   if (qn_model_node_beams (model, shared) < 2)
     return qn_edit_refuse_nothing (error, _ ("No other beam ends here"));
-  g_autofree char *name = dup_name_like (model, model->nodes[shared].name);
+  g_autofree char *name =
+    qn_edit_dup_new_name (model, qn_model_find_node, model->nodes[shared].name, "-", 2);
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
     return qn_edit_no_memory (error);

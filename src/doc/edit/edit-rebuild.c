@@ -32,10 +32,21 @@ qn_edit_no_memory (GError **error)
 }
 
 gboolean
-qn_edit_refuse (GError **error, const char *message)
+qn_edit_refuse (GError **error, const char *format, ...)
 {
+  va_list arguments;
+  va_start (arguments, format);
+  g_autofree char *message = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
   g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
   return FALSE;
+}
+
+gboolean
+qn_edit_refuse_diag (GError **error, const QnModel *model, const QnDiag *diag)
+{
+  g_autofree char *message = qn_explain_diag (model, diag);
+  return qn_edit_refuse (error, "%s", message);
 }
 
 gboolean
@@ -379,9 +390,7 @@ lay_masonry (const Rebuild *r, GError **error)
     QnDiag diag = { 0 };
     if (qn_masonry_expand (&r->masonry->items[i], (QnId) i, r->to, &diag) != QN_OK) {
       g_autofree char *message = qn_explain_diag (r->to, &diag);
-      g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, "%s: %s",
-                   r->masonry->items[i].name, message);
-      return FALSE;
+      return qn_edit_refuse (error, "%s: %s", r->masonry->items[i].name, message);
     }
     for (gsize k = first; k < r->to->block_count; k++)
       r->to->blocks[k].masonry = (QnId) i;
@@ -431,10 +440,9 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     fresh.analysis.control_node = follow_node (&r, model->analysis.control_node);
   }
   qn_beam_rebuild_clear (&r.beams);
-  if (!done && diag.status == QN_ERROR_INVALID) {
-    g_autofree char *message = qn_explain_diag (&fresh, &diag);
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  } else if (!done)
+  if (!done && diag.status == QN_ERROR_INVALID)
+    qn_edit_refuse_diag (error, &fresh, &diag);
+  else if (!done)
     qn_edit_no_memory (error);
   if (!done) {
     qn_model_clear (&fresh);

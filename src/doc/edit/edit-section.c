@@ -105,8 +105,8 @@ qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError *
 gboolean
 qn_edit_add_section (QnModel *model, QnId like, GError **error)
 {
-  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_section,
-                                                _ ("section"), model->section_count + 1);
+  g_autofree char *name = qn_edit_dup_new_name (
+    model, qn_model_find_section, _ ("section"), " ", model->section_count + 1);
   QnSection *section = qn_model_add_section (model, name);
   if (section == NULL)
     return qn_edit_no_memory (error);
@@ -127,12 +127,8 @@ qn_edit_add_section (QnModel *model, QnId like, GError **error)
 gboolean
 qn_edit_rename_section (QnModel *model, QnId id, const char *name, GError **error)
 {
-  QnId there = qn_model_find_section (model, name);
-  if (there != QN_NONE) {
-    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                 _ ("There is a section named “%s” already"), name);
-    return FALSE;
-  }
+  if (qn_model_find_section (model, name) != QN_NONE)
+    return qn_edit_refuse (error, _ ("There is a section named “%s” already"), name);
   return qn_edit_take_name (&model->sections[id].name, name, error);
 }
 

@@ -19,13 +19,6 @@ qn_block_to_ring (const QnModel *model, QnId block, QnRing *ring)
                        (gsize) model->blocks[block].vertex_count);
 }
 
-static gboolean
-refuse (const QnModel *model, const QnDiag *diag, GError **error)
-{
-  g_autofree char *message = qn_explain_diag (model, diag);
-  return qn_edit_refuse (error, message);
-}
-
 gboolean
 qn_edit_take_apart (QnModel *model, QnId *ids, guint count, GError **error)
 {
@@ -201,7 +194,7 @@ cut_block (QnModel *model, QnId id, QnVec2 a, QnVec2 b, gboolean *done, GError *
     return qn_edit_no_memory (error);
   QnStatus status = qn_polygon_cut (&ring, a, b, &parts, &diag);
   qn_ring_clear (&ring);
-  gboolean fine = status == QN_OK || refuse (model, &diag, error);
+  gboolean fine = status == QN_OK || qn_edit_refuse_diag (error, model, &diag);
   if (fine && parts.count > 1) {
     *done = TRUE;
     fine = qn_edit_replace_blocks (model, &id, 1, &parts, error);
@@ -266,7 +259,7 @@ qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
   if (!fine)
     qn_edit_no_memory (error);
   else if (qn_polygons_union (&rings, &whole, &diag) != QN_OK)
-    fine = refuse (model, &diag, error);
+    fine = qn_edit_refuse_diag (error, model, &diag);
   else
     fine = qn_rings_take (&joined, &whole) || qn_edit_no_memory (error);
   qn_rings_clear (&rings);

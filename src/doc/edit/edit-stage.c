@@ -14,7 +14,7 @@ gboolean
 qn_edit_add_load_set (QnModel *model, GError **error)
 {
   g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_load_set, _ ("set"),
-                                                model->load_set_count + 1);
+                                                " ", model->load_set_count + 1);
   if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
     return qn_edit_refuse (error, _ ("The largest number of load sets is reached"));
   return qn_model_add_load_set (model, name) != QN_NONE || qn_edit_no_memory (error);
@@ -71,8 +71,8 @@ qn_edit_add_load_case (QnModel *model, GError **error)
 {
   if (model->load_case_count >= QN_MAX_LOAD_CASES)
     return qn_edit_refuse (error, _ ("The largest number of load cases is reached"));
-  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_load_case,
-                                                _ ("case"), model->load_case_count + 1);
+  g_autofree char *name = qn_edit_dup_new_name (
+    model, qn_model_find_load_case, _ ("case"), " ", model->load_case_count + 1);
   return qn_model_add_load_case (model, name) != QN_NONE || qn_edit_no_memory (error);
 }
 

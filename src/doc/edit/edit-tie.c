@@ -42,11 +42,9 @@ ties_something (const QnTie *tie, GError **error)
 static QnTie *
 add_tie (QnModel *model)
 {
-  for (gsize number = model->tie_count + 1;; number++) {
-    g_autofree char *name = g_strdup_printf ("t%" G_GSIZE_FORMAT, number);
-    if (qn_model_find_tie (model, name) == QN_NONE)
-      return qn_model_add_tie (model, name);
-  }
+  g_autofree char *name =
+    qn_edit_dup_new_name (model, qn_model_find_tie, "t", "", model->tie_count + 1);
+  return qn_model_add_tie (model, name);
 }
 
 gboolean
@@ -115,11 +113,8 @@ qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error)
   if (!has_tie (model, tie, error))
     return FALSE;
   QnId namesake = qn_model_find_tie (model, name);
-  if (namesake != QN_NONE && namesake != tie) {
-    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                 _ ("There is a tie named “%s” already"), name);
-    return FALSE;
-  }
+  if (namesake != QN_NONE && namesake != tie)
+    return qn_edit_refuse (error, _ ("There is a tie named “%s” already"), name);
   return qn_edit_take_name (&model->ties[tie].name, name, error)
          && qn_edit_rebuild (model, NULL, error); /* names are found by places */
 }

@@ -153,9 +153,10 @@ gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
 /* Finds what has a name in one of the lists of the model; QN_NONE: nothing. */
 typedef QnId (*QnFindFunc) (const QnModel *model, const char *name);
 
-/* A name that is not taken: the word and a number, from this one on. The caller frees it. */
+/* A name that is not taken: the word, what stands behind it, and a number, from this one on. The caller frees
+ * it. */
 char *qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
-                            gsize number);
+                            const char *between, gsize number);
 /* Puts a copy of a name into the place of another. */
 gboolean qn_edit_take_name (char **place, const char *name, GError **error);
 /* Takes an item, whose own memory is free already, out of an array of `count`. */
@@ -167,7 +168,8 @@ char *qn_edit_dup_free_name (const QnModel *model, const char *prefix);
 /* Set the error of an edit that ran out of memory, that cannot be done here, for which there is
  * nothing; return FALSE. */
 gboolean qn_edit_no_memory (GError **error);
-gboolean qn_edit_refuse (GError **error, const char *message);
+gboolean qn_edit_refuse (GError **error, const char *format, ...) G_GNUC_PRINTF (2, 3);
+gboolean qn_edit_refuse_diag (GError **error, const QnModel *model, const QnDiag *diag);
 gboolean qn_edit_refuse_nothing (GError **error, const char *message);
 
 /* Which blocks are in the set: one flag per block. The caller frees it. */

@@ -276,12 +276,10 @@ reshape (QnModel *model, const QnFinding *finding, ReshapeFunc func, GError **er
   QnStatus status = func (model, mover, keeper, finding->value, &left, &diag);
   if (status == QN_ERROR_NO_MEMORY)
     qn_edit_no_memory (error);
-  else if (status != QN_OK) {
-    g_autofree char *message = qn_explain_diag (model, &diag);
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  } else if (left.count == 0)
-    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                 _ ("Nothing would be left of %s"), model->blocks[mover].name);
+  else if (status != QN_OK)
+    qn_edit_refuse_diag (error, model, &diag);
+  else if (left.count == 0)
+    qn_edit_refuse (error, _ ("Nothing would be left of %s"), model->blocks[mover].name);
   else
     done = qn_edit_replace_blocks (model, &mover, 1, &left, error);
   qn_rings_clear (&left);
