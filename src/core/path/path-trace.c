@@ -11,7 +11,6 @@
  */
 #include "core/path/path-trace.h"
 #include "core/base/box.h"
-#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/check/second-order-work.h"
@@ -38,10 +37,8 @@ const QnPathTuning qn_path_tuning = {
   .jump = 3,
   .jump_stays = 0.5,
   .undecided = 1e-4,
-  .patience = 300,
-  .most_patience = 3000,
-  .effort = 1e6,
-  .most_effort = 6000,
+  .patience = { 1e6, 300, 3000 },
+  .effort = { 1e7, 1000, 6000 },
   .plateau_tolerance = 1e-4,
   .plateau_growth = 10,
   .least_gain = 0.02,
@@ -699,7 +696,7 @@ is_spent (const QnPathTrace *trace)
   return trace->load_control && trace->may_jump && !trace->may_soften
          && qn_path_trace_is_linear (trace)
          && trace->measure.procedure == QN_PROCEDURE_WORK
-         && trace->path->equilibrium.statistics.factorizations > tuning->most_effort;
+         && trace->path->equilibrium.statistics.factorizations > trace->effort;
 }
 
 static QnStatus
@@ -757,6 +754,12 @@ see_limits (QnPathTrace *trace, QnDiag *diag)
                              &trace->unlimited, diag);
 }
 
+static double
+over_blocks (const double limits[3], const QnModel *model)
+{
+  return fmin (fmax (limits[0] / (double) model->block_count, limits[1]), limits[2]);
+}
+
 QnStatus
 qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
 {
@@ -788,9 +791,8 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
           && trace.buckling != NULL && ready
           && qn_path_events_init (&trace.events, path, trace.unit)
           && (!trace.load_control || renew_highest (&trace));
-  trace.patience =
-    (int32_t) qn_to_integer (tuning->effort / (double) path->model->block_count,
-                             tuning->patience, tuning->most_patience);
+  trace.patience = over_blocks (tuning->patience, path->model);
+  trace.effort = over_blocks (tuning->effort, path->model);
   if (ready && trace.load_control && trace.central != NULL && dead > 0)
     trace.measure.first = tuning->start * trace.unit;
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);

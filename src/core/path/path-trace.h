@@ -49,12 +49,10 @@ typedef struct QnPathTuning {
    * path turns back; with more, relaxation finds equilibria above the collapse load. */
   double undecided;
 
-  /* Load control of a structure that settles in one place after the other: from so many factorisations on it
-   * ends at a collapse found directly however far that is; `effort` over the blocks, between patience and
-   * most_patience. After most_effort of them it ends anyway. */
-  int patience, most_patience;
-  double effort;
-  int most_effort;
+  /* Load control of a structure that settles in one place after the other, in factorisations: so many over the
+   * number of blocks, at least, at most. From `patience` on it ends at a collapse found directly however far
+   * that is; once `effort` is spent it ends anyway. */
+  double patience[3], effort[3];
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
    * so many times is a plateau: collapse, in linear geometry. Where no step leads on it is collapse if the
@@ -135,10 +133,8 @@ typedef struct QnPathTrace {
   bool straight; /* the last step went on as the one before */
   double
     above; /* tolerances by which the load is held above the highest multiplier next */
-  int32_t
-    patience; /* factorisations from which on any collapse found directly is the end */
-  bool
-    sought; /* the collapse that the path leads to, directly; nothing where there is none */
+  double patience, effort; /* of this structure, factorisations */
+  bool sought;             /* a collapse, directly; what was found: */
   QnLimitSolution direct;
   double last_multiplier;                    /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
