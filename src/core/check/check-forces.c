@@ -358,13 +358,6 @@ check_strength (QnCheck *check, size_t step)
   }
 }
 
-static bool
-may_yield (const QnSpring *spring)
-{
-  return spring->kind != QN_LAW_ELASTIC && spring->kind != QN_LAW_NO_TENSION
-         && spring->kind != QN_LAW_COULOMB;
-}
-
 /* Whether a joint stands open by more than what little force would close; rigid blocks do not tell, nor
  * do joints in time that dilate between the steps that are kept, nor those whose dilation adds up on the way of a
  * motion that has come to rest. */
@@ -394,7 +387,8 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
   const QnPairMemory *memory = &check->assembly.responses[p].memory;
   double little = QN_CHECK_STATE * check->scale;
 
-  if (state == QN_PAIR_YIELD && !may_yield (&springs->a) && !may_yield (&springs->b))
+  if (state == QN_PAIR_YIELD && !qn_law_yields (springs->a.kind)
+      && !qn_law_yields (springs->b.kind))
     return false;
   if (state == QN_PAIR_STICK
       || hypot (force[0], force[1]) <= QN_CHECK_FORCES * check->scale)

@@ -22,7 +22,7 @@
 /* Central paths that one step gets, where the dilation of joints has turned on the one before. */
 #define MOST_TURNS 4
 
-/* Complementarity from which an iterate_path may stand where nothing can turn back and rounding
+/* Complementarity from which an iterate may stand where nothing can turn back and rounding
  * forbids a better one: forces in balance leave a tenth of a millionth of their strength. */
 #define NEARLY 1e-7
 
@@ -46,9 +46,6 @@
  * twice as many steps turn back on a wall of 820 blocks, at a hundredth as many again. */
 #define PART_OF_MOTION 0.1
 
-/* Part of the direction that counts as a short step. */
-#define SHORT 0.2
-
 /* Complementarity at which a new central path begins: so many times that at which the last one
  * turned back, and LONGER_RISE times that of the last beginning, as long as that gets no further. */
 #define RISE        10.0
@@ -71,10 +68,10 @@ struct QnCentralPath {
   bool together;    /* residuals go down with complementarity where a measure advances */
   double viscosity; /* of a step of motion; 0: static */
   QnCentralPairs pairs;
-  double *near_u;    /* unknown_count: displacements of the best iterate_path, */
+  double *near_u;    /* unknown_count: displacements of the best iterate, */
   double *begun;     /* where the last central path began, */
   double *kept_step; /* and of the direction found so far */
-  double *lack; /* out of balance at the iterate_path, where a part of it is to stay */
+  double *lack;      /* out of balance at the iterate, where a part of it is to stay */
 };
 
 bool
@@ -144,13 +141,12 @@ typedef struct {
   double elongation; /* the largest, at least 1 */
   double target_gap; /* what the target lacks */
   double multiplier_step;
-  QnCentralForecast reach; /* of the direction */
-  double complementarity;  /* asked for */
-  double watched_gap;      /* when it had last halved, */
-  int watched_since;       /* and that iteration */
-  bool relaxes;            /* a new central path may begin_path where this one ends */
-  int short_steps;         /* one after the other, up to now */
-  bool is_near;            /* there is an iterate_path that may stand, */
+  QnCentralForecast reach;          /* of the direction */
+  double complementarity;           /* asked for */
+  double watched_gap;               /* when it had last halved, */
+  int watched_since;                /* and that iteration */
+  bool relaxes;                     /* a new central path may begin where this one ends */
+  bool is_near;                     /* there is an iterate that may stand, */
   double near_gap, near_multiplier; /* its complementarity and multiplier */
 } Increment;
 
@@ -345,7 +341,7 @@ take_step (Increment *increment, double part)
   qn_central_pairs_go (&path->pairs, part);
 }
 
-/* Whether the iterate_path is an equilibrium but for this complementarity and lack of balance.
+/* Whether the iterate is an equilibrium but for this complementarity and lack of balance.
  * Balance, the most expensive one, is asked last. */
 static bool
 is_within (Increment *increment, double complementarity, double out_of_balance)
@@ -367,7 +363,7 @@ is_within (Increment *increment, double complementarity, double out_of_balance)
          <= out_of_balance * scale;
 }
 
-/* Keeps the best iterate_path that may stand if no better one comes: where the path cannot turn back
+/* Keeps the best iterate that may stand if no better one comes: where the path cannot turn back
  * there is one as good as one likes, and what is in the way is rounding. */
 static void
 keep_near (Increment *increment)
@@ -385,7 +381,7 @@ keep_near (Increment *increment)
   memcpy (path->near_u, path->eq->u, (size_t) as->unknown_count * sizeof *path->near_u);
 }
 
-/* Whether the iterate_path is good enough for Newton's method to finish. */
+/* Whether the iterate is good enough for Newton's method to finish. */
 static bool
 has_converged (Increment *increment)
 {
@@ -439,7 +435,7 @@ adopt (Increment *increment)
                                                    : QN_SOLVE_FAILED;
 }
 
-/* The best iterate_path, if there is one that may stand. */
+/* The best iterate, if there is one that may stand. */
 static QnSolveStatus
 fall_back (Increment *increment)
 {
@@ -455,8 +451,7 @@ fall_back (Increment *increment)
   return adopt (increment);
 }
 
-/* Whether complementarity still improves. Where relaxation waits to go on from here, two short
- * steps one after the other are a sign that the central path turns back. */
+/* Whether complementarity still improves. */
 static bool
 makes_headway (Increment *increment, int iteration)
 {
@@ -465,8 +460,7 @@ makes_headway (Increment *increment, int iteration)
     increment->watched_since = iteration;
   }
   int patience = increment->relaxes ? SHORT_PATIENCE : PATIENCE;
-  return iteration - increment->watched_since < patience
-         && !(increment->relaxes && increment->short_steps == 2);
+  return iteration - increment->watched_since < patience;
 }
 
 /* The part that the direction is to take off the residuals. Where a measure advances, or time, and the path
@@ -504,7 +498,6 @@ improve (Increment *increment)
     &(QnCentralAim){ .target = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });
   double step = centre_pairs (increment, mean, part, path_to_boundary (increment));
   take_step (increment, fmin (1, TO_BOUNDARY * step));
-  increment->short_steps = step < SHORT ? increment->short_steps + 1 : 0;
   return QN_SOLVE_CONVERGED;
 }
 
@@ -572,7 +565,6 @@ follow_path (Increment *increment, double size, int budget)
   memcpy (path->begun, eq->u, bytes);
   for (int turn = 0;; turn++) {
     increment->complementarity = COMPLEMENTARITY;
-    increment->short_steps = 0;
     increment->is_near = false;
     qn_central_pairs_start (&path->pairs, size, turn > 0);
     QnSolveStatus status = iterate_path (increment, budget);

@@ -97,6 +97,7 @@ typedef struct Case {
   QnProject project;
   QnContacts contacts;
   char *text;
+  const cJSON *list; /* the one that is being walked */
   int changed, survived;
 } Case;
 
@@ -438,13 +439,31 @@ change_place (Case *c, const cJSON *root, cJSON *parent, guint index, const char
   try_children (c, root, parent, items, path, "left out");
 }
 
+/* Largest of the numbers of this name in a list of objects. */
+static double
+largest_member (const cJSON *list, const char *name)
+{
+  double largest = 0;
+  const cJSON *object;
+  cJSON_ArrayForEach (object, list)
+  {
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive (object, name);
+    if (cJSON_IsNumber (item))
+      largest = MAX (largest, fabs (item->valuedouble));
+  }
+  return largest;
+}
+
 static void
 walk (Case *c, cJSON *root, cJSON *parent, const char *path, double largest)
 {
   int count = cJSON_GetArraySize (parent);
   gboolean is_list = cJSON_IsArray (parent);
-  if (is_list)
+  const cJSON *outer = c->list;
+  if (is_list) {
+    c->list = parent;
     largest = MAX (largest, largest_of (parent));
+  }
   for (int i = 0; i < count; i++) {
     cJSON *item = cJSON_GetArrayItem (parent, i);
     if (is_list && !is_picked (parent, item, i, count))
@@ -452,9 +471,13 @@ walk (Case *c, cJSON *root, cJSON *parent, const char *path, double largest)
     g_autofree char *place =
       is_list ? g_strdup_printf ("%s[%d]", path, i)
               : g_strconcat (path, *path != '\0' ? "." : "", item->string, NULL);
-    change_item (c, root, item, place, is_list ? largest : 0);
+    double size = is_list ? largest : 0;
+    if (!is_list && g_str_has_suffix (item->string, "_force"))
+      size = largest_member (c->list, item->string);
+    change_item (c, root, item, place, size);
     change_place (c, root, parent, (guint) i, place);
   }
+  c->list = outer;
 }
 
 static void
