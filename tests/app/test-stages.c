@@ -206,10 +206,37 @@ test_close_while_typing (void)
   driver_wait_until_gone (parts);
 }
 
+/* Of a cyclic protocol the result tells every cycle; one of its stages that is moved makes stages of all. */
+static void
+test_cycles (void)
+{
+  QnWindow *window = driver_open_example ("46-cyclic-panel.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  GtkWidget *root = GTK_WIDGET (window);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  open_expander (root, "Stages and c_ycles");
+  g_assert_nonnull (driver_find_widget (root, driver_says, "cycle 4: load multiplier"));
+  driver_activate (window, "win.show-panel::analysis");
+  open_expander (root, "Loading in _Stages");
+  GtkWidget *list = driver_find_widget (root, is_list_of_stages, NULL);
+  g_assert_nonnull (list);
+  gtk_list_box_select_row (GTK_LIST_BOX (list),
+                           gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 1));
+  driver_settle ();
+  driver_press (root, "Remove Stage");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 11);
+  g_assert_cmpint (model_of (window)->stages[0].leg, ==, 0);
+  g_assert_true (qn_document_undo (document));
+  g_assert_cmpint (model_of (window)->stages[11].leg, ==, 12);
+  driver_discard (window);
+}
+
 QN_TESTS
 {
   gtk_init ();
   g_test_add_func ("/app/stages/settle-and-push", test_settle_and_push);
+  g_test_add_func ("/app/stages/cycles", test_cycles);
   g_test_add_func ("/app/stages/edge-loads", test_edge_loads);
   g_test_add_func ("/app/stages/close-with-selected", test_close_with_selected);
   g_test_add_func ("/app/stages/close-while-typing", test_close_while_typing);

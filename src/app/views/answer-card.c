@@ -170,7 +170,7 @@ qn_answer_card_new (QnDocument *document)
   gtk_box_append (GTK_BOX (box), card->bar);
   card->verdict = add_text (box, "guarantee");
   card->mechanism = add_text (box, NULL);
-  card->stages = add_expander (box, _ ("Stages and _cycles"), &card->led);
+  card->stages = add_expander (box, _ ("Stages and c_ycles"), &card->led);
   card->events = add_expander (box, "", &card->happened);
   gtk_expander_set_use_underline (GTK_EXPANDER (card->events), TRUE);
   card->found = add_expander (box, _ ("_How it was found"), &card->explanation);
