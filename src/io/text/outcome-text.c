@@ -1,4 +1,5 @@
 #include "io/text/outcome-text.h"
+#include "core/contact/pair-abscissae.h"
 #include "core/model/support.h"
 #include "core/path/path.h"
 #include "core/result/first-limit.h"
@@ -261,6 +262,31 @@ dup_broken_bond (const QnModel *model, const QnResult *result)
     result->broken_bound);
 }
 
+/* That few pairs stand for what is left of a joint that has opened; NULL where none has, or there are many
+ * pairs. See docs/method/contact-pairs.md. */
+static char *
+dup_coarse_pairs (const QnModel *model, const QnResult *result)
+{
+  int32_t least = 0;
+  bool opens = false;
+  if (model->analysis.geometry != QN_GEOMETRY_NONLINEAR)
+    return NULL;
+  for (gsize i = 0; i < model->law_count; i++) {
+    QnPairRule rule = qn_pair_rule_by_law (&model->contact.pairs, &model->laws[i]);
+    if (model->laws[i].basis != QN_BASIS_CONTACT && rule.placement == QN_PLACEMENT_LOBATTO
+        && rule.count < QN_MOST_LOBATTO_PAIRS && (least == 0 || rule.count < least))
+      least = rule.count;
+  }
+  for (gsize i = 0; result->pairs != NULL && i < result->pair_count; i++)
+    opens |= result->pairs[i].state == QN_PAIR_OPEN;
+  return least > 0 && opens
+           ? qn_text_printf (_ ("Joints that open far have %d pairs, whose multipliers "
+                                "have been found up to a tenth too high: compare with "
+                                "%d, \"count\" of \"contact.pairs\"."),
+                             least, QN_MOST_LOBATTO_PAIRS)
+           : NULL;
+}
+
 char *
 qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
 {
@@ -291,8 +317,10 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
       ? g_strdup (_ ("what bounds it from above is not known."))
       : qn_text_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
   g_autofree char *safe = dup_broken_bond (model, result);
-  return safe != NULL ? qn_text_printf ("%s %s %s", from, to, safe)
-                      : qn_text_printf ("%s %s", from, to);
+  g_autofree char *coarse = dup_coarse_pairs (model, result);
+  const char *parts[] = { from, to, safe != NULL ? safe : coarse,
+                          safe != NULL ? coarse : NULL, NULL };
+  return g_strjoinv (" ", (char **) parts);
 }
 
 /* Where the path has left a branch that lost its stability; NULL where it has not. */
