@@ -36,18 +36,22 @@ check_energy (QnCheck *check)
                    h->energy_error * most);
 }
 
-/* Rows are as far apart as the first two, but for the last, and tracks are the displacements of the steps at
+/* No kept step is worse than what is told of all. Rows are as far apart as the first two, but for the last, and tracks are the displacements of the steps at
  * their times. */
 static void
 check_rows (QnCheck *check)
 {
   const QnResult *r = check->result;
   const QnHistory *h = &r->history;
-  double end = r->steps[r->step_count - 1].time;
+  double end = r->steps[r->step_count - 1].time, residual = 0;
   double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 0;
   size_t step = 1;
 
-  if (!qn_check_agrees (h->end, end, SAME_TIME * end))
+  for (size_t i = 1; i < r->step_count; i++)
+    residual = qn_worse (residual, r->steps[i].residual);
+  if (!qn_check_agrees (h->end, end, SAME_TIME * end)
+      || !(residual <= h->largest_residual * (1 + QN_CHECK_EXACT))
+      || !(h->steps * h->shortest_step <= end * (1 + SAME_TIME)))
     qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, h->end,
                    end);
   for (size_t i = 1; i < h->row_count; i++) {
@@ -189,6 +193,10 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     gather_velocity (check, step);
     check_rest (check, step);
   }
+  /* The last step may lie between two rows, and the dead load has none. */
+  if (row == NULL && step > 0 && step + 1 < r->step_count)
+    qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
+                   r->steps[step].time, NAN);
   if (row == NULL || h->width != QN_HISTORY_TRACK + check->model->track_count)
     return QN_OK;
   if (check->mass == NULL) {
