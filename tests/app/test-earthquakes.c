@@ -70,7 +70,8 @@ test_end_of_history (void)
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));
   QnViewState *state = qn_window_get_view_state (window);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "Stands"));
-  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "Largest displacement: "));
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), driver_says, "Largest displacement: "));
   g_assert_cmpint (qn_view_state_get_step (state), ==,
                    qn_run_step_at (run, run->result.history.peak_time));
   g_assert_cmpfloat (qn_view_state_get_shown_scale (state), >=, 1.0);

@@ -48,6 +48,29 @@ test_curve_of_sliding (void)
   driver_discard (window);
 }
 
+/* The answer is told in words of the load, and against what the project asks for. */
+static void
+test_demand (void)
+{
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_key ("F5");
+  driver_wait_for_job (window);
+  GtkWidget *root = GTK_WIDGET (window);
+  g_assert_nonnull (
+    driver_find_widget (root, driver_says, "Load multiplier at collapse: 0.4 g."));
+  g_assert_null (driver_find_widget (root, driver_says, "demand"));
+  g_assert_true (qn_document_edit_extra (document, "Demand", NULL, "report",
+                                         "{ \"demand\": 0.5 }", NULL));
+  driver_settle ();
+  g_assert_nonnull (
+    driver_find_widget (root, driver_says, "The demand of 0.5 is not met: 0.8 of it."));
+  driver_screenshot (root, "demand");
+  driver_key ("ctrl+z");
+  g_assert_null (driver_find_widget (root, driver_says, "demand"));
+  driver_discard (window);
+}
+
 /* The axis ends a little beyond the peak although the last motion goes ten times as far; the wheel
  * zooms about the pointer, a double click fits again. */
 static void
@@ -185,6 +208,7 @@ test_answer (void)
 QN_TESTS
 {
   gtk_init ();
+  g_test_add_func ("/app/results/demand", test_demand);
   g_test_add_func ("/app/results/curve-of-sliding", test_curve_of_sliding);
   g_test_add_func ("/app/results/curve", test_curve);
   g_test_add_func ("/app/results/factor", test_factor);

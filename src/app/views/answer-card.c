@@ -7,6 +7,8 @@
 #include "doc/document/run-text.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
+#include "doc/view/load-text.h"
+#include "doc/view/report-template.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -56,6 +58,30 @@ dup_number (const QnRun *run)
   return g_strdup (qn_explain_outcome_label (result));
 }
 
+/* What the multiplier means in words of the load, and whether it meets what the project asks for. */
+static char *
+dup_words (Card *card, const QnRun *run)
+{
+  double value = run->result.collapse_multiplier;
+  QnReportTemplate plan;
+  gboolean sound =
+    qn_report_template_read (&plan, qn_document_get_project (card->document), NULL);
+  double demand = sound ? plan.demand : 0.0;
+  qn_report_template_clear (&plan);
+  g_autofree char *amount =
+    qn_live_loads_dup_amount (&run->model, value, qn_settings_get_units ());
+  g_autofree char *words =
+    amount != NULL ? g_strdup_printf (_ ("Load multiplier at collapse: %s."), amount)
+                   : g_strdup (_ ("Load multiplier at collapse."));
+  if (!(demand > 0.0))
+    return g_steal_pointer (&words);
+  return value >= demand
+           ? g_strdup_printf (_ ("%s The demand of %.4g is met %.3g times."), words,
+                              demand, value / demand)
+           : g_strdup_printf (_ ("%s The demand of %.4g is not met: %.3g of it."), words,
+                              demand, value / demand);
+}
+
 static void
 update_number (Card *card, const QnRun *run)
 {
@@ -63,7 +89,8 @@ update_number (Card *card, const QnRun *run)
   gboolean given = run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier;
   g_autofree char *number = dup_number (run);
   set_text (card->number, number);
-  set_text (card->outcome, given ? _ ("Load multiplier at collapse") : NULL);
+  g_autofree char *outcome = given ? dup_words (card, run) : NULL;
+  set_text (card->outcome, outcome);
 }
 
 static void
@@ -168,12 +195,13 @@ qn_answer_card_new (QnDocument *document)
   card->outcome = add_text (box, NULL);
   card->bar = qn_bounds_bar_new ();
   gtk_box_append (GTK_BOX (box), card->bar);
-  card->verdict = add_text (box, "guarantee");
   card->mechanism = add_text (box, NULL);
   card->stages = add_expander (box, _ ("Stages and c_ycles"), &card->led);
   card->events = add_expander (box, "", &card->happened);
   gtk_expander_set_use_underline (GTK_EXPANDER (card->events), TRUE);
   card->found = add_expander (box, _ ("_How it was found"), &card->explanation);
+  card->verdict =
+    add_text (gtk_expander_get_child (GTK_EXPANDER (card->found)), "guarantee");
   card->values =
     add_text (gtk_expander_get_child (GTK_EXPANDER (card->found)), "guarantee");
   card->others = gtk_button_new_with_mnemonic (_ ("Solve by _All Methods"));

@@ -4,6 +4,9 @@
 #include "io/text/outcome-text.h"
 #include <glib/gi18n-lib.h>
 
+/* The sum of forces over that of their sizes above which they have one direction. */
+#define ONE_DIRECTION (1.0 - 1e-9)
+
 static const char *const components[QN_DOF_COUNT] = { "ux", "uy", "rz" };
 
 static QnQuantity
@@ -188,6 +191,38 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
   return qn_model_sets_have_force (model, stage->sets)
            ? g_strdup_printf (_ ("%s: %s to collapse"), name, sets)
            : g_strdup_printf (_ ("%s: %s to %s"), name, sets, "1");
+}
+
+char *
+qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units)
+{
+  QnVec2 sum = { 0.0, 0.0 };
+  double total = 0.0;
+  bool weights = false, forces = false;
+  if (model->stage_count > 0)
+    return NULL;
+  for (gsize i = 0; i < model->live_load_count; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    double factor =
+      load->load_case > 0 ? model->load_cases[load->load_case - 1].factor : 1.0;
+    if (load->set != 0)
+      continue;
+    if (load->kind == QN_LOAD_WEIGHT)
+      weights = true;
+    else if ((load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE)
+             && load->moment == 0.0)
+      forces = true;
+    else
+      return NULL;
+    sum = qn_vec2_add_scaled (sum, factor, load->vector);
+    total += factor * qn_vec2_length (load->vector);
+  }
+  double size = qn_vec2_length (sum);
+  if (weights == forces || !(size > ONE_DIRECTION * total))
+    return NULL;
+  if (forces)
+    return qn_units_format_full (units, QN_QUANTITY_FORCE, multiplier * size, 3);
+  return sum.y == 0.0 ? g_strdup_printf (_ ("%.3g g"), multiplier * size) : NULL;
 }
 
 bool

@@ -9,6 +9,10 @@
 /* "Force on b6: 0; -10 kN". The caller frees it. */
 char *qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units);
 
+/* What a multiplier of the live loads means: "0.234 g" of horizontal weights, "132 kN" of forces in one
+ * direction; NULL where they are of several kinds or directions, or grow in stages. The caller frees it. */
+char *qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units);
+
 /* "load on top: top to 2". The caller frees it. */
 char *qn_stage_dup_text (const QnModel *model, gsize stage, QnUnits units);
 
