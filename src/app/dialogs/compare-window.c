@@ -293,6 +293,8 @@ let_rename (Compare *compare, GtkWidget *cell)
   gtk_entry_set_has_frame (GTK_ENTRY (entry), FALSE);
   gtk_entry_set_alignment (GTK_ENTRY (entry), 0.5f);
   gtk_widget_set_tooltip_text (entry, _ ("Name of the run"));
+  gtk_accessible_update_property (GTK_ACCESSIBLE (entry), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Name of the run"), -1);
   g_signal_connect (entry, "activate", G_CALLBACK (on_renamed), compare);
   g_signal_connect (focus, "leave", G_CALLBACK (on_left), compare);
   gtk_widget_add_controller (entry, focus);
