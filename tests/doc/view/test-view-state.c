@@ -84,8 +84,8 @@ test_steps (void)
   g_assert_cmpint (qn_view_state_get_step (state), ==, QN_STEP_LAST);
 
   /* The first run as an outline over the second, but not over itself. */
-  g_assert_true (qn_document_analyse_with (document, QN_PROCEDURE_LIMIT,
-                                           QN_FLOW_ASSOCIATIVE, NULL));
+  g_assert_true (
+    qn_document_analyse_with (document, QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE, NULL));
   wait_for_job (document);
   const GPtrArray *runs = qn_document_get_runs (document);
   qn_view_state_set_onion (state, g_ptr_array_index (runs, 0));
