@@ -107,6 +107,10 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
 /* Share of the peak from which on a multiplier counts as the peak. */
 #define AT_PEAK 0.995
 
+/* A path may end in one long step along its mechanism, in which the multiplier grows to so many
+ * times what it was. */
+#define LAST_STEP 1.03
+
 /* A motion counts as unlimited where it exceeds so many times the displacement at the peak, and is
  * drawn up to this many times. */
 #define RUNAWAY     4.0
@@ -115,12 +119,16 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
 bool
 qn_curve_get_end (const QnCurve *curve, double *end)
 {
-  double peak = 0, at_peak = 0, farthest = 0;
+  double peak = 0, before = 0, at_peak = 0, farthest = 0;
   size_t first = 0;
   if (curve->in_time || curve->settles)
     return false;
-  for (size_t i = 0; i < curve->count; i++)
+  for (size_t i = 0; i < curve->count; i++) {
+    before = peak;
     peak = fmax (peak, curve->y[i]);
+  }
+  if (peak <= LAST_STEP * before)
+    peak = before;
   while (first < curve->count && !(curve->y[first] >= AT_PEAK * peak))
     first++;
   if (!(peak > 0))
