@@ -4,13 +4,6 @@
 
 #include "doc/document/document.h"
 
-/* Limits of processor time are multiplied by this: sanitizers take their share. */
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LARGE_DRAWING_SLOWER 10
-#else
-#define LARGE_DRAWING_SLOWER 1
-#endif
-
 /* The block that moves, amid the others. */
 #define LARGE_DRAWING_BLOCK ((QnId) 5050)
 
