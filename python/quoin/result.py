@@ -230,6 +230,45 @@ class Result:
         return {"force": numbers[0], "elongation": numbers[1], "state": state}
 
     @property
+    def history(self) -> dict[str, Value] | None:
+        """Of an analysis in time, None of others: `time` (rows,) in s; `ground` {"x", "y"} in m/s2
+        and `energy` {"input", "kinetic", "elastic", "friction", "damping", "numerical"} in J, each
+        (rows,); `tracks`, displacements of chosen blocks; `peak`, the largest displacement of every
+        block; and the rest of the member "history" of data/result-format.md."""
+        history = self.to_dict().get("history")
+        if history is not None:
+            history["time"] = numpy.array(history["time"], float)
+            for name in ("ground", "energy"):
+                history[name] = {key: numpy.array(values, float)
+                                 for key, values in history[name].items()}
+        return history
+
+    @property
+    def times(self) -> Array | None:
+        """(steps,): of the kept steps of an analysis in time, s; None of others."""
+        return self._of_steps("time")
+
+    @property
+    def velocities(self) -> Array | None:
+        """(steps, bodies, 3) in m/s and rad/s, in time; None of others."""
+        return self._of_steps("velocities")
+
+    @property
+    def supports(self) -> list[int]:
+        """Numbers of the blocks that have fixed components."""
+        return self.to_dict().get("supports", [])
+
+    @property
+    def reactions(self) -> Array | None:
+        """(steps, supports, 3): forces in N and moment about the centroid in N m that fixed
+        components put on their block; None where a step does not tell them."""
+        return self._of_steps("reactions")
+
+    def _of_steps(self, key: str) -> Array | None:
+        found = [step.get(key) for step in self.to_dict()["steps"]]
+        return None if None in found or not found else numpy.array(found, float)
+
+    @property
     def iterations(self) -> int:
         return lib.quoin_result_get_iterations(self._handle)
 

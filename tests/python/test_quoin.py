@@ -548,3 +548,26 @@ def test_history_of_an_analysis_in_time():
                          {"analysis.dynamic.duration": 0.1})
     data = rocking.solve().to_dict()
     assert data["history"]["time"][-1] > 0
+
+
+def test_arrays_of_an_analysis_in_time():
+    """Supports carry the weight of all blocks, and energies add up at every row."""
+    result = quoin.open(EXAMPLES / "40-rocking-in-time.quoin").solve()
+    steps, bodies = len(result.multipliers), result.displacements.shape[1]
+    assert result.times.shape == (steps,)
+    assert (numpy.diff(result.times) >= 0).all()
+    assert result.velocities.shape == (steps, bodies, 3)
+    assert result.reactions.shape == (steps, len(result.supports), 3)
+    weight = sum(block.weight for block in result.model.blocks)
+    carried = result.reactions[0, :, 1].sum()
+    assert carried == pytest.approx(weight, rel=1e-6)
+    energy = result.history["energy"]
+    rest = energy["input"] - sum(energy[key] for key in energy if key != "input")
+    assert energy["kinetic"].shape == result.history["time"].shape
+    assert abs(rest).max() < 1e-3 * abs(energy["input"]).max()
+
+
+def test_reactions_of_a_path():
+    result = quoin.open(WALLS / "wall1.quoin").solve()
+    assert result.times is None and result.velocities is None and result.history is None
+    assert result.reactions.shape == (len(result.multipliers), len(result.supports), 3)
