@@ -95,6 +95,7 @@ go_on_limit (void *data)
       .iterations = run->solution->effort.iterations,
       .factorizations =
         run->solution->effort.factorizations + run->engine->kkt.schur.factorizations,
+      .rigid = true,
     };
     run->cancelled = !run->progress (&report, run->user_data);
   }
