@@ -16,7 +16,8 @@ static const QnPathTuning *const tuning = &qn_path_tuning;
 /* A joint carries, and slides, by more than this part of the largest force. */
 #define LITTLE 1e-5
 
-/* Whether limit analysis knows the structure and its loads, and may tell more of it than the path does. */
+/* Whether limit analysis knows the structure and its loads, and may tell more of it than the path
+ * does. Joints without tension carry by their elongation alone, which no force leaves open. */
 static bool
 applies (const QnPathTrace *trace)
 {
@@ -27,7 +28,8 @@ applies (const QnPathTrace *trace)
                && as->settling_count == 0;
 
   for (size_t p = 0; known && p < as->pair_count; p++)
-    known = qn_pair_is_plastic (&as->springs[p], &as->committed[p]);
+    known = qn_law_may_bond (as->springs[p].a.kind)
+            && qn_pair_is_plastic (&as->springs[p], &as->committed[p]);
   return known && trace->load_control && qn_path_trace_is_linear (trace)
          && trace->may_jump && !trace->may_soften;
 }
