@@ -4,6 +4,7 @@
 
 #include "app/widgets/dialog.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/shortened.h"
 #include "app/window/window-private.h"
 #include "doc/document/picture.h"
 #include "doc/document/recovery.h"
@@ -727,6 +728,22 @@ test_escape (void)
   driver_discard (window);
 }
 
+/* "~" stands for the user's folder, and for no other whose name begins like it. */
+static void
+test_folder (void)
+{
+  g_autofree char *own = g_build_filename (g_get_home_dir (), "walls", "a.quoin", NULL);
+  g_autofree char *top = g_build_filename (g_get_home_dir (), "a.quoin", NULL);
+  g_autofree char *beside = g_strconcat (g_get_home_dir (), "ly", NULL);
+  g_autofree char *other = g_build_filename (beside, "a.quoin", NULL);
+  g_autofree char *of_own = qn_shortened_dup_folder (own);
+  g_autofree char *of_top = qn_shortened_dup_folder (top);
+  g_autofree char *of_other = qn_shortened_dup_folder (other);
+  g_assert_cmpstr (of_own, ==, "~/walls");
+  g_assert_cmpstr (of_top, ==, "~");
+  g_assert_cmpstr (of_other, ==, beside);
+}
+
 QN_TESTS
 {
   gtk_init ();
@@ -747,4 +764,5 @@ QN_TESTS
   g_test_add_func ("/app/files/sizes", test_sizes);
   g_test_add_func ("/app/files/broken", test_broken);
   g_test_add_func ("/app/files/escape", test_escape);
+  g_test_add_func ("/app/files/folder", test_folder);
 }

@@ -1,6 +1,7 @@
 #include "app/views/start-page.h"
 
 #include "app/widgets/build-tree.h"
+#include "app/widgets/shortened.h"
 
 #include "doc/document/document.h"
 #include "render/backend/draw-cairo.h"
@@ -197,11 +198,7 @@ make_examples (void)
 static GtkWidget *
 make_recent (const char *path)
 {
-  const char *home = g_get_home_dir ();
-  g_autofree char *name = dup_label (path), *folder = g_path_get_dirname (path);
-  g_autofree char *place = g_str_has_prefix (folder, home)
-                             ? g_strconcat ("~", folder + strlen (home), NULL)
-                             : g_strdup (folder);
+  g_autofree char *name = dup_label (path), *place = qn_shortened_dup_folder (path);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
   GtkWidget *label = gtk_label_new (place);
   gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_START);

@@ -1,5 +1,7 @@
 #include "app/widgets/shortened.h"
 
+#include <string.h>
+
 static gboolean
 on_query_tooltip (GtkLabel *label, int x, int y, gboolean by_key, GtkTooltip *tooltip)
 {
@@ -32,4 +34,16 @@ qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode)
 {
   gtk_label_set_ellipsize (label, mode);
   tell (label);
+}
+
+char *
+qn_shortened_dup_folder (const char *path)
+{
+  const char *home = g_get_home_dir ();
+  const gsize length = strlen (home);
+  g_autofree char *folder = g_path_get_dirname (path);
+  if (g_str_has_prefix (folder, home)
+      && (folder[length] == '\0' || G_IS_DIR_SEPARATOR (folder[length])))
+    return g_strconcat ("~", folder + length, NULL);
+  return g_steal_pointer (&folder);
 }

@@ -11,4 +11,7 @@ void qn_shortened_tell (GtkWidget *widget);
 /* Cuts a label short there, and tells. */
 void qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode);
 
+/* The folder of a file, with "~" for the user's own. The caller frees it. */
+char *qn_shortened_dup_folder (const char *path);
+
 #endif

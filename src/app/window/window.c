@@ -58,18 +58,14 @@ update_title (QnWindow *self)
 {
   g_autofree char *name = qn_document_dup_display_name (self->document);
   const char *path = qn_document_get_path (self->document);
-  g_autofree char *folder = path != NULL ? g_path_get_dirname (path) : NULL;
   g_autofree char *base = path != NULL ? g_path_get_basename (path) : NULL;
   gboolean modified =
     qn_document_is_modified (self->document) && !qn_window_is_blank (self);
   g_autofree char *title = g_strdup_printf ("%s%s", modified ? "• " : "", name);
   g_autofree char *subtitle = g_strdup (_ ("Not saved yet"));
-  const char *home = g_get_home_dir ();
-  if (folder != NULL) {
+  if (path != NULL) {
     g_free (subtitle);
-    g_autofree char *place = g_str_has_prefix (folder, home)
-                               ? g_strconcat ("~", folder + strlen (home), NULL)
-                               : g_strdup (folder);
+    g_autofree char *place = qn_shortened_dup_folder (path);
     /* A project without a title is called by its file. */
     subtitle = g_str_equal (base, name) ? g_steal_pointer (&place)
                                         : g_strdup_printf ("%s — %s", base, place);
