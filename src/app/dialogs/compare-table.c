@@ -72,15 +72,20 @@ dup_changes (Compare *compare, const QnRun *run)
 
 enum { RUN, CHANGED, MULTIPLIER, PART, MOVED, STEPS, OUTCOME, COLUMNS };
 
+/* Whether all runs on show are of one project. */
+static gboolean
+is_one_project (Compare *compare)
+{
+  const GPtrArray *shown = compare->shown;
+  return shown->len > 0
+         && count_of (compare, qn_compare_find_document (compare, shown->pdata[0]))
+              == shown->len;
+}
+
 /* What differs is told of one project's runs, in place of the steps. */
 static void
-put_row (Compare *compare, int row, const char *const texts[COLUMNS])
+put_row (Compare *compare, int row, gboolean changed, const char *const texts[COLUMNS])
 {
-  guint count = compare->shown->len;
-  QnRun *first = count > 0 ? compare->shown->pdata[0] : NULL;
-  gboolean changed =
-    first != NULL
-    && count_of (compare, qn_compare_find_document (compare, first)) == count;
   for (int i = 0, column = 0; i < COLUMNS; i++) {
     if (i == (changed ? STEPS : CHANGED))
       continue;
@@ -131,11 +136,12 @@ qn_compare_fill_table (Compare *compare)
                                        _ ("Multiplier"), _ ("Of the first"),
                                        _ ("Moved"),      _ ("Steps"),
                                        _ ("Outcome") };
+  const gboolean changed = is_one_project (compare);
   GtkWidget *child;
   double first = NAN;
   while ((child = gtk_widget_get_first_child (compare->table)) != NULL)
     gtk_grid_remove (GTK_GRID (compare->table), child);
-  put_row (compare, 0, heads);
+  put_row (compare, 0, changed, heads);
   for (guint i = 0; i < compare->shown->len; i++) {
     QnRun *run = compare->shown->pdata[i];
     gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;
@@ -151,10 +157,10 @@ qn_compare_fill_table (Compare *compare)
     g_autofree char *steps = g_strdup_printf ("%zu", run->result.step_count);
     const char *outcome =
       run->kind == QN_RUN_ANALYSIS ? qn_explain_outcome_label (&run->result) : "–";
-    g_autofree char *changes = dup_changes (compare, run);
+    g_autofree char *changes = changed ? dup_changes (compare, run) : NULL;
     const char *const cells[COLUMNS] = { title, changes, number, part,
                                          moved, steps,   outcome };
-    put_row (compare, (int) i + 1, cells);
+    put_row (compare, (int) i + 1, changed, cells);
   }
 }
 

@@ -363,10 +363,11 @@ on_runs_changed (Compare *compare)
     g_ptr_array_set_size (compare->shown, 0);
     choose_first (compare);
     fill (compare);
-  } else
+  } else {
     each_cell (compare, show_name, compare); /* they may have other ones */
-  qn_compare_fill_table (compare);
-  gtk_widget_queue_draw (compare->curves);
+    qn_compare_fill_table (compare);
+    gtk_widget_queue_draw (compare->curves);
+  }
   list_runs (compare);
 }
 
