@@ -5,7 +5,7 @@
 /* Objects with more blocks are drawn as a frame while they are dragged. */
 #define MOST_DRAWN_BLOCKS 3000
 
-/* px, of words about an end from it. */
+/* px, of words about a point from it. */
 #define LABEL_ASIDE 10.0
 
 #define ANGLE_STEP (G_PI / 12.0)
@@ -191,6 +191,14 @@ qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
 }
 
 void
+qn_gesture_draw_words (QnCanvas *canvas, cairo_t *cr, const char *text, QnVec2 at)
+{
+  QnVec2 screen = qn_canvas_to_screen (canvas, at);
+  qn_canvas_draw_label (canvas, cr, text,
+                        qn_vec2 (screen.x + LABEL_ASIDE, screen.y + LABEL_ASIDE));
+}
+
+void
 qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
                       char *(*dup_text) (const QnModel *model, QnVec2 at))
 {
@@ -199,9 +207,7 @@ qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
   qn_gesture_draw_line (canvas, cr, ends[0], ends[1]);
   for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
     g_autofree char *text = dup_text (qn_canvas_get_model (canvas), ends[i]);
-    QnVec2 at = qn_canvas_to_screen (canvas, ends[i]);
-    qn_canvas_draw_label (canvas, cr, text,
-                          qn_vec2 (at.x + LABEL_ASIDE, at.y + LABEL_ASIDE));
+    qn_gesture_draw_words (canvas, cr, text, ends[i]);
   }
 }
 

@@ -49,6 +49,9 @@ void qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 
 /* A line with its length. */
 void qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
 
+/* Words beside a point. */
+void qn_gesture_draw_words (QnCanvas *canvas, cairo_t *cr, const char *text, QnVec2 at);
+
 /* A line with words beside its ends: what each is held by, as `dup_text` says. */
 void qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
                            char *(*dup_text) (const QnModel *model, QnVec2 at));

@@ -7,9 +7,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-/* px, of size and angle from the head of the arrow. */
-#define LABEL_ASIDE 10.0
-
 typedef struct Force {
   QnId node; /* or QN_NONE, */
   QnId block;
@@ -98,7 +95,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
   g_autofree char *turned =
     qn_units_format_full (units, QN_QUANTITY_ANGLE, atan2 (way.y, way.x), 4);
   g_autofree char *text = g_strdup_printf ("%s; %s", size, turned);
-  qn_canvas_draw_label (canvas, cr, text, qn_vec2 (b.x + LABEL_ASIDE, b.y + LABEL_ASIDE));
+  qn_gesture_draw_words (canvas, cr, text, gesture->to);
 }
 
 const QnTool qn_tool_force = {
