@@ -4,7 +4,8 @@
 
 #include <gtk/gtk.h>
 
-/* Escape closes the window, and popovers that close give their keys back. For windows that do not come from qn_builder_new(), which does it. */
+/* Escape closes the window, and popovers that close give their keys back. For windows that do not come
+ * from qn_builder_new(), which does it. */
 void qn_dialog_attend (GtkWidget *window);
 
 /* Modal, gone with its parent. A height of -1 takes what the content needs. */
