@@ -75,23 +75,20 @@ show_number (GtkLabel *label, QnQuantityEntry *entry, const char *what, double v
   qn_quantity_entry_set_value (entry, value);
 }
 
-/* Why the project is refused where the parameter has that value, or NULL; the caller frees it. */
-static char *
-dup_refusal (QnDocument *document, const char *path, double value)
+gboolean
+qn_study_window_takes_value (QnStudyWindow *self, const char *path, double value,
+                             GError **error)
 {
-  const char *text = qn_document_get_text (document);
+  const char *text = qn_document_get_text (self->parent.document);
   char number[QN_NUMBER_TEXT_SIZE];
   g_autofree char *override =
     g_strconcat (path, "=", qn_number_text (value, number), NULL);
   const char *const overrides[] = { override, NULL };
-  g_autoptr (GError) error = NULL;
   QnProject probe;
-  if (qn_project_parse (text, strlen (text), "", overrides, &probe, &error)) {
-    qn_project_clear (&probe);
-    return NULL;
-  }
-  g_autofree char *reason = qn_path_dup_reason (error->message, path);
-  return g_strdup_printf (_ ("%.3g is refused: %s."), value, reason);
+  if (!qn_project_parse (text, strlen (text), "", overrides, &probe, error))
+    return FALSE;
+  qn_project_clear (&probe);
+  return TRUE;
 }
 
 /* What a distribution means, and whether values that are likely cannot be computed. */
@@ -108,10 +105,13 @@ dup_meaning (QnStudyWindow *self, const QnDraftParameter *parameter)
                      high);
   const double ends[] = { low, high };
   for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
-    g_autofree char *refusal =
-      dup_refusal (self->parent.document, parameter->path, ends[i]);
-    if (refusal != NULL)
-      g_string_append_printf (text, "%s%s", text->len > 0 ? "\n" : "", refusal);
+    g_autoptr (GError) error = NULL;
+    if (qn_study_window_takes_value (self, parameter->path, ends[i], &error))
+      continue;
+    g_autofree char *reason = qn_path_dup_reason (error->message, parameter->path);
+    if (text->len > 0)
+      g_string_append_c (text, '\n');
+    g_string_append_printf (text, _ ("%.3g is refused: %s."), ends[i], reason);
   }
   return g_string_free (g_steal_pointer (&text), FALSE);
 }

@@ -52,6 +52,9 @@ void qn_study_window_show_draft (QnStudyWindow *self);
 
 /* study-parameters.c: the list of what varies. */
 void qn_study_window_show_parameters (QnStudyWindow *self);
+/* Whether the project reads with this value there. */
+gboolean qn_study_window_takes_value (QnStudyWindow *self, const char *path, double value,
+                                      GError **error);
 
 /* study-plan.c: analysis, plan, number of cases, outputs. */
 void qn_study_window_connect_plan (QnStudyWindow *self);

@@ -5,7 +5,6 @@
 #include "app/widgets/help.h"
 #include "doc/text/path-text.h"
 #include "io/text/io-error.h"
-#include "io/text/number-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -289,22 +288,12 @@ qn_study_window_show (const QnStudyParent *parent, const char *path, GError **er
   return self->window;
 }
 
-/* Whether the project reads with a fraction there: counts and seeds do not. */
+/* Whether a fraction can stand there: counts and seeds are whole. */
 static gboolean
-takes_fractions (QnDocument *document, const char *path, double base)
+takes_fractions (QnStudyWindow *self, const char *path, double base)
 {
-  const char *text = qn_document_get_text (document);
-  char number[QN_NUMBER_TEXT_SIZE];
-  g_autofree char *override =
-    g_strconcat (path, "=", qn_number_text (floor (base) + 0.5, number), NULL);
-  const char *const overrides[] = { override, NULL };
-  QnProject probe;
-  if (base != rint (base))
-    return TRUE;
-  if (!qn_project_parse (text, strlen (text), "", overrides, &probe, NULL))
-    return FALSE;
-  qn_project_clear (&probe);
-  return TRUE;
+  return base != rint (base)
+         || qn_study_window_takes_value (self, path, floor (base) + 0.5, NULL);
 }
 
 void
@@ -313,8 +302,8 @@ qn_study_window_vary (GtkWindow *window, const char *path, double base)
   QnStudyWindow *self = g_object_get_data (G_OBJECT (window), "qn-study");
   g_autofree char *words =
     qn_path_dup_text (qn_document_get_model (self->parent.document), path);
-  gboolean added = qn_draft_vary (self->draft, path, base,
-                                  !takes_fractions (self->parent.document, path, base));
+  gboolean added =
+    qn_draft_vary (self->draft, path, base, !takes_fractions (self, path, base));
   g_autofree char *text =
     g_strdup_printf (added ? _ ("%s varies now.") : _ ("%s varies already."), words);
   qn_study_window_tell (self, text);
