@@ -456,6 +456,29 @@ test_softening (void)
   driver_discard (window);
 }
 
+/* The plot of a law takes the focus, and then keys zoom it. */
+static void
+test_law_plot (void)
+{
+  QnWindow *window = driver_open_example ("05-stack.quoin");
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *softening = driver_find_widget (GTK_WIDGET (window), is_called, "softening");
+  g_assert_nonnull (softening);
+  GtkWidget *form = gtk_widget_get_parent (gtk_widget_get_parent (softening));
+  GtkWidget *plot = driver_find_id (form, "view");
+  QnBox whole = driver_plot_range (plot);
+  g_assert_true (gtk_widget_grab_focus (plot));
+  g_assert_true (gtk_widget_has_focus (plot));
+  driver_key ("plus");
+  QnBox part = driver_plot_range (plot);
+  g_assert_cmpfloat (part.max.x - part.min.x, <, 0.9 * (whole.max.x - whole.min.x));
+  driver_key ("0");
+  part = driver_plot_range (plot);
+  g_assert_cmpfloat_with_epsilon (part.max.x - part.min.x, whole.max.x - whole.min.x,
+                                  1e-9);
+  driver_discard (window);
+}
+
 static void
 enter (GtkWidget *root, const char *id, const char *text)
 {
@@ -531,6 +554,7 @@ QN_TESTS
   g_test_add_func ("/app/forms/joint", test_joint);
   g_test_add_func ("/app/forms/laws", test_laws);
   g_test_add_func ("/app/forms/softening", test_softening);
+  g_test_add_func ("/app/forms/law-plot", test_law_plot);
   g_test_add_func ("/app/forms/cases", test_cases);
   g_test_add_func ("/app/forms/project", test_project);
   g_test_add_func ("/app/forms/refusal", test_refusal);

@@ -3,7 +3,6 @@
 #include "app/forms/form.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
-#include "app/widgets/text-unit.h"
 #include "doc/document/run-text.h"
 #include "io/exchange/table-csv.h"
 #include "render/figure/curve-plot.h"
@@ -348,16 +347,11 @@ qn_curve_view_new (QnViewState *state)
                                    .tell = tell };
   View *self = g_new0 (View, 1);
   QnDocument *document = qn_view_state_get_document (state);
-  GtkWidget *area = gtk_drawing_area_new ();
+  GtkWidget *area = qn_plot_view_new ("curve", LEAST_HEIGHT, &hand, self);
   self->state = g_object_ref (state);
   self->area = area;
   g_object_set_data_full (G_OBJECT (area), "qn-view", self, free_view);
-  gtk_widget_set_name (area, "curve");
-  gtk_widget_set_focusable (area, TRUE);
   gtk_widget_set_hexpand (area, TRUE);
-  gtk_drawing_area_set_content_height (
-    GTK_DRAWING_AREA (area), (int) (LEAST_HEIGHT * qn_text_unit (area) / QN_TEXT_UNIT));
-  qn_plot_view_init (area, &hand, self);
   qn_watch (area, state, "changed", G_CALLBACK (gtk_widget_queue_draw), area);
   qn_watch (area, qn_settings_get (), "changed", G_CALLBACK (gtk_widget_queue_draw),
             area);

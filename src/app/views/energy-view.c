@@ -8,7 +8,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#define HEIGHT 180
+#define HEIGHT 180.0 /* px, with text of the usual size */
 
 /* The plot's text over that of the window: the panel is narrow. */
 #define TEXT_SHARE 0.825
@@ -144,11 +144,7 @@ qn_energy_view_new (QnViewState *state)
   view->state = state;
   view->pointer = NAN;
   view->root = gtk_box_new (GTK_ORIENTATION_VERTICAL, 4);
-  view->plot = gtk_drawing_area_new ();
-  gtk_widget_set_focusable (view->plot, TRUE);
-  gtk_widget_set_name (view->plot, "energy-plot");
-  gtk_drawing_area_set_content_height (GTK_DRAWING_AREA (view->plot), HEIGHT);
-  qn_plot_view_init (view->plot, &hand, view);
+  view->plot = qn_plot_view_new ("energy-plot", HEIGHT, &hand, view);
   gtk_accessible_update_property (
     GTK_ACCESSIBLE (view->plot), GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Energy over time"),
     GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,

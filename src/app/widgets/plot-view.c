@@ -244,6 +244,7 @@ qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data)
   View *view = g_new0 (View, 1);
   *view = (View){ .hand = hand, .data = data, .area = area };
   g_object_set_data_full (G_OBJECT (area), "qn-plot-view", view, g_free);
+  gtk_widget_set_focusable (area, TRUE);
   gtk_widget_set_direction (area, GTK_TEXT_DIR_LTR);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, view, NULL);
   GtkGesture *drag = gtk_gesture_drag_new (), *pan = gtk_gesture_drag_new ();
@@ -274,6 +275,17 @@ qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data)
       gtk_widget_add_controller (area, controller);
     last = controller;
   }
+}
+
+GtkWidget *
+qn_plot_view_new (const char *name, double height, const QnPlotHand *hand, gpointer data)
+{
+  GtkWidget *area = gtk_drawing_area_new ();
+  gtk_widget_set_name (area, name);
+  gtk_drawing_area_set_content_height (
+    GTK_DRAWING_AREA (area), (int) (height * qn_text_unit (area) / QN_TEXT_UNIT));
+  qn_plot_view_init (area, hand, data);
+  return area;
 }
 
 void

@@ -25,6 +25,10 @@ typedef struct QnPlotHand {
   char *(*tell) (gpointer data, const QnVec2 *at);
 } QnPlotHand;
 
+/* A plot view of this name and height, px with text of the usual size. `data` stays alive as long as it. */
+GtkWidget *qn_plot_view_new (const char *name, double height, const QnPlotHand *hand,
+                             gpointer data);
+
 /* Makes a plot view of a GtkDrawingArea. `data` stays alive as long as `area`. */
 void qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data);
 
