@@ -741,56 +741,6 @@ test_icons (void)
   g_assert_true (asked.dli_fbase != library.dli_fbase);
 }
 
-static void
-close_panel (QnWindow *window)
-{
-  g_action_group_change_action_state (G_ACTION_GROUP (window), "side-panel",
-                                      g_variant_new_boolean (FALSE));
-  driver_settle ();
-}
-
-/* Large text in a small window: panels and tools fold away, and what fits is the drawing that is seen. */
-static void
-test_large_text (void)
-{
-  static const int sizes[][2] = { { 600, 500 }, { 1024, 768 } };
-  g_autofree char *font = NULL;
-  g_object_get (gtk_settings_get_default (), "gtk-font-name", &font, NULL);
-  g_object_set (gtk_settings_get_default (), "gtk-font-name", "Sans 20", NULL);
-  for (gsize i = 0; i < G_N_ELEMENTS (sizes); i++) {
-    QnWindow *window = driver_open_window (sizes[i][0], sizes[i][1]);
-    g_autofree char *path = driver_example_path ("ferris-tin-loi/wall3.quoin");
-    g_assert_true (qn_window_open_path (window, path));
-    driver_settle ();
-    close_panel (window);
-    int least = 0;
-    gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &least, NULL,
-                        NULL, NULL);
-    g_assert_cmpint (least, <=, 600);
-    GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
-    driver_activate (window, "win.run");
-    driver_wait_for_job (window);
-    close_panel (window);
-    driver_activate (window, "win.fit");
-    g_autofree char *name = g_strdup_printf ("large-text-%d", sizes[i][0]);
-    driver_screenshot (GTK_WIDGET (window), name);
-    QnVec2 foot = qn_canvas_to_screen (QN_CANVAS (canvas), qn_vec2 (0.0, 0.0));
-    QnVec2 head = qn_canvas_to_screen (QN_CANVAS (canvas), qn_vec2 (0.0, 1.925));
-    g_assert_cmpfloat (foot.y - head.y, >, 0.3 * gtk_widget_get_height (canvas));
-
-    /* The panel takes the place of the drawing where both have no room, and gives it back. */
-    driver_activate (window, "win.show-panel::analysis");
-    g_autofree char *panel = g_strdup_printf ("large-text-%d-panel", sizes[i][0]);
-    driver_screenshot (GTK_WIDGET (window), panel);
-    g_assert_true (!gtk_widget_get_mapped (canvas)
-                   || gtk_widget_get_width (canvas) >= 250);
-    close_panel (window);
-    g_assert_true (gtk_widget_get_mapped (canvas));
-    driver_discard (window);
-  }
-  g_object_set (gtk_settings_get_default (), "gtk-font-name", font, NULL);
-}
-
 QN_TESTS
 {
   gtk_init ();
@@ -812,5 +762,4 @@ QN_TESTS
   g_test_add_func ("/app/window/invalid-actions", test_invalid_actions);
   g_test_add_func ("/app/window/figure-without-result", test_figure_without_result);
   g_test_add_func ("/app/window/appearance", test_appearance);
-  g_test_add_func ("/app/window/large-text", test_large_text);
 }
