@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const QnPathTuning *const tuning = &qn_path_tuning;
-
 /* A joint carries, and slides, by more than this part of the largest force. */
 #define LITTLE 1e-5
 
@@ -129,7 +127,7 @@ is_ahead (const QnPathTrace *trace, bool far)
 
   return direct->forces != NULL && direct->outcome == QN_OUTCOME_COLLAPSE
          && direct->lower_bound > highest && direct->lower_bound <= trace->end
-         && (far || direct->lower_bound <= (1 + tuning->reach) * highest);
+         && (far || direct->lower_bound <= (1 + qn_path_tuning.reach) * highest);
 }
 
 /* The path ends at what was found. Where that is no equilibrium nothing has changed. */
@@ -165,7 +163,7 @@ qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag)
   if (trace->measure.procedure != QN_PROCEDURE_WORK || !applies (trace))
     return QN_OK;
   if (last ? !is_ahead (trace, true)
-           : !trace->sought && (far || qn_path_end_creeps (trace, tuning->creep)))
+           : !trace->sought && (far || qn_path_end_creeps (trace, qn_path_tuning.creep)))
     status = seek (trace, diag);
   return status == QN_OK && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far)
            ? end_there (trace, diag)

@@ -3,8 +3,6 @@
 #include "core/path/bound.h"
 #include "core/path/path-trace.h"
 
-static const QnPathTuning *const end_tuning = &qn_path_tuning;
-
 /* Whether the path may end on a plateau: in linear geometry motion knows no end. */
 static bool
 may_end_on_plateau (const QnPathTrace *trace)
@@ -34,9 +32,9 @@ is_gone (const QnPathTrace *trace, double motion)
   double tolerance = trace->path->settings->multiplier_tolerance;
   double left = left_to_gain (trace, motion);
 
-  return motion > eq->runaway && left <= end_tuning->nearly_settled
+  return motion > eq->runaway && left <= qn_path_tuning.nearly_settled
          && (trace->may_jump || motion > QN_FARTHEST
-             || left <= end_tuning->settled * tolerance);
+             || left <= qn_path_tuning.settled * tolerance);
 }
 
 /* Whether the structure may go on as in the last step until it has run away: no joint is pressed
@@ -52,7 +50,7 @@ may_move_on (QnPathTrace *trace, double motion)
   qn_assembly_update_kinematics (as, last_u);
   qn_equilibrium_note_gaps (eq);
   qn_assembly_update_kinematics (as, eq->u);
-  return !qn_equilibrium_is_closing (eq, end_tuning->steady
+  return !qn_equilibrium_is_closing (eq, qn_path_tuning.steady
                                            * qn_assembly_largest (as, eq->u, last_u))
          && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
@@ -80,7 +78,7 @@ static bool
 is_plateau (QnPathTrace *trace)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
-  double tolerance = trace->may_jump ? end_tuning->plateau_tolerance
+  double tolerance = trace->may_jump ? qn_path_tuning.plateau_tolerance
                                      : trace->path->settings->multiplier_tolerance;
   double motion = qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL);
   bool climbs_no_more = trace->load_control && !trace->may_soften;
@@ -95,9 +93,10 @@ is_plateau (QnPathTrace *trace)
     trace->plateau_motion = motion;
     return false;
   }
-  return motion > end_tuning->plateau_growth * trace->plateau_motion
+  return motion > qn_path_tuning.plateau_growth * trace->plateau_motion
          && (!trace->may_jump
-             || fabs (trace->pace - trace->last_pace) <= end_tuning->steady * trace->pace)
+             || fabs (trace->pace - trace->last_pace)
+                  <= qn_path_tuning.steady * trace->pace)
          && may_move_on (trace, motion);
 }
 
@@ -111,7 +110,7 @@ has_collapsed (const QnPathTrace *trace)
   double moved = events->displacement - events->highest_displacement;
 
   return trace->load_control && !qn_path_trace_is_linear (trace)
-         && moved > end_tuning->collapsed_motion * eq->assembly.length;
+         && moved > qn_path_tuning.collapsed_motion * eq->assembly.length;
 }
 
 /* Whether a structure that carries every load has been drawn out of all proportion. */
@@ -176,7 +175,8 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
     if (may_end_on_plateau (trace)
-        && (motion > eq->runaway || qn_path_end_creeps (trace, end_tuning->least_gain))) {
+        && (motion > eq->runaway
+            || qn_path_end_creeps (trace, qn_path_tuning.least_gain))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
       trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else

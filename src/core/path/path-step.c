@@ -12,8 +12,6 @@
 
 #include <string.h>
 
-static const QnPathTuning *const step_tuning = &qn_path_tuning;
-
 static QnTarget
 target_of (const QnPathTrace *trace, double step)
 {
@@ -122,7 +120,7 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
 static bool
 is_too_far (double moved, double most, double before)
 {
-  return most > 0 && moved > most && moved > step_tuning->jump_stays * before;
+  return most > 0 && moved > most && moved > qn_path_tuning.jump_stays * before;
 }
 
 /* The same of a step that went much farther than the steps before it. */
@@ -130,7 +128,7 @@ static bool
 is_jump (const QnPathTrace *trace, double step, double before)
 {
   return is_too_far (qn_equilibrium_motion (&trace->path->equilibrium),
-                     step_tuning->jump * trace->pace * fabs (step), before);
+                     qn_path_tuning.jump * trace->pace * fabs (step), before);
 }
 
 /* In nonlinear geometry: how far the state just solved is from where the last step, of the measure by `last`,
@@ -146,7 +144,7 @@ departure (const QnPathTrace *trace, double step, double last, double *most)
 
   *most = trace->pace * fabs (step);
   if (last == 0) {
-    *most *= step_tuning->jump;
+    *most *= qn_path_tuning.jump;
     return qn_equilibrium_motion (eq);
   }
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
@@ -170,21 +168,21 @@ solve_linear (QnPathTrace *trace, double *step)
     target = target_of (trace, *step);
     status = solve_statically (trace, &target);
     if (status == QN_SOLVE_FAILED && trace->central != NULL
-        && (relaxed || cut == step_tuning->most_cuts)) {
+        && (relaxed || cut == qn_path_tuning.most_cuts)) {
       trace->means = QN_FOUND_BY_RELAXATION;
-      status = qn_central_path_relax (trace->central, &target, step_tuning->undecided,
+      status = qn_central_path_relax (trace->central, &target, qn_path_tuning.undecided,
                                       QN_CENTRAL_BUDGET);
     }
     trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, before);
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (status == QN_SOLVE_CONVERGED
-            && (!trace->jumped || cut == step_tuning->most_cuts)))
+            && (!trace->jumped || cut == qn_path_tuning.most_cuts)))
       return status;
     before = trace->jumped ? qn_equilibrium_motion (eq) : 0;
     qn_equilibrium_restore (eq);
-    if (cut == step_tuning->most_cuts)
+    if (cut == qn_path_tuning.most_cuts)
       break;
-    *step *= step_tuning->cut;
+    *step *= qn_path_tuning.cut;
   }
   trace->means = QN_FOUND_BY_RELAXATION;
   status =
@@ -207,7 +205,7 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
   if (status != QN_SOLVE_MECHANISM)
     return status;
   memcpy (trace->buckling, eq->motion, (size_t) as->unknown_count * sizeof (double));
-  for (double lean = step_tuning->least_lean; lean <= 1; lean *= 10) {
+  for (double lean = qn_path_tuning.least_lean; lean <= 1; lean *= 10) {
     qn_equilibrium_restore (eq);
     for (int32_t i = 0; i < as->unknown_count; i++)
       eq->u[i] += lean * as->length * trace->buckling[i];
@@ -250,7 +248,7 @@ is_across (const QnPathTrace *trace)
     force += as->live[i] * as->live[i];
     motion += trace->buckling[i] * trace->buckling[i];
   }
-  return fabs (work) <= step_tuning->same_branch * sqrt (force * motion);
+  return fabs (work) <= qn_path_tuning.same_branch * sqrt (force * motion);
 }
 
 /* Whether the structure can stay at the equilibrium just solved under its loads; or MECHANISM, with
@@ -279,7 +277,7 @@ is_same_branch (const QnPathTrace *trace)
   double moved = qn_assembly_largest (as, eq->u, trace->events.rest);
 
   return qn_assembly_largest (as, eq->u, eq->anchor.u)
-         <= step_tuning->same_branch * moved;
+         <= qn_path_tuning.same_branch * moved;
 }
 
 /* Where the branch of a path that climbs loses its stability within a step, *step on entry: CONVERGED with
@@ -308,7 +306,7 @@ find_end_of_branch (QnPathTrace *trace, double *step)
       from = eq->multiplier;
     } else
       break; /* stable after all */
-    if (k == step_tuning->most_bisections || to - from <= tolerance * fabs (to)) {
+    if (k == qn_path_tuning.most_bisections || to - from <= tolerance * fabs (to)) {
       status = probe (trace, low);
       if (status != QN_SOLVE_CONVERGED || !is_same_branch (trace))
         break;
@@ -356,7 +354,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
   double least_for_newton =
     trace->means == QN_FOUND_BY_RELAXATION && !trace->load_control
       ? INFINITY
-      : pow (step_tuning->cut, step_tuning->most_cuts) * trace->largest;
+      : pow (qn_path_tuning.cut, qn_path_tuning.most_cuts) * trace->largest;
   bool is_smooth = !trace->jumped && trace->means != QN_FOUND_BY_RELAXATION;
   double last = is_smooth ? last_advance (trace) : 0;
   double before = 0, far = eq->assembly.length;
@@ -365,7 +363,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
 
   for (;;) {
     const QnTarget target = target_of (trace, *step);
-    bool smallest = fabs (*step) <= step_tuning->smallest_step * trace->largest;
+    bool smallest = fabs (*step) <= qn_path_tuning.smallest_step * trace->largest;
     trace->refused = false;
     QnSolveStatus status =
       relaxes
@@ -394,8 +392,8 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       return status;
     before = away;
     qn_equilibrium_restore (eq);
-    if (relaxes || fabs (*step) * step_tuning->cut >= least_for_newton)
-      *step *= step_tuning->cut;
+    if (relaxes || fabs (*step) * qn_path_tuning.cut >= least_for_newton)
+      *step *= qn_path_tuning.cut;
     else if (trace->load_control && !trace->events.below)
       return QN_SOLVE_FAILED;
     else
@@ -416,7 +414,8 @@ qn_path_step_aim (QnPathTrace *trace, double step)
     if (now > before && now < 1)
       share = fmin (share, (1 - now) / (now - before));
   }
-  double way = share * fabs (step), little = step_tuning->smallest_step * trace->largest;
+  double way = share * fabs (step),
+         little = qn_path_tuning.smallest_step * trace->largest;
   way += way > 2 * little ? -little : little;
   if (!isfinite (way))
     return;
@@ -435,7 +434,7 @@ qn_path_step_solve (QnPathTrace *trace, double *step)
                              ? solve_linear (trace, step)
                              : solve_nonlinear (trace, step);
     if (status != QN_SOLVE_CONVERGED || !trace->may_soften
-        || fabs (*step) <= 3 * step_tuning->smallest_step * trace->largest
+        || fabs (*step) <= 3 * qn_path_tuning.smallest_step * trace->largest
         || !breaks_bond (&trace->path->equilibrium))
       return status;
     qn_equilibrium_restore (&trace->path->equilibrium);
@@ -449,7 +448,7 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
   QnEquilibrium *eq = &trace->path->equilibrium;
   const QnTarget goal = qn_target_multiplier (target);
   double increment = target - eq->committed.multiplier;
-  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, step_tuning->easy);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, qn_path_tuning.easy);
 
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
@@ -468,7 +467,7 @@ qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
   bool may_grow = qn_path_trace_is_linear (trace) || trace->load_control;
 
   return trace->means == QN_FOUND_BY_RELAXATION || trace->straight
-         || iterations <= step_tuning->easy
+         || iterations <= qn_path_tuning.easy
          || (trace->means == QN_FOUND_BY_CENTRAL_PATH && may_grow);
 }
 

@@ -55,8 +55,6 @@ const QnPathTuning qn_path_tuning = {
   .most_steps = 100000,
 };
 
-static const QnPathTuning *const tuning = &qn_path_tuning;
-
 /* --- Sizes of steps ---------------------------------------------------------------------- */
 
 /* How far the direction of motion has turned in the step just solved: the largest difference between it
@@ -82,13 +80,13 @@ static double
 growth (const QnPathTrace *trace)
 {
   if (!trace->load_control)
-    return tuning->growth; /* what lies between is to be seen */
+    return qn_path_tuning.growth; /* what lies between is to be seen */
   if (!trace->may_jump)
-    return tuning->growth_no_jumps;
+    return qn_path_tuning.growth_no_jumps;
   bool steady = qn_path_trace_is_linear (trace) && trace->central != NULL
                 && trace->measure.procedure == QN_PROCEDURE_WORK
-                && turn_of_motion (trace) < tuning->turn;
-  return steady ? tuning->growth_steady : tuning->growth;
+                && turn_of_motion (trace) < qn_path_tuning.turn;
+  return steady ? qn_path_tuning.growth_steady : qn_path_tuning.growth;
 }
 
 /* Largest step that may come next: displacement control keeps to the increments that were
@@ -100,8 +98,8 @@ largest_next_step (const QnPathTrace *trace)
 {
   bool is_displacement = trace->measure.procedure == QN_PROCEDURE_DISPLACEMENT;
   double first = fabs (trace->measure.first),
-         most = is_displacement ? tuning->largest_step * first : INFINITY,
-         far = tuning->largest_motion * trace->path->equilibrium.assembly.length;
+         most = is_displacement ? qn_path_tuning.largest_step * first : INFINITY,
+         far = qn_path_tuning.largest_motion * trace->path->equilibrium.assembly.length;
 
   if (qn_path_trace_is_linear (trace) || trace->pace == 0
       || (is_displacement && trace->central == NULL))
@@ -129,12 +127,13 @@ passes_peak (QnPathTrace *trace, double step)
   double first = ahead * trace->slope, last = ahead * eq->slope;
 
   if (!ends_at_peak (trace) || trace->events.below || trace->jumped
-      || size <= tuning->smallest_step * trace->largest || first < 0 || !(last < 0))
+      || size <= qn_path_tuning.smallest_step * trace->largest || first < 0
+      || !(last < 0))
     return false;
   double turn = first > 0 ? (after - before - last * size) / (first - last) : 0;
   if (first > 0 && first * turn - fmax (0, after - before) <= tolerance)
     return false;
-  trace->step = ahead * fmin (fmax (turn, tuning->cut * size), size / 2);
+  trace->step = ahead * fmin (fmax (turn, qn_path_tuning.cut * size), size / 2);
   return true;
 }
 
@@ -146,7 +145,7 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
     trace->pace = qn_equilibrium_motion (&trace->path->equilibrium) / fabs (step);
   trace->largest = fmax (trace->largest, fabs (step));
   trace->step = fmax (fabs (easy ? growth (trace) * step : step),
-                      tuning->restart_step * trace->largest);
+                      qn_path_tuning.restart_step * trace->largest);
   trace->step =
     copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
   qn_path_step_aim (trace, step);
@@ -163,9 +162,9 @@ static bool
 cut_first_increment (QnPathTrace *trace)
 {
   if (trace->path->equilibrium.committed.multiplier > 0
-      || trace->step <= tuning->least_start * trace->measure.first)
+      || trace->step <= qn_path_tuning.least_start * trace->measure.first)
     return false;
-  trace->step *= tuning->cut;
+  trace->step *= qn_path_tuning.cut;
   return true;
 }
 
@@ -197,7 +196,8 @@ take_work (QnPathTrace *trace, QnDiag *diag)
 static bool
 holds_still (double multiplier, double before)
 {
-  return fabs (multiplier - before) <= tuning->plateau_tolerance * fabs (multiplier);
+  return fabs (multiplier - before)
+         <= qn_path_tuning.plateau_tolerance * fabs (multiplier);
 }
 
 /* Accepts the current state. Load control records the equilibria that it meets, which lie above all
@@ -279,9 +279,9 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
   status = qn_path_step_land (trace, &share);
   if (status != QN_SOLVE_FAILED)
     return status;
-  *again = fabs (*step) > tuning->smallest_step * trace->largest;
+  *again = fabs (*step) > qn_path_tuning.smallest_step * trace->largest;
   if (*again) {
-    trace->step = *step * fmin (share, 1 - tuning->cut);
+    trace->step = *step * fmin (share, 1 - qn_path_tuning.cut);
     qn_equilibrium_restore (eq);
   }
   return QN_SOLVE_CONVERGED;
@@ -311,9 +311,9 @@ falls_too_far (const QnPathTrace *trace, double step)
   double exact = trace->path->settings->multiplier_tolerance
                  * fmax (fabs (eq->committed.multiplier), trace->unit);
 
-  return part > tuning->smallest_step
+  return part > qn_path_tuning.smallest_step
          || (fabs (trace->slope * step) > exact
-             && part > tuning->smallest_step * tuning->smallest_step);
+             && part > qn_path_tuning.smallest_step * qn_path_tuning.smallest_step);
 }
 
 /* Whether the state just solved, the first one, takes work from the driven loads on the way to the control
@@ -360,7 +360,7 @@ advance (QnPathTrace *trace, QnDiag *diag)
   if (again)
     return QN_OK;
   if (status == QN_SOLVE_MECHANISM && falls_too_far (trace, step)) {
-    trace->step = step * (isfinite (trace->to_fall) ? 0.5 : tuning->cut);
+    trace->step = step * (isfinite (trace->to_fall) ? 0.5 : qn_path_tuning.cut);
     trace->to_fall = fabs (step);
     qn_equilibrium_restore (eq);
     return QN_OK;
@@ -411,16 +411,16 @@ judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
 {
   const QnAssembly *as = &trace->path->equilibrium.assembly;
   double speed = qn_assembly_largest (as, velocity, NULL);
-  double far =
-    fmax (trace->events.highest_displacement, tuning->collapsed_motion * as->length);
+  double far = fmax (trace->events.highest_displacement,
+                     qn_path_tuning.collapsed_motion * as->length);
   double *rates = qn_alloc (2 * as->pair_count, sizeof *rates);
 
   if (rates == NULL)
     return qn_diag_no_memory (diag);
   qn_assembly_elongation_rates (as, velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)
-    if (rates[2 * p] < -tuning->steady * speed
-        && as->responses[p].tangent[0][0] > tuning->steady * as->springs[p].a.kn
+    if (rates[2 * p] < -qn_path_tuning.steady * speed
+        && as->responses[p].tangent[0][0] > qn_path_tuning.steady * as->springs[p].a.kn
         && qn_assembly_gap (as, p) * speed < -rates[2 * p] * far)
       trace->path->result->mechanism_uncertain = true;
   free (rates);
@@ -571,7 +571,7 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
   QnEquilibrium *eq = &path->equilibrium;
   double more = trace->above * path->settings->multiplier_tolerance
                 * fmax (trace->events.highest, trace->unit);
-  double far = tuning->collapsed_motion * eq->assembly.length;
+  double far = qn_path_tuning.collapsed_motion * eq->assembly.length;
   const QnTarget target =
     qn_target_multiplier (fmin (trace->events.highest + more, trace->end));
 
@@ -607,7 +607,7 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
   trace->stop = QN_STOP_UNKNOWN;
   trace->means = QN_FOUND_BY_RELAXATION;
   trace->jumped = true;
-  trace->above = fmin (2 * trace->above, tuning->most_above);
+  trace->above = fmin (2 * trace->above, qn_path_tuning.most_above);
   if (!qn_path_trace_accept (trace))
     return qn_diag_no_memory (diag);
   qn_path_measure_keep_last (&trace->measure);
@@ -710,8 +710,8 @@ run (QnPathTrace *trace, QnDiag *diag)
   trace->largest = fabs (trace->step);
   if (trace->step == 0)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
-  for (int step = 0;
-       status == QN_OK && trace->stop == QN_STOP_UNKNOWN && step < tuning->most_steps;
+  for (int step = 0; status == QN_OK && trace->stop == QN_STOP_UNKNOWN
+                     && step < qn_path_tuning.most_steps;
        step++) {
     if (trace->path->result->step_count > known)
       status = follow_contacts (trace, diag);
@@ -769,7 +769,7 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
                         .above = 1,
-                        .looks = tuning->most_looks,
+                        .looks = qn_path_tuning.most_looks,
                         .to_fall = INFINITY,
                         .reverses = reverses,
                         .unit = live > 0 ? dead / live : 0,
@@ -791,10 +791,10 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
           && trace.buckling != NULL && ready
           && qn_path_events_init (&trace.events, path, trace.unit)
           && (!trace.load_control || renew_highest (&trace));
-  trace.patience = over_blocks (tuning->patience, path->model);
-  trace.effort = over_blocks (tuning->effort, path->model);
+  trace.patience = over_blocks (qn_path_tuning.patience, path->model);
+  trace.effort = over_blocks (qn_path_tuning.effort, path->model);
   if (ready && trace.load_control && trace.central != NULL && dead > 0)
-    trace.measure.first = tuning->start * trace.unit;
+    trace.measure.first = qn_path_tuning.start * trace.unit;
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
   qn_path_events_clear (&trace.events);
   qn_central_path_free (trace.central);
