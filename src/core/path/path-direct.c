@@ -14,6 +14,32 @@
 /* A joint carries, and slides, by more than this part of the largest force. */
 #define LITTLE 1e-5
 
+/* Whether the structure may settle in one place after the other. Where bonds break, one of them after the
+ * other leads to collapse. */
+static bool
+may_settle (const QnPathTrace *trace)
+{
+  return trace->load_control && trace->may_jump && !trace->may_soften
+         && qn_path_trace_is_linear (trace)
+         && trace->measure.procedure == QN_PROCEDURE_WORK;
+}
+
+/* `factorizations`: over the number of blocks, at least, at most. */
+static bool
+has_taken (const QnPathTrace *trace, const double factorizations[3])
+{
+  double share = factorizations[0] / (double) trace->path->model->block_count;
+
+  return trace->path->equilibrium.statistics.factorizations
+         > fmin (fmax (share, factorizations[1]), factorizations[2]);
+}
+
+bool
+qn_path_end_is_spent (const QnPathTrace *trace)
+{
+  return may_settle (trace) && has_taken (trace, qn_path_tuning.effort);
+}
+
 /* Whether limit analysis knows the structure and its loads, and may tell more of it than the path
  * does. Joints without tension carry by their elongation alone, which no force leaves open. */
 static bool
@@ -21,15 +47,14 @@ applies (const QnPathTrace *trace)
 {
   const QnModel *model = trace->path->model;
   const QnAssembly *as = &trace->path->equilibrium.assembly;
-  bool known = model->stage_count == 0 && model->element_count == 0
+  bool known = may_settle (trace) && model->stage_count == 0 && model->element_count == 0
                && model->node_count == 0 && model->tie_count == 0
                && as->settling_count == 0;
 
   for (size_t p = 0; known && p < as->pair_count; p++)
     known = qn_law_may_bond (as->springs[p].a.kind)
             && qn_pair_is_plastic (&as->springs[p], &as->committed[p]);
-  return known && trace->load_control && qn_path_trace_is_linear (trace)
-         && trace->may_jump && !trace->may_soften;
+  return known;
 }
 
 static QnStatus
@@ -156,11 +181,10 @@ end_there (QnPathTrace *trace, QnDiag *diag)
 QnStatus
 qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag)
 {
-  int32_t spent = trace->path->equilibrium.statistics.factorizations;
-  bool far = last || spent > trace->patience;
+  bool far = last || has_taken (trace, qn_path_tuning.patience);
   QnStatus status = QN_OK;
 
-  if (trace->measure.procedure != QN_PROCEDURE_WORK || !applies (trace))
+  if (!applies (trace))
     return QN_OK;
   if (last ? !is_ahead (trace, true)
            : !trace->sought && (far || qn_path_end_creeps (trace, qn_path_tuning.creep)))

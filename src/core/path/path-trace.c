@@ -688,17 +688,6 @@ follow_contacts (QnPathTrace *trace, QnDiag *diag)
            : qn_diag_no_memory (diag);
 }
 
-/* Whether a path that settles in one place after the other has taken more than it may. Where bonds break, one of
- * them after the other leads to collapse. */
-static bool
-is_spent (const QnPathTrace *trace)
-{
-  return trace->load_control && trace->may_jump && !trace->may_soften
-         && qn_path_trace_is_linear (trace)
-         && trace->measure.procedure == QN_PROCEDURE_WORK
-         && trace->path->equilibrium.statistics.factorizations > trace->effort;
-}
-
 static QnStatus
 run (QnPathTrace *trace, QnDiag *diag)
 {
@@ -721,7 +710,7 @@ run (QnPathTrace *trace, QnDiag *diag)
     if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN
         && trace->path->result->step_count > known)
       status = qn_path_end_direct (trace, false, diag);
-    if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN && is_spent (trace))
+    if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN && qn_path_end_is_spent (trace))
       status = give_up (trace, QN_SOLVE_FAILED, diag);
   }
   if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
@@ -752,12 +741,6 @@ see_limits (QnPathTrace *trace, QnDiag *diag)
   trace->extent = extent_of (model);
   return qn_check_unlimited (model, trace->path->equilibrium.assembly.contacts,
                              &trace->unlimited, diag);
-}
-
-static double
-over_blocks (const double limits[3], const QnModel *model)
-{
-  return fmin (fmax (limits[0] / (double) model->block_count, limits[1]), limits[2]);
 }
 
 QnStatus
@@ -791,8 +774,6 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
           && trace.buckling != NULL && ready
           && qn_path_events_init (&trace.events, path, trace.unit)
           && (!trace.load_control || renew_highest (&trace));
-  trace.patience = over_blocks (qn_path_tuning.patience, path->model);
-  trace.effort = over_blocks (qn_path_tuning.effort, path->model);
   if (ready && trace.load_control && trace.central != NULL && dead > 0)
     trace.measure.first = qn_path_tuning.start * trace.unit;
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);

@@ -133,8 +133,7 @@ typedef struct QnPathTrace {
   bool straight; /* the last step went on as the one before */
   double
     above; /* tolerances by which the load is held above the highest multiplier next */
-  double patience, effort; /* of this structure, factorisations */
-  bool sought;             /* a collapse, directly; what was found: */
+  bool sought; /* a collapse, directly; what was found: */
   QnLimitSolution direct;
   double last_multiplier;                    /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
@@ -194,6 +193,9 @@ bool qn_path_end_creeps (const QnPathTrace *trace, double part);
 /* Where the path creeps in linear geometry, or is at its last: ends it at a collapse found directly
  * (path-direct.c), if that is where it leads. */
 QnStatus qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag);
+
+/* Whether a path that settles in one place after the other has taken more than it may. */
+bool qn_path_end_is_spent (const QnPathTrace *trace);
 
 /* Accepts the current state of the solver (path-trace.c). False when memory runs out. */
 bool qn_path_trace_accept (QnPathTrace *trace);
