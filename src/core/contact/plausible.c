@@ -340,8 +340,7 @@ needs_pressure (const QnModel *model)
   for (size_t i = 0; i < model->law_count; i++) {
     const QnLaw *law = &model->laws[i];
     if (law->kind == QN_LAW_NO_TENSION
-        || ((law->kind == QN_LAW_COULOMB || law->kind == QN_LAW_MOHR_COULOMB)
-            && law->cohesion == 0 && law->tension == 0))
+        || (qn_law_may_bond (law->kind) && law->cohesion == 0 && law->tension == 0))
       return true;
   }
   return false;

@@ -122,7 +122,7 @@ extern const char *const qn_law_softening_names[2];
 /* Checks the parameters of one law; `index` is for the diagnostic. */
 QnStatus qn_law_check (const QnLaw *law, QnId index, QnDiag *diag);
 
-/* Whether a kind is that of joints whose bonds break. */
+/* Whether a kind is that of joints that slide on a cone of friction, and may have a bond that breaks. */
 static inline bool
 qn_law_may_bond (QnLawKind kind)
 {

@@ -52,12 +52,6 @@ pair_rates (const QnModel *model, const QnContactFace *face, QnVec2 point,
                   fabs (qn_vec2_dot (apart, face->tangent)) };
 }
 
-static bool
-has_cone (const QnLaw *law)
-{
-  return law->kind == QN_LAW_COULOMB || law->kind == QN_LAW_MOHR_COULOMB;
-}
-
 /* The law of the spring whose cone is nearer to the forces: the weaker of the two. */
 static QnId
 governing_law (const QnModel *model, const QnContacts *contacts, size_t pair, double area,
@@ -70,7 +64,7 @@ governing_law (const QnModel *model, const QnContacts *contacts, size_t pair, do
     laws[side] = qn_contacts_pair_law (model, contacts, pair, side);
     const QnLaw *law = &model->laws[laws[side]];
     double unit = law->basis == QN_BASIS_CONTACT ? 1.0 : area;
-    slack[side] = !has_cone (law)
+    slack[side] = !qn_law_may_bond (law->kind)
                     ? (double) INFINITY
                     : law->cohesion * unit - law->friction * force->normal_force
                         - fabs (force->shear_force);
@@ -208,7 +202,7 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
     double area = pair->tributary * face->thickness;
     QnId id = governing_law (model, contacts, p, area, &result->pairs[p]);
     const QnLaw *law = &model->laws[id];
-    if (has_cone (law))
+    if (qn_law_may_bond (law->kind))
       add_strength (&out->laws[id], law, law->basis == QN_BASIS_CONTACT ? 1.0 : area,
                     pair_rates (model, face, pair->point, v),
                     result->pairs[p].normal_force);

@@ -106,8 +106,8 @@ take_pair (QnAssembly *as, size_t p, const double force[2], double largest)
     == QN_PAIR_SLIP;
   from.a.slip = slips ? from.a.slip : q[1] - force[1] / spring->ks;
   from.a.opening = crushed + qn_spring_dilation (spring, from.a.slip);
-  if (hypot (force[0], force[1]) > LITTLE * largest && spring->kind == QN_LAW_COULOMB)
-    ideal[0] = from.a.opening + force[0] / spring->kn;
+  if (hypot (force[0], force[1]) > LITTLE * largest && spring->compression <= 0)
+    ideal[0] = from.a.opening + force[0] / spring->kn; /* else by what crushes it, too */
   if (!qn_pair_evaluate (&as->springs[p], &from, ideal, response))
     return false;
   memcpy (response->force, force, sizeof response->force);
