@@ -86,13 +86,9 @@ static bool
 go_on_search (void *data)
 {
   Search *search = data;
-  QnStatistics *effort = &search->interval->solution.effort;
-  QnProgress report = { .iterations = ++effort->iterations,
-                        .factorizations = effort->factorizations
-                                          + search->collapse.kkt.schur.factorizations,
-                        .rigid = true };
 
-  return search->progress == NULL || search->progress (&report, search->user_data);
+  return qn_limit_count_iteration (&search->collapse, search->progress, search->user_data,
+                                   &search->interval->solution.effort);
 }
 
 static bool

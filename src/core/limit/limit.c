@@ -83,22 +83,27 @@ look_inside (LimitRun *run)
   *last = swap;
 }
 
-/* Counts an iteration and reports it; false when the analysis is to be cancelled. */
+bool
+qn_limit_count_iteration (const QnCollapse *engine, QnProgressFunc progress,
+                          void *user_data, QnStatistics *effort)
+{
+  const QnProgress report = {
+    .iterations = ++effort->iterations,
+    .factorizations = effort->factorizations + engine->kkt.schur.factorizations,
+    .rigid = true,
+  };
+
+  return progress == NULL || progress (&report, user_data);
+}
+
+/* False when the analysis is to be cancelled. */
 static bool
 go_on_limit (void *data)
 {
   LimitRun *run = data;
 
-  run->solution->effort.iterations++;
-  if (run->progress != NULL) {
-    QnProgress report = {
-      .iterations = run->solution->effort.iterations,
-      .factorizations =
-        run->solution->effort.factorizations + run->engine->kkt.schur.factorizations,
-      .rigid = true,
-    };
-    run->cancelled = !run->progress (&report, run->user_data);
-  }
+  run->cancelled = !qn_limit_count_iteration (run->engine, run->progress, run->user_data,
+                                              &run->solution->effort);
   return !run->cancelled;
 }
 

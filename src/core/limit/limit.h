@@ -58,6 +58,10 @@ typedef struct QnLimitSolution {
 
 void qn_limit_solution_clear (QnLimitSolution *solution);
 
+/* Counts an iteration of an engine, and reports it; false when the analysis is to be cancelled. */
+bool qn_limit_count_iteration (const QnCollapse *engine, QnProgressFunc progress,
+                               void *user_data, QnStatistics *effort);
+
 /* Moves the counters of an engine to `effort`. */
 void qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort);
 
