@@ -67,8 +67,8 @@ out_of_balance (const QnModel *model, const QnContacts *contacts, const double *
   return largest > 0 ? worst / largest : 0;
 }
 
-/* Largest excess over the strength of a pair, over the largest force. A bond of cohesion alone bears as much tension as
- * the law calls rounding. */
+/* Largest excess over the strength of a pair, over the largest force. A bond of cohesion alone
+ * bears as much tension as the law calls rounding. */
 static double
 excess (const QnModel *model, const QnContacts *contacts, const double *forces)
 {

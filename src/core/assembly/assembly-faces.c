@@ -133,7 +133,7 @@ face_tangent (const QnAssembly *as, size_t f, const double *tangents, size_t str
     add_pair_tangent (&as->gradients[p], tangents + stride * (size_t) p, sum);
 }
 
-/* Which factor_of_unknown each unknown enters by, the first two with the other sign. */
+/* Which factor each unknown enters by, the first two with the other sign. */
 static const int factor_of_unknown[QN_FACE_UNKNOWNS] = { 1, 2, 0, 1, 2, 3 };
 
 /* The column of an unknown. */

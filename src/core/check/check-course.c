@@ -256,8 +256,9 @@ suits_kind (const QnPathEvent *event)
   return true;
 }
 
-/* Events begin at steps and come in order, the collapse of a stage last; the first snap of the last stage is the first
- * limit point, unless the analysis stops where it loses its stability. What lies between is not compared. */
+/* Events begin at steps and come in order, the collapse of a stage last; the first snap of the
+ * last stage is the first limit point, unless the analysis stops where it loses its stability.
+ * What lies between is not compared. */
 static void
 check_events (QnCheck *check)
 {

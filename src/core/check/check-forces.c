@@ -47,8 +47,8 @@ check_settlements (QnCheck *check, size_t step)
 
 /* --- Forces ------------------------------------------------------------------------------- */
 
-/* Whether nothing of both blocks of a pair is free to move: what lies between supports carries no load, and its
- * state is one of rounding. */
+/* Whether nothing of both blocks of a pair is free to move: what lies between supports carries no
+ * load, and its state is one of rounding. */
 static bool
 is_held (const QnAssembly *as, size_t p)
 {
@@ -105,9 +105,9 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
-/* The slip and opening that leave a joint, its bond damaged as after the step, with this force at elongation q. Of two springs all that is
- * new counts as the first one's: which of them slid makes no difference to both together. False for
- * what is not elastic and perfectly plastic. */
+/* The slip and opening that leave a joint, its bond damaged as after the step, with this force at
+ * elongation q. Of two springs all that is new counts as the first one's: which of them slid
+ * makes no difference to both together. False for what is not elastic and perfectly plastic. */
 static bool
 take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemory *before,
            const QnPairMemory *after, const double q[2], const double stated[2],
@@ -358,9 +358,9 @@ check_strength (QnCheck *check, size_t step)
   }
 }
 
-/* Whether a joint stands open by more than what little force would close; rigid blocks do not tell, nor
- * do joints in time that dilate between the steps that are kept, nor those whose dilation adds up on the way of a
- * motion that has come to rest. */
+/* Whether a joint stands open by more than what little force would close; rigid blocks do not
+ * tell, nor do joints in time that dilate between the steps that are kept, nor those whose
+ * dilation adds up on the way of a motion that has come to rest. */
 static bool
 is_apart (const QnCheck *check, size_t p)
 {

@@ -36,8 +36,8 @@ check_energy (QnCheck *check)
                    h->energy_error * most);
 }
 
-/* No kept step is worse than what is told of all. Rows are as far apart as the first two, but for the last, and tracks are the displacements of the steps at
- * their times. */
+/* No kept step is worse than what is told of all. Rows are as far apart as the first two, but for
+ * the last, and tracks are the displacements of the steps at their times. */
 static void
 check_rows (QnCheck *check)
 {

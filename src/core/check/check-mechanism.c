@@ -47,8 +47,8 @@ find_freedom (const QnPairSprings *springs, const QnPairMemory *memory,
   return freedom;
 }
 
-/* Opening per slip in the sense of the shear force, from `least` to `most`: that outwards, less where the joint
- * slides back, none where dilation has ended. */
+/* Opening per slip in the sense of the shear force, from `least` to `most`: that outwards, less
+ * where the joint slides back, none where dilation has ended. */
 static void
 find_dilation (const QnCheck *check, size_t p, double shear, double outwards,
                double *least, double *most)

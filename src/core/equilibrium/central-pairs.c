@@ -74,9 +74,10 @@ qn_central_pairs_clear (QnCentralPairs *pairs)
   *pairs = (QnCentralPairs){ 0 };
 }
 
-/* Rates of dilation by slip in the positive sense and in the negative. At first a slip dilates whichever way it goes,
- * which a central path finds its way with; one that was led elsewhere does so along a line. Returns what the line on which they lie
- * has at the committed slip beyond the dilation there, m. */
+/* Rates of dilation by slip in the positive sense and in the negative. At first a slip dilates
+ * whichever way it goes, which a central path finds its way with; one that was led elsewhere does
+ * so along a line. Returns what the line on which they lie has at the committed slip beyond the
+ * dilation there, m. */
 static double
 take_dilation (const QnCentralPairs *pairs, size_t p, double rates[2])
 {

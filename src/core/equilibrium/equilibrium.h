@@ -142,8 +142,8 @@ struct QnStepEquation {
   void (*refine) (QnStepEquation *);                 /* once it is solved; nullable */
 };
 
-/* Newton's iteration of an equation that was measured with bonds held (qn_assembly_hold_bonds()), and again for
- * each set of them that breaks: CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
+/* Newton's iteration of an equation that was measured with bonds held (qn_assembly_hold_bonds()),
+ * and again for each set of them that breaks: CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
 QnSolveStatus qn_equilibrium_iterate (QnStepEquation *equation, int budget);
 
 /* Newton iterations from the current displacements towards

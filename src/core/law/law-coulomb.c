@@ -6,10 +6,11 @@
  *   yield      f = |t| + mu n <= 0,   n <= 0,   -n <= fc
  *   flow       ds = g sign(t), g >= 0,   opening = h(s) - k,   h(s) = psi min (|s|, s_end)
  *
- * so that a joint which slides back comes down again, as teeth do that fit (Patton 1966; Plesha 1987), and one that has
- * slid by s_end rises no further; mu is the same both ways (Coulomb slip of UDEC). With psi = mu and no s_end the
- * law is that of limit analysis, associative plasticity: h adds up, psi |ds|, whichever way the joint slides. Return mapping (backward
- * Euler, closed form) from the trial forces n*, t* that the spring would carry without further slip:
+ * so that a joint which slides back comes down again, as teeth do that fit (Patton 1966; Plesha
+ * 1987), and one that has slid by s_end rises no further; mu is the same both ways (Coulomb slip
+ * of UDEC). With psi = mu and no s_end the law is that of limit analysis, associative plasticity:
+ * h adds up, psi |ds|, whichever way the joint slides. Return mapping (backward Euler, closed
+ * form) from the trial forces n*, t* that the spring would carry without further slip:
  *
  *   stick      f(n*, t*) <= 0:             n = n*,             t = t*
  *   slip       through the parts of the way on which h' = +-psi or 0, until
@@ -19,11 +20,12 @@
  *   crush      g = max (0, (|t*| - mu fc) / ks),  h(s) - k > q_n + fc / kn:
  *                                          n = -fc,  |t| = min (|t*|, mu fc)
  *
- * An open joint forgets its slip: s = q_t; it closes again where it opened, at the height that belongs to that, lowered
- * by crushing. Outwards psi = mu makes the flow associative and the tangent symmetric; psi = 0 is the law of the
- * paper on HybriDFEM in two dimensions (equations 1 and 2). The shortening of a crushed joint stays, without
- * hardening, softening or an end, as in limit analysis with a rectangular block of stress at the toe (Orduña &
- * Lourenço, J. Struct. Eng. 129 (2003) 1367-1375).
+ * An open joint forgets its slip: s = q_t; it closes again where it opened, at the height that
+ * belongs to that, lowered by crushing. Outwards psi = mu makes the flow associative and the
+ * tangent symmetric; psi = 0 is the law of the paper on HybriDFEM in two dimensions (equations 1
+ * and 2). The shortening of a crushed joint stays, without hardening, softening or an end, as in
+ * limit analysis with a rectangular block of stress at the toe (Orduña & Lourenço, J. Struct.
+ * Eng. 129 (2003) 1367-1375).
  *
  * BOND. Cohesion c and tension ft are those of a bond that is whole. It is elastic, of the same stiffness:
  *
@@ -46,12 +48,12 @@
  * elastic energy alone breaks the bond: it is brittle, as it is where energies are not given. A broken bond
  * stays broken: the friction is all that is left, with the residual mu.
  *
- * Along an exponential curve, (1 - d) r = (exp (-(r - 1) / a) - TAIL) / (1 - TAIL), with a such that the energy is
- * the same.
+ * Along an exponential curve, (1 - d) r = (exp (-(r - 1) / a) - TAIL) / (1 - TAIL), with a such
+ * that the energy is the same.
  *
- * State: opening, slip (of the friction) and d as `extreme`. There qn_bond_held() is a bond that holds where it
- * would lose at once what is whole of it, while an equilibrium is sought (qn_assembly_hold_bonds()); the answer
- * then says that it is to break, and not yet what is left.
+ * State: opening, slip (of the friction) and d as `extreme`. There qn_bond_held() is a bond that
+ * holds where it would lose at once what is whole of it, while an equilibrium is sought
+ * (qn_assembly_hold_bonds()); the answer then says that it is to break, and not yet what is left.
  */
 #include "core/law/law-ops.h"
 

@@ -73,8 +73,7 @@ void qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort);
 /* Solves the program as it stands, with certificates for every outcome. With `from_dead_load`,
  * DEAD_LOAD_UNSTABLE is also the outcome where equilibrium exists under some live load but not
  * without. `engine` must have been initialised with &limit->ip; only its numbers may have changed
- * since. `solution` is overwritten
- * without being cleared. */
+ * since. `solution` is overwritten without being cleared. */
 QnStatus qn_limit_solve (QnLimitProblem *limit, QnCollapse *engine, bool from_dead_load,
                          QnProgressFunc progress, void *user_data,
                          QnLimitSolution *solution, QnDiag *diag);

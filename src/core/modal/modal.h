@@ -2,12 +2,12 @@
  *
  *   K phi = omega^2 M phi
  *
- * K is the stiffness of the state: of a joint that is closed the elastic one, whether it slides under the
- * load or not, of one that is open none; or the tangent, with joints that slide. M is the mass: of rigid blocks weight over gravity, with
- * the polar moment of inertia about the centroid for the rotation, diagonal at the centroids; of
- * beams consistent with their shape functions. The lowest frequencies come from Lanczos iteration
- * (lanczos.h) with a small negative shift, so that structures without supports have their rigid
- * motions as modes of frequency zero.
+ * K is the stiffness of the state: of a joint that is closed the elastic one, whether it slides
+ * under the load or not, of one that is open none; or the tangent, with joints that slide. M is
+ * the mass: of rigid blocks weight over gravity, with the polar moment of inertia about the
+ * centroid for the rotation, diagonal at the centroids; of beams consistent with their shape
+ * functions. The lowest frequencies come from Lanczos iteration (lanczos.h) with a small negative
+ * shift, so that structures without supports have their rigid motions as modes of frequency zero.
  */
 #ifndef QN_CORE_MODAL_H
 #define QN_CORE_MODAL_H
@@ -32,12 +32,12 @@ typedef enum {
 } QnModalState;
 
 /* Solves for the `wanted` (>= 1) lowest modes, or as many as there are. *result holds the path up
- * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty. The path
- * is proved as that of every analysis; the modes are proved by their residuals, their
- * orthogonality, and the inertia of the stiffness, which shows that none is missing. Refuses states
- * that are not stable, blocks without mass, and with SLIDING states in which pairs slip without
- * dilatancy, whose stiffness is not symmetric. Both outputs are overwritten without being cleared, and empty on
- * failure. */
+ * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty. The
+ * path is proved as that of every analysis; the modes are proved by their residuals, their
+ * orthogonality, and the inertia of the stiffness, which shows that none is missing. Refuses
+ * states that are not stable, blocks without mass, and with SLIDING states in which pairs slip
+ * without dilatancy, whose stiffness is not symmetric. Both outputs are overwritten without being
+ * cleared, and empty on failure. */
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
                        QnModalState state, size_t wanted, QnProgressFunc progress,
                        void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);

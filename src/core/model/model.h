@@ -364,10 +364,10 @@ void qn_model_clear (QnModel *model);
 /* Deep copy, prepared if `source` is. `copy` is overwritten without being cleared. */
 QnStatus qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag);
 
-/* Each returns a pointer to the new, zeroed entity (valid until the next addition of its
- * kind), or NULL when memory runs out. Both ends of a new tie are on the ground. A new block or wall has law = wall = masonry = QN_NONE and
- * density = -1; a new node stands free; a new section has density = -1, shear_factor = 5/6; a new
- * beam is a Timoshenko beam of one element. */
+/* Each returns a pointer to the new, zeroed entity (valid until the next addition of its kind),
+ * or NULL when memory runs out. Both ends of a new tie are on the ground. A new block or wall has
+ * law = wall = masonry = QN_NONE and density = -1; a new node stands free; a new section has
+ * density = -1, shear_factor = 5/6; a new beam is a Timoshenko beam of one element. */
 QnLaw *qn_model_add_law (QnModel *model, const char *name);
 QnBlock *qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
                              size_t vertex_count);

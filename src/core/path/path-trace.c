@@ -114,9 +114,9 @@ ends_at_peak (const QnPathTrace *trace)
   return trace->may_soften || !qn_path_trace_is_linear (trace);
 }
 
-/* Whether a step passes the multiplier of collapse and may miss more of it than the tolerance.
- * A path that only bends down lies below its tangents at both ends of the step. Where they meet it may turn: so
- * far the next try goes, and less far where the first tangent is not known. */
+/* Whether a step passes the multiplier of collapse and may miss more of it than the tolerance. A
+ * path that only bends down lies below its tangents at both ends of the step. Where they meet it
+ * may turn: so far the next try goes, and less far where the first tangent is not known. */
 static bool
 passes_peak (QnPathTrace *trace, double step)
 {
@@ -260,8 +260,8 @@ advance_by_load (QnPathTrace *trace, QnDiag *diag)
   return QN_OK;
 }
 
-/* Solves the step, *step on entry, and ends it at the end of the path where it passes that. *again: it is to be
- * tried once more, shorter. */
+/* Solves the step, *step on entry, and ends it at the end of the path where it passes that.
+ * *again: it is to be tried once more, shorter. */
 static QnSolveStatus
 solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
 {
@@ -287,8 +287,9 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
   return QN_SOLVE_CONVERGED;
 }
 
-/* Tells of a branch that has ended with the step just accepted. However short the next step is, the motion in it
- * tells nothing of jumps: it grows as the root of the step. False when memory runs out. */
+/* Tells of a branch that has ended with the step just accepted. However short the next step is,
+ * the motion in it tells nothing of jumps: it grows as the root of the step. False when memory
+ * runs out. */
 static bool
 leave_branch (QnPathTrace *trace)
 {
@@ -670,8 +671,9 @@ renew_highest (QnPathTrace *trace)
   return true;
 }
 
-/* Contacts follow the blocks before the first step and after each. Load control, which comes back to its highest multiplier, stays
- * with the contacts that it had there while it looks whether the path climbs again. */
+/* Contacts follow the blocks before the first step and after each. Load control, which comes back
+ * to its highest multiplier, stays with the contacts that it had there while it looks whether the
+ * path climbs again. */
 static QnStatus
 follow_contacts (QnPathTrace *trace, QnDiag *diag)
 {

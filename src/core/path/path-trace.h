@@ -49,9 +49,9 @@ typedef struct QnPathTuning {
    * path turns back; with more, relaxation finds equilibria above the collapse load. */
   double undecided;
 
-  /* Load control of a structure that settles in one place after the other, in factorisations: so many over the
-   * number of blocks, at least, at most. From `patience` on it ends at a collapse found directly however far
-   * that is; once `effort` is spent it ends anyway. */
+  /* Load control of a structure that settles in one place after the other, in factorisations: so
+   * many over the number of blocks, at least, at most. From `patience` on it ends at a collapse
+   * found directly however far that is; once `effort` is spent it ends anyway. */
   double patience[3], effort[3];
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
@@ -61,8 +61,9 @@ typedef struct QnPathTuning {
    * plateau_tolerance; with it the tolerance of the settings counts. */
   double plateau_tolerance, plateau_growth, least_gain;
 
-  /* A path whose multiplier gains no more than `creep` of itself while the motion doubles creeps: its collapse
-   * is sought directly. It leads there once it has come within `reach` of that multiplier. */
+  /* A path whose multiplier gains no more than `creep` of itself while the motion doubles creeps:
+   * its collapse is sought directly. It leads there once it has come within `reach` of that
+   * multiplier. */
   double creep, reach;
 
   /* The motion on a plateau is steady if its pace changes by no more than this part in a step (where
@@ -185,9 +186,9 @@ void qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
  * then. */
 QnStatus qn_path_end_at_bound (QnPathTrace *trace, QnDiag *diag);
 
-/* Whether the multiplier has climbed by no more than this part while the motion doubled last: where it goes like collapse -
- * constant / motion, as much is left to gain. The structure then has a collapse multiplier, although
- * no step shows how it moves on. */
+/* Whether the multiplier has climbed by no more than this part while the motion doubled last:
+ * where it goes like collapse - constant / motion, as much is left to gain. The structure then
+ * has a collapse multiplier, although no step shows how it moves on. */
 bool qn_path_end_creeps (const QnPathTrace *trace, double part);
 
 /* Where the path creeps in linear geometry, or is at its last: ends it at a collapse found directly

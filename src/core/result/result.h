@@ -449,8 +449,8 @@ typedef struct QnStageFigures {
                   the structure has dissipated */
 } QnStageFigures;
 
-/* Of the stages from `first` to `last` (from 1) together, which drive the same loads. False where the result has no
- * step of them, or memory runs out. */
+/* Of the stages from `first` to `last` (from 1) together, which drive the same loads. False where
+ * the result has no step of them, or memory runs out. */
 bool qn_result_stage_figures (const QnModel *model, const QnResult *result, int32_t first,
                               int32_t last, QnStageFigures *figures);
 

@@ -74,8 +74,9 @@ tells (const TestRun *run, QnClaim claim)
   return told;
 }
 
-/* A fibre of a member that was pulled beyond yield while it came to rest carries less than its elongation alone
- * tells; one that was not has no reason for it, and any force has to balance the loads. */
+/* A fibre of a member that was pulled beyond yield while it came to rest carries less than its
+ * elongation alone tells; one that was not has no reason for it, and any force has to balance the
+ * loads. */
 static void
 test_fibre_strained_on_the_way (void)
 {

@@ -383,8 +383,8 @@ test_stack_to_and_fro (void)
   push_and_pull (&model, 5, 0.001, 0.35);
 }
 
-/* A block on joints with dilatancy is as high after every cycle as after the first, and no higher than dilation
- * goes: not lifted by one push after the other. */
+/* A block on joints with dilatancy is as high after every cycle as after the first, and no higher
+ * than dilation goes: not lifted by one push after the other. */
 static void
 test_block_comes_down (void)
 {

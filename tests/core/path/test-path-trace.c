@@ -904,7 +904,8 @@ test_bond_of_a_rocking_block (void)
   }
 }
 
-/* What it takes to pull a block straight off its base is the fracture energy of both pairs, besides its weight. */
+/* What it takes to pull a block straight off its base is the fracture energy of both pairs,
+ * besides its weight. */
 static void
 test_fracture_energy_of_a_joint (void)
 {
