@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import functools
 import json
 import os
 import typing
@@ -106,6 +108,11 @@ class Result:
         normals, history and energies of an analysis in time, beams, bars, ties, the kind of the
         mechanism. Keys as in data/result-format.md."""
         return json.loads(_library.owned(lib.quoin_result_to_text(self._handle)))
+
+    @functools.cached_property
+    def _content(self) -> dict[str, Value]:
+        """The same, parsed once, for the properties below, which do not change it."""
+        return self.to_dict()
 
     def check(self) -> tuple[bool, list[str]]:
         """Whether it passes the independent check, by the laws alone; and what of the result is not
@@ -235,12 +242,15 @@ class Result:
         and `energy` {"input", "kinetic", "elastic", "friction", "damping", "numerical"} in J, each
         (rows,); `tracks`, displacements of chosen blocks; `peak`, the largest displacement of every
         block; and the rest of the member "history" of data/result-format.md."""
-        history = self.to_dict().get("history")
-        if history is not None:
-            history["time"] = numpy.array(history["time"], float)
-            for name in ("ground", "energy"):
-                history[name] = {key: numpy.array(values, float)
-                                 for key, values in history[name].items()}
+        held = self._content.get("history")
+        if held is None:
+            return None
+        history = {key: copy.deepcopy(value) for key, value in held.items()
+                   if key not in ("time", "ground", "energy")}
+        history["time"] = numpy.array(held["time"], float)
+        for name in ("ground", "energy"):
+            history[name] = {key: numpy.array(values, float)
+                             for key, values in held[name].items()}
         return history
 
     @property
@@ -256,7 +266,7 @@ class Result:
     @property
     def supports(self) -> list[int]:
         """Numbers of the blocks that have fixed components."""
-        return self.to_dict().get("supports", [])
+        return list(self._content.get("supports", []))
 
     @property
     def reactions(self) -> Array | None:
@@ -265,7 +275,7 @@ class Result:
         return self._of_steps("reactions")
 
     def _of_steps(self, key: str) -> Array | None:
-        found = [step.get(key) for step in self.to_dict()["steps"]]
+        found = [step.get(key) for step in self._content["steps"]]
         return None if None in found or not found else numpy.array(found, float)
 
     @property

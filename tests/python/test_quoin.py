@@ -567,6 +567,21 @@ def test_arrays_of_an_analysis_in_time():
     assert abs(rest).max() < 1e-3 * abs(energy["input"]).max()
 
 
+def test_a_result_is_parsed_once(monkeypatch):
+    """However often its properties are asked; what callers do to them or to the dictionary stays
+    theirs."""
+    result = quoin.open(WALLS / "wall1.quoin").solve()
+    loads, parsed = json.loads, []
+    monkeypatch.setattr(json, "loads", lambda text: parsed.append(1) or loads(text))
+    supports, steps = result.supports, len(result.reactions)
+    assert result.times is None and result.velocities is None and len(parsed) == 1
+    result.supports.clear()
+    result.reactions.fill(0)
+    result.to_dict()["steps"].clear()
+    assert result.supports == supports and len(result.reactions) == steps
+    assert result.reactions.any() and result.to_dict()["steps"]
+
+
 def test_reactions_of_a_path():
     result = quoin.open(WALLS / "wall1.quoin").solve()
     assert result.times is None and result.velocities is None and result.history is None
