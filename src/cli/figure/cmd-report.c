@@ -7,7 +7,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct Options {
+typedef struct ReportOptions {
   char *output, *paper, *sections, *demand;
   char **results;
   QnInputOptions input;

@@ -203,8 +203,7 @@ qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units
     return NULL;
   for (gsize i = 0; i < model->live_load_count; i++) {
     const QnLoad *load = &model->live_loads[i];
-    double factor =
-      load->load_case > 0 ? model->load_cases[load->load_case - 1].factor : 1.0;
+    double factor = qn_model_load_factor (model, load);
     if (load->set != 0)
       continue;
     if (load->kind == QN_LOAD_WEIGHT)
