@@ -297,6 +297,13 @@ typedef struct QnStage {
 /* Stages of a cycle. */
 #define QN_CYCLE_LEGS 3
 
+/* The cycle that a stage belongs to, from 1; 0: none. */
+static inline int32_t
+qn_stage_cycle (const QnStage *stage)
+{
+  return (stage->leg + QN_CYCLE_LEGS - 1) / QN_CYCLE_LEGS;
+}
+
 typedef struct QnModel {
   char *title;    /* owned, may be NULL */
   double gravity; /* m/s2 */

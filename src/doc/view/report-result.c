@@ -169,7 +169,7 @@ write_stages (QnPages *pages, const QnReportRun *run)
     if (start == 0 || !qn_result_stage_figures (model, result, start, i, &figures))
       continue;
     g_autofree char *cycle =
-      g_strdup_printf (_ ("Cycle %d"), model->stages[i - 1].leg / QN_CYCLE_LEGS);
+      g_strdup_printf (_ ("Cycle %d"), qn_stage_cycle (&model->stages[i - 1]));
     add_stage (cells, cycle, &figures, FALSE);
   }
   if (cells->len > 0)

@@ -126,10 +126,11 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
 static void
 write_cycle (QnFileWriter *writer, const QnModel *model, int32_t stage)
 {
-  int32_t leg =
-    stage > 0 && (size_t) stage <= model->stage_count ? model->stages[stage - 1].leg : 0;
-  if (leg > 0)
-    qn_file_writer_printf (writer, ",%d", (leg + QN_CYCLE_LEGS - 1) / QN_CYCLE_LEGS);
+  int32_t cycle = stage > 0 && (size_t) stage <= model->stage_count
+                    ? qn_stage_cycle (&model->stages[stage - 1])
+                    : 0;
+  if (cycle > 0)
+    qn_file_writer_printf (writer, ",%d", cycle);
   else
     qn_file_writer_puts (writer, ",");
 }
@@ -183,10 +184,10 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
       g_autofree char *name = qn_stage_dup_name (&project->model, step->stage);
       write_text (writer, name, "");
     }
-    if (staged)
+    if (staged) {
       write_cycle (writer, &project->model, step->stage);
-    if (staged)
       write_numbers (writer, &works[i], 1);
+    }
     if (result->reactions != NULL)
       write_settlements (writer, &project->model, result, result, i);
     qn_file_writer_puts (writer, "\n");

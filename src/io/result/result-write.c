@@ -184,7 +184,7 @@ write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result
                          ",\n    { \"stage\": %d, \"cycle\": %d, "
                          "\"lowest_multiplier\": %f, \"highest_multiplier\": %f, "
                          "\"energy\": %f }",
-                         start - 1, model->stages[i - 1].leg / QN_CYCLE_LEGS, f.lowest,
+                         start - 1, qn_stage_cycle (&model->stages[i - 1]), f.lowest,
                          f.highest, f.work);
     any = TRUE;
   }

@@ -56,10 +56,10 @@ qn_stage_dup_name (const QnModel *model, int32_t stage)
   static const char *const ways[QN_CYCLE_LEGS] = { "0", "+", "\u2212" };
   const QnStage *s = &model->stages[stage - 1];
   if (s->leg > 0)
-    return qn_text_printf (
-      "%s%s%d%s%s", s->name != NULL ? s->name : "", s->name != NULL ? " " : "",
-      (s->leg + QN_CYCLE_LEGS - 1) / QN_CYCLE_LEGS,
-      s->leg % QN_CYCLE_LEGS == 0 ? " " : "", ways[s->leg % QN_CYCLE_LEGS]);
+    return qn_text_printf ("%s%s%d%s%s", s->name != NULL ? s->name : "",
+                           s->name != NULL ? " " : "", qn_stage_cycle (s),
+                           s->leg % QN_CYCLE_LEGS == 0 ? " " : "",
+                           ways[s->leg % QN_CYCLE_LEGS]);
   return s->name != NULL ? g_strdup (s->name) : qn_text_printf ("%d", stage);
 }
 
@@ -81,7 +81,7 @@ qn_outcome_dup_stages (const QnModel *model, const QnResult *result)
     if (start > 0 && qn_result_stage_figures (model, result, start, i, &f)) {
       g_autofree char *cycle = qn_text_printf (
         _ ("cycle %d: load multiplier from %.5g to %.5g; energy %.5g J"),
-        model->stages[i - 1].leg / QN_CYCLE_LEGS, f.lowest, f.highest, f.work);
+        qn_stage_cycle (&model->stages[i - 1]), f.lowest, f.highest, f.work);
       g_string_append_printf (text, "\n%s", cycle);
     }
   }
