@@ -135,15 +135,13 @@ parse_number (const char *value, double least, double *number)
   return true;
 }
 
-/* "0.36", or "0.36=Ferris and Tin-Loi". */
 static bool
 add_reference (QuoinFigure *figure, const char *value)
 {
-  char *end;
-  QnReferenceLine line = { .y = g_ascii_strtod (value, &end) };
-  if (end == value || (*end != '\0' && *end != '=') || !isfinite (line.y))
+  QnReferenceLine line;
+  if (!qn_reference_line_parse (value, &line))
     return false;
-  line.label = g_strdup (*end == '=' ? end + 1 : "reference");
+  line.label = g_strdup (line.label != NULL ? line.label : "reference");
   g_array_append_val (figure->references, line);
   return true;
 }

@@ -5,7 +5,6 @@
 #include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 
 typedef struct CurveOptions {
   QnPictureOptions picture;
@@ -17,17 +16,16 @@ typedef struct CurveOptions {
   GArray *lines; /* of QnReferenceLine, of `references` */
 } CurveOptions;
 
-/* "0.36" or "0.36=Ferris and Tin-Loi". */
 static QnExit
 parse_references (const QnSubcommand *self, CurveOptions *options)
 {
   for (char **text = options->references; text != NULL && *text != NULL; text++) {
-    char *end = NULL;
-    QnReferenceLine line = { .y = g_ascii_strtod (*text, &end) };
-    if (end == *text || (*end != '\0' && *end != '=') || !isfinite (line.y))
+    QnReferenceLine line;
+    if (!qn_reference_line_parse (*text, &line))
       return qn_cli_usage_error (
         self->name, _ ("%s: a reference is a number, or a number=text"), *text);
-    line.label = *end == '=' ? end + 1 : _ ("reference");
+    if (line.label == NULL)
+      line.label = _ ("reference");
     g_array_append_val (options->lines, line);
   }
   return QN_EXIT_DONE;

@@ -188,6 +188,15 @@ qn_curve_cut_runaway (QnCurve *curve)
   curve->runs_on = true;
 }
 
+bool
+qn_reference_line_parse (const char *text, QnReferenceLine *line)
+{
+  char *end;
+  line->y = g_ascii_strtod (text, &end);
+  line->label = *end == '=' ? end + 1 : NULL;
+  return end != text && (*end == '\0' || *end == '=') && isfinite (line->y);
+}
+
 void
 qn_curve_clear (QnCurve *curve)
 {

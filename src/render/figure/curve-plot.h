@@ -36,6 +36,10 @@ typedef struct QnReferenceLine {
   const char *label;
 } QnReferenceLine;
 
+/* Reads "0.36" or "0.36=Ferris and Tin-Loi"; the label is borrowed, NULL where there is none. False
+ * where the text is neither. */
+bool qn_reference_line_parse (const char *text, QnReferenceLine *line);
+
 /* The curve of a displacement over the steps of a result, empty where there is none: the multiplier of the loads
  * that its last stage drives, at all steps. Of an analysis in time its history, of a settlement the
  * reaction. False when memory runs out. */
