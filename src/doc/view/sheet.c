@@ -17,8 +17,9 @@ without_folders (const char *path)
   return slash != NULL ? slash + 1 : path;
 }
 
-const char *
-qn_sheet_run_title (const QnSheetRun *run)
+/* Title of the project, or else the name of its file without folders. */
+static const char *
+title_of (const QnSheetRun *run)
 {
   const QnProject *project = run->project;
   const char *title = project->model.title;
@@ -45,15 +46,6 @@ qn_is_table (const char *path)
 
 /* ---- tables ---- */
 
-/* A field in quotes, which are doubled within. */
-static void
-write_text (QnFileWriter *writer, const char *text)
-{
-  g_auto (GStrv) parts = g_strsplit (text, "\"", -1);
-  g_autofree char *doubled = g_strjoinv ("\"\"", parts);
-  qn_file_writer_printf (writer, "\"%s\"", doubled);
-}
-
 static gboolean
 write_curve_table (const char *path, const QnCurve *curves, gsize count, GError **error)
 {
@@ -72,7 +64,7 @@ write_curve_table (const char *path, const QnCurve *curves, gsize count, GError 
       const char *mark = (ptrdiff_t) i == curve->collapse_point ? "collapse"
                          : (ptrdiff_t) i == curve->limit_point  ? "limit point"
                                                                 : "";
-      write_text (writer, curve->label != NULL ? curve->label : "");
+      qn_file_writer_quoted (writer, curve->label != NULL ? curve->label : "");
       qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT ",", i);
       qn_file_writer_number (writer, curve->x[i]);
       qn_file_writer_puts_number (writer, ",", curve->y[i]);
@@ -107,14 +99,14 @@ write_comparison (const char *path, const QnSheetRun *runs, gsize count, GError 
   for (gsize i = 0; i < count; i++) {
     const QnResult *result = runs[i].result;
     g_autofree char *mechanism = dup_mechanism (&runs[i]);
-    write_text (writer, runs[i].project->name);
+    qn_file_writer_quoted (writer, runs[i].project->name);
     qn_file_writer_puts (writer, ",");
-    write_text (writer, qn_sheet_run_title (&runs[i]));
+    qn_file_writer_quoted (writer, title_of (&runs[i]));
     qn_file_writer_printf (writer, ",%s,", qn_outcome_names[result->outcome]);
     if (result->has_collapse_multiplier)
       qn_file_writer_number (writer, result->collapse_multiplier);
     qn_file_writer_puts (writer, ",");
-    write_text (writer, mechanism);
+    qn_file_writer_quoted (writer, mechanism);
     qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT "\n", result->step_count);
   }
   return qn_file_writer_commit (writer, error);
@@ -149,10 +141,10 @@ read_curve (QnCurve *curve, const QnSheetRun *run, const QnCurveSheet *sheet,
 static char *
 dup_label (const QnSheetRun *runs, gsize count, gsize i)
 {
-  const char *title = qn_sheet_run_title (&runs[i]);
+  const char *title = title_of (&runs[i]);
   gsize alike = 0;
   for (gsize k = 0; k < count; k++)
-    alike += strcmp (title, qn_sheet_run_title (&runs[k])) == 0;
+    alike += strcmp (title, title_of (&runs[k])) == 0;
   return alike > 1 ? g_strdup_printf ("%s (%s)", title, runs[i].name) : g_strdup (title);
 }
 
@@ -238,7 +230,7 @@ qn_comparison_export (const QnSheetRun *runs, gsize count, int columns, const ch
     qn_figure_init (&figures[i], &run->project->model, run->contacts, run->result,
                     choose_view (run->result));
     figures[i].options.monochrome = monochrome;
-    figures[i].title = qn_sheet_run_title (run);
+    figures[i].title = title_of (run);
   }
   QnMetadata metadata;
   QnCompareSheet sheet = {

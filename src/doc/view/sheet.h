@@ -14,9 +14,6 @@ typedef struct QnSheetRun {
   const char *name; /* of its own: tells results of one project apart */
 } QnSheetRun;
 
-/* Title of the project, or else the name of its file without folders. */
-const char *qn_sheet_run_title (const QnSheetRun *run);
-
 /* What a picture says of the project that it shows: borrows from it, but for the file's name without folders. `project`
  * may be NULL. */
 void qn_project_get_metadata (const QnProject *project, QnMetadata *metadata);

@@ -40,14 +40,11 @@ static void
 write_text (QnFileWriter *writer, const char *name, const char *suffix)
 {
   g_autofree char *text = dup_harmless (name);
-  if (strpbrk (text, ",\"\r\n") == NULL) {
-    qn_file_writer_printf (writer, "%s%s", text, suffix);
-    return;
-  }
-  qn_file_writer_puts (writer, "\"");
-  for (const char *c = text; *c != '\0'; c++)
-    qn_file_writer_write (writer, *c == '"' ? "\"\"" : c, *c == '"' ? 2 : 1);
-  qn_file_writer_printf (writer, "%s\"", suffix);
+  g_autofree char *whole = g_strconcat (text, suffix, NULL);
+  if (strpbrk (text, ",\"\r\n") == NULL)
+    qn_file_writer_puts (writer, whole);
+  else
+    qn_file_writer_quoted (writer, whole);
 }
 
 static void

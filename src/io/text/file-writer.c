@@ -143,6 +143,18 @@ qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count
 }
 
 void
+qn_file_writer_quoted (QnFileWriter *writer, const char *text)
+{
+  qn_file_writer_puts (writer, "\"");
+  for (const char *quote; (quote = strchr (text, '"')) != NULL; text = quote + 1) {
+    qn_file_writer_write (writer, text, (gsize) (quote - text));
+    qn_file_writer_puts (writer, "\"\"");
+  }
+  qn_file_writer_puts (writer, text);
+  qn_file_writer_puts (writer, "\"");
+}
+
+void
 qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
 {
   va_list values;

@@ -48,6 +48,9 @@ void qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double 
 void qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
                              const char *between);
 
+/* A field of a table in quotes, which are doubled within. */
+void qn_file_writer_quoted (QnFileWriter *writer, const char *text);
+
 /* JSON by a format of values that the compiler checks: %s a string, with its quotes, or null; %g a number,
  * refused where it is not finite, and %f one that is null then; %d and %zu whole numbers; %i true or
  * false. A comma that the format begins with is left out behind an opening bracket. */

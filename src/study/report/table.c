@@ -168,13 +168,10 @@ write_text (QnFileWriter *writer, const char *text)
 {
   if (text == NULL)
     return;
-  if (strpbrk (text, ",\"\r\n") == NULL) {
+  if (strpbrk (text, ",\"\r\n") == NULL)
     qn_file_writer_puts (writer, text);
-    return;
-  }
-  g_auto (GStrv) parts = g_strsplit (text, "\"", -1);
-  g_autofree char *doubled = g_strjoinv ("\"\"", parts);
-  qn_file_writer_printf (writer, "\"%s\"", doubled);
+  else
+    qn_file_writer_quoted (writer, text);
 }
 
 gboolean
