@@ -178,7 +178,7 @@ write_findings (QnFileWriter *out, const QnCheckReport *report)
 
   const GPtrArray *warnings = report->project->warnings;
   for (guint i = 0; i < warnings->len; i++)
-    qn_file_writer_json (out, i > 0 ? ",\n    %s" : "\n    %s",
+    qn_file_writer_json (out, ",\n    %s",
                          (const char *) g_ptr_array_index (warnings, i));
   qn_file_writer_puts (out, "\n  ]");
 }
