@@ -22,11 +22,12 @@ test_pieces (TestScratchFile *fixture, gconstpointer data)
   qn_file_writer_number (writer, 0.175);
   qn_file_writer_json (writer, "%s", "\"q\"");
   qn_file_writer_write (writer, "xyz", 2);
+  qn_file_writer_quoted (writer, "\"a\",b");
   /* Nothing has the name of the target before all of it is there. */
   g_assert_false (g_file_test (fixture->path, G_FILE_TEST_EXISTS));
   g_assert_true (qn_file_writer_commit (writer, &error));
   g_assert_no_error (error);
-  test_scratch_expect (fixture->path, "a37 0.175\"\\\"q\\\"\"xy");
+  test_scratch_expect (fixture->path, "a37 0.175\"\\\"q\\\"\"xy\"\"\"a\"\",b\"");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 }
 

@@ -325,6 +325,30 @@ test_small (void)
   }
 }
 
+static void
+test_reference_line (void)
+{
+  static const struct {
+    const char *text;
+    double y; /* NaN: it is none */
+    const char *label;
+  } cases[] = { { "0.36", 0.36, NULL },
+                { "-1e-2=a=b", -0.01, "a=b" },
+                { "1=", 1, "" },
+                { "", (double) NAN, NULL },
+                { "=a", (double) NAN, NULL },
+                { "1 m", (double) NAN, NULL },
+                { "inf=a", (double) NAN, NULL } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnReferenceLine line;
+    bool known = isfinite (cases[i].y);
+    g_assert_cmpint (qn_reference_line_parse (cases[i].text, &line), ==, known);
+    g_assert_true (!known || line.y == cases[i].y);
+    if (known)
+      g_assert_cmpstr (line.label, ==, cases[i].label);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
@@ -337,4 +361,5 @@ QN_TESTS
   g_test_add_func ("/render/curve-plot/decades", test_decades);
   g_test_add_func ("/render/curve-plot/history", test_history);
   g_test_add_func ("/render/curve-plot/small", test_small);
+  g_test_add_func ("/render/curve-plot/reference-line", test_reference_line);
 }
