@@ -15,8 +15,8 @@
  *
  * Failure: a function with an `error` parameter returns NULL or false and, where `error` is not
  * NULL, sets *error, to be freed with quoin_error_free(). Set it to NULL before: an error that is
- * there already stays, as the first of several calls. NULL for an object or a text that must be given
- * is an error of kind USAGE; functions without an `error` parameter do nothing then. For NULL
+ * there already stays, as the first of several calls. NULL for an object or a text that must be
+ * given is an error of kind USAGE; functions without an `error` parameter do nothing then. For NULL
  * and for an index that is out of range they return 0, not-a-number, false or NULL (a number
  * of a face: SIZE_MAX) and leave what they were to fill as it is, but counts become 0.
  *
@@ -78,8 +78,8 @@ void quoin_free (void *memory);
 QuoinModel *quoin_model_open (const char *path, const char *const *overrides,
                               QuoinError **error);
 
-/* The same from memory; `name` stands for the file in messages, and files that the project names lie
- * beside it. */
+/* The same from memory; `name` stands for the file in messages, and files that the
+ * project names lie beside it. */
 QuoinModel *quoin_model_parse (const char *text, size_t length, const char *name,
                                const char *const *overrides, QuoinError **error);
 
@@ -88,20 +88,23 @@ QuoinModel *quoin_model_parse (const char *text, size_t length, const char *name
 QuoinModel *quoin_model_import (const char *path, double unit, double thickness,
                                 double unit_weight, double friction, QuoinError **error);
 
-/* The same with the options of the command line, "unit=mm", "tolerance=0.002", "layer=VAULT=block",
- * "close-joints=0.03", "mortar-joints=0", "thickness=0.3", "unit-weight=20000", "friction=0.65"; NULL-terminated,
- * or NULL. *report (nullable): a line for each thing that was found, repaired or left out, on failure too;
- * NULL where the file could not be read; to be freed with quoin_free(). */
+/* The same with the options of the command line, "unit=mm", "tolerance=0.002",
+ * "layer=VAULT=block", "close-joints=0.03", "mortar-joints=0", "thickness=0.3",
+ * "unit-weight=20000", "friction=0.65"; NULL-terminated, or NULL. *report (nullable): a
+ * line for each thing that was found, repaired or left out, on failure too; NULL where
+ * the file could not be read; to be freed with quoin_free(). */
 QuoinModel *quoin_model_import_with (const char *path, const char *const *options,
                                      char **report, QuoinError **error);
 
-/* What every new drawing begins with: dry-jointed stone, weights as dead load and sideways as live load,
- * large displacements. It has no blocks; quoin_model_to_text() is a text to put some into. */
+/* What every new drawing begins with: dry-jointed stone, weights as dead load and
+ * sideways as live load, large displacements. It has no blocks; quoin_model_to_text() is
+ * a text to put some into. */
 QuoinModel *quoin_model_new (QuoinError **error);
 
-/* Parametric masonry: "wall", "arch", "column", "buttress", "portal", "rubble", "grid", "voronoi". keys:
- * "length=6", "unit=0.4x0.2", "bond=english", members of the object in the project file, NULL-terminated or
- * NULL; what is not given has a default, as on the command line. friction: of dry joints, a tangent. */
+/* Parametric masonry: "wall", "arch", "column", "buttress", "portal", "rubble", "grid",
+ * "voronoi". keys: "length=6", "unit=0.4x0.2", "bond=english", members of the object in
+ * the project file, NULL-terminated or NULL; what is not given has a default, as on the
+ * command line. friction: of dry joints, a tangent. */
 QuoinModel *quoin_model_generate (const char *kind, const char *const *keys,
                                   double friction, QuoinError **error);
 
@@ -120,8 +123,8 @@ char *quoin_model_to_text (const QuoinModel *model);
 
 const char *quoin_model_get_title (const QuoinModel *model); /* "" where there is none */
 
-/* What it was read from: name of the file, its bytes, and overrides one after the other, NULL behind the
- * last. quoin_model_parse() makes the same model of these. */
+/* What it was read from: name of the file, its bytes, and overrides one after the other,
+ * NULL behind the last. quoin_model_parse() makes the same model of these. */
 const char *quoin_model_get_path (const QuoinModel *model);
 const char *quoin_model_get_source (const QuoinModel *model, size_t *length);
 const char *quoin_model_get_override (const QuoinModel *model, size_t index);
@@ -130,8 +133,8 @@ const char *quoin_model_get_override (const QuoinModel *model, size_t index);
 size_t quoin_model_get_warning_count (const QuoinModel *model);
 const char *quoin_model_get_warning (const QuoinModel *model, size_t index);
 
-/* Blocks, faces, pairs, loads, and what is wrong: JSON, keys as in data/check-format.md; to be freed with
- * quoin_free(). */
+/* Blocks, faces, pairs, loads, and what is wrong: JSON, keys as in data/check-format.md;
+ * to be freed with quoin_free(). */
 char *quoin_model_check (const QuoinModel *model);
 
 size_t quoin_model_get_block_count (const QuoinModel *model);
@@ -195,10 +198,11 @@ QuoinModel *quoin_builder_finish (const QuoinBuilder *builder, QuoinError **erro
 typedef bool (*QuoinProgressFunc) (double multiplier, int32_t steps, int32_t iterations,
                                    void *data);
 
-/* Within such a callback, whichever analysis runs: how much of it is done, from 0 to 1, never less than
- * before; 1 is told once, at its end, unless it was cancelled. And of what: "path", "time", "limit analysis",
- * which also finds the bound of a path, "stability", "modes", "capacity". The share is exact of analyses in
- * time, and grows ever more slowly where an end is not known. Elsewhere not-a-number and NULL. */
+/* Within such a callback, whichever analysis runs: how much of it is done, from 0 to 1,
+ * never less than before; 1 is told once, at its end, unless it was cancelled. And of
+ * what: "path", "time", "limit analysis", which also finds the bound of a path,
+ * "stability", "modes", "capacity". The share is exact of analyses in time, and grows
+ * ever more slowly where an end is not known. Elsewhere not-a-number and NULL. */
 double quoin_progress_get_done (void);
 const char *quoin_progress_get_what (void);
 
@@ -207,8 +211,8 @@ const char *quoin_progress_get_what (void);
 QuoinResult *quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
                           QuoinError **error);
 
-/* The load multiplier at which the path first loses its stability, in nonlinear geometry: outcome "snap",
- * the first limit multiplier, and the buckling mode as mechanism. */
+/* The load multiplier at which the path first loses its stability, in nonlinear geometry:
+ * outcome "snap", the first limit multiplier, and the buckling mode as mechanism. */
 QuoinResult *quoin_stability (QuoinModel *model, QuoinProgressFunc progress, void *data,
                               QuoinError **error);
 
@@ -223,10 +227,11 @@ QuoinModes *quoin_modal (QuoinModel *model, size_t count, bool loaded,
                          QuoinProgressFunc progress, void *data, QuoinError **error);
 void quoin_modes_free (QuoinModes *modes);
 
-/* The capacity curve, and the displacement checks of EN 1998-3 and NTC 2018, as JSON, keys as the command line
- * writes; to be freed with quoin_free(). options: "spectrum=type1", "ag=0.25g", "soil=B", "damping=0.05",
- * "unit=g", "confidence=1.2", "control=w.6.5" instead of the project's, NULL-terminated or NULL. picture
- * (nullable): PNG, SVG, PDF or CSV of the curve. */
+/* The capacity curve, and the displacement checks of EN 1998-3 and NTC 2018, as JSON,
+ * keys as the command line writes; to be freed with quoin_free(). options:
+ * "spectrum=type1", "ag=0.25g", "soil=B", "damping=0.05", "unit=g", "confidence=1.2",
+ * "control=w.6.5" instead of the project's, NULL-terminated or NULL. picture (nullable):
+ * PNG, SVG, PDF or CSV of the curve. */
 char *quoin_capacity (QuoinModel *model, const char *const *options, const char *picture,
                       QuoinProgressFunc progress, void *data, QuoinError **error);
 size_t quoin_modes_get_count (const QuoinModes *modes);
@@ -237,28 +242,30 @@ size_t quoin_modes_get_body_count (const QuoinModes *modes);
 
 /* --- Results ----------------------------------------------------------------------------- */
 
-/* Reads a result file of this model. Overrides that it was computed with, as of --set, are those of the
- * result's model then. */
+/* Reads a result file of this model. Overrides that it was computed with, as of --set, are
+ * those of the result's model then. */
 QuoinResult *quoin_result_read (QuoinModel *model, const char *path, QuoinError **error);
 
 /* The same from memory; `name` stands for the file in messages. */
 QuoinResult *quoin_result_parse (QuoinModel *model, const char *text, size_t length,
                                  const char *name, QuoinError **error);
 
-/* Whether the project's bytes or the overrides were others when a result that was read was computed:
- * the same blocks and contact pairs, but loads, laws or settings may differ. */
+/* Whether the project's bytes or the overrides were others when a result that was read
+ * was computed: the same blocks and contact pairs, but loads, laws or settings may
+ * differ. */
 bool quoin_result_is_of_changed_model (const QuoinResult *result);
 
 /* Writes a result file, whole or not at all. */
 bool quoin_result_write (const QuoinResult *result, const char *path, QuoinError **error);
 
-/* The same as a string, JSON with all that a result file holds: contacts with their points and normals,
- * forces of every step, the history of an analysis in time, its energies, beams, the mechanism's kind
- * and joints. Keys: data/result-format.md. To be freed with quoin_free(). */
+/* The same as a string, JSON with all that a result file holds: contacts with their
+ * points and normals, forces of every step, the history of an analysis in time, its
+ * energies, beams, the mechanism's kind and joints. Keys: data/result-format.md. To be
+ * freed with quoin_free(). */
 char *quoin_result_to_text (const QuoinResult *result);
 
-/* Whether everything that the result says is true, by the laws alone. *faults (nullable): what is not, a
- * line each, "" where all is; to be freed with quoin_free(). */
+/* Whether everything that the result says is true, by the laws alone. *faults (nullable):
+ * what is not, a line each, "" where all is; to be freed with quoin_free(). */
 bool quoin_result_check (const QuoinResult *result, char **faults, QuoinError **error);
 
 void quoin_result_free (QuoinResult *result);
@@ -270,8 +277,8 @@ QuoinModel *quoin_result_get_model (const QuoinResult *result);
  * "not-converged" */
 const char *quoin_result_get_outcome (const QuoinResult *result);
 
-/* Sentences: the outcome, what made the analysis end there, and how the structure moves. To be freed
- * with quoin_free(). */
+/* Sentences: the outcome, what made the analysis end there, and how the structure moves.
+ * To be freed with quoin_free(). */
 char *quoin_result_describe (const QuoinResult *result);
 
 /* Not-a-number where there is none. */
@@ -280,9 +287,9 @@ double quoin_result_get_first_limit_multiplier (const QuoinResult *result);
 double quoin_result_get_lower_bound (const QuoinResult *result); /* limit analysis */
 double quoin_result_get_upper_bound (const QuoinResult *result);
 
-/* Collapses that were met and proved: forces within the strength of every joint in balance, and a
- * mechanism that they let move. A structure whose joints dilate by less than their friction may have
- * many; the collapse multiplier is the least. */
+/* Collapses that were met and proved: forces within the strength of every joint in
+ * balance, and a mechanism that they let move. A structure whose joints dilate by less
+ * than their friction may have many; the collapse multiplier is the least. */
 size_t quoin_result_get_solution_count (const QuoinResult *result);
 double quoin_result_get_solution_multiplier (const QuoinResult *result, size_t solution);
 /* "load", "displacement", "work", "arc-length": what the path prescribed there; "limit": of rigid
@@ -293,8 +300,8 @@ const char *quoin_result_get_solution_found_by (const QuoinResult *result,
 double quoin_result_get_solution_displacement (const QuoinResult *result,
                                                size_t solution);
 
-/* From the least solution to the associative bound, which no equilibrium exceeds; not-a-number where
- * an end is not known. */
+/* From the least solution to the associative bound, which no equilibrium exceeds;
+ * not-a-number where an end is not known. */
 void quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2]);
 
 /* Whether, in linear geometry, blocks moved farther than it is valid for before the answer was
@@ -302,7 +309,8 @@ void quoin_result_get_collapse_interval (const QuoinResult *result, double inter
 bool quoin_result_is_beyond_linear (const QuoinResult *result);
 double quoin_result_get_beyond_linear_multiplier (const QuoinResult *result);
 
-/* What happens on a path as the load grows, by multiplier; with load stages that of the last one. */
+/* What happens on a path as the load grows, by multiplier; with load stages that of the
+ * last one. */
 size_t quoin_result_get_event_count (const QuoinResult *result);
 double quoin_result_get_event_multiplier (const QuoinResult *result, size_t event);
 /* "local": a joint or two settle; "snap": the structure jumps by 5 % of its displacement or more;
@@ -333,8 +341,9 @@ const double *quoin_result_get_forces (const QuoinResult *result);
 /* "stick", "slip", "open", "yield" */
 const char *quoin_result_get_pair_state (const QuoinResult *result, size_t pair);
 
-/* Ties at every step: their force, N, and how much farther apart their ends are than as drawn, m; false
- * where a step does not tell them. State: "slack", "elastic", "yields", "anchor"; NULL likewise. */
+/* Ties at every step: their force, N, and how much farther apart their ends are than as
+ * drawn, m; false where a step does not tell them. State: "slack", "elastic", "yields",
+ * "anchor"; NULL likewise. */
 size_t quoin_result_get_tie_count (const QuoinResult *result);
 bool quoin_result_get_tie (const QuoinResult *result, size_t step, size_t tie,
                            double *force, double *elongation);
@@ -346,16 +355,18 @@ int32_t quoin_result_get_factorizations (const QuoinResult *result);
 
 /* --- Studies, and the rest of the command line --------------------------------------------- */
 
-/* Runs quoin-cli, whose cases are computed by processes anyway: "study", "run", "friction.quoin-study", "-o",
- * "folder"; NULL-terminated. It is the program that QUOIN_CLI names in the environment, or the one of PATH.
- * *output (nullable): what it printed, to be freed with quoin_free(). Ends with the error of the program. */
+/* Runs quoin-cli, whose cases are computed by processes anyway: "study", "run",
+ * "friction.quoin-study", "-o", "folder"; NULL-terminated. It is the program that
+ * QUOIN_CLI names in the environment, or the one of PATH. *output (nullable): what it
+ * printed, to be freed with quoin_free(). Ends with the error of the program. */
 bool quoin_command (const char *const *arguments, char **output, QuoinError **error);
 
 /* --- Figures ----------------------------------------------------------------------------- */
 
-/* view: "model", "contacts", "deformed", "mechanism", "forces", "diagrams"; "curve" (of the loads over
- * displacement), "energy" (of an analysis in time), "compare" (mechanisms on one sheet), "report". `result` may be
- * NULL for "model", "contacts" and "report". Keeps what it draws alive: model and result may go before it. */
+/* view: "model", "contacts", "deformed", "mechanism", "forces", "diagrams"; "curve" (of
+ * the loads over displacement), "energy" (of an analysis in time), "compare" (mechanisms
+ * on one sheet), "report". `result` may be NULL for "model", "contacts" and "report".
+ * Keeps what it draws alive: model and result may go before it. */
 QuoinFigure *quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
                                QuoinError **error);
 
@@ -363,20 +374,22 @@ QuoinFigure *quoin_figure_new (QuoinModel *model, QuoinResult *result, const cha
 void quoin_figure_add (QuoinFigure *figure, QuoinResult *result);
 void quoin_figure_free (QuoinFigure *figure);
 
-/* "size" ("1600x1200", "160mmx120mm"), "dpi", "transparent", "monochrome", "title", "caption"; of a picture "field"
- * ("stress", …), "diagram", "step" ("last" or a number), "scale" ("auto" or a factor) and the switches of the
- * command line ("ghost", "loads", "names", …); of an animation "frames", "rate", "speed", "once", "curve"; of
- * curves "until", "whole", "reference" ("0.36=published", again for each), "label" of the results of one model,
- * again for each; "columns" of a comparison; "paper",
- * "sections", "demand" of a report. Switches are "on" or "off". */
+/* "size" ("1600x1200", "160mmx120mm"), "dpi", "transparent", "monochrome", "title",
+ * "caption"; of a picture "field" ("stress", …), "diagram", "step" ("last" or a number),
+ * "scale" ("auto" or a factor) and the switches of the command line ("ghost", "loads",
+ * "names", …); of an animation "frames", "rate", "speed", "once", "curve"; of curves
+ * "until", "whole", "reference" ("0.36=published", again for each), "label" of the
+ * results of one model, again for each; "columns" of a comparison; "paper", "sections",
+ * "demand" of a report. Switches are "on" or "off". */
 bool quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
                        QuoinError **error);
 
-/* PNG, SVG or PDF by the ending, CSV of "curve" and "compare"; "deformed" and "mechanism" move in GIF, WebM or
- * pictures in a FOLDER/. Whole or not at all. */
+/* PNG, SVG or PDF by the ending, CSV of "curve" and "compare"; "deformed" and "mechanism"
+ * move in GIF, WebM or pictures in a FOLDER/. Whole or not at all. */
 bool quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error);
 
-/* The same into memory, format "png", "svg", "pdf", "csv", "gif", "webm"; to be freed with quoin_free(). */
+/* The same into memory, format "png", "svg", "pdf", "csv", "gif", "webm"; to be freed
+ * with quoin_free(). */
 void *quoin_figure_encode (const QuoinFigure *figure, const char *format, size_t *length,
                            QuoinError **error);
 

@@ -1,7 +1,8 @@
 /* One analysis that has been run: the frozen model, its contacts and the result.
  *
- * But for what it is called, immutable and reference counted, so it may be read from any thread and outlives the
- * document's further edits: pictures of a stale result still show the wall that was solved.
+ * Reference counted and, but for what it is called, immutable, so it may be read from any thread and
+ * outlives the document's further edits: pictures of a stale result still show the wall that was
+ * solved.
  */
 #ifndef QN_DOC_RUN_H
 #define QN_DOC_RUN_H

@@ -14,8 +14,8 @@ typedef struct QnSheetRun {
   const char *name; /* of its own: tells results of one project apart */
 } QnSheetRun;
 
-/* What a picture says of the project that it shows: borrows from it, but for the file's name without folders. `project`
- * may be NULL. */
+/* What a picture says of the project that it shows, which it borrows from; `model` is the name of
+ * its file without folders. `project` may be NULL. */
 void qn_project_get_metadata (const QnProject *project, QnMetadata *metadata);
 
 /* Whether a file of this name (nullable) is a table: the ending .csv. */
@@ -23,9 +23,8 @@ gboolean qn_is_table (const char *path);
 
 typedef struct QnCurveSheet {
   const char *title; /* or NULL */
-  double
-    until; /* the curves end at this displacement, m or rad; 0: where they have nothing more to
-                        tell, */
+  /* The curves end at this displacement, m or rad; 0: where they have nothing more to tell, */
+  double until;
   bool whole; /* or at their own end; tables do where `until` is 0 */
   const QnReferenceLine *references;
   size_t reference_count;

@@ -12,12 +12,11 @@ typedef struct QnCheckReport {
   const QnContacts *contacts;
   gboolean sound;          /* whether it can be analysed */
   const char *result_name; /* the result file's, or NULL */
-  const QnResultCheck
-    *check; /* NULL where there is no result, one in time, which is in motion, or one
-                             without any equilibrium */
+  /* NULL where there is no result, one in time, which is in motion, or one without any equilibrium */
+  const QnResultCheck *check;
   const QnResultFaults *faults; /* NULL where there is no result */
-  GPtrArray
-    *unproved; /* of char *: members of the result that nothing proves; NULL likewise */
+  /* of char *: members of the result that nothing proves; NULL likewise */
+  GPtrArray *unproved;
 } QnCheckReport;
 
 /* Whether the result is an equilibrium that the joints can carry, and says nothing untrue. */

@@ -1,5 +1,5 @@
-/* Load-displacement curves: several runs in one plot with units, marked collapse and limit points and
- * reference lines. */
+/* Load-displacement curves: several runs in one plot with units, marked collapse and
+ * limit points and reference lines. */
 #ifndef QN_RENDER_CURVE_PLOT_H
 #define QN_RENDER_CURVE_PLOT_H
 
@@ -40,9 +40,9 @@ typedef struct QnReferenceLine {
  * where the text is neither. */
 bool qn_reference_line_parse (const char *text, QnReferenceLine *line);
 
-/* The curve of a displacement over the steps of a result, empty where there is none: the multiplier of the loads
- * that its last stage drives, at all steps. Of an analysis in time its history, of a settlement the
- * reaction. False when memory runs out. */
+/* The curve of a displacement over the steps of a result, empty where there is none: the
+ * multiplier of the loads that its last stage drives, at all steps. Of an analysis in
+ * time its history, of a settlement the reaction. False when memory runs out. */
 bool qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
                            QnCurveMotion motion);
 
