@@ -197,6 +197,23 @@ test_panels_keep_width (void)
   driver_discard (window);
 }
 
+/* What switches views lies on the drawing, and on nothing beside it. */
+static void
+expect_switcher_on_drawing (QnWindow *window)
+{
+  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  GtkWidget *switcher = driver_find_id (GTK_WIDGET (window), "view_switcher");
+  graphene_rect_t bounds;
+  if (!gtk_widget_get_mapped (canvas))
+    return;
+  while (!gtk_widget_has_css_class (switcher, "view-switcher"))
+    switcher = gtk_widget_get_parent (switcher);
+  g_assert_true (gtk_widget_compute_bounds (switcher, canvas, &bounds));
+  g_assert_cmpfloat (bounds.origin.x, >=, 0.0f);
+  g_assert_cmpfloat (bounds.origin.x + bounds.size.width, <=,
+                     (float) gtk_widget_get_width (canvas));
+}
+
 static void
 close_panel (QnWindow *window)
 {
@@ -240,6 +257,7 @@ test_large_text (void)
     driver_screenshot (GTK_WIDGET (window), panel);
     g_assert_true (!gtk_widget_get_mapped (canvas)
                    || gtk_widget_get_width (canvas) >= 250);
+    expect_switcher_on_drawing (window);
     close_panel (window);
     g_assert_true (gtk_widget_get_mapped (canvas));
     driver_discard (window);

@@ -22,7 +22,8 @@
 /* px of the window beside the side panel, below which the panel folds away. */
 #define DRAWING_WIDTH 550
 
-/* px beside the side panel below which there is no drawing while it is open. */
+/* px beside the side panel below which there is no drawing while it is open, with text of usual size: its
+ * buttons need them. */
 #define LEAST_DRAWING 260
 
 /* px of the window below which the title has no room between all buttons, with text of usual size. */
@@ -456,8 +457,10 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
   int panel = 0;
   gtk_widget_measure (GTK_WIDGET (self->side_stack), GTK_ORIENTATION_HORIZONTAL, -1,
                       &panel, NULL, NULL, NULL);
-  gboolean narrow = width < DRAWING_WIDTH + panel, tight = width < LEAST_DRAWING + panel;
-  gboolean small = width < TITLED_WIDTH * qn_text_unit (GTK_WIDGET (self)) / QN_TEXT_UNIT;
+  const double text = qn_text_unit (GTK_WIDGET (self)) / QN_TEXT_UNIT;
+  gboolean narrow = width < DRAWING_WIDTH + panel;
+  gboolean tight = width < LEAST_DRAWING * text + panel,
+           small = width < TITLED_WIDTH * text;
   if (small != self->is_small) { /* the menu has them too */
     self->is_small = small;
     gtk_widget_set_visible (self->open_button, !small);
