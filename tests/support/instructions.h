@@ -1,4 +1,4 @@
-/* Counting the instructions of one function, with callgrind: unlike times they are the same however
+/* Counting instructions, with valgrind: unlike times they are the same however
  * busy the machine is. */
 #ifndef TESTS_SUPPORT_INSTRUCTIONS_H
 #define TESTS_SUPPORT_INSTRUCTIONS_H
@@ -12,7 +12,8 @@
 double count_instructions (const char *const *arguments, const char *function,
                            char **output);
 
-/* The same of a whole program, whatever exit code it ends with. */
+/* The same of a whole program beyond what it takes to start, whatever exit code it ends with. The
+ * program is the same in all calls. */
 double count_program (const char *const *arguments, int *code);
 
 /* The same of a program and all that it starts, loading them included; it must end well. */
