@@ -1,9 +1,12 @@
-/* Walls cut both ways into cells by a law with an elasticity, against beam theory and the uniform
- * states of a continuum. */
+/* Walls cut both ways into cells by a law with an elasticity, against beam theory and the states of a
+ * continuum: uniform ones, bending, a deep beam, vibrations, buckling. */
+#include "core/modal/modal.h"
 #include "core/path/analysis.h"
+#include "core/path/stability.h"
 #include "io/project/project.h"
-#include "support/auto-clear.h"
+#include "support/models.h"
 #include "support/room.h"
+#include "support/run.h"
 
 #include <math.h>
 #include <string.h>
@@ -133,6 +136,261 @@ test_compression (void)
   }
 }
 
+/* --- Sheets: cells under forces on their edges, which balance each other --------------------- */
+
+/* 2 l x 2 c m, with an odd number of cells each way; the one in the middle is held. */
+typedef struct Sheet {
+  double l, c;
+  int nx, ny;
+  TestRun run;
+} Sheet;
+
+static void
+sheet_init (Sheet *sheet, double l, double c, int nx, int ny)
+{
+  QnModel *model = &sheet->run.model;
+  *sheet = (Sheet){ .l = l, .c = c, .nx = nx, .ny = ny };
+  qn_model_init (model);
+  QnLaw *law = qn_model_add_law (model, "cells");
+  *law = (QnLaw){ .name = law->name,
+                  .kind = QN_LAW_ELASTIC,
+                  .basis = QN_BASIS_MATERIAL,
+                  .kn = E,
+                  .ks = E, /* of a grid, nu = 0 */
+                  .shear_factor = 1 };
+  model->contact.law = 0;
+  model->analysis.increments = 1;
+  model->analysis.max_multiplier = 1;
+  const double dx = 2 * l / nx, dy = 2 * c / ny;
+  for (int i = 0; i < nx * ny; i++) {
+    g_autofree char *name = g_strdup_printf ("b%d", i);
+    QnBlock *block =
+      test_model_add_rectangle (model, name, i % nx * dx - l, i / nx * dy - c, dx, dy);
+    block->thickness = 1;
+    block->unit_weight = 0;
+    for (int dof = 0; dof < 3; dof++)
+      block->support[dof] = i == nx * ny / 2;
+  }
+}
+
+/* A force on a cell at a point, N. */
+static void
+sheet_push (Sheet *sheet, int i, int j, double x, double y, double fx, double fy)
+{
+  QnLoad *load = qn_model_add_live_load (&sheet->run.model);
+  load->kind = QN_LOAD_FORCE;
+  load->block = j * sheet->nx + i;
+  load->has_at = true;
+  load->at = qn_vec2 (x, y);
+  load->vector = qn_vec2 (fx, fy);
+}
+
+static const double *
+sheet_motion (const Sheet *sheet, int i, int j)
+{
+  const QnResult *result = &sheet->run.result;
+  return qn_result_step_displacements (result, result->step_count - 1)
+         + 3 * (j * sheet->nx + i);
+}
+
+/* Equal shear along all four edges: every joint slips by the same, and the strain is that of the
+ * modulus of shear. */
+static void
+test_shear (void)
+{
+  const double tau = 1e4;
+  Sheet sheet;
+  sheet_init (&sheet, 1.5, 1, 7, 5);
+  const double dx = 2 * sheet.l / sheet.nx, dy = 2 * sheet.c / sheet.ny;
+  for (int i = 0; i < sheet.nx; i++)
+    for (int side = -1; side <= 1; side += 2)
+      sheet_push (&sheet, i, side < 0 ? 0 : sheet.ny - 1, (i + 0.5) * dx - sheet.l,
+                  side * sheet.c, side * tau * dx, 0);
+  for (int j = 0; j < sheet.ny; j++)
+    for (int side = -1; side <= 1; side += 2)
+      sheet_push (&sheet, side < 0 ? 0 : sheet.nx - 1, j, side * sheet.l,
+                  (j + 0.5) * dy - sheet.c, 0, side * tau * dy);
+  test_run_solve (&sheet.run);
+  const double strain =
+    sheet_motion (&sheet, sheet.nx - 1, 0)[1] / (2 * sheet.l - dx) * 2
+    + sheet_motion (&sheet, 0, sheet.ny - 1)[0] / (2 * sheet.c - dy) * 2;
+  g_assert_cmpfloat_with_epsilon (strain / (tau / (E / 2)), 1, 1e-9);
+  test_run_clear (&sheet.run);
+}
+
+/* Pure bending: sections stay plane and the curvature is M/EI, whatever the number of cells. */
+static void
+test_bending (void)
+{
+  const double stress = 1e4; /* at the edge */
+  Sheet sheet;
+  sheet_init (&sheet, 2, 0.5, 9, 5);
+  const double dy = 2 * sheet.c / sheet.ny, dx = 2 * sheet.l / sheet.nx;
+  for (int j = 0; j < sheet.ny; j++)
+    for (int side = -1; side <= 1; side += 2) {
+      const double y = (j + 0.5) * dy - sheet.c;
+      sheet_push (&sheet, side < 0 ? 0 : sheet.nx - 1, j, side * sheet.l, y,
+                  side * stress * y / sheet.c * dy, 0);
+      /* what varies over the cell */
+      QnModel *model = &sheet.run.model;
+      model->live_loads[model->live_load_count - 1].moment =
+        -side * stress / sheet.c * dy * dy * dy / 12;
+    }
+  test_run_solve (&sheet.run);
+  const double turned =
+    sheet_motion (&sheet, 0, 0)[2] - sheet_motion (&sheet, sheet.nx - 1, 0)[2];
+  g_assert_cmpfloat_with_epsilon (turned / (stress / (E * sheet.c) * (2 * sheet.l - dx)),
+                                  1, 1e-9);
+  test_run_clear (&sheet.run);
+}
+
+/* Force on the end, or on a joint, of so much of the section; integrals of the stresses over it. */
+static double
+end_shear (const Sheet *sheet, double q, double y)
+{
+  const double c = sheet->c;
+  return q * sheet->l * 3 / (4 * c) * (y - y * y * y / (3 * c * c));
+}
+
+static double
+normal_force (const Sheet *sheet, double q, double x, double y)
+{
+  const double c = sheet->c, l = sheet->l, I = 2 * c * c * c / 3;
+  return -q / (2 * I)
+         * ((l * l - x * x) * y * y / 2 + y * y * y * y / 6 - c * c * y * y / 5);
+}
+
+/* A beam twice as long as deep under a uniform load, held by shear at its ends (Timoshenko and
+ * Goodier, Theory of Elasticity, article 22): stresses at the middle, where the elementary theory errs
+ * by 3 to 5 %. */
+static void
+test_deep_beam (void)
+{
+  static const struct {
+    int nx, ny;
+    double error;
+  } cases[] = { { 9, 5, 0.01 }, { 17, 9, 0.003 }, { 33, 17, 0.001 } };
+  for (gsize k = 0; k < G_N_ELEMENTS (cases); k++) {
+    const double q = 1e4;
+    Sheet sheet;
+    sheet_init (&sheet, 2, 1, cases[k].nx, cases[k].ny);
+    const double dx = 2 * sheet.l / sheet.nx, dy = 2 * sheet.c / sheet.ny;
+    for (int i = 0; i < sheet.nx; i++)
+      sheet_push (&sheet, i, sheet.ny - 1, (i + 0.5) * dx - sheet.l, sheet.c, 0, -q * dx);
+    for (int j = 0; j < sheet.ny; j++) {
+      const double y = j * dy - sheet.c;
+      const double force = end_shear (&sheet, q, y + dy) - end_shear (&sheet, q, y);
+      sheet_push (&sheet, 0, j, -sheet.l, y + dy / 2, 0, force);
+      sheet_push (&sheet, sheet.nx - 1, j, sheet.l, y + dy / 2, 0, force);
+    }
+    test_run_solve (&sheet.run);
+
+    const QnContacts *contacts = &sheet.run.contacts;
+    g_autofree double *forces = g_new0 (double, (gsize) sheet.ny);
+    for (size_t p = 0; p < contacts->pair_count; p++) {
+      const QnContactFace *face = &contacts->faces[contacts->pairs[p].face];
+      const int first = (int) face->a;
+      if (first % sheet.nx == sheet.nx / 2 && (int) face->b == first + 1)
+        forces[first / sheet.nx] += sheet.run.result.pairs[p].normal_force;
+    }
+    double error = 0, most = 0;
+    for (int j = 0; j < sheet.ny; j++) {
+      const double y = j * dy - sheet.c;
+      const double exact =
+        normal_force (&sheet, q, dx / 2, y + dy) - normal_force (&sheet, q, dx / 2, y);
+      error = MAX (error, fabs (forces[j] - exact));
+      most = MAX (most, fabs (exact));
+    }
+    g_test_message ("%d x %d: %.5f", sheet.nx, sheet.ny, error / most);
+    g_assert_cmpfloat (error, <, cases[k].error * most);
+    test_run_clear (&sheet.run);
+  }
+}
+
+/* --- Vibrations and buckling ------------------------------------------------------------------ */
+
+/* A cantilever of cells on a rigid foundation; a force at the plate on it where that is given. */
+static void
+init_cantilever (TestRun *run, const char *cells, double width, double height,
+                 double force)
+{
+  g_autofree char *plate =
+    force == 0
+      ? g_strdup ("")
+      : g_strdup_printf (
+        "\"blocks\": [ { \"name\": \"plate\", \"vertices\": [[0, %g], [%g, %g], [%g, "
+        "%g], [0, %g]], \"thickness\": 1, \"unit_weight\": 0, \"rigid\": true } ], "
+        "\"loads\": { \"live\": [ { \"kind\": \"force\", \"block\": \"plate\", \"at\": "
+        "[%g, %g], \"value\": [0, %.17g] } ] }, ",
+        height, width, height, width, height + 0.01, height + 0.01, width / 2, height,
+        -force);
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"c\", \"kind\": "
+    "\"elastic\", \"basis\": \"material\", \"elasticity\": %g, \"arrangement\": \"grid\" "
+    "} "
+    "], %s \"masonry\": [ { %s, \"thickness\": 1, \"unit_weight\": %g, \"foundation\": "
+    "0.2 "
+    "} ], \"contact\": { \"law\": \"c\" }, \"analysis\": { \"geometry\": \"nonlinear\", "
+    "\"max_multiplier\": 1.5 } }",
+    E, plate, cells, force == 0 ? 25e3 : 0);
+  QnProject project;
+  g_autoptr (GError) error = NULL;
+  if (!qn_project_parse (text, strlen (text), "wall", NULL, &project, &error)
+      || !qn_project_prepare (&project, &error))
+    g_error ("%s", error->message);
+  run->model = project.model;
+  project.model = (QnModel){ 0 };
+  qn_project_clear (&project);
+}
+
+/* Frequencies of Timoshenko's beam (k = 5/6, by 200 elements with the masses at their nodes) and of the
+ * rod, rad/s: 1 x 10 m, 30 GPa, 25 kN/m3, nu = 0. */
+static void
+test_vibrations (void)
+{
+  static const double exact[] = { 34.5976, 208.895, 538.946, 554.605, 1016.44 };
+  TestRun run = { 0 };
+  g_auto (QnModes) modes;
+  init_cantilever (&run, GRID ("[1, 10]", "[4, 40]"), 1, 10, 0);
+  test_find_modes (&run.model, G_N_ELEMENTS (exact), &modes);
+  for (size_t i = 0; i < G_N_ELEMENTS (exact); i++) {
+    g_test_message ("mode %zu: %.3f, exact %.3f", i + 1, modes.omega[i], exact[i]);
+    g_assert_cmpfloat_with_epsilon (modes.omega[i] / exact[i], 1, 0.004);
+  }
+  qn_model_clear (&run.model);
+}
+
+/* A column that shortens, shears and bends, cut at right angles to its turned axis: along it
+ * w' = (1 - P/EA + P/kGA) phi and EI phi'' = -P w', so that P (1 - P/EA + P/kGA) is Euler's load. */
+static void
+test_buckling (void)
+{
+  static const struct {
+    const char *cells;
+    double width, height;
+  } cases[] = { { GRID ("[0.5, 10]", "[2, 40]"), 0.5, 10 },
+                { GRID ("[1, 5]", "[4, 20]"), 1, 5 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    const double w = cases[i].width, h = cases[i].height;
+    const double euler = G_PI * G_PI * E * w * w * w / 12 / (4 * h * h);
+    const double b = euler / (5.0 / 6.0 * E / 2 * w) - euler / (E * w);
+    const double exact = (sqrt (1 + 4 * b) - 1) / (2 * b);
+    TestRun run = { 0 };
+    QnDiag diag;
+    init_cantilever (&run, cases[i].cells, w, h, euler);
+    test_run_prepare (&run);
+    g_assert_cmpint (
+      qn_stability_run (&run.model, &run.contacts, NULL, NULL, &run.result, &diag), ==,
+      QN_OK);
+    g_test_message ("%zu: %.5f, exact %.5f of Euler's load", i,
+                    run.result.first_limit_multiplier, exact);
+    g_assert_cmpfloat_with_epsilon (run.result.first_limit_multiplier / exact, 1, 5e-4);
+    test_run_clear (&run);
+  }
+}
+
+/* --- What is refused or warned of ------------------------------------------------------------- */
+
 /* Two rigid blocks that a joint by material holds together are refused. */
 static void
 test_rigid_joint (void)
@@ -194,6 +452,11 @@ QN_TESTS
 {
   g_test_add_func ("/verify/continuum/beam", test_beam);
   g_test_add_func ("/verify/continuum/compression", test_compression);
+  g_test_add_func ("/verify/continuum/shear", test_shear);
+  g_test_add_func ("/verify/continuum/bending", test_bending);
+  g_test_add_func ("/verify/continuum/deep-beam", test_deep_beam);
+  g_test_add_func ("/verify/continuum/vibrations", test_vibrations);
+  g_test_add_func ("/verify/continuum/buckling", test_buckling);
   g_test_add_func ("/verify/continuum/rigid-joint", test_rigid_joint);
   g_test_add_func ("/verify/continuum/arrangement", test_arrangement);
 }
