@@ -203,6 +203,61 @@ ring_tree (const QnRings *rings, double margin, QnBoxTree *tree)
   return done;
 }
 
+/* The edges of rings, each grown by the margin, in one tree, and the rings that reach near another. */
+typedef struct Edges {
+  QnBoxTree tree;
+  size_t *ring; /* by edge */
+  size_t *near; /* by ring: 1 + the last ring that it was found near to */
+} Edges;
+
+static void
+clear_edges (Edges *edges)
+{
+  qn_box_tree_clear (&edges->tree);
+  free (edges->ring);
+  free (edges->near);
+}
+
+static bool
+collect_edges (const QnRings *rings, double margin, Edges *edges)
+{
+  size_t total = vertex_total (rings), n = 0;
+  QnBox *boxes = qn_alloc (total, sizeof *boxes);
+  *edges = (Edges){ .ring = qn_alloc (total, sizeof *edges->ring),
+                    .near = qn_alloc (rings->count, sizeof *edges->near) };
+  bool done = boxes != NULL && edges->ring != NULL && edges->near != NULL;
+  for (size_t i = 0; done && i < rings->count; i++)
+    for (size_t k = 0; k < rings->items[i].count; k++, n++) {
+      const QnRing *ring = &rings->items[i];
+      boxes[n] = qn_box_grow (
+        qn_box_of_segment (ring->points[k], ring->points[(k + 1) % ring->count]), margin);
+      edges->ring[n] = i;
+    }
+  done = done && qn_box_tree_init (&edges->tree, boxes, total);
+  free (boxes);
+  return done;
+}
+
+/* Notes the rings that come near to an edge of ring `index`. */
+static void
+find_near (const QnRing *ring, size_t index, Edges *edges)
+{
+  for (size_t k = 0; k < ring->count; k++) {
+    QnBox side = qn_box_of_segment (ring->points[k], ring->points[(k + 1) % ring->count]);
+    QnBoxQuery query = qn_box_tree_query (&edges->tree, side);
+    for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;)
+      edges->near[edges->ring[i]] = index + 1;
+  }
+}
+
+/* Whether `p` may be within the tolerance of a segment: much less work than the distance. */
+static bool
+may_be_near (QnVec2 p, QnVec2 a, QnVec2 b, double tolerance)
+{
+  return qn_box_meets (qn_box_grow (qn_box_of_segment (a, b), 2 * tolerance),
+                       (QnBox){ p, p });
+}
+
 /* Best place for `p` on the ring within *distance: vertices before edges. */
 static bool
 attract (QnVec2 p, const QnRing *ring, double tolerance, double *vertex_distance,
@@ -211,6 +266,8 @@ attract (QnVec2 p, const QnRing *ring, double tolerance, double *vertex_distance
   bool found = false;
   for (size_t i = 0; i < ring->count; i++) {
     QnVec2 a = ring->points[i], b = ring->points[(i + 1) % ring->count], foot;
+    if (!may_be_near (p, a, b, tolerance))
+      continue;
     double to_vertex = qn_vec2_length (qn_vec2_sub (p, a));
     if (to_vertex <= tolerance && to_vertex < *vertex_distance) {
       *vertex_distance = to_vertex;
@@ -229,8 +286,8 @@ attract (QnVec2 p, const QnRing *ring, double tolerance, double *vertex_distance
 
 /* Moves the vertices of ring `index` onto the rings before it. */
 static void
-fit_vertices (QnRings *rings, size_t index, const QnBoxTree *tree, double tolerance,
-              QnHealing *healing)
+fit_vertices (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t *near,
+              double tolerance, QnHealing *healing)
 {
   QnRing *ring = &rings->items[index];
   for (size_t k = 0; k < ring->count; k++) {
@@ -238,7 +295,7 @@ fit_vertices (QnRings *rings, size_t index, const QnBoxTree *tree, double tolera
     double to_vertex = INFINITY, to_edge = INFINITY;
     QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ p, p });
     for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;)
-      if ((size_t) i < index)
+      if ((size_t) i < index && near[i] == index + 1)
         attract (p, &rings->items[i], tolerance, &to_vertex, &to_edge, &vertex, &edge);
     double way = isfinite (to_vertex) ? to_vertex : to_edge;
     if (isfinite (way) && way > NEGLIGIBLE * tolerance) {
@@ -264,20 +321,22 @@ insert_vertex (QnRing *ring, size_t after, QnVec2 p)
 
 /* Lets the edges of ring `index` run through the vertices of earlier rings beside them. */
 static bool
-fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, double tolerance,
-           QnHealing *healing)
+fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t *near,
+           double tolerance, QnHealing *healing)
 {
   QnRing *ring = &rings->items[index];
   QnBox bounds = qn_ring_bounds (ring);
   QnBoxQuery query = qn_box_tree_query (tree, bounds);
   for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
-    if ((size_t) i >= index)
+    if ((size_t) i >= index || near[i] != index + 1)
       continue;
     const QnRing *other = &rings->items[i];
     for (size_t v = 0; v < other->count; v++) {
       QnVec2 p = other->points[v], foot;
       for (size_t k = 0; k < ring->count; k++) {
         QnVec2 a = ring->points[k], b = ring->points[(k + 1) % ring->count];
+        if (!may_be_near (p, a, b, tolerance))
+          continue;
         double way = distance_to_segment (p, a, b, &foot);
         if (way > tolerance || way <= NEGLIGIBLE * tolerance
             || qn_vec2_length (qn_vec2_sub (p, a)) <= tolerance
@@ -299,14 +358,15 @@ qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag
   if (rings->count == 0)
     return QN_OK;
   QnBoxTree tree = { 0 };
-  /* Rings move by up to the tolerance while others look for them. */
-  if (!ring_tree (rings, 2 * tolerance, &tree))
-    return qn_diag_no_memory (diag);
-  bool done = true;
+  Edges edges = { 0 };
+  /* Rings, and edges of both, move by up to the tolerance while others look for them. */
+  bool done = ring_tree (rings, 2 * tolerance, &tree)
+              && collect_edges (rings, 4 * tolerance, &edges);
   for (size_t i = 0; i < rings->count && done; i++) {
     QnHealing own = { 0 };
-    fit_vertices (rings, i, &tree, tolerance, &own);
-    done = fit_edges (rings, i, &tree, tolerance, &own);
+    find_near (&rings->items[i], i, &edges);
+    fit_vertices (rings, i, &tree, edges.near, tolerance, &own);
+    done = fit_edges (rings, i, &tree, edges.near, tolerance, &own);
     if (own.count > 0)
       qn_ring_simplify (&rings->items[i], NEGLIGIBLE * tolerance);
     if (healing != NULL && own.count > 0) {
@@ -318,6 +378,7 @@ qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag
     }
   }
   qn_box_tree_clear (&tree);
+  clear_edges (&edges);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 

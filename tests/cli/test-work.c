@@ -369,6 +369,40 @@ make_grid (int count)
   return cli_write (folder, "grid.dxf", text->str);
 }
 
+/* Circles about one centre, 20 mm apart. */
+static char *
+make_circles (int count)
+{
+  g_autoptr (GString) text = g_string_new (
+    "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (text, "0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n%.2f\n",
+                            0.1 + 0.02 * i);
+  g_string_append (text, "0\nENDSEC\n0\nEOF\n");
+  return cli_write (folder, "circles.dxf", text->str);
+}
+
+/* The same as blocks of 480 sides, each over the others. */
+static char *
+make_discs (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  for (int i = 0; i < count; i++) {
+    g_string_append_printf (
+      text,
+      "%s{ \"name\": \"d%d\", \"thickness\": 1, \"unit_weight\": 1, "
+      "\"vertices\": [",
+      i > 0 ? ",\n" : "", i);
+    for (int k = 0; k < 480; k++)
+      g_string_append_printf (text, "%s[%.9f, %.9f]", k > 0 ? ", " : "",
+                              (1 + 0.01 * i) * cos (k * G_PI / 240),
+                              (1 + 0.01 * i) * sin (k * G_PI / 240));
+    g_string_append (text, "], \"support\": [true, true, true] }");
+  }
+  g_string_append (text, " ] }");
+  return cli_write (folder, "discs.quoin", text->str);
+}
+
 /* A project with the beginning of a PNG file behind it that announces so many pixels each way. */
 static char *
 make_picture (int pixels)
@@ -444,9 +478,11 @@ typedef struct Input {
 static const Input inputs[] = {
   { "1,000 identical blocks", make_same_blocks, 1000, "check", 3, "blocks overlap" },
   { "10,000 identical blocks", make_same_blocks, 10000, "check", 3, "lie near" },
+  { "12 discs of 480 sides", make_discs, 12, "check", 3, "blocks overlap" },
   { "3,000 parallel slabs", make_slabs, 3000, "check", 3, "lie near" },
   { "100,001 voussoirs", make_voussoirs, 100001, "check", 3, "masonry[0].openings" },
   { "name of 100,000 letters", make_long_name, 100000, "report", 0, NULL },
+  { "50 circles", make_circles, 50, "import", 0, NULL },
   { "3,000 random lines", make_lines, 3000, "import", 3, "cross each other" },
   { "20,000 random lines", make_lines, 20000, "import", 3, "cross each other" },
   { "picture of 30,000 x 30,000", make_picture, 30000, "render", 5, "30000 x 30000" },

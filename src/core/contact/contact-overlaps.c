@@ -66,19 +66,29 @@ is_inside (const QnContactSearch *search, QnId block, QnVec2 point)
 }
 
 /* Notes a point of a side of `other` if it lies deeper in `block` than those before. An overlap cannot be
- * deeper than the other block is wide, so the search for the nearest side ends there. */
+ * deeper than the other block is wide, so the search for the nearest side ends there; it begins with as
+ * near ones as would rule the point out. */
 static void
 try_point (const QnContactSearch *search, QnId block, QnId other, QnVec2 point,
            size_t point_side, Deepest *deepest)
 {
   QnBox width = search->block_boxes[other];
-  double depth = fmin (width.max.x - width.min.x, width.max.y - width.min.y);
-  QnSideWalk walk;
-  qn_side_walk_start (&walk, search, block, qn_box_grow ((QnBox){ point, point }, depth));
-  const QnSide *side;
-  while ((side = qn_side_walk_next (&walk)) != NULL
-         && is_deeper (depth, point_side, deepest))
-    depth = qn_min (depth, qn_segment_distance (side->start, side->end, point));
+  double most = fmin (width.max.x - width.min.x, width.max.y - width.min.y);
+  double depth = most,
+         reach = fmax (deepest->depth, search->sides.items[point_side].length);
+  for (bool more = true; more; reach *= 2) {
+    more = reach < most;
+    QnSideWalk walk;
+    qn_side_walk_start (&walk, search, block,
+                        qn_box_grow ((QnBox){ point, point }, qn_min (reach, most)));
+    const QnSide *side;
+    while ((side = qn_side_walk_next (&walk)) != NULL) {
+      depth = qn_min (depth, qn_segment_distance (side->start, side->end, point));
+      if (!is_deeper (depth, point_side, deepest))
+        return;
+    }
+    more = more && depth > reach;
+  }
   if (is_deeper (depth, point_side, deepest) && is_inside (search, block, point))
     *deepest = (Deepest){ depth, point, point_side };
 }

@@ -44,36 +44,28 @@ describe_blocks (QnContactSearch *search)
   }
 }
 
-/* Whether the sides of a block belong into the tree. */
-static bool
-has_many_sides (const QnContactSearch *search, size_t block)
-{
-  return search->sides.first[block + 1] - search->sides.first[block] > QN_FEW_SIDES;
-}
-
-/* The tree of the sides of blocks that have many. */
+/* The trees of the sides of blocks that have many. */
 static bool
 plant_sides (QnContactSearch *search)
 {
-  const QnSides *sides = &search->sides;
-  size_t count = 0, blocks = search->model->block_count;
-  for (size_t i = 0; i < blocks; i++)
-    count += has_many_sides (search, i) ? sides->first[i + 1] - sides->first[i] : 0;
-  if (count == 0)
+  QnId blocks = (QnId) search->model->block_count;
+  size_t most = 0;
+  for (QnId i = 0; i < blocks; i++)
+    most = qn_side_count (search, i) > most ? qn_side_count (search, i) : most;
+  if (most <= QN_FEW_SIDES)
     return true;
 
-  QnBox *boxes = qn_alloc (count, sizeof *boxes);
-  search->tree_sides = qn_alloc (count, sizeof *search->tree_sides);
-  bool done = boxes != NULL && search->tree_sides != NULL;
-  size_t item = 0;
-  for (size_t i = 0; i < blocks && done; i++) {
-    for (size_t k = sides->first[i];
-         k < sides->first[i + 1] && has_many_sides (search, i); k++) {
-      boxes[item] = qn_side_box (&sides->items[k]);
-      search->tree_sides[item++] = (QnId) k;
-    }
+  QnBox *boxes = qn_alloc (most, sizeof *boxes);
+  search->side_trees = qn_alloc ((size_t) blocks, sizeof *search->side_trees);
+  bool done = boxes != NULL && search->side_trees != NULL;
+  for (QnId i = 0; i < blocks && done; i++) {
+    size_t count = qn_side_count (search, i);
+    if (count <= QN_FEW_SIDES)
+      continue;
+    for (size_t k = 0; k < count; k++)
+      boxes[k] = qn_side_box (&search->sides.items[search->sides.first[i] + k]);
+    done = qn_box_tree_init (&search->side_trees[i], boxes, count);
   }
-  done = done && qn_box_tree_init (&search->side_tree, boxes, count);
   free (boxes);
   return done;
 }
@@ -106,7 +98,8 @@ qn_contact_search_clear (QnContactSearch *search)
   free (search->block_boxes);
   free (search->convex);
   qn_box_tree_clear (&search->block_tree);
-  qn_box_tree_clear (&search->side_tree);
-  free (search->tree_sides);
+  for (size_t i = 0; search->side_trees != NULL && i < search->model->block_count; i++)
+    qn_box_tree_clear (&search->side_trees[i]);
+  free (search->side_trees);
   *search = (QnContactSearch){ 0 };
 }

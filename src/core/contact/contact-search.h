@@ -27,9 +27,8 @@ typedef struct QnContactSearch {
   bool *convex; /* per block */
   QnBoxTree block_tree;
 
-  /* Sides of blocks that have too many to be looked through; empty where there are none. */
-  QnBoxTree side_tree;
-  QnId *tree_sides; /* into sides.items, by item of the tree */
+  /* Per block, of its sides, empty where they are few; NULL where they are so of every block. */
+  QnBoxTree *side_trees;
 } QnContactSearch;
 
 static inline QnBox
@@ -45,7 +44,7 @@ QnStatus qn_contact_search_init (QnContactSearch *search, const QnModel *model,
 void qn_contact_search_clear (QnContactSearch *search);
 
 /* Walking along the sides of one block that meet a box. All sides of a block with few are compared;
- * those of a block with many, such as a ground of thousands of vertices, are searched through the
+ * those of a block with many, such as a ground of thousands of vertices, are searched through their
  * tree. */
 typedef struct QnSideWalk {
   const QnContactSearch *search;
@@ -71,7 +70,7 @@ qn_side_walk_start (QnSideWalk *walk, const QnContactSearch *search, QnId block,
   walk->end = search->sides.first[block + 1];
   walk->by_tree = walk->end - walk->next > QN_FEW_SIDES;
   if (walk->by_tree)
-    walk->query = qn_box_tree_query (&search->side_tree, box);
+    walk->query = qn_box_tree_query (&search->side_trees[block], box);
 }
 
 /* The next side, or NULL. */
@@ -80,11 +79,8 @@ qn_side_walk_next (QnSideWalk *walk)
 {
   const QnSide *sides = walk->search->sides.items;
   QnId item;
-  while (walk->by_tree && (item = qn_box_query_next (&walk->query)) != QN_NONE) {
-    size_t i = (size_t) walk->search->tree_sides[item];
-    if (i >= walk->next && i < walk->end)
-      return &sides[i];
-  }
+  if (walk->by_tree && (item = qn_box_query_next (&walk->query)) != QN_NONE)
+    return &sides[walk->next + (size_t) item];
   while (!walk->by_tree && walk->next < walk->end) {
     const QnSide *side = &sides[walk->next++];
     if (qn_box_meets (qn_side_box (side), walk->box))
