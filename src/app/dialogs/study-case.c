@@ -29,7 +29,6 @@ solve_case (GTask *task, gpointer source, gpointer data, GCancellable *cancellab
 {
   Opening *opening = data;
   QnStudy study;
-  QnCaseSolver solver;
   QnCaseModel model;
   QnCaseResult result;
   GError *error = NULL;
@@ -37,12 +36,7 @@ solve_case (GTask *task, gpointer source, gpointer data, GCancellable *cancellab
     g_task_return_error (task, error);
     return;
   }
-  if (!qn_case_solver_init (&solver, &study, &error)) {
-    qn_study_clear (&study);
-    g_task_return_error (task, error);
-    return;
-  }
-  qn_case_solve (&solver, opening->values, NULL, &model, &result);
+  qn_case_solve (&study, opening->values, NULL, &model, &result);
   if (result.failed) {
     error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, result.reason);
   } else {
@@ -57,7 +51,6 @@ solve_case (GTask *task, gpointer source, gpointer data, GCancellable *cancellab
     qn_case_model_clear (&model);
   }
   qn_case_result_clear (&result);
-  qn_case_solver_clear (&solver);
   qn_study_clear (&study);
   if (error != NULL)
     g_task_return_error (task, error);

@@ -1,7 +1,7 @@
 #include "core/base/clock.h"
 #include "core/base/memory.h"
 #include "core/base/numbers.h"
-#include "core/limit/limit-series.h"
+#include "core/limit/limit.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -148,15 +148,12 @@ add_solution (QnResult *result, double multiplier)
 }
 
 static QnStatus
-run_associative (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
+run_associative (const QnModel *model, const QnContacts *contacts,
                  QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
   QnLimitSolution solution;
   QnStatus status =
-    series != NULL
-      ? qn_limit_series_solve (series, model, contacts, progress, user_data, &solution,
-                               diag)
-      : qn_limit_associative (model, contacts, progress, user_data, &solution, diag);
+    qn_limit_associative (model, contacts, progress, user_data, &solution, diag);
 
   if (!status)
     status = keep_solution (result, model, contacts, &solution, diag);
@@ -194,8 +191,8 @@ run_non_associative (const QnModel *model, const QnContacts *contacts,
 }
 
 QnStatus
-qn_limit_run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
-              QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
+qn_limit_run (const QnModel *model, const QnContacts *contacts, QnProgressFunc progress,
+              void *user_data, QnResult *result, QnDiag *diag)
 {
   double start = qn_clock_seconds ();
   QnStatus status =
@@ -203,10 +200,9 @@ qn_limit_run (QnLimitSeries *series, const QnModel *model, const QnContacts *con
 
   result->limit.flow = model->analysis.flow;
   if (!status)
-    status =
-      model->analysis.flow == QN_FLOW_ASSOCIATIVE
-        ? run_associative (series, model, contacts, progress, user_data, result, diag)
-        : run_non_associative (model, contacts, progress, user_data, result, diag);
+    status = model->analysis.flow == QN_FLOW_ASSOCIATIVE
+               ? run_associative (model, contacts, progress, user_data, result, diag)
+               : run_non_associative (model, contacts, progress, user_data, result, diag);
   result->statistics.seconds = qn_clock_seconds () - start;
   if (status)
     qn_result_clear (result);

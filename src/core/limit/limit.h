@@ -72,8 +72,8 @@ void qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort);
 
 /* Solves the program as it stands, with certificates for every outcome. With `from_dead_load`,
  * DEAD_LOAD_UNSTABLE is also the outcome where equilibrium exists under some live load but not
- * without. `engine` must have been initialised with &limit->ip; only its numbers may have changed
- * since. `solution` is overwritten without being cleared. */
+ * without. `engine` must have been initialised with &limit->ip. `solution` is overwritten without
+ * being cleared. */
 QnStatus qn_limit_solve (QnLimitProblem *limit, QnCollapse *engine, bool from_dead_load,
                          QnProgressFunc progress, void *user_data,
                          QnLimitSolution *solution, QnDiag *diag);
@@ -122,11 +122,9 @@ QnStatus qn_limit_find_mechanism (const QnModel *model, const QnContacts *contac
                                   double **velocities, QnDiag *diag);
 
 /* The limit analysis of the model's settings, as a result: steps at the dead load and at collapse
- * (rigid blocks have not moved yet), pair forces, mechanism, bounds. In `series` (nullable,
- * limit-series.h) associative analyses share what they can. */
-struct QnLimitSeries;
-QnStatus qn_limit_run (struct QnLimitSeries *series, const QnModel *model,
-                       const QnContacts *contacts, QnProgressFunc progress,
-                       void *user_data, QnResult *result, QnDiag *diag);
+ * (rigid blocks have not moved yet), pair forces, mechanism, bounds. */
+QnStatus qn_limit_run (const QnModel *model, const QnContacts *contacts,
+                       QnProgressFunc progress, void *user_data, QnResult *result,
+                       QnDiag *diag);
 
 #endif

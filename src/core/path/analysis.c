@@ -4,6 +4,7 @@
 #include "core/base/tolerance.h"
 #include "core/check/result-check.h"
 #include "core/dynamics/dynamics.h"
+#include "core/limit/limit.h"
 #include "core/path/bound.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
@@ -80,15 +81,15 @@ settle_mechanism (const QnModel *model, const QnContacts *contacts, QnBudget *bu
 /* --- The whole ---------------------------------------------------------------------------- */
 
 static QnStatus
-run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
-     QnBudget *budget, QnResult *result, QnDiag *diag)
+run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResult *result,
+     QnDiag *diag)
 {
   QnPath path;
   bool stands;
 
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
     QnStatus status =
-      qn_limit_run (series, model, contacts, qn_budget_go_on, budget, result, diag);
+      qn_limit_run (model, contacts, qn_budget_go_on, budget, result, diag);
     return status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED
              ? qn_path_add_broken_bound (model, contacts, qn_budget_go_on, budget, result,
                                          diag)
@@ -116,19 +117,10 @@ QnStatus
 qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                  QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
-  return qn_analysis_run_in_series (NULL, model, contacts, progress, user_data, result,
-                                    diag);
-}
-
-QnStatus
-qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
-                           const QnContacts *contacts, QnProgressFunc progress,
-                           void *user_data, QnResult *result, QnDiag *diag)
-{
   QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
 
   *result = (QnResult){ 0 };
-  QnStatus status = run (series, model, contacts, &budget, result, diag);
+  QnStatus status = run (model, contacts, &budget, result, diag);
   if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
     qn_result_judge_linearity (model, result);

@@ -4,7 +4,6 @@
 
 #include "core/base/progress.h"
 #include "core/contact/contacts.h"
-#include "core/limit/limit-series.h"
 #include "core/result/result.h"
 
 /* Solves a prepared, sound model by the procedure its settings name.
@@ -22,10 +21,5 @@
 QnStatus qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                           QnProgressFunc progress, void *user_data, QnResult *result,
                           QnDiag *diag);
-
-/* The same; limit analyses of models that are alike share what they can in `series` (nullable). */
-QnStatus qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
-                                    const QnContacts *contacts, QnProgressFunc progress,
-                                    void *user_data, QnResult *result, QnDiag *diag);
 
 #endif

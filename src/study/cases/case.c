@@ -17,12 +17,6 @@
 #include <math.h>
 
 void
-qn_case_solver_clear (QnCaseSolver *solver)
-{
-  qn_limit_series_clear (&solver->series);
-}
-
-void
 qn_case_model_clear (QnCaseModel *model)
 {
   qn_result_clear (&model->result);
@@ -104,14 +98,12 @@ parse (const QnStudy *study, const double *values, QnProject *project, GError **
 
 /* Reads the case and finds its contacts. */
 static gboolean
-prepare (const QnCaseSolver *solver, const double *values, QnCaseModel *model,
-         GError **error)
+prepare (const QnStudy *study, const double *values, QnCaseModel *model, GError **error)
 {
   QnDiag diag = { 0 };
-  if (!parse (solver->study, values, &model->project, error)
-      || (solver->study->run == QN_STUDY_DYNAMIC
-          && !qn_project_read_records (&model->project, solver->study->folder, FALSE,
-                                       error)))
+  if (!parse (study, values, &model->project, error)
+      || (study->run == QN_STUDY_DYNAMIC
+          && !qn_project_read_records (&model->project, study->folder, FALSE, error)))
     return FALSE;
   if (qn_contacts_detect (&model->project.model, &model->contacts, &diag) == QN_OK
       && qn_contacts_require_sound (&model->project.model, &model->contacts, &diag)
@@ -119,34 +111,6 @@ prepare (const QnCaseSolver *solver, const double *values, QnCaseModel *model,
     return TRUE;
   qn_project_set_error (&model->project, &diag, error);
   return FALSE;
-}
-
-/* Limit analyses start from a case in the middle of all. Where there is none (its values are refused,
- * or it has no optimum) every case is solved by itself. */
-static gboolean
-begin_series (QnCaseSolver *solver)
-{
-  g_autofree double *values = g_new (double, solver->study->parameters->len);
-  QnCaseModel middle = { 0 };
-  QnStatus status = QN_OK;
-  qn_sample_middle (solver->study, values);
-  if (prepare (solver, values, &middle, NULL))
-    status = qn_limit_series_init (&solver->series, &middle.project.model,
-                                   &middle.contacts, NULL);
-  qn_case_model_clear (&middle);
-  return status != QN_ERROR_NO_MEMORY;
-}
-
-gboolean
-qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error)
-{
-  QnDiag diag = { 0 };
-  *solver = (QnCaseSolver){ .study = study };
-  if (study->run == QN_STUDY_LIMIT && !begin_series (solver)) {
-    qn_project_set_error (&study->project, &diag, error);
-    return FALSE;
-  }
-  return TRUE;
 }
 
 /* What bounds the multiplier from above whatever the dilatancy; NaN where limit analysis does not
@@ -262,15 +226,14 @@ dup_mechanism_kind (const QnCaseModel *model)
 }
 
 static QnStatus
-analyse (QnCaseSolver *solver, QnCaseModel *model, QnCaseResult *result, QnDiag *diag)
+analyse (const QnStudy *study, QnCaseModel *model, QnCaseResult *result, QnDiag *diag)
 {
   const QnModel *core = &model->project.model;
   /* A study asks for the bound itself, where it is one of its outputs. */
   if (core->analysis.bound == QN_BOUND_AUTO)
     model->project.model.analysis.bound = QN_BOUND_NEVER;
-  if (solver->study->run != QN_STUDY_MODAL)
-    return qn_analysis_run_in_series (&solver->series, core, &model->contacts, NULL, NULL,
-                                      &model->result, diag);
+  if (study->run != QN_STUDY_MODAL)
+    return qn_analysis_run (core, &model->contacts, NULL, NULL, &model->result, diag);
 
   enum { WANTED = QN_STUDY_FREQUENCY_6 - QN_STUDY_FREQUENCY_1 + 1 };
   QnModes modes;
@@ -283,11 +246,10 @@ analyse (QnCaseSolver *solver, QnCaseModel *model, QnCaseResult *result, QnDiag 
 }
 
 void
-qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
+qn_case_solve (const QnStudy *study, const double *values, const char *keep,
                QnCaseModel *model, QnCaseResult *result)
 {
   double start = qn_clock_seconds ();
-  const QnStudy *study = solver->study;
   QnCaseModel own;
   GError *error = NULL;
   QnDiag diag = { 0 };
@@ -295,8 +257,8 @@ qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
 
   *current = (QnCaseModel){ 0 };
   qn_case_result_fail (result, NULL);
-  if (prepare (solver, values, current, &error)) {
-    if (analyse (solver, current, result, &diag) != QN_OK)
+  if (prepare (study, values, current, &error)) {
+    if (analyse (study, current, result, &diag) != QN_OK)
       qn_project_set_error (&current->project, &diag, &error);
     else {
       result->failed = FALSE;

@@ -2,7 +2,6 @@
 #ifndef QN_STUDY_CASE_H
 #define QN_STUDY_CASE_H
 
-#include "core/limit/limit-series.h"
 #include "core/result/result.h"
 #include "study/plan/study.h"
 
@@ -18,13 +17,6 @@ typedef struct QnCaseResult {
   char *shape;                           /* of the mechanism (shape.h), nullable. Owned */
 } QnCaseResult;
 
-/* What the cases of a study share: blocks that no parameter moves keep the contacts that were found
- * once, limit analyses start from that of the project as it is. It must stay where it is. */
-typedef struct QnCaseSolver {
-  const QnStudy *study; /* borrowed */
-  QnLimitSeries series; /* zeroed where the study runs something else */
-} QnCaseSolver;
-
 /* A case in full, for those who draw it. */
 typedef struct QnCaseModel {
   QnProject project;
@@ -32,14 +24,10 @@ typedef struct QnCaseModel {
   QnResult result;
 } QnCaseModel;
 
-/* Errors: QN_IO_ERROR. */
-gboolean qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error);
-void qn_case_solver_clear (QnCaseSolver *solver);
-
 /* Analyses the project with these values (one per parameter) and fills *result, which is
  * overwritten without being cleared. Where `keep` is a path, the full result is written there.
  * `model` (nullable) receives the case itself, empty where it failed. */
-void qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
+void qn_case_solve (const QnStudy *study, const double *values, const char *keep,
                     QnCaseModel *model, QnCaseResult *result);
 
 void qn_case_model_clear (QnCaseModel *model);

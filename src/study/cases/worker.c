@@ -85,12 +85,9 @@ void
 qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep, FILE *input,
                  FILE *output)
 {
-  QnCaseSolver solver;
-  GError *error = NULL;
   char *line = NULL;
   size_t size = 0;
   g_autofree double *values = g_new (double, study->parameters->len);
-  gboolean sound = qn_case_solver_init (&solver, study, &error);
 
   fputs ("ready\n", output);
   fflush (output);
@@ -101,16 +98,11 @@ qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep, FILE *
     for (guint i = 0; i < study->parameters->len; i++)
       values[i] = g_ascii_strtod (at, &at);
     g_autofree char *path = keep ? qn_folder_dup_result (folder, number) : NULL;
-    if (sound)
-      qn_case_solve (&solver, values, path, NULL, &result);
-    else
-      qn_case_result_fail (&result, error->message);
+    qn_case_solve (study, values, path, NULL, &result);
     print_result (output, number, &result);
     qn_case_result_clear (&result);
   }
   free (line);
-  g_clear_error (&error);
-  qn_case_solver_clear (&solver);
 }
 
 /* In the child: becomes the worker, or ends. Only what is safe after a fork. */

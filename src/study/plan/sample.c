@@ -151,20 +151,6 @@ qn_sample_init (QnSample *sample, const QnStudy *study)
 }
 
 void
-qn_sample_middle (const QnStudy *study, double *values)
-{
-  gboolean by_levels =
-    study->plan == QN_PLAN_GRID || study->plan == QN_PLAN_ONE_AT_A_TIME;
-  for (guint i = 0; i < study->parameters->len; i++) {
-    const QnParameter *parameter = qn_study_parameter (study, i);
-    double value =
-      by_levels ? qn_parameter_level (parameter, qn_parameter_level_count (parameter) / 2)
-                : qn_distribution_quantile (&parameter->distribution, 0.5);
-    values[i] = final_value (parameter, value);
-  }
-}
-
-void
 qn_sample_clear (QnSample *sample)
 {
   g_free (sample->values);

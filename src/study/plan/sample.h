@@ -18,10 +18,6 @@ typedef struct QnSample {
  * parameter the point a with this one coordinate of b. */
 void qn_sample_init (QnSample *sample, const QnStudy *study);
 
-/* A case in the middle of all, whether it is one of them or not: values (width) are the medians of
- * distributions, the middle levels of plans by levels. */
-void qn_sample_middle (const QnStudy *study, double *values);
-
 void qn_sample_clear (QnSample *sample);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnSample, qn_sample_clear)
 

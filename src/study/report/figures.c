@@ -485,7 +485,6 @@ export_mechanisms (const Page *page, const char *path, const QnOutput *output,
                    const QnMetadata *metadata)
 {
   const QnTable *table = page->table;
-  QnCaseSolver solver;
   gsize whole;
   g_autoptr (GArray) shares = qn_table_dup_mechanisms (table, &whole);
   guint count = MIN (shares->len, MOST_KINDS);
@@ -497,13 +496,11 @@ export_mechanisms (const Page *page, const char *path, const QnOutput *output,
     fail (page, _ ("no case has a mechanism: is mechanism_shape among the outputs?"));
     return FALSE;
   }
-  if (!qn_case_solver_init (&solver, table->study, page->error))
-    return FALSE;
   for (guint i = 0; i < count; i++) {
     const QnMechanismShare *share = &g_array_index (shares, QnMechanismShare, i);
     QnCaseResult result;
-    qn_case_solve (&solver, table->numbers + share->row * table->width, NULL, &models[i],
-                   &result);
+    qn_case_solve (table->study, table->numbers + share->row * table->width, NULL,
+                   &models[i], &result);
     qn_case_result_clear (&result);
     if (models[i].result.mechanism == NULL)
       continue;
@@ -521,7 +518,6 @@ export_mechanisms (const Page *page, const char *path, const QnOutput *output,
   gboolean ok = qn_compare_sheet_export (&sheet, path, output, metadata, page->error);
   for (guint i = 0; i < count; i++)
     qn_case_model_clear (&models[i]);
-  qn_case_solver_clear (&solver);
   return ok;
 }
 

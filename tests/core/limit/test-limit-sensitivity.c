@@ -90,7 +90,7 @@ check_differences (QnLawKind wanted)
   QnLimitSensitivity s;
   init_wall (&model, FRICTION, 0);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_limit_run (NULL, &model, &contacts, NULL, NULL, &result, NULL), ==,
+  g_assert_cmpint (qn_limit_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
                    QN_OK);
   g_assert_cmpint (qn_limit_sensitivity (&model, &contacts, &result, &s, NULL), ==,
                    QN_OK);
@@ -131,7 +131,7 @@ test_closed_form (void)
   model.analysis.procedure = QN_PROCEDURE_LIMIT;
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_limit_run (NULL, &model, &contacts, NULL, NULL, &result, NULL), ==,
+  g_assert_cmpint (qn_limit_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
                    QN_OK);
   g_assert_cmpint (qn_limit_sensitivity (&model, &contacts, &result, &s, NULL), ==,
                    QN_OK);

@@ -1,5 +1,4 @@
-/* One case: its outputs are those of the project with these values, whether or not contacts are
- * found anew. */
+/* One case: its outputs are those of the project with these values. */
 #include "study/cases/case.h"
 
 #include "core/limit/limit.h"
@@ -16,19 +15,16 @@ static void
 test_outputs (void)
 {
   g_auto (QnStudy) study;
-  QnCaseSolver solver;
   g_auto (QnCaseResult) result;
   const double values[] = { 0.37, 12000 };
   fixture_study (&study, PLAN, "");
-  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
-  qn_case_solve (&solver, values, NULL, NULL, &result);
+  qn_case_solve (&study, values, NULL, NULL, &result);
   g_assert_false (result.failed);
   g_assert_cmpstr (result.outcome, ==, "collapse");
   g_assert_cmpstr (result.mechanism, ==, "sliding");
   g_assert_cmpfloat_with_epsilon (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER], 0.37,
                                   1e-6);
   g_assert_true (isnan (result.numbers[QN_STUDY_UPPER_BOUND])); /* not asked for */
-  qn_case_solver_clear (&solver);
 }
 
 /* A value that the project does not allow is a failed case that says which. */
@@ -36,19 +32,15 @@ static void
 test_failed (void)
 {
   g_auto (QnStudy) study;
-  QnCaseSolver solver;
   g_auto (QnCaseResult) result;
   const double values[] = { 0.4, -1 };
   fixture_study (&study, PLAN, "");
-  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
-  qn_case_solve (&solver, values, NULL, NULL, &result);
+  qn_case_solve (&study, values, NULL, NULL, &result);
   g_assert_true (result.failed);
   g_assert_nonnull (strstr (result.reason, "blocks[1].unit_weight"));
-  qn_case_solver_clear (&solver);
 }
 
-/* Keys that move blocks: what the case finds, from the contacts of the project as it is, equals what
- * the project says afresh. */
+/* Keys that move blocks: what the case finds equals what the project says afresh. */
 static const struct {
   const char *name, *model, *path;
   double values[2];
@@ -62,7 +54,7 @@ static const struct {
 };
 
 static void
-check_case (QnCaseSolver *solver, const char *model, const char *path, double value,
+check_case (const QnStudy *study, const char *model, const char *path, double value,
             double *multiplier)
 {
   char number[QN_NUMBER_TEXT_SIZE];
@@ -73,7 +65,7 @@ check_case (QnCaseSolver *solver, const char *model, const char *path, double va
   g_auto (QnProject) project;
   g_auto (QnContacts) contacts;
   g_auto (QnLimitSolution) solution;
-  qn_case_solve (solver, &value, NULL, NULL, &result);
+  qn_case_solve (study, &value, NULL, NULL, &result);
   if (result.failed)
     g_error ("%s", result.reason);
   g_assert_true (qn_project_load (model, overrides, &project, NULL));
@@ -106,15 +98,12 @@ test_geometry (gconstpointer data)
   test_autoscratch char *folder = test_scratch_new ();
   double multipliers[2];
   g_auto (QnStudy) study;
-  QnCaseSolver solver;
   fixture_read (folder, text, &study, &error);
   g_assert_no_error (error);
-  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
   for (gsize k = 0; k < 2; k++)
-    check_case (&solver, model, geometries[i].path, geometries[i].values[k],
+    check_case (&study, model, geometries[i].path, geometries[i].values[k],
                 &multipliers[k]);
   g_assert_cmpfloat (multipliers[0], !=, multipliers[1]);
-  qn_case_solver_clear (&solver);
 }
 
 /* A case in time: what it gives is what the result says. */
@@ -132,15 +121,13 @@ test_dynamic (void)
     g_getenv ("QUOIN_EXAMPLES"), "42-arch-pulse.quoin");
   test_autoscratch char *folder = test_scratch_new ();
   g_auto (QnStudy) study;
-  QnCaseSolver solver;
   fixture_read (folder, text, &study, &error);
   g_assert_no_error (error);
-  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
   const double scales[] = { 0.1, 4 };
   for (gsize i = 0; i < 2; i++) {
     g_auto (QnCaseResult) result;
     QnCaseModel model;
-    qn_case_solve (&solver, &scales[i], NULL, &model, &result);
+    qn_case_solve (&study, &scales[i], NULL, &model, &result);
     if (result.failed)
       g_error ("%s", result.reason);
     const QnHistory *history = &model.result.history;
@@ -159,7 +146,6 @@ test_dynamic (void)
                          history->collapse_time);
     qn_case_model_clear (&model);
   }
-  qn_case_solver_clear (&solver);
 }
 
 /* An analysis that may not take as much work as it needs has failed, and says so. */
@@ -175,16 +161,13 @@ test_work (void)
     g_getenv ("QUOIN_EXAMPLES"), "06-arch.quoin");
   test_autoscratch char *folder = test_scratch_new ();
   g_auto (QnStudy) study;
-  QnCaseSolver solver;
   g_auto (QnCaseResult) result;
   const double friction = 0.6;
   fixture_read (folder, text, &study, &error);
   g_assert_no_error (error);
-  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
-  qn_case_solve (&solver, &friction, NULL, NULL, &result);
+  qn_case_solve (&study, &friction, NULL, NULL, &result);
   g_assert_true (result.failed);
   g_assert_nonnull (strstr (result.reason, "factorizations"));
-  qn_case_solver_clear (&solver);
 }
 
 QN_TESTS

@@ -71,17 +71,14 @@ test_case (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
   g_auto (QnStudy) study;
-  QnCaseSolver solver;
   g_auto (QnCaseResult) result;
   read_study (folder, STUDY, &study, NULL);
-  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
   const double at_end = 2;
-  qn_case_solve (&solver, &at_end, NULL, NULL, &result);
+  qn_case_solve (&study, &at_end, NULL, NULL, &result);
   g_assert_false (result.failed);
   /* b alone: 1000 N, pushed by 5 N at 0.5 m and 5 N at 1 m with 2 Nm more against it: it slides
    * at 600/10 and turns at 500/(2.5 + 5 - 2). */
   g_assert_cmpfloat_with_epsilon (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER], 60, 1e-6);
-  qn_case_solver_clear (&solver);
 }
 
 static void
