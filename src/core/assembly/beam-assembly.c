@@ -619,19 +619,11 @@ qn_beam_assembly_forces (const QnBeamAssembly *as, double multiplier,
 
 /* --- States ----------------------------------------------------------------------------- */
 
-bool
-qn_beam_state_init (QnBeamState *state, const QnBeamAssembly *as)
-{
-  state->memory = qn_alloc (as->count, sizeof *state->memory);
-  state->responses = qn_alloc (as->count, sizeof *state->responses);
-  return state->memory && state->responses;
-}
-
 void
-qn_beam_state_clear (QnBeamState *state)
+qn_beam_state_init (QnBeamState *state, const QnBeamAssembly *as, QnPool *pool)
 {
-  free (state->memory);
-  free (state->responses);
+  state->memory = qn_pool_alloc (pool, as->count, sizeof *state->memory);
+  state->responses = qn_pool_alloc (pool, as->count, sizeof *state->responses);
 }
 
 void

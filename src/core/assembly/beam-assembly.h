@@ -55,7 +55,7 @@ typedef struct QnBeamAssembly {
   int8_t *assembled_phases;  /* of the tangent that was assembled last */
 } QnBeamAssembly;
 
-/* All of a state that does not follow from displacements; owned arrays, one item an element. */
+/* All of a state that does not follow from displacements: arrays, one item an element. */
 typedef struct QnBeamState {
   QnBeamMemory *memory;
   QnBeamResponse *responses;
@@ -117,9 +117,8 @@ bool qn_beam_assembly_has_changed (const QnBeamAssembly *beams);
 /* Accepts the state of the last evaluation: plastic hinges keep it. */
 void qn_beam_assembly_commit (QnBeamAssembly *beams);
 
-/* States, for going back. */
-bool qn_beam_state_init (QnBeamState *state, const QnBeamAssembly *beams);
-void qn_beam_state_clear (QnBeamState *state);
+/* States, for going back; from a pool. */
+void qn_beam_state_init (QnBeamState *state, const QnBeamAssembly *beams, QnPool *pool);
 void qn_beam_state_save (QnBeamState *state, const QnBeamAssembly *beams);
 void qn_beam_state_set (const QnBeamState *state, QnBeamAssembly *beams);
 

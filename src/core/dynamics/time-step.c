@@ -39,7 +39,7 @@ static bool advance_time (QnStepEquation *equation, int iteration);
 
 /* --- Setting up -------------------------------------------------------------------------- */
 
-static bool
+static void
 instant_init (QnInstant *instant, const QnAssembly *as, QnPool *pool)
 {
   size_t n = (size_t) as->unknown_count, pairs = as->pair_count;
@@ -50,7 +50,7 @@ instant_init (QnInstant *instant, const QnAssembly *as, QnPool *pool)
   instant->residual = qn_pool_alloc (pool, n, sizeof (double));
   instant->elongations = qn_pool_alloc (pool, 2 * pairs, sizeof (double));
   instant->rates = qn_pool_alloc (pool, 2 * pairs, sizeof (double));
-  return qn_equilibrium_state_init (&instant->at, as);
+  qn_equilibrium_state_init (&instant->at, as, pool);
 }
 
 static bool
@@ -60,8 +60,9 @@ allocate (QnTimeStep *step)
   size_t n = (size_t) as->unknown_count, entries = (size_t) as->ap[n],
          pairs = as->pair_count;
   QnPool *pool = &step->pool;
-  bool ok = instant_init (&step->start, as, pool) && instant_init (&step->end, as, pool);
 
+  instant_init (&step->start, as, pool);
+  instant_init (&step->end, as, pool);
   step->mass = qn_pool_alloc (pool, entries, sizeof (double));
   step->beam_damping = qn_pool_alloc (pool, entries, sizeof (double));
   step->inertia[0] = qn_pool_alloc (pool, n, sizeof (double));
@@ -73,7 +74,7 @@ allocate (QnTimeStep *step)
   step->factored = qn_pool_alloc (pool, QN_BRANCH * pairs, sizeof (double));
   step->elasticity = qn_pool_alloc (pool, pairs, sizeof *step->elasticity);
   step->forces = qn_pool_alloc (pool, pairs, sizeof *step->forces);
-  return ok && !pool->failed;
+  return !pool->failed;
 }
 
 /* The stiffness of beams that damping goes with. */
@@ -233,8 +234,6 @@ qn_time_step_renew (QnTimeStep *step, QnDiag *diag)
 void
 qn_time_step_clear (QnTimeStep *step)
 {
-  qn_equilibrium_state_clear (&step->start.at);
-  qn_equilibrium_state_clear (&step->end.at);
   qn_pool_clear (&step->pool);
   *step = (QnTimeStep){ 0 };
 }

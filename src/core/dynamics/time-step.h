@@ -58,7 +58,7 @@ typedef struct QnInstant {
 typedef struct QnTimeStep {
   QnStepEquation
     equation;  /* with the workspace, borrowed: its residual, step, and scratch */
-  QnPool pool; /* of all that follows but states */
+  QnPool pool; /* of all that follows */
   QnTimeScheme scheme;
   const QnDynamicSettings *settings;
   double h;      /* length of the step tried, s, */

@@ -5,23 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool
-qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *as)
-{
-  state->u = qn_alloc ((size_t) as->unknown_count, sizeof *state->u);
-  state->memory = qn_alloc (as->pair_count, sizeof *state->memory);
-  state->responses = qn_alloc (as->pair_count, sizeof *state->responses);
-  return qn_beam_state_init (&state->beams, &as->beams) && state->u && state->memory
-         && state->responses;
-}
-
 void
-qn_equilibrium_state_clear (QnEquilibriumState *state)
+qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *as, QnPool *pool)
 {
-  free (state->u);
-  free (state->memory);
-  free (state->responses);
-  qn_beam_state_clear (&state->beams);
+  state->u = qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof *state->u);
+  state->memory = qn_pool_alloc (pool, as->pair_count, sizeof *state->memory);
+  state->responses = qn_pool_alloc (pool, as->pair_count, sizeof *state->responses);
+  qn_beam_state_init (&state->beams, &as->beams, pool);
 }
 
 double
@@ -86,30 +76,26 @@ static bool
 allocate_for_pairs (QnEquilibrium *eq)
 {
   const QnAssembly *as = &eq->assembly;
+  QnPool *pool = &eq->pair_pool;
   QnVec2 *points = qn_assembly_points (as);
 
   eq->linsys = points == NULL ? NULL
                               : qn_linsys_new (as->unknown_count, as->ap, as->ai, points,
                                                as->model->analysis.workers);
   free (points);
-  eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
-  eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);
-  QnEquilibriumState *states[] = { &eq->committed, &eq->recorded, &eq->anchor };
-  bool ok = eq->linsys != NULL && eq->factored_phases != NULL && eq->gaps != NULL;
-  for (size_t i = 0; i < QN_N_ELEMENTS (states); i++)
-    ok = qn_equilibrium_state_init (states[i], as) && ok;
-  return ok;
+  eq->factored_phases = qn_pool_alloc (pool, as->pair_count, sizeof *eq->factored_phases);
+  eq->gaps = qn_pool_alloc (pool, as->pair_count, sizeof *eq->gaps);
+  qn_equilibrium_state_init (&eq->committed, as, pool);
+  qn_equilibrium_state_init (&eq->recorded, as, pool);
+  qn_equilibrium_state_init (&eq->anchor, as, pool);
+  return eq->linsys != NULL && !pool->failed;
 }
 
 static void
 free_for_pairs (QnEquilibrium *eq)
 {
   qn_linsys_free (eq->linsys);
-  free (eq->factored_phases);
-  free (eq->gaps);
-  qn_equilibrium_state_clear (&eq->committed);
-  qn_equilibrium_state_clear (&eq->recorded);
-  qn_equilibrium_state_clear (&eq->anchor);
+  qn_pool_clear (&eq->pair_pool);
   qn_assembly_clear (&eq->assembly);
 }
 
@@ -162,7 +148,7 @@ qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnDiag *diag)
   QnEquilibrium next = *eq;
 
   next.assembly = *assembly;
-  next.committed = next.recorded = next.anchor = (QnEquilibriumState){ 0 };
+  next.pair_pool = (QnPool){ 0 };
   if (!allocate_for_pairs (&next)) {
     free_for_pairs (&next);
     return qn_diag_no_memory (diag);

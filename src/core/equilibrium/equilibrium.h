@@ -67,7 +67,9 @@ qn_solve_status_of (QnFactorStatus status)
 }
 
 typedef struct QnEquilibrium {
-  QnPool pool; /* of vectors of unknowns */
+  QnPool pool; /* of vectors of unknowns, */
+  QnPool
+    pair_pool; /* and of what has the size of the assembly's pairs, states among it */
   QnAssembly assembly;
   QnLinsys *linsys;
   double tolerance; /* largest out-of-balance, relative to the loads */
@@ -206,9 +208,7 @@ typedef struct QnFall {
   int first;                 /* from this one on */
 } QnFall;
 
-/* False when memory runs out; to be cleared all the same. */
-bool qn_fall_init (QnFall *fall, const QnAssembly *assembly);
-void qn_fall_clear (QnFall *fall);
+void qn_fall_init (QnFall *fall, const QnAssembly *assembly, QnPool *pool);
 
 /* Viscous steps until relaxation gives up when its answer decides. */
 #define QN_RELAX_BUDGET 300
@@ -239,9 +239,9 @@ double qn_equilibrium_motion (const QnEquilibrium *eq);
 /* The same in elastic displacements. */
 double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
 
-/* Room for a state of this structure. False when memory runs out; to be cleared all the same. */
-bool qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *assembly);
-void qn_equilibrium_state_clear (QnEquilibriumState *state);
+/* Room for a state of this structure, from a pool. */
+void qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *assembly,
+                                QnPool *pool);
 
 /* Work of the driven loads, as they are at a multiplier of 1, from these unknowns to the current ones, J.
  * Where a stage scales its multiplier, so are its loads. */

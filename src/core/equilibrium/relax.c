@@ -8,10 +8,8 @@
  * Time is counted in units of C / k, with k the mean stiffness of the pairs, so that a
  * viscosity of 1 (a step of 1) is as stiff as the joints themselves.
  */
-#include "core/base/memory.h"
 #include "core/equilibrium/central-path.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Newton iterations of one viscous step; more means that the step is too long. */
@@ -261,23 +259,12 @@ growth (Relaxation *relaxation, int iterations)
   return iterations <= QUICK && !may_fail ? LONGER : 1;
 }
 
-bool
-qn_fall_init (QnFall *fall, const QnAssembly *as)
+void
+qn_fall_init (QnFall *fall, const QnAssembly *as, QnPool *pool)
 {
   *fall = (QnFall){ .first = QN_FALL_STATES };
-  for (int i = 0; i < QN_FALL_STATES; i++) {
-    fall->u[i] = qn_alloc ((size_t) as->unknown_count, sizeof *fall->u[i]);
-    if (fall->u[i] == NULL)
-      return false;
-  }
-  return true;
-}
-
-void
-qn_fall_clear (QnFall *fall)
-{
   for (int i = 0; i < QN_FALL_STATES; i++)
-    free (fall->u[i]);
+    fall->u[i] = qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof *fall->u[i]);
 }
 
 static void

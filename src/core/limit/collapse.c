@@ -1,10 +1,8 @@
 #include "core/limit/collapse.h"
 
-#include "core/base/memory.h"
 #include "core/base/numbers.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What steers the method; numbers without a unit are parts. Measured on the six walls and 48 seeded
@@ -61,35 +59,30 @@ qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
 {
   size_t cells = (size_t) p->cell_count, rows = (size_t) p->row_count,
          bounds = (size_t) p->bound_count;
+  QnPool *pool = &c->pool;
 
   *c = (QnCollapse){ .problem = p };
-  c->w = qn_alloc (bounds, sizeof (double));
-  c->rz = qn_alloc (bounds, sizeof (double));
-  c->products = qn_alloc (bounds, sizeof (double));
-  c->ry = qn_alloc (2 * cells, sizeof (double));
-  c->right.y = qn_alloc (2 * cells, sizeof (double));
-  c->rv = qn_alloc (rows, sizeof (double));
-  c->right.v = qn_alloc (rows, sizeof (double));
-  bool ok = c->w && c->rz && c->products && c->ry && c->right.y && c->rv && c->right.v
-            && qn_ip_vector_init (&c->at, p) && qn_ip_vector_init (&c->step, p)
-            && qn_ip_vector_init (&c->trial, p);
-  QnStatus status = ok ? qn_ip_kkt_init (&c->kkt, p, diag) : qn_diag_no_memory (diag);
-  if (status)
-    qn_collapse_clear (c);
-  return status;
+  c->w = qn_pool_alloc (pool, bounds, sizeof (double));
+  c->rz = qn_pool_alloc (pool, bounds, sizeof (double));
+  c->products = qn_pool_alloc (pool, bounds, sizeof (double));
+  c->ry = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  c->right.y = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  c->rv = qn_pool_alloc (pool, rows, sizeof (double));
+  c->right.v = qn_pool_alloc (pool, rows, sizeof (double));
+  qn_ip_vector_init (&c->at, p, pool);
+  qn_ip_vector_init (&c->step, p, pool);
+  qn_ip_vector_init (&c->trial, p, pool);
+  if (qn_ip_kkt_init (&c->kkt, p) && !pool->failed)
+    return QN_OK;
+  qn_collapse_clear (c);
+  return qn_diag_no_memory (diag);
 }
 
 void
 qn_collapse_clear (QnCollapse *c)
 {
-  double *arrays[] = { c->w, c->rz, c->products, c->ry, c->right.y, c->rv, c->right.v };
-
-  for (size_t i = 0; i < QN_N_ELEMENTS (arrays); i++)
-    free (arrays[i]);
-  qn_ip_vector_clear (&c->at);
-  qn_ip_vector_clear (&c->step);
-  qn_ip_vector_clear (&c->trial);
   qn_ip_kkt_clear (&c->kkt);
+  qn_pool_clear (&c->pool);
   *c = (QnCollapse){ 0 };
 }
 

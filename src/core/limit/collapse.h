@@ -43,6 +43,7 @@ typedef enum {
 } QnCollapseState;
 
 typedef struct QnCollapse {
+  QnPool pool;                /* of vectors */
   const QnIpProblem *problem; /* borrowed */
   QnIpKkt kkt;
   QnIpVector at; /* the iterate: collapse, or certificate */

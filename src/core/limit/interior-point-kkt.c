@@ -1,7 +1,6 @@
 #include "core/limit/interior-point-kkt.h"
 
 #include "core/base/clock.h"
-#include "core/base/memory.h"
 #include "core/base/numbers.h"
 
 #include <math.h>
@@ -83,28 +82,25 @@ fill_pattern (QnIpSchur *schur, const int64_t *keys, size_t count)
   }
 }
 
-static QnStatus
-schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnDiag *diag)
+static void
+schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnPool *pool)
 {
-  size_t n = (size_t) problem->row_count, count;
+  size_t n = (size_t) problem->row_count, count = 0;
+  int64_t *keys = list_entries (problem, &count);
 
   *schur = (QnIpSchur){ .problem = problem };
-  int64_t *keys = list_entries (problem, &count);
-  if (keys == NULL)
-    return qn_diag_no_memory (diag);
-  schur->slots =
-    qn_alloc ((size_t) problem->group_count * GROUP_ENTRIES, sizeof *schur->slots);
-  schur->diagonal = qn_alloc (n, sizeof *schur->diagonal);
-  schur->columns = qn_alloc (n + 1, sizeof *schur->columns);
-  schur->rows = qn_alloc (count, sizeof *schur->rows);
-  schur->values = qn_alloc (count, sizeof *schur->values);
-  if (schur->slots && schur->diagonal && schur->columns && schur->rows && schur->values) {
+  schur->slots = qn_pool_alloc (pool, (size_t) problem->group_count * GROUP_ENTRIES,
+                                sizeof *schur->slots);
+  schur->diagonal = qn_pool_alloc (pool, n, sizeof *schur->diagonal);
+  schur->columns = qn_pool_alloc (pool, n + 1, sizeof *schur->columns);
+  schur->rows = qn_pool_alloc (pool, count, sizeof *schur->rows);
+  schur->values = qn_pool_alloc (pool, count, sizeof *schur->values);
+  if (keys != NULL && !pool->failed) {
     fill_pattern (schur, keys, count);
     schur->lu = qn_block_lu_new (problem->row_count, schur->columns, schur->rows, NULL,
                                  problem->workers);
   }
   free (keys);
-  return schur->lu != NULL ? QN_OK : qn_diag_no_memory (diag);
 }
 
 /* Builds and factorises M for the compliances H^-1 (cell_count x 4, by rows) and r; false where it is
@@ -155,50 +151,32 @@ schur_solve (QnIpSchur *schur, double *x)
   schur->seconds += qn_clock_seconds () - start;
 }
 
-static void
-schur_clear (QnIpSchur *schur)
-{
-  qn_block_lu_free (schur->lu);
-  free (schur->columns);
-  free (schur->rows);
-  free (schur->values);
-  free (schur->slots);
-  free (schur->diagonal);
-  *schur = (QnIpSchur){ 0 };
-}
-
 /* A direction need not be more exact than this: the next iteration sees what is left. */
 #define REFINEMENT_TARGET 1e-6
 #define MOST_REFINEMENTS  4
 
-QnStatus
-qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
+bool
+qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem)
 {
   size_t cells = (size_t) problem->cell_count, rows = (size_t) problem->row_count;
+  QnPool *pool = &kkt->pool;
 
   *kkt = (QnIpKkt){ .problem = problem, .coupling = 1, .error = INFINITY };
-  kkt->compliance = qn_alloc (4 * cells, sizeof (double));
-  kkt->axes = qn_alloc (2 * cells, sizeof (double));
-  kkt->turns = qn_alloc ((size_t) problem->bound_count, sizeof (double));
-  kkt->residual_v = qn_alloc (rows, sizeof (double));
-  kkt->border = qn_alloc (rows, sizeof (double));
-  kkt->step_v = qn_alloc (rows, sizeof (double));
-  if (!kkt->compliance || !kkt->axes || !kkt->turns || !kkt->residual_v || !kkt->border
-      || !kkt->step_v)
-    return qn_diag_no_memory (diag);
-  return schur_init (&kkt->schur, problem, diag);
+  kkt->compliance = qn_pool_alloc (pool, 4 * cells, sizeof (double));
+  kkt->axes = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  kkt->turns = qn_pool_alloc (pool, (size_t) problem->bound_count, sizeof (double));
+  kkt->residual_v = qn_pool_alloc (pool, rows, sizeof (double));
+  kkt->border = qn_pool_alloc (pool, rows, sizeof (double));
+  kkt->step_v = qn_pool_alloc (pool, rows, sizeof (double));
+  schur_init (&kkt->schur, problem, pool);
+  return kkt->schur.lu != NULL;
 }
 
 void
 qn_ip_kkt_clear (QnIpKkt *kkt)
 {
-  schur_clear (&kkt->schur);
-  free (kkt->compliance);
-  free (kkt->axes);
-  free (kkt->turns);
-  free (kkt->residual_v);
-  free (kkt->border);
-  free (kkt->step_v);
+  qn_block_lu_free (kkt->schur.lu);
+  qn_pool_clear (&kkt->pool);
   *kkt = (QnIpKkt){ 0 };
 }
 

@@ -44,6 +44,7 @@ typedef struct QnIpSchur {
 } QnIpSchur;
 
 typedef struct QnIpKkt {
+  QnPool pool;                /* of all arrays */
   const QnIpProblem *problem; /* borrowed */
   QnIpSchur schur;
   double *compliance; /* cell_count x 4: (H+r)^-1 by rows */
@@ -64,7 +65,8 @@ typedef struct QnIpKkt {
                             failed */
 } QnIpKkt;
 
-QnStatus qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag);
+/* `kkt` is overwritten without being cleared. False when memory runs out; to be cleared all the same. */
+bool qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem);
 
 /* Factorises for the weights w (bound_count); false where the matrix is singular. */
 bool qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w);

@@ -1,29 +1,16 @@
 #include "core/limit/interior-point.h"
 
-#include "core/base/memory.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-bool
-qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *p)
-{
-  vector->y = qn_alloc (2 * (size_t) p->cell_count, sizeof (double));
-  vector->v = qn_alloc ((size_t) p->row_count, sizeof (double));
-  vector->s = qn_alloc ((size_t) p->bound_count, sizeof (double));
-  vector->z = qn_alloc ((size_t) p->bound_count, sizeof (double));
-  return vector->y && vector->v && vector->s && vector->z;
-}
-
 void
-qn_ip_vector_clear (QnIpVector *vector)
+qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *p, QnPool *pool)
 {
-  free (vector->y);
-  free (vector->v);
-  free (vector->s);
-  free (vector->z);
-  *vector = (QnIpVector){ 0 };
+  vector->y = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
+  vector->v = qn_pool_alloc (pool, (size_t) p->row_count, sizeof (double));
+  vector->s = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
+  vector->z = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
 }
 
 void

@@ -25,6 +25,7 @@
 #ifndef QN_CORE_INTERIOR_POINT_H
 #define QN_CORE_INTERIOR_POINT_H
 
+#include "core/base/memory.h"
 #include "core/base/status.h"
 #include "core/base/workers.h"
 
@@ -77,9 +78,8 @@ typedef struct QnIpVector {
   double lambda;
 } QnIpVector;
 
-/* False where memory runs out; _clear() frees what there is all the same. */
-bool qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *problem);
-void qn_ip_vector_clear (QnIpVector *vector);
+/* From a pool. */
+void qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *problem, QnPool *pool);
 
 /* to += part * step */
 void qn_ip_vector_add (QnIpVector *to, double part, const QnIpVector *step,

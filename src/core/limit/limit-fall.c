@@ -3,7 +3,6 @@
 #include "core/base/memory.h"
 #include "core/limit/collapse.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Accuracy of the quadratic program. */
@@ -19,13 +18,13 @@ qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
          cell_count = (size_t) fall.cell_count;
   /* Copies with room for two more cells per block: the imbalance, as an unlimited force and moment on the
    * block with a quadratic price. */
-  QnIpGroup *groups = qn_alloc (group_count + blocks, sizeof *groups);
-  QnIpCell *cells = qn_alloc (cell_count + 2 * blocks, sizeof *cells);
+  QnPool pool = { 0 };
+  QnIpGroup *groups = qn_pool_alloc (&pool, group_count + blocks, sizeof *groups);
+  QnIpCell *cells = qn_pool_alloc (&pool, cell_count + 2 * blocks, sizeof *cells);
 
   *proved = false;
-  if (!groups || !cells) {
-    free (groups);
-    free (cells);
+  if (pool.failed) {
+    qn_pool_clear (&pool);
     return qn_diag_no_memory (diag);
   }
   memcpy (groups, fall.groups, group_count * sizeof *groups);
@@ -62,7 +61,6 @@ qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
     }
   }
   qn_collapse_clear (&engine);
-  free (groups);
-  free (cells);
+  qn_pool_clear (&pool);
   return status;
 }

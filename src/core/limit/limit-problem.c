@@ -1,9 +1,6 @@
 #include "core/limit/limit-problem.h"
 
-#include "core/base/memory.h"
-
 #include <math.h>
-#include <stdlib.h>
 
 /* Scaled mass of a block without weight. */
 #define LEAST_MASS 1e-3
@@ -130,40 +127,32 @@ typical_size (const double *values, const int32_t *rows, size_t count)
   return n > 0 ? sqrt (sum / (double) n) : 0.0;
 }
 
+/* dead, live: scratch, block_count x 3. */
 static QnStatus
-scale_loads (QnLimitProblem *limit, const QnModel *model, QnDiag *diag)
+scale_loads (QnLimitProblem *limit, const QnModel *model, double *dead, double *live,
+             QnDiag *diag)
 {
   size_t count = model->block_count * QN_DOF_COUNT;
-  double *dead = qn_alloc (count, sizeof *dead), *live = qn_alloc (count, sizeof *live);
-  QnStatus status = QN_OK;
 
-  limit->constant = qn_alloc ((size_t) limit->ip.row_count, sizeof (double));
-  limit->load = qn_alloc ((size_t) limit->ip.row_count, sizeof (double));
-  if (!dead || !live || !limit->constant || !limit->load) {
-    status = qn_diag_no_memory (diag);
-  } else {
-    qn_model_dead_forces (model, dead);
-    qn_model_live_forces (model, live);
-    for (size_t i = QN_DOF_RZ; i < count; i += QN_DOF_COUNT) {
-      dead[i] /= limit->length_unit;
-      live[i] /= limit->length_unit;
-    }
-    limit->force_unit = typical_size (dead, limit->rows, count);
-    limit->load_unit = typical_size (live, limit->rows, count);
-    if (limit->force_unit == 0.0)
-      limit->force_unit = limit->load_unit;
-    for (size_t i = 0; i < count && limit->load_unit > 0.0; i++)
-      if (limit->rows[i] >= 0) {
-        limit->constant[limit->rows[i]] = dead[i] / limit->force_unit;
-        limit->load[limit->rows[i]] = live[i] / limit->load_unit;
-      }
-    if (limit->load_unit == 0.0)
-      status = qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_NO_LIVE_LOAD,
-                            QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  qn_model_dead_forces (model, dead);
+  qn_model_live_forces (model, live);
+  for (size_t i = QN_DOF_RZ; i < count; i += QN_DOF_COUNT) {
+    dead[i] /= limit->length_unit;
+    live[i] /= limit->length_unit;
   }
-  free (dead);
-  free (live);
-  return status;
+  limit->force_unit = typical_size (dead, limit->rows, count);
+  limit->load_unit = typical_size (live, limit->rows, count);
+  if (limit->force_unit == 0.0)
+    limit->force_unit = limit->load_unit;
+  for (size_t i = 0; i < count && limit->load_unit > 0.0; i++)
+    if (limit->rows[i] >= 0) {
+      limit->constant[limit->rows[i]] = dead[i] / limit->force_unit;
+      limit->load[limit->rows[i]] = live[i] / limit->load_unit;
+    }
+  return limit->load_unit > 0.0
+           ? QN_OK
+           : qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_NO_LIVE_LOAD,
+                          QN_ENTITY_MODEL, QN_NONE, QN_NONE);
 }
 
 /* Weights stand for masses; a weightless block has the little that keeps its motion finite. */
@@ -303,27 +292,27 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     .length_unit = model->characteristic_length,
     .own_flow = own_flow,
   };
-  limit->rows = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->rows);
-  limit->mass = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->mass);
+  QnPool *pool = &limit->pool;
+  size_t dofs = model->block_count * QN_DOF_COUNT;
+  limit->rows = qn_pool_alloc (pool, dofs, sizeof *limit->rows);
+  limit->mass = qn_pool_alloc (pool, dofs, sizeof *limit->mass);
+  limit->constant = qn_pool_alloc (pool, dofs, sizeof *limit->constant);
+  limit->load = qn_pool_alloc (pool, dofs, sizeof *limit->load);
   limit->groups =
-    qn_alloc (contacts->face_count + model->tie_count, sizeof *limit->groups);
-  limit->cells = qn_alloc (limit->pair_count, sizeof *limit->cells);
-  limit->cell_pairs = qn_alloc (limit->pair_count, sizeof *limit->cell_pairs);
-  limit->bounds = qn_alloc (limit->pair_count * MOST_BOUNDS, sizeof *limit->bounds);
-  if (!limit->rows || !limit->mass || !limit->groups || !limit->cells
-      || !limit->cell_pairs || !limit->bounds) {
-    status = qn_diag_no_memory (diag);
-  } else {
-    int32_t count = 0;
-
-    for (size_t b = 0; b < model->block_count; b++)
-      for (int d = 0; d < QN_DOF_COUNT; d++)
-        limit->rows[b * QN_DOF_COUNT + (size_t) d] =
-          model->blocks[b].support[d] ? -1 : count++;
-    limit->ip.row_count = count;
-    limit->ip.workers = model->analysis.workers;
-    status = scale_loads (limit, model, diag);
-  }
+    qn_pool_alloc (pool, contacts->face_count + model->tie_count, sizeof *limit->groups);
+  limit->cells = qn_pool_alloc (pool, limit->pair_count, sizeof *limit->cells);
+  limit->cell_pairs = qn_pool_alloc (pool, limit->pair_count, sizeof *limit->cell_pairs);
+  limit->bounds =
+    qn_pool_alloc (pool, limit->pair_count * MOST_BOUNDS, sizeof *limit->bounds);
+  double *dead = qn_pool_alloc (pool, dofs, sizeof *dead),
+         *live = qn_pool_alloc (pool, dofs, sizeof *live);
+  for (size_t i = 0; !pool->failed && i < dofs; i++)
+    limit->rows[i] = model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT]
+                       ? -1
+                       : limit->ip.row_count++;
+  limit->ip.workers = model->analysis.workers;
+  status = pool->failed ? qn_diag_no_memory (diag)
+                        : scale_loads (limit, model, dead, live, diag);
   if (status) {
     qn_limit_problem_clear (limit);
     return status;
@@ -344,14 +333,7 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
 void
 qn_limit_problem_clear (QnLimitProblem *limit)
 {
-  free (limit->mass);
-  free (limit->rows);
-  free (limit->groups);
-  free (limit->cells);
-  free (limit->cell_pairs);
-  free (limit->bounds);
-  free (limit->constant);
-  free (limit->load);
+  qn_pool_clear (&limit->pool);
   *limit = (QnLimitProblem){ 0 };
 }
 

@@ -17,6 +17,7 @@
 
 typedef struct QnLimitProblem {
   QnIpProblem ip; /* views of the arrays below */
+  QnPool pool;    /* of those */
   QnIpGroup *groups;
   QnIpCell *cells;
   QnIpBound *bounds;

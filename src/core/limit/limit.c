@@ -329,31 +329,28 @@ qn_limit_solve (QnLimitProblem *limit, QnCollapse *engine, bool from_dead_load,
                 QnDiag *diag)
 {
   size_t count = 2 * (size_t) limit->ip.cell_count;
+  QnPool pool = { 0 };
   LimitRun run = { .limit = limit,
                    .engine = engine,
                    .progress = progress,
                    .user_data = user_data,
                    .solution = solution,
-                   .last.y = qn_alloc (count, sizeof (double)),
-                   .inside = { qn_alloc (count, sizeof (double)), -INFINITY, 0, 0 },
-                   .rates = qn_alloc (count, sizeof (double)),
+                   .last.y = qn_pool_alloc (&pool, count, sizeof (double)),
+                   .inside = { .lambda = -INFINITY },
+                   .rates = qn_pool_alloc (&pool, count, sizeof (double)),
                    .lower = -INFINITY,
                    .upper = INFINITY,
                    .stands = !from_dead_load };
-  QnStatus status;
 
+  run.inside.y = qn_pool_alloc (&pool, count, sizeof (double));
   *solution = (QnLimitSolution){
     .forces = qn_alloc (2 * limit->pair_count, sizeof (double)),
     .velocities = qn_alloc (limit->block_count * QN_DOF_COUNT, sizeof (double)),
   };
-  if (!run.last.y || !run.inside.y || !run.rates || !solution->forces
-      || !solution->velocities)
-    status = qn_diag_no_memory (diag);
-  else
-    status = solve (&run, diag);
-  free (run.last.y);
-  free (run.inside.y);
-  free (run.rates);
+  QnStatus status = pool.failed || !solution->forces || !solution->velocities
+                      ? qn_diag_no_memory (diag)
+                      : solve (&run, diag);
+  qn_pool_clear (&pool);
   if (status)
     qn_limit_solution_clear (solution);
   return status;

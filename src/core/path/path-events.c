@@ -2,7 +2,6 @@
 
 #include "core/base/memory.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* A multiplier that is less by this part than the highest one so far has turned down. */
@@ -17,25 +16,19 @@ qn_path_events_init (QnPathEvents *events, QnPath *path, double unit)
   const QnEquilibrium *eq = &path->equilibrium;
   size_t n = (size_t) eq->assembly.unknown_count;
 
+  QnPool *pool = &path->trace_pool;
+
   *events =
     (QnPathEvents){ .path = path,
-                    .rest = qn_alloc (n, sizeof *events->rest),
-                    .highest_u = qn_alloc (n, sizeof *events->highest_u),
+                    .rest = qn_pool_alloc (pool, n, sizeof *events->rest),
+                    .highest_u = qn_pool_alloc (pool, n, sizeof *events->highest_u),
                     .least = eq->committed.multiplier + FELT * eq->tolerance * unit,
                     .highest = eq->committed.multiplier };
-  if (events->rest == NULL || events->highest_u == NULL)
+  if (pool->failed)
     return false;
   memcpy (events->rest, eq->committed.u, n * sizeof *events->rest);
   memcpy (events->highest_u, eq->committed.u, n * sizeof *events->highest_u);
   return true;
-}
-
-void
-qn_path_events_clear (QnPathEvents *events)
-{
-  free (events->rest);
-  free (events->highest_u);
-  *events = (QnPathEvents){ 0 };
 }
 
 /* How far a body has moved, rotations aside, m; or, where `from` is NULL, how fast it moves. */

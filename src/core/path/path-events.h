@@ -27,10 +27,8 @@ typedef struct QnPathEvents {
 } QnPathEvents;
 
 /* The path begins at the committed state. `unit`: the multiplier at which live loads are as large as dead
- * ones, 0 without dead load. False when memory runs out; to be cleared all the same. */
+ * ones, 0 without dead load. False when memory runs out. */
 bool qn_path_events_init (QnPathEvents *events, QnPath *path, double unit);
-
-void qn_path_events_clear (QnPathEvents *events);
 
 /* Whether the current multiplier is above the highest one by more than what equilibrium may lack: on a
  * plateau it is not, however far the structure moves. */

@@ -1,9 +1,7 @@
 #include "core/path/path-measure.h"
 
-#include "core/base/memory.h"
 #include "core/base/tolerance.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Elastic displacements in the first step, at most: next to collapse the tangent knows no end. */
@@ -116,6 +114,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
   const QnAssembly *as = &path->equilibrium.assembly;
   const QnAnalysisSettings *settings = path->settings;
   size_t n = (size_t) as->unknown_count;
+  QnPool *pool = &path->trace_pool;
   size_t body = qn_model_controlled_body (path->model, settings->control_block,
                                           settings->control_node);
 
@@ -123,13 +122,11 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
                               .procedure = settings->procedure,
                               .unknown = QN_NONE,
                               .end = NAN,
-                              .direction = qn_alloc (n, sizeof (double)),
-                              .unit = qn_alloc (n, sizeof (double)),
-                              .last_u = qn_alloc (n, sizeof (double)) };
-  if (measure->direction == NULL || measure->unit == NULL || measure->last_u == NULL) {
-    qn_path_measure_clear (measure);
+                              .direction = qn_pool_alloc (pool, n, sizeof (double)),
+                              .unit = qn_pool_alloc (pool, n, sizeof (double)),
+                              .last_u = qn_pool_alloc (pool, n, sizeof (double)) };
+  if (pool->failed)
     return qn_diag_no_memory (diag);
-  }
   qn_path_measure_keep_last (measure);
   if (body != SIZE_MAX && settings->procedure != QN_PROCEDURE_LOAD) {
     bool turns = settings->control_dof == QN_DOF_RZ;
@@ -139,19 +136,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
     if (path->stage > 0)
       measure->start = path->equilibrium.committed.u[measure->unknown];
   }
-  QnStatus status = choose (measure, diag);
-  if (status != QN_OK)
-    qn_path_measure_clear (measure);
-  return status;
-}
-
-void
-qn_path_measure_clear (QnPathMeasure *measure)
-{
-  free (measure->direction);
-  free (measure->unit);
-  free (measure->last_u);
-  *measure = (QnPathMeasure){ 0 };
+  return choose (measure, diag);
 }
 
 void

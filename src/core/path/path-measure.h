@@ -22,10 +22,8 @@ typedef struct QnPathMeasure {
 } QnPathMeasure;
 
 /* Chooses direction and first step at the committed state. `measure` is overwritten without
- * being cleared. */
+ * being cleared; its arrays are the trace's. */
 QnStatus qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag);
-
-void qn_path_measure_clear (QnPathMeasure *measure);
 
 /* From now on the work of the live load is prescribed instead of the multiplier. *step: the work that
  * belongs to an increment of the multiplier by the tangent of the committed state. */

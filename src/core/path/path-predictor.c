@@ -1,32 +1,17 @@
 #include "core/path/path-predictor.h"
 
-#include "core/base/memory.h"
-
-#include <stdlib.h>
 #include <string.h>
 
 /* Equilibria before the committed one that make a prediction better than Newton's first iteration,
  * which is linear. */
 #define LEAST_STATES 2
 
-bool
-qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *as)
-{
-  *predictor = (QnPathPredictor){ 0 };
-  for (int k = 0; k < QN_PREDICTOR_STATES; k++) {
-    predictor->u[k] = qn_alloc ((size_t) as->unknown_count, sizeof (double));
-    if (predictor->u[k] == NULL)
-      return false;
-  }
-  return true;
-}
-
 void
-qn_path_predictor_clear (QnPathPredictor *predictor)
+qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *as, QnPool *pool)
 {
-  for (int k = 0; k < QN_PREDICTOR_STATES; k++)
-    free (predictor->u[k]);
   *predictor = (QnPathPredictor){ 0 };
+  for (int k = 0; k < QN_PREDICTOR_STATES; k++)
+    predictor->u[k] = qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof (double));
 }
 
 void

@@ -22,9 +22,8 @@ typedef struct QnPathPredictor {
   int count;
 } QnPathPredictor;
 
-/* False when memory runs out; to be cleared all the same. */
-bool qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *assembly);
-void qn_path_predictor_clear (QnPathPredictor *predictor);
+void qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *assembly,
+                             QnPool *pool);
 
 /* To be called just before a step is accepted that advanced the measure so far. `smooth`: no joint
  * has slid but along the path; otherwise nothing before it counts. */

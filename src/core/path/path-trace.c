@@ -661,10 +661,10 @@ renew_highest (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
 
-  qn_equilibrium_state_clear (&trace->highest);
-  qn_equilibrium_state_clear (&trace->lower);
-  if (!qn_equilibrium_state_init (&trace->highest, &eq->assembly)
-      || !qn_equilibrium_state_init (&trace->lower, &eq->assembly))
+  qn_pool_clear (&trace->states);
+  qn_equilibrium_state_init (&trace->highest, &eq->assembly, &trace->states);
+  qn_equilibrium_state_init (&trace->lower, &eq->assembly, &trace->states);
+  if (trace->states.failed)
     return false;
   qn_equilibrium_save (eq, &trace->highest);
   trace->lower.multiplier = INFINITY;
@@ -760,6 +760,7 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
                         .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };
+  QnPool *pool = &path->trace_pool;
 
   if (trace.load_control && live == 0) { /* the single equilibrium that it begins with */
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
@@ -771,22 +772,18 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   if (status != QN_OK)
     return status;
   bool ready = renew_central_path (&trace);
-  trace.buckling = qn_alloc ((size_t) as->unknown_count, sizeof *trace.buckling);
-  ready = qn_path_predictor_init (&trace.predictor, as) && qn_fall_init (&trace.fall, as)
-          && trace.buckling != NULL && ready
-          && qn_path_events_init (&trace.events, path, trace.unit)
+  trace.buckling =
+    qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof *trace.buckling);
+  qn_path_predictor_init (&trace.predictor, as, pool);
+  qn_fall_init (&trace.fall, as, pool);
+  ready = qn_path_events_init (&trace.events, path, trace.unit) && ready
           && (!trace.load_control || renew_highest (&trace));
   if (ready && trace.load_control && trace.central != NULL && dead > 0)
     trace.measure.first = qn_path_tuning.start * trace.unit;
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
-  qn_path_events_clear (&trace.events);
   qn_central_path_free (trace.central);
-  free (trace.buckling);
-  qn_path_predictor_clear (&trace.predictor);
-  qn_fall_clear (&trace.fall);
-  qn_equilibrium_state_clear (&trace.highest);
-  qn_equilibrium_state_clear (&trace.lower);
   qn_limit_solution_clear (&trace.direct);
-  qn_path_measure_clear (&trace.measure);
+  qn_pool_clear (&trace.states);
+  qn_pool_clear (pool);
   return status;
 }

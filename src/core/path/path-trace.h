@@ -142,6 +142,7 @@ typedef struct QnPathTrace {
   /* Load control: the state with the highest multiplier, and one below it: in linear geometry that from
    * which on the multiplier holds still, in large displacements the first. */
   QnEquilibriumState highest, lower;
+  QnPool states; /* of both */
 } QnPathTrace;
 
 static inline bool

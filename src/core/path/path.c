@@ -31,12 +31,12 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
   if (status != QN_OK)
     return status;
 
-  path->displacements =
-    qn_alloc (qn_model_body_count (model) * QN_DOF_COUNT, sizeof (double));
-  path->beam_forces = qn_alloc (model->element_count, sizeof *path->beam_forces);
-  path->ties = qn_alloc (model->tie_count, sizeof *path->ties);
-  return path->displacements != NULL && path->beam_forces != NULL && path->ties != NULL
-             && qn_result_set_supports (result, model)
+  path->displacements = qn_pool_alloc (
+    &path->pool, qn_model_body_count (model) * QN_DOF_COUNT, sizeof (double));
+  path->beam_forces =
+    qn_pool_alloc (&path->pool, model->element_count, sizeof *path->beam_forces);
+  path->ties = qn_pool_alloc (&path->pool, model->tie_count, sizeof *path->ties);
+  return !path->pool.failed && qn_result_set_supports (result, model)
            ? QN_OK
            : qn_diag_no_memory (diag);
 }
@@ -68,9 +68,8 @@ qn_path_clear (QnPath *path)
   if (path->follows)
     qn_moving_contacts_clear (&path->moving);
   qn_inertia_free (path->inertia);
-  free (path->displacements);
-  free (path->beam_forces);
-  free (path->ties);
+  qn_pool_clear (&path->pool);
+  qn_pool_clear (&path->trace_pool);
   *path = (QnPath){ 0 };
 }
 

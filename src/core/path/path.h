@@ -31,6 +31,8 @@
 #define QN_CENTRAL_BUDGET 40
 
 typedef struct QnPath {
+  QnPool pool;       /* of scratch, */
+  QnPool trace_pool; /* and of the arrays of a trace while it is followed */
   const QnModel *model;
   const QnAnalysisSettings *settings; /* in force: those of the model, or of the stage */
   QnAnalysisSettings own_settings;    /* what `settings` points to while a path is run */

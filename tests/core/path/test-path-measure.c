@@ -66,7 +66,6 @@ test_displacement (void)
   g_assert_false (qn_path_measure_is_at_end (&measure));
   eq->u[2] = end;
   g_assert_true (qn_path_measure_is_at_end (&measure));
-  qn_path_measure_clear (&measure);
   tear_down (&fixture);
 }
 
@@ -95,7 +94,6 @@ test_first_steps (void)
                                       1e-9 * measure.first);
     else
       g_assert_cmpfloat_with_epsilon (measure.first, length / 50, 1e-9 * length);
-    qn_path_measure_clear (&measure);
     tear_down (&fixture);
   }
 }
@@ -119,7 +117,6 @@ test_follow (void)
   g_assert_cmpfloat_with_epsilon (measure.direction[0], 0.6, 1e-12);
   g_assert_cmpfloat_with_epsilon (measure.direction[1], -0.8, 1e-12);
   g_assert_cmpfloat_with_epsilon (measure.direction[2], 0, 1e-12);
-  qn_path_measure_clear (&measure);
   tear_down (&fixture);
 }
 

@@ -24,13 +24,13 @@ set_up (Fixture *fixture)
   g_assert_cmpint (
     qn_equilibrium_setup (&fixture->eq, model, &fixture->contacts, NULL, NULL, NULL), ==,
     QN_OK);
-  g_assert_true (qn_path_predictor_init (&fixture->predictor, &fixture->eq.assembly));
+  qn_path_predictor_init (&fixture->predictor, &fixture->eq.assembly, &fixture->eq.pool);
+  g_assert_false (fixture->eq.pool.failed);
 }
 
 static void
 tear_down (Fixture *fixture)
 {
-  qn_path_predictor_clear (&fixture->predictor);
   qn_equilibrium_clear (&fixture->eq);
   qn_contacts_clear (&fixture->contacts);
   qn_model_clear (&fixture->model);
