@@ -39,20 +39,11 @@
 #define TO_BOUNDARY 0.995
 
 /* The iteration leads nowhere if complementarity has not halved in so many iterations. */
-#define PATIENCE       10
-#define SHORT_PATIENCE 5
+#define PATIENCE 10
 
 /* A step of motion begins at this part of how far the structure goes at the velocity it has: at all of it
  * twice as many steps turn back on a wall of 820 blocks, at a hundredth as many again. */
 #define PART_OF_MOTION 0.1
-
-/* Complementarity at which a new central path begins: so many times that at which the last one
- * turned back, and LONGER_RISE times that of the last beginning, as long as that gets no further. */
-#define RISE        10.0
-#define LONGER_RISE 10.0
-
-/* Central paths one after the other, until relaxation along them gives up. */
-#define PASSES 40
 
 /* Centrality correctors: at most so many, for steps shorter than LONG; products are brought
  * within CENTRAL times their mean either way; a corrector must gain GAIN. */
@@ -145,7 +136,6 @@ typedef struct {
   double complementarity;           /* asked for */
   double watched_gap;               /* when it had last halved, */
   int watched_since;                /* and that iteration */
-  bool relaxes;                     /* a new central path may begin where this one ends */
   bool is_near;                     /* there is an iterate that may stand, */
   double near_gap, near_multiplier; /* its complementarity and multiplier */
 } Increment;
@@ -459,8 +449,7 @@ makes_headway (Increment *increment, int iteration)
     increment->watched_gap = increment->gap;
     increment->watched_since = iteration;
   }
-  int patience = increment->relaxes ? SHORT_PATIENCE : PATIENCE;
-  return iteration - increment->watched_since < patience;
+  return iteration - increment->watched_since < PATIENCE;
 }
 
 /* The part that the direction is to take off the residuals. Where a measure advances, or time, and the path
@@ -540,18 +529,6 @@ expected_elongation (const QnCentralPath *path, const QnTarget *target)
   return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->pairs.length)) : 1;
 }
 
-/* From the committed state towards the target. */
-static Increment
-begin_path (QnCentralPath *path, const QnTarget *target)
-{
-  QnEquilibrium *eq = path->eq;
-
-  qn_equilibrium_restore (eq);
-  if (target->direction == NULL)
-    eq->multiplier = target->multiplier;
-  return (Increment){ .path = path, .target = target };
-}
-
 /* One central path from the current displacements and forces, from mean products of `size`; another one from
  * there where the dilation of joints has turned on the way. */
 static QnSolveStatus
@@ -580,8 +557,11 @@ follow_path (Increment *increment, double size, int budget)
 QnSolveStatus
 qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
 {
-  Increment increment = begin_path (path, target);
+  Increment increment = { .path = path, .target = target };
 
+  qn_equilibrium_restore (path->eq);
+  if (target->direction == NULL)
+    path->eq->multiplier = target->multiplier;
   return follow_path (&increment, expected_elongation (path, target), budget);
 }
 
@@ -600,44 +580,4 @@ qn_central_path_move (QnCentralPath *path, const QnTarget *target, double viscos
   QnSolveStatus status = follow_path (&increment, fmax (1, PART_OF_MOTION * way), budget);
   path->viscosity = 0;
   return status;
-}
-
-QnSolveStatus
-qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undecided,
-                       int budget)
-{
-  QnEquilibrium *eq = path->eq;
-  double size = expected_elongation (path, target), gap_before = INFINITY;
-
-  if (!path->may_jump)
-    return qn_central_path_solve (path, target, budget);
-  Increment increment = begin_path (path, target);
-
-  increment.relaxes = true;
-  for (int pass = 0; pass < PASSES; pass++) {
-    QnSolveStatus status = follow_path (&increment, size, budget);
-    if (status != QN_SOLVE_FAILED)
-      return status;
-    if (!isfinite (increment.gap))
-      return QN_SOLVE_FAILED;
-    if (target->direction != NULL && eq->multiplier < eq->committed.multiplier)
-      return QN_SOLVE_FAILED; /* a branch that falls */
-    double moved = qn_equilibrium_elastic_displacements (eq);
-    if (increment.gap > undecided * moved)
-      return QN_SOLVE_FAILED;
-    if (target->direction == NULL && moved > eq->runaway) {
-      for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-        eq->motion[i] = eq->u[i] - path->begun[i];
-      return QN_SOLVE_MECHANISM;
-    }
-
-    if (!qn_central_pairs_take_flow (&path->pairs))
-      return QN_SOLVE_FAILED;
-    qn_assembly_commit (&eq->assembly);
-    bool nearer = increment.gap <= 0.5 * gap_before;
-    size = fmax (fmax (1, RISE * increment.gap),
-                 nearer ? size / LONGER_RISE : size * LONGER_RISE);
-    gap_before = increment.gap;
-  }
-  return QN_SOLVE_FAILED;
 }

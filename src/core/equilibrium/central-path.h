@@ -64,21 +64,4 @@ QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target
 QnSolveStatus qn_central_path_move (QnCentralPath *path, const QnTarget *target,
                                     double viscosity, int budget);
 
-/* The same as qn_central_path_solve() where one central path leads nowhere, for it turns back: what has slid until there
- * is committed, and a new one begins. Each is a step of relaxation like those of
- * qn_equilibrium_relax(), and as long as they get no further they grow; a few dozen at
- * most, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
- * moved by eq->runaway and still does (MECHANISM, with the motion of the last central path as
- * eq->motion, in metres; some pairs are still undecided then).
- *
- * undecided: complementarity, as a part of the displacements, above which nothing is committed
- *            (FAILED), for by about so much pairs have slid that will not slide in the end.
- *            INFINITY lets the structure move however it comes to rest; where it is to stay on
- *            its branch, with a measure that advances, small values do. A branch on which the
- *            free multiplier falls has FAILED.
- *
- * Where nothing can turn back it is qn_central_path_solve(). */
-QnSolveStatus qn_central_path_relax (QnCentralPath *path, const QnTarget *target,
-                                     double undecided, int budget);
-
 #endif

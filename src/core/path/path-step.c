@@ -2,10 +2,9 @@
  *
  * Every step climbs the same ladder. Newton's method; the last step continued; then the central path,
  * which takes the step as a whole, where there are joints for it; then a shorter step. What is left
- * is a jump with the measure held: the structure moves until it rests, along central paths in linear
- * geometry, by viscous relaxation where these lead nowhere. Relaxation comes last because under
- * damping joints slide that would not otherwise: it rests below the path, and Newton's method fails
- * from there again.
+ * is a jump with the measure held: the structure moves until it rests, by viscous relaxation. That
+ * comes last because under damping joints slide that would not otherwise: it rests below the path,
+ * and Newton's method fails from there again.
  */
 #include "core/base/tolerance.h"
 #include "core/path/path-trace.h"
@@ -152,14 +151,12 @@ departure (const QnPathTrace *trace, double step, double last, double *most)
   return qn_assembly_largest (&eq->assembly, away, NULL);
 }
 
-/* In linear geometry. Tries the step, a part of it, and a part of that. A central path that turns back
- * where all but a few pairs are decided may do so however short the step is: then what has slid is
- * committed, and it goes on from there. If nothing is found near by, the structure jumps. */
+/* In linear geometry. Tries the step, a part of it, and a part of that. If nothing is found near by, the
+ * structure jumps. */
 static QnSolveStatus
 solve_linear (QnPathTrace *trace, double *step)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  bool relaxed = trace->means == QN_FOUND_BY_RELAXATION;
   double before = 0; /* motion in the step before it was cut; 0: unknown */
   QnSolveStatus status;
   QnTarget target;
@@ -167,12 +164,6 @@ solve_linear (QnPathTrace *trace, double *step)
   for (int cut = 0;; cut++) {
     target = target_of (trace, *step);
     status = solve_statically (trace, &target);
-    if (status == QN_SOLVE_FAILED && trace->central != NULL
-        && (relaxed || cut == qn_path_tuning.most_cuts)) {
-      trace->means = QN_FOUND_BY_RELAXATION;
-      status = qn_central_path_relax (trace->central, &target, qn_path_tuning.undecided,
-                                      QN_CENTRAL_BUDGET);
-    }
     trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, before);
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (status == QN_SOLVE_CONVERGED

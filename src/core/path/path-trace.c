@@ -36,7 +36,6 @@ const QnPathTuning qn_path_tuning = {
   .least_lean = 1e-2,
   .jump = 3,
   .jump_stays = 0.5,
-  .undecided = 1e-4,
   .patience = { 1e6, 300, 3000 },
   .effort = { 1e7, 1000, 6000 },
   .plateau_tolerance = 1e-4,

@@ -45,10 +45,6 @@ typedef struct QnPathTuning {
    * of it is left in a step that is cut. */
   double jump, jump_stays;
 
-  /* Largest complementarity gap, relative to the motion, at which slip may be committed where a central
-   * path turns back; with more, relaxation finds equilibria above the collapse load. */
-  double undecided;
-
   /* Load control of a structure that settles in one place after the other, in factorisations: so
    * many over the number of blocks, at least, at most. From `patience` on it ends at a collapse
    * found directly however far that is; once `effort` is spent it ends anyway. */

@@ -217,9 +217,8 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
  * for that to say: from no load it may find blocks pressed together by nothing, where no motion leads. So it
  * waits until the motion has told.
  *
- * Where that neither rests nor falls, central paths go on from there, which slide as far as they like, and then
- * the motion again with steps along central paths: these follow a fall that Newton's method does not, but in
- * large displacements may pass a rest. */
+ * Where that neither rests nor falls, it is tried again with steps along central paths: these follow a fall
+ * that Newton's method does not, but in large displacements may pass a rest. */
 static QnSolveStatus
 let_settle (QnEquilibrium *eq, QnCentralPath *central)
 {
@@ -242,17 +241,9 @@ let_settle (QnEquilibrium *eq, QnCentralPath *central)
       return solve;
     }
   }
-  qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
-  if (rests)
+  if (rests) {
+    qn_equilibrium_set_state (eq, &eq->anchor);
     return QN_SOLVE_CONVERGED;
-  if (linear) {
-    qn_equilibrium_commit (eq);
-    solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
-    bool near =
-      qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL) <= eq->runaway;
-    if (solve != QN_SOLVE_FAILED && solve != QN_SOLVE_MECHANISM
-        && (near || solve != QN_SOLVE_CONVERGED))
-      return solve;
   }
   qn_equilibrium_restore (eq);
   return qn_equilibrium_relax (eq, central, &target, INFINITY, NULL, QN_RELAX_BUDGET);
