@@ -68,6 +68,10 @@
   X (CAPACITY_LOADS, "a capacity curve needs horizontal weights as live loads") \
   X (CAPACITY_BEAMS, "capacity curves are for blocks only: remove the beams") \
   X (CAPACITY_MOTION, "block does not move with the live load: control another one") \
+  X (MECHANISM_MISSING, "a kinematic check needs a mechanism of collapse: there is none") \
+  X (MECHANISM_SLIDES, "mechanism is no chain of parts that turn about hinges: joints slide, part or are crushed") \
+  X (MECHANISM_WEIGHT, "no weight resists the mechanism") \
+  X (MECHANISM_TIE, "mechanism stretches a tie that has no strength: give yield or anchor") \
   X (TOO_FEW_UNKNOWNS, "structure has no degree of freedom") \
   X (MODES_NOT_FOUND, "modes were not found") \
   X (BLOCK_UNKNOWN, "no block has this name") \

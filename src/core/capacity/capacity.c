@@ -20,15 +20,9 @@ static const double ntc_parts[QN_NTC_STATE_COUNT] = { 0.4, 0.6 };
 /* Part of the peak where a path has fallen so far that the structure counts as collapsed. */
 #define FALLEN 0.8
 
-static QnStatus
-check_loads (const QnModel *model, QnDiag *diag)
+QnStatus
+qn_capacity_check_model (const QnModel *model, QnDiag *diag)
 {
-  for (size_t i = 0; i < model->live_load_count; i++) {
-    const QnLoad *load = &model->live_loads[i];
-    if (load->set == 0 && (load->kind != QN_LOAD_WEIGHT || load->vector.y != 0))
-      return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_LOADS,
-                          QN_ENTITY_LIVE_LOAD, (QnId) i, QN_NONE);
-  }
   if (model->live_load_count == 0)
     return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_NO_LIVE_LOAD, QN_ENTITY_MODEL,
                         QN_NONE, QN_NONE);
@@ -39,6 +33,30 @@ check_loads (const QnModel *model, QnDiag *diag)
            ? QN_OK
            : qn_diag_set_field (diag, QN_PROBLEM_NOT_POSITIVE, QN_ENTITY_MODEL, QN_NONE,
                                 "gravity", model->gravity);
+}
+
+static QnStatus
+check_loads (const QnModel *model, QnDiag *diag)
+{
+  for (size_t i = 0; i < model->live_load_count; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    if (load->set == 0 && (load->kind != QN_LOAD_WEIGHT || load->vector.y != 0))
+      return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_LOADS,
+                          QN_ENTITY_LIVE_LOAD, (QnId) i, QN_NONE);
+  }
+  return qn_capacity_check_model (model, diag);
+}
+
+bool
+qn_capacity_set_masses (QnCapacity *c, QnMassSums sums, double control, double gravity)
+{
+  if (!(sums.first > 0) || !(control > 0))
+    return false;
+  c->moving_mass = sums.weight / gravity;
+  c->mass = sums.first * sums.first / (gravity * sums.second);
+  c->share = c->mass / c->moving_mass;
+  c->ratio = sums.second / (control * sums.first);
+  return true;
 }
 
 static double
@@ -55,32 +73,27 @@ static bool
 find_masses (QnCapacity *c, const QnModel *model, const QnResult *result, size_t from,
              size_t to, double direction)
 {
-  double largest = 0, sum = 0, first = 0, second = 0;
+  double largest = 0, sign = copysign (1, direction);
+  QnMassSums sums = { 0 };
 
   for (size_t b = 0; b < model->block_count; b++)
     largest = fmax (largest, fabs (motion (result, from, to, b)));
   for (size_t b = 0; b < model->block_count; b++) {
-    double delta = motion (result, from, to, b), weight = model->blocks[b].weight;
+    double delta = sign * motion (result, from, to, b);
+    double weight = model->blocks[b].weight;
     if (largest == 0
         || (fabs (delta) < PART_OF_MOTION * largest
-            && !(delta * direction > PART_WITH_LOAD * fabs (direction) * largest))) {
+            && !(direction != 0 && delta > PART_WITH_LOAD * largest))) {
       bool fixed = qn_support_is_full (model->blocks[b].support);
       c->left_out += fixed ? 0 : weight / model->gravity;
       continue;
     }
     c->participating++;
-    sum += weight;
-    first += weight * delta;
-    second += weight * delta * delta;
+    qn_mass_sums_add (&sums, weight, delta);
   }
-  double control = motion (result, from, to, (size_t) c->block);
-  if (!(first * direction > 0) || control == 0)
-    return false;
-  c->moving_mass = sum / model->gravity;
-  c->mass = first * first / (model->gravity * second);
-  c->share = c->mass / c->moving_mass;
-  c->ratio = second / (control * first);
-  return c->ratio > 0;
+  return direction != 0
+         && qn_capacity_set_masses (
+           c, sums, sign * motion (result, from, to, (size_t) c->block), model->gravity);
 }
 
 QnStatus

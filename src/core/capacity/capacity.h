@@ -30,6 +30,9 @@ typedef struct QnCapacityPoint {
   double acceleration; /* a*, m/s2 */
 } QnCapacityPoint;
 
+/* Virtual work that resists, N m per m of the control block, and that of the live load at multiplier 1. */
+typedef enum { QN_WORK_DEAD, QN_WORK_TIES, QN_WORK_LIVE, QN_WORK_COUNT } QnWork;
+
 typedef struct QnCapacity {
   QnId block; /* of control */
   size_t participating;
@@ -43,6 +46,12 @@ typedef struct QnCapacity {
   size_t count, peak;      /* peak: the point of the largest multiplier */
   bool reaches_zero;       /* whether the multiplier comes back to 0 */
   double end;              /* d* of the last point, m: d0* where it does */
+
+  bool kinematic;    /* of a mechanism (core/capacity/kinematic.h), not of a path: */
+  double activation; /* alpha0, ties included */
+  double works[QN_WORK_COUNT];
+  double
+    found; /* multiplier of the collapse that the mechanism comes from; NAN: not known */
   struct QnCapacity
     *softer; /* owned: the same with half the stiffness of all joints, for what
                                 periods rest on; NULL: not known */
@@ -55,6 +64,29 @@ QnStatus qn_capacity_init (QnCapacity *capacity, const QnModel *model,
                            const QnResult *result, QnId control, QnDiag *diag);
 
 void qn_capacity_clear (QnCapacity *capacity);
+
+/* ---- of both sources ---- */
+
+/* Sums of P, P delta and P delta^2, delta along the live load. */
+typedef struct QnMassSums {
+  double weight, first, second;
+} QnMassSums;
+
+static inline void
+qn_mass_sums_add (QnMassSums *sums, double weight, double delta)
+{
+  sums->weight += weight;
+  sums->first += weight * delta;
+  sums->second += weight * delta * delta;
+}
+
+/* M*, e* and the ratio of displacements, of a control block that moves by `control` meanwhile. False
+ * where nothing moves along the load. */
+bool qn_capacity_set_masses (QnCapacity *capacity, QnMassSums sums, double control,
+                             double gravity);
+
+/* Refuses models without live load or gravity, and beams. */
+QnStatus qn_capacity_check_model (const QnModel *model, QnDiag *diag);
 
 /* a* on the curve at a displacement, m/s2. */
 double qn_capacity_acceleration (const QnCapacity *capacity, double displacement);

@@ -1,0 +1,243 @@
+/* Mechanisms by code against hand numbers; docs/method/capacity.md has the same. */
+#include "core/capacity/kinematic.h"
+#include "support/generate.h"
+#include "support/models.h"
+#include "support/room.h"
+#include "support/run.h"
+
+#include <glib.h>
+#include <math.h>
+
+#define G 9.81
+
+static void
+check_close (double value, double expected, double tolerance)
+{
+  g_test_message ("%.8g, by hand %.8g", value, expected);
+  g_assert_cmpfloat (fabs (value / expected - 1), <, tolerance);
+}
+
+/* By limit analysis, then by virtual work: both find the same multiplier. */
+static void
+find (TestRun *run, QnCapacity *capacity, QnId control)
+{
+  run->model.analysis.procedure = QN_PROCEDURE_LIMIT;
+  test_run_solve (run);
+  g_assert_cmpint (qn_capacity_init_kinematic (capacity, &run->model, &run->contacts,
+                                               &run->result, control, NULL),
+                   ==, QN_OK);
+  check_close (capacity->found, capacity->activation, 1e-5);
+}
+
+static void
+add_force (QnModel *model, bool live, QnId block, QnVec2 at, QnVec2 force)
+{
+  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  load->kind = QN_LOAD_FORCE;
+  load->block = block;
+  load->vector = force;
+  load->has_at = true;
+  load->at = at;
+}
+
+static void
+add_tie (QnModel *model, QnId block, QnVec2 at, QnVec2 ground, double anchor)
+{
+  QnTie *tie = qn_model_add_tie (model, "tie");
+  tie->ends[0] = (QnTieEnd){ block, at };
+  tie->ends[1].at = ground;
+  tie->area = 1e-4;
+  tie->elasticity = 2e11;
+  tie->anchor = anchor;
+}
+
+static void
+init_block (TestRun *run)
+{
+  test_model_init_block_on_plane (&run->model, 0.6, 3);
+  test_model_add_weight_loads (&run->model, 1);
+}
+
+/* 0.6 x 3 m, 18 kN: alpha0 = b/h; alpha = tan (atan 0.2 - theta), the centroid having moved by
+ * R (sin alpha - sin (alpha - theta)), as of the path in test-capacity.c. */
+static void
+test_rocking_wall (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  init_block (&run);
+  find (&run, &capacity, QN_NONE);
+  check_close (capacity.activation, 0.2, 1e-9);
+  check_close (capacity.works[QN_WORK_DEAD], 18000 * 0.2, 1e-9);
+  check_close (capacity.share, 1, 1e-12);
+  g_assert_true (capacity.reaches_zero);
+  check_close (capacity.end, 0.3, 1e-4);
+  check_close (qn_capacity_acceleration (&capacity, 0.12), 0.118493 * G, 1e-4);
+  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 0.25 * G, QN_SOIL_C, 0.05, NULL, 0 };
+  check_close (qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV).ratio, 0.66036,
+               2e-4);
+  /* a0* = 0.2 g/1.35 against 0.25 g 1.15 */
+  QnLinearCheck linear = qn_capacity_check_linear (&capacity, &spectrum, 1.35);
+  check_close (linear.capacity, 0.2 * G / 1.35, 1e-9);
+  check_close (linear.sld, 0.2 / 1.35 / (0.25 * 1.15), 1e-9);
+  check_close (linear.slv, 2 * linear.sld, 1e-12);
+  qn_capacity_clear (&capacity);
+}
+
+/* To the left, and half the weight at multiplier 1: the same acceleration. */
+static void
+test_direction (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  init_block (&run);
+  run.model.live_loads[0].vector.x = -0.5;
+  find (&run, &capacity, QN_NONE);
+  check_close (capacity.activation, 0.4, 1e-9);
+  check_close (capacity.points[0].acceleration, 0.2 * G, 1e-9);
+  check_close (capacity.end, 0.3, 1e-4);
+  qn_capacity_clear (&capacity);
+}
+
+/* A tie of 2 kN at a height of 2.9 m, back to the ground: alpha0 = (18 0.3 + 2 2.9)/(18 1.5). The curve
+ * is that of the wall alone. */
+static void
+test_tie (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  init_block (&run);
+  add_tie (&run.model, 1, qn_vec2 (-0.3, 2.9), qn_vec2 (-4, 2.9), 2000);
+  find (&run, &capacity, QN_NONE);
+  check_close (capacity.activation, (18 * 0.3 + 2 * 2.9) / (18 * 1.5), 1e-6);
+  check_close (capacity.points[0].multiplier, 0.2, 1e-6);
+  check_close (capacity.end, 0.3, 1e-4);
+  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 0.25 * G, QN_SOIL_C, 0.05, NULL, 0 };
+  check_close (qn_capacity_check_linear (&capacity, &spectrum, 1).capacity,
+               (18 * 0.3 + 2 * 2.9) / (18 * 1.5) * G, 1e-6);
+  qn_capacity_clear (&capacity);
+}
+
+/* A floor of 10 kN 0.2 m behind the toe, with its mass: alpha0 = (18 0.3 + 10 0.2)/(18 1.5 + 10 3),
+ * e* = 57^2/(28 (18 1.5^2 + 10 3^2)). */
+static void
+test_floor (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  init_block (&run);
+  add_force (&run.model, false, 1, qn_vec2 (0.1, 3), qn_vec2 (0, -10000));
+  add_force (&run.model, true, 1, qn_vec2 (0.1, 3), qn_vec2 (10000, 0));
+  find (&run, &capacity, QN_NONE);
+  check_close (capacity.activation, 7.4 / 57, 1e-6);
+  check_close (capacity.share, 57.0 * 57 / (28 * (18 * 2.25 + 90)), 1e-6);
+  check_close (capacity.moving_mass, 28000 / G, 1e-9);
+  check_close (capacity.points[0].acceleration, 7.4 / 57 * G / capacity.share, 1e-6);
+  qn_capacity_clear (&capacity);
+}
+
+/* Vertical bending between floors: two halves of h = 1.5 m and t = 0.3 m, W = 4.5 kN each, under a floor
+ * of N = 20 kN that goes up and down alone. The hinge is at mid-height: alpha0 = 2 t (W + N)/(W h),
+ * e* = 2 W/(2 W + N). All is upright together, where the hinge has moved by t and the centroids by
+ * t/2. */
+static void
+test_bending (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  test_model_init (&run.model);
+  test_model_add_base (&run.model, 0, -0.2, 0.3, 0.2);
+  test_model_add_rectangle (&run.model, "low", 0, 0, 0.3, 1.5);
+  test_model_add_rectangle (&run.model, "high", 0, 1.5, 0.3, 1.5);
+  QnBlock *floor = test_model_add_rectangle (&run.model, "floor", 0, 3, 0.3, 0.2);
+  floor->unit_weight = 20000 / (0.3 * 0.2);
+  floor->support[QN_DOF_UX] = floor->support[QN_DOF_RZ] = true;
+  test_model_add_weight_loads (&run.model, 1);
+  find (&run, &capacity, 1);
+  check_close (capacity.activation, 2 * 0.3 * 24.5 / (4.5 * 1.5), 1e-6);
+  check_close (capacity.share, 9.0 / 29, 1e-6);
+  g_assert_true (capacity.reaches_zero);
+  check_close (capacity.end, 0.15, 1e-4);
+  g_assert_cmpuint (capacity.participating, ==, 3);
+  qn_capacity_clear (&capacity);
+}
+
+/* An arch folds as three bodies at four hinges; its multiplier falls as it moves. */
+static void
+test_arch (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  QnMechanism mechanism;
+  QnArchRecipe recipe = qn_arch_recipe_default ();
+  recipe.material.friction = 2;
+  qn_model_init (&run.model);
+  g_assert_cmpint (qn_generate_arch (&run.model, &recipe, NULL), ==, QN_OK);
+  find (&run, &capacity, QN_NONE);
+  g_assert_cmpint (
+    qn_mechanism_of_result (&mechanism, &run.model, &run.contacts, &run.result, NULL), ==,
+    QN_OK);
+  g_assert_cmpuint (mechanism.body_count, ==, 3);
+  g_assert_true (capacity.reaches_zero);
+  for (size_t i = 1; i < capacity.count; i++)
+    g_assert_cmpfloat (capacity.points[i].multiplier, <,
+                       capacity.points[i - 1].multiplier);
+  qn_mechanism_clear (&mechanism);
+  qn_capacity_clear (&capacity);
+}
+
+/* Checks the block with a motion that is given; returns why it is refused. */
+static QnProblem
+refusal (TestRun *run, const double motion[QN_DOF_COUNT], bool ended)
+{
+  QnCapacity capacity;
+  QnDiag diag = { 0 };
+  double velocities[2 * QN_DOF_COUNT] = { 0, 0, 0, motion[0], motion[1], motion[2] };
+  test_run_prepare (run);
+  g_assert_cmpint (qn_result_init (&run->result, 2, run->contacts.pair_count, &diag), ==,
+                   QN_OK);
+  if (ended)
+    g_assert_cmpint (qn_result_set_mechanism (&run->result, velocities, 1, NULL), ==,
+                     QN_OK);
+  g_assert_cmpint (qn_capacity_init_kinematic (&capacity, &run->model, &run->contacts,
+                                               &run->result, QN_NONE, &diag),
+                   ==, QN_ERROR_INVALID);
+  g_assert_null (capacity.points);
+  test_run_clear (run);
+  *run = (TestRun){ 0 };
+  return diag.problem;
+}
+
+static void
+test_refuse (void)
+{
+  const double turns[] = { 1.5, 0.3, -1 }, slides[] = { 1, 0, 0 },
+               back[] = { -1.5, 0.3, 1 };
+  TestRun run = { 0 };
+  init_block (&run);
+  g_assert_cmpint (refusal (&run, turns, false), ==, QN_PROBLEM_MECHANISM_MISSING);
+  init_block (&run);
+  g_assert_cmpint (refusal (&run, slides, true), ==, QN_PROBLEM_MECHANISM_SLIDES);
+  init_block (&run);
+  g_assert_cmpint (refusal (&run, back, true), ==, QN_PROBLEM_CAPACITY_MOTION);
+  init_block (&run);
+  run.model.dead_load_count = 0;
+  g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_MECHANISM_WEIGHT);
+  init_block (&run);
+  add_tie (&run.model, 1, qn_vec2 (-0.3, 2.9), qn_vec2 (-4, 2.9), 0);
+  g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_MECHANISM_TIE);
+  init_block (&run);
+  add_force (&run.model, true, 1, qn_vec2 (0, 3), qn_vec2 (0, 1));
+  g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_CAPACITY_LOADS);
+}
+
+QN_TESTS
+{
+  g_test_add_func ("/kinematic/rocking-wall", test_rocking_wall);
+  g_test_add_func ("/kinematic/direction", test_direction);
+  g_test_add_func ("/kinematic/tie", test_tie);
+  g_test_add_func ("/kinematic/floor", test_floor);
+  g_test_add_func ("/kinematic/bending", test_bending);
+  g_test_add_func ("/kinematic/arch", test_arch);
+  g_test_add_func ("/kinematic/refuse", test_refuse);
+}
