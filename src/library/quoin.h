@@ -230,8 +230,9 @@ void quoin_modes_free (QuoinModes *modes);
 /* The capacity curve, and the displacement checks of EN 1998-3 and NTC 2018, as JSON,
  * keys as the command line writes; to be freed with quoin_free(). options:
  * "spectrum=type1", "ag=0.25g", "soil=B", "damping=0.05", "unit=g", "confidence=1.2",
- * "control=w.6.5" instead of the project's, NULL-terminated or NULL. picture (nullable):
- * PNG, SVG, PDF or CSV of the curve. */
+ * "control=w.6.5" instead of the project's, "mechanism=true": the kinematic curve of what
+ * limit analysis finds; NULL-terminated or NULL. picture (nullable): PNG, SVG, PDF or CSV
+ * of the curve. */
 char *quoin_capacity (QuoinModel *model, const char *const *options, const char *picture,
                       QuoinProgressFunc progress, void *data, QuoinError **error);
 size_t quoin_modes_get_count (const QuoinModes *modes);

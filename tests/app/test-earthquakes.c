@@ -352,6 +352,12 @@ has_ratio (gpointer dialog)
 }
 
 static gboolean
+has_alpha0 (gpointer dialog)
+{
+  return driver_find_widget (dialog, driver_says, "alpha0") != NULL;
+}
+
+static gboolean
 has_note (gpointer dialog)
 {
   return driver_find_widget (dialog, driver_says, "The model has changed since.") != NULL;
@@ -373,6 +379,21 @@ test_capacity (void)
   const char *const states[] = { "SLV", "SLC", "SD", "NC" };
   for (gsize i = 0; i < G_N_ELEMENTS (states); i++)
     g_assert_nonnull (driver_find_widget (dialog, driver_says, states[i]));
+
+  /* By the mechanism there are no checks of EN 1998-3. */
+  GtkWidget *mechanism = driver_find_widget (dialog, driver_has_id, "mechanism");
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (mechanism), TRUE);
+  driver_settle ();
+  g_assert_false (has_ratio (dialog));
+  driver_press (dialog, "Compute Curve");
+  driver_wait (has_alpha0, dialog);
+  g_assert_false (has_ratio (dialog));
+  g_assert_nonnull (driver_find_widget (dialog, driver_says, "SLC"));
+  driver_screenshot (dialog, "capacity-mechanism");
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (mechanism), FALSE);
+  driver_settle ();
+  driver_press (dialog, "Compute Curve");
+  driver_wait (has_ratio, dialog);
 
   /* A spectrum from a file has no soil; none has no table. */
   GtkWidget *kind = driver_find_widget (dialog, driver_has_name, "GtkDropDown");

@@ -57,8 +57,8 @@ static const Kind kinds[] = {
 static const char *const views[] = { "model",     "contacts", "deformed",
                                      "mechanism", "forces",   "diagrams" };
 static const char *const fields[] = {
-  "none",     "displacement", "displacement-x", "displacement-y",
-  "rotation", "stress",       "opening",        "sliding",
+  "none",   "displacement", "displacement-x", "displacement-y", "rotation",
+  "stress", "opening",      "sliding",        "bodies",
 };
 /* None, each alone, all; test_known() holds them to the program's own list, as the others. */
 #define ALL_DECORATIONS                                                                  \
@@ -81,6 +81,8 @@ needs (const char *view, const char *field)
     needed |= HAS_MECHANISM;
   else if (coloured || !(g_str_equal (view, "model") || g_str_equal (view, "contacts")))
     needed |= HAS_STEPS;
+  if (g_str_equal (field, "bodies"))
+    needed |= HAS_MECHANISM;
   if (g_str_equal (view, "forces") || g_str_equal (field, "stress"))
     needed |= HAS_FORCES;
   if (g_str_equal (view, "diagrams"))

@@ -274,6 +274,26 @@ test_settlement (void)
                 NULL);
 }
 
+/* The page on a mechanism has the hand numbers of docs/method/capacity.md; a project that does not ask for it
+ * has none, and one whose joints slide says why it is not checked. */
+static void
+test_mechanism (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *gable = cli_example ("47-gable-with-tie.quoin");
+  g_autofree char *sliding = cli_example ("01-sliding-block.quoin");
+  g_autofree char *pdf = g_build_filename (folder, "r.pdf", NULL);
+  cli_do ("report", gable, "--sections", "mechanism", "-o", pdf, NULL);
+  assert_words (pdf,
+                WORDS ("Mechanism by code", "alpha0 0.18226", "e* 0.7469", "a0* 1.773",
+                       "0.985 – not met", "d0* 0.3341 m", "9 blocks", "NTC 2018"),
+                WORDS ("EN 1998-3"));
+  cli_do ("report", gable, "--set", "capacity.mechanism=false", "-o", pdf, NULL);
+  assert_words (pdf, WORDS ("Result:"), WORDS ("Mechanism by code"));
+  cli_do ("report", sliding, "--set", "capacity.mechanism=true", "-o", pdf, NULL);
+  assert_words (pdf, WORDS ("Not checked: ", "joints slide"), NULL);
+}
+
 /* A project that is shaken is solved with its record, and tells what has moved. */
 static void
 test_record (void)
@@ -349,6 +369,7 @@ QN_TESTS
   g_test_add_func ("/cli/report/members", test_members);
   g_test_add_func ("/cli/report/demand", test_demand);
   g_test_add_func ("/cli/report/settlement", test_settlement);
+  g_test_add_func ("/cli/report/mechanism", test_mechanism);
   g_test_add_func ("/cli/report/record", test_record);
   g_test_add_func ("/cli/report/template", test_template);
   g_test_add_func ("/cli/report/refused", test_refused);

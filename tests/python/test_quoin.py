@@ -323,6 +323,9 @@ def test_capacity(tmp_path):
                   "--soil", "B", "--control", "w.6.5", "--json", tmp_path / "c.json", "-q")
     assert answer == json.loads((tmp_path / "c.json").read_text())
     assert len((tmp_path / "curve.csv").read_text().splitlines()) == len(answer["curve"]) + 1
+    gable = quoin.open(EXAMPLES / "47-gable-with-tie.quoin")
+    assert gable.capacity()["alpha0"] == pytest.approx(179 / 982.125, rel=1e-6)
+    assert gable.capacity(mechanism=False)["source"] == "path"
     kept = wall.to_dict()
     kept["capacity"] = {"control": "w.6.1", "spectrum": "type2", "ag": 2, "soil": "A"}
     kept = quoin.from_dict(kept).capacity()

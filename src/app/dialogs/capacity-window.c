@@ -31,9 +31,6 @@
 /* Where the window keeps its form. */
 #define FORM "capacity-form"
 
-/* Share of mass below which a word is due. */
-#define SMALL_SHARE 0.5
-
 enum { TYPE_1, TYPE_2, FROM_FILE, NONE };
 
 static const char *const units[] = { NULL, "g", "m/s2", "cm/s2" };
@@ -59,6 +56,7 @@ typedef struct Form {
 } Form;
 
 enum {
+  MECHANISM,
   CONTROL,
   TAKE_SELECTED,
   KIND,
@@ -79,6 +77,7 @@ enum {
 };
 
 static const QnFormField fields[] = {
+  [MECHANISM] = { .id = "mechanism" },
   [CONTROL] = { .id = "control" },
   [TAKE_SELECTED] = { .id = "take_selected" },
   [KIND] = { .id = "kind" },
@@ -142,6 +141,7 @@ store (Form *form)
     .soil = of_code ? (char *) soil : NULL,
     .damping = form->spectrum.damping,
     .confidence = form->answer.confidence,
+    .mechanism = form->answer.kinematic,
     .unit = form->kind == FROM_FILE ? (char *) units[form->unit] : NULL,
   };
   g_autofree char *json = qn_capacity_settings_to_json (&settings);
@@ -221,7 +221,8 @@ find (Form *form)
   form->cancellable = g_cancellable_new ();
   GWeakRef *root = g_new0 (GWeakRef, 1);
   g_weak_ref_init (root, form->base.root);
-  qn_capacity_find_async (model, control, form->cancellable, on_found, root);
+  qn_capacity_find_async (model, control, form->answer.kinematic, form->cancellable,
+                          on_found, root);
   say (form, NULL);
 }
 
@@ -321,41 +322,28 @@ choose (Form *form, const char *title, const char *name, GCallback chosen)
 static char *
 dup_facts (const Form *form)
 {
-  const QnCapacity *c = &form->answer.capacity;
   if (form->message != NULL)
     return g_strdup (form->message);
   if (form->cancellable != NULL)
-    return g_strdup (_ ("Following the path through its peak…"));
+    return g_strdup (form->answer.kinematic ? _ ("Searching the mechanism…")
+                                            : _ ("Following the path through its peak…"));
   if (!form->found)
     return g_strdup (
-      _ ("The live load is weight times a horizontal direction. The path in "
-         "large displacements is followed until it carries nothing any "
-         "more."));
-  const QnUnits shown = qn_settings_get_units ();
-  const QnCapacityPoint *peak = &c->points[c->peak];
-  g_autofree char *end = qn_units_format_full (shown, QN_QUANTITY_LENGTH, c->end, 4);
-  g_autofree char *at =
-    qn_units_format_full (shown, QN_QUANTITY_LENGTH, peak->control, 4);
-  GString *text = g_string_new (NULL);
+      form->answer.kinematic
+        ? _ ("The live load is weight times a horizontal direction. Limit analysis finds "
+             "the mechanism; its parts are moved about their hinges until they carry "
+             "nothing any more.")
+        : _ ("The live load is weight times a horizontal direction. The path in "
+             "large displacements is followed until it carries nothing any "
+             "more."));
   g_autofree char *digest = qn_model_digest (qn_document_get_project (form->document));
+  g_autofree char *facts = qn_capacity_answer_dup_facts (
+    &form->answer, form->block, form->reason, qn_settings_get_units ());
+  GString *text = g_string_new (NULL);
   if (g_strcmp0 (form->digest, digest) != 0)
     g_string_append_printf (text, "%s\n\n", _ ("The model has changed since."));
-  g_string_append_printf (
-    text, _ ("Block %s\nPeak: multiplier %.4f at %s\nM* %.4g kg, e* %.3f\n"), form->block,
-    peak->multiplier, at, c->mass, c->share);
-  g_string_append_printf (
-    text,
-    c->reaches_zero ? _ ("The multiplier is back at zero at d0* = %s.")
-                    : _ ("The path ends before zero, at d* = %s, which is taken as d0*."),
-    end);
-  if (form->reason != NULL)
-    g_string_append_printf (text, " %s", form->reason);
-  if (c->share < SMALL_SHARE)
-    g_string_append_printf (
-      text, "\n%s",
-      _ ("e* is small: blocks move very differently, and the codes' "
-         "a* is far above multiplier times g."));
-  for (int k = 0; form->answer.has_spectrum && k < QN_CAPACITY_STATE_COUNT; k++)
+  g_string_append (text, facts);
+  for (int k = 0; k < qn_capacity_answer_count_states (&form->answer); k++)
     if (form->answer.states[k].refused) {
       g_autofree char *basis =
         qn_capacity_dup_basis (&form->answer.states[k], (QnCapacityCheck) k);
@@ -379,40 +367,15 @@ set_cell (Form *form, int column, int row, const char *text)
     gtk_label_set_text (GTK_LABEL (label), text);
 }
 
-/* A row for each limit state. */
+/* A row for each limit state; those of another curve are emptied. */
 static void
 fill_table (Form *form)
 {
-  const QnUnits shown = qn_settings_get_units ();
-  g_autofree char *capacity =
-    g_strdup_printf (_ ("Capacity (%s)"), qn_units_symbol (shown, QN_QUANTITY_LENGTH));
-  g_autofree char *demand =
-    g_strdup_printf (_ ("Demand (%s)"), qn_units_symbol (shown, QN_QUANTITY_LENGTH));
-  const char *const heads[] = { _ ("State"),      _ ("Code"), capacity,   _ ("a* (m/s²)"),
-                                _ ("Period (s)"), demand,     _ ("Ratio") };
-  if (!form->found || !form->answer.has_spectrum)
-    return;
-  for (int i = 0; i < (int) G_N_ELEMENTS (heads); i++)
-    set_cell (form, i, 0, heads[i]);
-  for (int k = 0; k < QN_CAPACITY_STATE_COUNT; k++) {
-    const QnCapacityState *s = &form->answer.states[k];
-    const struct {
-      QnQuantity quantity;
-      double value;
-    } numbers[] = { { QN_QUANTITY_LENGTH, s->capacity },
-                    { QN_QUANTITY_NUMBER, s->acceleration },
-                    { QN_QUANTITY_TIME, s->period },
-                    { QN_QUANTITY_LENGTH, s->demand } };
-    g_autofree char *verdict = qn_capacity_dup_verdict (s);
-    set_cell (form, 0, k + 1, qn_capacity_check_name ((QnCapacityCheck) k));
-    set_cell (form, 1, k + 1, k < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3");
-    for (int i = 0; i < (int) G_N_ELEMENTS (numbers); i++) {
-      g_autofree char *text =
-        qn_units_format (shown, numbers[i].quantity, numbers[i].value, 4);
-      set_cell (form, i + 2, k + 1, text);
-    }
-    set_cell (form, (int) G_N_ELEMENTS (heads) - 1, k + 1, verdict);
-  }
+  g_autoptr (GPtrArray) cells =
+    qn_capacity_answer_make_table (&form->answer, qn_settings_get_units ());
+  for (int i = 0; i < QN_CAPACITY_COLUMNS * (QN_CAPACITY_STATE_COUNT + 1); i++)
+    set_cell (form, i % QN_CAPACITY_COLUMNS, i / QN_CAPACITY_COLUMNS,
+              (guint) i < cells->len ? cells->pdata[i] : "");
 }
 
 static gboolean
@@ -422,6 +385,9 @@ show (gpointer data, guint field, QnValue *value)
   gboolean busy = form->cancellable != NULL;
   gboolean code = form->kind == TYPE_1 || form->kind == TYPE_2;
   switch (field) {
+  case MECHANISM:
+    value->number = form->answer.kinematic;
+    return !busy;
   case CONTROL:
     value->text = g_strdup (form->control != NULL ? form->control : "");
     return TRUE;
@@ -455,7 +421,8 @@ show (gpointer data, guint field, QnValue *value)
     gtk_widget_queue_draw (form->base.widgets[PLOT]);
     return TRUE;
   case TABLE:
-    fill_table (data);
+    if (form->found && form->answer.has_spectrum)
+      fill_table (data);
     return form->found && form->answer.has_spectrum;
   case CANCEL:
     return busy;
@@ -490,6 +457,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   Form *form = data;
   g_clear_pointer (&form->message, g_free);
   switch (field) {
+  case MECHANISM:
+    form->answer.kinematic = value->number != 0;
+    clear_curve (form);
+    break;
   case CONTROL:
     g_free (form->control);
     form->control =
@@ -574,6 +545,10 @@ load (Form *form)
                   .soil = is_soil ? (QnSoil) (*soil - 'A') : QN_SOIL_B,
                   .damping = kept.damping > 0 && kept.damping < 1 ? kept.damping : 0.05 };
   form->answer.confidence = fmax (kept.confidence, 1);
+  if (form->answer.kinematic != kept.mechanism && form->cancellable == NULL) {
+    form->answer.kinematic = kept.mechanism;
+    clear_curve (form);
+  }
   g_free (form->control);
   form->control = g_strdup (kept.control);
   form->unit = 0;

@@ -14,19 +14,19 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Share of mass below which a word is due. */
-#define SMALL_SHARE 0.5
-
 typedef struct CapacityOptions {
   QnPictureOptions picture;
   char *json, *csv, *spectrum, *ag, *soil, *unit, *control, *damping, *confidence;
+  char *result;
+  gboolean mechanism;
   QnInputOptions input;
   gboolean quiet;
 } CapacityOptions;
 
 typedef struct Answer {
   const QnInput *input;
-  QnRecord points; /* of a spectrum from a file */
+  QnResultFile file; /* of --result */
+  QnRecord points;   /* of a spectrum from a file */
   QnCapacityAnswer answer;
   char *reason; /* why the path ended before multiplier 0, or NULL */
 } Answer;
@@ -38,10 +38,14 @@ take_settings (const QnSubcommand *self, const CapacityOptions *options,
 {
   g_autoptr (GError) error = NULL;
   const char *const given[][2] = {
-    { "spectrum", options->spectrum }, { "ag", options->ag },
-    { "soil", options->soil },         { "damping", options->damping },
-    { "unit", options->unit },         { "confidence", options->confidence },
+    { "spectrum", options->spectrum },
+    { "ag", options->ag },
+    { "soil", options->soil },
+    { "damping", options->damping },
+    { "unit", options->unit },
+    { "confidence", options->confidence },
     { "control", options->control },
+    { "mechanism", options->mechanism ? "true" : NULL },
   };
   const QnProject *project = &answer->input->project;
   gboolean done = qn_capacity_settings_read (project, s, &error);
@@ -97,46 +101,27 @@ find (QnInput *input, const CapacityOptions *options, const QnCapacitySettings *
 static void
 print (const Answer *answer)
 {
-  const QnCapacity *c = &answer->answer.capacity;
   const QnModel *model = &answer->input->project.model;
-  const QnCapacityPoint *peak = &c->points[c->peak];
-  qn_print (_ ("%s: controlled by ux of block %s\n"),
-            model->title != NULL ? model->title : answer->input->project.name,
-            model->blocks[c->block].name);
-  qn_print (
-    _ ("%zu of %zu blocks take part, %.6g kg; participating mass M* %.6g kg, e* %.4f\n"),
-    c->participating, model->block_count, c->moving_mass, c->mass, c->share);
-  if (c->left_out > 0)
-    qn_print (_ ("%.1f %% of the mass that is not fixed does not take part\n"),
-              100 * c->left_out / (c->left_out + c->moving_mass));
-  qn_print (_ ("peak: multiplier %.5f at %.4g m; d* %.4g m, a* %.4g m/s2\n"),
-            peak->multiplier, peak->control, peak->displacement, peak->acceleration);
-  if (c->reaches_zero)
-    qn_print (_ ("multiplier back at zero: d0* %.4g m\n"), c->end);
-  else
-    qn_print (_ ("the path ends at d* %.4g m, multiplier %.5f, before zero: its end is "
-                 "taken as d0*. %s\n"),
-              c->end, c->points[c->count - 1].multiplier, answer->reason);
-  if (c->share < SMALL_SHARE)
-    qn_print (
-      _ ("e* is small: the blocks move very differently, and a* of the codes is %.1f "
-         "times what virtual work gives, multiplier times g\n"),
-      1 / c->share);
-  if (!answer->answer.has_spectrum)
+  const int states = qn_capacity_answer_count_states (&answer->answer);
+  g_autofree char *facts = qn_capacity_answer_dup_facts (
+    &answer->answer, model->blocks[answer->answer.capacity.block].name, answer->reason,
+    QN_UNITS_SI);
+  qn_print ("%s\n", model->title != NULL ? model->title : answer->input->project.name);
+  fputs (facts, stdout);
+  fputc ('\n', stdout);
+  if (states == 0)
     return;
-  qn_print ("%-36s %5s %12s %12s %10s %12s %10s\n", _ ("code"), _ ("state"),
-            _ ("capacity [m]"), _ ("a* [m/s2]"), _ ("T [s]"), _ ("demand [m]"),
-            _ ("ratio"));
-  for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
-    const QnCapacityState *s = &answer->answer.states[i];
-    g_autofree char *verdict = qn_capacity_dup_verdict (s);
-    qn_print ("%-36s %5s %12.5g %12.5g %10.4g %12.5g  %s\n",
-              qn_capacity_check_code ((QnCapacityCheck) i),
-              qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
-              s->period, s->demand, verdict);
+  g_autoptr (GPtrArray) cells =
+    qn_capacity_answer_make_table (&answer->answer, QN_UNITS_SI);
+  for (guint i = 0; i < cells->len; i++) {
+    const char *cell = cells->pdata[i];
+    if (i % QN_CAPACITY_COLUMNS == QN_CAPACITY_COLUMNS - 1)
+      qn_print ("%s\n", cell);
+    else
+      qn_print ("%s%*s", cell, (int) MAX (14 - g_utf8_strlen (cell, -1), 1), "");
   }
   qn_print (_ ("ratio: capacity over demand; the check is met from 1 on\n"));
-  for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
+  for (int i = 0; i < states && !answer->answer.capacity.kinematic; i++) {
     g_autofree char *rests =
       qn_capacity_dup_basis (&answer->answer.states[i], (QnCapacityCheck) i);
     qn_print ("%s\n", rests);
@@ -215,6 +200,12 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
       N_ ("Block whose horizontal displacement is controlled; by default that of the "
           "project, or the one that limit analysis moves furthest"),
       N_ ("BLOCK") },
+    { "mechanism", 0, 0, G_OPTION_ARG_NONE, &options.mechanism,
+      N_ ("Kinematic curve of the mechanism, instead of the path: of limit analysis, or "
+          "of --result"),
+      NULL },
+    { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
+      N_ ("Result whose mechanism is checked; with --mechanism"), N_ ("RESULT.json") },
     { "json", 0, 0, G_OPTION_ARG_FILENAME, &options.json,
       N_ ("Write curve and checks here; - is standard output"), N_ ("OUT.json") },
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
@@ -234,8 +225,14 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
     code = options.picture.path != NULL
              ? qn_picture_output (self, &options.picture, &output)
              : QN_EXIT_DONE;
+  if (code == QN_EXIT_DONE && options.result != NULL && !options.mechanism)
+    code = qn_cli_usage_error (self->name, _ ("--result belongs to --mechanism"));
   if (code == QN_EXIT_DONE)
-    code = qn_input_load (&input, argv[1], &options.input);
+    code = options.result != NULL ? qn_input_load_with_result (
+             &input, &answer.file, argv[1], options.result, &options.input)
+                                  : qn_input_load (&input, argv[1], &options.input);
+  if (code == QN_EXIT_DONE && options.result != NULL)
+    answer.answer.collapse = &answer.file.result;
   if (code == QN_EXIT_DONE)
     code = take_settings (self, &options, &settings, &answer);
   if (code == QN_EXIT_DONE)
@@ -250,6 +247,7 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
   qn_capacity_settings_clear (&settings);
   qn_capacity_clear (&answer.answer.capacity);
   g_free (answer.reason);
+  qn_result_file_clear (&answer.file);
   qn_record_clear (&answer.points);
   qn_input_clear (&input);
   qn_subcommand_free_values (entries);
@@ -259,11 +257,12 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
 const QnSubcommand qn_cmd_capacity = {
   .name = "capacity",
   .arguments = "MODEL",
-  .summary = N_ ("Capacity curve, and displacement checks of EN 1998-3 and NTC 2018"),
-  .help =
-    N_ ("The live load is weight times a horizontal direction. The path in large "
-        "displacements is followed until its multiplier is zero again, and turned into "
-        "the curve of a single mass. The page on capacity curves in the manual has every "
-        "formula, and says what the checks do not cover."),
+  .summary = N_ ("Capacity curve, and checks of EN 1998-3 and NTC 2018"),
+  .help = N_ (
+    "The live load is weight times a horizontal direction. The path in large "
+    "displacements is followed until its multiplier is zero again, and turned into "
+    "the curve of a single mass; with --mechanism that of the parts of a mechanism, by "
+    "virtual work. The page on capacity curves in the manual has every formula, and "
+    "says what the checks do not cover."),
   .run = run_capacity,
 };

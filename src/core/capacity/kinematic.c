@@ -6,7 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Bodies that move otherwise than about their hinges, by more than this part of the fastest, make no chain. */
+/* Bodies that move otherwise than about their hinges, by more than this part of the
+ * fastest, make no chain. */
 #define DEVIATION 0.1
 
 /* How far the fastest body moves in a step, of the size of the chain, and most steps. */
@@ -19,13 +20,6 @@
 /* Of the fastest: elongation of a tie that is none. */
 #define NO_MOTION 1e-6
 
-/* Displacements and velocities: ux, uy, and the rotation times the size of the chain. */
-typedef struct Body {
-  QnVec2 centre; /* as drawn */
-  double u[QN_DOF_COUNT], v[QN_DOF_COUNT];
-  double start[QN_DOF_COUNT]; /* u at the start of a step */
-} Body;
-
 /* One condition: two points, or a point and the ground, keep together along an axis. */
 typedef struct Row {
   QnId bodies[2]; /* QN_NONE: at rest */
@@ -34,36 +28,31 @@ typedef struct Row {
   double gap, factors[2][QN_DOF_COUNT];
 } Row;
 
+/* On a point of a body: dead loads, N, N m, and the seismic weight, N. */
 typedef struct Force {
   QnId body;
-  QnVec2 arm, force;
-  double moment;
-  bool live; /* its force is a seismic weight, N, along x */
+  QnVec2 arm, dead;
+  double moment, seismic;
 } Force;
 
 typedef struct Chain {
   const QnModel *model;
   const QnMechanism *mechanism;
-  QnPool pool; /* of all below */
-  Body *bodies;
+  QnPool pool;     /* of all below */
+  QnVec2 *centres; /* of the bodies, as drawn */
+  double *u, *v;   /* n: displacements, velocities: ux, uy, rotation times size */
   Row *rows;
   Force *forces;
-  size_t body_count, row_count, force_count;
+  size_t n, row_count, force_count;
   double size;      /* half the diagonal around all that moves, m */
   double direction; /* of the live load: 1 = one weight */
   double *x, *p, *z, *right, *q;
 } Chain;
 
-static double
-angle_of (const Chain *c, const Body *body)
-{
-  return body->u[QN_DOF_RZ] / c->size;
-}
-
 static QnVec2
 turned (const Chain *c, QnId body, QnVec2 arm)
 {
-  double angle = angle_of (c, &c->bodies[body]);
+  double angle = c->u[QN_DOF_COUNT * body + QN_DOF_RZ] / c->size;
 
   return qn_vec2_rotate (arm, cos (angle), sin (angle));
 }
@@ -74,7 +63,7 @@ displacement (const Chain *c, QnId body, QnVec2 arm)
 {
   if (body == QN_NONE)
     return qn_vec2 (0, 0);
-  const double *u = c->bodies[body].u;
+  const double *u = c->u + QN_DOF_COUNT * body;
   return qn_vec2_add (qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]),
                       qn_vec2_sub (turned (c, body, arm), arm));
 }
@@ -84,7 +73,7 @@ velocity (const Chain *c, QnId body, QnVec2 arm)
 {
   if (body == QN_NONE)
     return qn_vec2 (0, 0);
-  const double *v = c->bodies[body].v;
+  const double *v = c->v + QN_DOF_COUNT * body;
   return qn_vec2_add_scaled (qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]), v[QN_DOF_RZ] / c->size,
                              qn_vec2_perp (turned (c, body, arm)));
 }
@@ -98,7 +87,7 @@ body_of (const Chain *c, QnId block)
 static QnVec2
 arm_of (const Chain *c, QnId body, QnVec2 point)
 {
-  return body != QN_NONE ? qn_vec2_sub (point, c->bodies[body].centre) : qn_vec2 (0, 0);
+  return body != QN_NONE ? qn_vec2_sub (point, c->centres[body]) : qn_vec2 (0, 0);
 }
 
 /* ---- conditions ---- */
@@ -145,8 +134,9 @@ place_rows (Chain *c)
       QnVec2 moved = displacement (c, row->bodies[side], row->arms[side]);
       QnVec2 arm = turned (c, row->bodies[side], row->arms[side]);
       const double turns[QN_DOF_COUNT] = { -arm.y / c->size, arm.x / c->size, 1 };
-      const double moves[QN_DOF_COUNT] = { moved.x, moved.y,
-                                           c->bodies[row->bodies[side]].u[QN_DOF_RZ] };
+      const double moves[QN_DOF_COUNT] = {
+        moved.x, moved.y, c->u[QN_DOF_COUNT * row->bodies[side] + QN_DOF_RZ]
+      };
       factors[QN_DOF_UX] = row->axis == QN_DOF_UX ? sign : 0;
       factors[QN_DOF_UY] = row->axis == QN_DOF_UY ? sign : 0;
       factors[QN_DOF_RZ] = sign * turns[row->axis];
@@ -174,7 +164,7 @@ apply_transposed (const Chain *c, const double *q, double *p)
 {
   double sum = 0;
 
-  for (size_t i = 0; i < QN_DOF_COUNT * c->body_count; i++)
+  for (size_t i = 0; i < c->n; i++)
     p[i] = 0;
   for (size_t i = 0; i < c->row_count; i++) {
     const Row *row = &c->rows[i];
@@ -182,7 +172,7 @@ apply_transposed (const Chain *c, const double *q, double *p)
       for (int d = 0; d < QN_DOF_COUNT; d++)
         p[QN_DOF_COUNT * row->bodies[side] + d] += row->factors[side][d] * q[i];
   }
-  for (size_t i = 0; i < QN_DOF_COUNT * c->body_count; i++)
+  for (size_t i = 0; i < c->n; i++)
     sum += p[i] * p[i];
   return sum;
 }
@@ -192,24 +182,23 @@ apply_transposed (const Chain *c, const double *q, double *p)
 static void
 solve (Chain *c)
 {
-  size_t n = QN_DOF_COUNT * c->body_count;
   double square = apply_transposed (c, c->right, c->p), first = square;
 
-  for (size_t i = 0; i < n; i++)
+  for (size_t i = 0; i < c->n; i++)
     c->x[i] = 0;
-  for (size_t k = 0; k < 4 * n && square > 1e-30 * first && square > 0; k++) {
+  for (size_t k = 0; k < 4 * c->n && square > 1e-30 * first && square > 0; k++) {
     double length = 0;
     apply (c, c->p, c->q);
     for (size_t i = 0; i < c->row_count; i++)
       length += c->q[i] * c->q[i];
     if (!(length > 0))
       return;
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < c->n; i++)
       c->x[i] += square / length * c->p[i];
     for (size_t i = 0; i < c->row_count; i++)
       c->right[i] -= square / length * c->q[i];
     double next = apply_transposed (c, c->right, c->z);
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < c->n; i++)
       c->p[i] = c->z[i] + next / square * c->p[i];
     square = next;
   }
@@ -231,9 +220,8 @@ close_hinges (Chain *c)
     if (largest <= 1e-12 * c->size)
       break;
     solve (c);
-    for (size_t b = 0; b < c->body_count; b++)
-      for (int d = 0; d < QN_DOF_COUNT; d++)
-        c->bodies[b].u[d] -= c->x[QN_DOF_COUNT * b + (size_t) d];
+    for (size_t i = 0; i < c->n; i++)
+      c->u[i] -= c->x[i];
   }
   return largest <= PARTED * c->size;
 }
@@ -245,37 +233,27 @@ project (Chain *c)
 {
   double taken = 0, fastest = 0;
 
-  for (size_t b = 0; b < c->body_count; b++)
-    for (int d = 0; d < QN_DOF_COUNT; d++)
-      c->z[QN_DOF_COUNT * b + (size_t) d] = c->bodies[b].v[d];
-  apply (c, c->z, c->right);
+  apply (c, c->v, c->right);
   solve (c);
-  for (size_t b = 0; b < c->body_count; b++) {
-    double *v = c->bodies[b].v;
-    const double *x = c->x + QN_DOF_COUNT * b;
-    for (int d = 0; d < QN_DOF_COUNT; d++) {
-      v[d] -= x[d];
-      taken = fmax (taken, fabs (x[d]));
-    }
-    fastest = fmax (fastest, hypot (hypot (v[0], v[1]), v[2]));
+  for (size_t i = 0; i < c->n; i++) {
+    c->v[i] -= c->x[i];
+    taken = fmax (taken, fabs (c->x[i]));
+    fastest = fmax (fastest, fabs (c->v[i]));
   }
-  for (size_t b = 0; b < c->body_count && fastest > 0; b++)
-    for (int d = 0; d < QN_DOF_COUNT; d++)
-      c->bodies[b].v[d] /= fastest;
+  for (size_t i = 0; i < c->n && fastest > 0; i++)
+    c->v[i] /= fastest;
   return fastest > 0 ? taken / fastest : INFINITY;
 }
 
 /* ---- loads ---- */
 
 static void
-add_force (Chain *c, QnId block, QnVec2 arm, QnVec2 force, double moment, bool live)
+add_force (Chain *c, QnId block, QnVec2 at, Force force)
 {
-  QnId body = body_of (c, block);
-  QnVec2 point = qn_vec2_add (c->model->blocks[block].centroid, arm);
-
-  if (body != QN_NONE)
-    c->forces[c->force_count++] =
-      (Force){ body, arm_of (c, body, point), force, moment, live };
+  force.body = body_of (c, block);
+  force.arm = arm_of (c, force.body, at);
+  if (force.body != QN_NONE)
+    c->forces[c->force_count++] = force;
 }
 
 /* Dead loads on what moves, and seismic weights. False where live loads are not horizontal, or against the
@@ -284,41 +262,37 @@ static bool
 add_forces (Chain *c)
 {
   const QnModel *model = c->model;
-  size_t count = qn_model_acting_count (model);
   QnVec2 dead = { 0, 0 };
 
-  for (size_t i = 0; i < count; i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    if (load.kind == QN_LOAD_WEIGHT && load.set == QN_NONE)
-      dead = qn_vec2_add (dead, load.vector);
-    if (load.kind == QN_LOAD_WEIGHT && load.set == 0)
-      c->direction += load.vector.x;
-  }
-  if (c->direction == 0)
-    return false;
-  for (size_t b = 0; b < model->block_count; b++) {
-    double weight = model->blocks[b].weight;
-    add_force (c, (QnId) b, qn_vec2 (0, 0), qn_vec2_scale (weight, dead), 0, false);
-    add_force (c, (QnId) b, qn_vec2 (0, 0), qn_vec2 (weight, 0), 0, true);
-  }
-  for (size_t i = 0; i < count; i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    bool force = load.kind == QN_LOAD_FORCE || load.kind == QN_LOAD_NODE;
-    QnVec2 vector = load.vector;
-    if (load.set == 0) {
-      bool resolved = qn_load_is_on_edges (load.kind);
-      if (!resolved && load.kind != QN_LOAD_WEIGHT && !force)
+  for (int pass = 0; pass < 2; pass++) /* weights, then forces */
+    for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+      const QnLoad load = qn_model_acting_load (model, i);
+      bool live = load.set == 0, weight = load.kind == QN_LOAD_WEIGHT;
+      bool force = load.kind == QN_LOAD_FORCE || load.kind == QN_LOAD_NODE;
+      if (pass == 0 && weight && load.set == QN_NONE)
+        dead = qn_vec2_add (dead, load.vector);
+      if (pass == 0 && weight && live)
+        c->direction += load.vector.x;
+      if (pass == 0 || (!live && load.set != QN_NONE) || qn_load_is_on_edges (load.kind))
+        continue;
+      if (live
+          && ((!weight && !force) || load.vector.y != 0 || load.moment != 0
+              || !(load.vector.x * c->direction >= 0) || c->direction == 0))
         return false;
-      if ((force || load.kind == QN_LOAD_WEIGHT)
-          && (vector.y != 0 || load.moment != 0 || vector.x * c->direction < 0))
-        return false;
-      vector = qn_vec2 (vector.x / c->direction, 0);
+      if (force)
+        add_force (c, (QnId) qn_model_load_body (model, &load),
+                   qn_vec2_add (model->blocks[qn_model_load_body (model, &load)].centroid,
+                                qn_model_load_arm (model, &load)),
+                   live ? (Force){ .seismic = load.vector.x / c->direction }
+                        : (Force){ .dead = load.vector, .moment = load.moment });
     }
-    if (force && (load.set == QN_NONE || load.set == 0))
-      add_force (c, (QnId) qn_model_load_body (model, &load),
-                 qn_model_load_arm (model, &load), vector, load.moment, load.set == 0);
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    add_force (
+      c, (QnId) b, block->centroid,
+      (Force){ .dead = qn_vec2_scale (block->weight, dead), .seismic = block->weight });
   }
-  return true;
+  return c->direction != 0;
 }
 
 /* The work of dead loads and of seismic weights with the velocities as they are. */
@@ -329,8 +303,9 @@ find_works (const Chain *c, double *dead, double *seismic)
   for (size_t i = 0; i < c->force_count; i++) {
     const Force *f = &c->forces[i];
     QnVec2 v = velocity (c, f->body, f->arm);
-    double rotation = c->bodies[f->body].v[QN_DOF_RZ] / c->size;
-    *(f->live ? seismic : dead) += qn_vec2_dot (f->force, v) + f->moment * rotation;
+    *dead += qn_vec2_dot (f->dead, v)
+             + f->moment * c->v[QN_DOF_COUNT * f->body + QN_DOF_RZ] / c->size;
+    *seismic += f->seismic * v.x;
   }
 }
 
@@ -366,9 +341,9 @@ static void
 add_bodies (Chain *c, const double *base)
 {
   QnBox all = QN_BOX_EMPTY;
-  double *areas = c->x; /* free until the first solution */
+  double *areas = c->x, *turns = c->p; /* free until the first solution */
 
-  for (size_t i = 0; i < c->body_count; i++)
+  for (size_t i = 0; i < c->mechanism->body_count; i++)
     qn_box_add_box (&all, c->mechanism->bodies[i].box);
   c->size = 0.5 * qn_box_diagonal (all);
   for (size_t b = 0; b < c->model->block_count; b++) {
@@ -377,21 +352,18 @@ add_bodies (Chain *c, const double *base)
     if (body == QN_NONE)
       continue;
     areas[body] += block->area;
-    c->bodies[body].centre =
-      qn_vec2_add_scaled (c->bodies[body].centre, block->area, block->centroid);
-    if (base != NULL) /* how far it has turned, in the place of its rotation */
-      c->bodies[body].u[QN_DOF_RZ] += block->area * base[QN_DOF_COUNT * b + QN_DOF_RZ];
+    c->centres[body] =
+      qn_vec2_add_scaled (c->centres[body], block->area, block->centroid);
+    turns[body] += base != NULL ? block->area * base[QN_DOF_COUNT * b + QN_DOF_RZ] : 0;
   }
-  for (size_t i = 0; i < c->body_count; i++) {
-    Body *body = &c->bodies[i];
+  for (size_t i = 0; i < c->mechanism->body_count; i++) {
     const QnMechanismBody *found = &c->mechanism->bodies[i];
-    double angle = -body->u[QN_DOF_RZ] / areas[i];
-    QnVec2 v = qn_vec2_rotate (found->velocity, cos (angle), sin (angle));
-    body->centre = qn_vec2_scale (1 / areas[i], body->centre);
-    body->u[QN_DOF_RZ] = 0;
-    body->v[QN_DOF_UX] = v.x;
-    body->v[QN_DOF_UY] = v.y;
-    body->v[QN_DOF_RZ] = found->rotation * c->size;
+    double angle = -turns[i] / areas[i], *v = c->v + QN_DOF_COUNT * i;
+    QnVec2 velocity = qn_vec2_rotate (found->velocity, cos (angle), sin (angle));
+    c->centres[i] = qn_vec2_scale (1 / areas[i], c->centres[i]);
+    v[QN_DOF_UX] = velocity.x;
+    v[QN_DOF_UY] = velocity.y;
+    v[QN_DOF_RZ] = found->rotation * c->size;
   }
 }
 
@@ -400,19 +372,18 @@ static bool
 chain_init (Chain *c, const QnModel *model, const QnContacts *contacts,
             const QnMechanism *mechanism, const double *base)
 {
-  size_t n = QN_DOF_COUNT * mechanism->body_count;
   size_t rows = 2 * mechanism->joint_count + QN_DOF_COUNT * model->block_count;
-  size_t forces = 2 * model->block_count + qn_model_acting_count (model);
+  size_t forces = model->block_count + qn_model_acting_count (model);
 
   *c = (Chain){ .model = model,
                 .mechanism = mechanism,
-                .body_count = mechanism->body_count };
-  c->bodies = qn_pool_alloc (&c->pool, c->body_count, sizeof *c->bodies);
+                .n = QN_DOF_COUNT * mechanism->body_count };
+  double **const vectors[] = { &c->u, &c->v, &c->x, &c->p, &c->z };
+  for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
+    *vectors[i] = qn_pool_alloc (&c->pool, c->n, sizeof **vectors[i]);
+  c->centres = qn_pool_alloc (&c->pool, mechanism->body_count, sizeof *c->centres);
   c->rows = qn_pool_alloc (&c->pool, rows, sizeof *c->rows);
   c->forces = qn_pool_alloc (&c->pool, forces, sizeof *c->forces);
-  c->x = qn_pool_alloc (&c->pool, n, sizeof *c->x);
-  c->p = qn_pool_alloc (&c->pool, n, sizeof *c->p);
-  c->z = qn_pool_alloc (&c->pool, n, sizeof *c->z);
   c->right = qn_pool_alloc (&c->pool, rows, sizeof *c->right);
   c->q = qn_pool_alloc (&c->pool, rows, sizeof *c->q);
   if (c->pool.failed)
@@ -459,13 +430,12 @@ find_masses (const Chain *c, QnCapacity *capacity, QnId control)
   }
   for (size_t i = 0; i < c->force_count; i++) {
     const Force *f = &c->forces[i];
-    if (f->live)
-      qn_mass_sums_add (&sums, f->force.x, along (c, velocity (c, f->body, f->arm)));
+    qn_mass_sums_add (&sums, f->seismic, along (c, velocity (c, f->body, f->arm)));
   }
   return qn_capacity_set_masses (capacity, sums, farthest, c->model->gravity);
 }
 
-/* The multiplier without ties, from point to point as the chain moves on, until it is 0 or the chain stops. */
+/* The multiplier without ties as the chain moves on, until it is 0 or the chain stops. */
 static QnStatus
 follow (Chain *c, QnCapacity *capacity, QnDiag *diag)
 {
@@ -496,20 +466,12 @@ follow (Chain *c, QnCapacity *capacity, QnDiag *diag)
       return qn_diag_no_memory (diag);
     if (point.multiplier > capacity->points[capacity->peak].multiplier)
       capacity->peak = capacity->count - 1;
-    /* half a step to find the velocities of the whole one */
-    bool closed = true;
-    for (int half = 1; half <= 2 && closed; half++) {
-      for (size_t b = 0; b < c->body_count; b++)
-        for (int d = 0; d < QN_DOF_COUNT; d++) {
-          Body *at = &c->bodies[b];
-          at->start[d] = half == 1 ? at->u[d] : at->start[d];
-          at->u[d] = at->start[d] + 0.5 * half * STEP * c->size * at->v[d];
-        }
-      closed = close_hinges (c);
-      project (c);
-    }
-    if (!closed)
+    /* A chain with one freedom is right wherever its hinges close again. */
+    for (size_t i = 0; i < c->n; i++)
+      c->u[i] += STEP * c->size * c->v[i];
+    if (!close_hinges (c))
       break;
+    project (c);
   }
   capacity->end = capacity->points[capacity->count - 1].displacement;
   return QN_OK;

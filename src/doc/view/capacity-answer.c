@@ -15,31 +15,72 @@
  * still deform little. */
 #define INCREMENTS 2000
 
-const char *
-qn_capacity_check_name (QnCapacityCheck check)
+/* Share of mass below which a word is due. */
+#define SMALL_SHARE 0.5
+
+/* "SLV" …; the code that it is of. */
+static const char *
+check_name (QnCapacityCheck check)
 {
   static const char *const names[] = { "SLV", "SLC", "SD", "NC" };
   return names[check];
 }
 
-const char *
-qn_capacity_check_code (QnCapacityCheck check)
+static const char *
+check_code (QnCapacityCheck check)
 {
-  return check < QN_CAPACITY_SD ? "NTC 2018, Circolare 7/2019 C8.7.1.2" : "EN 1998-3";
+  return check < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3";
 }
 
-char *
-qn_capacity_dup_verdict (const QnCapacityState *state)
+int
+qn_capacity_answer_count_states (const QnCapacityAnswer *answer)
 {
-  if (state->refused)
-    return g_strdup (_ ("refused"));
-  return qn_text_printf (state->ratio < 1 ? _ ("%.3f – not met") : "%.3f", state->ratio);
+  if (!answer->has_spectrum)
+    return 0;
+  return answer->capacity.kinematic ? QN_CAPACITY_SD : QN_CAPACITY_STATE_COUNT;
+}
+
+static char *
+dup_ratio (double ratio)
+{
+  return qn_text_printf (ratio < 1 ? _ ("%.3f – not met") : "%.3f", ratio);
+}
+
+GPtrArray *
+qn_capacity_answer_make_table (const QnCapacityAnswer *answer, QnUnits units)
+{
+  const char *unit = qn_units_symbol (units, QN_QUANTITY_LENGTH);
+  GPtrArray *cells = g_ptr_array_new_with_free_func (g_free);
+  g_ptr_array_add (cells, g_strdup (_ ("State")));
+  g_ptr_array_add (cells, g_strdup (_ ("Code")));
+  g_ptr_array_add (cells, g_strdup_printf (_ ("Capacity (%s)"), unit));
+  g_ptr_array_add (cells, g_strdup (_ ("a* (m/s²)")));
+  g_ptr_array_add (cells, g_strdup (_ ("Period (s)")));
+  g_ptr_array_add (cells, g_strdup_printf (_ ("Demand (%s)"), unit));
+  g_ptr_array_add (cells, g_strdup (_ ("Ratio")));
+  for (int k = 0; k < qn_capacity_answer_count_states (answer); k++) {
+    const QnCapacityState *s = &answer->states[k];
+    const struct {
+      QnQuantity quantity;
+      double value;
+    } numbers[] = { { QN_QUANTITY_LENGTH, s->capacity },
+                    { QN_QUANTITY_NUMBER, s->acceleration },
+                    { QN_QUANTITY_TIME, s->period },
+                    { QN_QUANTITY_LENGTH, s->demand } };
+    g_ptr_array_add (cells, g_strdup (check_name ((QnCapacityCheck) k)));
+    g_ptr_array_add (cells, g_strdup (check_code ((QnCapacityCheck) k)));
+    for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
+      g_ptr_array_add (cells,
+                       qn_units_format (units, numbers[i].quantity, numbers[i].value, 4));
+    g_ptr_array_add (cells, s->refused ? g_strdup (_ ("refused")) : dup_ratio (s->ratio));
+  }
+  return cells;
 }
 
 char *
 qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check)
 {
-  const char *name = qn_capacity_check_name (check);
+  const char *name = check_name (check);
   const char *rests = check < QN_CAPACITY_SD
                         ? _ ("the secant to the capacity")
                         : _ ("the elastic rise of the curve up to its peak");
@@ -57,6 +98,72 @@ qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check)
         "%s: the period of %.4g s is that of %s; %.4g s with half the stiffness of the "
         "joints."),
     name, state->period, rests, state->softer);
+}
+
+/* What virtual work found, and how the collapse that was found differs. */
+static void
+tell_mechanism (GString *text, const QnCapacityAnswer *answer)
+{
+  const QnCapacity *c = &answer->capacity;
+  const QnLinearCheck *linear = &answer->linear;
+  qn_text_append (text,
+                  _ ("\nalpha0 %.5f by virtual work: (weights %.6g + ties %.6g)/live "
+                     "load %.6g, in N m per m"),
+                  c->activation, c->works[QN_WORK_DEAD], c->works[QN_WORK_TIES],
+                  c->works[QN_WORK_LIVE]);
+  if (isfinite (c->found))
+    qn_text_append (text, _ ("\nfull model: multiplier %.5f, alpha0 differs by %+.2f %%"),
+                    c->found, 100 * (c->activation / c->found - 1));
+  if (!answer->has_spectrum)
+    return;
+  g_autofree char *sld = dup_ratio (linear->sld), *slv = dup_ratio (linear->slv);
+  qn_text_append (text,
+                  _ ("\nlinear: a0* %.4g m/s2 with FC %.3g, ground %.4g m/s2; SLD "
+                     "(C8.7.1.2.1.5) %s; SLV with q = 2 (C8.7.1.2.1.7) %s"),
+                  linear->capacity, answer->confidence, linear->demand, sld, slv);
+}
+
+char *
+qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
+                              const char *reason, QnUnits units)
+{
+  const QnCapacity *c = &answer->capacity;
+  const QnCapacityPoint *peak = &c->points[c->peak];
+  GString *text = g_string_new (NULL);
+  g_autofree char *end = qn_units_format_full (units, QN_QUANTITY_LENGTH, c->end, 4);
+  g_autofree char *at =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, peak->control, 4);
+  g_autofree char *mean =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, peak->displacement, 4);
+  qn_text_append (text, _ ("Block %s: controlled by ux"), block);
+  qn_text_append (
+    text,
+    _ ("\nblocks that take part: %zu, %.6g kg; participating mass M* %.6g kg, e* %.4f"),
+    c->participating, c->moving_mass, c->mass, c->share);
+  if (c->left_out > 0)
+    qn_text_append (text,
+                    _ ("\n%.1f %% of the mass that is not fixed does not take part"),
+                    100 * c->left_out / (c->left_out + c->moving_mass));
+  if (c->kinematic)
+    tell_mechanism (text, answer);
+  else
+    qn_text_append (text, _ ("\npeak: multiplier %.5f at %s; d* %s, a* %.4g m/s2"),
+                    peak->multiplier, at, mean, peak->acceleration);
+  if (c->reaches_zero)
+    qn_text_append (text, _ ("\nmultiplier back at zero: d0* %s"), end);
+  else
+    qn_text_append (text,
+                    _ ("\nthe curve ends at d* %s, multiplier %.5f, before zero: its end "
+                       "is taken as d0*. %s"),
+                    end, c->points[c->count - 1].multiplier,
+                    reason != NULL ? reason : "");
+  if (c->share < SMALL_SHARE)
+    qn_text_append (
+      text,
+      _ ("\ne* is small: the blocks move very differently, and a* of the codes is %.1f "
+         "times what virtual work gives, multiplier times g"),
+      1 / c->share);
+  return g_string_free (text, FALSE);
 }
 
 /* ---- the path ---- */
@@ -115,33 +222,45 @@ height_of (const QnModel *model)
   return high - low;
 }
 
+/* A mechanism of limit analysis; the result is there where FOUND. */
+static QnCapacityEnd
+find_collapse (const Search *search, QnResult *result)
+{
+  search->model->analysis.procedure = QN_PROCEDURE_LIMIT;
+  QnCapacityEnd end = analyse (search, result);
+  if (end != QN_CAPACITY_FOUND || result->mechanism != NULL)
+    return end;
+  *search->reason = dup_fault (search->model, result);
+  if (*search->reason == NULL)
+    *search->reason =
+      g_strdup (_ ("limit analysis found no mechanism: name a control block"));
+  qn_result_clear (result);
+  return QN_CAPACITY_NO_ANSWER;
+}
+
 /* Controls the block that moves furthest along the load in the mechanism of limit analysis. */
 static QnCapacityEnd
 choose_control (const Search *search)
 {
   QnModel *model = search->model;
   QnResult result;
-  model->analysis.procedure = QN_PROCEDURE_LIMIT;
-  QnCapacityEnd end = analyse (search, &result);
+  QnCapacityEnd end = find_collapse (search, &result);
   if (end != QN_CAPACITY_FOUND)
     return end;
   double farthest = 0;
-  for (gsize b = 0; result.mechanism != NULL && b < model->block_count; b++) {
+  for (gsize b = 0; b < model->block_count; b++) {
     double ux = result.mechanism[QN_DOF_COUNT * b + QN_DOF_UX];
     if (fabs (ux) <= fabs (farthest))
       continue;
     farthest = ux;
     model->analysis.control_block = (QnId) b;
   }
-  if (farthest == 0) {
-    *search->reason = dup_fault (model, &result);
-    if (*search->reason == NULL)
-      *search->reason =
-        g_strdup (_ ("limit analysis found no mechanism: name a control block"));
-  }
   qn_result_clear (&result);
-  if (farthest == 0)
+  if (farthest == 0) {
+    *search->reason =
+      g_strdup (_ ("limit analysis moves no block aside: name a control block"));
     return QN_CAPACITY_NO_ANSWER;
+  }
   model->analysis.control_target = copysign (height_of (model), farthest);
   return QN_CAPACITY_FOUND;
 }
@@ -154,10 +273,6 @@ follow (const Search *search, QnId control, QnResult *result)
   gboolean own = control == QN_NONE && analysis->procedure == QN_PROCEDURE_DISPLACEMENT
                  && analysis->control_block != QN_NONE
                  && analysis->control_dof == QN_DOF_UX;
-  if (search->model->stage_count > 0) {
-    *search->reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
-    return QN_CAPACITY_STAGES;
-  }
   if (control != QN_NONE) {
     /* The block is moved along the live load by the height of the structure. */
     double direction = 0;
@@ -221,31 +336,63 @@ follow_softer (const Search *search, QnCapacity *capacity)
   return QN_CAPACITY_FOUND;
 }
 
+static QnCapacityEnd
+find_mechanism (const Search *search, QnCapacityAnswer *answer, QnId control)
+{
+  QnResult result;
+  const QnResult *collapse = answer->collapse != NULL ? answer->collapse : &result;
+  QnCapacityEnd end =
+    collapse == &result ? find_collapse (search, &result) : QN_CAPACITY_FOUND;
+  if (end != QN_CAPACITY_FOUND)
+    return end;
+  if (qn_capacity_init_kinematic (&answer->capacity, search->model, search->contacts,
+                                  collapse, control, search->diag)
+      != QN_OK)
+    end = QN_CAPACITY_REFUSED;
+  else if (!answer->capacity.reaches_zero)
+    *search->reason = g_strdup (_ ("the parts of the mechanism move no further"));
+  if (collapse == &result)
+    qn_result_clear (&result);
+  return end;
+}
+
+static QnCapacityEnd
+find_path (const Search *search, QnCapacityAnswer *answer, QnId control)
+{
+  QnResult result;
+  QnCapacityEnd end = follow (search, control, &result);
+  if (end != QN_CAPACITY_FOUND)
+    return end;
+  QnStatus status =
+    qn_capacity_init (&answer->capacity, search->model, &result,
+                      search->model->analysis.control_block, search->diag);
+  if (status == QN_OK && !answer->capacity.reaches_zero)
+    *search->reason = qn_outcome_dup_cause (search->model, &result);
+  qn_result_clear (&result);
+  if (status != QN_OK)
+    return QN_CAPACITY_REFUSED;
+  /* Only a check has a period. */
+  if (answer->has_spectrum)
+    end = follow_softer (search, &answer->capacity);
+  if (end != QN_CAPACITY_FOUND)
+    qn_capacity_clear (&answer->capacity);
+  return end;
+}
+
 QnCapacityEnd
 qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                          const QnContacts *contacts, QnId control, QnProgressFunc report,
                          void *report_data, char **reason, QnDiag *diag)
 {
   const Search search = { model, contacts, report, report_data, reason, diag };
-  QnResult result;
   *reason = NULL;
   answer->capacity = (QnCapacity){ 0 };
-  QnCapacityEnd end = follow (&search, control, &result);
-  if (end != QN_CAPACITY_FOUND)
-    return end;
-  QnStatus status = qn_capacity_init (&answer->capacity, model, &result,
-                                      model->analysis.control_block, diag);
-  if (status == QN_OK && !answer->capacity.reaches_zero)
-    *reason = qn_outcome_dup_cause (model, &result);
-  qn_result_clear (&result);
-  if (status != QN_OK)
-    return QN_CAPACITY_REFUSED;
-  /* Only a check has a period. */
-  if (answer->has_spectrum)
-    end = follow_softer (&search, &answer->capacity);
-  if (end != QN_CAPACITY_FOUND)
-    qn_capacity_clear (&answer->capacity);
-  return end;
+  if (model->stage_count > 0) {
+    *reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
+    return QN_CAPACITY_STAGES;
+  }
+  return answer->kinematic ? find_mechanism (&search, answer, control)
+                           : find_path (&search, answer, control);
 }
 
 void
@@ -257,6 +404,10 @@ qn_capacity_answer_check (QnCapacityAnswer *answer)
   for (int i = 0; i < QN_NTC_STATE_COUNT; i++)
     answer->states[QN_CAPACITY_SLV + i] =
       qn_capacity_check_ntc (c, &answer->spectrum, answer->confidence, (QnNtcState) i);
+  if (c->kinematic) {
+    answer->linear = qn_capacity_check_linear (c, &answer->spectrum, answer->confidence);
+    return;
+  }
   answer->en = qn_capacity_en_demand (c, &answer->spectrum);
   for (int i = 0; i < QN_EN_STATE_COUNT; i++)
     answer->states[QN_CAPACITY_SD + i] =
@@ -328,12 +479,14 @@ find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cance
 }
 
 void
-qn_capacity_find_async (const QnModel *model, QnId control, GCancellable *cancellable,
-                        GAsyncReadyCallback callback, gpointer user_data)
+qn_capacity_find_async (const QnModel *model, QnId control, gboolean kinematic,
+                        GCancellable *cancellable, GAsyncReadyCallback callback,
+                        gpointer user_data)
 {
   CapacityWork *work = g_new0 (CapacityWork, 1);
   g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
   work->control = control;
+  work->answer.kinematic = kinematic;
   work->answer.has_spectrum = TRUE; /* one may be given later */
   work->cancellable = g_object_ref (cancellable);
   g_task_set_task_data (task, work, capacity_work_free);
@@ -396,7 +549,7 @@ static void
 add_state (QnPlot *plot, const QnCapacityAnswer *answer, int k, double highest)
 {
   const QnCapacityState *state = &answer->states[k];
-  const char *name = qn_capacity_check_name ((QnCapacityCheck) k);
+  const char *name = check_name ((QnCapacityCheck) k);
   double omega = 2 * G_PI / state->period;
   double *x = qn_plot_keep (plot, g_new0 (double, 3));
   double *y = qn_plot_keep (plot, g_new0 (double, 3));
@@ -424,7 +577,7 @@ QnPlot *
 qn_capacity_answer_plot (const QnCapacityAnswer *answer)
 {
   const QnCapacity *c = &answer->capacity;
-  const gsize states = answer->has_spectrum ? QN_CAPACITY_STATE_COUNT : 0;
+  const gsize states = (gsize) qn_capacity_answer_count_states (answer);
   QnPlot *plot =
     qn_plot_new (_ ("Spectral displacement [m]"), _ ("Spectral acceleration [m/s²]"));
   double *x = qn_plot_keep (plot, g_new (double, c->count));
@@ -475,37 +628,53 @@ qn_capacity_answer_dup_json (const QnCapacityAnswer *answer, const QnProject *pr
                              gsize *length)
 {
   const QnCapacity *c = &answer->capacity;
+  const QnLinearCheck *linear = &answer->linear;
   const QnEnDemand *en = &answer->en;
   QnFileWriter *out = qn_file_writer_new_in_memory ();
   qn_file_writer_json (
     out,
     "{\n  \"format\": \"quoin-capacity\", \"version\": 1,\n  \"generator\": %s,\n"
-    "  \"model\": %s,\n  \"control_block\": %s,\n  \"participating_blocks\": %zu,\n"
+    "  \"model\": %s,\n  \"source\": %s,\n  \"control_block\": %s,\n  "
+    "\"participating_blocks\": %zu,\n"
     "  \"moving_mass\": %f,\n  \"participating_mass\": %f,\n  \"mass_share\": %f,\n"
     "  \"mass_left_out\": %f,\n  \"displacement_ratio\": %f,\n"
     "  \"peak_multiplier\": %f,\n  \"end_displacement\": %f,\n  \"reaches_zero\": %i",
-    "quoin " QN_VERSION, project->name, project->model.blocks[c->block].name,
-    c->participating, c->moving_mass, c->mass, c->share, c->left_out, c->ratio,
-    c->points[c->peak].multiplier, c->end, c->reaches_zero);
+    "quoin " QN_VERSION, project->name, c->kinematic ? "mechanism" : "path",
+    project->model.blocks[c->block].name, c->participating, c->moving_mass, c->mass,
+    c->share, c->left_out, c->ratio, c->points[c->peak].multiplier, c->end,
+    c->reaches_zero);
+  if (c->kinematic)
+    qn_file_writer_json (out,
+                         ",\n  \"alpha0\": %f, \"collapse_multiplier\": %f,\n"
+                         "  \"works\": { \"dead\": %f, \"ties\": %f, \"live\": %f }",
+                         c->activation, c->found, c->works[QN_WORK_DEAD],
+                         c->works[QN_WORK_TIES], c->works[QN_WORK_LIVE]);
   if (answer->has_spectrum) {
-    qn_file_writer_json (
-      out,
-      ",\n  \"confidence\": %g,\n  \"en_demand\": { \"yield_acceleration\": %f, "
-      "\"mechanism_displacement\": %f, \"energy\": %f, \"yield_displacement\": %f, "
-      "\"period\": %f, \"elastic_demand\": %f, \"q\": %f, \"target\": %f },\n"
-      "  \"checks\": [",
-      answer->confidence, en->yield_acceleration, en->mechanism, en->energy, en->yield,
-      en->period, en->elastic, en->q, en->target);
-    for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
+    qn_file_writer_json (out, ",\n  \"confidence\": %g", answer->confidence);
+    if (c->kinematic)
+      qn_file_writer_json (out,
+                           ",\n  \"linear\": { \"acceleration\": %f, \"demand\": %f, "
+                           "\"sld_ratio\": %f, \"q\": %f, \"slv_ratio\": %f }",
+                           linear->capacity, linear->demand, linear->sld,
+                           QN_NTC_BEHAVIOUR_FACTOR, linear->slv);
+    else
+      qn_file_writer_json (
+        out,
+        ",\n  \"en_demand\": { \"yield_acceleration\": %f, "
+        "\"mechanism_displacement\": %f, \"energy\": %f, \"yield_displacement\": %f, "
+        "\"period\": %f, \"elastic_demand\": %f, \"q\": %f, \"target\": %f }",
+        en->yield_acceleration, en->mechanism, en->energy, en->yield, en->period,
+        en->elastic, en->q, en->target);
+    qn_file_writer_puts (out, ",\n  \"checks\": [");
+    for (int i = 0; i < qn_capacity_answer_count_states (answer); i++) {
       const QnCapacityState *s = &answer->states[i];
       qn_file_writer_json (
         out,
         ",\n    { \"code\": %s, \"state\": %s, \"capacity\": %f, \"acceleration\": %f, "
         "\"period\": %f, \"period_half_stiffness\": %f, \"demand\": %f, \"ratio\": "
         "%f, \"met\": ",
-        i < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3",
-        qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
-        s->period, s->softer, s->demand, s->ratio);
+        check_code ((QnCapacityCheck) i), check_name ((QnCapacityCheck) i), s->capacity,
+        s->acceleration, s->period, s->softer, s->demand, s->ratio);
       qn_file_writer_puts (out, s->refused      ? "null }"
                                 : s->ratio >= 1 ? "true }"
                                                 : "false }");

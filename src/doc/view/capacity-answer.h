@@ -4,8 +4,9 @@
 #define QN_DOC_CAPACITY_ANSWER_H
 
 #include "core/base/progress.h"
-#include "core/capacity/capacity.h"
+#include "core/capacity/kinematic.h"
 #include "core/contact/contacts.h"
+#include "doc/text/units.h"
 #include "io/project/project.h"
 #include "render/figure/plot.h"
 
@@ -20,23 +21,34 @@ typedef enum {
   QN_CAPACITY_STATE_COUNT
 } QnCapacityCheck;
 
-/* "SLV" …; the code that it is of. */
-const char *qn_capacity_check_name (QnCapacityCheck check);
-const char *qn_capacity_check_code (QnCapacityCheck check);
-
-/* "0.660 – not met", "1.250", "refused"; what the period of a check rests on, or why it is refused: a sentence.
- * Translated; free with g_free(). */
-char *qn_capacity_dup_verdict (const QnCapacityState *state);
+/* What the period of a check rests on, or why it is refused: a sentence. Free with g_free(). */
 char *qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check);
 
 typedef struct QnCapacityAnswer {
-  QnCapacity capacity; /* owned */
+  gboolean kinematic;       /* whether the curve is to be that of a mechanism, */
+  const QnResult *collapse; /* of this result, borrowed; NULL: of limit analysis */
+  QnCapacity capacity;      /* owned */
   gboolean has_spectrum;
-  QnSpectrum spectrum; /* its points are borrowed */
-  double confidence;   /* FC, >= 1 */
-  QnEnDemand en;       /* this and what follows with a spectrum */
+  QnSpectrum spectrum;  /* its points are borrowed */
+  double confidence;    /* FC, >= 1 */
+  QnLinearCheck linear; /* this and what follows with a spectrum; of a mechanism, */
+  QnEnDemand en;        /* and of a path alone */
   QnCapacityState states[QN_CAPACITY_STATE_COUNT];
 } QnCapacityAnswer;
+
+/* How many checks it has, from SLV on: those of EN 1998-3 rest on the rise of a path. */
+int qn_capacity_answer_count_states (const QnCapacityAnswer *answer);
+
+/* Them as a table: cells row by row, the head first; the ratio is "0.660 – not met", "1.250" or
+ * "refused". */
+#define QN_CAPACITY_COLUMNS 7
+GPtrArray *qn_capacity_answer_make_table (const QnCapacityAnswer *answer, QnUnits units);
+
+/* What was found, line by line: M*, e*, peak and end; of a mechanism alpha0 with its works beside the
+ * collapse that was found, and the linear checks. `block` is controlled; `reason`
+ * (nullable): why the curve ended before 0. Free with g_free(). */
+char *qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
+                                    const char *reason, QnUnits units);
 
 /* How the search for the curve ended. */
 typedef enum {
@@ -47,8 +59,8 @@ typedef enum {
   QN_CAPACITY_NO_ANSWER
 } QnCapacityEnd;
 
-/* The path in large displacements until the multiplier is zero again, as a capacity curve. `control`:
- * the block whose horizontal displacement is controlled; QN_NONE: that of the model's own displacement
+/* The curve of a mechanism where answer->kinematic says so, or the path in large displacements
+ * until the multiplier is zero again. `control`: the block whose horizontal displacement is controlled; QN_NONE: that of the model's own displacement
  * control, or else the one that moves furthest in the mechanism of limit analysis. The model's settings
  * of the analysis are overwritten. A path that ends since its budget is spent, or whose numbers are not
  * true, is NO_ANSWER. With a spectrum it is followed a second time, with half the stiffness of the joints.
@@ -64,7 +76,7 @@ QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
  * with qn_capacity_clear() and g_free(); NULL with an error where there is no curve, and with
  * G_IO_ERROR_CANCELLED. The caller frees *control, the name of the block that was controlled, and
  * *reason, why the path ended before multiplier 0, or NULL. */
-void qn_capacity_find_async (const QnModel *model, QnId control,
+void qn_capacity_find_async (const QnModel *model, QnId control, gboolean kinematic,
                              GCancellable *cancellable, GAsyncReadyCallback callback,
                              gpointer user_data);
 QnCapacity *qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,

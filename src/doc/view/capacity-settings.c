@@ -21,6 +21,7 @@ static const QnMember members[] = {
   QN_NUMBER ("damping", OPTIONAL, POSITIVE, QnCapacitySettings, damping),
   QN_STRING ("unit", OPTIONAL, QnCapacitySettings, unit),
   QN_NUMBER ("confidence", OPTIONAL, POSITIVE, QnCapacitySettings, confidence),
+  QN_BOOL ("mechanism", OPTIONAL, QnCapacitySettings, mechanism),
   { 0 },
 };
 
@@ -87,6 +88,11 @@ qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char 
     *text = g_strdup (value);
     return TRUE;
   }
+  if (strcmp (option, "mechanism") == 0) {
+    s->mechanism = strcmp (value, "true") == 0;
+    return s->mechanism || strcmp (value, "false") == 0
+           || refuse (_ ("mechanism is true or false"), error);
+  }
   if (strcmp (option, "ag") == 0)
     return parse_number (value, &s->ag, STANDARD_GRAVITY)
            || refuse (_ ("ag is a positive acceleration in m/s2, or in g as 0.25g"),
@@ -131,6 +137,7 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
   const char *soil = s->soil != NULL ? s->soil : "";
   *points = (QnRecord){ 0 };
   answer->confidence = s->confidence > 0 ? s->confidence : 1;
+  answer->kinematic = s->mechanism;
   answer->has_spectrum = s->spectrum != NULL;
   *spectrum = (QnSpectrum){ .damping = s->damping > 0 ? s->damping : 0.05 };
   if (!(answer->confidence >= 1))

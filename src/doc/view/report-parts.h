@@ -48,4 +48,10 @@ bool qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits uni
 void qn_report_write_certificate (QnPages *pages, const QnReport *report);
 bool qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **error);
 
+/* ---- report-mechanism.c ---- */
+
+/* The kinematic check of a result's mechanism; nothing where the project does not ask for it. */
+bool qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units,
+                                GError **error);
+
 #endif

@@ -173,6 +173,7 @@ shown_field (QnViewState *self, const QnRun *run)
     field == QN_FIELD_STRESS
       ? qn_result_has_forces (&run->result, step == QN_STEP_LAST ? last : (gsize) step)
       : moves;
+  known &= field != QN_FIELD_BODIES || run->result.mechanism != NULL;
   return known ? field : QN_FIELD_NONE;
 }
 

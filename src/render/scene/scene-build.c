@@ -15,7 +15,8 @@ result_fits (const QnSceneBuilder *b, const QnResult *result, GError **error)
                  b->model->block_count);
     return false;
   }
-  if (b->options->view == QN_VIEW_MECHANISM && result->mechanism == NULL) {
+  bool bodies = b->options->field == QN_FIELD_BODIES;
+  if ((b->options->view == QN_VIEW_MECHANISM || bodies) && result->mechanism == NULL) {
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
                          _ ("the result has no mechanism"));
     return false;
@@ -85,9 +86,9 @@ check (QnSceneBuilder *b, GError **error)
                  _ ("the view \"%s\" needs a result"), qn_view_names[options->view]);
     return false;
   }
-  bool wants_contacts = options->view == QN_VIEW_CONTACTS
-                        || options->field == QN_FIELD_OPENING
-                        || options->field == QN_FIELD_SLIDING;
+  bool wants_contacts =
+    options->view == QN_VIEW_CONTACTS || options->field == QN_FIELD_OPENING
+    || options->field == QN_FIELD_SLIDING || options->field == QN_FIELD_BODIES;
   if (wants_contacts && b->contacts == NULL) {
     g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
                  _ ("the view \"%s\" needs contacts"), qn_view_names[options->view]);

@@ -1,8 +1,12 @@
 /* Fields by colour: displacements and mean stresses of blocks, opening and sliding of joints. */
+#include "core/result/mechanism.h"
 #include "render/scene/reading.h"
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
+
+/* Strength of the fill of a body. */
+#define BODY_FILL 0.45
 
 typedef struct FieldSpec {
   const char *title; /* to be translated */
@@ -73,6 +77,7 @@ block_values (const QnSceneBuilder *b, double *values)
     case QN_FIELD_STRESS:
     case QN_FIELD_OPENING:
     case QN_FIELD_SLIDING:
+    case QN_FIELD_BODIES:
     case QN_FIELD_COUNT:
       values[i] = hypot (u[QN_DOF_UX], u[QN_DOF_UY]);
     }
@@ -127,12 +132,56 @@ add_joint_lines (QnSceneBuilder *b, const double *values)
   }
 }
 
+/* Bodies of a mechanism that are named in the legend. */
+#define NAMED_BODIES 6
+
+/* The bodies of the mechanism, each in a colour, and those centres of rotation that are near. */
+static QnColor *
+build_bodies (QnSceneBuilder *b)
+{
+  QnMechanism mechanism;
+  const int grey = b->options->monochrome;
+  const QnColor mark = qn_builder_ink (b, QN_INK_HINGE);
+  const QnBox near = qn_box_grow (b->box, 0.25 * qn_box_diagonal (b->box));
+  bool turns = false;
+  if (qn_mechanism_of_result (&mechanism, b->model, b->contacts, b->result, NULL)
+      != QN_OK)
+    return NULL;
+  QnColor *colors = g_new (QnColor, MAX (b->model->block_count, 1));
+  for (size_t i = 0; i < b->model->block_count; i++) {
+    QnId body = mechanism.body_of_block[i];
+    colors[i] = body == QN_NONE
+                  ? qn_builder_ink (b, QN_INK_SUPPORT)
+                  : qn_color_fade (qn_series_color ((int) body, grey), BODY_FILL);
+  }
+  for (size_t i = 0; i < mechanism.body_count; i++) {
+    const QnMechanismBody *body = &mechanism.bodies[i];
+    if (i < NAMED_BODIES)
+      qn_scene_legend (b->scene, QN_COMMAND_FILL,
+                       qn_color_fade (qn_series_color ((int) i, grey), BODY_FILL),
+                       _ ("body %d"), (int) i + 1);
+    if (!body->turns
+        || !qn_box_meets (near, qn_box_of_segment (body->centre, body->centre)))
+      continue;
+    qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_CROSS, body->centre, 5, 0,
+                     mark);
+    turns = true;
+  }
+  if (turns)
+    qn_scene_legend_marker (b->scene, QN_MARKER_CROSS, 4.2f, mark, "%s",
+                            _ ("centre of rotation"));
+  qn_mechanism_clear (&mechanism);
+  return colors;
+}
+
 QnColor *
 qn_build_field (QnSceneBuilder *b)
 {
   QnField field = b->options->field;
   if (field == QN_FIELD_NONE)
     return NULL;
+  if (field == QN_FIELD_BODIES)
+    return build_bodies (b);
   const FieldSpec *spec = &specs[field];
   size_t count = spec->joints ? b->contacts->face_count : b->model->block_count;
   g_autofree double *values = g_new0 (double, MAX (count, 1));

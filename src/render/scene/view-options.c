@@ -25,6 +25,7 @@ const char *const qn_field_names[QN_FIELD_COUNT] = {
   [QN_FIELD_STRESS] = "stress",
   [QN_FIELD_OPENING] = "opening",
   [QN_FIELD_SLIDING] = "sliding",
+  [QN_FIELD_BODIES] = "bodies",
 };
 
 void

@@ -30,6 +30,7 @@ typedef enum {
                        from the contact forces */
   QN_FIELD_OPENING, /* largest opening along the joint, m */
   QN_FIELD_SLIDING, /* relative tangential motion of the joint, m */
+  QN_FIELD_BODIES,  /* which of the mechanism's bodies a block is part of */
   QN_FIELD_COUNT
 } QnField;
 
@@ -106,7 +107,7 @@ qn_view_needs_result (QnView view)
          || view == QN_VIEW_DIAGRAMS;
 }
 
-/* "none", "displacement", "displacement-x", …, "sliding". */
+/* "none", "displacement", "displacement-x", …, "bodies". */
 bool qn_field_parse (const char *name, QnField *field);
 extern const char *const qn_field_names[QN_FIELD_COUNT];
 
