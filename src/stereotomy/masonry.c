@@ -41,6 +41,30 @@ qn_masonry_clear (QnMasonry *masonry)
   *masonry = (QnMasonry){ 0 };
 }
 
+void
+qn_masonry_set_grid (QnMasonryWall *wall, QnVec2 size, QnVec2 cells)
+{
+  QnLeaf *leaf = &wall->leaves[0];
+
+  wall->grid = true;
+  wall->height = size.y;
+  leaf->bond = QN_BOND_STACK;
+  leaf->length = size.x;
+  leaf->unit = qn_vec2 (size.x / cells.x, size.y / cells.y);
+}
+
+void
+qn_masonry_set_voronoi (QnRubble *rubble, QnVec2 size, double cell)
+{
+  *rubble = (QnRubble){ .width = size.x,
+                        .top = size.x,
+                        .height = size.y,
+                        .stone = cell,
+                        .irregularity = 1,
+                        .relaxed = true,
+                        .seed = 1 };
+}
+
 QnOpening *
 qn_masonry_add_opening (QnMasonry *masonry)
 {

@@ -52,6 +52,15 @@ enum {
   QN_MASONRY_NAME_COUNT
 };
 
+/* The kind of what has such a name. */
+static inline QnMasonryKind
+qn_masonry_kind_of (int name)
+{
+  return name == QN_MASONRY_GRID      ? QN_MASONRY_WALL
+         : name == QN_MASONRY_VORONOI ? QN_MASONRY_RUBBLE
+                                      : (QnMasonryKind) name;
+}
+
 typedef enum {
   QN_BOND_RUNNING, /* stretchers, every other course shifted by `lap` of a unit */
   QN_BOND_STACK,   /* all joints above each other */
@@ -229,6 +238,10 @@ typedef struct QnMasonries {
 QnStatus qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name,
                           QnDiag *diag);
 void qn_masonry_clear (QnMasonry *masonry);
+
+/* A wall as a grid of so many whole cells; rubble as cells of Voronoi of so many m. */
+void qn_masonry_set_grid (QnMasonryWall *wall, QnVec2 size, QnVec2 cells);
+void qn_masonry_set_voronoi (QnRubble *rubble, QnVec2 size, double cell);
 
 /* Zeroed but for the defaults; NULL when memory runs out. */
 QnOpening *qn_masonry_add_opening (QnMasonry *masonry);

@@ -323,10 +323,11 @@ test_kinds (void)
   static const struct {
     QnMasonryKind kind;
     const char *step;
-  } cases[] = { { QN_MASONRY_COLUMN, "Add Column" },
-                { QN_MASONRY_BUTTRESS, "Add Buttress" },
-                { QN_MASONRY_PORTAL, "Add Portal" },
-                { QN_MASONRY_RUBBLE, "Add Rubble" } };
+  } cases[] = {
+    { QN_MASONRY_COLUMN, "Add Column" },      { QN_MASONRY_BUTTRESS, "Add Buttress" },
+    { QN_MASONRY_PORTAL, "Add Portal" },      { QN_MASONRY_RUBBLE, "Add Rubble" },
+    { QN_MASONRY_WALL, "Add Grid of Cells" }, { QN_MASONRY_RUBBLE, "Add Voronoi Cells" }
+  };
   QnWindow *window = open_blank ();
   driver_key ("c");
   GtkWidget *kind = driver_find_widget (GTK_WIDGET (window), is_kind, "kind");
@@ -341,6 +342,8 @@ test_kinds (void)
     g_assert_cmpint (list.items[i].kind, ==, cases[i].kind);
     if (cases[i].kind == QN_MASONRY_BUTTRESS)
       g_assert_false (list.items[i].buttress.leans_right);
+    g_assert_cmpint (list.items[i].wall.grid, ==, i == 4);
+    g_assert_cmpint (list.items[i].rubble.relaxed, ==, i == 5);
     qn_masonries_clear (&list);
     g_assert_cmpstr (driver_last_step (window), ==, cases[i].step);
   }

@@ -96,16 +96,19 @@ static const struct {
               { QN_HEAD_FLAT, QN_SPAN_NONE } };
 
 /* What stands by itself, in the list. */
-static const QnMasonryKind kinds[] = { QN_MASONRY_COLUMN, QN_MASONRY_BUTTRESS,
-                                       QN_MASONRY_PORTAL, QN_MASONRY_RUBBLE };
+static const int kinds[] = { QN_MASONRY_COLUMN, QN_MASONRY_BUTTRESS, QN_MASONRY_PORTAL,
+                             QN_MASONRY_RUBBLE, QN_MASONRY_GRID,     QN_MASONRY_VORONOI };
 
-/* Stones of rubble have a length, drums and courses a height; piers of a portal are upright. */
+/* Stones of rubble and cells of Voronoi have a length, drums and courses a height, cells of a grid
+ * both; piers of a portal and cells are upright. */
 static guint
-not_of_kind (QnMasonryKind kind)
+not_of_kind (int kind)
 {
-  return kind == QN_MASONRY_RUBBLE   ? BIT (UNIT_Y)
-         : kind == QN_MASONRY_PORTAL ? BIT (UNIT_X) | BIT (TAPER)
-                                     : BIT (UNIT_X);
+  return kind == QN_MASONRY_RUBBLE    ? BIT (UNIT_Y)
+         : kind == QN_MASONRY_PORTAL  ? BIT (UNIT_X) | BIT (TAPER)
+         : kind == QN_MASONRY_GRID    ? BIT (TAPER)
+         : kind == QN_MASONRY_VORONOI ? BIT (UNIT_Y) | BIT (TAPER)
+                                      : BIT (UNIT_X);
 }
 
 static guint

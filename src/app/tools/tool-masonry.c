@@ -28,14 +28,18 @@ static void
 complete (QnCanvas *canvas)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  static const char *const names[QN_MASONRY_KIND_COUNT] = {
-    [QN_MASONRY_WALL] = N_ ("Add Wall"),         [QN_MASONRY_COLUMN] = N_ ("Add Column"),
-    [QN_MASONRY_BUTTRESS] = N_ ("Add Buttress"), [QN_MASONRY_PORTAL] = N_ ("Add Portal"),
+  static const char *const names[QN_MASONRY_NAME_COUNT] = {
+    [QN_MASONRY_WALL] = N_ ("Add Wall"),
+    [QN_MASONRY_COLUMN] = N_ ("Add Column"),
+    [QN_MASONRY_BUTTRESS] = N_ ("Add Buttress"),
+    [QN_MASONRY_PORTAL] = N_ ("Add Portal"),
     [QN_MASONRY_RUBBLE] = N_ ("Add Rubble"),
+    [QN_MASONRY_GRID] = N_ ("Add Grid of Cells"),
+    [QN_MASONRY_VORONOI] = N_ ("Add Voronoi Cells"),
   };
-  const QnMasonryKind kind = qn_canvas_get_tool (canvas) == &qn_tool_wall
-                               ? QN_MASONRY_WALL
-                               : qn_canvas_get_tool_settings (canvas)->masonry.kind;
+  const int kind = qn_canvas_get_tool (canvas) == &qn_tool_wall
+                     ? QN_MASONRY_WALL
+                     : qn_canvas_get_tool_settings (canvas)->masonry.kind;
   if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y)
     qn_canvas_edit_project (canvas, _ (names[kind]), NULL, edit_add, canvas);
   qn_canvas_set_in_gesture (canvas, FALSE);
@@ -78,7 +82,7 @@ const QnTool qn_tool_column = {
   .label = N_ ("Column"),
   .hint =
     N_ ("Drag a rectangle: it becomes a column of drums, or, chosen in the panel, a "
-        "buttress, portal or rubble; or click a corner and type width; height"),
+        "buttress, portal, rubble or cells; or click a corner and type width; height"),
   .accel = "c",
   QN_GESTURE_RECTANGLE,
   .complete = complete,

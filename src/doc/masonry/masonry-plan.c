@@ -83,10 +83,17 @@ qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left, QnVe
   return TRUE;
 }
 
+/* How many parts of about such a size. */
+static int32_t
+count_parts (double length, double part)
+{
+  return (int32_t) qn_to_integer (round (length / part), 1, QN_MAX_BLOCKS);
+}
+
 static int32_t
 count_courses (const QnMasonryStyle *style, double height)
 {
-  return (int32_t) qn_to_integer (round (height / style->unit.y), 1, QN_MAX_BLOCKS);
+  return count_parts (height, style->unit.y);
 }
 
 static void
@@ -105,10 +112,16 @@ qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, Qn
 {
   const QnVec2 size = qn_vec2 (fabs (to.x - from.x), fabs (to.y - from.y));
   const double top = style->top_to_foot * size.x;
-  if (!begin (masonry, style, style->kind))
+  if (!begin (masonry, style, qn_masonry_kind_of (style->kind)))
     return FALSE;
   masonry->origin = qn_vec2 (MIN (from.x, to.x), MIN (from.y, to.y));
-  if (style->kind == QN_MASONRY_PORTAL)
+  if (style->kind == QN_MASONRY_GRID)
+    qn_masonry_set_grid (
+      &masonry->wall, size,
+      qn_vec2 (count_parts (size.x, style->unit.x), count_courses (style, size.y)));
+  else if (style->kind == QN_MASONRY_VORONOI)
+    qn_masonry_set_voronoi (&masonry->rubble, size, style->unit.x);
+  else if (style->kind == QN_MASONRY_PORTAL)
     plan_portal (&masonry->portal, style, size);
   else if (style->kind == QN_MASONRY_BUTTRESS) {
     masonry->origin.x = from.x;

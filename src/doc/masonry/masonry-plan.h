@@ -18,8 +18,9 @@ typedef struct QnMasonryStyle {
   QnId law;           /* or QN_NONE */
   gboolean base;      /* on fixed blocks, one course deep */
 
-  QnMasonryKind
-    kind; /* of what stands in a rectangle by itself: COLUMN, BUTTRESS, PORTAL or RUBBLE */
+  int
+    kind; /* of what stands in a rectangle by itself, by name: COLUMN, BUTTRESS, PORTAL, RUBBLE,
+               GRID or VORONOI */
   QnHead head; /* of openings */
   QnSpan span;
   QnArchShape shape; /* of arches */
@@ -48,7 +49,8 @@ gboolean qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 l
 double qn_plan_arch_rise (QnVec2 left, QnVec2 right, QnVec2 at);
 
 /* What the style's kind says, as wide and high as the rectangle: drums, and courses of a buttress and of
- * piers, are about a course high, stones of rubble a block long. The upright face of a buttress is
+ * piers, are about a course high, stones of rubble and cells of Voronoi a block long, those of a grid
+ * about a block long and a course high. The upright face of a buttress is
  * where the gesture began. A portal has one bay under a lintel of a course, piers a third as wide as
  * their distance. FALSE without memory. */
 gboolean qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,

@@ -312,8 +312,6 @@ read_seed (const QnJsonValue *place, const char *key, uint32_t *seed)
 static gboolean
 read_grid (const QnJsonValue *place, QnMasonry *masonry)
 {
-  QnMasonryWall *wall = &masonry->wall;
-  QnLeaf *leaf = &wall->leaves[0];
   QnVec2 size, cells;
   if (!qn_member_vec2 (place, "size", QN_REQUIRED, &size)
       || !qn_member_vec2 (place, "cells", QN_REQUIRED, &cells))
@@ -325,11 +323,7 @@ read_grid (const QnJsonValue *place, QnMasonry *masonry)
       &member, _ ("expected two whole numbers from 1 on, not more than %d cells in all"),
       MAX_COUNT);
   }
-  wall->grid = true;
-  wall->height = size.y;
-  leaf->bond = QN_BOND_STACK;
-  leaf->length = size.x;
-  leaf->unit = qn_vec2 (size.x / cells.x, size.y / cells.y);
+  qn_masonry_set_grid (&masonry->wall, size, cells);
   return read_openings (place, masonry);
 }
 
@@ -339,12 +333,7 @@ read_voronoi (const QnJsonValue *place, QnRubble *rubble)
   QnVec2 size;
   if (!qn_member_vec2 (place, "size", QN_REQUIRED, &size))
     return FALSE;
-  *rubble = (QnRubble){ .width = size.x,
-                        .top = size.x,
-                        .height = size.y,
-                        .stone = rubble->stone,
-                        .irregularity = 1,
-                        .relaxed = true };
+  qn_masonry_set_voronoi (rubble, size, rubble->stone);
   return read_seed (place, "seed", &rubble->seed);
 }
 
@@ -381,10 +370,7 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
                             QN_MASONRY_NAME_COUNT, &kind)
       || !qn_read_own_name (place, "m", text, &name))
     return FALSE;
-  const QnMasonryKind of = kind == QN_MASONRY_GRID      ? QN_MASONRY_WALL
-                           : kind == QN_MASONRY_VORONOI ? QN_MASONRY_RUBBLE
-                                                        : (QnMasonryKind) kind;
-  if (qn_masonry_init (masonry, of, name, NULL) != QN_OK)
+  if (qn_masonry_init (masonry, qn_masonry_kind_of (kind), name, NULL) != QN_OK)
     return qn_json_value_no_memory (place);
   if (read_object (place, model, kind, masonry))
     return TRUE;

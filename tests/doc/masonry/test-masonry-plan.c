@@ -76,7 +76,7 @@ test_arch (void)
 
 /* Blocks of what a rectangle becomes, and the box around those that are not fixed. */
 static gsize
-lay (QnMasonryKind kind, QnVec2 from, QnVec2 to, QnBox *box)
+lay (int kind, QnVec2 from, QnVec2 to, QnBox *box)
 {
   QnMasonryStyle asked = style;
   g_auto (QnMasonry) masonry;
@@ -104,12 +104,14 @@ static void
 test_in_box (void)
 {
   static const struct {
-    QnMasonryKind kind;
+    int kind;
     gsize least, most; /* blocks */
   } cases[] = { { QN_MASONRY_COLUMN, 11, 11 },
                 { QN_MASONRY_BUTTRESS, 11, 11 },
                 { QN_MASONRY_PORTAL, 2 * 9 + 1, 2 * 10 + 1 },
-                { QN_MASONRY_RUBBLE, 10, 40 } };
+                { QN_MASONRY_RUBBLE, 10, 40 },
+                { QN_MASONRY_GRID, 4 * 11, 4 * 11 },
+                { QN_MASONRY_VORONOI, 10, 40 } };
   const QnVec2 corners[] = { { 1, 0 }, { 2.5, 0 }, { 2.5, 2.1 }, { 1, 2.1 } };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++)
     for (gsize c = 0; c < G_N_ELEMENTS (corners); c++) {
