@@ -19,7 +19,6 @@
 #include "bench/bench.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
-#include "io/result/result-check.h"
 #include "io/result/result-claims.h"
 #include "io/result/result-derived.h"
 #include "io/text/fault-text.h"
@@ -36,9 +35,6 @@
 
 /* A multiplier without associativity is no sharper than this part of it. */
 #define OUTSIDE 0.01
-
-/* What the check of forces alone lets pass, as `quoin-cli check --result` does. */
-#define TOLERANCE 1e-6
 
 typedef struct Options {
   int first, count, most_blocks, most_uncertain, most_unsolved;
@@ -279,21 +275,12 @@ find_untruth (const QnResultFile *file, const QnProject *project,
               const QnContacts *contacts)
 {
   QnResultFaults faults;
-  QnResultCheck check;
   g_autoptr (GError) error = NULL;
 
   if (!qn_result_file_find_faults (file, "wall.json", project, contacts, &faults, &error))
     return g_strdup (error->message);
   if (faults.count > 0)
     return qn_fault_dup_text (&project->model, contacts, &faults.items[0]);
-  if (file->result.step_count == 0)
-    return NULL;
-  if (!qn_result_check (file, project, &check, &error))
-    return g_strdup (error->message);
-  double tolerance = fmax (TOLERANCE, 10 * project->model.analysis.residual_tolerance);
-  if (check.out_of_balance > tolerance || check.yield_violation > tolerance)
-    return g_strdup_printf ("out of balance by %g, beyond strength by %g",
-                            check.out_of_balance, check.yield_violation);
   return NULL;
 }
 

@@ -242,37 +242,34 @@ print_beams (const QnModel *model)
 static void
 print_result (const QnCheckReport *report)
 {
-  const char *verdict = qn_check_report_passes (report) ? _ ("passes") : _ ("fails");
-  if (report->check != NULL) {
+  const QnResultFaults *faults = report->faults;
+  const QnLastForces *last = &faults->last;
+  const QnModel *model = &report->project->model;
+  const char *verdict = faults->count == 0 ? _ ("passes") : _ ("fails");
+  if (!isnan (last->multiplier)) {
     qn_print (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
-              report->check->multiplier, verdict);
-    const QnModel *model = &report->project->model;
-    const QnResultCheck *check = report->check;
-    if (check->unbalanced_node != QN_NONE)
-      qn_print (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
-                check->force_scale, model->nodes[check->unbalanced_node].name);
-    else if (check->unbalanced_element != QN_NONE)
-      qn_print (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), check->out_of_balance,
-                check->force_scale,
-                model->beams[model->elements[check->unbalanced_element].beam].name);
+              last->multiplier, verdict);
+    if (last->entity == QN_ENTITY_NODE)
+      qn_print (_ ("  out of balance: %.2e of %.6g N, node %s\n"), last->out_of_balance,
+                last->scale, model->nodes[last->index].name);
+    else if (last->entity == QN_ENTITY_BEAM)
+      qn_print (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), last->out_of_balance,
+                last->scale, model->beams[model->elements[last->index].beam].name);
     else
-      qn_print (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
-                check->force_scale,
-                check->unbalanced_block == QN_NONE
-                  ? "–"
-                  : model->blocks[check->unbalanced_block].name);
-    qn_print (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
-              check->contact_scale);
-    if (check->violating_pair != QN_NONE)
-      qn_print (_ (", pair %d"), check->violating_pair);
+      qn_print (_ ("  out of balance: %.2e of %.6g N, block %s\n"), last->out_of_balance,
+                last->scale,
+                last->index == QN_NONE ? "–" : model->blocks[last->index].name);
+    qn_print (_ ("  yield violation: %.2e of %.6g N"), last->yield_violation,
+              last->contact_scale);
+    if (last->pair != QN_NONE)
+      qn_print (_ (", pair %d"), last->pair);
     qn_print ("\n");
   } else {
     qn_print (_ ("result %s: %s\n"), report->result_name, verdict);
   }
-  const QnResultFaults *faults = report->faults;
   for (int i = 0; i < faults->count; i++) {
     g_autofree char *text =
-      qn_fault_dup_text (&report->project->model, report->contacts, &faults->items[i]);
+      qn_fault_dup_text (model, report->contacts, &faults->items[i]);
     qn_print (_ ("  not true: %s\n"), text);
   }
   if (faults->forces_unknown)

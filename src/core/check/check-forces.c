@@ -325,37 +325,44 @@ find_scale (QnCheck *check, size_t step)
   return scale;
 }
 
-/* What steel is beyond its strength. */
-static double
-steel_excess (const QnSpring *spring, double normal)
-{
-  return spring->kind == QN_LAW_STEEL ? fabs (normal) - spring->strength : 0;
-}
-
 static void
 check_strength (QnCheck *check, size_t step)
 {
   const QnAssembly *as = &check->assembly;
+  QnLastForces *last = &check->faults->last;
+  double worst = 0, largest = 0;
+  QnId worst_pair = QN_NONE;
 
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
     QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-    QnPairState state;
-    double force[2];
-    if (!stated_force (check, step, p, force, &state))
+    QnPairResult at;
+    if (!stated_pair (check, step, p, &at))
       return;
-    double excess = qn_worse (steel_excess (&springs->a, force[0]),
-                              steel_excess (&springs->b, force[0]));
+    largest = fmax (largest, hypot (at.normal_force, at.shear_force));
     int count = check->result->limit.given
                   ? qn_pair_rigid_strength (springs, rows)
                   : qn_pair_strength (springs, &as->responses[p].memory, rows);
+    double excess = 0;
     for (int i = 0; i < count; i++)
-      excess = qn_worse (excess, rows[i].normal * force[0]
-                                   + rows[i].shear * fabs (force[1]) - rows[i].limit);
+      excess =
+        qn_worse (excess, rows[i].normal * at.normal_force
+                            + rows[i].shear * fabs (at.shear_force) - rows[i].limit);
     excess -= QN_BOND_ROUNDING * springs->a.cohesion;
-    if (!is_held (as, p) && !(excess <= check->tolerance * check->scale))
+    if (p < check->contacts->pair_count)
+      excess = qn_worse (excess, qn_check_excess (check, p, &at));
+    if (is_held (as, p))
+      continue;
+    if (!(excess <= worst)) {
+      worst = excess;
+      worst_pair = (QnId) p;
+    }
+    if (!(excess <= check->tolerance * check->scale))
       qn_check_tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
   }
+  last->pair = worst_pair;
+  last->contact_scale = largest;
+  last->yield_violation = largest > 0 ? worst / largest : 0;
 }
 
 /* Whether a joint stands open by more than what little force would close; rigid blocks do not
@@ -466,54 +473,16 @@ check_states (QnCheck *check, size_t step)
 
 /* --- Balance ------------------------------------------------------------------------------ */
 
-/* Which body an unknown belongs to. */
-static size_t
-body_of (const QnAssembly *as, int32_t unknown)
-{
-  size_t i = 0;
-
-  while (as->unknown[i] != unknown)
-    i++;
-  return i / QN_DOF_COUNT;
-}
-
-/* What rounding of stated forces adds to a moment, relative to the length of the assembly: where blocks
- * have moved far apart, forces between them have arms as long as that. */
-static double
-rounding_of_moments (const QnCheck *check, size_t step)
-{
-  bool is_last = step + 1 == check->result->step_count;
-
-  if (is_last || !check->assembly.nonlinear)
-    return 0;
-  return QN_CHECK_DIGITS * check->scale * check->largest / check->assembly.length;
-}
-
 static void
 check_balance (QnCheck *check, size_t step)
 {
   const QnAssembly *as = &check->assembly;
-  size_t pairs = as->pair_count, blocks = check->model->block_count;
   QnPairState state;
-  int32_t worst = QN_NONE;
-  double largest = check->tolerance * check->scale + rounding_of_moments (check, step);
 
-  for (size_t p = 0; p < pairs; p++)
+  for (size_t p = 0; p < as->pair_count; p++)
     if (!stated_force (check, step, p, check->forces + 2 * p, &state))
       memcpy (check->forces + 2 * p, as->responses[p].force, 2 * sizeof (double));
-  qn_assembly_residual_of (as, 0, check->forces, 2, check->residual);
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    if (!as->settles[i] && !(fabs (check->residual[i]) <= largest)) {
-      largest = fabs (check->residual[i]);
-      worst = i;
-    }
-  if (worst == QN_NONE)
-    return;
-  size_t body = body_of (as, worst);
-  bool node = body >= blocks;
-  qn_check_tell (check, QN_CLAIM_BALANCE, (QnId) step,
-                 node ? QN_ENTITY_NODE : QN_ENTITY_BLOCK,
-                 (QnId) (node ? body - blocks : body), largest, 0);
+  qn_check_balance (check, step);
 }
 
 static void
@@ -544,9 +513,11 @@ check_beam_forces (QnCheck *check, size_t step)
   const QnBeamForces *stated = qn_result_step_beam_forces (check->result, step);
   double tolerance = QN_CHECK_FORCES * check->scale;
 
+  qn_beam_assembly_forces (&check->assembly.beams, 0, check->beam_forces);
+  if (stated == NULL && check->model->element_count > 0 && !check->faults->in_time)
+    qn_check_tell_model (check, QN_CLAIM_BEAM_FORCES, (QnId) step, NAN, NAN);
   if (stated == NULL)
     return;
-  qn_beam_assembly_forces (&check->assembly.beams, 0, check->beam_forces);
   for (size_t e = 0; e < check->model->element_count; e++)
     for (int end = 0; end < 2; end++) {
       const QnBeamForces *found = &check->beam_forces[e];

@@ -53,7 +53,7 @@ typedef struct QnCheck {
   double slack; /* m: what elongations may be off by, of all steps so far */
   double stiffness_at_rest;  /* N/m: against the mechanism, at the first step */
   double *u, *residual;      /* unknowns */
-  double *rows;              /* scratch, a row for every body */
+  double *rows, *live;       /* scratch, a row for every body */
   double *forces;            /* scratch, 2 per pair */
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
@@ -109,6 +109,13 @@ QnStatus qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag);
 /* Displacements, forces, states and balance at a step, its displacements evaluated (check-forces.c). What
  * follows has the forces as they are stated. */
 void qn_check_forces (QnCheck *check, size_t step);
+
+/* Sums what acts on every body at a step, with the pair forces of check->forces; keeps what that comes to in
+ * faults->last (check-balance.c). */
+void qn_check_balance (QnCheck *check, size_t step);
+
+/* By how much the stated force of a drawn pair exceeds what the laws of its sides can carry, N. */
+double qn_check_excess (const QnCheck *check, size_t pair, const QnPairResult *stated);
 
 /* Unknowns from a row of displacements or velocities for every body. */
 void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);

@@ -115,6 +115,7 @@ init (QnCheck *check, QnDiag *diag)
   check->u = qn_pool_alloc (pool, unknowns, sizeof *check->u);
   check->residual = qn_pool_alloc (pool, unknowns, sizeof *check->residual);
   check->rows = qn_pool_alloc (pool, bodies * QN_DOF_COUNT, sizeof *check->rows);
+  check->live = qn_pool_alloc (pool, bodies * QN_DOF_COUNT, sizeof *check->live);
   check->forces = qn_pool_alloc (pool, 2 * pairs, sizeof *check->forces);
   check->beam_forces =
     qn_pool_alloc (pool, model->element_count, sizeof *check->beam_forces);
@@ -140,9 +141,9 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
 
   *faults =
     (QnResultFaults){ .in_time = result->history.width > 0,
-
                       .forces_unknown = result->step_count > 1 && result->pair_count > 0
-                                        && !qn_result_has_forces (result, 0) };
+                                        && !qn_result_has_forces (result, 0),
+                      .last = { .multiplier = NAN, .pair = QN_NONE, .index = QN_NONE } };
   if (!init (&check, diag))
     status = qn_diag_no_memory (diag);
   for (size_t i = 0; status == QN_OK && i < result->step_count; i++)
@@ -154,6 +155,8 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
     if (status == QN_OK)
       status = qn_check_bounds (&check, diag);
   }
+  if (faults->in_time)
+    faults->last.multiplier = NAN;
   qn_inertia_free (check.inertia);
   qn_assembly_clear (&check.assembly);
   qn_check_found_clear (&check);

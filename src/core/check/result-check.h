@@ -12,7 +12,8 @@
  *                  way that no result tells: from there on the slip that explains the shear forces is
  *                  taken, and the normal forces, the strengths and the balance remain to be met
  *   strength       no joint carries more than its law allows, and its state is that of its forces
- *   balance        of every free body, with the loads at the step's multipliers; not in time, where
+ *   balance        of every free body, summed from the model without the solver, with the loads at the
+ *                  step's multipliers; not in time, where
  *                  inertia and damping belong to it and equilibrium is that of a whole step, most of
  *                  which are not kept; there the energies are recomputed (history)
  *   reactions      as forces and loads leave them
@@ -37,12 +38,28 @@
 
 #include "core/result/result.h"
 
+/* Balance and strength at the last step. */
+typedef struct QnLastForces {
+  double multiplier; /* NAN: without any step, or in time, there is no equilibrium */
+  double scale;      /* N: largest force, in the loads or in joints, beams and ties */
+  double
+    out_of_balance; /* largest over the free degrees of freedom, over `scale`; moments count
+                            with the arm QnModel.characteristic_length */
+  QnEntity
+    entity;   /* QN_ENTITY_BLOCK, _NODE or _BEAM, of which `index` counts the elements */
+  QnId index; /* where, or QN_NONE: nowhere */
+  double contact_scale;   /* N: largest force of a contact */
+  double yield_violation; /* most that one has above its strength, over `contact_scale` */
+  QnId pair;              /* where, or QN_NONE */
+} QnLastForces;
+
 typedef struct QnResultFaults {
   QnFault items[QN_CLAIM_COUNT]; /* at most one of every claim */
   int count;
   bool
     forces_unknown; /* forces of the steps before the last were not kept: not compared */
   bool in_time;     /* the balance is that of a motion and was not checked */
+  QnLastForces last;
 } QnResultFaults;
 
 /* How far a check goes. */

@@ -22,9 +22,11 @@ qn_report_item_check (QnReportItem *item, const QnProject *project,
     item->unchecked = g_strdup (_ ("an analysis in time ends in motion; check --result "
                                    "follows its balance of energy"));
   else if (!qn_result_file_find_faults (&item->file, path, project, contacts,
-                                        &item->faults, &error)
-           || !qn_result_check (&item->file, project, &item->check, &error))
+                                        &item->faults, &error))
     item->unchecked = g_strdup (error->message);
+  else if (item->file.result.step_count == 0)
+    item->unchecked = g_strdup_printf ("%s: %s", project->name,
+                                       _ ("the result holds no equilibrium to check"));
 }
 
 QnReportRun
@@ -36,10 +38,8 @@ qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
     .project = project,
     .contacts = contacts,
     .file = &item->file,
-    .check = item->unchecked == NULL ? &item->check : NULL,
+    .faults = item->unchecked == NULL ? &item->faults : NULL,
     .unchecked = item->unchecked,
-    .passes =
-      item->unchecked == NULL && qn_result_passes (project, &item->check, &item->faults),
   };
 }
 

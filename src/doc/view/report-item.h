@@ -9,7 +9,6 @@
 
 typedef struct QnReportItem {
   QnResultFile file;
-  QnResultCheck check;
   QnResultFaults faults;
   char *unchecked; /* why it is not checked; NULL: it is */
   char *name;

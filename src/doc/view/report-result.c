@@ -308,19 +308,21 @@ qn_report_write_certificate (QnPages *pages, const QnReport *report)
   for (size_t i = 0; i < report->run_count; i++) {
     const QnReportRun *run = &report->runs[i];
     g_autofree char *text = NULL;
-    if (run->check == NULL) {
+    if (run->faults == NULL) {
       text = g_strdup_printf (_ ("%s: not checked: %s"), run->name, run->unchecked);
     } else {
-      g_autofree char *multiplier = qn_label_number ("%.6g", run->check->multiplier);
-      g_autofree char *balance = qn_label_number ("%.1e", run->check->out_of_balance);
-      g_autofree char *excess = qn_label_number ("%.1e", run->check->yield_violation);
+      const QnLastForces *last = &run->faults->last;
+      g_autofree char *multiplier = qn_label_number ("%.6g", last->multiplier);
+      g_autofree char *balance = qn_label_number ("%.1e", last->out_of_balance);
+      g_autofree char *excess = qn_label_number ("%.1e", last->yield_violation);
       text = g_strdup_printf (
-        run->passes ? _ ("%s: passed at a load multiplier of %s; out of balance by %s of "
-                         "the largest force, strength exceeded by %s of the largest "
-                         "contact force.")
-                    : _ ("%s: failed at a load multiplier of %s; out of balance by %s of "
-                         "the largest force, strength exceeded by %s of the largest "
-                         "contact force."),
+        run->faults->count == 0
+          ? _ ("%s: passed at a load multiplier of %s; out of balance by %s of "
+               "the largest force, strength exceeded by %s of the largest "
+               "contact force.")
+          : _ ("%s: failed at a load multiplier of %s; out of balance by %s of "
+               "the largest force, strength exceeded by %s of the largest "
+               "contact force."),
         run->name, multiplier, balance, excess);
     }
     qn_pages_paragraph (pages, text);

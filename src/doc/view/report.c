@@ -123,9 +123,9 @@ dup_basis (const QnReportRun *run)
   const QnModel *model = &run->project->model;
   const char *geometry =
     model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear");
-  const char *check = run->check == NULL ? _ ("not checked")
-                      : run->passes      ? _ ("the independent check is passed")
-                                         : _ ("the independent check fails");
+  const char *check = run->faults == NULL       ? _ ("not checked")
+                      : run->faults->count == 0 ? _ ("the independent check is passed")
+                                                : _ ("the independent check fails");
   return g_strdup_printf (
     _ ("It rests on %s in %s geometry, on the laws and the pairs of the "
        "joints as given below; %s."),
@@ -177,7 +177,7 @@ find_proof (const QnReportRun *run, double demand)
   }
   if (r->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
     return proof; /* nothing is carried */
-  if (!run->passes)
+  if (run->faults == NULL || run->faults->count > 0)
     proof.doubt = _ ("the independent check is not passed");
   else if (r->outcome == QN_OUTCOME_UNBOUNDED)
     proof.doubt = _ ("no collapse was found");

@@ -7,7 +7,7 @@
 #include "doc/text/units.h"
 #include "doc/view/report-template.h"
 #include "io/project/project.h"
-#include "io/result/result-check.h"
+#include "io/result/result-claims.h"
 #include "render/figure/pages.h"
 
 /* One result with the project as it was computed, overrides included; all borrowed. */
@@ -16,9 +16,8 @@ typedef struct QnReportRun {
   const QnProject *project;
   const QnContacts *contacts;
   const QnResultFile *file;
-  const QnResultCheck *check; /* NULL: not checked, for the reason in `unchecked` */
+  const QnResultFaults *faults; /* NULL: not checked, for the reason in `unchecked` */
   const char *unchecked;
-  bool passes; /* the check */
 } QnReportRun;
 
 typedef struct QnReport {

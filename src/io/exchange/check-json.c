@@ -186,19 +186,21 @@ write_findings (QnFileWriter *out, const QnCheckReport *report)
 static void
 write_result (QnFileWriter *out, const QnCheckReport *report)
 {
-  const QnResultCheck *check = report->check;
   const QnResultFaults *faults = report->faults;
+  const QnLastForces *last = &faults->last;
   qn_file_writer_json (out, ",\n  \"result\": { \"file\": %s, \"passes\": %i",
-                       report->result_name, qn_check_report_passes (report));
-  if (check != NULL)
+                       report->result_name, faults->count == 0);
+  if (!isnan (last->multiplier))
     qn_file_writer_json (
       out,
       ", \"multiplier\": %g,\n    \"out_of_balance\": %g, \"unbalanced_block\": %d, "
       "\"unbalanced_node\": %d, \"unbalanced_element\": %d, \"force_scale\": %g,\n"
       "    \"yield_violation\": %g, \"violating_pair\": %d, \"contact_scale\": %g",
-      check->multiplier, check->out_of_balance, check->unbalanced_block,
-      check->unbalanced_node, check->unbalanced_element, check->force_scale,
-      check->yield_violation, check->violating_pair, check->contact_scale);
+      last->multiplier, last->out_of_balance,
+      last->entity == QN_ENTITY_BLOCK ? last->index : QN_NONE,
+      last->entity == QN_ENTITY_NODE ? last->index : QN_NONE,
+      last->entity == QN_ENTITY_BEAM ? last->index : QN_NONE, last->scale,
+      last->yield_violation, last->pair, last->contact_scale);
   qn_file_writer_json (
     out, ",\n    \"balance_checked\": %i, \"forces_checked\": %i, \"faults\": [",
     !faults->in_time, !faults->forces_unknown);
@@ -214,12 +216,6 @@ write_result (QnFileWriter *out, const QnCheckReport *report)
     qn_file_writer_json (out, i > 0 ? ", %s" : "%s",
                          (const char *) g_ptr_array_index (report->unproved, i));
   qn_file_writer_puts (out, "] }");
-}
-
-gboolean
-qn_check_report_passes (const QnCheckReport *report)
-{
-  return qn_result_passes (report->project, report->check, report->faults);
 }
 
 char *

@@ -3,24 +3,18 @@
 #ifndef QN_IO_CHECK_JSON_H
 #define QN_IO_CHECK_JSON_H
 
-#include "io/result/result-check.h"
 #include "io/result/result-claims.h"
 
 /* A project that was checked, with what was found out about a result of it; all borrowed. */
 typedef struct QnCheckReport {
   const QnProject *project;
   const QnContacts *contacts;
-  gboolean sound;          /* whether it can be analysed */
-  const char *result_name; /* the result file's, or NULL */
-  /* NULL where there is no result, one in time, which is in motion, or one without any equilibrium */
-  const QnResultCheck *check;
+  gboolean sound;               /* whether it can be analysed */
+  const char *result_name;      /* the result file's, or NULL */
   const QnResultFaults *faults; /* NULL where there is no result */
   /* of char *: members of the result that nothing proves; NULL likewise */
   GPtrArray *unproved;
 } QnCheckReport;
-
-/* Whether the result is an equilibrium that the joints can carry, and says nothing untrue. */
-gboolean qn_check_report_passes (const QnCheckReport *report);
 
 /* Free with g_free(). */
 char *qn_check_report_dup_json (const QnCheckReport *report, gsize *length);

@@ -2,7 +2,7 @@
 
 #include "core/result/curve-motion.h"
 #include "core/result/first-limit.h"
-#include "io/result/result-contact.h"
+#include "core/result/result-contact.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 #include "io/text/outcome-text.h"

@@ -1,6 +1,6 @@
 #include "io/result/result-claims.h"
 
-#include "io/result/result-contact.h"
+#include "core/result/result-contact.h"
 #include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
@@ -78,16 +78,4 @@ qn_result_file_find_faults (const QnResultFile *file, const char *name,
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", name,
                _ ("not enough memory"));
   return FALSE;
-}
-
-bool
-qn_result_passes (const QnProject *project, const QnResultCheck *check,
-                  const QnResultFaults *faults)
-{
-  double asked = 10 * project->model.analysis.residual_tolerance;
-  double tolerance = MAX (QN_RESULT_TOLERANCE, asked);
-  if (faults->count > 0)
-    return false;
-  return check == NULL
-         || (check->out_of_balance <= tolerance && check->yield_violation <= tolerance);
 }

@@ -1,5 +1,5 @@
+#include "core/result/result-contact.h"
 #include "io/project/project-names.h"
-#include "io/result/result-contact.h"
 #include "io/result/result-file.h"
 #include "io/result/result-forces.h"
 #include "io/result/result-history.h"

@@ -1,4 +1,4 @@
-#include "io/result/result-contact.h"
+#include "core/result/result-contact.h"
 
 #include "io/result-fixture.h"
 #include "support/room.h"

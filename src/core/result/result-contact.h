@@ -6,8 +6,8 @@
  * and the frame of the pair has turned by the mean of its blocks' rotations. That both forces
  * act at this one point follows from the pair's elastic energy being a function of the distance
  * of A and B in that frame (see core/contact/pair-kinematics.h). */
-#ifndef QN_IO_RESULT_CONTACT_H
-#define QN_IO_RESULT_CONTACT_H
+#ifndef QN_CORE_RESULT_CONTACT_H
+#define QN_CORE_RESULT_CONTACT_H
 
 #include "core/result/result.h"
 

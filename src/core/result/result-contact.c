@@ -1,4 +1,4 @@
-#include "io/result/result-contact.h"
+#include "core/result/result-contact.h"
 
 const double *
 qn_result_deformation (const QnModel *model, const QnResult *result)
