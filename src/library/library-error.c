@@ -110,41 +110,12 @@ quoin_library_given (const void *argument, const char *name, QuoinError **error)
   return argument != NULL;
 }
 
-QuoinErrorKind
-quoin_error_get_kind (const QuoinError *error)
-{
-  return error != NULL ? error->kind : QUOIN_ERROR_USAGE;
-}
-
-const char *
-quoin_error_get_message (const QuoinError *error)
-{
-  return error != NULL ? error->message : NULL;
-}
-
-const char *
-quoin_error_get_file (const QuoinError *error)
-{
-  return error != NULL ? error->file : NULL;
-}
-
-int
-quoin_error_get_line (const QuoinError *error)
-{
-  return error != NULL ? error->line : 0;
-}
-
-int
-quoin_error_get_column (const QuoinError *error)
-{
-  return error != NULL ? error->column : 0;
-}
-
-const char *
-quoin_error_get_key (const QuoinError *error)
-{
-  return error != NULL ? error->key : NULL;
-}
+QUOIN_GET (QuoinErrorKind, quoin_error_get_kind, QuoinError, QUOIN_ERROR_USAGE, of->kind)
+QUOIN_GET (const char *, quoin_error_get_message, QuoinError, NULL, of->message)
+QUOIN_GET (const char *, quoin_error_get_file, QuoinError, NULL, of->file)
+QUOIN_GET (int, quoin_error_get_line, QuoinError, 0, of->line)
+QUOIN_GET (int, quoin_error_get_column, QuoinError, 0, of->column)
+QUOIN_GET (const char *, quoin_error_get_key, QuoinError, NULL, of->key)
 
 void
 quoin_error_free (QuoinError *error)

@@ -272,12 +272,6 @@ quoin_model_get_title (const QuoinModel *model)
 }
 
 const char *
-quoin_model_get_path (const QuoinModel *model)
-{
-  return model != NULL ? model->project.path : NULL;
-}
-
-const char *
 quoin_model_get_source (const QuoinModel *model, size_t *length)
 {
   if (length != NULL)
@@ -292,25 +286,27 @@ quoin_model_get_override (const QuoinModel *model, size_t index)
   return overrides != NULL && index < g_strv_length (overrides) ? overrides[index] : NULL;
 }
 
-size_t
-quoin_model_get_warning_count (const QuoinModel *model)
-{
-  return model != NULL ? model->warnings->len : 0;
-}
+QUOIN_GET (const char *, quoin_model_get_path, QuoinModel, NULL, of->project.path)
+QUOIN_GET (size_t, quoin_model_get_warning_count, QuoinModel, 0, of->warnings->len)
+QUOIN_GET_ITEM (const char *, quoin_model_get_warning, QuoinModel, of->warnings->len,
+                NULL, g_ptr_array_index (of->warnings, item))
+QUOIN_GET (size_t, quoin_model_get_block_count, QuoinModel, 0,
+           of->project.model.block_count)
+QUOIN_GET (size_t, quoin_model_get_face_count, QuoinModel, 0, of->contacts.face_count)
+QUOIN_GET (size_t, quoin_model_get_pair_count, QuoinModel, 0, of->contacts.pair_count)
+QUOIN_GET_ITEM (size_t, quoin_model_get_pair_face, QuoinModel, of->contacts.pair_count,
+                SIZE_MAX, (size_t) of->contacts.pairs[item].face)
 
-const char *
-quoin_model_get_warning (const QuoinModel *model, size_t index)
-{
-  return model != NULL && index < model->warnings->len
-           ? g_ptr_array_index (model->warnings, index)
-           : NULL;
-}
+/* A member of a block. */
+#define GET_BLOCK(type, name, none, value)                                               \
+  QUOIN_GET_ITEM (type, quoin_model_get_block_##name, QuoinModel,                        \
+                  of->project.model.block_count, none,                                   \
+                  of->project.model.blocks[item].value)
 
-size_t
-quoin_model_get_block_count (const QuoinModel *model)
-{
-  return model != NULL ? model->project.model.block_count : 0;
-}
+GET_BLOCK (const char *, name, NULL, name)
+GET_BLOCK (double, area, (double) NAN, area)
+GET_BLOCK (double, thickness, (double) NAN, thickness)
+GET_BLOCK (double, weight, (double) NAN, weight)
 
 /* NULL where there is none. */
 static const QnBlock *
@@ -319,34 +315,6 @@ get_block (const QuoinModel *model, size_t block)
   return model != NULL && block < model->project.model.block_count
            ? &model->project.model.blocks[block]
            : NULL;
-}
-
-const char *
-quoin_model_get_block_name (const QuoinModel *model, size_t block)
-{
-  const QnBlock *of = get_block (model, block);
-  return of != NULL ? of->name : NULL;
-}
-
-double
-quoin_model_get_block_area (const QuoinModel *model, size_t block)
-{
-  const QnBlock *of = get_block (model, block);
-  return of != NULL ? of->area : (double) NAN;
-}
-
-double
-quoin_model_get_block_thickness (const QuoinModel *model, size_t block)
-{
-  const QnBlock *of = get_block (model, block);
-  return of != NULL ? of->thickness : (double) NAN;
-}
-
-double
-quoin_model_get_block_weight (const QuoinModel *model, size_t block)
-{
-  const QnBlock *of = get_block (model, block);
-  return of != NULL ? of->weight : (double) NAN;
 }
 
 const double *
@@ -373,12 +341,6 @@ quoin_model_is_block_fixed (const QuoinModel *model, size_t block, int dof)
   return of != NULL && dof >= 0 && dof < QN_DOF_COUNT && of->support[dof];
 }
 
-size_t
-quoin_model_get_face_count (const QuoinModel *model)
-{
-  return model != NULL ? model->contacts.face_count : 0;
-}
-
 void
 quoin_model_get_face_blocks (const QuoinModel *model, size_t face, size_t *a, size_t *b)
 {
@@ -396,18 +358,4 @@ quoin_model_get_face_ends (const QuoinModel *model, size_t face, double ends[4])
   const QnContactFace *of = &model->contacts.faces[face];
   const double values[4] = { of->start.x, of->start.y, of->end.x, of->end.y };
   memcpy (ends, values, sizeof values);
-}
-
-size_t
-quoin_model_get_pair_count (const QuoinModel *model)
-{
-  return model != NULL ? model->contacts.pair_count : 0;
-}
-
-size_t
-quoin_model_get_pair_face (const QuoinModel *model, size_t pair)
-{
-  return model != NULL && pair < model->contacts.pair_count
-           ? (size_t) model->contacts.pairs[pair].face
-           : SIZE_MAX;
 }

@@ -27,6 +27,19 @@ struct QuoinResult {
 
 QuoinResult *quoin_library_result_ref (QuoinResult *result);
 
+/* A function that tells a value of an object `of`, or `none` where there is no object; and the same of an
+ * item of one of its lists. */
+#define QUOIN_GET(type, name, Object, none, value)                                       \
+  type name (const Object *of)                                                           \
+  {                                                                                      \
+    return of != NULL ? (value) : (none);                                                \
+  }
+#define QUOIN_GET_ITEM(type, name, Object, count, none, value)                           \
+  type name (const Object *of, size_t item)                                              \
+  {                                                                                      \
+    return of != NULL && item < (size_t) (count) ? (value) : (none);                     \
+  }
+
 /* False, with an error, where an argument that must be given is NULL. */
 bool quoin_library_given (const void *argument, const char *name, QuoinError **error);
 

@@ -322,29 +322,11 @@ quoin_modes_free (QuoinModes *modes)
   g_free (modes);
 }
 
-size_t
-quoin_modes_get_count (const QuoinModes *modes)
-{
-  return modes != NULL ? modes->modes.count : 0;
-}
-
-const double *
-quoin_modes_get_omega (const QuoinModes *modes)
-{
-  return modes != NULL ? modes->modes.omega : NULL;
-}
-
-const double *
-quoin_modes_get_shapes (const QuoinModes *modes)
-{
-  return modes != NULL ? modes->modes.shapes : NULL;
-}
-
-size_t
-quoin_modes_get_body_count (const QuoinModes *modes)
-{
-  return modes != NULL ? modes->modes.block_count + modes->modes.node_count : 0;
-}
+QUOIN_GET (size_t, quoin_modes_get_count, QuoinModes, 0, of->modes.count)
+QUOIN_GET (const double *, quoin_modes_get_omega, QuoinModes, NULL, of->modes.omega)
+QUOIN_GET (const double *, quoin_modes_get_shapes, QuoinModes, NULL, of->modes.shapes)
+QUOIN_GET (size_t, quoin_modes_get_body_count, QuoinModes, 0,
+           of->modes.block_count + of->modes.node_count)
 
 /* --- Files ------------------------------------------------------------------------------- */
 
@@ -414,12 +396,6 @@ quoin_result_parse (QuoinModel *model, const char *text, size_t length, const ch
   GError *cause = NULL;
   gboolean read = qn_result_file_parse (text, length, name, &file, &cause);
   return take_file (model, &file, read, name, cause, error);
-}
-
-bool
-quoin_result_is_of_changed_model (const QuoinResult *result)
-{
-  return result != NULL && result->changed;
 }
 
 bool
@@ -501,17 +477,53 @@ quoin_result_free (QuoinResult *result)
   g_free (result);
 }
 
-QuoinModel *
-quoin_result_get_model (const QuoinResult *result)
-{
-  return result != NULL ? result->model : NULL;
-}
+/* Of a result, or of an item of one of its lists. */
+#define GET(type, name, none, value)                                                     \
+  QUOIN_GET (type, quoin_result_##name, QuoinResult, none, value)
+#define GET_ITEM(type, name, count, none, value)                                         \
+  QUOIN_GET_ITEM (type, quoin_result_##name, QuoinResult, of->result.count, none, value)
 
-const char *
-quoin_result_get_outcome (const QuoinResult *result)
-{
-  return result != NULL ? qn_outcome_names[result->result.outcome] : NULL;
-}
+/* A number that is given, or not-a-number. */
+#define GET_GIVEN(name, given, number)                                                   \
+  GET (double, name, (double) NAN, of->result.given ? of->result.number : (double) NAN)
+
+GET (QuoinModel *, get_model, NULL, of->model)
+GET (bool, is_of_changed_model, false, of->changed)
+GET (const char *, get_outcome, NULL, qn_outcome_names[of->result.outcome])
+GET_GIVEN (get_collapse_multiplier, has_collapse_multiplier, collapse_multiplier)
+GET_GIVEN (get_first_limit_multiplier, has_first_limit_multiplier, first_limit_multiplier)
+GET_GIVEN (get_lower_bound, limit.given, limit.lower_bound)
+GET_GIVEN (get_upper_bound, limit.given, limit.upper_bound)
+GET (bool, is_beyond_linear, false, of->result.linearity == QN_LINEARITY_BEYOND)
+
+GET (size_t, get_solution_count, 0, (size_t) of->result.solution_count)
+GET_ITEM (double, get_solution_multiplier, solution_count, (double) NAN,
+          of->result.solutions[item].multiplier)
+GET_ITEM (const char *, get_solution_found_by, solution_count, NULL,
+          qn_procedure_names[of->result.solutions[item].found_by])
+GET_ITEM (double, get_solution_displacement, solution_count, (double) NAN,
+          of->result.solutions[item].displacement)
+
+GET (size_t, get_event_count, 0, of->result.event_count)
+GET_ITEM (double, get_event_multiplier, event_count, (double) NAN,
+          of->result.events[item].multiplier)
+GET_ITEM (const char *, get_event_kind, event_count, NULL,
+          qn_event_kind_names[of->result.events[item].kind])
+GET_ITEM (double, get_event_energy, event_count, (double) NAN,
+          of->result.events[item].energy)
+
+GET (size_t, get_step_count, 0, of->result.step_count)
+GET (size_t, get_body_count, 0, qn_result_body_count (&of->result))
+GET (const double *, get_multipliers, NULL, of->multipliers)
+GET (const double *, get_displacements, NULL, of->result.displacements)
+GET (const double *, get_mechanism, NULL, of->result.mechanism)
+GET (size_t, get_pair_count, 0, of->result.pair_count)
+GET (const double *, get_forces, NULL, of->forces)
+GET_ITEM (const char *, get_pair_state, pair_count, NULL,
+          qn_pair_state_names[of->result.pairs[item].state])
+GET (size_t, get_tie_count, 0, of->result.tie_count)
+GET (int32_t, get_iterations, 0, of->result.statistics.iterations)
+GET (int32_t, get_factorizations, 0, of->result.statistics.factorizations)
 
 char *
 quoin_result_describe (const QuoinResult *result)
@@ -526,70 +538,6 @@ quoin_result_describe (const QuoinResult *result)
                        : g_steal_pointer (&reason);
 }
 
-double
-quoin_result_get_collapse_multiplier (const QuoinResult *result)
-{
-  if (result == NULL)
-    return (double) NAN;
-  return result->result.has_collapse_multiplier ? result->result.collapse_multiplier
-                                                : (double) NAN;
-}
-
-double
-quoin_result_get_first_limit_multiplier (const QuoinResult *result)
-{
-  if (result == NULL)
-    return (double) NAN;
-  return result->result.has_first_limit_multiplier ? result->result.first_limit_multiplier
-                                                   : (double) NAN;
-}
-
-double
-quoin_result_get_lower_bound (const QuoinResult *result)
-{
-  if (result == NULL)
-    return (double) NAN;
-  return result->result.limit.given ? result->result.limit.lower_bound : (double) NAN;
-}
-
-double
-quoin_result_get_upper_bound (const QuoinResult *result)
-{
-  if (result == NULL)
-    return (double) NAN;
-  return result->result.limit.given ? result->result.limit.upper_bound : (double) NAN;
-}
-
-size_t
-quoin_result_get_solution_count (const QuoinResult *result)
-{
-  return result != NULL ? (size_t) result->result.solution_count : 0;
-}
-
-double
-quoin_result_get_solution_multiplier (const QuoinResult *result, size_t solution)
-{
-  return result != NULL && solution < (size_t) result->result.solution_count
-           ? result->result.solutions[solution].multiplier
-           : (double) NAN;
-}
-
-const char *
-quoin_result_get_solution_found_by (const QuoinResult *result, size_t solution)
-{
-  return result != NULL && solution < (size_t) result->result.solution_count
-           ? qn_procedure_names[result->result.solutions[solution].found_by]
-           : NULL;
-}
-
-double
-quoin_result_get_solution_displacement (const QuoinResult *result, size_t solution)
-{
-  return result != NULL && solution < (size_t) result->result.solution_count
-           ? result->result.solutions[solution].displacement
-           : (double) NAN;
-}
-
 void
 quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2])
 {
@@ -597,12 +545,6 @@ quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2
     return;
   QnProcedure found_by;
   qn_result_collapse_interval (&result->result, &interval[0], &found_by, &interval[1]);
-}
-
-bool
-quoin_result_is_beyond_linear (const QuoinResult *result)
-{
-  return result != NULL ? result->result.linearity == QN_LINEARITY_BEYOND : false;
 }
 
 double
@@ -615,28 +557,6 @@ quoin_result_get_beyond_linear_multiplier (const QuoinResult *result)
   return given ? result->result.beyond_linear_multiplier : (double) NAN;
 }
 
-size_t
-quoin_result_get_event_count (const QuoinResult *result)
-{
-  return result != NULL ? result->result.event_count : 0;
-}
-
-double
-quoin_result_get_event_multiplier (const QuoinResult *result, size_t event)
-{
-  return result != NULL && event < result->result.event_count
-           ? result->result.events[event].multiplier
-           : (double) NAN;
-}
-
-const char *
-quoin_result_get_event_kind (const QuoinResult *result, size_t event)
-{
-  return result != NULL && event < result->result.event_count
-           ? qn_event_kind_names[result->result.events[event].kind]
-           : NULL;
-}
-
 void
 quoin_result_get_event_displacements (const QuoinResult *result, size_t event,
                                       double displacements[2])
@@ -647,14 +567,6 @@ quoin_result_get_event_displacements (const QuoinResult *result, size_t event,
   displacements[1] = result->result.events[event].displacement_after;
 }
 
-double
-quoin_result_get_event_energy (const QuoinResult *result, size_t event)
-{
-  return result != NULL && event < result->result.event_count
-           ? result->result.events[event].energy
-           : (double) NAN;
-}
-
 const int32_t *
 quoin_result_get_event_blocks (const QuoinResult *result, size_t event, size_t *count)
 {
@@ -662,62 +574,6 @@ quoin_result_get_event_blocks (const QuoinResult *result, size_t event, size_t *
   if (count != NULL)
     *count = given ? result->result.events[event].block_count : 0;
   return given ? result->result.events[event].blocks : NULL;
-}
-
-size_t
-quoin_result_get_step_count (const QuoinResult *result)
-{
-  return result != NULL ? result->result.step_count : 0;
-}
-
-size_t
-quoin_result_get_body_count (const QuoinResult *result)
-{
-  return result != NULL ? qn_result_body_count (&result->result) : 0;
-}
-
-const double *
-quoin_result_get_multipliers (const QuoinResult *result)
-{
-  return result != NULL ? result->multipliers : NULL;
-}
-
-const double *
-quoin_result_get_displacements (const QuoinResult *result)
-{
-  return result != NULL ? result->result.displacements : NULL;
-}
-
-const double *
-quoin_result_get_mechanism (const QuoinResult *result)
-{
-  return result != NULL ? result->result.mechanism : NULL;
-}
-
-size_t
-quoin_result_get_pair_count (const QuoinResult *result)
-{
-  return result != NULL ? result->result.pair_count : 0;
-}
-
-const double *
-quoin_result_get_forces (const QuoinResult *result)
-{
-  return result != NULL ? result->forces : NULL;
-}
-
-const char *
-quoin_result_get_pair_state (const QuoinResult *result, size_t pair)
-{
-  return result != NULL && pair < result->result.pair_count
-           ? qn_pair_state_names[result->result.pairs[pair].state]
-           : NULL;
-}
-
-size_t
-quoin_result_get_tie_count (const QuoinResult *result)
-{
-  return result != NULL ? result->result.tie_count : 0;
 }
 
 /* NULL where the step does not tell it, or there is none. */
@@ -748,16 +604,4 @@ quoin_result_get_tie_state (const QuoinResult *result, size_t step, size_t tie)
 {
   const QnTieResult *found = get_tie (result, step, tie);
   return found != NULL ? qn_tie_state_names[found->state] : NULL;
-}
-
-int32_t
-quoin_result_get_iterations (const QuoinResult *result)
-{
-  return result != NULL ? result->result.statistics.iterations : 0;
-}
-
-int32_t
-quoin_result_get_factorizations (const QuoinResult *result)
-{
-  return result != NULL ? result->result.statistics.factorizations : 0;
 }
