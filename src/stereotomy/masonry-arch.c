@@ -4,26 +4,23 @@
 QnStatus
 qn_arch_check (const QnArch *arch, QnDiag *diag)
 {
-  QnStatus status = qn_masonry_require (arch->span, QN_RANGE_POSITIVE, "span", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (arch->rise, QN_RANGE_POSITIVE, "rise", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (arch->ring, QN_RANGE_POSITIVE, "ring", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require_count (arch->voussoirs, 2, "voussoirs", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (arch->springer, QN_RANGE_NOT_NEGATIVE, "springer", diag);
-  if (status != QN_OK)
-    return status;
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require (&rules, arch->span, QN_RANGE_POSITIVE, "span");
+  qn_masonry_require (&rules, arch->rise, QN_RANGE_POSITIVE, "rise");
+  qn_masonry_require (&rules, arch->ring, QN_RANGE_POSITIVE, "ring");
+  qn_masonry_require_count (&rules, arch->voussoirs, 2, "voussoirs");
+  qn_masonry_require (&rules, arch->springer, QN_RANGE_NOT_NEGATIVE, "springer");
   double half = arch->span / 2;
   bool fits = arch->shape == QN_ARCH_CIRCULAR  ? arch->rise <= half * (1 + 1e-12)
               : arch->shape == QN_ARCH_POINTED ? arch->rise > half * (1 + 1e-12)
                                                : true;
   /* Flatter or steeper than this, the curve is a straight line in double precision. */
-  if (!fits || arch->rise < 1e-6 * arch->span || arch->rise > 1e6 * arch->span
-      || arch->ring > 1e6 * arch->span)
-    return qn_masonry_problem (diag, QN_PROBLEM_ARCH_SHAPE, "rise", arch->rise);
-  return QN_OK;
+  qn_masonry_require_that (&rules,
+                           fits && arch->rise >= 1e-6 * arch->span
+                             && arch->rise <= 1e6 * arch->span
+                             && arch->ring <= 1e6 * arch->span,
+                           QN_PROBLEM_ARCH_SHAPE, "rise", arch->rise);
+  return rules.status;
 }
 
 QnStatus

@@ -35,11 +35,19 @@ QnStatus qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag)
 QnStatus qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field,
                              double value);
 
-/* QN_OK if a length keeps the range and the limit of coordinates. */
-QnStatus qn_masonry_require (double value, QnRange range, const char *field,
-                             QnDiag *diag);
-QnStatus qn_masonry_require_count (int32_t value, int32_t least, const char *field,
-                                   QnDiag *diag);
+/* Rules one after the other: the first that is broken is told, and those behind it are not looked at. */
+typedef struct QnRules {
+  QnDiag *diag;
+  QnStatus status;
+} QnRules;
+
+/* A length keeps its range and the limit of coordinates; a count is from `least` to the most pieces; what
+ * `holds` says is true, or else the problem. */
+void qn_masonry_require (QnRules *rules, double value, QnRange range, const char *field);
+void qn_masonry_require_count (QnRules *rules, int32_t value, int32_t least,
+                               const char *field);
+void qn_masonry_require_that (QnRules *rules, bool holds, QnProblem problem,
+                              const char *field, double value);
 
 /* Pieces of a straight-sided or curved ring of voussoirs named <prefix>.v1 …, its left springing
  * at `at`; see arch-ring.h. */

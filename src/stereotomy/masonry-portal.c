@@ -10,30 +10,25 @@
 static QnStatus
 check_portal (const QnPortal *portal, QnDiag *diag)
 {
-  QnStatus status = qn_masonry_require_count (portal->bays, 1, "bays", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require_count (portal->courses, 1, "courses", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (portal->span, QN_RANGE_POSITIVE, "span", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (portal->pier_width, QN_RANGE_POSITIVE, "pier", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (portal->pier_height, QN_RANGE_POSITIVE, "pier", diag);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (portal->lintel_height, QN_RANGE_NOT_NEGATIVE, "lintel", diag);
-  if (status == QN_OK
-      && ((double) portal->bays + 1) * portal->courses
-             + (double) portal->bays * portal->arch.voussoirs
-           > QN_MAX_PIECES)
-    status = qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "bays", portal->bays);
-  if (status != QN_OK || portal->lintel_height > 0)
-    return status;
-  status = qn_arch_check (&portal->arch, diag);
-  if (status == QN_OK && 2 * portal->arch.ring > portal->pier_width * (1 + 1e-12))
-    status =
-      qn_masonry_problem (diag, QN_PROBLEM_PIER_TOO_NARROW, "pier", portal->pier_width);
-  return status;
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require_count (&rules, portal->bays, 1, "bays");
+  qn_masonry_require_count (&rules, portal->courses, 1, "courses");
+  qn_masonry_require (&rules, portal->span, QN_RANGE_POSITIVE, "span");
+  qn_masonry_require (&rules, portal->pier_width, QN_RANGE_POSITIVE, "pier");
+  qn_masonry_require (&rules, portal->pier_height, QN_RANGE_POSITIVE, "pier");
+  qn_masonry_require (&rules, portal->lintel_height, QN_RANGE_NOT_NEGATIVE, "lintel");
+  qn_masonry_require_that (&rules,
+                           ((double) portal->bays + 1) * portal->courses
+                               + (double) portal->bays * portal->arch.voussoirs
+                             <= QN_MAX_PIECES,
+                           QN_PROBLEM_TOO_MANY_BLOCKS, "bays", portal->bays);
+  if (rules.status != QN_OK || portal->lintel_height > 0)
+    return rules.status;
+  rules.status = qn_arch_check (&portal->arch, diag);
+  qn_masonry_require_that (&rules,
+                           2 * portal->arch.ring <= portal->pier_width * (1 + 1e-12),
+                           QN_PROBLEM_PIER_TOO_NARROW, "pier", portal->pier_width);
+  return rules.status;
 }
 
 static double

@@ -34,24 +34,20 @@ noise (const QnRubble *rubble, int32_t row, int32_t column, uint32_t direction)
 static QnStatus
 check_rubble (const QnRubble *rubble, QnDiag *diag)
 {
-  QnStatus status = qn_masonry_require (rubble->width, QN_RANGE_POSITIVE, "width", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (rubble->top, QN_RANGE_POSITIVE, "width", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (rubble->height, QN_RANGE_POSITIVE, "height", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (rubble->stone, QN_RANGE_POSITIVE, "stone", diag);
-  if (status == QN_OK && !(rubble->irregularity >= 0 && rubble->irregularity <= 1))
-    status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "irregularity",
-                                 rubble->irregularity);
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require (&rules, rubble->width, QN_RANGE_POSITIVE, "width");
+  qn_masonry_require (&rules, rubble->top, QN_RANGE_POSITIVE, "width");
+  qn_masonry_require (&rules, rubble->height, QN_RANGE_POSITIVE, "height");
+  qn_masonry_require (&rules, rubble->stone, QN_RANGE_POSITIVE, "stone");
+  qn_masonry_require_that (&rules, rubble->irregularity >= 0 && rubble->irregularity <= 1,
+                           QN_PROBLEM_FRACTION, "irregularity", rubble->irregularity);
   /* There is one stone in a row and one row at least, however flat or narrow. */
-  if (status == QN_OK
-      && fmax (1, fmax (rubble->width, rubble->top) / rubble->stone)
-             * fmax (1, rubble->height / (FLATNESS * rubble->stone))
-           > QN_MAX_PIECES)
-    status =
-      qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "stone", rubble->stone);
-  return status;
+  qn_masonry_require_that (&rules,
+                           fmax (1, fmax (rubble->width, rubble->top) / rubble->stone)
+                               * fmax (1, rubble->height / (FLATNESS * rubble->stone))
+                             <= QN_MAX_PIECES,
+                           QN_PROBLEM_TOO_MANY_BLOCKS, "stone", rubble->stone);
+  return rules.status;
 }
 
 static double

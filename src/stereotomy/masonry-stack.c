@@ -33,26 +33,18 @@ add_centred (QnPieces *pieces, double width, double y0, double y1, bool fixed,
 static QnStatus
 check_column (const QnColumn *column, QnDiag *diag)
 {
-  QnStatus status =
-    qn_masonry_require (column->height, QN_RANGE_POSITIVE, "height", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (column->bottom, QN_RANGE_POSITIVE, "width", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (column->top, QN_RANGE_POSITIVE, "width", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require_count (column->drums, 1, "drums", diag);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (column->plinth_height, QN_RANGE_NOT_NEGATIVE, "plinth", diag);
-  if (status == QN_OK && column->plinth_height > 0)
-    status = qn_masonry_require (column->plinth_width, QN_RANGE_POSITIVE, "plinth", diag);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (column->capital_height, QN_RANGE_NOT_NEGATIVE, "capital", diag);
-  if (status == QN_OK && column->capital_height > 0)
-    status =
-      qn_masonry_require (column->capital_width, QN_RANGE_POSITIVE, "capital", diag);
-  return status;
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require (&rules, column->height, QN_RANGE_POSITIVE, "height");
+  qn_masonry_require (&rules, column->bottom, QN_RANGE_POSITIVE, "width");
+  qn_masonry_require (&rules, column->top, QN_RANGE_POSITIVE, "width");
+  qn_masonry_require_count (&rules, column->drums, 1, "drums");
+  qn_masonry_require (&rules, column->plinth_height, QN_RANGE_NOT_NEGATIVE, "plinth");
+  if (column->plinth_height > 0)
+    qn_masonry_require (&rules, column->plinth_width, QN_RANGE_POSITIVE, "plinth");
+  qn_masonry_require (&rules, column->capital_height, QN_RANGE_NOT_NEGATIVE, "capital");
+  if (column->capital_height > 0)
+    qn_masonry_require (&rules, column->capital_width, QN_RANGE_POSITIVE, "capital");
+  return rules.status;
 }
 
 QnStatus
@@ -90,15 +82,12 @@ QnStatus
 qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
 {
   const QnButtress *buttress = &masonry->buttress;
-  QnStatus status =
-    qn_masonry_require (buttress->height, QN_RANGE_POSITIVE, "height", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (buttress->bottom, QN_RANGE_POSITIVE, "width", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (buttress->top, QN_RANGE_POSITIVE, "width", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require_count (buttress->courses, 1, "courses", diag);
-
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require (&rules, buttress->height, QN_RANGE_POSITIVE, "height");
+  qn_masonry_require (&rules, buttress->bottom, QN_RANGE_POSITIVE, "width");
+  qn_masonry_require (&rules, buttress->top, QN_RANGE_POSITIVE, "width");
+  qn_masonry_require_count (&rules, buttress->courses, 1, "courses");
+  QnStatus status = rules.status;
   for (int32_t i = masonry->foundation > 0 ? -1 : 0;
        i < buttress->courses && status == QN_OK; i++) {
     double s0 = fmax (0, (double) i / buttress->courses);

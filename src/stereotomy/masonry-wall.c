@@ -4,36 +4,32 @@ static QnStatus
 check_leaf (const QnMasonryWall *wall, const QnLeaf *leaf, QnDiag *diag)
 {
   bool listed = leaf->bond == QN_BOND_CUSTOM;
-  QnStatus status = qn_masonry_require (leaf->unit.x, QN_RANGE_POSITIVE, "unit", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (leaf->unit.y, QN_RANGE_POSITIVE, "unit", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (leaf->header, QN_RANGE_NOT_NEGATIVE, "header", diag);
-  if (status == QN_OK && !listed)
-    status = qn_masonry_require (leaf->length, QN_RANGE_POSITIVE, "length", diag);
-  if (status == QN_OK && !(leaf->lap >= 0 && leaf->lap < 1))
-    status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "lap", leaf->lap);
-  if (status == QN_OK && leaf->bond == QN_BOND_FLEMISH && leaf->header >= leaf->unit.x)
-    status =
-      qn_masonry_problem (diag, QN_PROBLEM_HEADER_TOO_LONG, "header", leaf->header);
-  if (status != QN_OK)
-    return status;
-
-  if (listed) {
-    if (wall->leaf_count > 1)
-      return qn_masonry_problem (diag, QN_PROBLEM_LEAVES_LISTED, "leaves", 0);
-    if (wall->courses.course_count == 0)
-      return qn_masonry_problem (diag, QN_PROBLEM_COURSE_EMPTY, "courses", 0);
-    return QN_OK;
-  }
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require (&rules, leaf->unit.x, QN_RANGE_POSITIVE, "unit");
+  qn_masonry_require (&rules, leaf->unit.y, QN_RANGE_POSITIVE, "unit");
+  qn_masonry_require (&rules, leaf->header, QN_RANGE_NOT_NEGATIVE, "header");
+  if (!listed)
+    qn_masonry_require (&rules, leaf->length, QN_RANGE_POSITIVE, "length");
+  qn_masonry_require_that (&rules, leaf->lap >= 0 && leaf->lap < 1, QN_PROBLEM_FRACTION,
+                           "lap", leaf->lap);
+  qn_masonry_require_that (&rules,
+                           leaf->bond != QN_BOND_FLEMISH || leaf->header < leaf->unit.x,
+                           QN_PROBLEM_HEADER_TOO_LONG, "header", leaf->header);
+  qn_masonry_require_that (&rules, !listed || wall->leaf_count == 1,
+                           QN_PROBLEM_LEAVES_LISTED, "leaves", 0);
+  qn_masonry_require_that (&rules, !listed || wall->courses.course_count > 0,
+                           QN_PROBLEM_COURSE_EMPTY, "courses", 0);
+  if (rules.status != QN_OK || listed)
+    return rules.status;
   double shortest =
     leaf->header > 0 ? fmin (leaf->header, leaf->unit.x) : leaf->unit.x / 2;
   double lowest = leaf->unit.y;
   for (size_t i = 0; i < wall->course_height_count; i++)
     lowest = i == 0 ? wall->course_heights[0] : fmin (lowest, wall->course_heights[i]);
-  if (leaf->length / shortest * (wall->height / lowest) > QN_MAX_PIECES)
-    return qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "unit", leaf->unit.x);
-  return QN_OK;
+  qn_masonry_require_that (
+    &rules, leaf->length / shortest * (wall->height / lowest) <= QN_MAX_PIECES,
+    QN_PROBLEM_TOO_MANY_BLOCKS, "unit", leaf->unit.x);
+  return rules.status;
 }
 
 static QnStatus
@@ -41,21 +37,20 @@ check_wall (const QnMasonry *masonry, QnDiag *diag)
 {
   const QnMasonryWall *wall = &masonry->wall;
   QN_ASSERT (wall->leaf_count > 0);
-  QnStatus status = QN_OK;
+  QnRules rules = { diag, QN_OK };
   if (wall->leaves[0].bond != QN_BOND_CUSTOM)
-    status = qn_masonry_require (wall->height, QN_RANGE_POSITIVE, "height", diag);
-  for (size_t i = 0; i < wall->course_height_count && status == QN_OK; i++)
-    status = qn_masonry_require (wall->course_heights[i], QN_RANGE_POSITIVE,
-                                 "course_heights", diag);
-  if (status == QN_OK && !(wall->minimum_piece >= 0 && wall->minimum_piece < 1))
-    status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "minimum_piece",
-                                 wall->minimum_piece);
-  for (size_t i = 0; i < wall->leaf_count && status == QN_OK; i++) {
-    status = check_leaf (wall, &wall->leaves[i], diag);
-    if (status != QN_OK && diag != NULL && wall->leaf_count > 1)
+    qn_masonry_require (&rules, wall->height, QN_RANGE_POSITIVE, "height");
+  for (size_t i = 0; i < wall->course_height_count; i++)
+    qn_masonry_require (&rules, wall->course_heights[i], QN_RANGE_POSITIVE,
+                        "course_heights");
+  qn_masonry_require_that (&rules, wall->minimum_piece >= 0 && wall->minimum_piece < 1,
+                           QN_PROBLEM_FRACTION, "minimum_piece", wall->minimum_piece);
+  for (size_t i = 0; i < wall->leaf_count && rules.status == QN_OK; i++) {
+    rules.status = check_leaf (wall, &wall->leaves[i], diag);
+    if (rules.status != QN_OK && diag != NULL && wall->leaf_count > 1)
       diag->other = (QnId) i;
   }
-  return status;
+  return rules.status;
 }
 
 /* Extent of the rectangle that the wall fills, teeth left out. */

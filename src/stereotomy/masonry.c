@@ -109,45 +109,44 @@ qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field, double v
   return qn_diag_set_field (diag, problem, QN_ENTITY_MASONRY, QN_NONE, field, value);
 }
 
-QnStatus
-qn_masonry_require (double value, QnRange range, const char *field, QnDiag *diag)
+void
+qn_masonry_require_that (QnRules *rules, bool holds, QnProblem problem, const char *field,
+                         double value)
 {
-  QnProblem problem = qn_number_problem (value, range, QN_MAX_COORDINATE);
-  return problem == QN_PROBLEM_NONE ? QN_OK
-                                    : qn_masonry_problem (diag, problem, field, value);
+  if (rules->status == QN_OK && !holds)
+    rules->status = qn_masonry_problem (rules->diag, problem, field, value);
 }
 
-QnStatus
-qn_masonry_require_count (int32_t value, int32_t least, const char *field, QnDiag *diag)
+void
+qn_masonry_require (QnRules *rules, double value, QnRange range, const char *field)
 {
-  QnProblem problem = value < least           ? QN_PROBLEM_NOT_POSITIVE
-                      : value > QN_MAX_PIECES ? QN_PROBLEM_TOO_MANY_BLOCKS
-                                              : QN_PROBLEM_NONE;
-  return problem == QN_PROBLEM_NONE ? QN_OK
-                                    : qn_masonry_problem (diag, problem, field, value);
+  QnProblem problem = qn_number_problem (value, range, QN_MAX_COORDINATE);
+  qn_masonry_require_that (rules, problem == QN_PROBLEM_NONE, problem, field, value);
+}
+
+void
+qn_masonry_require_count (QnRules *rules, int32_t value, int32_t least, const char *field)
+{
+  qn_masonry_require_that (rules, value >= least, QN_PROBLEM_NOT_POSITIVE, field, value);
+  qn_masonry_require_that (rules, value <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS,
+                           field, value);
 }
 
 static QnStatus
-check_common (const QnMasonry *masonry, QnDiag *diag)
+check_common (const QnMasonry *m, QnDiag *diag)
 {
-  if (masonry->name == NULL || masonry->name[0] == '\0')
-    return qn_masonry_problem (diag, QN_PROBLEM_NAME_MISSING, "name", 0);
-  const double place[] = { masonry->origin.x, masonry->origin.y, masonry->rotation };
-  QnStatus status = QN_OK;
-  for (size_t i = 0; i < QN_N_ELEMENTS (place) && status == QN_OK; i++)
-    status =
-      qn_masonry_require (place[i], QN_RANGE_FINITE, i < 2 ? "origin" : "rotation", diag);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (masonry->thickness, QN_RANGE_POSITIVE, "thickness", diag);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (masonry->foundation, QN_RANGE_NOT_NEGATIVE, "foundation", diag);
-  if (status == QN_OK
-      && !(masonry->perturbation >= 0 && masonry->perturbation <= QN_MAX_PERTURBATION))
-    status = qn_masonry_problem (diag, QN_PROBLEM_PERTURBATION, "perturbation",
-                                 masonry->perturbation);
-  return status;
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require_that (&rules, m->name != NULL && m->name[0] != '\0',
+                           QN_PROBLEM_NAME_MISSING, "name", 0);
+  qn_masonry_require (&rules, m->origin.x, QN_RANGE_FINITE, "origin");
+  qn_masonry_require (&rules, m->origin.y, QN_RANGE_FINITE, "origin");
+  qn_masonry_require (&rules, m->rotation, QN_RANGE_FINITE, "rotation");
+  qn_masonry_require (&rules, m->thickness, QN_RANGE_POSITIVE, "thickness");
+  qn_masonry_require (&rules, m->foundation, QN_RANGE_NOT_NEGATIVE, "foundation");
+  qn_masonry_require_that (&rules,
+                           m->perturbation >= 0 && m->perturbation <= QN_MAX_PERTURBATION,
+                           QN_PROBLEM_PERTURBATION, "perturbation", m->perturbation);
+  return rules.status;
 }
 
 static QnStatus

@@ -58,32 +58,25 @@ check_head (const QnOpening *opening, QnDiag *diag)
 static QnStatus
 check_opening (const QnOpening *opening, QnDiag *diag)
 {
-  QnStatus status = qn_masonry_require (opening->at.x, QN_RANGE_FINITE, "at", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (opening->at.y, QN_RANGE_FINITE, "at", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (opening->width, QN_RANGE_POSITIVE, "width", diag);
-  if (status == QN_OK)
-    status = qn_masonry_require (opening->height, QN_RANGE_POSITIVE, "height", diag);
-  if (status == QN_OK)
-    status = check_head (opening, diag);
-  if (status == QN_OK && opening->span != QN_SPAN_NONE)
-    status = qn_masonry_require (opening->depth, QN_RANGE_POSITIVE, "depth", diag);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (opening->bearing, QN_RANGE_NOT_NEGATIVE, "bearing", diag);
-  if (status == QN_OK
-      && (opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS))
-    status = qn_masonry_require_count (opening->voussoirs, 1, "voussoirs", diag);
-  if (status == QN_OK && !(opening->skew >= 0 && opening->skew < M_PI_2 - 0.01))
-    status = qn_masonry_problem (diag, QN_PROBLEM_FLAT_ARCH_SKEW, "skew", opening->skew);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (opening->sill_height, QN_RANGE_NOT_NEGATIVE, "sill", diag);
-  if (status == QN_OK)
-    status =
-      qn_masonry_require (opening->sill_bearing, QN_RANGE_NOT_NEGATIVE, "sill", diag);
-  return status;
+  const bool stones =
+    opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
+  QnRules rules = { diag, QN_OK };
+  qn_masonry_require (&rules, opening->at.x, QN_RANGE_FINITE, "at");
+  qn_masonry_require (&rules, opening->at.y, QN_RANGE_FINITE, "at");
+  qn_masonry_require (&rules, opening->width, QN_RANGE_POSITIVE, "width");
+  qn_masonry_require (&rules, opening->height, QN_RANGE_POSITIVE, "height");
+  if (rules.status == QN_OK)
+    rules.status = check_head (opening, diag);
+  if (opening->span != QN_SPAN_NONE)
+    qn_masonry_require (&rules, opening->depth, QN_RANGE_POSITIVE, "depth");
+  qn_masonry_require (&rules, opening->bearing, QN_RANGE_NOT_NEGATIVE, "bearing");
+  if (stones)
+    qn_masonry_require_count (&rules, opening->voussoirs, 1, "voussoirs");
+  qn_masonry_require_that (&rules, opening->skew >= 0 && opening->skew < M_PI_2 - 0.01,
+                           QN_PROBLEM_FLAT_ARCH_SKEW, "skew", opening->skew);
+  qn_masonry_require (&rules, opening->sill_height, QN_RANGE_NOT_NEGATIVE, "sill");
+  qn_masonry_require (&rules, opening->sill_bearing, QN_RANGE_NOT_NEGATIVE, "sill");
+  return rules.status;
 }
 
 /* The hole: jambs, and the head as its voussoirs have it. */
