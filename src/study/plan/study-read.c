@@ -3,6 +3,7 @@
 #include "io/json/json-parse.h"
 #include "io/json/json-path.h"
 #include "io/json/json-value.h"
+#include "io/project/project-members.h"
 #include "io/text/file-read.h"
 #include "io/text/number-text.h"
 #include "study/plan/correlation.h"
@@ -608,20 +609,13 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
 static gboolean
 read_limits (const QnJsonValue *root, QnStudy *study)
 {
-  static const char *const keys[] = { "seconds", "factorizations" };
+  static const QnMember members[] = {
+    QN_NUMBER ("seconds", OPTIONAL, POSITIVE, QnStudy, seconds),
+    QN_COUNT ("factorizations", OPTIONAL, G_MAXINT32, QnStudy, factorizations),
+    { 0 },
+  };
   QnJsonValue limits = qn_json_value_member (root, "limits");
-  int32_t factorizations = 0;
-  if (limits.json == NULL)
-    return TRUE;
-  if (!qn_json_value_object (&limits)
-      || !qn_member_number (&limits, "seconds", QN_OPTIONAL, QN_RANGE_POSITIVE,
-                            &study->seconds)
-      || !qn_member_count (&limits, "factorizations", QN_OPTIONAL, G_MAXINT32,
-                           &factorizations))
-    return FALSE;
-  qn_json_value_check_keys (&limits, keys, G_N_ELEMENTS (keys));
-  study->factorizations = factorizations;
-  return TRUE;
+  return limits.json == NULL || qn_members_read (&limits, members, NULL, study);
 }
 
 /* Whether the project says what the run needs: without this every case would fail. */

@@ -96,10 +96,10 @@ typedef struct QnStudy {
   QnPlanKind plan;
   guint count; /* of random plans: points; sobol: of the base sample */
   guint seed;
-  GArray *outputs;     /* of QnStudyOutput, each once */
-  double seconds;      /* that a case may take */
-  int factorizations;  /* likewise; 0: as the project says */
-  GPtrArray *warnings; /* of char *, as those of a project */
+  GArray *outputs;        /* of QnStudyOutput, each once */
+  double seconds;         /* that a case may take */
+  int32_t factorizations; /* likewise; 0: as the project says */
+  GPtrArray *warnings;    /* of char *, as those of a project */
 } QnStudy;
 
 extern const char *const qn_study_run_names[QN_STUDY_RUN_COUNT];
