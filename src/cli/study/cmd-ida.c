@@ -335,30 +335,15 @@ compute (const Ida *ida, gsize index, Curve *curve)
 {
   QnStudy study;
   QnStudyProgress progress;
-  gboolean cancelled;
   GError *error = NULL;
-  QnStudyDisplay display;
+  const QnStudyRunSettings settings = { .jobs = (guint) ida->options->jobs,
+                                        .shard = { 0, 1 } };
   g_autofree char *name = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
   g_autofree char *folder = g_build_filename (ida->options->folder, name, NULL);
   if (!make_study (ida, index, curve, &study, &error))
     return qn_cli_fail (error);
-  qn_study_display_init (&display, ida->options->quiet);
-  g_autofree char *program = qn_study_dup_program ();
-  QnStudyRunSettings settings = { .program = program,
-                                  .jobs = ida->options->jobs > 0
-                                            ? (guint) ida->options->jobs
-                                            : g_get_num_processors (),
-                                  .shard = { 0, 1 },
-                                  .progress = qn_study_display_update,
-                                  .data = &display };
-  QnExit code = QN_EXIT_DONE;
-  if (!qn_study_run (&study, folder, &settings, &progress, &cancelled, &error))
-    code = qn_cli_fail (error);
-  qn_study_display_done (&display);
-  if (code == QN_EXIT_DONE && cancelled) {
-    qn_cli_error (_ ("%s: cancelled; the same command continues"), ida->options->folder);
-    code = QN_EXIT_CANCELLED;
-  }
+  QnExit code = qn_study_compute (&study, folder, ida->options->folder, settings,
+                                  ida->options->quiet, &progress);
   if (code == QN_EXIT_DONE && !take_run_curve (curve, &study, folder, &error))
     code = qn_cli_fail (error);
   qn_study_clear (&study);
@@ -375,7 +360,6 @@ run_all (Ida *ida, const QnOutput *output)
   }
   ida->count = g_strv_length (ida->options->records);
   ida->curves = g_new0 (Curve, ida->count);
-  qn_interrupt_install ();
   for (gsize i = 0; i < ida->count && code == QN_EXIT_DONE; i++)
     code = compute (ida, i, &ida->curves[i]);
   if (code == QN_EXIT_DONE && ida->options->csv != NULL)

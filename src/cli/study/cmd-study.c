@@ -22,24 +22,17 @@ typedef struct RunOptions {
   gboolean keep, retry, prepare, quiet;
 } RunOptions;
 
-void
-qn_study_display_init (QnStudyDisplay *display, gboolean quiet)
-{
-  *display = (QnStudyDisplay){ .shown = !quiet && isatty (STDERR_FILENO) };
-}
+/* How far a study has come, on a terminal. */
+typedef struct Display {
+  gboolean shown;
+  gint64 last_time; /* us */
+} Display;
 
-void
-qn_study_display_done (QnStudyDisplay *display)
-{
-  if (display->shown && display->last_time > 0)
-    fprintf (stderr, "\r\033[K");
-}
-
-gboolean
-qn_study_display_update (const QnStudyProgress *progress, gpointer data)
+static gboolean
+update_display (const QnStudyProgress *progress, gpointer data)
 {
   enum { INTERVAL = 200000 };
-  QnStudyDisplay *display = data;
+  Display *display = data;
   gint64 now = g_get_monotonic_time ();
   if (display->shown && now - display->last_time >= INTERVAL) {
     display->last_time = now;
@@ -54,6 +47,43 @@ qn_study_display_update (const QnStudyProgress *progress, gpointer data)
     fflush (stderr);
   }
   return !qn_interrupt_seen ();
+}
+
+/* Path of this program, to be started again as a worker. By its name where it is there, so that tools that
+ * follow programs (valgrind) follow it; else by the file that is open. */
+static char *
+dup_program (void)
+{
+  char *path = g_file_read_link ("/proc/self/exe", NULL);
+  if (path != NULL && g_file_test (path, G_FILE_TEST_IS_EXECUTABLE))
+    return path;
+  g_free (path);
+  return g_strdup ("/proc/self/exe");
+}
+
+QnExit
+qn_study_compute (const QnStudy *study, const char *folder, const char *name,
+                  QnStudyRunSettings settings, gboolean quiet, QnStudyProgress *progress)
+{
+  Display display = { .shown = !quiet && isatty (STDERR_FILENO) };
+  gboolean cancelled;
+  GError *error = NULL;
+  g_autofree char *program = dup_program ();
+  settings.program = program;
+  settings.progress = update_display;
+  settings.data = &display;
+  if (settings.jobs == 0)
+    settings.jobs = g_get_num_processors ();
+  qn_interrupt_install ();
+  gboolean ok = qn_study_run (study, folder, &settings, progress, &cancelled, &error);
+  if (display.last_time > 0)
+    fprintf (stderr, "\r\033[K");
+  if (!ok)
+    return qn_cli_fail (error);
+  if (!cancelled)
+    return QN_EXIT_DONE;
+  qn_cli_error (_ ("%s: cancelled; the same command continues"), name);
+  return QN_EXIT_CANCELLED;
 }
 
 /* "3/10": the third of ten slices. */
@@ -73,40 +103,19 @@ parse_shard (const char *text, QnShard *shard)
 }
 
 static QnExit
-compute (const QnStudy *study, const RunOptions *options,
-         const QnStudyRunSettings *settings)
+compute (const QnStudy *study, const RunOptions *options, QnStudyRunSettings settings)
 {
   QnStudyProgress progress;
-  gboolean cancelled;
-  GError *error = NULL;
-  QnStudyDisplay *display = settings->data;
-  qn_interrupt_install ();
-  gboolean ok =
-    qn_study_run (study, options->folder, settings, &progress, &cancelled, &error);
-  qn_study_display_done (display);
-  if (!ok)
-    return qn_cli_fail (error);
-  if (!options->quiet) {
-    qn_print (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
-              progress.wanted);
-    if (progress.failed > 0)
-      qn_print (_ (", %zu of those computed now failed"), progress.failed);
-    qn_print (_ ("; %.1f s\n"), progress.seconds);
-  }
-  if (!cancelled)
-    return QN_EXIT_DONE;
-  qn_cli_error (_ ("%s: cancelled; the same command continues"), options->folder);
-  return QN_EXIT_CANCELLED;
-}
-
-char *
-qn_study_dup_program (void)
-{
-  char *path = g_file_read_link ("/proc/self/exe", NULL);
-  if (path != NULL && g_file_test (path, G_FILE_TEST_IS_EXECUTABLE))
-    return path;
-  g_free (path);
-  return g_strdup ("/proc/self/exe");
+  QnExit code = qn_study_compute (study, options->folder, options->folder, settings,
+                                  options->quiet, &progress);
+  if (options->quiet || (code != QN_EXIT_DONE && code != QN_EXIT_CANCELLED))
+    return code;
+  qn_print (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
+            progress.wanted);
+  if (progress.failed > 0)
+    qn_print (_ (", %zu of those computed now failed"), progress.failed);
+  qn_print (_ ("; %.1f s\n"), progress.seconds);
+  return code;
 }
 
 static QnExit
@@ -114,17 +123,9 @@ run_study (const QnSubcommand *self, RunOptions *options, const char *path)
 {
   QnStudy study;
   GError *error = NULL;
-  QnStudyDisplay display;
-  g_autofree char *program = qn_study_dup_program ();
-  QnStudyRunSettings settings = {
-    .program = program,
-    .jobs = options->jobs > 0 ? (guint) options->jobs : g_get_num_processors (),
-    .keep = options->keep,
-    .retry = options->retry,
-    .progress = qn_study_display_update,
-    .data = &display,
-  };
-  qn_study_display_init (&display, options->quiet);
+  QnStudyRunSettings settings = { .jobs = (guint) MAX (options->jobs, 0),
+                                  .keep = options->keep,
+                                  .retry = options->retry };
   /* The folder of a study stands for the study as well. */
   gboolean again = options->folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
   if (options->folder == NULL && !again)
@@ -145,7 +146,7 @@ run_study (const QnSubcommand *self, RunOptions *options, const char *path)
     qn_cli_warning ("%s", (char *) g_ptr_array_index (study.project.warnings, i));
   QnExit code = QN_EXIT_DONE;
   if (!options->prepare)
-    code = compute (&study, options, &settings);
+    code = compute (&study, options, settings);
   else if (!qn_folder_prepare (options->folder, &study, &error))
     code = qn_cli_fail (error);
   else if (!options->quiet)

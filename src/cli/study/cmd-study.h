@@ -5,23 +5,12 @@
 #include "cli/base/subcommand.h"
 #include "study/cases/run.h"
 
-/* Path of this program, to be started again as a worker; the caller frees it. By its name where it is
- * there, so that tools that follow programs (valgrind) follow it; else by the file that is open. */
-char *qn_study_dup_program (void);
-
-/* How far a study has come, on a terminal. */
-typedef struct QnStudyDisplay {
-  gboolean shown;
-  gint64 last_time; /* us */
-} QnStudyDisplay;
-
-void qn_study_display_init (QnStudyDisplay *display, gboolean quiet);
-
-/* A QnStudyProgressFunc; data is a QnStudyDisplay. Ends the run at Ctrl+C. */
-gboolean qn_study_display_update (const QnStudyProgress *progress, gpointer data);
-
-/* Clears the line. */
-void qn_study_display_done (QnStudyDisplay *display);
+/* Computes the cases of a study that are missing in its folder, as `settings` say but for the program, the
+ * progress and, where `jobs` is 0, how many processes; shows on a terminal how far it has come, unless
+ * `quiet`. On failure or at Ctrl+C the user has been told, of `name`. */
+QnExit qn_study_compute (const QnStudy *study, const char *folder, const char *name,
+                         QnStudyRunSettings settings, gboolean quiet,
+                         QnStudyProgress *progress);
 
 extern const QnSubcommand qn_study_action_table;
 extern const QnSubcommand qn_study_action_summary;
