@@ -363,19 +363,6 @@ qn_model_add_ground_motion (QnModel *model, const char *record)
   return motion;
 }
 
-QnGroundMotion *
-qn_model_copy_ground_motion (QnModel *model, const QnGroundMotion *motion)
-{
-  bool failed = false;
-  QnGroundMotion *added = qn_model_add_ground_motion (model, NULL);
-
-  if (added == NULL)
-    return NULL;
-  *added = *motion;
-  copy_signal (motion, added, &failed);
-  return failed ? NULL : added;
-}
-
 bool
 qn_ground_motion_add_point (QnGroundMotion *motion, double time, double acceleration)
 {

@@ -390,10 +390,8 @@ QnLoad *qn_model_add_live_load (QnModel *model);
 QnStage *qn_model_add_stage (QnModel *model, const char *name);
 
 /* A new ground motion has scale 1; `record` (nullable) is copied. Points are added one by one;
- * false when memory runs out. A copy shares nothing with the original. */
+ * false when memory runs out. */
 QnGroundMotion *qn_model_add_ground_motion (QnModel *model, const char *record);
-QnGroundMotion *qn_model_copy_ground_motion (QnModel *model,
-                                             const QnGroundMotion *motion);
 bool qn_ground_motion_add_point (QnGroundMotion *motion, double time,
                                  double acceleration);
 /* When an analysis in time ends: as its settings say, or with the last ground motion, s; 0 where that

@@ -4,20 +4,6 @@
 #include <math.h>
 
 static gboolean
-copy_sections (const QnModel *from, QnModel *to)
-{
-  for (gsize i = 0; i < from->section_count; i++) {
-    QnSection *section = qn_model_add_section (to, from->sections[i].name);
-    if (section == NULL)
-      return FALSE;
-    char *name = section->name;
-    *section = from->sections[i];
-    section->name = name;
-  }
-  return TRUE;
-}
-
-static gboolean
 has_ends (const QnBeam *beam)
 {
   return beam->nodes[0] != QN_NONE && beam->nodes[1] != QN_NONE;
@@ -124,8 +110,8 @@ qn_edit_copy_beams (const QnModel *from, QnModel *to,
   rebuild->beams = g_new (QnId, from->beam_count + 1);
   for (gsize i = 0; i < from->node_count; i++)
     rebuild->nodes[i] = QN_NONE;
-  if (!copy_sections (from, to) || !copy_nodes (from, to, follow, data, rebuild)
-      || !copy_beams (from, to, rebuild) || qn_model_expand_beams (to, diag) != QN_OK)
+  if (!copy_nodes (from, to, follow, data, rebuild) || !copy_beams (from, to, rebuild)
+      || qn_model_expand_beams (to, diag) != QN_OK)
     return FALSE;
   follow_inner_nodes (from, to, rebuild);
   return TRUE;

@@ -9,7 +9,7 @@ typedef struct QnBeamRebuild {
   QnId *nodes, *beams;
 } QnBeamRebuild;
 
-/* Copies sections, nodes and beams into a model that has its blocks already, and cuts the beams.
+/* Copies nodes and beams into a model that has its blocks and sections already, and cuts the beams.
  * follow: the new number of an old block, or QN_NONE. A node goes with its block, a beam with
  * either of its nodes or where it names none, and a node that stands free with the last of its
  * beams. FALSE where memory runs out or, with the

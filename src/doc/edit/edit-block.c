@@ -72,7 +72,8 @@ gboolean
 qn_edit_add_block (QnModel *model, const QnVec2 *vertices, guint count,
                    QnBlockStyle style, GError **error)
 {
-  g_autofree char *name = qn_edit_dup_free_name (model, "b");
+  g_autofree char *name =
+    qn_edit_dup_new_name (model, qn_model_find_block, "b", "", model->block_count + 1);
   return add_named (model, name, vertices, count, style, error);
 }
 
@@ -244,7 +245,8 @@ qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int 
       QnBlockStyle style = { old.thickness, old.unit_weight, old.law, { false } };
       for (int dof = 0; dof < QN_DOF_COUNT; dof++)
         style.support[dof] = old.support[dof];
-      g_autofree char *name = qn_edit_dup_free_name (model, "b");
+      g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_block, "b", "",
+                                                    model->block_count + 1);
       if (!add_named (model, name, vertices, count, style, error))
         return FALSE;
       model->blocks[model->block_count - 1].density = old.density;

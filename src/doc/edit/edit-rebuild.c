@@ -1,10 +1,12 @@
 #include "doc/edit/edit.h"
 
+#include "core/base/name-index.h"
 #include "core/base/polygon.h"
 #include "doc/edit/edit-beams.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <stdlib.h>
 
 /* Distance from a joint that is rounding, relative to the size of a block. */
 #define ON_JOINT 1e-9
@@ -65,29 +67,6 @@ qn_block_set_to_flags (QnBlockSet set, const QnModel *model)
       flags[set.ids[i]] = TRUE;
   }
   return flags;
-}
-
-char *
-qn_edit_dup_free_name (const QnModel *model, const char *prefix)
-{
-  for (gsize number = model->block_count + 1;; number++) {
-    g_autofree char *name = g_strdup_printf ("%s%" G_GSIZE_FORMAT, prefix, number);
-    if (qn_model_find_block (model, name) == QN_NONE)
-      return g_steal_pointer (&name);
-  }
-}
-
-static gboolean
-copy_laws (Rebuild *r)
-{
-  for (gsize i = 0; i < r->from->law_count; i++) {
-    const QnLaw *old = &r->from->laws[i];
-    QnLaw *law = qn_model_add_law (r->to, old->name);
-    if (law == NULL || !qn_law_assign (law, old))
-      return FALSE;
-    law->note = old->note;
-  }
-  return TRUE;
 }
 
 /* Blocks that the file lists, or those that parametric masonry was laid of. */
@@ -252,59 +231,41 @@ follow_node (const Rebuild *r, QnId node)
 }
 
 /* Set by set, as files list them. */
-static gboolean
-copy_loads (const Rebuild *r, const QnLoad *loads, gsize count,
-            QnLoad *(*add) (QnModel *model))
+static void
+keep_loads (const Rebuild *r, QnLoad *loads, size_t *count)
 {
-  for (int32_t set = 0; set <= (int32_t) r->from->load_set_count; set++) {
-    for (gsize i = 0; i < count; i++) {
-      QnLoad load = loads[i];
-      if (load.set != set || !follow_load (r, &load))
-        continue;
-      QnLoad *added = add (r->to);
-      if (added == NULL)
-        return FALSE;
-      *added = load;
-    }
-  }
-  return TRUE;
+  const size_t all = *count;
+  g_autofree QnLoad *old = g_memdup2 (loads, all * sizeof *loads);
+  *count = 0;
+  for (int32_t set = 0; set <= (int32_t) r->to->load_set_count; set++)
+    for (size_t i = 0; i < all; i++)
+      if (old[i].set == set && follow_load (r, &old[i]))
+        loads[(*count)++] = old[i];
 }
 
-static gboolean
-copy_overrides (const Rebuild *r)
+static void
+keep_overrides (const Rebuild *r)
 {
-  for (gsize i = 0; i < r->from->override_count; i++) {
-    QnFaceOverride override = r->from->overrides[i];
+  QnModel *to = r->to;
+  gsize kept = 0;
+  for (gsize i = 0; i < to->override_count; i++) {
+    QnFaceOverride override = to->overrides[i];
     override.block_a = follow_block (r, override.block_a);
     override.block_b = follow_block (r, override.block_b);
-    if (override.block_a == QN_NONE || override.block_b == QN_NONE)
-      continue;
-    QnFaceOverride *added = qn_model_add_override (r->to);
-    if (added == NULL)
-      return FALSE;
-    *added = override;
+    if (override.block_a != QN_NONE && override.block_b != QN_NONE)
+      to->overrides[kept++] = override;
   }
-  return TRUE;
-}
-
-static gboolean
-copy_bars (const Rebuild *r)
-{
-  for (gsize i = 0; i < r->from->bar_count; i++) {
-    QnBar *added = qn_model_add_bar (r->to);
-    if (added == NULL)
-      return FALSE;
-    *added = r->from->bars[i];
-  }
-  return TRUE;
+  to->override_count = kept;
 }
 
 /* Without those whose block is gone, or whose blocks have become one. */
-static gboolean
-copy_ties (const Rebuild *r)
+static void
+keep_ties (const Rebuild *r)
 {
-  for (gsize i = 0; i < r->from->tie_count; i++) {
-    QnTie tie = r->from->ties[i];
+  QnModel *to = r->to;
+  gsize kept = 0;
+  for (gsize i = 0; i < to->tie_count; i++) {
+    QnTie tie = to->ties[i];
     gboolean gone = FALSE;
     for (int end = 0; end < 2; end++) {
       QnId block = tie.ends[end].block;
@@ -312,74 +273,78 @@ copy_ties (const Rebuild *r)
       gone = gone || (block != QN_NONE && tie.ends[end].block == QN_NONE);
     }
     if (gone || tie.ends[0].block == tie.ends[1].block)
-      continue;
-    QnTie *added = qn_model_add_tie (r->to, tie.name);
-    if (added == NULL)
-      return FALSE;
-    tie.name = added->name;
-    *added = tie;
+      free (tie.name);
+    else
+      to->ties[kept++] = tie;
   }
-  return TRUE;
-}
-
-static gboolean
-copy_load_cases (const Rebuild *r)
-{
-  for (gsize i = 0; i < r->from->load_case_count; i++) {
-    if (qn_model_add_load_case (r->to, r->from->load_cases[i].name) == QN_NONE)
-      return FALSE;
-    r->to->load_cases[i].factor = r->from->load_cases[i].factor;
-  }
-  return TRUE;
-}
-
-static gboolean
-copy_stages (const Rebuild *r)
-{
-  for (gsize i = 0; i < r->from->load_set_count; i++) {
-    if (qn_model_add_load_set (r->to, r->from->load_sets[i]) == QN_NONE)
-      return FALSE;
-  }
-  for (gsize i = 0; i < r->from->stage_count; i++) {
-    QnStage *added = qn_model_add_stage (r->to, r->from->stages[i].name);
-    if (added == NULL)
-      return FALSE;
-    char *name = added->name;
-    *added = r->from->stages[i];
-    added->name = name;
-    added->control_block = follow_block (r, added->control_block);
-    added->control_node = follow_node (r, added->control_node);
-  }
-  return TRUE;
+  to->tie_count = kept;
 }
 
 /* Initial motions and tracks of blocks that are gone go with them. */
-static gboolean
-copy_dynamics (const Rebuild *r)
+static void
+keep_dynamics (const Rebuild *r)
 {
-  for (gsize i = 0; i < r->from->ground_count; i++) {
-    const QnGroundMotion *motion = &r->from->ground[i];
-    if (qn_model_copy_ground_motion (r->to, motion) == NULL)
-      return FALSE;
-  }
-  for (gsize i = 0; i < r->from->initial_count; i++) {
-    QnInitialMotion motion = r->from->initial[i];
+  QnModel *to = r->to;
+  gsize kept = 0;
+  for (gsize i = 0; i < to->initial_count; i++) {
+    QnInitialMotion motion = to->initial[i];
     motion.block = follow_block (r, motion.block);
-    QnInitialMotion *added =
-      motion.block != QN_NONE ? qn_model_add_initial_motion (r->to) : &motion;
-    if (added == NULL)
-      return FALSE;
-    *added = motion;
+    if (motion.block != QN_NONE)
+      to->initial[kept++] = motion;
   }
-  for (gsize i = 0; i < r->from->track_count; i++) {
-    QnTrack track = r->from->tracks[i];
+  to->initial_count = kept;
+  kept = 0;
+  for (gsize i = 0; i < to->track_count; i++) {
+    QnTrack track = to->tracks[i];
     track.block = follow_block (r, track.block);
-    QnTrack *added = track.block != QN_NONE ? qn_model_add_track (r->to) : &track;
-    if (added == NULL)
-      return FALSE;
-    *added = track;
+    if (track.block != QN_NONE)
+      to->tracks[kept++] = track;
   }
-  return TRUE;
+  to->track_count = kept;
+}
+
+static void
+keep_controls (const Rebuild *r)
+{
+  QnAnalysisSettings *analysis = &r->to->analysis;
+  analysis->control_block = follow_block (r, analysis->control_block);
+  analysis->control_node = follow_node (r, analysis->control_node);
+  for (gsize i = 0; i < r->to->stage_count; i++) {
+    QnStage *stage = &r->to->stages[i];
+    stage->control_block = follow_block (r, stage->control_block);
+    stage->control_node = follow_node (r, stage->control_node);
+  }
+}
+
+/* Names may have changed behind the model's back: they are found by new places. */
+static gboolean
+index_names (QnModel *model)
+{
+  gboolean done = TRUE;
+  for (gsize i = 0; done && i < model->law_count; i++)
+    done =
+      qn_name_index_add (&model->law_names, model->laws, sizeof *model->laws, (QnId) i);
+  for (gsize i = 0; done && i < model->section_count; i++)
+    done = qn_name_index_add (&model->section_names, model->sections,
+                              sizeof *model->sections, (QnId) i);
+  for (gsize i = 0; done && i < model->tie_count; i++)
+    done =
+      qn_name_index_add (&model->tie_names, model->ties, sizeof *model->ties, (QnId) i);
+  return done;
+}
+
+/* A copy of the model without blocks, walls, nodes, beams and what follows from them. */
+static gboolean
+copy_rest (const QnModel *model, QnModel *copy)
+{
+  const QnNameIndex none = { 0 };
+  QnModel rest = *model;
+  rest.vertex_count = rest.block_count = rest.wall_count = rest.expanded_wall_count = 0;
+  rest.node_count = rest.beam_count = rest.element_count = rest.expanded_beam_count = 0;
+  rest.edge_force_count = 0;
+  rest.law_names = rest.block_names = rest.node_names = rest.section_names =
+    rest.beam_names = rest.tie_names = none;
+  return qn_model_copy (&rest, copy, NULL) == QN_OK;
 }
 
 static gboolean
@@ -409,11 +374,8 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
                          GError **error)
 {
   QnModel fresh;
-  qn_model_init (&fresh);
-  fresh.title = g_strdup (model->title);
-  fresh.gravity = model->gravity;
-  fresh.contact = model->contact;
-  fresh.analysis = model->analysis;
+  if (!copy_rest (model, &fresh))
+    return qn_edit_no_memory (error);
 
   g_autofree QnId *blocks = g_new (QnId, model->block_count + 1);
   g_autofree QnId *walls = g_new (QnId, model->wall_count + 1);
@@ -421,7 +383,7 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     blocks[i] = QN_NONE;
   Rebuild r = { model, &fresh, masonry, blocks, walls, { 0 } };
   QnDiag diag = { 0 };
-  gboolean laid = copy_laws (&r) && copy_blocks (&r, FALSE, drop);
+  gboolean laid = copy_blocks (&r, FALSE, drop);
   if (laid && masonry != NULL && !lay_masonry (&r, error)) {
     qn_model_clear (&fresh);
     return FALSE;
@@ -429,15 +391,15 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
   gboolean done =
     laid && (masonry != NULL || copy_blocks (&r, TRUE, drop)) && copy_walls (&r)
     && qn_model_expand_walls (&fresh, &diag) == QN_OK
-    && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams, &diag)
-    && copy_load_cases (&r)
-    && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
-    && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
-    && copy_overrides (&r) && copy_bars (&r) && copy_ties (&r) && copy_stages (&r)
-    && copy_dynamics (&r);
+    && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams, &diag);
   if (done) {
-    fresh.analysis.control_block = follow_block (&r, model->analysis.control_block);
-    fresh.analysis.control_node = follow_node (&r, model->analysis.control_node);
+    keep_loads (&r, fresh.dead_loads, &fresh.dead_load_count);
+    keep_loads (&r, fresh.live_loads, &fresh.live_load_count);
+    keep_overrides (&r);
+    keep_ties (&r);
+    keep_dynamics (&r);
+    keep_controls (&r);
+    done = index_names (&fresh);
   }
   qn_beam_rebuild_clear (&r.beams);
   if (!done && diag.status == QN_ERROR_INVALID)

@@ -162,9 +162,6 @@ gboolean qn_edit_take_name (char **place, const char *name, GError **error);
 /* Takes an item, whose own memory is free already, out of an array of `count`. */
 void qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index);
 
-/* A block name that is not taken: prefix and a number. The caller frees it. */
-char *qn_edit_dup_free_name (const QnModel *model, const char *prefix);
-
 /* Set the error of an edit that ran out of memory, that cannot be done here, for which there is
  * nothing; return FALSE. */
 gboolean qn_edit_no_memory (GError **error);
