@@ -268,21 +268,6 @@ qn_history_is_clean (const QnEditHistory *history)
   return history->clean == (gint64) history->position;
 }
 
-gsize
-qn_history_get_size (const QnEditHistory *history)
-{
-  gsize size = 0;
-  for (guint i = 0; i < history->steps->len; i++) {
-    const QnEditStep *step = g_ptr_array_index (history->steps, i);
-    for (guint j = 0; j < step->hunks->len; j++) {
-      const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, j);
-      size += sizeof *hunk + strlen (hunk->removed) + strlen (hunk->inserted) + 2;
-    }
-    size += sizeof *step + strlen (step->name) + 1;
-  }
-  return size;
-}
-
 void
 qn_history_clear (QnEditHistory *history)
 {

@@ -45,9 +45,6 @@ const char *qn_history_get_name (const QnEditHistory *history, guint step);
 void qn_history_mark_clean (QnEditHistory *history);
 gboolean qn_history_is_clean (const QnEditHistory *history);
 
-/* Bytes held by all the steps. */
-gsize qn_history_get_size (const QnEditHistory *history);
-
 /* Forgets all steps; the present state counts as clean. */
 void qn_history_clear (QnEditHistory *history);
 
