@@ -133,7 +133,19 @@ report_beam (QnFindings *findings, QnProblem problem, size_t beam, QnVec2 at)
                                                  .at = at });
 }
 
-/* Ends of beams where there is nothing else: no block, support, other beam, load or control. */
+/* Whether a point that moves with a block lies outside of it by more than joints may be wide. */
+static bool
+lies_off_block (const QnModel *model, QnId block, QnVec2 at)
+{
+  double tolerance = model->contact.tolerance * model->characteristic_length;
+  return block != QN_NONE
+         && qn_polygon_depth (qn_model_block_vertices (model, block),
+                              (size_t) model->blocks[block].vertex_count, at)
+              < -tolerance;
+}
+
+/* Ends of beams where there is nothing else: no block, support, other beam, load or control; and ends
+ * that do not lie on the block that they move with. */
 static bool
 report_free_ends (const QnModel *model, QnFindings *findings)
 {
@@ -151,7 +163,9 @@ report_free_ends (const QnModel *model, QnFindings *findings)
   for (size_t i = 0; i < ends && done; i++) {
     QnId id = model->beams[i / 2].nodes[i % 2];
     const QnNode *node = &model->nodes[id];
-    if (uses[id] == 1 && node->block == QN_NONE && !qn_support_is_any (node->support))
+    bool alone =
+      uses[id] == 1 && node->block == QN_NONE && !qn_support_is_any (node->support);
+    if (alone || lies_off_block (model, node->block, node->at))
       done = report_beam (findings, QN_PROBLEM_BEAM_END_FREE, i / 2, node->at);
   }
   free (uses);
@@ -181,18 +195,13 @@ report_loads (const QnModel *model, QnFindings *findings)
   return true;
 }
 
-/* Ends of ties that lie outside their blocks by more than joints may be wide. */
+/* Ends of ties that lie outside their blocks. */
 static bool
 report_ties (const QnModel *model, QnFindings *findings)
 {
-  double tolerance = model->contact.tolerance * model->characteristic_length;
-
   for (size_t i = 0; i < 2 * model->tie_count; i++) {
     const QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
-    if (end->block == QN_NONE
-        || qn_polygon_depth (qn_model_block_vertices (model, end->block),
-                             (size_t) model->blocks[end->block].vertex_count, end->at)
-             >= -tolerance)
+    if (!lies_off_block (model, end->block, end->at))
       continue;
     if (!qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_TIE_OFF_BLOCK,
                                                  .block_a = end->block,
