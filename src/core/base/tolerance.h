@@ -78,7 +78,4 @@
  * make it unsymmetric. */
 #define QN_TOLERANCE_SYMMETRIC 1e-9
 
-/* Reciprocal pivot growth below which a refactorisation chooses new pivots. */
-#define QN_TOLERANCE_PIVOT_GROWTH 1e-6
-
 #endif

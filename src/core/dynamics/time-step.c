@@ -34,7 +34,7 @@ scheme_of (double rho)
 }
 
 static void measure (QnStepEquation *equation);
-static QnFactorStatus solve_for_step (QnStepEquation *equation);
+static QnSolveStatus solve_for_step (QnStepEquation *equation);
 static bool advance_time (QnStepEquation *equation, int iteration);
 
 /* --- Setting up -------------------------------------------------------------------------- */
@@ -256,11 +256,11 @@ qn_time_step_start (QnTimeStep *step, QnVec2 ground)
       start->a[i] = 0;
     }
   }
-  QnFactorStatus status = qn_linsys_factor_and_solve (step->equation.eq->linsys, as->ax,
-                                                      QN_LINSYS_ONCE, start->a);
-  for (int32_t i = 0; status == QN_FACTOR_OK && i < as->unknown_count; i++)
+  QnSolveStatus status = qn_linsys_factor_and_solve (step->equation.eq->linsys, as->ax,
+                                                     QN_LINSYS_ONCE, start->a);
+  for (int32_t i = 0; status == QN_SOLVE_CONVERGED && i < as->unknown_count; i++)
     start->a[i] -= step->settings->mass_damping * start->v[i];
-  return qn_solve_status_of (status);
+  return status;
 }
 
 /* --- Newton's iteration ------------------------------------------------------------------ */
@@ -406,7 +406,7 @@ is_still (const QnTimeStep *step)
 }
 
 /* step = K \ residual, K = (M (1-am)/(beta h^2) + C (1-af) gamma/(beta h))/(1-af) + dP/du */
-static QnFactorStatus
+static QnSolveStatus
 solve_for_step (QnStepEquation *equation)
 {
   QnTimeStep *step = (QnTimeStep *) equation;
@@ -421,7 +421,7 @@ solve_for_step (QnStepEquation *equation)
   if (step->kept) {
     qn_linsys_solve (eq->linsys, eq->step);
     eq->statistics.factor_seconds += qn_clock_seconds () - begun;
-    return QN_FACTOR_OK;
+    return QN_SOLVE_CONVERGED;
   }
   double mass = (1 - s->alpha_m) / (s->beta * h * h * (1 - s->alpha_f))
                 + step->settings->mass_damping * gain;
@@ -430,11 +430,11 @@ solve_for_step (QnStepEquation *equation)
     as->ax[k] +=
       mass * step->mass[k] + step->settings->joint_damping * gain * step->beam_damping[k];
   double assembled = qn_clock_seconds ();
-  QnFactorStatus status =
+  QnSolveStatus status =
     qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_REPEATED, eq->step);
   memcpy (step->factored, step->branches,
           QN_BRANCH * as->pair_count * sizeof *step->factored);
-  step->factored_length = status == QN_FACTOR_OK ? h : 0;
+  step->factored_length = status == QN_SOLVE_CONVERGED ? h : 0;
   qn_equilibrium_count_factorization (eq);
   eq->statistics.assembly_seconds += assembled - begun;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;

@@ -183,7 +183,7 @@ hand_over_forces (QnCentralPath *path)
 }
 
 /* Factorises the tangent, and overwrites b with its solution. */
-static QnFactorStatus
+static QnSolveStatus
 factorize_path (QnCentralPath *path, double *b)
 {
   QnEquilibrium *eq = path->eq;
@@ -196,7 +196,7 @@ factorize_path (QnCentralPath *path, double *b)
                           fmax (HOLDING_VISCOSITY, path->viscosity), path->pairs.tangents,
                           4);
   double assembled = qn_clock_seconds ();
-  QnFactorStatus status =
+  QnSolveStatus status =
     qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, b);
   eq->statistics.assembly_seconds += assembled - start;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
@@ -250,7 +250,7 @@ find_path_direction (Increment *increment, const QnCentralAim *aim)
 }
 
 /* The same from a tangent that is not factorised yet, towards nothing. */
-static QnFactorStatus
+static QnSolveStatus
 find_predictor (Increment *increment)
 {
   QnCentralPath *path = increment->path;
@@ -263,13 +263,13 @@ find_predictor (Increment *increment)
   if (bordered)
     memcpy (eq->live_step, eq->assembly.live,
             (size_t) eq->assembly.unknown_count * sizeof (double));
-  QnFactorStatus status = factorize_path (path, bordered ? eq->live_step : eq->step);
-  if (status != QN_FACTOR_OK)
+  QnSolveStatus status = factorize_path (path, bordered ? eq->live_step : eq->step);
+  if (status != QN_SOLVE_CONVERGED)
     return status;
   if (bordered)
     solve (eq, eq->step);
   complete_direction (increment, 1);
-  return QN_FACTOR_OK;
+  return QN_SOLVE_CONVERGED;
 }
 
 /* Largest part of the direction, up to all of it, that leaves s and z at zero or above. */
@@ -473,7 +473,7 @@ improve (Increment *increment)
 
   if (!qn_equilibrium_go_on (eq))
     return QN_SOLVE_CANCELLED;
-  QnSolveStatus status = qn_solve_status_of (find_predictor (increment));
+  QnSolveStatus status = find_predictor (increment);
   if (status != QN_SOLVE_CONVERGED)
     return status;
   double mean = mean_by_predictor (increment);

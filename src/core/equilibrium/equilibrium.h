@@ -13,14 +13,6 @@
 #include "core/base/progress.h"
 #include "core/linalg/linsys.h"
 
-typedef enum {
-  QN_SOLVE_CONVERGED,
-  QN_SOLVE_MECHANISM, /* relaxation ended in steady motion: no equilibrium at this load */
-  QN_SOLVE_FAILED,    /* iteration budget spent, or the line search found no descent */
-  QN_SOLVE_CANCELLED,
-  QN_SOLVE_NO_MEMORY
-} QnSolveStatus;
-
 /* All that makes a state: to go on from it, or to come back to it. The responses belong to
  * it because they hold the tangent that led there: pairs that slip right at their strength
  * look stuck when they are evaluated anew, and an iteration that starts from that stiffness
@@ -57,14 +49,6 @@ qn_target_multiplier (double multiplier)
 
 typedef struct QnCentralPath QnCentralPath;
 typedef struct QnStepEquation QnStepEquation;
-
-static inline QnSolveStatus
-qn_solve_status_of (QnFactorStatus status)
-{
-  return status == QN_FACTOR_OK         ? QN_SOLVE_CONVERGED
-         : status == QN_FACTOR_SINGULAR ? QN_SOLVE_FAILED
-                                        : QN_SOLVE_NO_MEMORY;
-}
 
 typedef struct QnEquilibrium {
   QnPool pool; /* of vectors of unknowns, */
@@ -137,8 +121,8 @@ struct QnStepEquation {
   QnEquilibrium *eq;
   double relative; /* what is out of balance over the forces, and */
   double norm;     /* what says whether it can be had at all (finite) */
-  void (*measure) (QnStepEquation *);         /* sets both, with bonds as they are now */
-  QnFactorStatus (*solve) (QnStepEquation *); /* finds a direction, */
+  void (*measure) (QnStepEquation *);        /* sets both, with bonds as they are now */
+  QnSolveStatus (*solve) (QnStepEquation *); /* finds a direction, */
   bool (*advance) (QnStepEquation *, int iteration); /* goes along it and measures; false
                                                         where no part of it leads on */
   void (*refine) (QnStepEquation *);                 /* once it is solved; nullable */

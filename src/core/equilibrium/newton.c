@@ -119,7 +119,7 @@ is_factored (const QnEquilibrium *eq, double viscosity)
 }
 
 /* b = K \ b. Factorises the tangent unless it is the one that is factorised already. */
-static QnFactorStatus
+static QnSolveStatus
 apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
 {
   QnAssembly *as = &eq->assembly;
@@ -131,17 +131,17 @@ apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
   if (same) {
     qn_linsys_solve (eq->linsys, b);
     eq->statistics.factor_seconds += qn_clock_seconds () - start;
-    return QN_FACTOR_OK;
+    return QN_SOLVE_CONVERGED;
   }
 
   qn_assembly_tangent (as, eq->multiplier, viscosity);
   double assembled = qn_clock_seconds ();
-  QnFactorStatus status =
+  QnSolveStatus status =
     qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_REPEATED, b);
   eq->statistics.assembly_seconds += assembled - start;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
   qn_equilibrium_count_factorization (eq);
-  eq->factored = status == QN_FACTOR_OK;
+  eq->factored = status == QN_SOLVE_CONVERGED;
   eq->factored_viscosity = viscosity;
   return status;
 }
@@ -197,7 +197,7 @@ viscosity_of_tangent (const Newton *newton)
 }
 
 /* The Newton direction: eq->step and multiplier_step. */
-static QnFactorStatus
+static QnSolveStatus
 solve_direction (QnStepEquation *equation)
 {
   Newton *newton = (Newton *) equation;
@@ -208,9 +208,9 @@ solve_direction (QnStepEquation *equation)
   double viscosity = viscosity_of_tangent (newton);
 
   memcpy (eq->step, eq->residual, bytes);
-  QnFactorStatus status = apply_inverse (eq, viscosity, eq->step);
+  QnSolveStatus status = apply_inverse (eq, viscosity, eq->step);
   newton->multiplier_step = 0;
-  if (status == QN_FACTOR_OK && target->direction != NULL) {
+  if (status == QN_SOLVE_CONVERGED && target->direction != NULL) {
     double along_live, start = qn_clock_seconds ();
     double load = qn_assembly_largest (&eq->assembly, eq->assembly.live, NULL);
     memcpy (eq->live_step, eq->assembly.live, bytes);
@@ -260,7 +260,7 @@ refine (QnStepEquation *equation)
       || newton->equation.relative <= FINER * eq->tolerance
       || !is_factored (eq, viscosity_of_tangent (newton)))
     return;
-  if (solve_direction (equation) != QN_FACTOR_OK
+  if (solve_direction (equation) != QN_SOLVE_CONVERGED
       || !line_search (newton, newton->equation.norm))
     evaluate (newton, eq->u, eq->multiplier);
 }
@@ -292,7 +292,7 @@ iterate (QnStepEquation *equation, int budget)
       return QN_SOLVE_FAILED;
     if (!qn_equilibrium_go_on (eq))
       return QN_SOLVE_CANCELLED;
-    QnSolveStatus status = qn_solve_status_of (equation->solve (equation));
+    QnSolveStatus status = equation->solve (equation);
     if (status != QN_SOLVE_CONVERGED)
       return status;
     if (!equation->advance (equation, iteration))
@@ -372,11 +372,12 @@ qn_equilibrium_set_runaway (QnEquilibrium *eq)
   memcpy (eq->step, as->dead, (size_t) as->unknown_count * sizeof *eq->step);
   for (size_t s = 0; s < as->settling_count; s++)
     eq->step[as->settling[s].unknown] = 0; /* what follows a settlement does not deform */
-  QnFactorStatus status = apply_inverse (eq, 0, eq->step);
-  double whole =
-    status == QN_FACTOR_OK ? qn_assembly_elastic_displacements (as, eq->step, NULL) : 0;
+  QnSolveStatus status = apply_inverse (eq, 0, eq->step);
+  double whole = status == QN_SOLVE_CONVERGED
+                   ? qn_assembly_elastic_displacements (as, eq->step, NULL)
+                   : 0;
   eq->runaway = fmin (fmax (QN_RUNAWAY, RUNAWAY_OF_WHOLE * whole), QN_FARTHEST);
-  return status != QN_FACTOR_NO_MEMORY;
+  return status != QN_SOLVE_NO_MEMORY;
 }
 
 bool
@@ -401,5 +402,5 @@ QnSolveStatus
 qn_equilibrium_rate (QnEquilibrium *eq, double *rate)
 {
   memcpy (rate, eq->assembly.live, (size_t) eq->assembly.unknown_count * sizeof *rate);
-  return qn_solve_status_of (apply_inverse (eq, 0, rate));
+  return apply_inverse (eq, 0, rate);
 }

@@ -33,47 +33,6 @@ pair_state (const QnPairSprings *springs, const double *force, double largest)
   return state;
 }
 
-/* A block and how far it moves, for sorting. */
-typedef struct Mover {
-  double size;
-  QnId block;
-} Mover;
-
-static int
-compare_movers (const void *a, const void *b)
-{
-  const Mover *x = a, *y = b;
-
-  if (x->size != y->size)
-    return x->size < y->size ? 1 : -1;
-  return (x->block > y->block) - (x->block < y->block);
-}
-
-static QnStatus
-keep_unstable (QnResult *result, const QnModel *model, const double *velocities,
-               QnDiag *diag)
-{
-  Mover *movers = qn_alloc (model->block_count, sizeof *movers);
-  double length = model->characteristic_length;
-
-  result->unstable_blocks = qn_alloc (model->block_count, sizeof (QnId));
-  if (!movers || !result->unstable_blocks) {
-    free (movers);
-    return qn_diag_no_memory (diag);
-  }
-  for (size_t b = 0; b < model->block_count; b++) {
-    const double *v = velocities + b * QN_DOF_COUNT;
-    movers[b].block = (QnId) b;
-    movers[b].size = hypot (hypot (v[QN_DOF_UX], v[QN_DOF_UY]), v[QN_DOF_RZ] * length);
-  }
-  qsort (movers, model->block_count, sizeof *movers, compare_movers);
-  for (size_t b = 0; b < model->block_count; b++)
-    if (movers[b].size > QN_UNSTABLE_RIGID * movers[0].size)
-      result->unstable_blocks[result->unstable_count++] = movers[b].block;
-  free (movers);
-  return QN_OK;
-}
-
 static QnStatus
 keep_solution (QnResult *result, const QnModel *model, const QnContacts *contacts,
                const QnLimitSolution *solution, QnDiag *diag)
@@ -122,7 +81,6 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
     break;
   }
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
-    status = keep_unstable (result, model, solution->velocities, diag);
     break;
   case QN_OUTCOME_UNBOUNDED:
   case QN_OUTCOME_TARGET_REACHED:
@@ -136,6 +94,8 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
   if (!status)
     status = qn_result_set_mechanism (result, solution->velocities,
                                       model->characteristic_length, diag);
+  if (!status && solution->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    status = qn_result_name_unstable (result, model->characteristic_length, true, diag);
   return status;
 }
 

@@ -277,7 +277,7 @@ qn_inertia_count (QnInertia *inertia, const double *ax, QnInertiaCount *count)
   return inertia->n > DENSE || count_dense (inertia, ax, largest, count);
 }
 
-QnFactorStatus
+QnSolveStatus
 qn_inertia_solve (QnInertia *inertia, double *b)
 {
   const Order *order = &inertia->orders[inertia->used];
@@ -288,7 +288,7 @@ qn_inertia_solve (QnInertia *inertia, double *b)
   cholmod_dense *solution =
     cholmod_solve (CHOLMOD_A, order->factor, inertia->right, &inertia->common);
   if (solution == NULL)
-    return QN_FACTOR_NO_MEMORY;
+    return QN_SOLVE_NO_MEMORY;
   const double *x = solution->x;
   bool finite = true;
   for (int32_t i = 0; i < inertia->n; i++) {
@@ -296,5 +296,5 @@ qn_inertia_solve (QnInertia *inertia, double *b)
     finite = finite && isfinite (b[i]);
   }
   cholmod_free_dense (&solution, &inertia->common);
-  return finite ? QN_FACTOR_OK : QN_FACTOR_SINGULAR;
+  return finite ? QN_SOLVE_CONVERGED : QN_SOLVE_FAILED;
 }

@@ -48,7 +48,7 @@ void qn_inertia_free (QnInertia *inertia);
 bool qn_inertia_count (QnInertia *inertia, const double *ax, QnInertiaCount *count);
 
 /* Overwrites b (length n) with S \ b of the last matrix, by the factors without exchanges:
- * QN_FACTOR_SINGULAR where these are not accurate enough. */
-QnFactorStatus qn_inertia_solve (QnInertia *inertia, double *b);
+ * QN_SOLVE_FAILED where these are not accurate enough. */
+QnSolveStatus qn_inertia_solve (QnInertia *inertia, double *b);
 
 #endif

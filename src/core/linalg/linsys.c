@@ -23,12 +23,12 @@ struct QnLinsys {
   /* KLU takes its read-only arguments without const. */
   int32_t *ap, *ai;
   QnBlockLu *blocks;
-  double *trial;    /* n: right-hand side that the last factorisation was tried on, */
-  double *solution; /* its solution where it is not requested, */
-  double *left;     /* and what that leaves */
-  bool pivoted;     /* the last factorisation is KLU's */
-  QnFactorStatus status; /* of the last factorisation, */
-  double work;           /* and what part of a whole one it took */
+  double *trial;        /* n: right-hand side that the last factorisation was tried on, */
+  double *solution;     /* its solution where it is not requested, */
+  double *left;         /* and what that leaves */
+  bool pivoted;         /* the last factorisation is KLU's */
+  QnSolveStatus status; /* of the last factorisation, */
+  double work;          /* and what part of a whole one it took */
   klu_common common;
   klu_symbolic *symbolic; /* NULL until it is needed */
   klu_numeric *numeric;
@@ -95,44 +95,26 @@ sign_of_permutation (const int32_t *permutation, int32_t n, bool *visited)
   return sign;
 }
 
-static QnFactorStatus
-factor_anew (QnLinsys *system, double *ax)
-{
-  klu_free_numeric (&system->numeric, &system->common);
-  system->numeric =
-    klu_factor (system->ap, system->ai, ax, system->symbolic, &system->common);
-  if (system->common.status == KLU_SINGULAR)
-    return QN_FACTOR_SINGULAR;
-  if (system->numeric == NULL)
-    return QN_FACTOR_NO_MEMORY;
-  system->parity =
-    sign_of_permutation (system->numeric->Pnum, system->n, system->visited)
-    * sign_of_permutation (system->symbolic->Q, system->n, system->visited);
-  klu_rcond (system->symbolic, system->numeric, &system->common);
-  return system->common.rcond > QN_TOLERANCE_SINGULAR ? QN_FACTOR_OK : QN_FACTOR_SINGULAR;
-}
-
-static QnFactorStatus
+static QnSolveStatus
 factor_pivoting (QnLinsys *system, double *ax)
 {
   if (system->symbolic == NULL)
     system->symbolic = klu_analyze (system->n, system->ap, system->ai, &system->common);
   if (system->symbolic == NULL)
-    return QN_FACTOR_NO_MEMORY;
+    return QN_SOLVE_NO_MEMORY;
+  klu_free_numeric (&system->numeric, &system->common);
+  system->numeric =
+    klu_factor (system->ap, system->ai, ax, system->symbolic, &system->common);
+  if (system->common.status == KLU_SINGULAR)
+    return QN_SOLVE_FAILED;
   if (system->numeric == NULL)
-    return factor_anew (system, ax);
-
-  /* Same pivots as last time, as long as that does not amplify rounding. */
-  if (klu_refactor (system->ap, system->ai, ax, system->symbolic, system->numeric,
-                    &system->common)
-      && system->common.status == KLU_OK
-      && klu_rgrowth (system->ap, system->ai, ax, system->symbolic, system->numeric,
-                      &system->common)
-      && system->common.rgrowth > QN_TOLERANCE_PIVOT_GROWTH
-      && klu_rcond (system->symbolic, system->numeric, &system->common)
-      && system->common.rcond > QN_TOLERANCE_SINGULAR)
-    return QN_FACTOR_OK;
-  return factor_anew (system, ax);
+    return QN_SOLVE_NO_MEMORY;
+  system->parity =
+    sign_of_permutation (system->numeric->Pnum, system->n, system->visited)
+    * sign_of_permutation (system->symbolic->Q, system->n, system->visited);
+  klu_rcond (system->symbolic, system->numeric, &system->common);
+  return system->common.rcond > QN_TOLERANCE_SINGULAR ? QN_SOLVE_CONVERGED
+                                                      : QN_SOLVE_FAILED;
 }
 
 /* --- Which of the two ------------------------------------------------------------------- */
@@ -202,7 +184,7 @@ is_zero (const double *b, int32_t n)
   return i == n;
 }
 
-QnFactorStatus
+QnSolveStatus
 qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse reuse,
                             double *b)
 {
@@ -215,7 +197,7 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse re
   } else {
     pivots = qn_block_lu_refactor (system->blocks, ax, &system->work);
     if (system->work == 0 && system->n > 0) { /* the same matrix */
-      if (b != NULL && system->status == QN_FACTOR_OK)
+      if (b != NULL && system->status == QN_SOLVE_CONVERGED)
         qn_linsys_solve (system, b);
       return system->status;
     }
@@ -226,20 +208,20 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse re
   if (pivots > 0) {
     Trial trial = try_blocks (system, ax, zero ? system->solution : b);
     if (pivots > QN_TOLERANCE_SINGULAR && backward_error (&trial) < QN_TOLERANCE_BACKWARD)
-      return system->status = QN_FACTOR_OK;
+      return system->status = QN_SOLVE_CONVERGED;
     if (proves_singular (&trial))
-      return system->status = QN_FACTOR_SINGULAR;
+      return system->status = QN_SOLVE_FAILED;
   }
   system->pivoted = true;
   system->status = factor_pivoting (system, (double *) ax);
-  if (!zero && system->status == QN_FACTOR_OK) {
+  if (!zero && system->status == QN_SOLVE_CONVERGED) {
     memcpy (b, system->trial, (size_t) system->n * sizeof *b);
     qn_linsys_solve (system, b);
   }
   return system->status;
 }
 
-QnFactorStatus
+QnSolveStatus
 qn_linsys_factor (QnLinsys *system, const double *ax)
 {
   return qn_linsys_factor_and_solve (system, ax, QN_LINSYS_REPEATED, NULL);

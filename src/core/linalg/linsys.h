@@ -13,11 +13,15 @@
 
 typedef struct QnLinsys QnLinsys;
 
+/* What became of a linear system, or of equilibrium (core/equilibrium). */
 typedef enum {
-  QN_FACTOR_OK,
-  QN_FACTOR_SINGULAR, /* to working precision */
-  QN_FACTOR_NO_MEMORY
-} QnFactorStatus;
+  QN_SOLVE_CONVERGED,
+  QN_SOLVE_MECHANISM, /* relaxation ended in steady motion: no equilibrium at this load */
+  QN_SOLVE_FAILED, /* singular to working precision; iteration budget spent, or the line search found
+                         no descent */
+  QN_SOLVE_CANCELLED,
+  QN_SOLVE_NO_MEMORY
+} QnSolveStatus;
 
 /* For an n x n unsymmetric matrix in compressed columns with a structurally symmetric pattern
  * (column pointers ap, n + 1 of them; sorted row indices ai). The pattern is borrowed and
@@ -35,12 +39,12 @@ typedef enum {
 } QnLinsysReuse;
 
 /* Factorises the matrix with the values ax. */
-QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
+QnSolveStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 
 /* The same, and overwrites b (length n) with its solution. Factorisations are judged by a solution
- * in any case: here by this one. b is undefined unless QN_FACTOR_OK is returned. */
-QnFactorStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
-                                           QnLinsysReuse reuse, double *b);
+ * in any case: here by this one. b is undefined unless QN_SOLVE_CONVERGED is returned. */
+QnSolveStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
+                                          QnLinsysReuse reuse, double *b);
 
 /* What part of the work of a whole factorisation the last one took. */
 double qn_linsys_work (const QnLinsys *system);

@@ -39,16 +39,11 @@ factorize (Pencil *pencil, QnDiag *diag)
   for (int32_t k = 0; k < as->ap[pencil->n]; k++)
     as->ax[k] -= pencil->shift * pencil->proof.mass[k];
 
-  switch (qn_linsys_factor (pencil->linsys, as->ax)) {
-  case QN_FACTOR_OK:
-    return QN_OK;
-  case QN_FACTOR_SINGULAR:
+  QnSolveStatus solved = qn_linsys_factor (pencil->linsys, as->ax);
+  if (solved == QN_SOLVE_FAILED)
     return qn_diag_set_field (diag, QN_PROBLEM_STATE_SINGULAR, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
-  case QN_FACTOR_NO_MEMORY:
-    break;
-  }
-  return qn_diag_no_memory (diag);
+  return solved == QN_SOLVE_CONVERGED ? QN_OK : qn_diag_no_memory (diag);
 }
 
 /* y = M x */

@@ -47,7 +47,7 @@ qn_path_count_inertia (QnPath *path, QnInertiaCount *count)
   return true;
 }
 
-QnFactorStatus
+QnSolveStatus
 qn_path_lowest_motion (QnPath *path, double *motion)
 {
   const QnAssembly *as = &path->equilibrium.assembly;
@@ -57,14 +57,14 @@ qn_path_lowest_motion (QnPath *path, double *motion)
   for (int k = 0; k < INVERSE_ITERATIONS; k++) {
     for (size_t s = 0; s < as->settling_count; s++)
       motion[as->settling[s].unknown] = 0;
-    QnFactorStatus solved = qn_inertia_solve (path->inertia, motion);
-    if (solved != QN_FACTOR_OK)
+    QnSolveStatus solved = qn_inertia_solve (path->inertia, motion);
+    if (solved != QN_SOLVE_CONVERGED)
       return solved;
     double largest = qn_largest (motion, (size_t) as->unknown_count);
     for (int32_t i = 0; i < as->unknown_count && largest > 0; i++)
       motion[i] /= largest;
   }
-  return QN_FACTOR_OK;
+  return QN_SOLVE_CONVERGED;
 }
 
 /* The motion with the lowest eigenvalue, which is negative; `diagonal` is scratch. MECHANISM, CANCELLED or
@@ -90,7 +90,7 @@ find_motion (QnPath *path, double *diagonal)
       return QN_SOLVE_NO_MEMORY;
     *(count.negative > 0 ? &high : &low) = middle;
   }
-  return qn_path_lowest_motion (path, eq->motion) == QN_FACTOR_NO_MEMORY
+  return qn_path_lowest_motion (path, eq->motion) == QN_SOLVE_NO_MEMORY
            ? QN_SOLVE_NO_MEMORY
            : QN_SOLVE_MECHANISM;
 }
@@ -105,8 +105,8 @@ count_with_measure (QnEquilibrium *eq, const double *held, double *scratch,
   double along = 0;
 
   memcpy (scratch, held, (size_t) n * sizeof *scratch);
-  QnSolveStatus status = qn_solve_status_of (
-    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, scratch));
+  QnSolveStatus status =
+    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, scratch);
   if (status != QN_SOLVE_CONVERGED)
     return status;
   for (int32_t i = 0; i < n; i++)
@@ -141,10 +141,10 @@ qn_path_judge_stability (QnPath *path, const double *held, bool proves)
     if (count.negative == 0)
       return QN_SOLVE_CONVERGED;
   } else if (!symmetric) {
-    QnFactorStatus factored = qn_linsys_factor (eq->linsys, as->ax);
-    if (factored == QN_FACTOR_NO_MEMORY)
-      return QN_SOLVE_NO_MEMORY;
-    if (factored == QN_FACTOR_SINGULAR || qn_linsys_sign (eq->linsys) > 0)
+    QnSolveStatus factored = qn_linsys_factor (eq->linsys, as->ax);
+    if (factored == QN_SOLVE_NO_MEMORY)
+      return factored;
+    if (factored == QN_SOLVE_FAILED || qn_linsys_sign (eq->linsys) > 0)
       return QN_SOLVE_CONVERGED;
   }
   return find_motion (path, path->displacements);

@@ -135,52 +135,6 @@ qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag)
                                   path->model->characteristic_length, diag);
 }
 
-/* Blocks by how fast they move, for a stable order by index among equals. */
-typedef struct {
-  double speed;
-  QnId block;
-} MovingBlock;
-
-static int
-compare_speed (const void *a, const void *b)
-{
-  const MovingBlock *one = a, *other = b;
-
-  if (one->speed != other->speed)
-    return one->speed > other->speed ? -1 : 1;
-  return one->block - other->block;
-}
-
-/* Blocks that move at a tenth of the greatest speed or more: those that fall, without those
- * that are merely dragged along. */
-static QnStatus
-record_unstable_blocks (QnPath *path, QnDiag *diag)
-{
-  QnResult *result = path->result;
-  const double *v = result->mechanism;
-  size_t count = result->block_count;
-  MovingBlock *moving = qn_alloc (count, sizeof *moving);
-
-  result->unstable_blocks = qn_alloc (count, sizeof *result->unstable_blocks);
-  if (moving == NULL || result->unstable_blocks == NULL) {
-    free (moving);
-    return qn_diag_no_memory (diag);
-  }
-  for (size_t b = 0; b < count; b++) {
-    double turning = fabs (v[3 * b + 2]) * path->model->characteristic_length;
-    moving[b] = (MovingBlock){ fmax (hypot (v[3 * b], v[3 * b + 1]), turning), (QnId) b };
-  }
-  qsort (moving, count, sizeof *moving, compare_speed);
-  while (result->unstable_count < count && moving[0].speed > 0
-         && moving[result->unstable_count].speed >= QN_UNSTABLE_SHARE * moving[0].speed) {
-    result->unstable_blocks[result->unstable_count] =
-      moving[result->unstable_count].block;
-    result->unstable_count++;
-  }
-  free (moving);
-  return QN_OK;
-}
-
 bool
 qn_path_slips (const QnAssembly *as)
 {
@@ -314,7 +268,9 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
   case QN_SOLVE_MECHANISM: {
     path->result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
     QnStatus status = qn_path_record_mechanism (path, eq->motion, diag);
-    return status == QN_OK ? record_unstable_blocks (path, diag) : status;
+    return status == QN_OK ? qn_result_name_unstable (
+             path->result, path->model->characteristic_length, false, diag)
+                           : status;
   }
   case QN_SOLVE_FAILED:
     path->result->outcome = QN_OUTCOME_NOT_CONVERGED;

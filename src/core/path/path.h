@@ -81,7 +81,7 @@ QnSolveStatus qn_path_stay (QnPath *path, double far);
 /* Inertia of the tangent last assembled, and the motion that it resists least, of which the largest entry is 1:
  * it is next to singular. False when memory runs out; SINGULAR: it is as far as it is known. */
 bool qn_path_count_inertia (QnPath *path, QnInertiaCount *count);
-QnFactorStatus qn_path_lowest_motion (QnPath *path, double *motion);
+QnSolveStatus qn_path_lowest_motion (QnPath *path, double *motion);
 
 /* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
  * (path-stages.c). *stands is false where there is no equilibrium under dead load. */

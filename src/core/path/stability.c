@@ -72,10 +72,10 @@ record_mode (Search *search, QnDiag *diag)
   QnStatus status = check_state (search, &stable, diag);
   if (status != QN_OK)
     return status;
-  QnFactorStatus solved = qn_path_lowest_motion (&search->path, eq->motion);
-  if (solved == QN_FACTOR_NO_MEMORY)
+  QnSolveStatus solved = qn_path_lowest_motion (&search->path, eq->motion);
+  if (solved == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
-  return solved == QN_FACTOR_OK
+  return solved == QN_SOLVE_CONVERGED
            ? qn_path_record_mechanism (&search->path, eq->motion, diag)
            : QN_OK;
 }

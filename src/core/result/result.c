@@ -415,3 +415,45 @@ qn_result_set_mechanism (QnResult *result, const double *velocities,
   result->mechanism = mechanism;
   return QN_OK;
 }
+
+/* A block and how fast it moves, for a stable order by index among equals. */
+typedef struct {
+  double speed;
+  QnId block;
+} Mover;
+
+static int
+compare_movers (const void *a, const void *b)
+{
+  const Mover *one = a, *other = b;
+
+  if (one->speed != other->speed)
+    return one->speed > other->speed ? -1 : 1;
+  return one->block - other->block;
+}
+
+QnStatus
+qn_result_name_unstable (QnResult *result, double length, bool rigid, QnDiag *diag)
+{
+  size_t count = result->block_count;
+  Mover *movers = qn_alloc (count, sizeof *movers);
+
+  result->unstable_blocks = qn_alloc (count, sizeof *result->unstable_blocks);
+  if (movers == NULL || result->unstable_blocks == NULL) {
+    free (movers);
+    return qn_diag_no_memory (diag);
+  }
+  for (size_t b = 0; b < count; b++) {
+    const double *v = result->mechanism + QN_DOF_COUNT * b;
+    double shift = hypot (v[QN_DOF_UX], v[QN_DOF_UY]),
+           turn = fabs (v[QN_DOF_RZ]) * length;
+    movers[b] = (Mover){ rigid ? hypot (shift, turn) : fmax (shift, turn), (QnId) b };
+  }
+  qsort (movers, count, sizeof *movers, compare_movers);
+  for (size_t b = 0; b < count && movers[0].speed > 0; b++)
+    if (rigid ? movers[b].speed > QN_UNSTABLE_RIGID * movers[0].speed
+              : movers[b].speed >= QN_UNSTABLE_SHARE * movers[0].speed)
+      result->unstable_blocks[result->unstable_count++] = movers[b].block;
+  free (movers);
+  return QN_OK;
+}

@@ -467,6 +467,11 @@ int32_t qn_result_cycle_start (const QnModel *model, const QnResult *result,
 QnStatus qn_result_set_mechanism (QnResult *result, const double *velocities,
                                   double characteristic_length, QnDiag *diag);
 
+/* Lists the blocks that fall, the fastest first: those that move in the mechanism by QN_UNSTABLE_SHARE of
+ * the fastest or more, or where blocks are `rigid` by more than QN_UNSTABLE_RIGID. */
+QnStatus qn_result_name_unstable (QnResult *result, double characteristic_length,
+                                  bool rigid, QnDiag *diag);
+
 /* Rows of displacements and mechanism: blocks, then nodes. */
 static inline size_t
 qn_result_body_count (const QnResult *result)

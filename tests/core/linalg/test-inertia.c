@@ -65,7 +65,7 @@ test_solve (void)
   g_assert_cmpint (found.negative, >, 0);
   for (int i = 0; i < N; i++)
     b[i] = i + 1;
-  g_assert_cmpint (qn_inertia_solve (inertia, b), ==, QN_FACTOR_OK);
+  g_assert_cmpint (qn_inertia_solve (inertia, b), ==, QN_SOLVE_CONVERGED);
   for (int32_t j = 0; j < N; j++)
     for (int32_t k = ap[j]; k < ap[j + 1]; k++)
       product[ai[k]] += ax[k] * b[j];
