@@ -39,9 +39,7 @@ typedef struct {
   double *displacements; /* scratch, a row for every body */
   double *distances;     /* scratch, of blocks, m */
   double *row;           /* scratch, of the history */
-  QnBeamForces *beam_forces;
-  QnTieResult *ties;
-  double peak;                         /* largest displacement so far, m */
+  double peak;           /* largest displacement so far, m */
   double largest_error, largest_input; /* of the energy balance, J */
   double rest_speed, rest_time;        /* m/s, s */
   double still_since;                  /* s; negative: it moves */
@@ -63,8 +61,6 @@ time_of (const Run *run, int64_t tick)
 static bool
 keep_step (Run *run, QnEvent event)
 {
-  QnAssembly *as = &run->eq->assembly;
-  QnResult *result = run->result;
   const QnStatistics *spent = &run->eq->statistics;
   QnStep step = { .iterations = spent->iterations - run->iterations_at_step,
                   .residual = run->residual,
@@ -74,28 +70,11 @@ keep_step (Run *run, QnEvent event)
   run->iterations_at_step = spent->iterations;
   run->kept = run->now;
   run->eq->progress.steps++;
-  qn_assembly_expand (as, run->eq->u, run->displacements);
-  if (!qn_result_add_step (result, step, run->displacements))
+  if (!qn_record_step (run->eq, run->moving, 0, step, run->result))
     return false;
-  qn_assembly_expand_rates (as, run->eq->u, run->step.start.v, run->displacements);
-  if (!qn_result_add_velocities (result, run->displacements))
-    return false;
-  qn_beam_assembly_forces (&as->beams, 0, run->beam_forces);
-  if (run->model->element_count > 0
-      && !qn_result_add_beam_forces (result, run->beam_forces))
-    return false;
-  qn_beam_assembly_ties (&as->beams, run->ties);
-  if (!qn_result_add_ties (result, run->ties))
-    return false;
-  qn_assembly_reactions (as, 0, run->displacements);
-  if (!qn_result_add_reactions (result, run->displacements))
-    return false;
-  if (run->moving == NULL)
-    qn_assembly_pair_results (as, run->eq->u, result->pairs);
-  else if (!qn_moving_contacts_record (run->moving, run->eq, step.time,
-                                       (int32_t) result->step_count - 1, result))
-    return false;
-  return qn_result_add_forces (result, run->model->analysis.all_forces);
+  qn_assembly_expand_rates (&run->eq->assembly, run->eq->u, run->step.start.v,
+                            run->displacements);
+  return qn_result_add_velocities (run->result, run->displacements);
 }
 
 static bool
@@ -426,9 +405,6 @@ set_up (Run *run, QnDiag *diag)
   run->displacements = qn_pool_alloc (&run->pool, bodies, sizeof *run->displacements);
   run->distances = qn_pool_alloc (&run->pool, model->block_count, sizeof *run->distances);
   run->row = qn_pool_alloc (&run->pool, history->width, sizeof *run->row);
-  run->beam_forces =
-    qn_pool_alloc (&run->pool, model->element_count, sizeof *run->beam_forces);
-  run->ties = qn_pool_alloc (&run->pool, model->tie_count, sizeof *run->ties);
   if (history->peaks == NULL || run->pool.failed || !qn_ground_init (&run->ground, model))
     return qn_diag_no_memory (diag);
   qn_assembly_expand (&run->eq->assembly, run->eq->u, run->start);

@@ -370,3 +370,37 @@ qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq, do
   }
   return true;
 }
+
+bool
+qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
+                QnStep step, QnResult *result)
+{
+  QnAssembly *as = &eq->assembly;
+  const QnModel *model = as->model;
+  QnPool pool = { 0 };
+  double *rows =
+    qn_pool_alloc (&pool, qn_model_body_count (model) * QN_DOF_COUNT, sizeof *rows);
+  QnBeamForces *forces = qn_pool_alloc (&pool, model->element_count, sizeof *forces);
+  QnTieResult *ties = qn_pool_alloc (&pool, model->tie_count, sizeof *ties);
+  bool ok = !pool.failed;
+
+  if (ok) {
+    qn_assembly_expand (as, eq->u, rows);
+    ok = qn_result_add_step (result, step, rows);
+    qn_beam_assembly_forces (&as->beams, multiplier, forces);
+    ok = ok && (model->element_count == 0 || qn_result_add_beam_forces (result, forces));
+    qn_beam_assembly_ties (&as->beams, ties);
+    ok = ok && qn_result_add_ties (result, ties);
+    qn_assembly_reactions (as, multiplier, rows);
+    ok = ok && qn_result_add_reactions (result, rows);
+    if (moving == NULL)
+      qn_assembly_pair_results (as, eq->u, result->pairs);
+    else
+      ok = ok
+           && qn_moving_contacts_record (moving, eq, step.time,
+                                         (int32_t) result->step_count - 1, result);
+    ok = ok && qn_result_add_forces (result, model->analysis.all_forces);
+  }
+  qn_pool_clear (&pool);
+  return ok;
+}

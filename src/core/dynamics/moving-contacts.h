@@ -41,6 +41,11 @@ QnStatus qn_moving_contacts_update (QnMovingContacts *moving, QnEquilibrium *eq,
                                     double margin, double time, QnResult *result,
                                     bool *changed, QnDiag *diag);
 
+/* Adds the state of eq, evaluated and with its loads at this multiplier, to the result as a step. Contacts
+ * follow the blocks unless `moving` is NULL. False when memory runs out. */
+bool qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
+                     QnStep step, QnResult *result);
+
 /* The current state: pairs as drawn into result->pairs, and, where `step_index` is not negative, forces of
  * found contacts for that step. Found contacts that carry something are noted. */
 bool qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq,

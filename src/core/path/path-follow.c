@@ -39,17 +39,3 @@ qn_path_begin_to_follow (QnPath *path, bool asked, QnDiag *diag)
   path->follows = true;
   return qn_moving_contacts_init (&path->moving, as, diag);
 }
-
-bool
-qn_path_record_pairs (QnPath *path)
-{
-  QnEquilibrium *eq = &path->equilibrium;
-  QnResult *result = path->result;
-  size_t step = result->step_count - 1;
-
-  if (path->follows)
-    return qn_moving_contacts_record (&path->moving, eq, (double) step, (int32_t) step,
-                                      result);
-  qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
-  return true;
-}

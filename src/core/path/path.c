@@ -33,9 +33,6 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
 
   path->displacements = qn_pool_alloc (
     &path->pool, qn_model_body_count (model) * QN_DOF_COUNT, sizeof (double));
-  path->beam_forces =
-    qn_pool_alloc (&path->pool, model->element_count, sizeof *path->beam_forces);
-  path->ties = qn_pool_alloc (&path->pool, model->tie_count, sizeof *path->ties);
   return !path->pool.failed && qn_result_set_supports (result, model)
            ? QN_OK
            : qn_diag_no_memory (diag);
@@ -93,21 +90,8 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
   eq->keeps_forces = false;
   eq->progress.multiplier = step.multiplier;
   eq->progress.steps++;
-  qn_assembly_expand (&eq->assembly, eq->u, path->displacements);
-  if (!qn_result_add_step (path->result, step, path->displacements))
-    return false;
-  qn_beam_assembly_forces (&eq->assembly.beams, multiplier, path->beam_forces);
-  if (path->model->element_count > 0
-      && !qn_result_add_beam_forces (path->result, path->beam_forces))
-    return false;
-  qn_beam_assembly_ties (&eq->assembly.beams, path->ties);
-  if (!qn_result_add_ties (path->result, path->ties))
-    return false;
-  qn_assembly_reactions (&eq->assembly, multiplier, path->displacements);
-  if (!qn_result_add_reactions (path->result, path->displacements))
-    return false;
-  return qn_path_record_pairs (path)
-         && qn_result_add_forces (path->result, path->settings->all_forces);
+  return qn_record_step (eq, path->follows ? &path->moving : NULL, multiplier, step,
+                         path->result);
 }
 
 void

@@ -45,8 +45,6 @@ typedef struct QnPath {
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
   QnInertia *inertia;         /* of the tangent; NULL until it is asked for */
   double *displacements;      /* scratch, a row for every body; reactions too */
-  QnBeamForces *beam_forces;  /* scratch, by element */
-  QnTieResult *ties;          /* scratch */
   int32_t iterations_at_step; /* statistics when the last step was recorded, */
   int64_t commits_at_step;    /* and commits of the assembly */
 } QnPath;
@@ -94,10 +92,6 @@ QnStatus qn_path_begin_to_follow (QnPath *path, bool asked, QnDiag *diag);
 /* Changes the contacts at the committed state. *changed: what belonged to the pairs of the assembly is to
  * be made anew. */
 QnStatus qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag);
-
-/* The pairs at the committed state become those of the result; found ones of its last step. False when
- * memory runs out. */
-bool qn_path_record_pairs (QnPath *path);
 
 /* Whether friction is at its limit somewhere. */
 bool qn_path_slips (const QnAssembly *assembly);
