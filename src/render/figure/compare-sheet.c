@@ -283,8 +283,10 @@ draw_sheet_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
     g_ptr_array_new_with_free_func ((GDestroyNotify) qn_scene_free);
   for (size_t i = 0; i < sheet->count; i++) {
     const QnFigure *figure = &sheet->figures[i];
-    QnScene *scene = qn_scene_build (figure->model, figure->contacts, figure->result,
-                                     &figure->options, error);
+    QnViewOptions options = figure->options;
+    options.counts = false; /* one legend is of all pictures */
+    QnScene *scene =
+      qn_scene_build (figure->model, figure->contacts, figure->result, &options, error);
     if (scene == NULL) {
       const char *title = qn_figure_title (figure);
       g_prefix_error (error, "%s: ", title != NULL ? title : _ ("untitled"));

@@ -117,7 +117,7 @@ qn_build_joints (QnSceneBuilder *b)
     }
   }
   /* Of a mechanism as many as its text counts, also where symbols are left out since joints are too short. */
-  bool counts = b->options->view == QN_VIEW_MECHANISM;
+  bool counts = b->options->view == QN_VIEW_MECHANISM && b->options->counts;
   g_autofree char *hinges =
     counts ? g_strdup_printf (_ ("hinge (%d)"), tally.hinge) : g_strdup (_ ("hinge"));
   g_autofree char *slides = counts

@@ -38,6 +38,7 @@ qn_view_options_init (QnViewOptions *options, QnView view)
     .phase = 1,
     .ghost = true,
     .symbols = true,
+    .counts = true,
     .loads = view == QN_VIEW_MODEL,
     .dimensions = view == QN_VIEW_MODEL,
     .legend = true,

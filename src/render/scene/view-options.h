@@ -72,6 +72,7 @@ typedef struct QnViewOptions {
   double phase; /* further factor on displacements for animation, 1 = full */
   bool ghost;   /* undeformed outline behind the deformed structure */
   bool symbols; /* open, sliding and hinging joints */
+  bool counts;  /* MECHANISM: of hinges and sliding joints, in the legend */
   bool loads;
   bool dimensions;
   bool names;            /* of blocks */

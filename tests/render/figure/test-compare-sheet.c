@@ -5,6 +5,22 @@
 #include <glib/gstdio.h>
 #include <string.h>
 
+/* The legend is of all pictures: each mark once, without a number of its own for each. */
+static void
+check_legend (const char *svg)
+{
+  static const char *const marks[] = { "open joint", "hinge", "sliding joint" };
+  guint told = 0;
+  for (gsize i = 0; i < G_N_ELEMENTS (marks); i++) {
+    g_autofree char *text = g_strconcat (">", marks[i], NULL);
+    g_auto (GStrv) parts = g_strsplit (svg, text, -1);
+    g_assert_cmpuint (g_strv_length (parts), <=, 2);
+    g_assert_true (parts[1] == NULL || parts[1][0] == '<');
+    told += parts[1] != NULL;
+  }
+  g_assert_cmpuint (told, >, 1);
+}
+
 static void
 test_formats (void)
 {
@@ -33,6 +49,8 @@ test_formats (void)
     g_assert_no_error (error);
     g_assert_true (g_file_get_contents (path, &content, &length, NULL));
     g_assert_cmpint (strncmp (content, starts[i], 4), ==, 0);
+    if (g_str_has_suffix (path, ".svg"))
+      check_legend (content);
     g_unlink (path);
   }
   for (int i = 0; i < 3; i++)
