@@ -30,43 +30,24 @@ typedef struct Form {
   Dialog *dialog;
 } Form;
 
-enum {
-  WHAT,
-  FORMAT,
-  WIDTH,
-  HEIGHT,
-  FRAMES,
-  RATE,
-  SPEED,
-  SCALE,
-  ONCE,
-  CURVE,
-  MONOCHROME,
-  FIELDS,
-  FACTS,
-  PROGRESS,
-  EXPORT,
-  CANCEL
-};
-
-static const QnFormField fields[] = {
-  [WHAT] = { .id = "what" },
-  [FORMAT] = { .id = "format" },
-  [WIDTH] = { .id = "width" },
-  [HEIGHT] = { .id = "height" },
-  [FRAMES] = { .id = "frames" },
-  [RATE] = { .id = "rate" },
-  [SPEED] = { .id = "speed" },
-  [SCALE] = { .id = "scale" },
-  [ONCE] = { .id = "once" },
-  [CURVE] = { .id = "curve" },
-  [MONOCHROME] = { .id = "monochrome" },
-  [FIELDS] = { .id = "fields" },
-  [FACTS] = { .id = "facts" },
-  [PROGRESS] = { .id = "progress" },
-  [EXPORT] = { .id = "export" },
-  [CANCEL] = { .id = "cancel" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (WHAT, "what", NULL)                                                             \
+  FIELD (FORMAT, "format", NULL)                                                         \
+  MEMBER (WIDTH, "width", NULL, QnAnimationSettings, width)                              \
+  MEMBER (HEIGHT, "height", NULL, QnAnimationSettings, height)                           \
+  MEMBER (FRAMES, "frames", NULL, QnAnimationSettings, frames)                           \
+  FIELD (RATE, "rate", NULL)                                                             \
+  FIELD (SPEED, "speed", NULL)                                                           \
+  MEMBER (SCALE, "scale", NULL, QnAnimationSettings, scale)                              \
+  MEMBER (ONCE, "once", NULL, QnAnimationSettings, once)                                 \
+  MEMBER (CURVE, "curve", NULL, QnAnimationSettings, curve)                              \
+  MEMBER (MONOCHROME, "monochrome", NULL, QnAnimationSettings, monochrome)               \
+  FIELD (BOX, "fields", NULL)                                                            \
+  FIELD (FACTS, "facts", NULL)                                                           \
+  FIELD (PROGRESS, "progress", NULL)                                                     \
+  FIELD (EXPORT, "export", NULL)                                                         \
+  FIELD (CANCEL, "cancel", NULL)
+QN_FORM_FIELDS;
 
 static void
 dialog_clear (gpointer data)
@@ -239,6 +220,12 @@ dup_facts (const Dialog *dialog)
                           s->height, s->frames / s->rate);
 }
 
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  return &((Form *) form)->dialog->settings;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -257,34 +244,23 @@ show (gpointer data, guint field, QnValue *value)
     value->rows = g_strdupv ((char **) (has_webm () ? with_webm : formats));
     value->number = has_webm () ? dialog->format : dialog->format / 2;
     return TRUE;
-  case WIDTH:
-    value->number = s->width;
-    return TRUE;
-  case HEIGHT:
-    value->number = s->height;
-    return TRUE;
-  case FRAMES:
-    value->number = s->frames;
-    return TRUE;
   case RATE:
     value->number = s->rate;
     return TRUE;
   case SPEED:
     value->number = qn_animation_speed_of (result_of (dialog), s->rate, s->frames);
     return !mechanism && value->number > 0;
+  case WIDTH:
+  case HEIGHT:
+  case FRAMES:
   case SCALE:
-    value->number = s->scale;
+  case MONOCHROME:
     return TRUE;
   case ONCE:
-    value->number = s->once;
     return mechanism;
   case CURVE:
-    value->number = s->curve;
     return !mechanism;
-  case MONOCHROME:
-    value->number = s->monochrome;
-    return TRUE;
-  case FIELDS:
+  case BOX:
     value->disabled = busy;
     return TRUE;
   case FACTS:
@@ -303,21 +279,14 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   Dialog *dialog = ((Form *) data)->dialog;
   QnAnimationSettings *s = &dialog->settings;
-  gboolean on = value->number != 0.0;
   if (field == CANCEL)
     g_cancellable_cancel (dialog->cancellable);
   else if (field == EXPORT)
     on_export (dialog);
   else if (field == WHAT)
-    s->view = on ? QN_VIEW_DEFORMED : QN_VIEW_MECHANISM;
+    s->view = value->number != 0.0 ? QN_VIEW_DEFORMED : QN_VIEW_MECHANISM;
   else if (field == FORMAT)
     dialog->format = (int) value->number * (has_webm () ? 1 : 2);
-  else if (field == WIDTH)
-    s->width = qn_value_int (value);
-  else if (field == HEIGHT)
-    s->height = qn_value_int (value);
-  else if (field == FRAMES)
-    s->frames = qn_value_int (value);
   else if (field == RATE || field == SPEED) {
     const QnResult *result = result_of (dialog);
     double speed =
@@ -327,14 +296,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     double frames = speed > 0 ? qn_animation_frames_at (result, s->rate, speed) : 0;
     if (frames > 0)
       s->frames = (int) qn_to_integer (frames, 2, QN_MAX_FRAMES);
-  } else if (field == SCALE)
-    s->scale = value->number;
-  else if (field == ONCE)
-    s->once = on;
-  else if (field == CURVE)
-    s->curve = on;
-  else
-    s->monochrome = on;
+  }
   g_clear_pointer (&dialog->message, g_free);
   return TRUE;
 }
@@ -343,7 +305,8 @@ void
 qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                           const char *path)
 {
-  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("animation-dialog", Form);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("animation-dialog", Form, .subject = subject);
   Form *form = qn_bound_form_new (&kind, NULL);
   Dialog *dialog = form->dialog = g_atomic_rc_box_new0 (Dialog);
   form->base.clear = clear;

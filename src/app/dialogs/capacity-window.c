@@ -55,47 +55,26 @@ typedef struct Form {
   gboolean storing;
 } Form;
 
-enum {
-  MECHANISM,
-  CONTROL,
-  TAKE_SELECTED,
-  KIND,
-  AG,
-  SOIL,
-  DAMPING,
-  UNIT_OF_FILE,
-  FILE_BUTTON,
-  FILE_NAME,
-  CONFIDENCE,
-  FACTS,
-  PLOT,
-  TABLE,
-  FIND,
-  CANCEL,
-  EXPORT_PICTURE,
-  EXPORT_TABLE
-};
-
-static const QnFormField fields[] = {
-  [MECHANISM] = { .id = "mechanism" },
-  [CONTROL] = { .id = "control" },
-  [TAKE_SELECTED] = { .id = "take_selected" },
-  [KIND] = { .id = "kind" },
-  [AG] = { .id = "ag" },
-  [SOIL] = { .id = "soil" },
-  [DAMPING] = { .id = "damping" },
-  [UNIT_OF_FILE] = { .id = "unit" },
-  [FILE_BUTTON] = { .id = "file" },
-  [FILE_NAME] = { .id = "file_name" },
-  [CONFIDENCE] = { .id = "confidence" },
-  [FACTS] = { .id = "facts" },
-  [PLOT] = { .id = "plot" },
-  [TABLE] = { .id = "table" },
-  [FIND] = { .id = "find" },
-  [CANCEL] = { .id = "cancel" },
-  [EXPORT_PICTURE] = { .id = "export_picture" },
-  [EXPORT_TABLE] = { .id = "export_table" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (MECHANISM, "mechanism", NULL)                                                   \
+  FIELD (CONTROL, "control", NULL)                                                       \
+  FIELD (TAKE_SELECTED, "take_selected", NULL)                                           \
+  MEMBER (KIND, "kind", NULL, Form, kind)                                                \
+  FIELD (AG, "ag", NULL)                                                                 \
+  MEMBER (SOIL, "soil", NULL, Form, spectrum.soil)                                       \
+  MEMBER (DAMPING, "damping", NULL, Form, spectrum.damping)                              \
+  MEMBER (UNIT_OF_FILE, "unit", NULL, Form, unit)                                        \
+  FIELD (FILE_BUTTON, "file", NULL)                                                      \
+  FIELD (FILE_NAME, "file_name", NULL)                                                   \
+  MEMBER (CONFIDENCE, "confidence", NULL, Form, answer.confidence)                       \
+  FIELD (FACTS, "facts", NULL)                                                           \
+  FIELD (PLOT, "plot", NULL)                                                             \
+  FIELD (TABLE, "table", NULL)                                                           \
+  FIELD (FIND, "find", NULL)                                                             \
+  FIELD (CANCEL, "cancel", NULL)                                                         \
+  FIELD (EXPORT_PICTURE, "export_picture", NULL)                                         \
+  FIELD (EXPORT_TABLE, "export_table", NULL)
+QN_FORM_FIELDS;
 
 /* ---- the answer ---- */
 
@@ -378,6 +357,12 @@ fill_table (Form *form)
               (guint) i < cells->len ? cells->pdata[i] : "");
 }
 
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  return form;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -391,28 +376,19 @@ show (gpointer data, guint field, QnValue *value)
   case CONTROL:
     value->text = g_strdup (form->control != NULL ? form->control : "");
     return TRUE;
-  case KIND:
-    value->number = form->kind;
-    return TRUE;
   case AG:
     value->number = form->spectrum.ground_acceleration / STANDARD_GRAVITY;
     return code;
   case SOIL:
-    value->number = form->spectrum.soil;
-    return code;
   case DAMPING:
-    value->number = form->spectrum.damping;
     return code;
   case UNIT_OF_FILE:
-    value->number = form->unit;
-    return form->kind == FROM_FILE;
   case FILE_BUTTON:
     return form->kind == FROM_FILE;
   case FILE_NAME:
     value->text = form->file != NULL ? g_path_get_basename (form->file) : g_strdup ("");
     return form->kind == FROM_FILE && form->file != NULL;
   case CONFIDENCE:
-    value->number = form->answer.confidence;
     return form->kind != NONE;
   case FACTS:
     value->text = dup_facts (form);
@@ -469,27 +445,19 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case TAKE_SELECTED:
     take_selected (form);
     break;
-  case KIND:
-    form->kind = qn_value_int (value);
-    break;
   case AG:
     form->spectrum.ground_acceleration = value->number * STANDARD_GRAVITY;
     break;
-  case SOIL:
-    form->spectrum.soil = (QnSoil) qn_value_int (value);
-    break;
-  case DAMPING:
-    form->spectrum.damping = value->number;
-    break;
   case UNIT_OF_FILE:
-    form->unit = qn_value_int (value);
     if (form->file != NULL) {
       g_autofree char *path = g_strdup (form->file);
       read_points (form, path);
     }
     break;
+  case KIND:
+  case SOIL:
+  case DAMPING:
   case CONFIDENCE:
-    form->answer.confidence = value->number;
     break;
   case FILE_BUTTON:
     choose (form, _ ("Read Spectrum"), NULL, G_CALLBACK (on_points_chosen));
@@ -604,7 +572,8 @@ clear (gpointer data)
 void
 qn_capacity_window_show (GtkWindow *parent, QnDocument *document)
 {
-  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("capacity-window", Form);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("capacity-window", Form, .subject = subject);
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;

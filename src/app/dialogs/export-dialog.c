@@ -24,53 +24,33 @@ typedef struct Dialog {
   QnRecipe *recipe; /* what the fields say */
 } Dialog;
 
-enum {
-  VIEW,
-  DIAGRAM,
-  COLOURS,
-  TITLE,
-  CAPTION,
-  SWITCH, /* as qn_view_switches */
-  TRANSPARENT = SWITCH + 9,
-  FORMAT,
-  UNIT,
-  WIDTH,
-  HEIGHT,
-  DPI,
-  NAME,
-  TROUBLE,
-  PREVIEW,
-  EXPORT,
-  STORE
-};
-
-static const QnFormField fields[] = {
-  [VIEW] = { .id = "view" },
-  [DIAGRAM] = { .id = "diagram" },
-  [COLOURS] = { .id = "field" },
-  [TITLE] = { .id = "title" },
-  [CAPTION] = { .id = "caption" },
-  [SWITCH] = { .id = "ghost" },
-  [SWITCH + 1] = { .id = "symbols" },
-  [SWITCH + 2] = { .id = "loads" },
-  [SWITCH + 3] = { .id = "dimensions" },
-  [SWITCH + 4] = { .id = "names" },
-  [SWITCH + 5] = { .id = "values" },
-  [SWITCH + 6] = { .id = "legend" },
-  [SWITCH + 7] = { .id = "titles" },
-  [SWITCH + 8] = { .id = "monochrome" },
-  [TRANSPARENT] = { .id = "transparent" },
-  [FORMAT] = { .id = "format" },
-  [UNIT] = { .id = "unit" },
-  [WIDTH] = { .id = "width" },
-  [HEIGHT] = { .id = "height" },
-  [DPI] = { .id = "dpi" },
-  [NAME] = { .id = "name" },
-  [TROUBLE] = { .id = "trouble" },
-  [PREVIEW] = { .id = "preview" },
-  [EXPORT] = { .id = "export" },
-  [STORE] = { .id = "store" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  MEMBER (VIEW, "view", NULL, QnRecipe, view.view)                                       \
+  MEMBER (DIAGRAM, "diagram", NULL, QnRecipe, view.diagram)                              \
+  MEMBER (COLOURS, "field", NULL, QnRecipe, view.field)                                  \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (CAPTION, "caption", NULL)                                                       \
+  FIELD (SWITCH, "ghost", NULL) /* as qn_view_switches */                                \
+  FIELD (SYMBOLS, "symbols", NULL)                                                       \
+  FIELD (LOADS, "loads", NULL)                                                           \
+  FIELD (DIMENSIONS, "dimensions", NULL)                                                 \
+  FIELD (NAMES, "names", NULL)                                                           \
+  FIELD (VALUES, "values", NULL)                                                         \
+  FIELD (LEGEND, "legend", NULL)                                                         \
+  FIELD (TITLES, "titles", NULL)                                                         \
+  FIELD (MONOCHROME, "monochrome", NULL)                                                 \
+  MEMBER (TRANSPARENT, "transparent", NULL, QnRecipe, output.transparent)                \
+  MEMBER (FORMAT, "format", NULL, Dialog, format)                                        \
+  MEMBER (UNIT, "unit", NULL, QnRecipe, output.millimetres)                              \
+  MEMBER (WIDTH, "width", NULL, QnRecipe, output.width)                                  \
+  MEMBER (HEIGHT, "height", NULL, QnRecipe, output.height)                               \
+  MEMBER (DPI, "dpi", NULL, Dialog, dpi)                                                 \
+  FIELD (NAME, "name", NULL)                                                             \
+  FIELD (TROUBLE, "trouble", NULL)                                                       \
+  FIELD (PREVIEW, "preview", NULL)                                                       \
+  FIELD (EXPORT, "export", NULL)                                                         \
+  FIELD (STORE, "store", NULL)
+QN_FORM_FIELDS;
 
 static void
 clear (gpointer data)
@@ -239,22 +219,21 @@ on_store (Dialog *dialog)
 
 /* ---- fields ---- */
 
+static gpointer
+subject (gpointer data, QnModel *model, guint field)
+{
+  Dialog *dialog = data;
+  return field == FORMAT || field == DPI ? data : dialog->recipe;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   const Dialog *dialog = data;
   QnRecipe *recipe = dialog->recipe;
-  const QnOutput *output = &recipe->output;
   switch (field) {
-  case VIEW:
-    value->number = recipe->view.view;
-    return TRUE;
   case DIAGRAM:
-    value->number = recipe->view.diagram;
     return recipe->view.view == QN_VIEW_DIAGRAMS;
-  case COLOURS:
-    value->number = recipe->view.field;
-    return TRUE;
   case TITLE:
     value->text = g_strdup (recipe->title);
     return TRUE;
@@ -264,35 +243,17 @@ show (gpointer data, guint field, QnValue *value)
   case NAME:
     value->text = g_strdup (recipe->name);
     return TRUE;
-  case TRANSPARENT:
-    value->number = output->transparent;
-    return TRUE;
-  case FORMAT:
-    value->number = dialog->format;
-    return TRUE;
-  case UNIT:
-    value->number = output->millimetres;
-    return TRUE;
-  case WIDTH:
-    value->number = output->width;
-    return TRUE;
-  case HEIGHT:
-    value->number = output->height;
-    return TRUE;
   case DPI:
-    value->number = dialog->dpi;
-    return output->millimetres;
+    return recipe->output.millimetres;
   case TROUBLE:
     value->text = g_strdup (dialog->refusal);
     return TRUE;
   case PREVIEW:
     gtk_widget_queue_draw (dialog->base.widgets[PREVIEW]);
     return TRUE;
-  case EXPORT:
-  case STORE:
-    return TRUE;
   default:
-    value->number = *qn_view_switch (&recipe->view, fields[field].id);
+    if (field >= SWITCH && field < TRANSPARENT)
+      value->number = *qn_view_switch (&recipe->view, fields[field].id);
     return TRUE;
   }
 }
@@ -305,34 +266,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnOutput *output = &recipe->output;
   gboolean on = value->number != 0.0;
   switch (field) {
-  case VIEW:
-    recipe->view.view = (QnView) value->number;
-    break;
-  case DIAGRAM:
-    recipe->view.diagram = (QnDiagram) value->number;
-    break;
-  case COLOURS:
-    recipe->view.field = (QnField) value->number;
-    break;
-  case TRANSPARENT:
-    output->transparent = on;
-    break;
-  case FORMAT:
-    dialog->format = (guint) value->number;
-    break;
   case UNIT:
-    output->millimetres = on;
     output->width = on ? 160.0 : 1600.0;
     output->height = on ? 120.0 : 1200.0;
-    break;
-  case WIDTH:
-    output->width = value->number;
-    break;
-  case HEIGHT:
-    output->height = value->number;
-    break;
-  case DPI:
-    dialog->dpi = value->number;
     break;
   case EXPORT:
     on_export (dialog);
@@ -340,12 +276,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case STORE:
     on_store (dialog);
     return TRUE;
-  case TITLE:
-  case CAPTION:
-  case NAME:
-    break;
   default:
-    *qn_view_switch (&recipe->view, fields[field].id) = on;
+    if (field >= SWITCH && field < TRANSPARENT)
+      *qn_view_switch (&recipe->view, fields[field].id) = on;
     break;
   }
   output->dpi = output->millimetres ? dialog->dpi : 0.0;
@@ -357,7 +290,8 @@ void
 qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write,
                        QnTellFunc tell)
 {
-  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("export-dialog", Dialog);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("export-dialog", Dialog, .subject = subject);
   Dialog *dialog = qn_bound_form_new (&kind, NULL);
   GtkWidget **widgets = dialog->base.widgets;
   dialog->base.clear = clear;

@@ -30,32 +30,22 @@ typedef struct Dialog {
   gboolean has_project;
 } Dialog;
 
-enum {
-  UNIT,
-  LAYER,
-  ROLE,
-  EXTENTS,
-  TOLERANCE,
-  GAP_WIDTH,
-  THICKNESS,
-  UNIT_WEIGHT,
-  FRICTION,
-  GAPS,
-  REPORT,
-  PREVIEW,
-  CANCEL,
-  ACCEPT
-};
-
-static const QnFormField fields[] = {
-  [UNIT] = { .id = "unit" },           [LAYER] = { .id = "layer" },
-  [ROLE] = { .id = "role" },           [EXTENTS] = { .id = "extents" },
-  [TOLERANCE] = { .id = "tolerance" }, [GAP_WIDTH] = { .id = "gap_width" },
-  [THICKNESS] = { .id = "thickness" }, [UNIT_WEIGHT] = { .id = "unit_weight" },
-  [FRICTION] = { .id = "friction" },   [GAPS] = { .id = "gaps" },
-  [REPORT] = { .id = "report" },       [PREVIEW] = { .id = "preview" },
-  [CANCEL] = { .id = "cancel" },       [ACCEPT] = { .id = "accept" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  MEMBER (UNIT, "unit", NULL, Dialog, unit)                                              \
+  MEMBER (LAYER, "layer", NULL, Dialog, layer)                                           \
+  FIELD (ROLE, "role", NULL)                                                             \
+  FIELD (EXTENTS, "extents", NULL)                                                       \
+  MEMBER (TOLERANCE, "tolerance", NULL, Dialog, settings.tolerance)                      \
+  MEMBER (GAP_WIDTH, "gap_width", NULL, Dialog, settings.gap_width)                      \
+  MEMBER (THICKNESS, "thickness", NULL, Dialog, settings.thickness)                      \
+  MEMBER (UNIT_WEIGHT, "unit_weight", NULL, Dialog, settings.unit_weight)                \
+  MEMBER (FRICTION, "friction", NULL, Dialog, settings.friction)                         \
+  MEMBER (GAPS, "gaps", NULL, Dialog, settings.gaps)                                     \
+  FIELD (REPORT, "report", NULL)                                                         \
+  FIELD (PREVIEW, "preview", NULL)                                                       \
+  FIELD (CANCEL, "cancel", NULL)                                                         \
+  FIELD (ACCEPT, "accept", NULL)
+QN_FORM_FIELDS;
 
 static void
 clear_project (Dialog *dialog)
@@ -155,15 +145,10 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
 
 /* ---- fields ---- */
 
-static double *
-number_of (Dialog *dialog, guint field)
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
 {
-  double *const all[] = { [TOLERANCE] = &dialog->settings.tolerance,
-                          [GAP_WIDTH] = &dialog->settings.gap_width,
-                          [THICKNESS] = &dialog->settings.thickness,
-                          [UNIT_WEIGHT] = &dialog->settings.unit_weight,
-                          [FRICTION] = &dialog->settings.friction };
-  return field <= FRICTION ? all[field] : NULL;
+  return form;
 }
 
 /* Of the selected layer; NULL where there is none. */
@@ -184,7 +169,6 @@ show_layers (const Dialog *dialog, QnValue *value)
     const QnImportLayer *layer = &g_array_index (layers, QnImportLayer, i);
     qn_value_take_row (value, g_strdup_printf ("%s (%u)", layer->name, layer->count));
   }
-  value->number = dialog->layer;
 }
 
 /* What was said of the layer before no longer counts. */
@@ -206,22 +190,15 @@ static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   Dialog *dialog = data;
-  const double *number = number_of (dialog, field);
   gboolean about_gaps = field == GAPS || field == GAP_WIDTH;
   if (about_gaps && dialog->report.gaps.count == 0 && !(dialog->settings.gap_width > 0))
     return FALSE;
   if ((field == LAYER || field == ROLE) && layer_of (dialog) == NULL)
     return FALSE;
-  if (number != NULL)
-    value->number = *number;
-  else if (field == UNIT)
-    value->number = dialog->unit;
-  else if (field == LAYER)
+  if (field == LAYER)
     show_layers (dialog, value);
   else if (field == ROLE)
     value->number = layer_of (dialog)->role;
-  else if (field == GAPS)
-    value->number = dialog->settings.gaps;
   else if (field == EXTENTS && dialog->has_project)
     value->text = dup_extents (&dialog->project.model);
   else if (field == ACCEPT)
@@ -233,26 +210,17 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   Dialog *dialog = data;
-  double *number = number_of (dialog, field);
   if (field == ACCEPT && dialog->has_project)
     dialog->import (dialog->parent, &dialog->project);
   if (field == ACCEPT || field == CANCEL) {
     gtk_window_destroy (GTK_WINDOW (dialog->base.root));
     return TRUE;
   }
-  if (number != NULL)
-    *number = value->number;
-  else if (field == LAYER)
-    dialog->layer = (guint) qn_value_int (value);
-  else if (field == ROLE)
+  if (field == ROLE)
     take_role (dialog, (QnRole) qn_value_int (value));
-  else if (field == GAPS)
-    dialog->settings.gaps = (QnGapTreatment) value->number;
-  else {
-    dialog->unit = (guint) value->number;
+  else if (field == UNIT)
     dialog->settings.unit =
       dialog->unit > 0 ? qn_import_unit (units[dialog->unit]) : QN_IMPORT_DEFAULTS.unit;
-  }
   if (field != LAYER)
     try_import (dialog);
   return TRUE;
@@ -262,7 +230,8 @@ void
 qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                        QnImportFunc import)
 {
-  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("import-dialog", Dialog);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("import-dialog", Dialog, .subject = subject);
   Dialog *dialog = qn_bound_form_new (&kind, NULL);
   GtkWindow *window = GTK_WINDOW (dialog->base.root);
   g_autofree char *base = g_path_get_basename (path);

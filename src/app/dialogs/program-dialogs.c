@@ -51,7 +51,7 @@ take (gpointer form, QnProject *draft, guint field, const QnValue *value, GError
 void
 qn_preferences_show (GtkWindow *parent)
 {
-  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("preferences", QnBoundForm);
+  static const QnFormKind kind = QN_FORM_KIND ("preferences", QnBoundForm, .look = NULL);
   GtkWidget *window = qn_bound_form_show (qn_bound_form_new (&kind, NULL));
   gtk_window_set_transient_for (GTK_WINDOW (window), parent);
   qn_help_set_page (window, "drawing");

@@ -7,12 +7,13 @@ typedef struct Form {
   double numbers[4]; /* copies, each to the right, up, turned by */
 } Form;
 
-enum { COPIES, RIGHT, UP, TURN, MAKE };
-
-static const QnFormField fields[] = {
-  [COPIES] = { .id = "copies" }, [RIGHT] = { .id = "right" }, [UP] = { .id = "up" },
-  [TURN] = { .id = "turn" },     [MAKE] = { .id = "make" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  MEMBER (COPIES, "copies", NULL, Form, numbers[0])                                      \
+  MEMBER (RIGHT, "right", NULL, Form, numbers[1])                                        \
+  MEMBER (UP, "up", NULL, Form, numbers[2])                                              \
+  MEMBER (TURN, "turn", NULL, Form, numbers[3])                                          \
+  FIELD (MAKE, "make", NULL)
+QN_FORM_FIELDS;
 
 static gboolean
 look (gpointer data)
@@ -23,22 +24,23 @@ look (gpointer data)
   return qn_canvas_get_selected (form->base.canvas).count + beams > 0;
 }
 
-static gboolean
-show (gpointer data, guint field, QnValue *value)
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
 {
-  const Form *form = data;
-  if (field < MAKE)
-    value->number = form->numbers[field];
+  return form;
+}
+
+static gboolean
+show (gpointer form, guint field, QnValue *value)
+{
   return TRUE;
 }
 
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
-  if (field < MAKE)
-    form->numbers[field] = value->number;
-  else
+  const Form *form = data;
+  if (field == MAKE)
     gtk_widget_activate_action (GTK_WIDGET (form->base.canvas), "win.array", "(iddd)",
                                 (int) form->numbers[COPIES], form->numbers[RIGHT],
                                 form->numbers[UP], form->numbers[TURN]);
@@ -48,7 +50,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_array_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("array-form", Form, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "array-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->numbers[COPIES] = 3.0;
   form->numbers[RIGHT] = 1.0;

@@ -16,33 +16,21 @@ typedef struct Form {
   int wanted;   /* to be selected once an edit has added it; -1: nothing */
 } Form;
 
-enum {
-  BARS,
-  EMPTY,
-  LAW,
-  DIAMETER,
-  START_X,
-  START_Y,
-  END_X,
-  END_Y,
-  ADD,
-  DUPLICATE,
-  REMOVE
-};
+#define CHANGE N_ ("Change Bar")
 
-static const QnFormField fields[] = {
-  [BARS] = { .id = "bars" },
-  [EMPTY] = { .id = "empty" },
-  [LAW] = { .id = "law", .step = N_ ("Change Bar") },
-  [DIAMETER] = { .id = "diameter", .step = N_ ("Change Bar") },
-  [START_X] = { .id = "start_x", .step = N_ ("Change Bar") },
-  [START_Y] = { .id = "start_y", .step = N_ ("Change Bar") },
-  [END_X] = { .id = "end_x", .step = N_ ("Change Bar") },
-  [END_Y] = { .id = "end_y", .step = N_ ("Change Bar") },
-  [ADD] = { .id = "add", .step = N_ ("Add Bar") },
-  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Bar") },
-  [REMOVE] = { .id = "remove", .step = N_ ("Remove Bar") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (BARS, "bars", NULL)                                                             \
+  FIELD (EMPTY, "empty", NULL)                                                           \
+  FIELD (LAW, "law", CHANGE)                                                             \
+  FIELD (DIAMETER, "diameter", CHANGE)                                                   \
+  MEMBER (START_X, "start_x", CHANGE, QnBar, start.x)                                    \
+  MEMBER (START_Y, "start_y", CHANGE, QnBar, start.y)                                    \
+  MEMBER (END_X, "end_x", CHANGE, QnBar, end.x)                                          \
+  MEMBER (END_Y, "end_y", CHANGE, QnBar, end.y)                                          \
+  FIELD (ADD, "add", N_ ("Add Bar"))                                                     \
+  FIELD (DUPLICATE, "duplicate", N_ ("Duplicate Bar"))                                   \
+  FIELD (REMOVE, "remove", N_ ("Remove Bar"))
+QN_FORM_FIELDS;
 
 static gboolean
 look (gpointer data)
@@ -54,15 +42,11 @@ look (gpointer data)
   return TRUE;
 }
 
-/* The coordinate of a bar that a field shows. */
-static QnBound
-bound_of (QnBar *bar, guint field)
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
 {
-  const QnBound all[G_N_ELEMENTS (fields)] = { [START_X] = QN_BOUND (&bar->start.x),
-                                               [START_Y] = QN_BOUND (&bar->start.y),
-                                               [END_X] = QN_BOUND (&bar->end.x),
-                                               [END_Y] = QN_BOUND (&bar->end.y) };
-  return all[field];
+  const int selected = ((const Form *) form)->selected;
+  return selected >= 0 ? &model->bars[selected] : NULL;
 }
 
 static gboolean
@@ -71,7 +55,6 @@ show (gpointer data, guint field, QnValue *value)
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
   gboolean any = form->selected >= 0;
-  QnBar bar = any ? model->bars[form->selected] : (QnBar){ 0 };
   switch (field) {
   case BARS:
     for (gsize i = 0; i < model->bar_count; i++)
@@ -86,10 +69,12 @@ show (gpointer data, guint field, QnValue *value)
     return model->bar_count == 0;
   case LAW:
     if (any)
-      qn_value_set_laws (value, model, NULL, bar.law);
+      qn_value_set_laws (value, model, NULL, model->bars[form->selected].law);
     return any;
   case DIAMETER:
-    value->number = round (qn_bar_get_diameter (bar.area) * SHOWN) / SHOWN;
+    if (any)
+      value->number =
+        round (qn_bar_get_diameter (model->bars[form->selected].area) * SHOWN) / SHOWN;
     return any;
   case ADD:
     return TRUE;
@@ -98,7 +83,6 @@ show (gpointer data, guint field, QnValue *value)
     value->disabled = !any;
     return TRUE;
   default:
-    qn_value_show (value, bound_of (&bar, field));
     return any;
   }
 }
@@ -130,7 +114,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case REMOVE:
     return qn_edit_remove_bar (model, form->selected, error);
   default:
-    qn_value_take (value, bound_of (&model->bars[form->selected], field));
     return TRUE;
   }
 }
@@ -138,7 +121,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_bar_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("bar-form", Form, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "bar-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->selected = form->wanted = -1;
   return qn_bound_form_show (form);

@@ -9,20 +9,20 @@ typedef struct Form {
   QnId beam, node; /* that the form is about */
 } Form;
 
-enum { TITLE, X, Y, SEAT, SUPPORTS, SUPPORT, FACTS = SUPPORT + QN_DOF_COUNT, PART };
+#define CHANGE N_ ("Set Support")
 
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [X] = { .id = "x", .step = N_ ("Move Beam End") },
-  [Y] = { .id = "y", .step = N_ ("Move Beam End") },
-  [SEAT] = { .id = "seat", .step = N_ ("Join Beam to Block") },
-  [SUPPORTS] = { .id = "supports" },
-  [SUPPORT + QN_DOF_UX] = { .id = "support_x", .step = N_ ("Set Support") },
-  [SUPPORT + QN_DOF_UY] = { .id = "support_y", .step = N_ ("Set Support") },
-  [SUPPORT + QN_DOF_RZ] = { .id = "support_turn", .step = N_ ("Set Support") },
-  [FACTS] = { .id = "facts" },
-  [PART] = { .id = "part", .step = N_ ("Disconnect Beams") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (X, "x", N_ ("Move Beam End"))                                                   \
+  FIELD (Y, "y", N_ ("Move Beam End"))                                                   \
+  FIELD (SEAT, "seat", N_ ("Join Beam to Block"))                                        \
+  FIELD (SUPPORTS, "supports", NULL)                                                     \
+  FIELD (SUPPORT, "support_x", CHANGE)                                                   \
+  FIELD (SUPPORT_Y, "support_y", CHANGE)                                                 \
+  FIELD (SUPPORT_TURN, "support_turn", CHANGE)                                           \
+  FIELD (FACTS, "facts", NULL)                                                           \
+  FIELD (PART, "part", N_ ("Disconnect Beams"))
+QN_FORM_FIELDS;
 
 /* Rows of the choice: free, at the centroid, at a point, and the sides. */
 static const struct {
@@ -133,7 +133,7 @@ GtkWidget *
 qn_beam_end_form_new (QnCanvas *canvas, int end)
 {
   static const QnFormKind kind =
-    QN_FORM_KIND ("beam-end-form", Form, QN_FOLLOW_SELECTION);
+    QN_FORM_KIND ("beam-end-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->end = end;
   return qn_bound_form_show (form);

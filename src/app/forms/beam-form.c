@@ -5,33 +5,23 @@
 #include "doc/text/beam-summary.h"
 #include <glib/gi18n.h>
 
-enum {
-  TITLE,
-  NAME,
-  SECTION,
-  KIND,
-  ELEMENTS,
-  HINGE,
-  FACTS = HINGE + 2,
-  FORCES,
-  LOAD, /* constant and growing, horizontal and vertical */
-};
+#define CHANGE N_ ("Set Load along Beam")
 
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Beam") },
-  [SECTION] = { .id = "section", .step = N_ ("Set Section") },
-  [KIND] = { .id = "kind", .step = N_ ("Change Kind of Beam") },
-  [ELEMENTS] = { .id = "elements", .step = N_ ("Cut Beam into Elements") },
-  [HINGE] = { .id = "first_hinge", .step = N_ ("Set Hinge") },
-  [HINGE + 1] = { .id = "second_hinge", .step = N_ ("Set Hinge") },
-  [FACTS] = { .id = "facts" },
-  [FORCES] = { .id = "forces" },
-  [LOAD] = { .id = "constant_x", .step = N_ ("Set Load along Beam") },
-  [LOAD + 1] = { .id = "constant_y", .step = N_ ("Set Load along Beam") },
-  [LOAD + 2] = { .id = "growing_x", .step = N_ ("Set Load along Beam") },
-  [LOAD + 3] = { .id = "growing_y", .step = N_ ("Set Load along Beam") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (NAME, "name", N_ ("Rename Beam"))                                               \
+  FIELD (SECTION, "section", N_ ("Set Section"))                                         \
+  FIELD (KIND, "kind", N_ ("Change Kind of Beam"))                                       \
+  FIELD (ELEMENTS, "elements", N_ ("Cut Beam into Elements"))                            \
+  FIELD (HINGE, "first_hinge", N_ ("Set Hinge"))                                         \
+  FIELD (SECOND_HINGE, "second_hinge", N_ ("Set Hinge"))                                 \
+  FIELD (FACTS, "facts", NULL)                                                           \
+  FIELD (FORCES, "forces", NULL)                                                         \
+  FIELD (LOAD, "constant_x", CHANGE) /* constant and growing, horizontal and vertical */ \
+  FIELD (CONSTANT_Y, "constant_y", CHANGE)                                               \
+  FIELD (GROWING_X, "growing_x", CHANGE)                                                 \
+  FIELD (GROWING_Y, "growing_y", CHANGE)
+QN_FORM_FIELDS;
 
 static QnBeamSet
 selected (const QnBoundForm *form)
@@ -160,7 +150,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_beam_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "beam-form", QnBoundForm, QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("beam-form", QnBoundForm, .look = look,
+                  .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

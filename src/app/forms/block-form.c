@@ -5,33 +5,22 @@
 #include "io/project/typical-stone.h"
 #include <glib/gi18n.h>
 
-enum {
-  TITLE,
-  NAME,
-  THICKNESS,
-  WEIGHT,
-  STONE,
-  STONE_SOURCE,
-  LAW,
-  SUPPORTS,
-  SUPPORT,
-  JOIN = SUPPORT + 3
-};
+#define CHANGE N_ ("Set Support")
 
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Block") },
-  [THICKNESS] = { .id = "thickness", .step = N_ ("Set Thickness") },
-  [WEIGHT] = { .id = "weight", .step = N_ ("Set Unit Weight") },
-  [STONE] = { .id = "stone", .step = N_ ("Set Unit Weight") },
-  [STONE_SOURCE] = { .id = "stone_source" },
-  [LAW] = { .id = "law", .step = N_ ("Set Law") },
-  [SUPPORTS] = { .id = "supports" },
-  [SUPPORT + QN_DOF_UX] = { .id = "support_x", .step = N_ ("Set Support") },
-  [SUPPORT + QN_DOF_UY] = { .id = "support_y", .step = N_ ("Set Support") },
-  [SUPPORT + QN_DOF_RZ] = { .id = "support_turn", .step = N_ ("Set Support") },
-  [JOIN] = { .id = "join" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (NAME, "name", N_ ("Rename Block"))                                              \
+  FIELD (THICKNESS, "thickness", N_ ("Set Thickness"))                                   \
+  FIELD (WEIGHT, "weight", N_ ("Set Unit Weight"))                                       \
+  FIELD (STONE, "stone", N_ ("Set Unit Weight"))                                         \
+  FIELD (STONE_SOURCE, "stone_source", NULL)                                             \
+  FIELD (LAW, "law", N_ ("Set Law"))                                                     \
+  FIELD (SUPPORTS, "supports", NULL)                                                     \
+  FIELD (SUPPORT, "support_x", CHANGE)                                                   \
+  FIELD (SUPPORT_Y, "support_y", CHANGE)                                                 \
+  FIELD (SUPPORT_TURN, "support_turn", CHANGE)                                           \
+  FIELD (JOIN, "join", NULL)
+QN_FORM_FIELDS;
 
 static gboolean
 look (gpointer data)
@@ -161,7 +150,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_block_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("block-form", QnBoundForm, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind = QN_FORM_KIND ("block-form", QnBoundForm, .look = look,
+                                               .follows = QN_FOLLOW_SELECTION);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -1,5 +1,6 @@
 #include "app/forms/bound-form.h"
 
+#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/choice-list.h"
 #include "app/widgets/context-menu.h"
@@ -22,26 +23,42 @@ qn_value_int (const QnValue *value)
   return (int) qn_to_integer (value->number, 0, G_MAXINT32);
 }
 
-void
-qn_value_show (QnValue *value, QnBound bound)
+/* Where the member of a field is; NULL: it has none, or there is no subject. */
+static gpointer
+member_of (QnBoundForm *form, QnModel *model, guint field)
 {
-  if (bound.at != NULL)
-    value->number = bound.size == sizeof (double) ? *(const double *) bound.at
-                    : bound.size == sizeof (bool) ? *(const bool *) bound.at
-                                                  : *(const int *) bound.at;
+  const QnFormKind *kind = form->kind;
+  if (field >= kind->field_count || kind->fields[field].size == 0)
+    return NULL;
+  char *subject = kind->subject (form, model, field);
+  return subject != NULL ? subject + kind->fields[field].offset : NULL;
 }
 
-void
-qn_value_take (const QnValue *value, QnBound bound)
+static void
+show_member (QnBoundForm *form, guint field, QnValue *value)
 {
-  if (bound.at == NULL)
+  QnModel *model =
+    form->canvas != NULL ? (QnModel *) qn_canvas_get_model (form->canvas) : NULL;
+  gconstpointer at = member_of (form, model, field);
+  if (at != NULL)
+    value->number = form->kind->fields[field].size == sizeof (double)
+                      ? *(const double *) at
+                    : form->kind->fields[field].size == sizeof (bool) ? *(const bool *) at
+                                                                      : *(const int *) at;
+}
+
+static void
+take_member (QnBoundForm *form, QnProject *draft, guint field, const QnValue *value)
+{
+  gpointer at = member_of (form, draft != NULL ? &draft->model : NULL, field);
+  if (at == NULL)
     return;
-  if (bound.size == sizeof (double))
-    *(double *) bound.at = value->number;
-  else if (bound.size == sizeof (bool))
-    *(bool *) bound.at = value->number != 0.0;
+  if (form->kind->fields[field].size == sizeof (double))
+    *(double *) at = value->number;
+  else if (form->kind->fields[field].size == sizeof (bool))
+    *(bool *) at = value->number != 0.0;
   else
-    *(int *) bound.at = qn_value_int (value);
+    *(int *) at = qn_value_int (value);
 }
 
 void
@@ -234,6 +251,7 @@ qn_bound_form_show (gpointer data)
     gtk_widget_set_visible (form->root, there);
   for (guint field = 0; there && form->widgets[field] != NULL; field++) {
     QnValue value = { 0 };
+    show_member (form, field, &value);
     gboolean shown = form->kind->show (form, field, &value);
     gtk_widget_set_visible (form->widgets[field], shown);
     if (shown)
@@ -369,6 +387,7 @@ edit (QnProject *draft, gpointer data, GError **error)
   QnBoundForm *form = entered->form;
   form->taken = &entered->value;
   form->taken_field = entered->field;
+  take_member (form, draft, entered->field, &entered->value);
   gboolean done = form->kind->take (form, draft, entered->field, &entered->value, error);
   form->taken = NULL;
   return done;
@@ -455,17 +474,18 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   const QnFormKind *kind = form->kind;
   gboolean is_row = entered.field >= kind->field_count;
   const char *name = step_of (form, entered.field);
-  const char *key = is_row ? NULL : kind->fields[entered.field].key;
   gboolean done;
   /* A button may close its dialog, and the form is gone with it. */
   GtkWidget *root = NULL;
   g_set_weak_pointer (&root, form->root);
   if (name != NULL) {
     g_autofree char *step = dup_step (is_row ? name : _ (name), widget);
-    done = qn_document_edit_project (qn_canvas_get_document (form->canvas), step, key,
+    done = qn_document_edit_project (qn_canvas_get_document (form->canvas), step, NULL,
                                      edit, &entered, &error);
-  } else
+  } else {
+    take_member (form, NULL, entered.field, &entered.value);
     done = kind->take (form, NULL, entered.field, &entered.value, &error);
+  }
   if (root != NULL && done)
     qn_bound_form_show (form);
   else if (root != NULL)
@@ -669,14 +689,6 @@ on_status (QnBoundForm *form)
   qn_bound_form_show (form);
 }
 
-static void
-follow (QnBoundForm *form, gpointer object, const char *signal, GCallback callback)
-{
-  GClosure *closure = g_cclosure_new_swap (callback, form, NULL);
-  g_object_watch_closure (G_OBJECT (form->root), closure);
-  g_signal_connect_closure (object, signal, closure, FALSE);
-}
-
 gpointer
 qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
 {
@@ -719,11 +731,11 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
                   { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "runs-changed" },
                   { QN_FOLLOW_VIEW, qn_canvas_get_state (canvas), "changed" } };
   GCallback callback = G_CALLBACK (qn_bound_form_show);
-  follow (form, qn_canvas_get_document (canvas), "changed", callback);
+  qn_watch (form->root, qn_canvas_get_document (canvas), "changed", callback, form);
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
     if ((kind->follows & signals[i].what) != 0)
-      follow (form, signals[i].object, signals[i].signal, callback);
+      qn_watch (form->root, signals[i].object, signals[i].signal, callback, form);
   if ((kind->follows & QN_FOLLOW_TOOL) != 0)
-    follow (form, canvas, "status", G_CALLBACK (on_status));
+    qn_watch (form->root, canvas, "status", G_CALLBACK (on_status), form);
   return form;
 }

@@ -30,21 +30,6 @@ typedef struct QnValue {
 /* The number as a whole one, of 0 or more; as a row, and whether it is on. */
 int qn_value_int (const QnValue *value);
 
-/* What a field shows and changes, told apart by its size: a double, a flag (bool), a whole number or
- * a choice (int, enumeration); nothing: none. */
-typedef struct QnBound {
-  gpointer at;
-  gsize size;
-} QnBound;
-
-#define QN_BOUND(place)                                                                  \
-  {                                                                                      \
-    (place), sizeof *(place)                                                             \
-  }
-
-void qn_value_show (QnValue *value, QnBound bound);
-void qn_value_take (const QnValue *value, QnBound bound);
-
 /* One more row of a choice or a list; `row` is taken over, or copied. */
 void qn_value_take_row (QnValue *value, char *row);
 void qn_value_add_row (QnValue *value, const char *row);
@@ -63,8 +48,22 @@ typedef struct QnFormField {
   /* Name of the undo step, to be translated; "%s" in it stands for the label of the row. NULL: a new
    * value is the form's own and changes no document. */
   const char *step;
-  const char *key; /* steps of the same key merge while a gesture lasts, or NULL */
+  /* The member of the form's subject that it shows and changes, told apart by its size: a double, a flag
+   * (bool), a whole number or a choice (int, enumeration); size 0: none. */
+  gsize offset, size;
 } QnFormField;
+
+/* A source lists its fields once, in a macro FIELDS (FIELD, MEMBER) of lines FIELD (NUMBER, "id", step) and
+ * MEMBER (NUMBER, "id", step, type, member). Of it this makes their numbers, behind them FIELD_COUNT, and
+ * the array `fields`. */
+#define QN_FORM_FIELDS                                                                   \
+  enum { FIELDS (QN_FIELD_NUMBER, QN_MEMBER_NUMBER) FIELD_COUNT };                       \
+  static const QnFormField fields[] = { FIELDS (QN_FIELD_ROW, QN_MEMBER_ROW) }
+#define QN_FIELD_NUMBER(number, id, step)                number,
+#define QN_MEMBER_NUMBER(number, id, step, type, member) number,
+#define QN_FIELD_ROW(number, id, step)                   { id, step, 0, 0 },
+#define QN_MEMBER_ROW(number, id, step, type, member)                                    \
+  { id, step, offsetof (type, member), sizeof ((type *) NULL)->member },
 
 typedef struct QnBoundForm QnBoundForm;
 
@@ -88,26 +87,22 @@ typedef struct QnFormKind {
   QnFollow follows; /* besides the model */
   /* Looks at what the form is about; FALSE: nothing, the form hides. NULL: always shown. */
   gboolean (*look) (gpointer form);
-  /* What a field shows; FALSE: its row hides. */
+  /* The struct of the members that fields have, in `model` (NULL in dialogs and for fields without a
+   * step); NULL: there is none, as where nothing is selected. */
+  gpointer (*subject) (gpointer form, QnModel *model, guint field);
+  /* What a field shows, its member already; FALSE: its row hides. */
   gboolean (*show) (gpointer form, guint field, QnValue *value);
-  /* Takes a new value into `draft`, or, for fields without a step, into the form (draft: NULL). FALSE
-   * with an error refuses it; without one it is silently as before. */
+  /* Takes a new value, which its member has already, into `draft`, or, for fields without a step, into the
+   * form (draft: NULL). FALSE with an error refuses it; without one it is silently as before. */
   gboolean (*take) (gpointer form, QnProject *draft, guint field, const QnValue *value,
                     GError **error);
 } QnFormKind;
 
-/* One with the functions `look`, `show`, `take` and the array `fields` of its source; and with
- * `row_info` and `row_step` as well; and one that is always shown, without `look`. */
-#define QN_FORM_KIND(file, type, flags)                                                  \
-  QN_FORM_KIND_WITH (file, type, flags, 0, NULL, NULL, look)
-#define QN_FORM_KIND_WITH_ROWS(file, type, flags, count)                                 \
-  QN_FORM_KIND_WITH (file, type, flags, count, row_info, row_step, look)
-#define QN_SHOWN_FORM_KIND(file, type)                                                   \
-  QN_FORM_KIND_WITH (file, type, 0, 0, NULL, NULL, NULL)
-#define QN_FORM_KIND_WITH(file, type, flags, count, info, step, looks)                   \
+/* One with the functions `show`, `take` and the array `fields` of its source, and with what else is given. */
+#define QN_FORM_KIND(file, type, ...)                                                    \
   {                                                                                      \
-    file, sizeof (type), fields, G_N_ELEMENTS (fields), count, info, step, flags, looks, \
-      show, take                                                                         \
+    .name = file, .size = sizeof (type), .fields = fields,                               \
+    .field_count = G_N_ELEMENTS (fields), .show = show, .take = take, __VA_ARGS__        \
   }
 
 struct QnBoundForm {

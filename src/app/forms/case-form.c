@@ -10,16 +10,14 @@ typedef struct Form {
   int selected; /* row, or -1 */
 } Form;
 
-enum { CASES, EMPTY, NAME, FACTOR, ADD, REMOVE };
-
-static const QnFormField fields[] = {
-  [CASES] = { .id = "cases" },
-  [EMPTY] = { .id = "empty" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Load Case") },
-  [FACTOR] = { .id = "factor", .step = N_ ("Change Factor") },
-  [ADD] = { .id = "add", .step = N_ ("Add Load Case") },
-  [REMOVE] = { .id = "remove", .step = N_ ("Remove Load Case") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (CASES, "cases", NULL)                                                           \
+  FIELD (EMPTY, "empty", NULL)                                                           \
+  FIELD (NAME, "name", N_ ("Rename Load Case"))                                          \
+  MEMBER (FACTOR, "factor", N_ ("Change Factor"), QnLoadCase, factor)                    \
+  FIELD (ADD, "add", N_ ("Add Load Case"))                                               \
+  FIELD (REMOVE, "remove", N_ ("Remove Load Case"))
+QN_FORM_FIELDS;
 
 static gboolean
 look (gpointer data)
@@ -28,6 +26,13 @@ look (gpointer data)
   if (form->selected >= (int) qn_canvas_get_model (form->base.canvas)->load_case_count)
     form->selected = -1;
   return TRUE;
+}
+
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  const int selected = ((const Form *) form)->selected;
+  return selected >= 0 ? &model->load_cases[selected] : NULL;
 }
 
 static guint
@@ -66,7 +71,6 @@ show (gpointer data, guint field, QnValue *value)
     value->text = shown != NULL ? g_strdup (shown->name) : NULL;
     return shown != NULL;
   case FACTOR:
-    value->number = shown != NULL ? shown->factor : 1.0;
     return shown != NULL;
   case REMOVE:
     value->disabled = shown == NULL;
@@ -88,7 +92,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case NAME:
     return qn_edit_rename_load_case (model, form->selected + 1, value->text, error);
   case FACTOR:
-    model->load_cases[form->selected].factor = value->number;
     return TRUE;
   case ADD:
     if (!qn_edit_add_load_case (model, error))
@@ -103,7 +106,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_case_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("case-form", Form, 0);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("case-form", Form, .look = look, .subject = subject);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->selected = -1;
   return qn_bound_form_show (form);

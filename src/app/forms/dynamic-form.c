@@ -21,66 +21,45 @@ typedef struct Form {
   GObject *chooser;
 } Form;
 
-enum {
-  DURATION,
-  TIME_STEP,
-  RHO,
-  MASS_DAMPING,
-  JOINT_DAMPING,
-  OF,
-  FOLLOW,
-  FALL,
-  INITIAL_TITLE,
-  INITIAL, /* of the selected blocks: ux, uy, rz and their rates */
-  MOTIONS = INITIAL + 2 * QN_DOF_COUNT,
-  PREVIEW,
-  PLOT,
-  FAULT,
-  KIND,
-  AMPLITUDE,
-  LENGTH,
-  START,
-  SCALE,
-  X,
-  Y,
-  RESTS, /* of a record in a file */
-  ADD,
-  IMPORT,
-  REMOVE
-};
+#define CHANGE N_ ("Change Analysis")
 
-static const QnFormField fields[] = {
-  [DURATION] = { .id = "duration", .step = N_ ("Change Analysis") },
-  [TIME_STEP] = { .id = "time_step", .step = N_ ("Change Analysis") },
-  [RHO] = { .id = "rho", .step = N_ ("Change Analysis") },
-  [MASS_DAMPING] = { .id = "mass_damping", .step = N_ ("Change Analysis") },
-  [JOINT_DAMPING] = { .id = "joint_damping", .step = N_ ("Change Analysis") },
-  [OF] = { .id = "of", .step = N_ ("Change Analysis") },
-  [FOLLOW] = { .id = "follow", .step = N_ ("Change Analysis") },
-  [FALL] = { .id = "fall", .step = N_ ("Change Analysis") },
-  [INITIAL_TITLE] = { .id = "initial_title" },
-  [INITIAL] = { .id = "initial_ux", .step = N_ ("Change Initial Motion") },
-  [INITIAL + 1] = { .id = "initial_uy", .step = N_ ("Change Initial Motion") },
-  [INITIAL + 2] = { .id = "initial_rz", .step = N_ ("Change Initial Motion") },
-  [INITIAL + 3] = { .id = "initial_vx", .step = N_ ("Change Initial Motion") },
-  [INITIAL + 4] = { .id = "initial_vy", .step = N_ ("Change Initial Motion") },
-  [INITIAL + 5] = { .id = "initial_wz", .step = N_ ("Change Initial Motion") },
-  [MOTIONS] = { .id = "motions" },
-  [PREVIEW] = { .id = "preview" },
-  [PLOT] = { .id = "plot" },
-  [FAULT] = { .id = "fault" },
-  [KIND] = { .id = "kind", .step = N_ ("Change Ground Motion") },
-  [AMPLITUDE] = { .id = "amplitude", .step = N_ ("Change Ground Motion") },
-  [LENGTH] = { .id = "length", .step = N_ ("Change Ground Motion") },
-  [START] = { .id = "start", .step = N_ ("Change Ground Motion") },
-  [SCALE] = { .id = "scale", .step = N_ ("Change Ground Motion") },
-  [X] = { .id = "x", .step = N_ ("Change Ground Motion") },
-  [Y] = { .id = "y", .step = N_ ("Change Ground Motion") },
-  [RESTS] = { .id = "rests", .step = N_ ("Change Ground Motion") },
-  [ADD] = { .id = "add", .step = N_ ("Add Ground Motion") },
-  [IMPORT] = { .id = "import" },
-  [REMOVE] = { .id = "remove", .step = N_ ("Remove Ground Motion") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  MEMBER (DURATION, "duration", CHANGE, QnDynamicSettings, duration)                     \
+  MEMBER (TIME_STEP, "time_step", CHANGE, QnDynamicSettings, time_step)                  \
+  MEMBER (RHO, "rho", CHANGE, QnDynamicSettings, rho)                                    \
+  MEMBER (MASS_DAMPING, "mass_damping", CHANGE, QnDynamicSettings, mass_damping)         \
+  MEMBER (JOINT_DAMPING, "joint_damping", CHANGE, QnDynamicSettings, joint_damping)      \
+  MEMBER (OF, "of", CHANGE, QnDynamicSettings, of)                                       \
+  MEMBER (FOLLOW, "follow", CHANGE, QnDynamicSettings, follow)                           \
+  MEMBER (FALL, "fall", CHANGE, QnDynamicSettings, fall)                                 \
+  FIELD (INITIAL_TITLE, "initial_title", NULL)                                           \
+  FIELD (                                                                                \
+    INITIAL, "initial_ux",                                                               \
+    N_ (                                                                                 \
+      "Change Initial Motion")) /* of the selected blocks: ux, uy, rz and their rates */ \
+  FIELD (INITIAL_UY, "initial_uy", N_ ("Change Initial Motion"))                         \
+  FIELD (INITIAL_RZ, "initial_rz", N_ ("Change Initial Motion"))                         \
+  FIELD (INITIAL_VX, "initial_vx", N_ ("Change Initial Motion"))                         \
+  FIELD (INITIAL_VY, "initial_vy", N_ ("Change Initial Motion"))                         \
+  FIELD (INITIAL_WZ, "initial_wz", N_ ("Change Initial Motion"))                         \
+  FIELD (MOTIONS, "motions", NULL)                                                       \
+  FIELD (PREVIEW, "preview", NULL)                                                       \
+  FIELD (PLOT, "plot", NULL)                                                             \
+  FIELD (FAULT, "fault", NULL)                                                           \
+  MEMBER (KIND, "kind", N_ ("Change Ground Motion"), QnGroundMotion, pulse.kind)         \
+  MEMBER (AMPLITUDE, "amplitude", N_ ("Change Ground Motion"), QnGroundMotion,           \
+          pulse.amplitude)                                                               \
+  MEMBER (LENGTH, "length", N_ ("Change Ground Motion"), QnGroundMotion, pulse.duration) \
+  MEMBER (START, "start", N_ ("Change Ground Motion"), QnGroundMotion, pulse.start)      \
+  MEMBER (SCALE, "scale", N_ ("Change Ground Motion"), QnGroundMotion, scale)            \
+  MEMBER (X, "x", N_ ("Change Ground Motion"), QnGroundMotion, direction.x)              \
+  MEMBER (Y, "y", N_ ("Change Ground Motion"), QnGroundMotion, direction.y)              \
+  MEMBER (RESTS, "rests", N_ ("Change Ground Motion"), QnGroundMotion,                   \
+          rests) /* of a record in a file */                                             \
+  FIELD (ADD, "add", N_ ("Add Ground Motion"))                                           \
+  FIELD (IMPORT, "import", NULL)                                                         \
+  FIELD (REMOVE, "remove", N_ ("Remove Ground Motion"))
+QN_FORM_FIELDS;
 
 /* Whether a record's unit may be wrong. */
 static char *
@@ -134,31 +113,14 @@ look (gpointer data)
   return TRUE;
 }
 
-/* What a field shows, of the selected ground motion or of `none`. */
-static QnBound
-bound_of (QnModel *model, int selected, QnGroundMotion *none, guint field)
+/* The settings, or the selected ground motion. */
+static gpointer
+subject (gpointer data, QnModel *model, guint field)
 {
-  QnDynamicSettings *d = &model->analysis.dynamic;
-  QnGroundMotion *m = selected >= 0 ? &model->ground[selected] : none;
-  const QnBound all[G_N_ELEMENTS (fields)] = {
-    [DURATION] = QN_BOUND (&d->duration),
-    [TIME_STEP] = QN_BOUND (&d->time_step),
-    [RHO] = QN_BOUND (&d->rho),
-    [MASS_DAMPING] = QN_BOUND (&d->mass_damping),
-    [JOINT_DAMPING] = QN_BOUND (&d->joint_damping),
-    [OF] = QN_BOUND (&d->of),
-    [FOLLOW] = QN_BOUND (&d->follow),
-    [FALL] = QN_BOUND (&d->fall),
-    [KIND] = QN_BOUND (&m->pulse.kind),
-    [AMPLITUDE] = QN_BOUND (&m->pulse.amplitude),
-    [LENGTH] = QN_BOUND (&m->pulse.duration),
-    [START] = QN_BOUND (&m->pulse.start),
-    [SCALE] = QN_BOUND (&m->scale),
-    [X] = QN_BOUND (&m->direction.x),
-    [Y] = QN_BOUND (&m->direction.y),
-    [RESTS] = QN_BOUND (&m->rests),
-  };
-  return all[field];
+  const Form *form = data;
+  return field < MOTIONS       ? (gpointer) &model->analysis.dynamic
+         : form->selected >= 0 ? &model->ground[form->selected]
+                               : NULL;
 }
 
 /* ---- initial motion ---- */
@@ -209,20 +171,18 @@ static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
-  QnModel model = *qn_canvas_get_model (form->base.canvas);
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
   const QnGroundMotion *motion =
-    form->selected >= 0 ? &model.ground[form->selected] : NULL;
+    form->selected >= 0 ? &model->ground[form->selected] : NULL;
   gboolean pulse = motion != NULL && motion->kind == QN_SIGNAL_PULSE;
-  QnGroundMotion none = { 0 };
-  qn_value_show (value, bound_of (&model, form->selected, &none, field));
   if (field >= INITIAL_TITLE && field < MOTIONS)
-    return show_initial (form, &model, field, value);
+    return show_initial (form, model, field, value);
   switch (field) {
   case FOLLOW:
-    return model.analysis.geometry == QN_GEOMETRY_NONLINEAR;
+    return model->analysis.geometry == QN_GEOMETRY_NONLINEAR;
   case MOTIONS:
-    for (gsize i = 0; i < model.ground_count; i++)
-      qn_value_take_row (value, qn_ground_motion_dup_text (&model.ground[i]));
+    for (gsize i = 0; i < model->ground_count; i++)
+      qn_value_take_row (value, qn_ground_motion_dup_text (&model->ground[i]));
     value->number = form->selected;
     return TRUE;
   case PREVIEW:
@@ -306,9 +266,6 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   Form *form = data;
-  QnGroundMotion none;
-  if (draft != NULL)
-    qn_value_take (value, bound_of (&draft->model, form->selected, &none, field));
   if (field >= INITIAL && field < MOTIONS)
     return take_initial (form, &draft->model, field, value->number, error);
   switch (field) {
@@ -352,7 +309,9 @@ on_destroy (GtkWidget *root, Form *form)
 GtkWidget *
 qn_dynamic_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("dynamic-form", Form, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("dynamic-form", Form, .subject = subject, .look = look,
+                  .follows = QN_FOLLOW_SELECTION);
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = qn_bound_form_new (&kind, canvas);
   form->selected = 0;

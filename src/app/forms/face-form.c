@@ -15,20 +15,20 @@
 /* Rows of the list of placements: as all contacts, then those of QnPlacement. */
 enum { ROW_AS_ALL };
 
-enum { TITLE, FACTS, LAW, PLACEMENT, OFFSET, COUNT, POSITIONS, RESET, VIEW, STATES };
+#define CHANGE N_ ("Place Pairs")
 
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [FACTS] = { .id = "facts" },
-  [LAW] = { .id = "law", .step = N_ ("Set Law of Joints") },
-  [PLACEMENT] = { .id = "placement", .step = N_ ("Place Pairs") },
-  [OFFSET] = { .id = "offset", .step = N_ ("Place Pairs") },
-  [COUNT] = { .id = "count", .step = N_ ("Place Pairs") },
-  [POSITIONS] = { .id = "positions", .step = N_ ("Place Pairs") },
-  [RESET] = { .id = "reset", .step = N_ ("Remove Exceptions") },
-  [VIEW] = { .id = "view" },
-  [STATES] = { .id = "states" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (FACTS, "facts", NULL)                                                           \
+  FIELD (LAW, "law", N_ ("Set Law of Joints"))                                           \
+  FIELD (PLACEMENT, "placement", CHANGE)                                                 \
+  FIELD (OFFSET, "offset", CHANGE)                                                       \
+  FIELD (COUNT, "count", CHANGE)                                                         \
+  FIELD (POSITIONS, "positions", CHANGE)                                                 \
+  FIELD (RESET, "reset", N_ ("Remove Exceptions"))                                       \
+  FIELD (VIEW, "view", NULL)                                                             \
+  FIELD (STATES, "states", NULL)
+QN_FORM_FIELDS;
 
 static const QnId *
 selected (const QnBoundForm *form, guint *count)
@@ -219,8 +219,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_face_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "face-form", QnBoundForm, QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("face-form", QnBoundForm, .look = look,
+                  .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
   qn_joint_view_init (form->widgets[VIEW]);
   return qn_bound_form_show (form);

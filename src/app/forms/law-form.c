@@ -45,46 +45,27 @@ typedef struct Form {
   QnId by; /* what stands in its place once it is removed; QN_NONE: that of all others */
 } Form;
 
-enum {
-  LAW,
-  NAME,
-  SOURCE,
-  JOINT,
-  KIND,
-  BASIS,
-  CELLS,
-  SOFTENING,
-  POINTS,
-  VIEW,
-  ADD,
-  DUPLICATE,
-  APPLY,
-  APPLY_TO_ALL,
-  SELECT,
-  BY,
-  REMOVE,
-  FIRST_NUMBER
-};
+#define CHANGE N_ ("Change Law")
 
-static const QnFormField fields[] = {
-  [LAW] = { .id = "law" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Law") },
-  [SOURCE] = { .id = "source", .step = N_ ("Change Source") },
-  [JOINT] = { .id = "joint", .step = N_ ("Use Typical Joint") },
-  [KIND] = { .id = "kind", .step = N_ ("Change Law") },
-  [BASIS] = { .id = "basis", .step = N_ ("Change Law") },
-  [CELLS] = { .id = "cells", .step = N_ ("Change Law") },
-  [SOFTENING] = { .id = "softening", .step = N_ ("Change Law") },
-  [POINTS] = { .id = "points", .step = N_ ("Change Law") },
-  [VIEW] = { .id = "view" },
-  [ADD] = { .id = "add", .step = N_ ("Add Law") },
-  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Law") },
-  [APPLY] = { .id = "apply", .step = N_ ("Apply Law") },
-  [APPLY_TO_ALL] = { .id = "apply_to_all", .step = N_ ("Apply Law") },
-  [SELECT] = { .id = "select" },
-  [BY] = { .id = "by" },
-  [REMOVE] = { .id = "remove", .step = N_ ("Remove Law") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (LAW, "law", NULL)                                                               \
+  FIELD (NAME, "name", N_ ("Rename Law"))                                                \
+  FIELD (SOURCE, "source", N_ ("Change Source"))                                         \
+  FIELD (JOINT, "joint", N_ ("Use Typical Joint"))                                       \
+  FIELD (KIND, "kind", CHANGE)                                                           \
+  FIELD (BASIS, "basis", CHANGE)                                                         \
+  FIELD (CELLS, "cells", CHANGE)                                                         \
+  FIELD (SOFTENING, "softening", CHANGE)                                                 \
+  FIELD (POINTS, "points", CHANGE)                                                       \
+  FIELD (VIEW, "view", NULL)                                                             \
+  FIELD (ADD, "add", N_ ("Add Law"))                                                     \
+  FIELD (DUPLICATE, "duplicate", N_ ("Duplicate Law"))                                   \
+  FIELD (APPLY, "apply", N_ ("Apply Law"))                                               \
+  FIELD (APPLY_TO_ALL, "apply_to_all", N_ ("Apply Law"))                                 \
+  FIELD (SELECT, "select", NULL)                                                         \
+  FIELD (BY, "by", NULL)                                                                 \
+  FIELD (REMOVE, "remove", N_ ("Remove Law"))
+QN_FORM_FIELDS;
 
 static const QnFieldInfo *
 row_info (guint row)
@@ -214,12 +195,12 @@ show (gpointer data, guint field, QnValue *value)
   case REMOVE:
     return TRUE;
   default:
-    number = number_of (&law, field - FIRST_NUMBER);
+    number = number_of (&law, field - FIELD_COUNT);
     if (number == NULL)
       return FALSE;
     value->number = *number;
     g_object_set (form->base.widgets[field], "quantity",
-                  qn_law_quantity (numbers[field - FIRST_NUMBER].key, law.basis), NULL);
+                  qn_law_quantity (numbers[field - FIELD_COUNT].key, law.basis), NULL);
     return TRUE;
   }
 }
@@ -383,7 +364,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return qn_edit_delete_law (model, form->shown,
                                form->by == form->shown ? QN_NONE : form->by, error);
   default:
-    *number_of (law, field - FIRST_NUMBER) = value->number;
+    *number_of (law, field - FIELD_COUNT) = value->number;
     qn_law_derive (law);
     return TRUE;
   }
@@ -392,8 +373,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_law_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND_WITH_ROWS (
-    "law-form", Form, QN_FOLLOW_SELECTION, G_N_ELEMENTS (numbers));
+  static const QnFormKind kind = QN_FORM_KIND (
+    "law-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION, .row_info = row_info,
+    .row_step = row_step, .row_count = G_N_ELEMENTS (numbers));
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
   ((Form *) form)->by = QN_NONE;
   qn_law_view_init (form->widgets[VIEW]);

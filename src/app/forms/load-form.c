@@ -25,98 +25,51 @@ typedef struct Form {
 /* Of new loads on beams, N/m. */
 #define USUAL_LINE_LOAD 1e4
 
-enum {
-  LIST,
-  NAME,
-  ADD_SET,
-  REMOVE_SET,
-  LOADS,
-  EMPTY,
-  CHOOSE_EDGE,
-  CASE,
-  WHERE,
-  EDGE,
-  EDGE_COUNT,
-  PART_FROM,
-  PART_TO,
-  INTENSITY_FROM,
-  INTENSITY_TO,
-  NORMAL,
-  X,
-  Y,
-  MOMENT,
-  COMPONENT,
-  DISTANCE,
-  SOIL_SIDE,
-  FROM,
-  TO,
-  PRESSURE,
-  UNIT_WEIGHT,
-  LEVEL,
-  EARTH,
-  COEFFICIENT,
-  FRICTION_ANGLE,
-  ADD_WEIGHT,
-  ADD_FORCE,
-  ADD_LINE,
-  ADD_SETTLEMENT,
-  ADD_EDGE,
-  ADD_SURCHARGE,
-  ADD_BACKFILL,
-  DUPLICATE,
-  UP,
-  DOWN,
-  REMOVE
-};
+#define CHANGE N_ ("Change Load")
 
-#define CHANGE(id)                                                                       \
-  {                                                                                      \
-    id, N_ ("Change Load"), NULL                                                         \
-  }
-
-static const QnFormField fields[] = {
-  [LIST] = { .id = "list" },
-  [NAME] = { .id = "set_name", .step = N_ ("Rename Set of Loads") },
-  [ADD_SET] = { .id = "add_set", .step = N_ ("Add Set of Loads") },
-  [REMOVE_SET] = { .id = "remove_set", .step = N_ ("Remove Set of Loads") },
-  [LOADS] = { .id = "loads" },
-  [EMPTY] = { .id = "empty" },
-  [CHOOSE_EDGE] = { .id = "choose_edge" },
-  [CASE] = CHANGE ("case"),
-  [WHERE] = CHANGE ("where"),
-  [EDGE] = CHANGE ("edge"),
-  [EDGE_COUNT] = CHANGE ("edge_count"),
-  [PART_FROM] = CHANGE ("part_from"),
-  [PART_TO] = CHANGE ("part_to"),
-  [INTENSITY_FROM] = CHANGE ("intensity_from"),
-  [INTENSITY_TO] = CHANGE ("intensity_to"),
-  [NORMAL] = CHANGE ("normal"),
-  [X] = CHANGE ("x"),
-  [Y] = CHANGE ("y"),
-  [MOMENT] = CHANGE ("moment"),
-  [COMPONENT] = CHANGE ("component"),
-  [DISTANCE] = CHANGE ("distance"),
-  [SOIL_SIDE] = CHANGE ("soil_side"),
-  [FROM] = CHANGE ("from"),
-  [TO] = CHANGE ("to"),
-  [PRESSURE] = CHANGE ("pressure"),
-  [UNIT_WEIGHT] = CHANGE ("unit_weight"),
-  [LEVEL] = CHANGE ("level"),
-  [EARTH] = CHANGE ("earth"),
-  [COEFFICIENT] = CHANGE ("coefficient"),
-  [FRICTION_ANGLE] = CHANGE ("friction_angle"),
-  [ADD_WEIGHT] = { .id = "add_weight", .step = N_ ("Add Load") },
-  [ADD_FORCE] = { .id = "add_force", .step = N_ ("Add Load") },
-  [ADD_LINE] = { .id = "add_line", .step = N_ ("Add Load") },
-  [ADD_SETTLEMENT] = { .id = "add_settlement", .step = N_ ("Add Load") },
-  [ADD_EDGE] = { .id = "add_edge", .step = N_ ("Add Load") },
-  [ADD_SURCHARGE] = { .id = "add_surcharge", .step = N_ ("Add Load") },
-  [ADD_BACKFILL] = { .id = "add_backfill", .step = N_ ("Add Load") },
-  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Load") },
-  [UP] = { .id = "up", .step = N_ ("Move Load") },
-  [DOWN] = { .id = "down", .step = N_ ("Move Load") },
-  [REMOVE] = { .id = "remove", .step = N_ ("Remove Load") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (LIST, "list", NULL)                                                             \
+  FIELD (NAME, "set_name", N_ ("Rename Set of Loads"))                                   \
+  FIELD (ADD_SET, "add_set", N_ ("Add Set of Loads"))                                    \
+  FIELD (REMOVE_SET, "remove_set", N_ ("Remove Set of Loads"))                           \
+  FIELD (LOADS, "loads", NULL)                                                           \
+  FIELD (EMPTY, "empty", NULL)                                                           \
+  FIELD (CHOOSE_EDGE, "choose_edge", NULL)                                               \
+  MEMBER (CASE, "case", CHANGE, QnLoad, load_case)                                       \
+  FIELD (WHERE, "where", CHANGE)                                                         \
+  MEMBER (EDGE, "edge", CHANGE, QnLoad, edge)                                            \
+  MEMBER (EDGE_COUNT, "edge_count", CHANGE, QnLoad, edge_count)                          \
+  MEMBER (PART_FROM, "part_from", CHANGE, QnLoad, part[0])                               \
+  MEMBER (PART_TO, "part_to", CHANGE, QnLoad, part[1])                                   \
+  MEMBER (INTENSITY_FROM, "intensity_from", CHANGE, QnLoad, intensity[0])                \
+  MEMBER (INTENSITY_TO, "intensity_to", CHANGE, QnLoad, intensity[1])                    \
+  MEMBER (NORMAL, "normal", CHANGE, QnLoad, normal)                                      \
+  MEMBER (X, "x", CHANGE, QnLoad, vector.x)                                              \
+  MEMBER (Y, "y", CHANGE, QnLoad, vector.y)                                              \
+  MEMBER (MOMENT, "moment", CHANGE, QnLoad, moment)                                      \
+  MEMBER (COMPONENT, "component", CHANGE, QnLoad, dof)                                   \
+  MEMBER (DISTANCE, "distance", CHANGE, QnLoad, value)                                   \
+  MEMBER (SOIL_SIDE, "soil_side", CHANGE, QnLoad, side)                                  \
+  MEMBER (FROM, "from", CHANGE, QnLoad, span[0])                                         \
+  MEMBER (TO, "to", CHANGE, QnLoad, span[1])                                             \
+  MEMBER (PRESSURE, "pressure", CHANGE, QnLoad, pressure)                                \
+  MEMBER (UNIT_WEIGHT, "unit_weight", CHANGE, QnLoad, unit_weight)                       \
+  MEMBER (LEVEL, "level", CHANGE, QnLoad, level)                                         \
+  FIELD (EARTH, "earth", CHANGE)                                                         \
+  MEMBER (COEFFICIENT, "coefficient", CHANGE, QnLoad, coefficient)                       \
+  MEMBER (FRICTION_ANGLE, "friction_angle", CHANGE, QnLoad, friction_angle)              \
+  FIELD (ADD_WEIGHT, "add_weight", CHANGE)                                               \
+  FIELD (ADD_FORCE, "add_force", CHANGE)                                                 \
+  FIELD (ADD_LINE, "add_line", CHANGE)                                                   \
+  FIELD (ADD_SETTLEMENT, "add_settlement", CHANGE)                                       \
+  FIELD (ADD_EDGE, "add_edge", CHANGE)                                                   \
+  FIELD (ADD_SURCHARGE, "add_surcharge", CHANGE)                                         \
+  FIELD (ADD_BACKFILL, "add_backfill", CHANGE)                                           \
+  FIELD (DUPLICATE, "duplicate", N_ ("Duplicate Load"))                                  \
+  FIELD (UP, "up", N_ ("Move Load"))                                                     \
+  FIELD (DOWN, "down", N_ ("Move Load"))                                                 \
+  FIELD (REMOVE, "remove", N_ ("Remove Load"))
+QN_FORM_FIELDS;
 
 static const QnLoad *
 selected_load (const Form *form)
@@ -194,108 +147,96 @@ add_loads (QnValue *value, const QnModel *model, int32_t list)
                        g_strdup_printf (_ ("and %u more"), (guint) (count - MOST_SHOWN)));
 }
 
-/* The numbers of loads on edges; NULL for what a load of its kind does not have. */
-static double *
-edge_number (QnLoad *load, guint field)
+static gpointer
+subject (gpointer data, QnModel *model, guint field)
+{
+  const Form *form = data;
+  return form->selected >= 0
+           ? (QnLoad *) qn_model_get_load (model, form->shown, (gsize) form->selected)
+           : NULL;
+}
+
+/* Whether a load of its kind has the number. */
+static gboolean
+has_number (const QnLoad *load, guint field)
 {
   const gboolean edge = load->kind == QN_LOAD_EDGE, soil = load->kind == QN_LOAD_BACKFILL;
   const gboolean fill = soil || load->kind == QN_LOAD_SURCHARGE;
   switch (field) {
+  case WHERE:
   case PART_FROM:
   case PART_TO:
-    return edge ? &load->part[field - PART_FROM] : NULL;
   case INTENSITY_FROM:
   case INTENSITY_TO:
-    return edge ? &load->intensity[field - INTENSITY_FROM] : NULL;
-  case FROM:
-  case TO:
-    return fill ? &load->span[field - FROM] : NULL;
-  case PRESSURE:
-    return fill ? &load->pressure : NULL;
-  case UNIT_WEIGHT:
-    return fill ? &load->unit_weight : NULL;
-  case LEVEL:
-    return fill && !soil ? &load->level : NULL;
-  case COEFFICIENT:
-    return soil && load->earth == QN_EARTH_GIVEN ? &load->coefficient : NULL;
-  default:
-    return soil && load->earth != QN_EARTH_GIVEN ? &load->friction_angle : NULL;
-  }
-}
-
-static gboolean
-show_edge_load (const Form *form, QnLoad load, guint field, QnValue *value)
-{
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const gboolean edge = load.kind == QN_LOAD_EDGE, soil = load.kind == QN_LOAD_BACKFILL;
-  switch (field) {
-  case CASE:
-    qn_value_add_row (value, _ ("none"));
-    for (gsize i = 0; i < model->load_case_count; i++)
-      qn_value_add_row (value, model->load_cases[i].name);
-    value->number = load.load_case;
-    return model->load_case_count > 0;
-  case WHERE:
-    value->number = load.has_side ? load.side : QN_BLOCK_SIDE_COUNT;
+  case NORMAL:
     return edge;
   case EDGE:
-    value->number = load.edge;
-    return edge && !load.has_side;
   case EDGE_COUNT:
-    value->number = load.edge_count;
-    return edge && !load.has_side;
-  case NORMAL:
-    value->number = load.normal;
-    return edge;
+    return edge && !load->has_side;
+  case X:
+  case Y:
+    return edge ? !load->normal
+                : load->kind != QN_LOAD_SETTLEMENT && !qn_load_is_on_edges (load->kind);
+  case MOMENT:
+    return load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE;
+  case COMPONENT:
+  case DISTANCE:
+    return load->kind == QN_LOAD_SETTLEMENT;
+  case FROM:
+  case TO:
+  case PRESSURE:
+  case UNIT_WEIGHT:
+    return fill;
+  case LEVEL:
+    return fill && !soil;
   case SOIL_SIDE:
-    value->number = load.side;
-    return soil;
   case EARTH:
-    value->number = load.earth;
     return soil;
-  default: {
-    const double *number = edge_number (&load, field);
-    value->number = number != NULL ? *number : 0.0;
-    return number != NULL;
-  }
+  case COEFFICIENT:
+    return soil && load->earth == QN_EARTH_GIVEN;
+  default:
+    return soil && load->earth != QN_EARTH_GIVEN;
   }
 }
 
 static gboolean
 show_load (const Form *form, guint field, QnValue *value)
 {
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
   const QnLoad *load = selected_load (form);
   GtkWidget *widget = form->base.widgets[field];
-  gboolean settles = load != NULL && load->kind == QN_LOAD_SETTLEMENT;
   if (load == NULL)
     return FALSE;
   switch (field) {
+  case CASE:
+    qn_value_add_row (value, _ ("none"));
+    for (gsize i = 0; i < model->load_case_count; i++)
+      qn_value_add_row (value, model->load_cases[i].name);
+    return model->load_case_count > 0;
+  case WHERE:
+    value->number = load->has_side ? load->side : QN_BLOCK_SIDE_COUNT;
+    break;
+  case EARTH:
+    value->number = load->earth;
+    break;
   case X:
   case Y:
-    value->number = field == X ? load->vector.x : load->vector.y;
     g_object_set (widget, "quantity",
                   load->kind == QN_LOAD_WEIGHT || load->kind == QN_LOAD_EDGE
                     ? QN_QUANTITY_NUMBER
                   : load->kind == QN_LOAD_LINE ? QN_QUANTITY_STIFFNESS
                                                : QN_QUANTITY_FORCE,
                   NULL);
-    return load->kind == QN_LOAD_EDGE ? !load->normal
-                                      : !settles && !qn_load_is_on_edges (load->kind);
-  case MOMENT:
-    value->number = load->moment;
-    return load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE;
-  case COMPONENT:
-    value->number = settles ? (double) load->dof : 0.0;
-    return settles;
-  default:
-    return show_edge_load (form, *load, field, value);
+    break;
   case DISTANCE:
-    value->number = load->value;
     g_object_set (widget, "quantity",
                   load->dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
                   NULL);
-    return settles;
+    break;
+  default:
+    break;
   }
+  return has_number (load, field);
 }
 
 static gboolean
@@ -450,13 +391,9 @@ static gboolean
 change (const Form *form, QnModel *model, guint field, const QnValue *value,
         GError **error)
 {
-  const QnLoad before = *selected_load (form);
-  QnLoad load = before;
-  double *number = edge_number (&load, field);
+  QnLoad load = *qn_model_get_load (model, form->shown, (gsize) form->selected);
+  const QnLoad before = load;
   switch (field) {
-  case CASE:
-    load.load_case = qn_value_int (value);
-    break;
   case WHERE:
     load.has_side = value->number < QN_BLOCK_SIDE_COUNT;
     if (load.has_side)
@@ -464,42 +401,15 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
     else
       qn_load_chain (model, &before, &load.edge, &load.edge_count);
     break;
-  case EDGE:
-    load.edge = qn_value_int (value);
-    break;
-  case EDGE_COUNT:
-    load.edge_count = qn_value_int (value);
-    break;
   case NORMAL:
-    load.normal = value->number != 0.0;
     if (!load.normal && load.vector.x == 0.0 && load.vector.y == 0.0)
       load.vector = qn_vec2 (0.0, -1.0);
-    break;
-  case SOIL_SIDE:
-    load.side = (QnBlockSide) qn_value_int (value);
     break;
   case EARTH:
     load.coefficient = qn_load_earth_coefficient (&before);
     load.earth = (QnEarth) qn_value_int (value);
     break;
-  case X:
-    load.vector.x = value->number;
-    break;
-  case Y:
-    load.vector.y = value->number;
-    break;
-  case MOMENT:
-    load.moment = value->number;
-    break;
-  case COMPONENT:
-    load.dof = (QnDof) value->number;
-    break;
-  case DISTANCE:
-    load.value = value->number;
-    break;
   default:
-    if (number != NULL)
-      *number = value->number;
     break;
   }
   return qn_edit_replace_load (model, form->shown, (gsize) form->selected, load, error);
@@ -566,7 +476,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_load_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("load-form", Form, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "load-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->shown = QN_DEAD_LOADS;
   form->selected = form->wanted = -1;

@@ -9,17 +9,15 @@ typedef struct Form {
   QnId object; /* that the form is about */
 } Form;
 
-enum { TITLE, BOND, CLOSER, SHAPE, SIDES, LAW, OPENINGS, FIRST_NUMBER };
-
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [BOND] = { .id = "bond", .step = N_ ("Change Bond") },
-  [CLOSER] = { .id = "closer", .step = N_ ("Change Closers") },
-  [SHAPE] = { .id = "shape", .step = N_ ("Change Arch") },
-  [SIDES] = { .id = "sides", .step = N_ ("Change Arch") },
-  [LAW] = { .id = "law", .step = N_ ("Set Law") },
-  [OPENINGS] = { .id = "openings" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (BOND, "bond", N_ ("Change Bond"))                                               \
+  FIELD (CLOSER, "closer", N_ ("Change Closers"))                                        \
+  FIELD (SHAPE, "shape", N_ ("Change Arch"))                                             \
+  FIELD (SIDES, "sides", N_ ("Change Arch"))                                             \
+  FIELD (LAW, "law", N_ ("Set Law"))                                                     \
+  FIELD (OPENINGS, "openings", NULL)
+QN_FORM_FIELDS;
 
 /* Bonds in the list. */
 static const QnBond bonds[] = { QN_BOND_RUNNING, QN_BOND_STACK,   QN_BOND_HEADER,
@@ -77,7 +75,7 @@ show (gpointer data, guint field, QnValue *value)
   const QnMasonry *masonry =
     &qn_canvas_get_masonry (form->base.canvas)->items[form->object];
   const QnLeaf *leaf = &masonry->wall.leaves[0];
-  QnMasonryField number = (QnMasonryField) (field - FIRST_NUMBER);
+  QnMasonryField number = (QnMasonryField) (field - FIELD_COUNT);
   gboolean wall = masonry->kind == QN_MASONRY_WALL;
   switch (field) {
   case TITLE:
@@ -142,7 +140,7 @@ change_masonry (QnMasonry *masonry, gpointer data, GError **error)
     masonry->law = qn_value_get_law (change->value);
     break;
   default:
-    qn_masonry_set_field (masonry, (QnMasonryField) (change->field - FIRST_NUMBER),
+    qn_masonry_set_field (masonry, (QnMasonryField) (change->field - FIELD_COUNT),
                           number);
     break;
   }
@@ -168,7 +166,8 @@ row_step (guint row)
 GtkWidget *
 qn_masonry_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND_WITH_ROWS (
-    "masonry-form", Form, QN_FOLLOW_SELECTION, QN_MASONRY_FIELD_COUNT);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "masonry-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+    .row_info = row_info, .row_step = row_step, .row_count = QN_MASONRY_FIELD_COUNT);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

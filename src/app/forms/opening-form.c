@@ -10,14 +10,14 @@ typedef struct Form {
   int number;
 } Form;
 
-enum { TITLE, HEAD, SPAN, SIDES, FIRST_NUMBER };
+#define CHANGE N_ ("Change Opening")
 
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [HEAD] = { .id = "head", .step = N_ ("Change Opening") },
-  [SPAN] = { .id = "span", .step = N_ ("Change Opening") },
-  [SIDES] = { .id = "sides", .step = N_ ("Change Opening") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (HEAD, "head", CHANGE)                                                           \
+  FIELD (SPAN, "span", CHANGE)                                                           \
+  FIELD (SIDES, "sides", CHANGE)
+QN_FORM_FIELDS;
 
 /* What spans flat heads, in the order of the list. */
 static const QnSpan spans[] = { QN_SPAN_NONE, QN_SPAN_LINTEL, QN_SPAN_FLAT_ARCH,
@@ -52,7 +52,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
   const QnOpening *opening = selected_opening (form);
-  QnOpeningField number = (QnOpeningField) (field - FIRST_NUMBER);
+  QnOpeningField number = (QnOpeningField) (field - FIELD_COUNT);
   switch (field) {
   case TITLE:
     value->text = opening->name != NULL
@@ -91,8 +91,8 @@ change_opening (QnMasonry *masonry, gpointer data, GError **error)
 {
   const Change *change = data;
   QnOpening *opening = &masonry->wall.openings[change->opening];
-  if (change->field >= FIRST_NUMBER)
-    qn_opening_set_field (opening, (QnOpeningField) (change->field - FIRST_NUMBER),
+  if (change->field >= FIELD_COUNT)
+    qn_opening_set_field (opening, (QnOpeningField) (change->field - FIELD_COUNT),
                           change->number);
   else if (change->field == SIDES)
     opening->sides = (QnSides) change->number;
@@ -125,7 +125,8 @@ row_step (guint row)
 GtkWidget *
 qn_opening_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND_WITH_ROWS (
-    "opening-form", Form, QN_FOLLOW_SELECTION, QN_OPENING_FIELD_COUNT);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "opening-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+    .row_info = row_info, .row_step = row_step, .row_count = QN_OPENING_FIELD_COUNT);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -103,7 +103,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_place_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("place-form", QnBoundForm, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind = QN_FORM_KIND ("place-form", QnBoundForm, .look = look,
+                                               .follows = QN_FOLLOW_SELECTION);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -8,16 +8,14 @@ typedef struct Form {
   QnId section; /* that the form is about */
 } Form;
 
-enum { TITLE, USERS, NAME, SHAPE, ADD, UNUSED, FIRST_NUMBER };
-
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [USERS] = { .id = "users" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Section") },
-  [SHAPE] = { .id = "shape", .step = N_ ("Change Section") },
-  [ADD] = { .id = "add", .step = N_ ("Add Section") },
-  [UNUSED] = { .id = "unused", .step = N_ ("Remove Unused Sections") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (USERS, "users", NULL)                                                           \
+  FIELD (NAME, "name", N_ ("Rename Section"))                                            \
+  FIELD (SHAPE, "shape", N_ ("Change Section"))                                          \
+  FIELD (ADD, "add", N_ ("Add Section"))                                                 \
+  FIELD (UNUSED, "unused", N_ ("Remove Unused Sections"))
+QN_FORM_FIELDS;
 
 static const QnFieldInfo *
 row_info (guint row)
@@ -91,7 +89,7 @@ show (gpointer data, guint field, QnValue *value)
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
   const QnSection *section = &model->sections[form->section];
-  QnSectionField number = (QnSectionField) (field - FIRST_NUMBER);
+  QnSectionField number = (QnSectionField) (field - FIELD_COUNT);
   guint users = 0;
   switch (field) {
   case TITLE:
@@ -138,16 +136,16 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     qn_edit_remove_unused_sections (model);
     return TRUE;
   default:
-    return qn_edit_set_section_field (model, form->section,
-                                      (QnSectionField) (field - FIRST_NUMBER),
-                                      value->number, error);
+    return qn_edit_set_section_field (
+      model, form->section, (QnSectionField) (field - FIELD_COUNT), value->number, error);
   }
 }
 
 GtkWidget *
 qn_section_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND_WITH_ROWS (
-    "section-form", Form, QN_FOLLOW_SELECTION, QN_SECTION_FIELD_COUNT);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "section-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+    .row_info = row_info, .row_step = row_step, .row_count = QN_SECTION_FIELD_COUNT);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

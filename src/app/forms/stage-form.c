@@ -11,45 +11,27 @@ typedef struct Form {
   int selected; /* stage, or -1 */
 } Form;
 
-enum {
-  EMPTY,
-  STAGES,
-  ADD,
-  REMOVE,
-  EARLIER,
-  LATER,
-  FIELDS,
-  NAME,
-  SETS,
-  PROCEDURE,
-  END,
-  TARGET,
-  COMPONENT,
-  DISTANCE,
-  CONTROL,
-  FOLLOW,
-  INCREMENTS
-};
+#define CHANGE N_ ("Change Stage")
 
-static const QnFormField fields[] = {
-  [EMPTY] = { .id = "empty" },
-  [STAGES] = { .id = "stages" },
-  [ADD] = { .id = "add", .step = N_ ("Add Stage") },
-  [REMOVE] = { .id = "remove", .step = N_ ("Remove Stage") },
-  [EARLIER] = { .id = "earlier", .step = N_ ("Move Stage") },
-  [LATER] = { .id = "later", .step = N_ ("Move Stage") },
-  [FIELDS] = { .id = "fields" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Stage") },
-  [SETS] = { .id = "sets", .step = N_ ("Change Stage") },
-  [PROCEDURE] = { .id = "procedure", .step = N_ ("Change Stage") },
-  [END] = { .id = "end", .step = N_ ("Change Stage") },
-  [TARGET] = { .id = "target", .step = N_ ("Change Stage") },
-  [COMPONENT] = { .id = "component", .step = N_ ("Change Stage") },
-  [DISTANCE] = { .id = "distance", .step = N_ ("Change Stage") },
-  [CONTROL] = { .id = "control" },
-  [FOLLOW] = { .id = "follow", .step = N_ ("Change Stage") },
-  [INCREMENTS] = { .id = "increments", .step = N_ ("Change Stage") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (EMPTY, "empty", NULL)                                                           \
+  FIELD (STAGES, "stages", NULL)                                                         \
+  FIELD (ADD, "add", N_ ("Add Stage"))                                                   \
+  FIELD (REMOVE, "remove", N_ ("Remove Stage"))                                          \
+  FIELD (EARLIER, "earlier", N_ ("Move Stage"))                                          \
+  FIELD (LATER, "later", N_ ("Move Stage"))                                              \
+  FIELD (BOX, "fields", NULL)                                                            \
+  FIELD (NAME, "name", N_ ("Rename Stage"))                                              \
+  MEMBER (SETS, "sets", CHANGE, QnStage, sets)                                           \
+  FIELD (PROCEDURE, "procedure", CHANGE)                                                 \
+  FIELD (END, "end", CHANGE)                                                             \
+  MEMBER (TARGET, "target", CHANGE, QnStage, target)                                     \
+  MEMBER (COMPONENT, "component", CHANGE, QnStage, control_dof)                          \
+  MEMBER (DISTANCE, "distance", CHANGE, QnStage, control_target)                         \
+  FIELD (CONTROL, "control", NULL)                                                       \
+  FIELD (FOLLOW, "follow", CHANGE)                                                       \
+  MEMBER (INCREMENTS, "increments", CHANGE, QnStage, increments)
+QN_FORM_FIELDS;
 
 static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLACEMENT,
                                           QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
@@ -61,6 +43,13 @@ look (gpointer data)
   int count = (int) qn_canvas_get_model (form->base.canvas)->stage_count;
   form->selected = MIN (form->selected, count - 1);
   return TRUE;
+}
+
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  const int selected = ((const Form *) form)->selected;
+  return selected >= 0 ? &model->stages[selected] : NULL;
 }
 
 /* ---- what is shown ---- */
@@ -78,7 +67,6 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
     qn_value_add_row (value, _ ("Growing loads"));
     for (int32_t set = 1; set <= (int32_t) model->load_set_count; set++)
       qn_value_add_row (value, qn_model_load_set_name (model, set));
-    value->number = stage->sets;
     return TRUE;
   case PROCEDURE:
     for (guint i = 0; i < G_N_ELEMENTS (procedures); i++)
@@ -89,13 +77,8 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
     value->number = qn_stage_get_end (stage);
     return TRUE;
   case TARGET:
-    value->number = stage->target;
     return stage->has_target;
-  case COMPONENT:
-    value->number = stage->control_dof;
-    return controlled;
   case DISTANCE:
-    value->number = stage->control_target;
     g_object_set (
       form->base.widgets[DISTANCE], "quantity",
       stage->control_dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH, NULL);
@@ -109,7 +92,6 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
                                          model->nodes[stage->control_node].name);
     return controlled;
   case INCREMENTS:
-    value->number = stage->increments;
     return TRUE;
   default:
     return controlled;
@@ -143,7 +125,7 @@ show (gpointer data, guint field, QnValue *value)
     value->disabled =
       form->selected < 0 || form->selected + 1 >= (int) model->stage_count;
     return TRUE;
-  case FIELDS:
+  case BOX:
     return form->selected >= 0;
   default:
     return form->selected >= 0 && show_stage (form, model, field, value);
@@ -176,20 +158,10 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
   QnStage stage = model->stages[form->selected];
   QnStageEnd end = qn_stage_get_end (&stage);
   gboolean controlled = stage.control_block != QN_NONE || stage.control_node != QN_NONE;
-  if (field == SETS)
-    stage.sets = (uint32_t) value->number;
-  else if (field == PROCEDURE)
+  if (field == PROCEDURE)
     stage.procedure = procedures[(guint) value->number];
   else if (field == END)
     end = (QnStageEnd) value->number;
-  else if (field == TARGET)
-    stage.target = value->number;
-  else if (field == COMPONENT)
-    stage.control_dof = (QnDof) value->number;
-  else if (field == DISTANCE)
-    stage.control_target = value->number;
-  else if (field == INCREMENTS)
-    stage.increments = qn_value_int (value);
   if (stage.procedure == QN_PROCEDURE_DISPLACEMENT)
     end = QN_STAGE_END_DISPLACEMENT;
   stage.has_target = end == QN_STAGE_END_MULTIPLIER;
@@ -240,7 +212,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_stage_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("stage-form", Form, 0);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("stage-form", Form, .look = look, .subject = subject);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->selected = -1;
   return qn_bound_form_show (form);

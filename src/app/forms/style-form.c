@@ -4,55 +4,30 @@
 #include "app/tools/tools.h"
 #include <glib/gi18n.h>
 
-enum {
-  TITLE,
-  KIND,
-  UNIT_X,
-  UNIT_Y,
-  BOND,
-  HEAD,
-  SHAPE,
-  RING,
-  VOUSSOIRS,
-  TAPER,
-  THICKNESS,
-  WEIGHT,
-  FORCE,
-  INTENSITY,
-  FORCE_KIND,
-  JOINT_LAW,
-  SECTION,
-  ELEMENTS,
-  FIRST_HINGE,
-  SECOND_HINGE,
-  BASE,
-  MIRROR_COPY
-};
-
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [KIND] = { .id = "kind" },
-  [UNIT_X] = { .id = "unit_x" },
-  [UNIT_Y] = { .id = "unit_y" },
-  [BOND] = { .id = "bond" },
-  [HEAD] = { .id = "head" },
-  [SHAPE] = { .id = "shape" },
-  [RING] = { .id = "ring" },
-  [VOUSSOIRS] = { .id = "voussoirs" },
-  [TAPER] = { .id = "taper" },
-  [THICKNESS] = { .id = "thickness" },
-  [WEIGHT] = { .id = "weight" },
-  [FORCE] = { .id = "force" },
-  [INTENSITY] = { .id = "intensity" },
-  [FORCE_KIND] = { .id = "force_kind" },
-  [JOINT_LAW] = { .id = "joint_law" },
-  [SECTION] = { .id = "section" },
-  [ELEMENTS] = { .id = "elements" },
-  [FIRST_HINGE] = { .id = "first_hinge" },
-  [SECOND_HINGE] = { .id = "second_hinge" },
-  [BASE] = { .id = "base" },
-  [MIRROR_COPY] = { .id = "mirror_copy" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  FIELD (KIND, "kind", NULL)                                                             \
+  MEMBER (UNIT_X, "unit_x", NULL, QnToolSettings, masonry.unit.x)                        \
+  MEMBER (UNIT_Y, "unit_y", NULL, QnToolSettings, masonry.unit.y)                        \
+  FIELD (BOND, "bond", NULL)                                                             \
+  FIELD (HEAD, "head", NULL)                                                             \
+  MEMBER (SHAPE, "shape", NULL, QnToolSettings, masonry.shape)                           \
+  MEMBER (RING, "ring", NULL, QnToolSettings, masonry.ring)                              \
+  MEMBER (VOUSSOIRS, "voussoirs", NULL, QnToolSettings, masonry.voussoirs)               \
+  MEMBER (TAPER, "taper", NULL, QnToolSettings, masonry.top_to_foot)                     \
+  MEMBER (THICKNESS, "thickness", NULL, QnToolSettings, masonry.thickness)               \
+  MEMBER (WEIGHT, "weight", NULL, QnToolSettings, masonry.unit_weight)                   \
+  MEMBER (FORCE, "force", NULL, QnToolSettings, force)                                   \
+  MEMBER (INTENSITY, "intensity", NULL, QnToolSettings, intensity)                       \
+  FIELD (FORCE_KIND, "force_kind", NULL)                                                 \
+  FIELD (JOINT_LAW, "joint_law", NULL)                                                   \
+  FIELD (SECTION, "section", NULL)                                                       \
+  MEMBER (ELEMENTS, "elements", NULL, QnToolSettings, elements)                          \
+  MEMBER (FIRST_HINGE, "first_hinge", NULL, QnToolSettings, hinges[0])                   \
+  MEMBER (SECOND_HINGE, "second_hinge", NULL, QnToolSettings, hinges[1])                 \
+  MEMBER (BASE, "base", NULL, QnToolSettings, masonry.base)                              \
+  MEMBER (MIRROR_COPY, "mirror_copy", NULL, QnToolSettings, mirror_copy)
+QN_FORM_FIELDS;
 
 /* Which fields concern which tool, a bit for each. */
 #define BIT(field) (1u << (field))
@@ -127,29 +102,10 @@ look (gpointer data)
   return fields_of (qn_canvas_get_tool (form->canvas)) != 0;
 }
 
-/* Where a value of the settings is kept. */
-static QnBound
-bound_of (QnToolSettings *settings, guint field)
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
 {
-  QnMasonryStyle *style = &settings->masonry;
-  const QnBound all[G_N_ELEMENTS (fields)] = {
-    [UNIT_X] = QN_BOUND (&style->unit.x),
-    [UNIT_Y] = QN_BOUND (&style->unit.y),
-    [SHAPE] = QN_BOUND (&style->shape),
-    [RING] = QN_BOUND (&style->ring),
-    [VOUSSOIRS] = QN_BOUND (&style->voussoirs),
-    [TAPER] = QN_BOUND (&style->top_to_foot),
-    [THICKNESS] = QN_BOUND (&style->thickness),
-    [WEIGHT] = QN_BOUND (&style->unit_weight),
-    [FORCE] = QN_BOUND (&settings->force),
-    [INTENSITY] = QN_BOUND (&settings->intensity),
-    [ELEMENTS] = QN_BOUND (&settings->elements),
-    [FIRST_HINGE] = QN_BOUND (&settings->hinges[0]),
-    [SECOND_HINGE] = QN_BOUND (&settings->hinges[1]),
-    [BASE] = QN_BOUND (&style->base),
-    [MIRROR_COPY] = QN_BOUND (&settings->mirror_copy),
-  };
-  return all[field];
+  return qn_canvas_get_tool_settings (((QnBoundForm *) form)->canvas);
 }
 
 static gboolean
@@ -160,7 +116,6 @@ show (gpointer data, guint field, QnValue *value)
   const QnModel *model = qn_canvas_get_model (form->canvas);
   QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
   const QnMasonryStyle *style = &settings->masonry;
-  qn_value_show (value, bound_of (settings, field));
   switch (field) {
   case TITLE:
     value->text = g_strdup (_ (tool->label));
@@ -220,7 +175,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
   QnMasonryStyle *style = &settings->masonry;
   guint row = (guint) MAX (value->number, 0.0);
-  qn_value_take (value, bound_of (settings, field));
   switch (field) {
   case BOND:
     style->bond = bonds[row].bond;
@@ -252,6 +206,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_style_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("style-form", QnBoundForm, QN_FOLLOW_TOOL);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("style-form", QnBoundForm, .look = look, .subject = subject,
+                  .follows = QN_FOLLOW_TOOL);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -19,55 +19,32 @@ typedef struct Form {
   int wanted;   /* to be selected once an edit has added it; -1: nothing */
 } Form;
 
-enum {
-  TIES,
-  EMPTY,
-  NAME,
-  STEEL,
-  ROUND,
-  DIAMETER,
-  ELASTICITY,
-  YIELD,
-  PRESTRESS,
-  SLACK,
-  ANCHOR,
-  PLATE,
-  WALL,
-  SHEAR,
-  COMPRESSION,
-  FIRST_X,
-  FIRST_Y,
-  SECOND_X,
-  SECOND_Y,
-  FACTS,
-  DUPLICATE,
-  REMOVE
-};
+#define CHANGE N_ ("Change Tie")
 
-static const QnFormField fields[] = {
-  [TIES] = { .id = "ties" },
-  [EMPTY] = { .id = "empty" },
-  [NAME] = { .id = "name", .step = N_ ("Rename Tie") },
-  [STEEL] = { .id = "steel", .step = N_ ("Change Tie") },
-  [ROUND] = { .id = "round", .step = N_ ("Change Tie") },
-  [DIAMETER] = { .id = "diameter", .step = N_ ("Change Tie") },
-  [ELASTICITY] = { .id = "elasticity", .step = N_ ("Change Tie") },
-  [YIELD] = { .id = "yield", .step = N_ ("Change Tie") },
-  [PRESTRESS] = { .id = "prestress", .step = N_ ("Change Tie") },
-  [SLACK] = { .id = "slack", .step = N_ ("Change Tie") },
-  [ANCHOR] = { .id = "anchor", .step = N_ ("Change Tie") },
-  [PLATE] = { .id = "plate", .step = N_ ("Change Tie") },
-  [WALL] = { .id = "wall", .step = N_ ("Change Tie") },
-  [SHEAR] = { .id = "shear", .step = N_ ("Change Tie") },
-  [COMPRESSION] = { .id = "compression", .step = N_ ("Change Tie") },
-  [FIRST_X] = { .id = "first_x", .step = N_ ("Move Tie End") },
-  [FIRST_Y] = { .id = "first_y", .step = N_ ("Move Tie End") },
-  [SECOND_X] = { .id = "second_x", .step = N_ ("Move Tie End") },
-  [SECOND_Y] = { .id = "second_y", .step = N_ ("Move Tie End") },
-  [FACTS] = { .id = "facts" },
-  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Tie") },
-  [REMOVE] = { .id = "remove", .step = N_ ("Remove Tie") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TIES, "ties", NULL)                                                             \
+  FIELD (EMPTY, "empty", NULL)                                                           \
+  FIELD (NAME, "name", N_ ("Rename Tie"))                                                \
+  FIELD (STEEL, "steel", CHANGE)                                                         \
+  FIELD (ROUND, "round", CHANGE)                                                         \
+  FIELD (DIAMETER, "diameter", CHANGE)                                                   \
+  MEMBER (ELASTICITY, "elasticity", CHANGE, QnTie, elasticity)                           \
+  MEMBER (YIELD, "yield", CHANGE, QnTie, yield)                                          \
+  MEMBER (PRESTRESS, "prestress", CHANGE, QnTie, prestress)                              \
+  MEMBER (SLACK, "slack", CHANGE, QnTie, slack)                                          \
+  MEMBER (ANCHOR, "anchor", CHANGE, QnTie, anchor)                                       \
+  MEMBER (PLATE, "plate", CHANGE, QnTie, plate.diameter)                                 \
+  MEMBER (WALL, "wall", CHANGE, QnTie, plate.wall)                                       \
+  MEMBER (SHEAR, "shear", CHANGE, QnTie, plate.shear)                                    \
+  MEMBER (COMPRESSION, "compression", CHANGE, QnTie, plate.compression)                  \
+  MEMBER (FIRST_X, "first_x", N_ ("Move Tie End"), QnTie, ends[0].at.x)                  \
+  MEMBER (FIRST_Y, "first_y", N_ ("Move Tie End"), QnTie, ends[0].at.y)                  \
+  MEMBER (SECOND_X, "second_x", N_ ("Move Tie End"), QnTie, ends[1].at.x)                \
+  MEMBER (SECOND_Y, "second_y", N_ ("Move Tie End"), QnTie, ends[1].at.y)                \
+  FIELD (FACTS, "facts", NULL)                                                           \
+  FIELD (DUPLICATE, "duplicate", N_ ("Duplicate Tie"))                                   \
+  FIELD (REMOVE, "remove", N_ ("Remove Tie"))
+QN_FORM_FIELDS;
 
 static gboolean
 look (gpointer data)
@@ -79,26 +56,11 @@ look (gpointer data)
   return TRUE;
 }
 
-/* The number of a tie that a field shows. */
-static QnBound
-bound_of (QnTie *tie, guint field)
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
 {
-  const QnBound all[G_N_ELEMENTS (fields)] = {
-    [ELASTICITY] = QN_BOUND (&tie->elasticity),
-    [YIELD] = QN_BOUND (&tie->yield),
-    [PRESTRESS] = QN_BOUND (&tie->prestress),
-    [SLACK] = QN_BOUND (&tie->slack),
-    [ANCHOR] = QN_BOUND (&tie->anchor),
-    [PLATE] = QN_BOUND (&tie->plate.diameter),
-    [WALL] = QN_BOUND (&tie->plate.wall),
-    [SHEAR] = QN_BOUND (&tie->plate.shear),
-    [COMPRESSION] = QN_BOUND (&tie->plate.compression),
-    [FIRST_X] = QN_BOUND (&tie->ends[0].at.x),
-    [FIRST_Y] = QN_BOUND (&tie->ends[0].at.y),
-    [SECOND_X] = QN_BOUND (&tie->ends[1].at.x),
-    [SECOND_Y] = QN_BOUND (&tie->ends[1].at.y),
-  };
-  return all[field];
+  const int selected = ((const Form *) form)->selected;
+  return selected >= 0 ? &model->ties[selected] : NULL;
 }
 
 static void
@@ -193,10 +155,8 @@ show (gpointer data, guint field, QnValue *value)
   case WALL:
   case SHEAR:
   case COMPRESSION:
-    qn_value_show (value, bound_of (&tie, field));
     return any && tie.plate.diameter > 0;
   default:
-    qn_value_show (value, bound_of (&tie, field));
     return any;
   }
 }
@@ -240,11 +200,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case SECOND_X:
   case SECOND_Y: {
     int end = field >= SECOND_X;
-    qn_value_take (value, bound_of (tie, field));
     return qn_edit_place_tie_end (model, form->selected, end, tie->ends[end].at, error);
   }
   default:
-    qn_value_take (value, bound_of (tie, field));
     return TRUE;
   }
 }
@@ -252,7 +210,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_tie_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("tie-form", Form, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "tie-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->selected = form->wanted = -1;
   return qn_bound_form_show (form);

@@ -9,16 +9,16 @@ typedef struct Form {
   QnId wall;
 } Form;
 
-enum { TITLE, X, Y, UNIT_X, UNIT_Y, CONVERT };
+#define CHANGE N_ ("Change Wall")
 
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title" },
-  [X] = { .id = "x", .step = N_ ("Change Wall") },
-  [Y] = { .id = "y", .step = N_ ("Change Wall") },
-  [UNIT_X] = { .id = "unit_x", .step = N_ ("Change Wall") },
-  [UNIT_Y] = { .id = "unit_y", .step = N_ ("Change Wall") },
-  [CONVERT] = { .id = "convert", .step = N_ ("Make Wall Parametric") },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", NULL)                                                           \
+  MEMBER (X, "x", CHANGE, QnWall, origin.x)                                              \
+  MEMBER (Y, "y", CHANGE, QnWall, origin.y)                                              \
+  MEMBER (UNIT_X, "unit_x", CHANGE, QnWall, unit.x)                                      \
+  MEMBER (UNIT_Y, "unit_y", CHANGE, QnWall, unit.y)                                      \
+  FIELD (CONVERT, "convert", N_ ("Make Wall Parametric"))
+QN_FORM_FIELDS;
 
 static gboolean
 look (gpointer data)
@@ -31,24 +31,19 @@ look (gpointer data)
   return form->wall != QN_NONE;
 }
 
-static QnBound
-bound_of (QnWall *wall, guint field)
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
 {
-  const QnBound all[G_N_ELEMENTS (fields)] = { [X] = QN_BOUND (&wall->origin.x),
-                                               [Y] = QN_BOUND (&wall->origin.y),
-                                               [UNIT_X] = QN_BOUND (&wall->unit.x),
-                                               [UNIT_Y] = QN_BOUND (&wall->unit.y) };
-  return all[field];
+  return &model->walls[((const Form *) form)->wall];
 }
 
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
-  QnWall *wall = &qn_canvas_get_model (form->base.canvas)->walls[form->wall];
   if (field == TITLE)
-    value->text = g_strdup_printf (_ ("Wall %s"), wall->name);
-  qn_value_show (value, bound_of (wall, field));
+    value->text = g_strdup_printf (
+      _ ("Wall %s"), qn_canvas_get_model (form->base.canvas)->walls[form->wall].name);
   return TRUE;
 }
 
@@ -58,13 +53,13 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   const Form *form = data;
   if (field == CONVERT)
     return qn_edit_convert_wall (draft, form->wall, error);
-  qn_value_take (value, bound_of (&draft->model.walls[form->wall], field));
   return qn_edit_rebuild (&draft->model, NULL, error);
 }
 
 GtkWidget *
 qn_wall_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("wall-form", Form, QN_FOLLOW_SELECTION);
+  static const QnFormKind kind = QN_FORM_KIND (
+    "wall-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

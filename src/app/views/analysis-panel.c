@@ -7,67 +7,42 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-  TITLE,
-  GRAVITY,
-  PROCEDURE,
-  EXPLANATION,
-  STAGES,
-  GEOMETRY,
-  FOLLOW,
-  SNAP,
-  INCREMENTS,
-  MAX_MULTIPLIER,
-  MULTIPLIER_TOLERANCE,
-  RESIDUAL_TOLERANCE,
-  CONTROL_BLOCK,
-  COMPONENT,
-  TARGET,
-  LOAD, /* constant and growing, horizontal and vertical */
-  PLACEMENT = LOAD + 4,
-  OFFSET,
-  COUNT,
-  POSITIONS,
-  WEIGHTS,
-  TOLERANCE,
-  DYNAMIC_BOX,
-  LOADS_BOX,
-  STAGES_BOX,
-  LAWS_BOX
-};
+#define CHANGE N_ ("Change Analysis")
 
-static const QnFormField fields[] = {
-  [TITLE] = { .id = "title", .step = N_ ("Change Title") },
-  [GRAVITY] = { .id = "gravity", .step = N_ ("Change Gravity") },
-  [PROCEDURE] = { .id = "procedure", .step = N_ ("Change Analysis") },
-  [EXPLANATION] = { .id = "explanation" },
-  [STAGES] = { .id = "stages" },
-  [GEOMETRY] = { .id = "geometry", .step = N_ ("Change Analysis") },
-  [FOLLOW] = { .id = "follow", .step = N_ ("Change Analysis") },
-  [SNAP] = { .id = "snap", .step = N_ ("Change Analysis") },
-  [INCREMENTS] = { .id = "increments", .step = N_ ("Change Analysis") },
-  [MAX_MULTIPLIER] = { .id = "max_multiplier", .step = N_ ("Change Analysis") },
-  [MULTIPLIER_TOLERANCE] = { .id = "multiplier_tolerance",
-                             .step = N_ ("Change Analysis") },
-  [RESIDUAL_TOLERANCE] = { .id = "residual_tolerance", .step = N_ ("Change Analysis") },
-  [CONTROL_BLOCK] = { .id = "control_block", .step = N_ ("Change Analysis") },
-  [COMPONENT] = { .id = "component", .step = N_ ("Change Analysis") },
-  [TARGET] = { .id = "target", .step = N_ ("Change Analysis") },
-  [LOAD] = { .id = "constant_x", .step = N_ ("Change Loads") },
-  [LOAD + 1] = { .id = "constant_y", .step = N_ ("Change Loads") },
-  [LOAD + 2] = { .id = "growing_x", .step = N_ ("Change Loads") },
-  [LOAD + 3] = { .id = "growing_y", .step = N_ ("Change Loads") },
-  [PLACEMENT] = { .id = "placement", .step = N_ ("Change Analysis") },
-  [OFFSET] = { .id = "offset", .step = N_ ("Change Analysis") },
-  [COUNT] = { .id = "count", .step = N_ ("Change Analysis") },
-  [POSITIONS] = { .id = "positions", .step = N_ ("Change Analysis") },
-  [WEIGHTS] = { .id = "weights", .step = N_ ("Change Analysis") },
-  [TOLERANCE] = { .id = "tolerance", .step = N_ ("Change Analysis") },
-  [DYNAMIC_BOX] = { .id = "dynamic_box" },
-  [LOADS_BOX] = { .id = "loads_box" },
-  [STAGES_BOX] = { .id = "stages_box" },
-  [LAWS_BOX] = { .id = "laws_box" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TITLE, "title", N_ ("Change Title"))                                            \
+  MEMBER (GRAVITY, "gravity", N_ ("Change Gravity"), QnModel, gravity)                   \
+  FIELD (PROCEDURE, "procedure", CHANGE)                                                 \
+  FIELD (EXPLANATION, "explanation", NULL)                                               \
+  FIELD (STAGES, "stages", NULL)                                                         \
+  MEMBER (GEOMETRY, "geometry", CHANGE, QnModel, analysis.geometry)                      \
+  MEMBER (FOLLOW, "follow", CHANGE, QnModel, analysis.follow)                            \
+  MEMBER (SNAP, "snap", CHANGE, QnModel, analysis.snap)                                  \
+  MEMBER (INCREMENTS, "increments", CHANGE, QnModel, analysis.increments)                \
+  MEMBER (MAX_MULTIPLIER, "max_multiplier", CHANGE, QnModel, analysis.max_multiplier)    \
+  MEMBER (MULTIPLIER_TOLERANCE, "multiplier_tolerance", CHANGE, QnModel,                 \
+          analysis.multiplier_tolerance)                                                 \
+  MEMBER (RESIDUAL_TOLERANCE, "residual_tolerance", CHANGE, QnModel,                     \
+          analysis.residual_tolerance)                                                   \
+  FIELD (CONTROL_BLOCK, "control_block", CHANGE)                                         \
+  MEMBER (COMPONENT, "component", CHANGE, QnModel, analysis.control_dof)                 \
+  MEMBER (TARGET, "target", CHANGE, QnModel, analysis.control_target)                    \
+  FIELD (LOAD, "constant_x",                                                             \
+         N_ ("Change Loads")) /* constant and growing, horizontal and vertical */        \
+  FIELD (CONSTANT_Y, "constant_y", N_ ("Change Loads"))                                  \
+  FIELD (GROWING_X, "growing_x", N_ ("Change Loads"))                                    \
+  FIELD (GROWING_Y, "growing_y", N_ ("Change Loads"))                                    \
+  FIELD (PLACEMENT, "placement", CHANGE)                                                 \
+  MEMBER (OFFSET, "offset", CHANGE, QnModel, contact.pairs.offset)                       \
+  FIELD (COUNT, "count", CHANGE)                                                         \
+  FIELD (POSITIONS, "positions", CHANGE)                                                 \
+  FIELD (WEIGHTS, "weights", CHANGE)                                                     \
+  MEMBER (TOLERANCE, "tolerance", CHANGE, QnModel, contact.tolerance)                    \
+  FIELD (DYNAMIC_BOX, "dynamic_box", NULL)                                               \
+  FIELD (LOADS_BOX, "loads_box", NULL)                                                   \
+  FIELD (STAGES_BOX, "stages_box", NULL)                                                 \
+  FIELD (LAWS_BOX, "laws_box", NULL)
+QN_FORM_FIELDS;
 
 /* Rows of the choice of procedure. */
 static const struct {
@@ -139,7 +114,6 @@ show_contact (const QnModel *model, guint field, QnValue *value)
     value->number = rule->placement;
     return TRUE;
   case OFFSET:
-    value->number = rule->offset;
     return rule->placement <= QN_PLACEMENT_LOBATTO;
   case COUNT:
     value->number = qn_pair_rule_shown_count (rule, model, model->contact.law);
@@ -156,24 +130,10 @@ show_contact (const QnModel *model, guint field, QnValue *value)
   }
 }
 
-static QnBound
-bound_of (QnModel *model, guint field)
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
 {
-  QnAnalysisSettings *a = &model->analysis;
-  const QnBound all[G_N_ELEMENTS (fields)] = {
-    [GRAVITY] = QN_BOUND (&model->gravity),
-    [GEOMETRY] = QN_BOUND (&a->geometry),
-    [FOLLOW] = QN_BOUND (&a->follow),
-    [SNAP] = QN_BOUND (&a->snap),
-    [INCREMENTS] = QN_BOUND (&a->increments),
-    [MAX_MULTIPLIER] = QN_BOUND (&a->max_multiplier),
-    [MULTIPLIER_TOLERANCE] = QN_BOUND (&a->multiplier_tolerance),
-    [RESIDUAL_TOLERANCE] = QN_BOUND (&a->residual_tolerance),
-    [COMPONENT] = QN_BOUND (&a->control_dof),
-    [TARGET] = QN_BOUND (&a->control_target),
-    [TOLERANCE] = QN_BOUND (&model->contact.tolerance),
-  };
-  return all[field];
+  return model;
 }
 
 /* Gravity makes weights of densities; weights that are given as such stay. */
@@ -203,7 +163,6 @@ show (gpointer data, guint field, QnValue *value)
   gboolean controlled =
     a.procedure == QN_PROCEDURE_DISPLACEMENT || (path && a.control_block != QN_NONE);
   QnVec2 load;
-  qn_value_show (value, bound_of ((QnModel *) model, field));
   switch (field) {
   case TITLE:
     value->text = g_strdup (model->title);
@@ -293,9 +252,7 @@ take_contact (gpointer form, QnModel *model, guint field, const QnValue *value,
               GError **error)
 {
   QnPairRule *rule = &model->contact.pairs;
-  if (field == OFFSET)
-    rule->offset = value->number;
-  else if (field == COUNT)
+  if (field == COUNT)
     rule->count = MAX (qn_value_int (value), 1);
   else if (field == PLACEMENT && (QnPlacement) value->number != QN_PLACEMENT_EXPLICIT) {
     QnValue count = { .number = qn_bound_form_get_number (form, COUNT) };
@@ -341,8 +298,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   guint row = (guint) MAX (value->number, 0.0);
   if (field == TITLE)
     return take_title (model, value->text, error);
-  qn_value_take (value, bound_of (model, field));
-  if (field >= PLACEMENT && field != TOLERANCE)
+  if (field >= PLACEMENT && field != OFFSET && field != TOLERANCE)
     return take_contact (data, model, field, value, error);
   if (field >= LOAD && field < PLACEMENT)
     return take_load (data, model, field, error);
@@ -371,7 +327,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_analysis_panel_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("analysis-panel", QnBoundForm);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("analysis-panel", QnBoundForm, .subject = subject);
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
   gtk_box_append (GTK_BOX (form->widgets[DYNAMIC_BOX]), qn_dynamic_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LOADS_BOX]), qn_load_form_new (canvas));

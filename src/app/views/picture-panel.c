@@ -5,35 +5,22 @@
 #include "io/text/io-error.h"
 #include <glib/gi18n.h>
 
-enum {
-  TROUBLE,
-  ALLOW,
-  OPACITY,
-  WIDTH,
-  HEIGHT,
-  X,
-  Y,
-  ANGLE,
-  CORNER, /* four of the rectangle on the photo */
-  AS_TAKEN = CORNER + 4
-};
-
 /* The picture is no part of the model: its steps are made here. */
-static const QnFormField fields[] = {
-  [TROUBLE] = { .id = "trouble" },
-  [ALLOW] = { .id = "allow" },
-  [OPACITY] = { .id = "opacity" },
-  [WIDTH] = { .id = "width" },
-  [HEIGHT] = { .id = "height" },
-  [X] = { .id = "x" },
-  [Y] = { .id = "y" },
-  [ANGLE] = { .id = "angle" },
-  [CORNER] = { .id = "corner_0" },
-  [CORNER + 1] = { .id = "corner_1" },
-  [CORNER + 2] = { .id = "corner_2" },
-  [CORNER + 3] = { .id = "corner_3" },
-  [AS_TAKEN] = { .id = "as_taken" },
-};
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (TROUBLE, "trouble", NULL)                                                       \
+  FIELD (ALLOW, "allow", NULL)                                                           \
+  FIELD (OPACITY, "opacity", NULL)                                                       \
+  FIELD (WIDTH, "width", NULL)                                                           \
+  FIELD (HEIGHT, "height", NULL)                                                         \
+  FIELD (X, "x", NULL)                                                                   \
+  FIELD (Y, "y", NULL)                                                                   \
+  FIELD (ANGLE, "angle", NULL)                                                           \
+  FIELD (CORNER, "corner_0", NULL) /* four of the rectangle on the photo */              \
+  FIELD (CORNER_1, "corner_1", NULL)                                                     \
+  FIELD (CORNER_2, "corner_2", NULL)                                                     \
+  FIELD (CORNER_3, "corner_3", NULL)                                                     \
+  FIELD (AS_TAKEN, "as_taken", NULL)
+QN_FORM_FIELDS;
 
 static double *
 number_of (QnUnderlay *underlay, guint field)
@@ -121,6 +108,6 @@ GtkWidget *
 qn_picture_panel_new (QnCanvas *canvas)
 {
   static const QnFormKind kind =
-    QN_FORM_KIND ("picture-panel", QnBoundForm, QN_FOLLOW_VIEW);
+    QN_FORM_KIND ("picture-panel", QnBoundForm, .look = look, .follows = QN_FOLLOW_VIEW);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }
