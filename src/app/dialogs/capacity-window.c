@@ -233,27 +233,21 @@ read_points (Form *form, const char *path)
 }
 
 static void
-on_points_chosen (GtkNativeDialog *dialog, int response, Form *form)
+on_points_chosen (gpointer form, const char *path, const GError *error)
 {
-  g_autoptr (GFile) file = response == GTK_RESPONSE_ACCEPT
-                             ? gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog))
-                             : NULL;
-  g_autofree char *path = file != NULL ? g_file_get_path (file) : NULL;
-  if (path != NULL) {
-    read_points (form, path);
-    store (form);
+  if (path == NULL) {
+    say (form, error->message);
+    return;
   }
-  g_clear_object (&form->chooser);
+  read_points (form, path);
+  store (form);
 }
 
 static void
-on_picture_chosen (GtkNativeDialog *dialog, int response, Form *form)
+on_picture_chosen (gpointer data, const char *path, const GError *refused)
 {
-  static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
-  g_autoptr (GError) error = NULL;
-  g_autofree char *path = response == GTK_RESPONSE_ACCEPT
-                            ? qn_dialog_dup_chosen_path (dialog, endings, &error)
-                            : NULL;
+  Form *form = data;
+  g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
   if (path != NULL) {
     QnOutput output;
     QnMetadata metadata;
@@ -265,35 +259,34 @@ on_picture_chosen (GtkNativeDialog *dialog, int response, Form *form)
   }
   if (error != NULL)
     say (form, error->message);
-  g_clear_object (&form->chooser);
 }
 
 static void
-on_table_chosen (GtkNativeDialog *dialog, int response, Form *form)
+on_table_chosen (gpointer data, const char *path, const GError *refused)
 {
-  static const char *const endings[] = { ".csv", NULL };
-  g_autoptr (GError) error = NULL;
-  g_autofree char *path = response == GTK_RESPONSE_ACCEPT
-                            ? qn_dialog_dup_chosen_path (dialog, endings, &error)
-                            : NULL;
+  Form *form = data;
+  g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
   if (path != NULL)
     qn_capacity_answer_write_csv (&form->answer, path, &error);
   if (error != NULL)
     say (form, error->message);
-  g_clear_object (&form->chooser);
 }
 
+/* Asks for the file of what a button reads or writes. */
 static void
-choose (Form *form, const char *title, const char *name, GCallback chosen)
+ask (Form *form, guint field)
 {
-  GtkFileChooserNative *chooser = qn_chooser_begin (
-    GTK_WINDOW (form->base.root), &form->chooser,
-    name != NULL ? GTK_FILE_CHOOSER_ACTION_SAVE : GTK_FILE_CHOOSER_ACTION_OPEN, title,
-    name != NULL ? _ ("_Export") : _ ("_Open"));
-  if (name != NULL)
-    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), name);
-  g_signal_connect (chooser, "response", chosen, form);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  static const char *const pictures[] = { ".png", ".svg", ".pdf", NULL };
+  static const char *const tables[] = { ".csv", NULL };
+  const QnFileQuestion question =
+    field == FILE_BUTTON
+      ? (QnFileQuestion){ _ ("Read Spectrum"), _ ("_Open"), NULL, NULL, on_points_chosen }
+    : field == EXPORT_PICTURE
+      ? (QnFileQuestion){ _ ("Export Capacity Curve"), _ ("_Export"), _ ("capacity.pdf"),
+                          pictures, on_picture_chosen }
+      : (QnFileQuestion){ _ ("Export Capacity Curve"), _ ("_Export"), _ ("capacity.csv"),
+                          tables, on_table_chosen };
+  qn_chooser_ask (GTK_WINDOW (form->base.root), &form->chooser, &question, form);
 }
 
 /* ---- fields ---- */
@@ -460,21 +453,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case CONFIDENCE:
     break;
   case FILE_BUTTON:
-    choose (form, _ ("Read Spectrum"), NULL, G_CALLBACK (on_points_chosen));
+  case EXPORT_PICTURE:
+  case EXPORT_TABLE:
+    ask (form, field);
     return TRUE;
   case FIND:
     find (form);
     return TRUE;
   case CANCEL:
     g_cancellable_cancel (form->cancellable);
-    return TRUE;
-  case EXPORT_PICTURE:
-    choose (form, _ ("Export Capacity Curve"), _ ("capacity.pdf"),
-            G_CALLBACK (on_picture_chosen));
-    return TRUE;
-  case EXPORT_TABLE:
-    choose (form, _ ("Export Capacity Curve"), _ ("capacity.csv"),
-            G_CALLBACK (on_table_chosen));
     return TRUE;
   default:
     return TRUE;

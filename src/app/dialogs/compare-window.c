@@ -588,35 +588,28 @@ qn_compare_export (const GPtrArray *runs, const char *const *titles, const char 
 }
 
 static void
-on_file_chosen (GtkNativeDialog *dialog, int response, Compare *compare)
+on_file_chosen (gpointer data, const char *path, const GError *refused)
 {
-  if (response == GTK_RESPONSE_ACCEPT) {
-    const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
-    g_autoptr (GError) error = NULL;
-    g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
-    g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
-    for (guint i = 0; i < compare->shown->len; i++)
-      g_ptr_array_add (titles, qn_compare_dup_title (compare, compare->shown->pdata[i]));
-    gboolean written =
-      path != NULL
-      && qn_compare_export (compare->shown, (const char *const *) titles->pdata, path,
-                            &error);
-    g_autofree char *message =
-      written ? g_strdup_printf (_ ("Figure written to %s"), path) : NULL;
-    tell (compare, written ? message : error->message);
-  }
-  g_clear_object (&compare->chooser);
+  Compare *compare = data;
+  g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
+  g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
+  for (guint i = 0; i < compare->shown->len; i++)
+    g_ptr_array_add (titles, qn_compare_dup_title (compare, compare->shown->pdata[i]));
+  gboolean written = path != NULL
+                     && qn_compare_export (
+                       compare->shown, (const char *const *) titles->pdata, path, &error);
+  g_autofree char *message =
+    written ? g_strdup_printf (_ ("Figure written to %s"), path) : NULL;
+  tell (compare, written ? message : error->message);
 }
 
 static void
 on_export (Compare *compare)
 {
-  GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (compare->dialog), &compare->chooser,
-                      GTK_FILE_CHOOSER_ACTION_SAVE, _ ("Export Sheet"), _ ("_Export"));
-  gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ ("comparison.png"));
-  g_signal_connect (chooser, "response", G_CALLBACK (on_file_chosen), compare);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
+  const QnFileQuestion question = { _ ("Export Sheet"), _ ("_Export"),
+                                    _ ("comparison.png"), endings, on_file_chosen };
+  qn_chooser_ask (GTK_WINDOW (compare->dialog), &compare->chooser, &question, compare);
 }
 
 /* ---- building ---- */

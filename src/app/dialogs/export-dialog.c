@@ -168,17 +168,9 @@ on_typed (Dialog *dialog)
 /* ---- export ---- */
 
 static void
-on_file_chosen (GtkNativeDialog *chooser, int response, Dialog *dialog)
+on_file_chosen (gpointer data, const char *path, const GError *error)
 {
-  g_autoptr (GError) error = NULL;
-  g_autofree char *path = NULL;
-  if (response == GTK_RESPONSE_ACCEPT) {
-    const char *const *known = typed_endings[dialog->format];
-    path = qn_dialog_dup_chosen_path (chooser, known, &error);
-  }
-  g_clear_object (&dialog->chooser);
-  if (response != GTK_RESPONSE_ACCEPT)
-    return;
+  Dialog *dialog = data;
   if (path != NULL)
     dialog->write (dialog->parent, path, g_steal_pointer (&dialog->recipe));
   else
@@ -189,17 +181,14 @@ on_file_chosen (GtkNativeDialog *chooser, int response, Dialog *dialog)
 static void
 on_export (Dialog *dialog)
 {
-  GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (dialog->base.root), &dialog->chooser,
-                      GTK_FILE_CHOOSER_ACTION_SAVE, _ ("Export Figure"), _ ("_Export"));
   take_entries (dialog);
   g_autofree char *name =
     qn_document_dup_display_name (qn_view_state_get_document (dialog->state));
   g_autofree char *proposed = g_strdup_printf ("%s – %s", name, dialog->recipe->file);
-  gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser),
-                                     g_strdelimit (proposed, "/", '-'));
-  g_signal_connect (chooser, "response", G_CALLBACK (on_file_chosen), dialog);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  const QnFileQuestion question = { _ ("Export Figure"), _ ("_Export"),
+                                    g_strdelimit (proposed, "/", '-'),
+                                    typed_endings[dialog->format], on_file_chosen };
+  qn_chooser_ask (GTK_WINDOW (dialog->base.root), &dialog->chooser, &question, dialog);
 }
 
 static void

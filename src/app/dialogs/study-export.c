@@ -35,34 +35,25 @@ qn_study_window_export_to (QnStudyWindow *self, const char *what, const char *pa
 }
 
 static void
-on_export_response (GtkNativeDialog *dialog, int response, QnStudyWindow *self)
+on_chosen (gpointer data, const char *path, const GError *error)
 {
-  static const char *const tables[] = { ".csv", NULL };
-  static const char *const figures[] = { ".png", ".svg", ".pdf", NULL };
-  const char *what = g_object_get_data (G_OBJECT (dialog), "qn-what");
-  g_autoptr (GError) error = NULL;
-  if (response == GTK_RESPONSE_ACCEPT) {
-    g_autofree char *path = qn_dialog_dup_chosen_path (
-      dialog, g_str_equal (what, "table") ? tables : figures, &error);
-    if (path != NULL)
-      qn_study_window_export_to (self, what, path);
-    else
-      qn_study_window_tell (self, error->message);
-  }
-  g_clear_object (&self->chooser);
+  QnStudyWindow *self = data;
+  if (path != NULL)
+    qn_study_window_export_to (self, self->exported, path);
+  else
+    qn_study_window_tell (self, error->message);
 }
 
 void
 qn_study_window_export (QnStudyWindow *self, const char *what)
 {
+  static const char *const tables[] = { ".csv", NULL };
+  static const char *const figures[] = { ".png", ".svg", ".pdf", NULL };
   gboolean table = g_str_equal (what, "table");
-  GtkFileChooserNative *chooser = qn_chooser_begin (
-    self->window, &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
-    table ? _ ("Export Table of the Study") : _ ("Export Figure of the Study"),
-    _ ("_Export"));
-  gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser),
-                                     table ? "study.csv" : "study.png");
-  g_object_set_data_full (G_OBJECT (chooser), "qn-what", g_strdup (what), g_free);
-  g_signal_connect (chooser, "response", G_CALLBACK (on_export_response), self);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  const QnFileQuestion question = { table ? _ ("Export Table of the Study")
+                                          : _ ("Export Figure of the Study"),
+                                    _ ("_Export"), table ? "study.csv" : "study.png",
+                                    table ? tables : figures, on_chosen };
+  self->exported = g_intern_string (what);
+  qn_chooser_ask (self->window, &self->chooser, &question, self);
 }

@@ -11,7 +11,8 @@ typedef struct QnStudyWindow {
   QnStudyParent parent;
   GtkWindow *window;
   GSimpleActionGroup *actions;
-  GObject *chooser; /* file chooser on the screen */
+  GObject *chooser;     /* file chooser on the screen */
+  const char *exported; /* what it asks for a file for */
 
   QnDraft *draft;
   gboolean showing; /* the draft is being shown: nobody has entered anything */

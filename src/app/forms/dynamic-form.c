@@ -224,40 +224,34 @@ add_record (QnModel *model, gpointer path, GError **error)
   return qn_edit_add_record (model, path, error);
 }
 
-static gboolean
-import_file (GFile *file, gpointer data)
+static void
+import_path (Form *form, const char *path)
 {
-  Form *form = data;
+  if (!qn_canvas_edit (form->base.canvas, _ ("Import Ground Motion"), NULL, add_record,
+                       (gpointer) path))
+    return;
+  form->selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
+  qn_bound_form_show (form);
+}
+
+static gboolean
+take_file (GFile *file, gpointer form)
+{
   g_autofree char *path = g_file_get_path (file);
-  if (path == NULL)
-    qn_canvas_tell (form->base.canvas, _ ("Only local files can be read"));
-  else if (qn_canvas_edit (form->base.canvas, _ ("Import Ground Motion"), NULL,
-                           add_record, path)) {
-    form->selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
-    qn_bound_form_show (form);
-  }
+  if (path != NULL)
+    import_path (form, path);
+  else
+    qn_canvas_tell (((Form *) form)->base.canvas, _ ("Only local files can be read"));
   return path != NULL;
 }
 
 static void
-on_chosen (GtkNativeDialog *dialog, int response, Form *form)
+on_chosen (gpointer form, const char *path, const GError *error)
 {
-  g_autoptr (GFile) file = response == GTK_RESPONSE_ACCEPT
-                             ? gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog))
-                             : NULL;
-  if (file != NULL)
-    import_file (file, form);
-  g_clear_object (&form->chooser);
-}
-
-static void
-choose_file (Form *form)
-{
-  GtkFileChooserNative *chooser = qn_chooser_begin (
-    GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
-    GTK_FILE_CHOOSER_ACTION_OPEN, _ ("Import Ground Motion"), _ ("_Import"));
-  g_signal_connect (chooser, "response", G_CALLBACK (on_chosen), form);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  if (path != NULL)
+    import_path (form, path);
+  else
+    qn_canvas_tell (((Form *) form)->base.canvas, error->message);
 }
 
 /* ---- changes ---- */
@@ -281,7 +275,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     form->selected = (int) draft->model.ground_count - 1;
     return TRUE;
   case IMPORT:
-    choose_file (form);
+    qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
+                    &(QnFileQuestion){ _ ("Import Ground Motion"), _ ("_Import"), NULL,
+                                       NULL, on_chosen },
+                    form);
     return TRUE;
   case REMOVE:
     return qn_edit_remove_ground_motion (&draft->model, (gsize) form->selected, error);
@@ -316,7 +313,7 @@ qn_dynamic_form_new (QnCanvas *canvas)
   Form *form = qn_bound_form_new (&kind, canvas);
   form->selected = 0;
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
-  qn_accept_files (form->base.root, import_file, form);
+  qn_accept_files (form->base.root, take_file, form);
   g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
   return qn_bound_form_show (form);
 }

@@ -3,6 +3,7 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/views/bounds-bar.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/settings.h"
 #include "doc/document/run-text.h"
 #include "doc/text/count-text.h"
@@ -15,26 +16,10 @@
 
 typedef struct Card {
   QnDocument *document;
-  GtkWidget *box, *stale, *bar, *stages, *events, *found, *others;
-  GtkLabel *number, *outcome, *verdict, *mechanism, *explanation, *led, *happened,
+  GtkWidget *box, *bar, *stages, *events, *others;
+  GtkLabel *stale, *number, *outcome, *verdict, *mechanism, *explanation, *led, *happened,
     *values;
 } Card;
-
-static GtkLabel *
-add_text (GtkWidget *box, const char *css_class)
-{
-  GtkWidget *label = gtk_label_new (NULL);
-  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
-  gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
-  gtk_label_set_selectable (GTK_LABEL (label), TRUE);
-  gtk_label_set_max_width_chars (GTK_LABEL (label), 30);
-  gtk_widget_set_hexpand (label, TRUE);
-  if (css_class != NULL)
-    gtk_widget_add_css_class (label, css_class);
-  gtk_box_append (GTK_BOX (box), label);
-  return GTK_LABEL (label);
-}
 
 static void
 set_text (GtkLabel *label, const char *text)
@@ -138,8 +123,8 @@ update (Card *card)
   if (run == NULL)
     return;
   QnRunAge age = qn_document_get_run_age (card->document, run);
-  gtk_label_set_text (GTK_LABEL (card->stale), qn_run_age_text (age));
-  gtk_widget_set_visible (card->stale, age != QN_RUN_CURRENT);
+  gtk_label_set_text (card->stale, qn_run_age_text (age));
+  gtk_widget_set_visible (GTK_WIDGET (card->stale), age != QN_RUN_CURRENT);
   update_number (card, run);
   g_autoptr (GArray) bounds = qn_bounds_collect (card->document);
   if (run->kind != QN_RUN_ANALYSIS)
@@ -168,48 +153,32 @@ update (Card *card)
     card->others, !qn_model_lacks_live_load (qn_document_get_model (card->document)));
 }
 
-static GtkWidget *
-add_expander (GtkWidget *box, const char *label, GtkLabel **text)
-{
-  GtkWidget *expander = gtk_expander_new_with_mnemonic (label);
-  GtkWidget *inner = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  gtk_widget_set_margin_start (inner, 12);
-  *text = add_text (inner, "guarantee");
-  gtk_expander_set_child (GTK_EXPANDER (expander), inner);
-  gtk_box_append (GTK_BOX (box), expander);
-  return expander;
-}
-
 GtkWidget *
 qn_answer_card_new (QnDocument *document)
 {
-  Card *card = g_new0 (Card, 1);
-  card->document = document;
-  GtkWidget *box = card->box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 4);
-  gtk_widget_add_css_class (box, "answer");
-  card->stale = gtk_label_new (NULL);
-  gtk_widget_add_css_class (card->stale, "stale");
-  gtk_label_set_wrap (GTK_LABEL (card->stale), TRUE);
-  gtk_box_append (GTK_BOX (box), card->stale);
-  card->number = add_text (box, "title-2");
-  card->outcome = add_text (box, NULL);
-  card->bar = qn_bounds_bar_new ();
-  gtk_box_append (GTK_BOX (box), card->bar);
-  card->mechanism = add_text (box, NULL);
-  card->stages = add_expander (box, _ ("Stages and c_ycles"), &card->led);
-  card->events = add_expander (box, "", &card->happened);
-  gtk_expander_set_use_underline (GTK_EXPANDER (card->events), TRUE);
-  card->found = add_expander (box, _ ("_How it was found"), &card->explanation);
-  card->verdict =
-    add_text (gtk_expander_get_child (GTK_EXPANDER (card->found)), "guarantee");
-  card->values =
-    add_text (gtk_expander_get_child (GTK_EXPANDER (card->found)), "guarantee");
-  card->others = gtk_button_new_with_mnemonic (_ ("Solve by _All Methods"));
-  gtk_widget_set_tooltip_text (
-    card->others,
-    _ ("HybriDFEM, then limit analysis with both flow rules, of the same model"));
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (card->others), "win.run-all");
-  gtk_box_append (GTK_BOX (box), card->others);
+  g_type_ensure (QN_TYPE_BOUNDS_BAR);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("answer-card");
+#define LABEL(id) GTK_LABEL (qn_builder_get_widget (builder, id))
+  Card *card = g_new (Card, 1);
+  *card = (Card){
+    .document = document,
+    .box = qn_builder_take_widget (builder, "card"),
+    .stale = LABEL ("stale"),
+    .bar = qn_builder_get_widget (builder, "bar"),
+    .stages = qn_builder_get_widget (builder, "stages"),
+    .events = qn_builder_get_widget (builder, "events"),
+    .others = qn_builder_get_widget (builder, "others"),
+    .number = LABEL ("number"),
+    .outcome = LABEL ("outcome"),
+    .verdict = LABEL ("verdict"),
+    .mechanism = LABEL ("mechanism"),
+    .explanation = LABEL ("explanation"),
+    .led = LABEL ("led"),
+    .happened = LABEL ("happened"),
+    .values = LABEL ("values"),
+  };
+#undef LABEL
+  GtkWidget *box = card->box;
   qn_own (box, card);
   qn_watch (box, document, "runs-changed", G_CALLBACK (update), card);
   qn_watch (box, document, "changed", G_CALLBACK (update), card);

@@ -1,6 +1,7 @@
 /* The corners of the selected block by their coordinates. */
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/quantity-entry.h"
 #include "doc/edit/edit-shape.h"
 #include <glib/gi18n.h>
@@ -109,15 +110,12 @@ update (Table *table)
 GtkWidget *
 qn_corner_table_new (QnCanvas *canvas)
 {
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("corner-table");
+  GtkWidget *expander = qn_builder_take_widget (builder, "corners");
   Table *table = g_new0 (Table, 1);
   table->canvas = canvas;
-  table->grid = gtk_grid_new ();
-  gtk_grid_set_row_spacing (GTK_GRID (table->grid), 4);
-  gtk_grid_set_column_spacing (GTK_GRID (table->grid), 6);
-  table->expander = gtk_expander_new_with_mnemonic (_ ("_Corners"));
-  gtk_widget_add_css_class (table->expander, "form");
-  gtk_expander_set_child (GTK_EXPANDER (table->expander), table->grid);
-  GtkWidget *expander = table->expander;
+  table->grid = qn_builder_get_widget (builder, "grid");
+  table->expander = expander;
   qn_own (expander, table);
   qn_watch (expander, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update),
             table);

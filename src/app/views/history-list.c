@@ -1,5 +1,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
 #include <glib/gi18n.h>
 
@@ -66,22 +67,12 @@ update (List *list)
 GtkWidget *
 qn_history_list_new (QnDocument *document)
 {
-  List *list = g_new0 (List, 1);
-  list->document = document;
-  list->box = gtk_list_box_new ();
-  gtk_list_box_set_activate_on_single_click (GTK_LIST_BOX (list->box), TRUE);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (list->box),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Steps of the history"), -1);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("history-list");
+  GtkWidget *scroller = qn_builder_take_widget (builder, "history");
+  List *list = g_new (List, 1);
+  *list = (List){ document, qn_builder_get_widget (builder, "steps") };
   g_signal_connect (list->box, "row-activated", G_CALLBACK (on_row_activated), list);
   qn_context_menu_attach (list->box, make_menu, NULL);
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
-                                  GTK_POLICY_AUTOMATIC);
-  gtk_scrolled_window_set_max_content_height (GTK_SCROLLED_WINDOW (scroller), 400);
-  gtk_scrolled_window_set_propagate_natural_height (GTK_SCROLLED_WINDOW (scroller), TRUE);
-  gtk_widget_set_size_request (scroller, 220, -1);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), list->box);
   qn_own (scroller, list);
   qn_watch (scroller, document, "history-changed", G_CALLBACK (update), list);
   update (list);

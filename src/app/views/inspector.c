@@ -1,11 +1,10 @@
 #include "app/forms/form.h"
 #include "app/forms/joint-view.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/settings.h"
 #include "doc/view/inspect.h"
 #include <glib/gi18n.h>
-
-#define DIAGRAM_PX 230
 
 typedef struct Inspector {
   QnCanvas *canvas;
@@ -100,25 +99,14 @@ update (Inspector *inspector)
 GtkWidget *
 qn_inspector_new (QnCanvas *canvas)
 {
-  Inspector *inspector = g_new0 (Inspector, 1);
-  inspector->canvas = canvas;
-  inspector->box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  inspector->title = gtk_label_new (NULL);
-  gtk_label_set_xalign (GTK_LABEL (inspector->title), 0.0F);
-  gtk_label_set_wrap (GTK_LABEL (inspector->title), TRUE);
-  gtk_widget_add_css_class (inspector->title, "heading");
-  inspector->rows = gtk_grid_new ();
-  gtk_grid_set_column_spacing (GTK_GRID (inspector->rows), 12);
-  inspector->diagram = gtk_drawing_area_new ();
-  gtk_widget_set_size_request (inspector->diagram, -1, DIAGRAM_PX);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (inspector->diagram),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Normal against shear force in the joint"), -1);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("inspector");
+  Inspector *inspector = g_new (Inspector, 1);
+  *inspector = (Inspector){ .canvas = canvas,
+                            .box = qn_builder_take_widget (builder, "inspector"),
+                            .title = qn_builder_get_widget (builder, "title"),
+                            .rows = qn_builder_get_widget (builder, "rows"),
+                            .diagram = qn_builder_get_widget (builder, "diagram") };
   qn_joint_view_init (inspector->diagram);
-  gtk_box_append (GTK_BOX (inspector->box), inspector->title);
-  gtk_box_append (GTK_BOX (inspector->box), inspector->rows);
-  gtk_box_append (GTK_BOX (inspector->box), inspector->diagram);
-
   GtkWidget *box = inspector->box;
   QnDocument *document = qn_canvas_get_document (canvas);
   qn_own (box, inspector);

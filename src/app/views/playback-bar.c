@@ -1,9 +1,9 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/layouts.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
-#include "app/widgets/shortened.h"
 #include "core/base/integer.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
@@ -20,8 +20,8 @@ typedef struct Bar {
   int played;      /* the step of an analysis in time that was played last */
 } Bar;
 
+/* Rows of the choice of speed. */
 static const double speeds[] = { 0.1, 0.25, 0.5, 1.0, 2.0, 4.0 };
-#define NORMAL_SPEED 3
 
 static const QnRun *
 run_of (const Bar *bar)
@@ -250,96 +250,33 @@ update (Bar *bar)
   update_label (bar, run);
 }
 
-static void
-build (Bar *bar)
-{
-  bar->play = gtk_button_new_from_icon_name ("media-playback-start-symbolic");
-  gtk_widget_set_tooltip_text (bar->play, _ ("Play (Space)"));
-  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->play),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Play or pause"), -1);
-  gtk_widget_add_css_class (bar->play, "flat");
-  g_signal_connect_swapped (bar->play, "clicked", G_CALLBACK (toggle), bar);
-
-  bar->slider = gtk_scale_new_with_range (GTK_ORIENTATION_HORIZONTAL, 0.0, 1.0, 1.0);
-  gtk_scale_set_draw_value (GTK_SCALE (bar->slider), FALSE);
-  gtk_widget_set_direction (bar->slider, GTK_TEXT_DIR_LTR);
-  gtk_widget_set_hexpand (bar->slider, TRUE);
-  gtk_widget_set_size_request (bar->slider, 60, -1);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->slider),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Step"), -1);
-  g_signal_connect (bar->slider, "value-changed", G_CALLBACK (on_slider), bar);
-
-  bar->step_label = gtk_label_new (NULL);
-  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 6);
-  gtk_label_set_max_width_chars (GTK_LABEL (bar->step_label), 30);
-  qn_shortened_set (GTK_LABEL (bar->step_label), PANGO_ELLIPSIZE_END);
-  gtk_label_set_xalign (GTK_LABEL (bar->step_label), 0.0f);
-  gtk_widget_add_css_class (bar->step_label, "numeric");
-
-  bar->loop = gtk_toggle_button_new ();
-  gtk_button_set_icon_name (GTK_BUTTON (bar->loop), "media-playlist-repeat-symbolic");
-  gtk_widget_set_tooltip_text (bar->loop, _ ("Loop"));
-  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->loop),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Loop"), -1);
-  gtk_widget_add_css_class (bar->loop, "flat");
-  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->loop), TRUE);
-
-  const char *const names[] = { "⅒×", "¼×", "½×", "1×", "2×", "4×", NULL };
-  bar->speed = gtk_drop_down_new_from_strings (names);
-  gtk_drop_down_set_selected (GTK_DROP_DOWN (bar->speed), NORMAL_SPEED);
-  gtk_widget_set_tooltip_text (bar->speed,
-                               _ ("Speed; 1× is real time of an analysis in time"));
-  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->speed),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Speed"), -1);
-
-  bar->scale = QN_QUANTITY_ENTRY (qn_quantity_entry_new (QN_QUANTITY_NUMBER, 0.0, 1e9));
-  gtk_editable_set_width_chars (GTK_EDITABLE (bar->scale), 4);
-  gtk_editable_set_max_width_chars (GTK_EDITABLE (bar->scale), 6);
-  g_signal_connect (bar->scale, "committed", G_CALLBACK (on_scale), bar);
-  gtk_widget_set_tooltip_text (
-    GTK_WIDGET (bar->scale),
-    _ ("Factor on the displacements drawn; 0: one that fits all steps"));
-  GtkWidget *label = gtk_label_new (_ ("Displacements ×"));
-  qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_START);
-  gtk_label_set_width_chars (GTK_LABEL (label), 2);
-  gtk_accessible_update_relation (GTK_ACCESSIBLE (bar->scale),
-                                  GTK_ACCESSIBLE_RELATION_LABELLED_BY, label, NULL, -1);
-
-  bar->truly = gtk_toggle_button_new_with_label ("1∶1");
-  gtk_widget_set_tooltip_text (bar->truly, _ ("Displacements in true scale"));
-  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->truly),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Displacements in true scale"), -1);
-  gtk_widget_add_css_class (bar->truly, "flat");
-  g_signal_connect (bar->truly, "toggled", G_CALLBACK (on_true_scale), bar);
-
-  bar->factor = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
-  GtkWidget *factors[] = { label, GTK_WIDGET (bar->scale), bar->truly };
-  for (gsize i = 0; i < G_N_ELEMENTS (factors); i++)
-    gtk_box_append (GTK_BOX (bar->factor), factors[i]);
-  GtkWidget *parts[][4] = { { bar->play, bar->slider, bar->step_label, bar->loop },
-                            { bar->speed, bar->factor } };
-  GtkWidget *rows[2];
-  bar->box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
-  qn_layout_wrap_pair (bar->box);
-  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
-    rows[i] = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
-    for (gsize k = 0; k < G_N_ELEMENTS (parts[i]) && parts[i][k] != NULL; k++)
-      gtk_box_append (GTK_BOX (rows[i]), parts[i][k]);
-    gtk_box_append (GTK_BOX (bar->box), rows[i]);
-  }
-  /* Time runs to the right, as on every player. */
-  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++)
-    gtk_widget_set_direction (rows[i], GTK_TEXT_DIR_LTR);
-  gtk_widget_add_css_class (bar->box, "toolbar");
-}
-
 GtkWidget *
 qn_playback_bar_new (QnViewState *state)
 {
-  Bar *bar = g_new0 (Bar, 1);
-  bar->state = state;
-  build (bar);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("playback-bar");
+  Bar *bar = g_new (Bar, 1);
+  *bar = (Bar){
+    .state = state,
+    .box = qn_builder_take_widget (builder, "bar"),
+    .play = qn_builder_get_widget (builder, "play"),
+    .slider = qn_builder_get_widget (builder, "slider"),
+    .loop = qn_builder_get_widget (builder, "loop"),
+    .speed = qn_builder_get_widget (builder, "speed"),
+    .step_label = qn_builder_get_widget (builder, "step"),
+    .factor = qn_builder_get_widget (builder, "factor"),
+    .truly = qn_builder_get_widget (builder, "truly"),
+    .scale = QN_QUANTITY_ENTRY (qn_builder_get_widget (builder, "scale")),
+  };
+  g_signal_connect_swapped (bar->play, "clicked", G_CALLBACK (toggle), bar);
+  g_signal_connect (bar->slider, "value-changed", G_CALLBACK (on_slider), bar);
+  g_signal_connect (bar->scale, "committed", G_CALLBACK (on_scale), bar);
+  g_signal_connect (bar->truly, "toggled", G_CALLBACK (on_true_scale), bar);
+  qn_layout_wrap_pair (bar->box);
+  /* Time runs to the right, as on every player. */
+  static const char *const directed[] = { "motion", "measures", "slider" };
+  for (gsize i = 0; i < G_N_ELEMENTS (directed); i++)
+    gtk_widget_set_direction (qn_builder_get_widget (builder, directed[i]),
+                              GTK_TEXT_DIR_LTR);
   g_object_set_data (G_OBJECT (bar->box), "qn-bar", bar);
   qn_own (bar->box, bar);
   qn_watch (bar->box, state, "changed", G_CALLBACK (update), bar);

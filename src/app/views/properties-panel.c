@@ -1,5 +1,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include <glib/gi18n.h>
 
 typedef struct Panel {
@@ -22,37 +23,24 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->hint, item || empty);
 }
 
-static GtkWidget *
-new_hint (void)
-{
-  GtkWidget *label = gtk_label_new (NULL);
-  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
-  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  gtk_label_set_max_width_chars (GTK_LABEL (label), 36);
-  gtk_widget_add_css_class (label, "dim-label");
-  gtk_widget_set_margin_start (label, 12);
-  gtk_widget_set_margin_end (label, 12);
-  gtk_widget_set_margin_top (label, 12);
-  return label;
-}
-
 GtkWidget *
 qn_properties_panel_new (QnCanvas *canvas)
 {
-  Panel *panel = g_new0 (Panel, 1);
-  panel->canvas = canvas;
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
-  panel->hint = new_hint ();
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("properties-panel");
+  GtkWidget *box = qn_builder_take_widget (builder, "panel");
+  Panel *panel = g_new (Panel, 1);
+  *panel = (Panel){ canvas, qn_builder_get_widget (builder, "hint") };
   GtkWidget *parts[] = {
-    qn_style_form_new (canvas),       panel->hint,
-    qn_block_form_new (canvas),       qn_place_form_new (canvas),
-    qn_corner_table_new (canvas),     qn_wall_form_new (canvas),
-    qn_opening_form_new (canvas),     qn_masonry_form_new (canvas),
-    qn_face_form_new (canvas),        qn_beam_form_new (canvas),
-    qn_beam_end_form_new (canvas, 0), qn_beam_end_form_new (canvas, 1),
-    qn_section_form_new (canvas),     qn_array_form_new (canvas)
+    qn_style_form_new (canvas),       qn_block_form_new (canvas),
+    qn_place_form_new (canvas),       qn_corner_table_new (canvas),
+    qn_wall_form_new (canvas),        qn_opening_form_new (canvas),
+    qn_masonry_form_new (canvas),     qn_face_form_new (canvas),
+    qn_beam_form_new (canvas),        qn_beam_end_form_new (canvas, 0),
+    qn_beam_end_form_new (canvas, 1), qn_section_form_new (canvas),
+    qn_array_form_new (canvas)
   };
-  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
+  gtk_box_prepend (GTK_BOX (box), parts[0]);
+  for (gsize i = 1; i < G_N_ELEMENTS (parts); i++)
     gtk_box_append (GTK_BOX (box), parts[i]);
   qn_own (box, panel);
   qn_watch (box, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), panel);

@@ -1,5 +1,6 @@
 #include "app/widgets/chooser.h"
 
+#include "app/widgets/dialog.h"
 #include <glib/gi18n.h>
 
 /* Where the next chooser begins, or NULL. */
@@ -48,6 +49,48 @@ qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind)
   for (gsize i = 0; kind->suffixes[i] != NULL; i++)
     gtk_file_filter_add_suffix (filter, kind->suffixes[i]);
   gtk_file_chooser_add_filter (GTK_FILE_CHOOSER (chooser), filter);
+}
+
+typedef struct Asked {
+  QnFileQuestion question;
+  GObject **kept;
+  gpointer data;
+} Asked;
+
+static void
+on_answered (GtkNativeDialog *chooser, int response, const Asked *asked)
+{
+  g_autoptr (GError) error = NULL;
+  g_autofree char *path = NULL;
+  if (response == GTK_RESPONSE_ACCEPT && asked->question.name != NULL)
+    path = qn_dialog_dup_chosen_path (chooser, asked->question.endings, &error);
+  else if (response == GTK_RESPONSE_ACCEPT) {
+    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
+    path = g_file_get_path (file);
+    if (path == NULL)
+      g_set_error_literal (&error, G_IO_ERROR, G_IO_ERROR_NOT_SUPPORTED,
+                           _ ("Only local files can be opened"));
+  }
+  g_clear_object (asked->kept);
+  if (path != NULL || error != NULL)
+    asked->question.chosen (asked->data, path, error);
+}
+
+void
+qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
+                gpointer data)
+{
+  GtkFileChooserNative *chooser = qn_chooser_begin (
+    parent, kept,
+    question->name != NULL ? GTK_FILE_CHOOSER_ACTION_SAVE : GTK_FILE_CHOOSER_ACTION_OPEN,
+    question->title, question->accept);
+  Asked *asked = g_new (Asked, 1);
+  *asked = (Asked){ *question, kept, data };
+  if (question->name != NULL)
+    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), question->name);
+  g_signal_connect_data (chooser, "response", G_CALLBACK (on_answered), asked,
+                         (GClosureNotify) (void (*) (void)) g_free, 0);
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
 /* Who takes what is dropped. */

@@ -28,6 +28,19 @@ GtkFileChooserNative *qn_chooser_begin (GtkWindow *parent, GObject **kept,
                                         GtkFileChooserAction action, const char *title,
                                         const char *accept);
 
+/* What is asked of a chooser, with what happens then. */
+typedef struct QnFileQuestion {
+  const char *title, *accept; /* translated */
+  const char *name; /* proposed for a file to be written, translated; NULL: one is read */
+  const char *const *endings; /* of such a file: see qn_dialog_dup_chosen_path() */
+  /* The file; NULL with the reason why it is none. Not called where none was chosen. */
+  void (*chosen) (gpointer data, const char *path, const GError *error);
+} QnFileQuestion;
+
+/* Asks over `parent`; *kept holds the chooser while it is there, and `data` must live as long. */
+void qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
+                     gpointer data);
+
 /* Calls `take` for every file that is dropped on the widget; it says whether it takes the file. `data`
  * must live as long as the widget. */
 typedef gboolean (*QnTakeFile) (GFile *file, gpointer data);

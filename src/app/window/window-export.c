@@ -86,18 +86,32 @@ static const struct {
   const char *name;
   const char *title;
   const char *file;
-  const char *ending;
+  const char *endings[2];
   WriteFunc write;
 } exports[] = {
-  { "result", N_ ("Export Result File"), N_ ("result.json"), ".json", write_result },
-  { "report", N_ ("Export Report"), N_ ("report.pdf"), ".pdf", write_report },
-  { "steps", N_ ("Export Steps for ParaView"), N_ ("steps.pvd"), ".pvd", write_steps },
-  { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), ".csv", write_curve },
-  { "contacts", N_ ("Export Contacts as Table"), N_ ("contacts.csv"), ".csv",
+  { "result", N_ ("Export Result File"), N_ ("result.json"), { ".json" }, write_result },
+  { "report", N_ ("Export Report"), N_ ("report.pdf"), { ".pdf" }, write_report },
+  { "steps",
+    N_ ("Export Steps for ParaView"),
+    N_ ("steps.pvd"),
+    { ".pvd" },
+    write_steps },
+  { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), { ".csv" }, write_curve },
+  { "contacts",
+    N_ ("Export Contacts as Table"),
+    N_ ("contacts.csv"),
+    { ".csv" },
     write_contacts },
-  { "beams", N_ ("Export Section Forces as Table"), N_ ("beams.csv"), ".csv",
+  { "beams",
+    N_ ("Export Section Forces as Table"),
+    N_ ("beams.csv"),
+    { ".csv" },
     write_beams },
-  { "drawing", N_ ("Export Drawing as DXF"), N_ ("drawing.dxf"), ".dxf", write_drawing },
+  { "drawing",
+    N_ ("Export Drawing as DXF"),
+    N_ ("drawing.dxf"),
+    { ".dxf" },
+    write_drawing },
 };
 #define DRAWING (G_N_ELEMENTS (exports) - 1)
 
@@ -116,31 +130,22 @@ export_to (QnWindow *self, gsize i, const char *path)
 }
 
 static void
-on_response (GtkNativeDialog *dialog, int response, QnWindow *self)
+on_chosen (gpointer data, const char *path, const GError *error)
 {
-  gsize i = GPOINTER_TO_SIZE (g_object_get_data (G_OBJECT (dialog), "qn-export"));
-  if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GError) error = NULL;
-    const char *const endings[] = { exports[i].ending, NULL };
-    g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
-    if (path != NULL)
-      export_to (self, i, path);
-    else
-      qn_window_show_error (self, error->message);
-  }
-  g_clear_object (&self->chooser);
+  QnWindow *self = data;
+  if (path != NULL)
+    export_to (self, self->exported, path);
+  else
+    qn_window_show_error (self, error->message);
 }
 
 static void
 choose_file (QnWindow *self, gsize i)
 {
-  GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
-                      _ (exports[i].title), _ ("_Export"));
-  gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ (exports[i].file));
-  g_object_set_data (G_OBJECT (chooser), "qn-export", GSIZE_TO_POINTER (i));
-  g_signal_connect (chooser, "response", G_CALLBACK (on_response), self);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  const QnFileQuestion question = { _ (exports[i].title), _ ("_Export"),
+                                    _ (exports[i].file), exports[i].endings, on_chosen };
+  self->exported = i;
+  qn_chooser_ask (GTK_WINDOW (self), &self->chooser, &question, self);
 }
 
 /* ---- figures and what else has a dialog of its own ---- */

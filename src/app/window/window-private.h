@@ -35,6 +35,7 @@ struct _QnWindow {
   QnRecipe *last_recipe;            /* what it looked like */
   GtkPrintSettings *print_settings; /* of the last page, or NULL */
   GObject *chooser;                 /* file chooser on the screen */
+  gsize exported;                   /* what it asks for a file for */
   gboolean has_info_place;
   QnVec2 info_place;
 
