@@ -2,8 +2,8 @@
  * list of runs. */
 #include "driver.h"
 
+#include "app/forms/panel.h"
 #include "app/views/bounds-bar.h"
-#include "app/views/curve-view.h"
 #include "support/room.h"
 
 #include <math.h>

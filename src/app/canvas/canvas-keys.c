@@ -10,7 +10,7 @@ refuse_typed (QnCanvas *self)
 {
   g_autofree char *message =
     g_strdup_printf (_ ("What can be typed here: %s"), _ (self->tool->numbers_label));
-  qn_canvas_emit_failed (self, message);
+  qn_canvas_tell (self, message);
 }
 
 static void
@@ -34,7 +34,7 @@ finish_typed (QnCanvas *self)
                             ? QN_QUANTITY_ANGLE
                             : self->tool->quantities[place];
     if (!qn_units_parse (units, quantity, words[i], &values[count], &error)) {
-      qn_canvas_emit_failed (self, error->message);
+      qn_canvas_tell (self, error->message);
       return;
     }
     count++;
@@ -80,23 +80,10 @@ can_type (QnCanvas *self, gunichar first)
 static gboolean
 move_cursor (QnCanvas *self, guint keyval, GdkModifierType modifiers)
 {
-  QnVec2 way;
-  switch (keyval) {
-  case GDK_KEY_Left:
-    way = qn_vec2 (-1.0, 0.0);
-    break;
-  case GDK_KEY_Right:
-    way = qn_vec2 (1.0, 0.0);
-    break;
-  case GDK_KEY_Up:
-    way = qn_vec2 (0.0, -1.0);
-    break;
-  case GDK_KEY_Down:
-    way = qn_vec2 (0.0, 1.0);
-    break;
-  default:
+  const QnVec2 way = { (keyval == GDK_KEY_Right) - (keyval == GDK_KEY_Left),
+                       (keyval == GDK_KEY_Down) - (keyval == GDK_KEY_Up) };
+  if (way.x == 0.0 && way.y == 0.0)
     return FALSE;
-  }
   if (self->tool == self->resting && !self->in_gesture
       && !qn_selection_is_empty (qn_canvas_get_selection (self)))
     return FALSE;

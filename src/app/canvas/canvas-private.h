@@ -89,9 +89,8 @@ void qn_canvas_click (QnCanvas *canvas, GdkModifierType modifiers);
 /* Moves the camera so that everything is in view. */
 void qn_canvas_fit_now (QnCanvas *canvas);
 
-/* Emit the signals of canvas.h; `message` is translated. */
+/* Emits the signal of canvas.h. */
 void qn_canvas_emit_status (QnCanvas *canvas);
-void qn_canvas_emit_failed (QnCanvas *canvas, const char *message);
 
 /* Distance of grid lines at the present zoom, m. */
 double qn_canvas_grid_distance (QnCanvas *canvas);

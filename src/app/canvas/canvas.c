@@ -27,15 +27,9 @@ qn_canvas_emit_status (QnCanvas *self)
 }
 
 void
-qn_canvas_emit_failed (QnCanvas *self, const char *message)
-{
-  g_signal_emit (self, signals[SIGNAL_FAILED], 0, message);
-}
-
-void
 qn_canvas_tell (QnCanvas *self, const char *message)
 {
-  qn_canvas_emit_failed (self, message);
+  g_signal_emit (self, signals[SIGNAL_FAILED], 0, message);
 }
 
 /* ---- scene ---- */
@@ -525,10 +519,10 @@ static gboolean
 tell_outcome (QnCanvas *self, gboolean done, const GError *error)
 {
   if (!done)
-    qn_canvas_emit_failed (self, error->message);
+    qn_canvas_tell (self, error->message);
   else if (qn_document_has_dissolved (qn_canvas_get_document (self)))
-    qn_canvas_emit_failed (self, _ ("The wall is now a set of free blocks without "
-                                    "parameters. Undo restores the wall."));
+    qn_canvas_tell (self, _ ("The wall is now a set of free blocks without "
+                             "parameters. Undo restores the wall."));
   return done;
 }
 
@@ -552,33 +546,19 @@ qn_canvas_edit_project (QnCanvas *self, const char *name, const char *key,
   return tell_outcome (self, done, error);
 }
 
-static const char *
-magnet_word (QnMagnetKind kind)
-{
-  switch (kind) {
-  case QN_MAGNET_NODE:
-    return _ ("node");
-  case QN_MAGNET_CORNER:
-    return _ ("corner");
-  case QN_MAGNET_MIDDLE:
-    return _ ("middle of an edge");
-  case QN_MAGNET_EDGE:
-    return _ ("edge");
-  case QN_MAGNET_COURSE:
-    return _ ("course line");
-  case QN_MAGNET_GRID:
-    return _ ("grid");
-  case QN_MAGNET_NOTHING:
-    break;
-  }
-  return NULL;
-}
-
 char *
 qn_canvas_dup_status (QnCanvas *self)
 {
   if (!self->pointer_inside || self->state == NULL)
     return g_strdup ("");
+  static const char *const words[] = {
+    [QN_MAGNET_NODE] = N_ ("node"),
+    [QN_MAGNET_CORNER] = N_ ("corner"),
+    [QN_MAGNET_EDGE] = N_ ("edge"),
+    [QN_MAGNET_MIDDLE] = N_ ("middle of an edge"),
+    [QN_MAGNET_COURSE] = N_ ("course line"),
+    [QN_MAGNET_GRID] = N_ ("grid"),
+  };
   QnUnits units = qn_settings_get_units ();
   QnVec2 p = self->hit.point;
   double resolution = 1.0 / self->camera.scale;
@@ -588,7 +568,7 @@ qn_canvas_dup_status (QnCanvas *self)
     p = self->hit.point;
   g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, p.x, 5);
   g_autofree char *y = qn_units_format_full (units, QN_QUANTITY_LENGTH, p.y, 5);
-  const char *word = magnet_word (self->hit.kind);
-  return word != NULL ? g_strdup_printf ("%s; %s  (%s)", x, y, word)
-                      : g_strdup_printf ("%s; %s", x, y);
+  return self->hit.kind != QN_MAGNET_NOTHING
+           ? g_strdup_printf ("%s; %s  (%s)", x, y, _ (words[self->hit.kind]))
+           : g_strdup_printf ("%s; %s", x, y);
 }

@@ -10,12 +10,6 @@
 /* Diameters are shown in whole micrometres: areas are given, not they. */
 #define SHOWN 1e6
 
-typedef struct Form {
-  QnBoundForm base;
-  int selected; /* bar, or -1: that of the selection */
-  int wanted;   /* to be selected once an edit has added it; -1: nothing */
-} Form;
-
 #define CHANGE N_ ("Change Bar")
 
 #define FIELDS(FIELD, MEMBER)                                                            \
@@ -32,71 +26,35 @@ typedef struct Form {
   FIELD (REMOVE, "remove", N_ ("Remove Bar"))
 QN_FORM_FIELDS;
 
-static gboolean
-look (gpointer data)
+static char *
+dup_row (const QnModel *model, gsize index)
 {
-  Form *form = data;
-  form->selected = qn_bound_form_follow_item (
-    form, QN_ITEM_BAR, qn_canvas_get_model (form->base.canvas)->bar_count, form->selected,
-    &form->wanted);
-  return TRUE;
-}
-
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  const int selected = ((const Form *) form)->selected;
-  return selected >= 0 ? &model->bars[selected] : NULL;
+  return qn_bar_dup_text (model, &model->bars[index], qn_settings_get_units ());
 }
 
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  gboolean any = form->selected >= 0;
-  switch (field) {
-  case BARS:
-    for (gsize i = 0; i < model->bar_count; i++)
-      qn_value_take_row (
-        value, qn_bar_dup_text (model, &model->bars[i], qn_settings_get_units ()));
-    value->number = form->selected;
-    return model->bar_count > 0;
-  case EMPTY:
-    value->text =
-      g_strdup (_ ("No bars yet. Draw one with the tool Reinforcing Bar (E), or "
-                   "select blocks and add one through them."));
-    return model->bar_count == 0;
-  case LAW:
-    if (any)
-      qn_value_set_laws (value, model, NULL, model->bars[form->selected].law);
-    return any;
-  case DIAMETER:
-    if (any)
-      value->number =
-        round (qn_bar_get_diameter (model->bars[form->selected].area) * SHOWN) / SHOWN;
-    return any;
-  case ADD:
-    return TRUE;
-  case DUPLICATE:
-  case REMOVE:
-    value->disabled = !any;
-    return TRUE;
-  default:
-    return any;
+  const QnBoundForm *form = data;
+  const QnModel *model = qn_canvas_get_model (form->canvas);
+  const QnBar *bar = qn_bound_form_item (form, model);
+  if (bar == NULL) {
+    value->disabled = field != ADD;
+    return field >= ADD;
   }
+  if (field == LAW)
+    qn_value_set_laws (value, model, NULL, bar->law);
+  else if (field == DIAMETER)
+    value->number = round (qn_bar_get_diameter (bar->area) * SHOWN) / SHOWN;
+  return TRUE;
 }
 
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
-  QnModel *model = draft != NULL ? &draft->model : NULL;
+  QnBoundForm *form = data;
+  QnModel *model = &draft->model;
   switch (field) {
-  case BARS:
-    qn_selection_set_item (qn_canvas_get_selection (form->base.canvas), QN_ITEM_BAR,
-                           (QnId) value->number);
-    return TRUE;
   case LAW:
     model->bars[form->selected].law = (QnId) value->number;
     return TRUE;
@@ -104,7 +62,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     model->bars[form->selected].area = qn_bar_get_area (value->number);
     return TRUE;
   case ADD:
-    if (!qn_edit_add_bar (model, qn_canvas_get_selected (form->base.canvas), error))
+    if (!qn_edit_add_bar (model, qn_canvas_get_selected (form->canvas), error))
       return FALSE;
     form->wanted = (int) model->bar_count - 1;
     return TRUE;
@@ -121,9 +79,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_bar_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "bar-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
-  Form *form = qn_bound_form_new (&kind, canvas);
-  form->selected = form->wanted = -1;
-  return qn_bound_form_show (form);
+  static const QnFormList list =
+    QN_FORM_LIST (BARS, EMPTY, bars, bar_count, dup_row, TRUE, QN_ITEM_BAR);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("bar-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);
+  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

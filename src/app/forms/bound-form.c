@@ -23,6 +23,16 @@ qn_value_int (const QnValue *value)
   return (int) qn_to_integer (value->number, 0, G_MAXINT32);
 }
 
+gpointer
+qn_bound_form_item (gconstpointer data, const QnModel *model)
+{
+  const QnBoundForm *form = data;
+  const QnFormList *list = form->kind->list;
+  return form->selected < 0 ? NULL
+                            : G_STRUCT_MEMBER (char *, model, list->items)
+                                + (gsize) form->selected * list->size;
+}
+
 /* Where the member of a field is; NULL: it has none, or there is no subject. */
 static gpointer
 member_of (QnBoundForm *form, QnModel *model, guint field)
@@ -30,7 +40,8 @@ member_of (QnBoundForm *form, QnModel *model, guint field)
   const QnFormKind *kind = form->kind;
   if (field >= kind->field_count || kind->fields[field].size == 0)
     return NULL;
-  char *subject = kind->subject (form, model, field);
+  char *subject = kind->subject != NULL ? kind->subject (form, model, field)
+                                        : qn_bound_form_item (form, model);
   return subject != NULL ? subject + kind->fields[field].offset : NULL;
 }
 
@@ -239,6 +250,67 @@ show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
   gtk_widget_set_sensitive (widget, !value->disabled);
 }
 
+/* ---- the list ---- */
+
+static gsize
+count_items (const QnBoundForm *form)
+{
+  return G_STRUCT_MEMBER (size_t, qn_canvas_get_model (form->canvas),
+                          form->kind->list->count);
+}
+
+/* What an edit has added is selected; what was selected in the drawing is shown. */
+static void
+follow_list (QnBoundForm *form)
+{
+  const QnFormList *list = form->kind->list;
+  const int count = (int) count_items (form), before = form->selected;
+  if (!list->in_drawing) {
+    form->selected = MIN (form->wanted >= 0 ? form->wanted : before, count - 1);
+    form->wanted = -1;
+    return;
+  }
+  QnSelection *selection = qn_canvas_get_selection (form->canvas);
+  if (form->wanted >= 0 && form->wanted < count)
+    qn_selection_set_item (selection, list->kind, form->wanted);
+  form->wanted = -1;
+  form->selected = qn_selection_get_item (selection, list->kind);
+  if (form->selected >= count)
+    form->selected = -1;
+  if (form->selected >= 0 && form->selected != before)
+    qn_bound_form_reveal (form);
+}
+
+static gboolean
+is_list (const QnBoundForm *form, guint field)
+{
+  return form->kind->list != NULL && field == form->kind->list->list;
+}
+
+static void
+select_item (QnBoundForm *form, int item)
+{
+  const QnFormList *list = form->kind->list;
+  if (list->in_drawing)
+    qn_selection_set_item (qn_canvas_get_selection (form->canvas), list->kind, item);
+  else
+    form->selected = item;
+}
+
+static void
+show_items (QnBoundForm *form)
+{
+  const QnFormList *list = form->kind->list;
+  const gsize count = count_items (form);
+  QnValue value = { .number = form->selected };
+  for (gsize i = 0; i < count; i++)
+    qn_value_take_row (&value, list->dup_row (qn_canvas_get_model (form->canvas), i));
+  gtk_widget_set_visible (form->widgets[list->list], count > 0);
+  gtk_widget_set_visible (form->widgets[list->empty], count == 0);
+  show_list (form, GTK_LIST_BOX (form->widgets[list->list]), &value);
+  value_clear (&value);
+}
+
 GtkWidget *
 qn_bound_form_show (gpointer data)
 {
@@ -246,10 +318,17 @@ qn_bound_form_show (gpointer data)
   if (form->showing)
     return form->root;
   form->showing = TRUE;
+  const QnFormList *list = form->kind->list;
+  if (list != NULL)
+    follow_list (form);
   gboolean there = form->kind->look == NULL || form->kind->look (form);
   if (!GTK_IS_WINDOW (form->root))
     gtk_widget_set_visible (form->root, there);
+  if (list != NULL && there)
+    show_items (form);
   for (guint field = 0; there && form->widgets[field] != NULL; field++) {
+    if (list != NULL && (field == list->list || field == list->empty))
+      continue;
     QnValue value = { 0 };
     show_member (form, field, &value);
     gboolean shown = form->kind->show (form, field, &value);
@@ -310,23 +389,6 @@ qn_bound_form_reveal (gpointer data)
     form->frames = 1;
     gtk_widget_add_tick_callback (form->root, scroll_to, form, NULL);
   }
-}
-
-int
-qn_bound_form_follow_item (gpointer data, QnItemKind item, gsize count, int before,
-                           int *wanted)
-{
-  QnBoundForm *form = data;
-  QnSelection *selection = qn_canvas_get_selection (form->canvas);
-  if (*wanted >= 0 && (gsize) *wanted < count)
-    qn_selection_set_item (selection, item, *wanted);
-  *wanted = -1;
-  int selected = qn_selection_get_item (selection, item);
-  if (selected >= (int) count)
-    selected = -1;
-  if (selected >= 0 && selected != before)
-    qn_bound_form_reveal (form);
-  return selected;
 }
 
 /* ---- taking ---- */
@@ -478,7 +540,10 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   /* A button may close its dialog, and the form is gone with it. */
   GtkWidget *root = NULL;
   g_set_weak_pointer (&root, form->root);
-  if (name != NULL) {
+  if (is_list (form, entered.field)) {
+    select_item (form, (int) entered.value.number);
+    done = TRUE;
+  } else if (name != NULL) {
     g_autofree char *step = dup_step (is_row ? name : _ (name), widget);
     done = qn_document_edit_project (qn_canvas_get_document (form->canvas), step, NULL,
                                      edit, &entered, &error);
@@ -488,8 +553,10 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   }
   if (root != NULL && done)
     qn_bound_form_show (form);
-  else if (root != NULL)
+  else if (root != NULL) {
+    form->wanted = -1;
     refuse (form, widget, error);
+  }
   g_clear_weak_pointer (&root);
   value_clear (&entered.value);
 }
@@ -696,6 +763,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   QnBoundForm *form = g_malloc0 (kind->size);
   form->kind = kind;
   form->canvas = canvas;
+  form->selected = form->wanted = -1;
   form->root = GTK_WIDGET (gtk_builder_get_object (builder, "form"));
   form->widgets = g_new0 (GtkWidget *, kind->field_count + kind->row_count + 1);
   for (guint i = 0; i < kind->field_count; i++) {

@@ -65,6 +65,24 @@ typedef struct QnFormField {
 #define QN_MEMBER_ROW(number, id, step, type, member)                                    \
   { id, step, offsetof (type, member), sizeof ((type *) NULL)->member },
 
+/* The list of a form whose subject is the selected item of an array of the model. Of it `show` and `take`
+ * hear nothing. */
+typedef struct QnFormList {
+  guint list,
+    empty; /* fields: of the list, of the label that is there instead where it has no items */
+  gsize items, count; /* members of QnModel */
+  gsize size;         /* of an item */
+  char *(*dup_row) (const QnModel *model, gsize index);
+  gboolean in_drawing; /* the selected one is the selection's of this kind: */
+  QnItemKind kind;
+} QnFormList;
+
+#define QN_FORM_LIST(list, empty, array, number, row, ...)                               \
+  {                                                                                      \
+    list, empty, offsetof (QnModel, array), offsetof (QnModel, number),                  \
+      sizeof *((QnModel *) NULL)->array, row, __VA_ARGS__                                \
+  }
+
 typedef struct QnBoundForm QnBoundForm;
 
 typedef enum {
@@ -84,11 +102,12 @@ typedef struct QnFormKind {
   guint row_count;
   const QnFieldInfo *(*row_info) (guint row);
   const char *(*row_step) (guint row);
-  QnFollow follows; /* besides the model */
+  const QnFormList *list; /* or NULL */
+  QnFollow follows;       /* besides the model */
   /* Looks at what the form is about; FALSE: nothing, the form hides. NULL: always shown. */
   gboolean (*look) (gpointer form);
   /* The struct of the members that fields have, in `model` (NULL in dialogs and for fields without a
-   * step); NULL: there is none, as where nothing is selected. */
+   * step); NULL: there is none, as where nothing is selected. Without this, the item of the list. */
   gpointer (*subject) (gpointer form, QnModel *model, guint field);
   /* What a field shows, its member already; FALSE: its row hides. */
   gboolean (*show) (gpointer form, guint field, QnValue *value);
@@ -111,6 +130,8 @@ struct QnBoundForm {
   GtkWidget *root;  /* "form" of the .ui file */
   GtkWidget **widgets;
   void (*clear) (gpointer form); /* NULL, or frees what the struct holds */
+  int selected;                  /* item of the list; -1: none */
+  int wanted;                    /* to be selected once an edit has added it; -1: none */
   const QnTool *tool;            /* that was shown last */
   const QnValue *taken;          /* the value that a step takes, of the field … */
   guint taken_field;
@@ -129,11 +150,8 @@ GtkWidget *qn_bound_form_show (gpointer form);
  * focus is in it, it is in view already. */
 void qn_bound_form_reveal (gpointer form);
 
-/* For `look` of a form with a list of items of one kind, `count` of them: the one that is selected in the
- * drawing, or -1; it is revealed where it is not `before`. `wanted` is selected first, once an edit has
- * added it, and -1 then. */
-int qn_bound_form_follow_item (gpointer form, QnItemKind item, gsize count, int before,
-                               int *wanted);
+/* The selected item of its list, in `model`; NULL: there is none. */
+gpointer qn_bound_form_item (gconstpointer form, const QnModel *model);
 
 /* As entered by the user: the number of a field, or its text; while a step takes a value, that. */
 double qn_bound_form_get_number (gpointer form, guint field);

@@ -5,11 +5,6 @@
 #include "doc/text/units.h"
 #include <glib/gi18n.h>
 
-typedef struct Form {
-  QnBoundForm base;
-  int selected; /* row, or -1 */
-} Form;
-
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (CASES, "cases", NULL)                                                           \
   FIELD (EMPTY, "empty", NULL)                                                           \
@@ -18,22 +13,6 @@ typedef struct Form {
   FIELD (ADD, "add", N_ ("Add Load Case"))                                               \
   FIELD (REMOVE, "remove", N_ ("Remove Load Case"))
 QN_FORM_FIELDS;
-
-static gboolean
-look (gpointer data)
-{
-  Form *form = data;
-  if (form->selected >= (int) qn_canvas_get_model (form->base.canvas)->load_case_count)
-    form->selected = -1;
-  return TRUE;
-}
-
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  const int selected = ((const Form *) form)->selected;
-  return selected >= 0 ? &model->load_cases[selected] : NULL;
-}
 
 static guint
 count_loads (const QnModel *model, int32_t load_case)
@@ -44,60 +23,41 @@ count_loads (const QnModel *model, int32_t load_case)
   return count;
 }
 
-static gboolean
-show (gpointer data, guint field, QnValue *value)
+static char *
+dup_row (const QnModel *model, gsize index)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  g_autofree char *factor =
+    qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, model->load_cases[index].factor, 6);
+  guint loads = count_loads (model, (int32_t) index + 1);
+  return g_strdup_printf (
+    ngettext ("%s × %s, for %u load", "%s × %s, for %u loads", loads),
+    model->load_cases[index].name, factor, loads);
+}
+
+static gboolean
+show (gpointer form, guint field, QnValue *value)
+{
   const QnLoadCase *shown =
-    form->selected >= 0 ? &model->load_cases[form->selected] : NULL;
-  switch (field) {
-  case CASES:
-    for (gsize i = 0; i < model->load_case_count; i++) {
-      g_autofree char *factor =
-        qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, model->load_cases[i].factor, 6);
-      guint loads = count_loads (model, (int32_t) i + 1);
-      qn_value_take_row (value,
-                         g_strdup_printf (ngettext ("%s × %s, for %u load",
-                                                    "%s × %s, for %u loads", loads),
-                                          model->load_cases[i].name, factor, loads));
-    }
-    value->number = form->selected;
-    return TRUE;
-  case EMPTY:
-    value->text = g_strdup (_ ("No load cases: every load counts as it is."));
-    return model->load_case_count == 0;
-  case NAME:
-    value->text = shown != NULL ? g_strdup (shown->name) : NULL;
-    return shown != NULL;
-  case FACTOR:
-    return shown != NULL;
-  case REMOVE:
-    value->disabled = shown == NULL;
-    return TRUE;
-  default:
-    return TRUE;
-  }
+    qn_bound_form_item (form, qn_canvas_get_model (((QnBoundForm *) form)->canvas));
+  if (field == NAME && shown != NULL)
+    value->text = g_strdup (shown->name);
+  value->disabled = field == REMOVE && shown == NULL;
+  return shown != NULL || field >= ADD;
 }
 
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
-  QnModel *model = draft != NULL ? &draft->model : NULL;
+  QnBoundForm *form = data;
+  QnModel *model = &draft->model;
   switch (field) {
-  case CASES:
-    form->selected = (int) value->number;
-    return TRUE;
   case NAME:
     return qn_edit_rename_load_case (model, form->selected + 1, value->text, error);
   case FACTOR:
     return TRUE;
   case ADD:
-    if (!qn_edit_add_load_case (model, error))
-      return FALSE;
-    form->selected = (int) model->load_case_count - 1;
-    return TRUE;
+    form->wanted = (int) model->load_case_count;
+    return qn_edit_add_load_case (model, error);
   default:
     return qn_edit_delete_load_case (model, form->selected + 1, error);
   }
@@ -106,9 +66,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_case_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("case-form", Form, .look = look, .subject = subject);
-  Form *form = qn_bound_form_new (&kind, canvas);
-  form->selected = -1;
-  return qn_bound_form_show (form);
+  static const QnFormList list =
+    QN_FORM_LIST (CASES, EMPTY, load_cases, load_case_count, dup_row, FALSE, 0);
+  static const QnFormKind kind = QN_FORM_KIND ("case-form", QnBoundForm, .list = &list);
+  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -53,8 +53,20 @@ GtkWidget *qn_law_form_new (QnCanvas *canvas);
 /* Outcome in words, curve, list of runs and steps, table of contacts. */
 GtkWidget *qn_result_panel_new (QnCanvas *canvas);
 
-/* Gives the choice of runs a context menu. */
-void qn_run_menu_attach (GtkWidget *runs);
+/* The load–displacement curve of the current run, with a cursor bound to the drawing: drag it and the wall
+ * moves. Other runs of the same blocks are drawn with it. While an analysis runs, the multipliers reached so
+ * far, or the history up to now over the whole time. The axes fit the path up to its peak and a little more:
+ * a last motion that runs away leaves the picture with an arrow, until the user zooms. Holds the state. The
+ * plot view (app/widgets/plot-view.h) is called "curve". */
+GtkWidget *qn_curve_view_new (QnViewState *state);
+
+/* What is told of the point next to a place of the curve, px; NULL where there is none. The caller frees it. */
+char *qn_curve_view_dup_values (GtkWidget *view, double x, double y);
+
+/* The energies of an analysis in time beneath its history: a cursor at the step that is shown, and what every
+ * kind comes to there, or under the pointer. A click or drag goes to that time, the arrow keys from step to
+ * step. Hidden where the current run is none in time. */
+GtkWidget *qn_energy_view_new (QnViewState *state);
 
 /* Tables of the current run: a row leads to its step, or to its place in the drawing. */
 GtkWidget *qn_step_table_new (QnViewState *state);
@@ -73,6 +85,10 @@ GtkWidget *qn_findings_panel_new (QnCanvas *canvas);
 
 /* The list of named steps; a click walks to one. For a popover. */
 GtkWidget *qn_history_list_new (QnDocument *document);
+
+/* What a window without a drawing shows: new, open, examples with thumbnails, recent files. Emits nothing: its
+ * buttons are actions of the window ("win.open-path" with a path). */
+GtkWidget *qn_start_page_new (void);
 
 /* Play, step slider, speed and scale of results. */
 GtkWidget *qn_playback_bar_new (QnViewState *state);

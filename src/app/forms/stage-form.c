@@ -6,11 +6,6 @@
 #include "doc/view/load-text.h"
 #include <glib/gi18n.h>
 
-typedef struct Form {
-  QnBoundForm base;
-  int selected; /* stage, or -1 */
-} Form;
-
 #define CHANGE N_ ("Change Stage")
 
 #define FIELDS(FIELD, MEMBER)                                                            \
@@ -36,26 +31,16 @@ QN_FORM_FIELDS;
 static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLACEMENT,
                                           QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
 
-static gboolean
-look (gpointer data)
+static char *
+dup_row (const QnModel *model, gsize index)
 {
-  Form *form = data;
-  int count = (int) qn_canvas_get_model (form->base.canvas)->stage_count;
-  form->selected = MIN (form->selected, count - 1);
-  return TRUE;
-}
-
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  const int selected = ((const Form *) form)->selected;
-  return selected >= 0 ? &model->stages[selected] : NULL;
+  return qn_stage_dup_text (model, index, qn_settings_get_units ());
 }
 
 /* ---- what is shown ---- */
 
 static gboolean
-show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
+show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue *value)
 {
   const QnStage *stage = &model->stages[form->selected];
   gboolean controlled = qn_stage_get_end (stage) == QN_STAGE_END_DISPLACEMENT;
@@ -80,7 +65,7 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
     return stage->has_target;
   case DISTANCE:
     g_object_set (
-      form->base.widgets[DISTANCE], "quantity",
+      form->widgets[DISTANCE], "quantity",
       stage->control_dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH, NULL);
     return controlled;
   case CONTROL:
@@ -101,18 +86,9 @@ show_stage (const Form *form, const QnModel *model, guint field, QnValue *value)
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const QnBoundForm *form = data;
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   switch (field) {
-  case EMPTY:
-    value->text = g_strdup (_ ("The live loads grow together. With stages, loads and "
-                               "settlements are applied, held and taken away in turn."));
-    return model->stage_count == 0;
-  case STAGES:
-    for (gsize i = 0; i < model->stage_count; i++)
-      qn_value_take_row (value, qn_stage_dup_text (model, i, qn_settings_get_units ()));
-    value->number = form->selected;
-    return TRUE;
   case ADD:
     return TRUE;
   case REMOVE:
@@ -136,10 +112,11 @@ show (gpointer data, guint field, QnValue *value)
 
 /* The selected block, or the second end of the selected beam where it stands free. */
 static gboolean
-take_control (const Form *form, const QnModel *model, QnStage *stage, GError **error)
+take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
+              GError **error)
 {
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  QnSelection *selection = qn_canvas_get_selection (form->canvas);
+  QnBlockSet set = qn_canvas_get_selected (form->canvas);
   guint beams = 0;
   const QnId *beam = qn_selection_get (selection, QN_PART_BEAM, &beams);
   if (set.count == 0 && beams == 0)
@@ -152,7 +129,7 @@ take_control (const Form *form, const QnModel *model, QnStage *stage, GError **e
 
 /* Where nothing is said yet the load doubles, or the block moves a little. */
 static gboolean
-change (const Form *form, QnModel *model, guint field, const QnValue *value,
+change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *value,
         GError **error)
 {
   QnStage stage = model->stages[form->selected];
@@ -181,27 +158,20 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
-  QnModel *model = draft != NULL ? &draft->model : NULL;
+  QnBoundForm *form = data;
+  QnModel *model = &draft->model;
   gsize stage = (gsize) MAX (form->selected, 0);
   int by = field == EARLIER ? -1 : 1;
   switch (field) {
-  case STAGES:
-    form->selected = (int) value->number;
-    return TRUE;
   case ADD:
-    if (!qn_edit_add_stage (model, error))
-      return FALSE;
-    form->selected = (int) model->stage_count - 1;
-    return TRUE;
+    form->wanted = (int) model->stage_count;
+    return qn_edit_add_stage (model, error);
   case REMOVE:
     return qn_edit_delete_stage (model, stage, error);
   case EARLIER:
   case LATER:
-    if (!qn_edit_move_stage (model, stage, by, error))
-      return FALSE;
-    form->selected += by;
-    return TRUE;
+    form->wanted = form->selected + by;
+    return qn_edit_move_stage (model, stage, by, error);
   case NAME:
     return qn_edit_rename_stage (model, stage, value->text, error);
   default:
@@ -212,9 +182,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_stage_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("stage-form", Form, .look = look, .subject = subject);
-  Form *form = qn_bound_form_new (&kind, canvas);
-  form->selected = -1;
-  return qn_bound_form_show (form);
+  static const QnFormList list =
+    QN_FORM_LIST (STAGES, EMPTY, stages, stage_count, dup_row, FALSE, 0);
+  static const QnFormKind kind = QN_FORM_KIND ("stage-form", QnBoundForm, .list = &list);
+  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -13,12 +13,6 @@
 /* Diameters are shown in whole micrometres: areas are given, not they. */
 #define SHOWN 1e6
 
-typedef struct Form {
-  QnBoundForm base;
-  int selected; /* tie, or -1: that of the selection */
-  int wanted;   /* to be selected once an edit has added it; -1: nothing */
-} Form;
-
 #define CHANGE N_ ("Change Tie")
 
 #define FIELDS(FIELD, MEMBER)                                                            \
@@ -46,21 +40,10 @@ typedef struct Form {
   FIELD (REMOVE, "remove", N_ ("Remove Tie"))
 QN_FORM_FIELDS;
 
-static gboolean
-look (gpointer data)
+static char *
+dup_row (const QnModel *model, gsize index)
 {
-  Form *form = data;
-  form->selected = qn_bound_form_follow_item (
-    form, QN_ITEM_TIE, qn_canvas_get_model (form->base.canvas)->tie_count, form->selected,
-    &form->wanted);
-  return TRUE;
-}
-
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  const int selected = ((const Form *) form)->selected;
-  return selected >= 0 ? &model->ties[selected] : NULL;
+  return qn_tie_dup_text (model, &model->ties[index], qn_settings_get_units ());
 }
 
 static void
@@ -92,14 +75,14 @@ show_diameters (QnValue *value, const QnTie *tie)
 
 /* What the tie is, and where a run is shown, what it does at the step. */
 static char *
-dup_facts (const Form *form, const QnTie *tie)
+dup_facts (const QnBoundForm *form, const QnTie *tie)
 {
   const QnUnits units = qn_settings_get_units ();
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
   g_autofree char *facts = qn_tie_dup_facts (tie, units);
-  QnViewState *state = qn_canvas_get_state (form->base.canvas);
+  QnViewState *state = qn_canvas_get_state (form->canvas);
   if (!qn_view_state_get_content (state, &model, &contacts, &result) || result == NULL)
     return g_steal_pointer (&facts);
   QnId id = qn_model_find_tie (model, tie->name);
@@ -117,61 +100,44 @@ dup_facts (const Form *form, const QnTie *tie)
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  gboolean any = form->selected >= 0;
-  QnTie tie = any ? model->ties[form->selected] : (QnTie){ 0 };
+  const QnBoundForm *form = data;
+  const QnModel *model = qn_canvas_get_model (form->canvas);
+  const QnTie *tie = qn_bound_form_item (form, model);
+  if (tie == NULL) {
+    value->disabled = TRUE;
+    return (field == DUPLICATE || field == REMOVE) && model->tie_count > 0;
+  }
   switch (field) {
-  case TIES:
-    for (gsize i = 0; i < model->tie_count; i++)
-      qn_value_take_row (
-        value, qn_tie_dup_text (model, &model->ties[i], qn_settings_get_units ()));
-    value->number = form->selected;
-    return model->tie_count > 0;
-  case EMPTY:
-    value->text = g_strdup (
-      _ ("No ties yet. Draw one with the tool Tie (K), from block to block or to the "
-         "ground."));
-    return model->tie_count == 0;
   case NAME:
-    value->text = g_strdup (tie.name);
-    return any;
+    value->text = g_strdup (tie->name);
+    return TRUE;
   case STEEL:
-    show_steels (value, &tie);
-    return any;
+    show_steels (value, tie);
+    return TRUE;
   case ROUND:
-    show_diameters (value, &tie);
-    return any;
+    show_diameters (value, tie);
+    return TRUE;
   case DIAMETER:
-    value->number = round (qn_bar_get_diameter (tie.area) * SHOWN) / SHOWN;
-    return any;
+    value->number = round (qn_bar_get_diameter (tie->area) * SHOWN) / SHOWN;
+    return TRUE;
   case FACTS:
-    value->text = any ? dup_facts (form, &tie) : NULL;
-    return any;
-  case DUPLICATE:
-  case REMOVE:
-    value->disabled = !any;
-    return model->tie_count > 0;
+    value->text = dup_facts (form, tie);
+    return TRUE;
   case WALL:
   case SHEAR:
   case COMPRESSION:
-    return any && tie.plate.diameter > 0;
+    return tie->plate.diameter > 0;
   default:
-    return any;
+    return TRUE;
   }
 }
 
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
-  QnModel *model = draft != NULL ? &draft->model : NULL;
-  if (field == TIES) {
-    qn_selection_set_item (qn_canvas_get_selection (form->base.canvas), QN_ITEM_TIE,
-                           (QnId) value->number);
-    return TRUE;
-  }
-  QnTie *tie = &model->ties[form->selected];
+  QnBoundForm *form = data;
+  QnModel *model = &draft->model;
+  QnTie *tie = qn_bound_form_item (form, model);
   const int row = qn_value_int (value);
   switch (field) {
   case NAME:
@@ -210,9 +176,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_tie_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "tie-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
-  Form *form = qn_bound_form_new (&kind, canvas);
-  form->selected = form->wanted = -1;
-  return qn_bound_form_show (form);
+  static const QnFormList list =
+    QN_FORM_LIST (TIES, EMPTY, ties, tie_count, dup_row, TRUE, QN_ITEM_TIE);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("tie-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);
+  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -18,7 +18,7 @@ place (QnCanvas *canvas, const char *name, const QnUnderlay *underlay)
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (!qn_document_place_picture (qn_canvas_get_document (canvas), name, NULL, &wanted,
                                   &error))
-    g_signal_emit_by_name (canvas, "failed", error->message);
+    qn_canvas_tell (canvas, error->message);
 }
 
 static void
@@ -82,8 +82,7 @@ rectify (QnCanvas *canvas, double width, double height)
   memcpy (shown, qn_canvas_get_gesture (canvas)->points->data, sizeof shown);
   QnUnderlay underlay = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
   if (!qn_underlay_rectify (&underlay, shown, width, height)) {
-    g_signal_emit_by_name (canvas, "failed",
-                           _ ("These four points cannot be the corners of a rectangle"));
+    qn_canvas_tell (canvas, _ ("These four points cannot be the corners of a rectangle"));
     return FALSE;
   }
   place (canvas, _ ("Rectify Picture"), &underlay);

@@ -1,6 +1,5 @@
-#include "app/views/curve-view.h"
-
 #include "app/forms/form.h"
+#include "app/forms/panel.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
 #include "doc/document/run-text.h"

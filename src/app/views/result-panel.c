@@ -1,9 +1,8 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
-#include "app/views/curve-view.h"
-#include "app/views/energy-view.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/choice-list.h"
+#include "app/widgets/context-menu.h"
 #include "doc/document/run-name.h"
 #include "doc/document/run-text.h"
 #include "doc/view/load-text.h"
@@ -170,6 +169,16 @@ update (Panel *panel)
   follow_stage (panel);
 }
 
+/* What can be done with the run that is shown. */
+static GMenuModel *
+make_run_menu (GtkWidget *runs, QnMenuPlace *place, gpointer data)
+{
+  if (gtk_drop_down_get_selected_item (GTK_DROP_DOWN (runs)) == NULL)
+    return NULL;
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("context-menus");
+  return G_MENU_MODEL (g_object_ref (gtk_builder_get_object (builder, "run")));
+}
+
 static GtkDropDown *
 take_choice (GtkBuilder *builder, const char *id, GCallback chosen, Panel *panel)
 {
@@ -203,7 +212,7 @@ qn_result_panel_new (QnCanvas *canvas)
   GtkEventController *focus = gtk_event_controller_focus_new ();
   g_signal_connect_swapped (focus, "leave", G_CALLBACK (on_named), panel);
   gtk_widget_add_controller (GTK_WIDGET (panel->name), focus);
-  qn_run_menu_attach (GTK_WIDGET (panel->runs));
+  qn_context_menu_attach (GTK_WIDGET (panel->runs), make_run_menu, NULL);
   gtk_box_append (views, qn_answer_card_new (document));
   gtk_box_append (views, qn_inspector_new (canvas));
   gtk_box_append (views, panel->curve);

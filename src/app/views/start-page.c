@@ -1,5 +1,4 @@
-#include "app/views/start-page.h"
-
+#include "app/forms/panel.h"
 #include "app/widgets/build-tree.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/shortened.h"

@@ -4,6 +4,11 @@
 
 #include <gtk/gtk.h>
 
+/* Popovers that are open when the window goes close with it. GTK 4.8 takes them from the screen only:
+ * they would keep the pointer and the keys, and stay in memory. A popover that closes alone gives the keys
+ * back. */
+void qn_popovers_attend (GtkWidget *window);
+
 /* Escape closes the window, and popovers that close give their keys back. For windows that do not come
  * from qn_builder_new(), which does it. */
 void qn_dialog_attend (GtkWidget *window);

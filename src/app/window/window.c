@@ -2,9 +2,8 @@
 
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
-#include "app/views/start-page.h"
+#include "app/widgets/dialog.h"
 #include "app/widgets/layouts.h"
-#include "app/widgets/popovers.h"
 #include "app/widgets/settings.h"
 #include "app/widgets/shortened.h"
 #include "app/widgets/text-unit.h"
