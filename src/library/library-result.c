@@ -233,37 +233,27 @@ static bool
 write_capacity (const QnCapacityAnswer *answer, const QnProject *project,
                 const char *picture, GError **cause)
 {
-  QnOutput output;
   QnMetadata metadata;
-  if (picture == NULL)
-    return true;
-  if (qn_is_table (picture))
-    return qn_capacity_answer_write_csv (answer, picture, cause);
-  qn_output_init (&output);
   qn_project_get_metadata (project, &metadata);
-  g_autoptr (QnPlot) plot = qn_capacity_answer_plot (answer);
-  plot->title = project->model.title;
-  return qn_plot_export (plot, picture, &output, &metadata, cause);
+  return picture == NULL
+         || qn_capacity_answer_export (answer, project->model.title, &metadata, picture,
+                                       cause);
 }
 
 /* The answer of a model that is written over; false with an error of either kind. */
 static bool
-find_capacity (QuoinModel *own, const QnCapacitySettings *settings,
-               QnCapacityAnswer *answer, Caller *caller, GError **cause,
+find_capacity (QuoinModel *own, QnCapacityAnswer *answer, Caller *caller,
                QuoinError **error)
 {
   QnProject *project = &own->project;
   QnDiag diag = { 0 };
-  QnId control;
   g_autofree char *reason = NULL;
-  if (!qn_capacity_settings_find_control (settings, project, &control, cause))
-    return false;
   if (qn_contacts_require_sound (&project->model, &own->contacts, &diag) != QN_OK) {
     quoin_library_take_diag (error, project, &diag);
     return false;
   }
   QnCapacityEnd end = qn_capacity_answer_find (answer, &project->model, &own->contacts,
-                                               control, report, caller, &reason, &diag);
+                                               report, caller, &reason, &diag);
   if (end == QN_CAPACITY_FOUND) {
     qn_capacity_answer_check (answer);
     return true;
@@ -299,7 +289,7 @@ quoin_capacity (QuoinModel *model, const char *const *options, const char *pictu
       && set_capacity (&settings, options, &cause)
       && qn_capacity_settings_apply (&settings, &own->project, FALSE, &answer, &points,
                                      &cause)
-      && find_capacity (own, &settings, &answer, &caller, &cause, error)
+      && find_capacity (own, &answer, &caller, error)
       && write_capacity (&answer, &own->project, picture, &cause)) {
     report_end (&caller, &(QnResult){ .outcome = QN_OUTCOME_TARGET_REACHED });
     text = qn_capacity_answer_dup_json (&answer, &own->project, &length);

@@ -244,30 +244,14 @@ on_points_chosen (gpointer form, const char *path, const GError *error)
 }
 
 static void
-on_picture_chosen (gpointer data, const char *path, const GError *refused)
+on_export_chosen (gpointer data, const char *path, const GError *refused)
 {
   Form *form = data;
   g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
-  if (path != NULL) {
-    QnOutput output;
-    QnMetadata metadata;
-    qn_output_init (&output);
-    qn_document_get_metadata (form->document, &metadata);
-    g_autoptr (QnPlot) plot = qn_capacity_answer_plot (&form->answer);
-    plot->title = form->title;
-    qn_plot_export (plot, path, &output, &metadata, &error);
-  }
-  if (error != NULL)
-    say (form, error->message);
-}
-
-static void
-on_table_chosen (gpointer data, const char *path, const GError *refused)
-{
-  Form *form = data;
-  g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
+  QnMetadata metadata;
+  qn_document_get_metadata (form->document, &metadata);
   if (path != NULL)
-    qn_capacity_answer_write_csv (&form->answer, path, &error);
+    qn_capacity_answer_export (&form->answer, form->title, &metadata, path, &error);
   if (error != NULL)
     say (form, error->message);
 }
@@ -283,9 +267,9 @@ ask (Form *form, guint field)
       ? (QnFileQuestion){ _ ("Read Spectrum"), _ ("_Open"), NULL, NULL, on_points_chosen }
     : field == EXPORT_PICTURE
       ? (QnFileQuestion){ _ ("Export Capacity Curve"), _ ("_Export"), _ ("capacity.pdf"),
-                          pictures, on_picture_chosen }
+                          pictures, on_export_chosen }
       : (QnFileQuestion){ _ ("Export Capacity Curve"), _ ("_Export"), _ ("capacity.csv"),
-                          tables, on_table_chosen };
+                          tables, on_export_chosen };
   qn_chooser_ask (GTK_WINDOW (form->base.root), &form->chooser, &question, form);
 }
 

@@ -65,21 +65,16 @@ take_settings (const QnSubcommand *self, const CapacityOptions *options,
 /* --- The path ---------------------------------------------------------------------------- */
 
 static QnExit
-find (QnInput *input, const CapacityOptions *options, const QnCapacitySettings *settings,
-      Answer *answer)
+find (QnInput *input, const CapacityOptions *options, Answer *answer)
 {
-  GError *error = NULL;
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
   QnModel *model = &input->project.model;
-  QnId control;
-  if (!qn_capacity_settings_find_control (settings, &input->project, &control, &error))
-    return qn_cli_fail (error);
   qn_interrupt_install ();
   qn_terminal_progress_init (&progress, options->quiet);
   QnCapacityEnd end = qn_capacity_answer_find (&answer->answer, model, &input->contacts,
-                                               control, qn_terminal_progress_update,
-                                               &progress, &answer->reason, &diag);
+                                               qn_terminal_progress_update, &progress,
+                                               &answer->reason, &diag);
   qn_terminal_progress_done (&progress);
   switch (end) {
   case QN_CAPACITY_FOUND:
@@ -238,7 +233,7 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)
-    code = find (&input, &options, &settings, &answer);
+    code = find (&input, &options, &answer);
   if (code == QN_EXIT_DONE) {
     qn_capacity_answer_check (&answer.answer);
     code = report (&options, &output, &answer);

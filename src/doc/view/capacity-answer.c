@@ -3,6 +3,7 @@
 #include "core/path/analysis.h"
 #include "doc/document/job.h"
 #include "doc/text/explain.h"
+#include "doc/view/sheet.h"
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
 #include "io/text/text-format.h"
@@ -337,7 +338,7 @@ follow_softer (const Search *search, QnCapacity *capacity)
 }
 
 static QnCapacityEnd
-find_mechanism (const Search *search, QnCapacityAnswer *answer, QnId control)
+find_mechanism (const Search *search, QnCapacityAnswer *answer)
 {
   QnResult result;
   const QnResult *collapse = answer->collapse != NULL ? answer->collapse : &result;
@@ -346,7 +347,7 @@ find_mechanism (const Search *search, QnCapacityAnswer *answer, QnId control)
   if (end != QN_CAPACITY_FOUND)
     return end;
   if (qn_capacity_init_kinematic (&answer->capacity, search->model, search->contacts,
-                                  collapse, control, search->diag)
+                                  collapse, answer->control, search->diag)
       != QN_OK)
     end = QN_CAPACITY_REFUSED;
   else if (!answer->capacity.reaches_zero)
@@ -357,10 +358,10 @@ find_mechanism (const Search *search, QnCapacityAnswer *answer, QnId control)
 }
 
 static QnCapacityEnd
-find_path (const Search *search, QnCapacityAnswer *answer, QnId control)
+find_path (const Search *search, QnCapacityAnswer *answer)
 {
   QnResult result;
-  QnCapacityEnd end = follow (search, control, &result);
+  QnCapacityEnd end = follow (search, answer->control, &result);
   if (end != QN_CAPACITY_FOUND)
     return end;
   QnStatus status =
@@ -381,7 +382,7 @@ find_path (const Search *search, QnCapacityAnswer *answer, QnId control)
 
 QnCapacityEnd
 qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
-                         const QnContacts *contacts, QnId control, QnProgressFunc report,
+                         const QnContacts *contacts, QnProgressFunc report,
                          void *report_data, char **reason, QnDiag *diag)
 {
   const Search search = { model, contacts, report, report_data, reason, diag };
@@ -391,8 +392,8 @@ qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
     *reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
     return QN_CAPACITY_STAGES;
   }
-  return answer->kinematic ? find_mechanism (&search, answer, control)
-                           : find_path (&search, answer, control);
+  return answer->kinematic ? find_mechanism (&search, answer)
+                           : find_path (&search, answer);
 }
 
 void
@@ -419,7 +420,6 @@ qn_capacity_answer_check (QnCapacityAnswer *answer)
 typedef struct CapacityWork {
   QnModel model;
   QnContacts contacts;
-  QnId control;
   GCancellable *cancellable;
   QnCapacityAnswer answer;
   char *reason;
@@ -453,8 +453,7 @@ find_capacity (CapacityWork *work)
     status = qn_contacts_require_sound (&work->model, &work->contacts, &work->diag);
   return status == QN_OK
            ? qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
-                                      work->control, may_go_on, work, &work->reason,
-                                      &work->diag)
+                                      may_go_on, work, &work->reason, &work->diag)
            : QN_CAPACITY_REFUSED;
 }
 
@@ -485,7 +484,7 @@ qn_capacity_find_async (const QnModel *model, QnId control, gboolean kinematic,
 {
   CapacityWork *work = g_new0 (CapacityWork, 1);
   g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
-  work->control = control;
+  work->answer.control = control;
   work->answer.kinematic = kinematic;
   work->answer.has_spectrum = TRUE; /* one may be given later */
   work->cancellable = g_object_ref (cancellable);
@@ -602,6 +601,19 @@ qn_capacity_answer_plot (const QnCapacityAnswer *answer)
     if (!answer->states[k].refused)
       add_state (plot, answer, (int) k, highest);
   return plot;
+}
+
+gboolean
+qn_capacity_answer_export (const QnCapacityAnswer *answer, const char *title,
+                           const QnMetadata *metadata, const char *path, GError **error)
+{
+  QnOutput output;
+  if (qn_is_table (path))
+    return qn_capacity_answer_write_csv (answer, path, error);
+  qn_output_init (&output);
+  g_autoptr (QnPlot) plot = qn_capacity_answer_plot (answer);
+  plot->title = title;
+  return qn_plot_export (plot, path, &output, metadata, error);
 }
 
 gboolean

@@ -27,6 +27,7 @@ char *qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check
 typedef struct QnCapacityAnswer {
   gboolean kinematic;       /* whether the curve is to be that of a mechanism, */
   const QnResult *collapse; /* of this result, borrowed; NULL: of limit analysis */
+  QnId control;             /* block that is to be controlled; QN_NONE: to be chosen */
   QnCapacity capacity;      /* owned */
   gboolean has_spectrum;
   QnSpectrum spectrum;  /* its points are borrowed */
@@ -60,17 +61,17 @@ typedef enum {
 } QnCapacityEnd;
 
 /* The curve of a mechanism where answer->kinematic says so, or the path in large displacements
- * until the multiplier is zero again. `control`: the block whose horizontal displacement is controlled; QN_NONE: that of the model's own displacement
- * control, or else the one that moves furthest in the mechanism of limit analysis. The model's settings
- * of the analysis are overwritten. A path that ends since its budget is spent, or whose numbers are not
- * true, is NO_ANSWER. With a spectrum it is followed a second time, with half the stiffness of the joints.
- * Fills answer->capacity alone; qn_capacity_clear() frees it. *reason, which the
- * caller frees: why there is no curve (STAGES, NO_ANSWER), or why its path ended before multiplier 0;
+ * until the multiplier is zero again, of the horizontal displacement of answer->control;
+ * QN_NONE: that of the model's own displacement control, or else the one that moves
+ * furthest in the mechanism of limit analysis. The model's settings of the analysis are
+ * overwritten. A path that ends since its budget is spent, or whose numbers are not true, is
+ * NO_ANSWER. With a spectrum it is followed a second time, with half the stiffness of the
+ * joints. Fills answer->capacity alone; qn_capacity_clear() frees it. *reason, which the caller
+ * frees: why there is no curve (STAGES, NO_ANSWER), or why its path ended before multiplier 0;
  * else NULL. */
 QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
-                                       const QnContacts *contacts, QnId control,
-                                       QnProgressFunc report, void *report_data,
-                                       char **reason, QnDiag *diag);
+                                       const QnContacts *contacts, QnProgressFunc report,
+                                       void *report_data, char **reason, QnDiag *diag);
 
 /* The same in a thread of its own, of a copy of the model. Ends with QnCapacity, which the caller frees
  * with qn_capacity_clear() and g_free(); NULL with an error where there is no curve, and with
@@ -92,7 +93,10 @@ QnPlot *qn_capacity_answer_plot (const QnCapacityAnswer *answer);
 char *qn_capacity_answer_dup_json (const QnCapacityAnswer *answer,
                                    const QnProject *project, gsize *length);
 
-/* Writes the curve as a table. */
+/* Writes the curve as a picture, or as a table where the path ends in .csv. */
+gboolean qn_capacity_answer_export (const QnCapacityAnswer *answer, const char *title,
+                                    const QnMetadata *metadata, const char *path,
+                                    GError **error);
 gboolean qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,
                                        GError **error);
 

@@ -138,8 +138,16 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
   *points = (QnRecord){ 0 };
   answer->confidence = s->confidence > 0 ? s->confidence : 1;
   answer->kinematic = s->mechanism;
+  answer->control =
+    s->control != NULL ? qn_model_find_block (&project->model, s->control) : QN_NONE;
   answer->has_spectrum = s->spectrum != NULL;
   *spectrum = (QnSpectrum){ .damping = s->damping > 0 ? s->damping : 0.05 };
+  if (s->control != NULL && answer->control == QN_NONE) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s: --control: no block has the name %s"), project->name,
+                 s->control);
+    return FALSE;
+  }
   if (!(answer->confidence >= 1))
     return refuse (_ ("confidence is a factor of 1 or more"), error);
   if (!(spectrum->damping < 1))
@@ -166,19 +174,6 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
   spectrum->ground_acceleration = s->ag;
   spectrum->soil = (QnSoil) (*soil - 'A');
   return TRUE;
-}
-
-gboolean
-qn_capacity_settings_find_control (const QnCapacitySettings *s, const QnProject *project,
-                                   QnId *control, GError **error)
-{
-  *control =
-    s->control != NULL ? qn_model_find_block (&project->model, s->control) : QN_NONE;
-  if (s->control == NULL || *control != QN_NONE)
-    return TRUE;
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-               _ ("%s: --control: no block has the name %s"), project->name, s->control);
-  return FALSE;
 }
 
 char *

@@ -40,16 +40,11 @@ gboolean qn_capacity_settings_set (QnCapacitySettings *settings, const char *opt
 
 /* What an answer is to be held against: damping 0.05 and confidence 1 where they are not said. `points`, to be
  * cleared, are those of a file. FALSE with QN_IO_ERROR_OVERRIDE where settings are missing or contradict, and
- * errors of the file. */
+ * errors of the file, or where no block has the name of `control`. */
 gboolean qn_capacity_settings_apply (const QnCapacitySettings *settings,
                                      const QnProject *project, gboolean allow_outside,
                                      QnCapacityAnswer *answer, QnRecord *points,
                                      GError **error);
-
-/* The block of `control`; QN_NONE where none is named. FALSE where no block has the name. */
-gboolean qn_capacity_settings_find_control (const QnCapacitySettings *settings,
-                                            const QnProject *project, QnId *control,
-                                            GError **error);
 
 /* As JSON text, for qn_document_edit_extra(). Free with g_free(). */
 char *qn_capacity_settings_to_json (const QnCapacitySettings *settings);

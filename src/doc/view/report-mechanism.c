@@ -40,7 +40,6 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
   QnCapacitySettings settings;
   QnRecord points = { 0 };
   QnDiag diag = { 0 };
-  QnId control;
   g_autoptr (GError) wrong = NULL;
   g_autofree char *refused = NULL;
   bool done = true;
@@ -55,9 +54,8 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
   if (read
       && qn_capacity_settings_apply (&settings, run->project, FALSE, &answer, &points,
                                      &wrong)
-      && qn_capacity_settings_find_control (&settings, run->project, &control, &wrong)
       && qn_capacity_init_kinematic (&answer.capacity, model, run->contacts,
-                                     &run->file->result, control, &diag)
+                                     &run->file->result, answer.control, &diag)
            != QN_OK)
     refused = qn_explain_diag (model, &diag);
   if (wrong != NULL || refused != NULL) {
