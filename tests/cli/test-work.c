@@ -369,6 +369,18 @@ make_grid (int count)
   return cli_write (folder, "grid.dxf", text->str);
 }
 
+/* A line of many points that lie together, in a drawing that is very wide. */
+static char *
+make_speck (int count)
+{
+  g_autoptr (GString) text =
+    g_string_new ("<svg><rect width=\"4e9\" height=\"9\"/><path d=\"M0 0");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (text, " L %d %d", i % 7, i % 5);
+  g_string_append (text, " H 4e9\"/></svg>");
+  return cli_write (folder, "speck.svg", text->str);
+}
+
 /* Circles about one centre, 20 mm apart. */
 static char *
 make_circles (int count)
@@ -483,6 +495,7 @@ static const Input inputs[] = {
   { "100,001 voussoirs", make_voussoirs, 100001, "check", 3, "masonry[0].openings" },
   { "name of 100,000 letters", make_long_name, 100000, "report", 0, NULL },
   { "50 circles", make_circles, 50, "import", 0, NULL },
+  { "3,000 points together", make_speck, 3000, "import", 3, "no closed outline" },
   { "3,000 random lines", make_lines, 3000, "import", 3, "cross each other" },
   { "20,000 random lines", make_lines, 20000, "import", 3, "cross each other" },
   { "picture of 30,000 x 30,000", make_picture, 30000, "render", 5, "30000 x 30000" },

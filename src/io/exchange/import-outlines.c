@@ -3,30 +3,25 @@
 
 #include <glib/gi18n-lib.h>
 
-/* Whether the points behind `first` run along the beginning of the ring again. */
-static gboolean
-retraces (const QnRing *ring, gsize first, double tolerance)
-{
-  for (gsize i = first; i < ring->count; i++) {
-    double nearest = INFINITY;
-    for (gsize k = 0; k + 1 < first; k++)
-      nearest = fmin (nearest, qn_segment_distance (ring->points[k], ring->points[k + 1],
-                                                    ring->points[i]));
-    if (nearest > tolerance)
-      return FALSE;
-  }
-  return TRUE;
-}
-
 /* Cuts the ring where it comes back to its beginning. FALSE for an open path. */
 static gboolean
 close_ring (QnImportWork *work, QnRing *ring, gboolean closed, gsize *ends,
             gsize *overruns)
 {
+  /* The points from `last` on run along the beginning again; that before it does not along the first
+   * `apart` sides. */
+  gsize last = ring->count, apart = 0;
+  const QnVec2 *p = ring->points;
   for (gsize i = 3; i < ring->count; i++) {
-    QnVec2 way = qn_vec2_sub (ring->points[i], ring->points[0]);
-    if (qn_vec2_length (way) > work->tolerance
-        || !retraces (ring, i + 1, work->tolerance))
+    if (qn_vec2_length (qn_vec2_sub (p[i], p[0])) > work->tolerance)
+      continue;
+    while (last > i + 1 && apart < i) {
+      gboolean again =
+        qn_segment_distance (p[apart], p[apart + 1], p[last - 1]) <= work->tolerance;
+      apart = again ? 0 : apart + 1;
+      last -= again ? 1 : 0;
+    }
+    if (last > i + 1)
       continue;
     if (i + 1 < ring->count)
       (*overruns)++;
