@@ -189,6 +189,64 @@ test_random (void)
   }
 }
 
+/* How far the wall has moved in the last quarter of a time in which it is shaken no more, over how far in all: the
+ * acceleration of the ground has grown slowly until it acts as the live load does at this multiplier. */
+static double
+motion_left (QnModel *model, const QnContacts *contacts, double multiplier)
+{
+  const double grow = 20, end = 36;
+  g_auto (QnResult) result;
+
+  model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
+  model->analysis.dynamic.duration = end;
+  model->analysis.dynamic.time_step = 0.5;
+  model->analysis.dynamic.rho = 0.5;
+  model->analysis.dynamic.mass_damping = 5;
+  model->analysis.dynamic.output_interval = 1;
+  QnGroundMotion *ground =
+    model->ground_count > 0 ? model->ground : qn_model_add_ground_motion (model, NULL);
+  ground->point_count = 0;
+  ground->direction = qn_vec2_scale (-1, model->live_loads[0].vector);
+  double acceleration = multiplier * model->gravity;
+  qn_ground_motion_add_point (ground, 0, 0);
+  qn_ground_motion_add_point (ground, grow, acceleration);
+  qn_ground_motion_add_point (ground, end, acceleration);
+  g_assert_cmpint (qn_analysis_run (model, contacts, NULL, NULL, &result, NULL), ==,
+                   QN_OK);
+  if (result.outcome == QN_OUTCOME_COLLAPSE)
+    return 1;
+  size_t last = result.step_count - 1, before = last;
+  while (result.steps[before].time > end - 0.25 * (end - grow))
+    before--;
+  return qn_result_motion (&result, before, last) / qn_result_motion (&result, 0, last);
+}
+
+/* Equilibria exist up to 1.28 and 1.56 times the multiplier: these walls fall before, as they do in time. */
+static void
+test_slow_load (void)
+{
+  static const guint32 seeds[] = { 7012, 7381 };
+
+  for (gsize i = 0; i < G_N_ELEMENTS (seeds); i++) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    g_auto (QnResult) result;
+    char text[160];
+
+    stress_random_wall (seeds[i], &model, text, sizeof text);
+    model.laws[0].dilatancy = 0;
+    test_detect (&model, &contacts);
+    g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                     QN_OK);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpint (result.stop, ==, QN_STOP_FALL);
+    g_assert_false (result.mechanism_uncertain);
+    double multiplier = result.collapse_multiplier;
+    g_assert_cmpfloat (motion_left (&model, &contacts, 0.97 * multiplier), <, 1e-3);
+    g_assert_cmpfloat (motion_left (&model, &contacts, 1.03 * multiplier), >, 1e-1);
+  }
+}
+
 /* What --only takes must name one case. */
 static void
 test_names (void)
@@ -246,6 +304,7 @@ QN_TESTS
   }
   g_test_add_func ("/stress/process", test_process);
   g_test_add_func ("/stress/random", test_random);
+  g_test_add_func ("/stress/slow-load", test_slow_load);
   g_test_add_func ("/stress/names", test_names);
   g_test_add_func ("/stress/report", test_report);
 }

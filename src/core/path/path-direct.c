@@ -30,7 +30,7 @@ has_taken (const QnPathTrace *trace, const double factorizations[3])
 {
   double share = factorizations[0] / (double) trace->path->model->block_count;
 
-  return trace->path->equilibrium.statistics.factorizations
+  return trace->path->equilibrium.statistics.factorizations - trace->aside
          > fmin (fmax (share, factorizations[1]), factorizations[2]);
 }
 

@@ -43,6 +43,9 @@ const QnPathTuning qn_path_tuning = {
   .least_gain = 0.02,
   .creep = 0.04,
   .reach = 0.03,
+  .late = 0.85,
+  .resists = 0.77,
+  .in_doubt = 0.03,
   .steady = 1e-2,
   .nearly_settled = 5e-3,
   .settled = 0.1,
@@ -226,6 +229,8 @@ qn_path_trace_accept (QnPathTrace *trace)
     return false;
   if (trace->load_control) {
     qn_equilibrium_save (eq, &trace->highest);
+    if (!trace->doubt)
+      qn_equilibrium_save (eq, &trace->sure);
     trace->lower.multiplier = INFINITY;
   }
   return true;
@@ -384,6 +389,9 @@ advance (QnPathTrace *trace, QnDiag *diag)
     qn_equilibrium_restore (eq);
     return QN_OK;
   }
+  QnStatus held = qn_path_hold (trace, diag);
+  if (held != QN_OK || trace->stop != QN_STOP_UNKNOWN)
+    return held;
   bool smooth = trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped
                 && (trace->means == QN_FOUND_BY_NEWTON || linear);
   if (trace->orientation == 0)
@@ -663,8 +671,11 @@ renew_highest (QnPathTrace *trace)
   qn_pool_clear (&trace->states);
   qn_equilibrium_state_init (&trace->highest, &eq->assembly, &trace->states);
   qn_equilibrium_state_init (&trace->lower, &eq->assembly, &trace->states);
+  qn_equilibrium_state_init (&trace->sure, &eq->assembly, &trace->states);
+  qn_equilibrium_state_init (&trace->ahead, &eq->assembly, &trace->states);
   if (trace->states.failed)
     return false;
+  qn_equilibrium_save (eq, &trace->sure);
   qn_equilibrium_save (eq, &trace->highest);
   trace->lower.multiplier = INFINITY;
   return true;

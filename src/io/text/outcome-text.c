@@ -190,6 +190,10 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
       return _ (
         "No equilibrium was found above the collapse multiplier. How the structure moves "
         "further was not determined: the mechanism shown is its last motion.");
+    if (result->stop == QN_STOP_FALL)
+      return _ ("Under a load that is held a little above, the structure falls. There "
+                "are equilibria at larger multipliers, to which a load that grows slowly "
+                "does not lead.");
     return _ (
       "Above the collapse multiplier the structure moves on along its mechanism and "
       "does not come to rest.");
