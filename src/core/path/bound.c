@@ -54,7 +54,8 @@ qn_path_add_broken_bound (const QnModel *model, const QnContacts *contacts,
   QnLimitSolution solution;
   double start = qn_clock_seconds ();
 
-  if (!qn_model_has_bonds (model) || !result->has_associative_bound)
+  if (!qn_model_has_bonds (model) || !result->has_associative_bound
+      || model->analysis.bound == QN_BOUND_NEVER)
     return QN_OK;
   dry.laws = qn_alloc (model->law_count, sizeof *dry.laws);
   if (dry.laws == NULL)

@@ -16,7 +16,7 @@ QnStatus qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
                             bool *cancelled, QnDiag *diag);
 
 /* Where the associative bound is known and joints have a bond, which it takes as ductile: adds the same of
- * joints whose bonds are broken. */
+ * joints whose bonds are broken, unless analysis.bound asks for none. */
 QnStatus qn_path_add_broken_bound (const QnModel *model, const QnContacts *contacts,
                                    QnProgressFunc report, void *report_data,
                                    QnResult *result, QnDiag *diag);

@@ -363,8 +363,28 @@ test_limited (void)
   g_assert_false (is_unlimited (&model));
 }
 
+/* Limit analysis is made once more with broken bonds, unless no bound is asked for: a study reads none. */
+static void
+test_bound_of_broken_bonds (void)
+{
+  static const QnBoundChoice choices[] = { QN_BOUND_AUTO, QN_BOUND_NEVER };
+
+  for (size_t i = 0; i < G_N_ELEMENTS (choices); i++) {
+    QnModel model;
+    g_auto (QnResult) result;
+    init_block (&model);
+    model.laws[0].cohesion = model.laws[0].tension = 1;
+    model.analysis.procedure = QN_PROCEDURE_LIMIT;
+    model.analysis.bound = choices[i];
+    run (&model, &result);
+    g_assert_true (result.has_associative_bound);
+    g_assert_true (result.has_broken_bound == (choices[i] == QN_BOUND_AUTO));
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/analysis/bound-of-broken-bonds", test_bound_of_broken_bonds);
   g_test_add_func ("/analysis/factorizations", test_factorizations);
   g_test_add_func ("/analysis/seconds", test_seconds);
   g_test_add_func ("/analysis/unbounded", test_unbounded);
