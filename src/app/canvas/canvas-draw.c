@@ -31,9 +31,8 @@ set_selection_ink (cairo_t *cr, double alpha)
   qn_set_color (cr, qn_ink (QN_INK_SELECTION, false), alpha);
 }
 
-/* Text in the widget's font, as large on the drawing as what the scene says in so many points. */
-static PangoLayout *
-make_text (QnCanvas *self, const char *text, double points)
+PangoLayout *
+qn_canvas_make_text (QnCanvas *self, const char *text, double points)
 {
   PangoLayout *layout = gtk_widget_create_pango_layout (GTK_WIDGET (self), text);
   PangoFontDescription *font =
@@ -93,7 +92,7 @@ draw_ruler_label (QnCanvas *self, cairo_t *cr, double value, QnVec2 at, gboolean
 {
   g_autofree char *text =
     qn_units_format (qn_settings_get_units (), QN_QUANTITY_LENGTH, value, 6);
-  g_autoptr (PangoLayout) layout = make_text (self, text, 7.0);
+  g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 7.0);
   cairo_save (cr);
   cairo_move_to (cr, at.x, at.y);
   if (vertical)
@@ -164,8 +163,8 @@ draw_rulers (QnCanvas *self, cairo_t *cr)
 
   if (self->pointer_inside)
     draw_pointer_on_rulers (self, cr);
-  g_autoptr (PangoLayout) unit =
-    make_text (self, qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH), 7.0);
+  g_autoptr (PangoLayout) unit = qn_canvas_make_text (
+    self, qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH), 7.0);
   cairo_set_source_rgb (cr, 0.955, 0.955, 0.95);
   cairo_rectangle (cr, 0.0, 0.0, ruler_px (self), ruler_px (self));
   cairo_fill (cr);
@@ -406,7 +405,7 @@ draw_typed (QnCanvas *self, cairo_t *cr)
     self->gesture.grip.kind == QN_GRIP_TURN ? N_ ("angle") : self->tool->numbers_label;
   g_autofree char *text =
     g_strdup_printf ("%s▏   %s", self->typed->str, label != NULL ? _ (label) : "");
-  g_autoptr (PangoLayout) layout = make_text (self, text, 10.0);
+  g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 10.0);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
   double x = self->pointer.x + 16.0, y = self->pointer.y + 16.0;
@@ -447,7 +446,7 @@ qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
 
   g_autofree char *text =
     qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_LENGTH, length, 4);
-  g_autoptr (PangoLayout) layout = make_text (self, text, 9.0);
+  g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 9.0);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
   draw_layout (cr, layout,
@@ -457,7 +456,7 @@ qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
 void
 qn_canvas_draw_label (QnCanvas *self, cairo_t *cr, const char *text, QnVec2 screen)
 {
-  g_autoptr (PangoLayout) layout = make_text (self, text, 9.0);
+  g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 9.0);
   draw_layout (cr, layout, screen);
 }
 
@@ -598,7 +597,7 @@ draw_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene)
 static void
 draw_message (QnCanvas *self, cairo_t *cr, const char *text)
 {
-  g_autoptr (PangoLayout) layout = make_text (self, text, 12.0);
+  g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 12.0);
   pango_layout_set_alignment (layout, PANGO_ALIGN_CENTER);
   pango_layout_set_width (
     layout, (int) qn_to_integer (0.7 * self->camera.width, 0, G_MAXINT16) * PANGO_SCALE);

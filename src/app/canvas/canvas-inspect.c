@@ -223,14 +223,7 @@ static PangoLayout *
 make_card (QnCanvas *self, const char *title, const char *values)
 {
   g_autofree char *markup = g_markup_printf_escaped ("<b>%s</b>\n%s", title, values);
-  PangoLayout *layout = gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
-  PangoFontDescription *font =
-    pango_font_description_copy (pango_context_get_font_description (
-      gtk_widget_get_pango_context (GTK_WIDGET (self))));
-  pango_font_description_set_absolute_size (font, CARD_POINTS * self->camera.unit
-                                                    * PANGO_SCALE);
-  pango_layout_set_font_description (layout, font);
-  pango_font_description_free (font);
+  PangoLayout *layout = qn_canvas_make_text (self, NULL, CARD_POINTS);
   PangoTabArray *tabs = pango_tab_array_new_with_positions (
     1, TRUE, PANGO_TAB_LEFT,
     measure_names (layout, values) + (int) (CARD_GAP * self->camera.unit));

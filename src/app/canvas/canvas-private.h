@@ -74,6 +74,9 @@ void qn_canvas_joint_line (QnCanvas *canvas, const QnMotion *motion,
 /* What the legend covers at the lower left, px. */
 QnBox qn_canvas_legend_box (QnCanvas *canvas, const QnScene *scene);
 
+/* Text in the widget's font, as large on the drawing as what the scene says in so many points. */
+PangoLayout *qn_canvas_make_text (QnCanvas *canvas, const char *text, double points);
+
 /* Draws everything by Cairo. */
 void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
 

@@ -103,10 +103,11 @@ qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
 /* ---- many points ---- */
 
 void
-qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event, guint least)
+qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (event->press_count == 2 && gesture->points->len >= least)
+  if (event->press_count == 2
+      && gesture->points->len >= qn_canvas_get_tool (canvas)->least_points)
     complete (canvas);
   else if (event->press_count == 1) {
     g_array_append_val (gesture->points, event->point);
@@ -116,10 +117,10 @@ qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event, guint least)
 }
 
 gboolean
-qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count, guint least)
+qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count)
 {
   GArray *points = qn_canvas_get_gesture (canvas)->points;
-  if (count == 0 && points->len >= least) {
+  if (count == 0 && points->len >= qn_canvas_get_tool (canvas)->least_points) {
     complete (canvas);
     return TRUE;
   }

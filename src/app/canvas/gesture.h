@@ -30,12 +30,10 @@ gboolean qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int co
   .motion = qn_gesture_motion, .release = qn_gesture_release,                            \
   .numbers = qn_gesture_rectangle_numbers
 
-/* Lines of many points, kept in gesture.points, which a double click or Enter completes from `least`
- * of them on. To be called from the tool's .press and .numbers; two numbers are the next point,
- * relative to the last one. */
-void qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event, guint least);
-gboolean qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count,
-                                   guint least);
+/* Lines of many points, kept in gesture.points, which a double click or Enter completes from the tool's
+ * `least_points` of them on; two numbers are the next point, relative to the last one. */
+void qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event);
+gboolean qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count);
 /* Adds the points, and the pointer behind them, to the path of `cr`. */
 void qn_gesture_trace_points (QnCanvas *canvas, cairo_t *cr);
 

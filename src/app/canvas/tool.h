@@ -69,6 +69,7 @@ typedef struct QnTool {
   gboolean magnetic;         /* whether the magnet works before a gesture has begun */
   const char *numbers_label; /* translatable: "width; height", what can be typed */
   QnQuantity quantities[QN_TOOL_NUMBERS]; /* of the typed numbers */
+  guint least_points;                     /* of lines of many points (gesture.h) */
   gboolean
     numbers_at_rest; /* numbers can be typed for what is selected, without a gesture */
 

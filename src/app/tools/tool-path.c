@@ -17,18 +17,6 @@ complete (QnCanvas *canvas)
 }
 
 static void
-press (QnCanvas *canvas, const QnToolEvent *event)
-{
-  qn_gesture_press_point (canvas, event, 2);
-}
-
-static gboolean
-numbers (QnCanvas *canvas, const double *values, int count)
-{
-  return qn_gesture_point_numbers (canvas, values, count, 2);
-}
-
-static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   qn_gesture_trace_points (canvas, cr);
@@ -46,9 +34,10 @@ const QnTool qn_tool_path = {
   .magnetic = TRUE,
   .numbers_label = N_ ("right; up"),
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
-  .press = press,
+  .least_points = 2,
+  .press = qn_gesture_press_point,
   .motion = qn_gesture_motion,
-  .numbers = numbers,
+  .numbers = qn_gesture_point_numbers,
   .complete = complete,
   .draw = draw,
 };

@@ -39,13 +39,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
       return;
     }
   }
-  qn_gesture_press_point (canvas, event, 3);
-}
-
-static gboolean
-numbers (QnCanvas *canvas, const double *values, int count)
-{
-  return qn_gesture_point_numbers (canvas, values, count, 3);
+  qn_gesture_press_point (canvas, event);
 }
 
 static void
@@ -71,9 +65,10 @@ const QnTool qn_tool_polygon = {
   .magnetic = TRUE,
   .numbers_label = N_ ("right; up"),
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
+  .least_points = 3,
   .press = press,
   .motion = qn_gesture_motion,
-  .numbers = numbers,
+  .numbers = qn_gesture_point_numbers,
   .complete = complete,
   .draw = draw,
 };

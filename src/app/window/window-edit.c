@@ -3,7 +3,6 @@
 #include "app/tools/tools.h"
 #include "app/window/window-private.h"
 
-#include "core/base/integer.h"
 #include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-place.h"
@@ -23,6 +22,9 @@ typedef struct Edit {
   QnPartSet set;
   QnTransform transform;
   int copies;
+  QnAlign align;
+  QnSpread spread;
+  gboolean (*blocks) (QnModel *model, QnBlockSet set, GError **error);
 } Edit;
 
 static gboolean
@@ -31,23 +33,12 @@ edit_delete (QnModel *model, gpointer data, GError **error)
   return qn_edit_delete_all (model, ((const Edit *) data)->set, error);
 }
 
-/* Beams do not travel by the clipboard. */
+/* Of the blocks alone: beams do not travel by the clipboard, nor have they walls or are joined. */
 static gboolean
-edit_cut (QnModel *model, gpointer data, GError **error)
+edit_blocks (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_delete_blocks (model, ((const Edit *) data)->set.blocks, error);
-}
-
-static gboolean
-edit_detach (QnModel *model, gpointer data, GError **error)
-{
-  return qn_edit_detach (model, ((const Edit *) data)->set.blocks, error);
-}
-
-static gboolean
-edit_join (QnModel *model, gpointer data, GError **error)
-{
-  return qn_edit_join_blocks (model, ((const Edit *) data)->set.blocks, error);
+  const Edit *edit = data;
+  return edit->blocks (model, edit->set.blocks, error);
 }
 
 static gboolean
@@ -65,9 +56,9 @@ edit_copy (QnProject *draft, gpointer data, GError **error)
 }
 
 static void
-edit_parts (QnWindow *self, const char *name, QnEditFunc func)
+edit_parts (QnWindow *self, const char *name, QnEditFunc func, Edit edit)
 {
-  Edit edit = { .set = qn_canvas_dup_parts (self->canvas) };
+  edit.set = qn_canvas_dup_parts (self->canvas);
   qn_canvas_edit (self->canvas, name, NULL, func, &edit);
   qn_part_set_clear (&edit.set);
 }
@@ -201,19 +192,21 @@ delete_selected (QnWindow *self, GVariant *parameter)
     qn_selection_clear (qn_document_get_selection (self->document));
     qn_canvas_edit_project (self->canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
   } else
-    edit_parts (self, _ ("Delete"), edit_delete);
+    edit_parts (self, _ ("Delete"), edit_delete, (Edit){ 0 });
 }
 
 static void
 detach (QnWindow *self, GVariant *parameter)
 {
-  edit_parts (self, _ ("Detach into Free Blocks"), edit_detach);
+  edit_parts (self, _ ("Detach into Free Blocks"), edit_blocks,
+              (Edit){ .blocks = qn_edit_detach });
 }
 
 static void
 join (QnWindow *self, GVariant *parameter)
 {
-  edit_parts (self, _ ("Join Blocks"), edit_join);
+  edit_parts (self, _ ("Join Blocks"), edit_blocks,
+              (Edit){ .blocks = qn_edit_join_blocks });
 }
 
 static void
@@ -400,46 +393,34 @@ select_faces_like (QnWindow *self, GVariant *parameter)
 
 /* ---- in line, at equal distances; supports, joints, loads of context menus ---- */
 
-typedef struct Arrange {
-  QnPartSet set;
-  QnAlign align;
-  QnSpread spread;
-} Arrange;
-
 static gboolean
 edit_align (QnProject *draft, gpointer data, GError **error)
 {
-  const Arrange *arrange = data;
-  return qn_edit_align (draft, arrange->set, arrange->align, error);
+  const Edit *edit = data;
+  return qn_edit_align (draft, edit->set, edit->align, error);
 }
 
 static gboolean
 edit_spread (QnProject *draft, gpointer data, GError **error)
 {
-  const Arrange *arrange = data;
-  return qn_edit_spread (draft, arrange->set, arrange->spread, error);
+  const Edit *edit = data;
+  return qn_edit_spread (draft, edit->set, edit->spread, error);
 }
 
 static void
 align (QnWindow *self, GVariant *parameter)
 {
-  Arrange arrange = { 0 };
-  if (!qn_align_parse (g_variant_get_string (parameter, NULL), &arrange.align))
-    return;
-  arrange.set = qn_canvas_dup_parts (self->canvas);
-  qn_canvas_edit_project (self->canvas, _ ("Align"), NULL, edit_align, &arrange);
-  qn_part_set_clear (&arrange.set);
+  Edit edit = { 0 };
+  if (qn_align_parse (g_variant_get_string (parameter, NULL), &edit.align))
+    edit_selection (self, _ ("Align"), NULL, edit_align, edit);
 }
 
 static void
 distribute (QnWindow *self, GVariant *parameter)
 {
-  Arrange arrange = { 0 };
-  if (!qn_spread_parse (g_variant_get_string (parameter, NULL), &arrange.spread))
-    return;
-  arrange.set = qn_canvas_dup_parts (self->canvas);
-  qn_canvas_edit_project (self->canvas, _ ("Distribute"), NULL, edit_spread, &arrange);
-  qn_part_set_clear (&arrange.set);
+  Edit edit = { 0 };
+  if (qn_spread_parse (g_variant_get_string (parameter, NULL), &edit.spread))
+    edit_selection (self, _ ("Distribute"), NULL, edit_spread, edit);
 }
 
 typedef struct Holding {
@@ -493,114 +474,85 @@ copy_text (QnWindow *self, GVariant *parameter)
                           g_variant_get_string (parameter, NULL));
 }
 
-/* ---- clipboard: blocks travel as a project of their own ---- */
+/* ---- clipboard: blocks travel as text ---- */
+
+/* Of each whether it is fixed, thickness, unit weight, corners. */
+#define BLOCKS_TYPE  "a(bdda(dd))"
+#define BLOCK_FORMAT "(bdd@a(dd))"
 
 static void
 copy (QnWindow *self, GVariant *parameter)
 {
-  QnBlockSet set = qn_canvas_dup_selected (self->canvas);
+  QnBlockSet set = qn_canvas_get_selected (self->canvas);
   const QnModel *model = qn_document_get_model (self->document);
-  GString *text = g_string_new ("quoin-blocks\n");
+  GVariantBuilder blocks;
+  g_variant_builder_init (&blocks, G_VARIANT_TYPE (BLOCKS_TYPE));
   for (guint i = 0; i < set.count; i++) {
     const QnBlock *block = &model->blocks[set.ids[i]];
-    char number[G_ASCII_DTOSTR_BUF_SIZE];
-    g_string_append_printf (text, "%d %d", block->vertex_count,
-                            block->support[QN_DOF_UX] && block->support[QN_DOF_UY]);
-    g_string_append_printf (text, " %s",
-                            g_ascii_dtostr (number, sizeof number, block->thickness));
-    g_string_append_printf (text, " %s",
-                            g_ascii_dtostr (number, sizeof number, block->unit_weight));
     const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
-    for (QnId k = 0; k < block->vertex_count; k++) {
-      g_string_append_printf (text, " %s",
-                              g_ascii_dtostr (number, sizeof number, v[k].x));
-      g_string_append_printf (text, " %s",
-                              g_ascii_dtostr (number, sizeof number, v[k].y));
-    }
-    g_string_append_c (text, '\n');
+    g_variant_builder_add (
+      &blocks, BLOCK_FORMAT, block->support[QN_DOF_UX] && block->support[QN_DOF_UY],
+      block->thickness, block->unit_weight,
+      g_variant_new_fixed_array (G_VARIANT_TYPE ("(dd)"), v, (gsize) block->vertex_count,
+                                 sizeof *v));
   }
+  g_autoptr (GVariant) all = g_variant_ref_sink (g_variant_builder_end (&blocks));
+  g_autofree char *text = g_variant_print (all, FALSE);
   if (set.count > 0)
-    gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (self)), text->str);
-  g_string_free (text, TRUE);
-  g_free ((gpointer) set.ids);
+    gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (self)), text);
 }
 
 static void
 cut (QnWindow *self, GVariant *parameter)
 {
   copy (self, parameter);
-  edit_parts (self, _ ("Cut"), edit_cut);
+  edit_parts (self, _ ("Cut"), edit_blocks, (Edit){ .blocks = qn_edit_delete_blocks });
 }
-
-/* A block of the clipboard; one that cannot be read has no corners. */
-typedef struct PastedBlock {
-  QnVec2 *vertices;
-  guint count;
-  QnBlockStyle style;
-} PastedBlock;
 
 /* Blocks of the clipboard, and where they go. */
 typedef struct Paste {
-  GArray *blocks; /* of PastedBlock */
+  GVariant *blocks; /* of BLOCKS_TYPE */
   QnVec2 by;
 } Paste;
-
-static void
-clear_pasted (gpointer block)
-{
-  g_free (((PastedBlock *) block)->vertices);
-}
-
-/* Reads a line of what copy() wrote. */
-static PastedBlock
-read_line (const char *line)
-{
-  char *at = (char *) line;
-  double head[4];
-  for (int i = 0; i < 4; i++)
-    head[i] = g_ascii_strtod (at, &at);
-  bool fixed = head[1] != 0.0;
-  PastedBlock block = { .style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } } };
-  guint count = (guint) qn_to_integer (head[0], 0, 100000);
-  if (count < 3)
-    return block;
-  block.count = count;
-  block.vertices = g_new (QnVec2, count);
-  for (guint i = 0; i < count; i++) {
-    block.vertices[i].x = g_ascii_strtod (at, &at);
-    block.vertices[i].y = g_ascii_strtod (at, &at);
-  }
-  return block;
-}
-
-/* None where the text is not what copy() wrote; a clipboard without text has no line at all. */
-static GArray *
-read_blocks (const char *text)
-{
-  GArray *blocks = g_array_new (FALSE, FALSE, sizeof (PastedBlock));
-  g_auto (GStrv) lines = g_strsplit (text != NULL ? text : "", "\n", -1);
-  g_array_set_clear_func (blocks, clear_pasted);
-  if (g_strcmp0 (lines[0], "quoin-blocks") == 0)
-    for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
-      PastedBlock block = read_line (lines[i]);
-      g_array_append_val (blocks, block);
-    }
-  return blocks;
-}
 
 static gboolean
 edit_paste (QnModel *model, gpointer data, GError **error)
 {
   const Paste *paste = data;
-  for (guint i = 0; i < paste->blocks->len; i++) {
-    const PastedBlock *block = &g_array_index (paste->blocks, PastedBlock, i);
-    g_autofree QnVec2 *vertices = g_new (QnVec2, block->count);
-    for (guint k = 0; k < block->count; k++)
-      vertices[k] = qn_vec2_add (block->vertices[k], paste->by);
-    if (!qn_edit_add_block (model, vertices, block->count, block->style, error))
-      return FALSE;
+  GVariantIter iter;
+  GVariant *corners;
+  gboolean fixed, done = TRUE;
+  QnBlockStyle style = { .law = QN_NONE };
+  g_variant_iter_init (&iter, paste->blocks);
+  while (done
+         && g_variant_iter_next (&iter, BLOCK_FORMAT, &fixed, &style.thickness,
+                                 &style.unit_weight, &corners)) {
+    gsize count;
+    const QnVec2 *v = g_variant_get_fixed_array (corners, &count, sizeof *v);
+    g_autofree QnVec2 *vertices = g_new (QnVec2, count);
+    for (gsize k = 0; k < count; k++)
+      vertices[k] = qn_vec2_add (v[k], paste->by);
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      style.support[dof] = fixed;
+    done = qn_edit_add_block (model, vertices, (guint) count, style, error);
+    g_variant_unref (corners);
   }
-  return TRUE;
+  return done;
+}
+
+static QnBox
+box_of_blocks (GVariant *blocks)
+{
+  QnBox box = QN_BOX_EMPTY;
+  for (gsize i = 0; i < g_variant_n_children (blocks); i++) {
+    gsize count;
+    g_autoptr (GVariant) block = g_variant_get_child_value (blocks, i);
+    g_autoptr (GVariant) corners = g_variant_get_child_value (block, 3);
+    const QnVec2 *v = g_variant_get_fixed_array (corners, &count, sizeof *v);
+    for (gsize k = 0; k < count; k++)
+      qn_box_add_point (&box, v[k]);
+  }
+  return box;
 }
 
 /* Whether no block reaches into the box. */
@@ -646,13 +598,10 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
     gdk_clipboard_read_text_finish (GDK_CLIPBOARD (source), result, NULL);
   if (self->canvas == NULL) /* the window was closed meanwhile */
     return;
-  g_autoptr (GArray) blocks = read_blocks (text);
-  QnBox box = QN_BOX_EMPTY;
-  for (guint i = 0; i < blocks->len; i++) {
-    const PastedBlock *block = &g_array_index (blocks, PastedBlock, i);
-    for (guint k = 0; k < block->count; k++)
-      qn_box_add_point (&box, block->vertices[k]);
-  }
+  /* A clipboard without text has no blocks either, nor has what copy() has not written. */
+  g_autoptr (GVariant) blocks = g_variant_parse (
+    G_VARIANT_TYPE (BLOCKS_TYPE), text != NULL ? text : "", NULL, NULL, NULL);
+  QnBox box = blocks != NULL ? box_of_blocks (blocks) : QN_BOX_EMPTY;
   if (!(box.min.x <= box.max.x)) {
     qn_window_show_error (self, _ ("There are no blocks on the clipboard"));
     return;

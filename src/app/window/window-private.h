@@ -20,6 +20,48 @@ typedef enum QnClosing {
   QN_CLOSING_NOW    /* unsaved changes have been dealt with */
 } QnClosing;
 
+/* What window.ui has. */
+#define QN_WINDOW_CHILDREN(CHILD)                                                        \
+  CHILD (GtkLabel, title_label)                                                          \
+  CHILD (GtkLabel, subtitle_label)                                                       \
+  CHILD (GtkLabel, info_label)                                                           \
+  CHILD (GtkLabel, live_label)                                                           \
+  CHILD (GtkLabel, status_hint)                                                          \
+  CHILD (GtkLabel, status_pointer)                                                       \
+  CHILD (GtkLabel, status_counts)                                                        \
+  CHILD (GtkLabel, progress_label)                                                       \
+  CHILD (GtkStack, main_stack)                                                           \
+  CHILD (GtkStack, side_stack)                                                           \
+  CHILD (GtkBox, start_box)                                                              \
+  CHILD (GtkBox, tool_box)                                                               \
+  CHILD (GtkBox, canvas_box)                                                             \
+  CHILD (GtkBox, view_box)                                                               \
+  CHILD (GtkBox, view_switcher)                                                          \
+  CHILD (GtkInfoBar, info_bar)                                                           \
+  CHILD (GtkButton, info_button)                                                         \
+  CHILD (GtkButton, run_button)                                                          \
+  CHILD (GtkButton, undo_button)                                                         \
+  CHILD (GtkButton, redo_button)                                                         \
+  CHILD (GtkWidget, progress_box)                                                        \
+  CHILD (GtkWidget, pause_button)                                                        \
+  CHILD (GtkWidget, stale_label)                                                         \
+  CHILD (GtkWidget, diagrams_button)                                                     \
+  CHILD (GtkWidget, diagram_box)                                                         \
+  CHILD (GtkWidget, field_button)                                                        \
+  CHILD (GtkWidget, shown_stack)                                                         \
+  CHILD (GtkProgressBar, progress_bar)                                                   \
+  CHILD (GtkMenuButton, history_button)                                                  \
+  CHILD (GtkMenuButton, view_button)                                                     \
+  CHILD (GtkScrolledWindow, properties_scroller)                                         \
+  CHILD (GtkScrolledWindow, analysis_scroller)                                           \
+  CHILD (GtkScrolledWindow, result_scroller)                                             \
+  CHILD (GtkScrolledWindow, findings_scroller)                                           \
+  CHILD (QnCanvas, canvas)                                                               \
+  CHILD (GtkWidget, side_panel)                                                          \
+  CHILD (GtkWidget, open_button)                                                         \
+  CHILD (GtkWidget, save_button)                                                         \
+  CHILD (GtkWidget, export_button)
+
 struct _QnWindow {
   GtkApplicationWindow parent_instance;
 
@@ -39,22 +81,10 @@ struct _QnWindow {
   gboolean has_info_place;
   QnVec2 info_place;
 
-  /* from window.ui */
-  GtkLabel *title_label, *subtitle_label, *info_label;
-  GtkLabel *live_label;
-  GtkLabel *status_hint, *status_pointer, *status_counts, *progress_label;
-  GtkStack *main_stack, *side_stack;
-  GtkBox *start_box, *tool_box, *canvas_box, *view_box, *view_switcher;
-  GtkInfoBar *info_bar;
-  GtkButton *info_button, *run_button, *undo_button, *redo_button;
-  GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box,
-    *field_button, *shown_stack;
-  GtkProgressBar *progress_bar;
-  GtkMenuButton *history_button, *view_button;
-  GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,
-    *findings_scroller;
-  QnCanvas *canvas;
-  GtkWidget *playback, *side_panel, *open_button, *save_button, *export_button;
+#define CHILD(type, name) type *name;
+  QN_WINDOW_CHILDREN (CHILD)
+#undef CHILD
+  GtkWidget *playback;
   gboolean is_narrow; /* too narrow for drawing and side panel beside each other */
   gboolean is_tight;  /* too narrow for any drawing beside the side panel */
   gboolean is_small;  /* too narrow for a title between all buttons */

@@ -622,52 +622,6 @@ qn_window_finalize (GObject *object)
 }
 
 static void
-bind_children (GtkWidgetClass *widget_class)
-{
-#define BIND(name) gtk_widget_class_bind_template_child (widget_class, QnWindow, name)
-  BIND (title_label);
-  BIND (subtitle_label);
-  BIND (info_label);
-  BIND (live_label);
-  BIND (status_hint);
-  BIND (status_pointer);
-  BIND (status_counts);
-  BIND (progress_label);
-  BIND (main_stack);
-  BIND (side_stack);
-  BIND (start_box);
-  BIND (tool_box);
-  BIND (view_button);
-  BIND (view_switcher);
-  BIND (canvas_box);
-  BIND (view_box);
-  BIND (info_bar);
-  BIND (info_button);
-  BIND (run_button);
-  BIND (undo_button);
-  BIND (redo_button);
-  BIND (progress_box);
-  BIND (pause_button);
-  BIND (stale_label);
-  BIND (diagrams_button);
-  BIND (diagram_box);
-  BIND (field_button);
-  BIND (shown_stack);
-  BIND (progress_bar);
-  BIND (history_button);
-  BIND (properties_scroller);
-  BIND (analysis_scroller);
-  BIND (result_scroller);
-  BIND (findings_scroller);
-  BIND (canvas);
-  BIND (side_panel);
-  BIND (open_button);
-  BIND (save_button);
-  BIND (export_button);
-#undef BIND
-}
-
-static void
 qn_window_class_init (QnWindowClass *klass)
 {
   GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (klass);
@@ -676,7 +630,10 @@ qn_window_class_init (QnWindowClass *klass)
   GTK_WINDOW_CLASS (klass)->close_request = qn_window_close_request;
   gtk_widget_class_set_template_from_resource (widget_class,
                                                "/io/github/quoin/Quoin/window.ui");
-  bind_children (widget_class);
+#define BIND(type, name)                                                                 \
+  gtk_widget_class_bind_template_child (widget_class, QnWindow, name);
+  QN_WINDOW_CHILDREN (BIND)
+#undef BIND
   gtk_widget_class_bind_template_callback (widget_class, place_message);
   gtk_widget_class_bind_template_callback (widget_class, on_info_button);
   gtk_widget_class_bind_template_callback (widget_class, on_info_response);
