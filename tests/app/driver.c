@@ -331,7 +331,7 @@ driver_press_button (const char *number)
 void
 driver_point (QnWindow *window, double x, double y)
 {
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   QnVec2 s = qn_canvas_to_screen (canvas, qn_vec2 (x, y));
   driver_point_at (GTK_WIDGET (canvas), s.x, s.y);
 }
@@ -605,7 +605,7 @@ driver_watch_parts (QnWindow *window)
 {
   DriverParts *parts = g_new (DriverParts, 1);
   parts->objects = g_ptr_array_new_with_free_func (g_free);
-  watch (parts, qn_window_get_view_state (window));
+  watch (parts, state_of (window));
   watch (parts, qn_window_get_document (window));
   GListModel *windows = gtk_window_get_toplevels ();
   for (guint i = 0; i < g_list_model_get_n_items (windows); i++) {

@@ -3,8 +3,9 @@
 #ifndef QN_TESTS_APP_DRIVER_H
 #define QN_TESTS_APP_DRIVER_H
 
+#include "app/canvas/canvas-private.h"
 #include "app/window/application.h"
-#include "app/window/window.h"
+#include "app/window/window-private.h"
 
 /* The program, started once for all tests of a process. */
 GtkApplication *driver_application (void);
@@ -14,6 +15,31 @@ QnWindow *driver_open_window (int width, int height);
 
 /* A window with a file of the examples. */
 QnWindow *driver_open_example (const char *name);
+
+/* Parts of windows and of their drawing; borrowed. */
+static inline QnCanvas *
+canvas_of (QnWindow *window)
+{
+  return window->canvas;
+}
+
+static inline QnViewState *
+state_of (QnWindow *window)
+{
+  return window->state;
+}
+
+static inline QnBox
+card_of (QnCanvas *canvas)
+{
+  return canvas->card;
+}
+
+static inline GtkWidget *
+gl_layer_of (QnCanvas *canvas)
+{
+  return canvas->gl_layer;
+}
 
 static inline const QnModel *
 model_of (QnWindow *window)

@@ -28,8 +28,7 @@ test_live (void)
   g_settings_set_boolean (settings, "live", TRUE);
   driver_wait (has_fresh_run, window);
   double before = qn_document_get_run (document)->result.collapse_multiplier;
-  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
-                   QN_VIEW_MODEL);
+  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MODEL);
 
   QnId top = 0;
   for (gsize i = 0; i < model_of (window)->block_count; i++) {
@@ -364,7 +363,7 @@ test_modes_and_stability (void)
   const QnRun *first = qn_document_get_run (document);
   g_assert_true (first == g_ptr_array_index (runs, 0));
   g_assert_cmpfloat_with_epsilon (first->omega, 315.711, 0.01);
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MECHANISM);
   qn_document_set_run (document, g_ptr_array_index (runs, 1));
   driver_screenshot (GTK_WIDGET (window), "mode-2");

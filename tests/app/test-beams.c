@@ -131,7 +131,7 @@ test_diagrams (void)
   g_assert_nonnull (run);
   g_assert_nonnull (run->result.beam_forces);
   driver_key ("ctrl+6");
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DIAGRAMS);
   driver_screenshot (GTK_WIDGET (window), "diagram-moments");
   driver_activate (window, "win.diagram::V");

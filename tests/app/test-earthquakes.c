@@ -68,7 +68,7 @@ test_end_of_history (void)
   driver_wait_for_job (window);
   /* It says so, and how far it moved; the picture is of that time, at true scale at least. */
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "Stands"));
   g_assert_nonnull (
     driver_find_widget (GTK_WIDGET (window), driver_says, "Largest displacement: "));
@@ -89,7 +89,7 @@ test_end_of_history (void)
 static int
 step_of (QnWindow *window)
 {
-  return qn_view_state_get_step (qn_window_get_view_state (window));
+  return qn_view_state_get_step (state_of (window));
 }
 
 static double
@@ -176,7 +176,7 @@ static void
 test_playback (void)
 {
   QnWindow *window = driver_open_example ("41-column-impulse.quoin");
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   GtkWidget *speed = driver_find_widget (GTK_WIDGET (window), is_choice,
@@ -253,7 +253,7 @@ test_initial (void)
       top = (QnId) i;
   QnVec2 c = model->blocks[top].centroid;
   g_assert_cmpint (model->analysis.procedure, !=, QN_PROCEDURE_DYNAMIC);
-  qn_canvas_fit (qn_window_get_canvas (window));
+  qn_canvas_fit (canvas_of (window));
   driver_activate_target (window, "win.tool", g_variant_new_string ("displace"));
   g_settings_set_boolean (qn_settings_get (), "snap", FALSE);
   driver_drag (window, c.x, c.y, c.x + 0.1, c.y + 0.05);
@@ -280,7 +280,7 @@ test_initial (void)
 
   /* Numbers for what is selected, without a pointer. */
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
-  gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
+  gtk_widget_grab_focus (GTK_WIDGET (canvas_of (window)));
   driver_type ("0.02;0;1");
   driver_key ("Return");
   g_assert_true (start_is (window, 0.02, 0.0, G_PI / 180));
@@ -335,7 +335,7 @@ test_initial_fixed (void)
       base = (QnId) i;
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &base, 1);
   driver_activate_target (window, "win.tool", g_variant_new_string ("displace"));
-  gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
+  gtk_widget_grab_focus (GTK_WIDGET (canvas_of (window)));
   driver_type ("0.1");
   driver_key ("Return");
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);

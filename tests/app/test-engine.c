@@ -19,14 +19,14 @@ expects_gl (void)
 static QnGlLayer *
 layer_of (QnWindow *window)
 {
-  return QN_GL_LAYER (qn_canvas_get_gl_layer (qn_window_get_canvas (window)));
+  return QN_GL_LAYER (gl_layer_of (canvas_of (window)));
 }
 
 static void
 set_engine (QnWindow *window, QnEngine engine)
 {
   g_settings_set_enum (qn_settings_get (), "engine", (int) engine);
-  gtk_widget_queue_draw (GTK_WIDGET (qn_window_get_canvas (window)));
+  gtk_widget_queue_draw (GTK_WIDGET (canvas_of (window)));
   driver_settle ();
 }
 
@@ -92,7 +92,7 @@ static void
 move_paper (QnWindow *window, const char *engine)
 {
   enum { FRAMES = 30 };
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   gint64 start = g_get_monotonic_time ();
   clock_t busy = clock ();
   for (int i = 0; i < FRAMES; i++) {

@@ -173,7 +173,7 @@ test_sheet (void)
   expect_pdf (path);
 
   /* The outline of the one lies over the other. */
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   qn_view_state_set_onion (state, g_ptr_array_index (runs, 0));
   g_assert_nonnull (qn_view_state_get_options (state).onion);
   driver_screenshot (GTK_WIDGET (window), "onion");
@@ -301,8 +301,7 @@ test_files (void)
   run = qn_document_get_run (qn_window_get_document (window));
   g_assert_nonnull (run);
   g_assert_cmpfloat (run->result.collapse_multiplier, ==, solved);
-  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
-                   QN_VIEW_MECHANISM);
+  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MECHANISM);
   driver_screenshot (GTK_WIDGET (window), "result-opened");
   driver_discard (window);
 

@@ -147,7 +147,7 @@ make_picture (const char *folder)
 static void
 assert_lines_end_at (QnWindow *window, double lowest)
 {
-  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  GtkWidget *canvas = GTK_WIDGET (canvas_of (window));
   QnVec2 at = qn_canvas_to_screen (QN_CANVAS (canvas), qn_vec2 (0.0, lowest));
   cairo_surface_t *picture = driver_picture (GTK_WIDGET (window));
   int stride = cairo_image_surface_get_stride (picture), last = -1;
@@ -177,7 +177,7 @@ test_picture (void)
   g_autofree char *picture = make_picture (folder);
   QnWindow *window = driver_open_window (1280, 800);
   QnDocument *document = qn_window_get_document (window);
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   g_autofree char *empty = g_strdup (qn_document_get_text (document));
   driver_activate_target (window, "win.take-path", g_variant_new_string (picture));
   const QnUnderlay *underlay = qn_view_state_get_underlay (state);
@@ -186,7 +186,7 @@ test_picture (void)
   g_assert_cmpfloat (underlay->origin.x, ==, 0.0);
 
   /* What is gripped comes to the grid, which the pointer is beside. */
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   double scale = qn_canvas_to_screen (canvas, qn_vec2 (1.0, 0.0)).x
                  - qn_canvas_to_screen (canvas, qn_vec2 (0.0, 0.0)).x;
   double pixel = qn_canvas_to_screen (canvas, qn_vec2 (1.013, 0.3)).x;
@@ -577,7 +577,7 @@ open_changed (const char *example, const char *folder)
   QnWindow *window = driver_open_example (example);
   g_autofree char *copy = g_build_filename (folder, example, NULL);
   driver_activate_target (window, "win.save-path", g_variant_new_string (copy));
-  gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
+  gtk_widget_grab_focus (GTK_WIDGET (canvas_of (window)));
   driver_settle ();
   driver_key ("ctrl+a");
   driver_key ("Right");

@@ -110,7 +110,7 @@ test_small_joints (void)
 {
   QnWindow *window = driver_open_example ("12-facade.quoin");
   QnSelection *selection = selection_of (window);
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   const QnContacts *contacts = qn_document_get_contacts (qn_window_get_document (window));
   driver_activate (window, "win.view::contacts");
   gsize shortest = 0;
@@ -131,7 +131,7 @@ test_small_joints (void)
 static gboolean
 has_card (QnWindow *window)
 {
-  QnBox card = qn_canvas_get_card (qn_window_get_canvas (window));
+  QnBox card = card_of (canvas_of (window));
   return card.max.x > card.min.x;
 }
 
@@ -141,13 +141,12 @@ static void
 test_card (void)
 {
   QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   QnVec2 at = model_of (window)->blocks[model_of (window)->block_count / 2].centroid;
   driver_point (window, at.x, at.y);
   driver_key ("F5");
   driver_wait_for_job (window);
-  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
-                   QN_VIEW_MECHANISM);
+  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MECHANISM);
   g_assert_false (has_card (window));
   driver_point (window, at.x + 0.02, at.y);
   g_assert_true (has_card (window));
@@ -169,7 +168,7 @@ test_card (void)
   driver_xdotool (up);
   driver_point_at (GTK_WIDGET (canvas), wanted.x + 2, wanted.y + 2);
   g_assert_true (has_card (window));
-  QnBox card = qn_canvas_get_card (canvas);
+  QnBox card = card_of (canvas);
   driver_screenshot (GTK_WIDGET (window), "inspect-card");
   g_assert_true (card.max.x <= covered.origin.x || card.max.y <= covered.origin.y);
   driver_discard (window);
@@ -339,7 +338,7 @@ static void
 test_fields_and_loads (void)
 {
   QnWindow *window = open_solved ();
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   driver_activate (window, "win.view::model");
   g_assert_true (qn_view_state_get_options (state).loads);
   driver_activate (window, "win.view::deformed");

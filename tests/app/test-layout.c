@@ -61,7 +61,7 @@ least_width (QnWindow *window)
 static void
 expect_legend_free (QnWindow *window)
 {
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   graphene_rect_t buttons;
   g_assert_true (gtk_widget_compute_bounds (
     driver_find_id (GTK_WIDGET (window), "view_box"), GTK_WIDGET (canvas), &buttons));
@@ -99,10 +99,10 @@ test_small_window (void)
   g_test_message ("least size %d x %d", width, height);
   g_assert_cmpint (width, <=, 600);
   g_assert_cmpint (height, <=, 500);
-  int canvas = gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window)));
+  int canvas = gtk_widget_get_width (GTK_WIDGET (canvas_of (window)));
   g_assert_cmpint (canvas, >, 400);
   /* The panel leaves the drawing its least room, or is there instead. */
-  GtkWidget *drawing = GTK_WIDGET (qn_window_get_canvas (window));
+  GtkWidget *drawing = GTK_WIDGET (canvas_of (window));
   driver_key ("F9");
   g_assert_true (!gtk_widget_get_mapped (drawing)
                  || gtk_widget_get_width (drawing) < canvas);
@@ -125,13 +125,13 @@ static void
 test_message_over_drawing (void)
 {
   QnWindow *window = driver_open_example ("06-arch.quoin");
-  int height = gtk_widget_get_height (GTK_WIDGET (qn_window_get_canvas (window)));
+  int height = gtk_widget_get_height (GTK_WIDGET (canvas_of (window)));
   expect_tools_in_sight (window);
   qn_window_show_error (window, "Something is wrong, and it takes so many words to tell "
                                 "what it is, and where, and what can be done about it, "
                                 "that one line of the drawing is too short for them.");
   driver_settle ();
-  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  GtkWidget *canvas = GTK_WIDGET (canvas_of (window));
   g_assert_cmpint (gtk_widget_get_height (canvas), ==, height);
   GtkWidget *bar = driver_find_widget (GTK_WIDGET (window), is_info_bar, NULL);
   graphene_rect_t bounds,
@@ -186,13 +186,12 @@ test_panels_keep_width (void)
   QnWindow *window = driver_open_example ("16-load-stages.quoin");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  int width = gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window)));
+  int width = gtk_widget_get_width (GTK_WIDGET (canvas_of (window)));
   driver_activate (window, "win.select-all");
   for (gsize i = 0; i < G_N_ELEMENTS (panels); i++) {
     driver_activate (window, panels[i]);
     driver_settle ();
-    g_assert_cmpint (gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window))),
-                     ==, width);
+    g_assert_cmpint (gtk_widget_get_width (GTK_WIDGET (canvas_of (window))), ==, width);
   }
   driver_discard (window);
 }
@@ -201,7 +200,7 @@ test_panels_keep_width (void)
 static void
 expect_switcher_on_drawing (QnWindow *window)
 {
-  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  GtkWidget *canvas = GTK_WIDGET (canvas_of (window));
   GtkWidget *switcher = driver_find_id (GTK_WIDGET (window), "view_switcher");
   graphene_rect_t bounds;
   if (!gtk_widget_get_mapped (canvas))
@@ -240,7 +239,7 @@ test_large_text (void)
     gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &least, NULL,
                         NULL, NULL);
     g_assert_cmpint (least, <=, 600);
-    GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+    GtkWidget *canvas = GTK_WIDGET (canvas_of (window));
     driver_activate (window, "win.run");
     driver_wait_for_job (window);
     close_panel (window);

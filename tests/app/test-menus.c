@@ -214,7 +214,7 @@ test_submenu (void)
   driver_pass_over_gtk ();
   QnWindow *window = driver_open_example ("12-facade.quoin");
   QnSelection *selection = selection_of (window);
-  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  GtkWidget *canvas = GTK_WIDGET (canvas_of (window));
   for (int i = 0; i < 4; i++) {
     guint count = 0;
     driver_point_at (canvas, 60, 300);
@@ -243,7 +243,7 @@ test_main_submenu (void)
   driver_pass_over_gtk ();
   QnWindow *window = driver_open_example ("12-facade.quoin");
   GtkWidget *root = GTK_WIDGET (window);
-  gtk_widget_grab_focus (GTK_WIDGET (qn_window_get_canvas (window)));
+  gtk_widget_grab_focus (GTK_WIDGET (canvas_of (window)));
   for (int i = 0; i < 2; i++) {
     guint count = 0;
     driver_key ("F10");

@@ -84,8 +84,7 @@ check_corner (QnWindow *window, const char *name, double x, double y)
 static GtkWidget *
 open_menu (QnWindow *window)
 {
-  return driver_find_widget (GTK_WIDGET (qn_window_get_canvas (window)), driver_is_menu,
-                             NULL);
+  return driver_find_widget (GTK_WIDGET (canvas_of (window)), driver_is_menu, NULL);
 }
 
 static gboolean
@@ -200,7 +199,7 @@ static void
 test_lost_release (void)
 {
   QnWindow *window = open_blocks ();
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   g_autoptr (GListModel) controllers =
     gtk_widget_observe_controllers (GTK_WIDGET (canvas));
   driver_point (window, 4.3, 0.3);
@@ -457,8 +456,7 @@ test_dissolving_is_named (void)
   driver_lay_large_wall (window);
   QnDocument *document = qn_window_get_document (window);
   QnId id = (QnId) model_of (window)->block_count - 1;
-  g_assert_true (
-    qn_canvas_edit (qn_window_get_canvas (window), "Move", NULL, move_one, &id));
+  g_assert_true (qn_canvas_edit (canvas_of (window), "Move", NULL, move_one, &id));
   QnEditHistory *history = qn_document_get_history (document);
   const char *name = qn_history_get_name (history, qn_history_get_position (history) - 1);
   g_assert_cmpstr (name, ==, "Move, Wall to Free Blocks");
@@ -487,12 +485,11 @@ test_keys_after_buttons (void)
                    0.5 * gtk_widget_get_height (button));
   driver_press_button ("1");
   driver_key ("w");
-  g_assert_cmpstr (qn_canvas_get_tool (qn_window_get_canvas (window))->name, ==, "wall");
+  g_assert_cmpstr (qn_canvas_get_tool (canvas_of (window))->name, ==, "wall");
   driver_key ("F10");
   driver_key ("Escape");
   driver_key ("v");
-  g_assert_cmpstr (qn_canvas_get_tool (qn_window_get_canvas (window))->name, ==,
-                   "select");
+  g_assert_cmpstr (qn_canvas_get_tool (canvas_of (window))->name, ==, "select");
   driver_key ("ctrl+a");
   guint count = 0;
   qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
@@ -509,10 +506,10 @@ test_dark_paper (void)
                 NULL);
   driver_screenshot (GTK_WIDGET (window), "dark");
   cairo_surface_t *picture = driver_picture (GTK_WIDGET (window));
-  QnVec2 at = qn_canvas_to_screen (qn_window_get_canvas (window), qn_vec2 (3.02, 0.62));
+  QnVec2 at = qn_canvas_to_screen (canvas_of (window), qn_vec2 (3.02, 0.62));
   double x, y;
-  gtk_widget_translate_coordinates (GTK_WIDGET (qn_window_get_canvas (window)),
-                                    GTK_WIDGET (window), at.x, at.y, &x, &y);
+  gtk_widget_translate_coordinates (GTK_WIDGET (canvas_of (window)), GTK_WIDGET (window),
+                                    at.x, at.y, &x, &y);
   const guint32 *row =
     (const guint32 *) (gconstpointer) (cairo_image_surface_get_data (picture)
                                        + (gsize) y
@@ -668,7 +665,7 @@ test_keys_from_anywhere (void)
           || GTK_IS_EDITABLE (gtk_window_get_focus (GTK_WINDOW (window))))
         continue;
       driver_key ("m");
-      const char *tool = qn_canvas_get_tool (qn_window_get_canvas (window))->name;
+      const char *tool = qn_canvas_get_tool (canvas_of (window))->name;
       if (!g_str_equal (tool, "measure"))
         g_error ("with the focus on a %s the key chose no tool",
                  G_OBJECT_TYPE_NAME (widget));

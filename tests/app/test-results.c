@@ -102,8 +102,7 @@ test_curve (void)
   driver_press_button ("4");
   g_assert_cmpfloat_with_epsilon (width_of_range (curve), fitting / 1.25, 1e-9);
   /* The click has taken the drawing along. */
-  g_assert_cmpint (qn_view_state_get_step (qn_window_get_view_state (window)), !=,
-                   QN_STEP_LAST);
+  g_assert_cmpint (qn_view_state_get_step (state_of (window)), !=, QN_STEP_LAST);
   /* Far into a place where no curve is, nothing is told of points that are out of sight. */
   driver_point_at (widget, x, 0.7 * gtk_widget_get_height (widget));
   for (int i = 0; i < 14; i++)
@@ -121,7 +120,7 @@ test_factor (void)
 {
   QnWindow *window = driver_open_example ("19-settling-wall.quoin");
   solve (window, "win.run");
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   qn_view_state_set_view (state, QN_VIEW_DEFORMED);
   double fitting = qn_view_state_get_shown_scale (state);
   g_assert_cmpfloat (fitting, >, 1.0);

@@ -93,7 +93,7 @@ test_settle_and_push (void)
   g_assert_nonnull (stage);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (stage), 1);
   driver_settle ();
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DEFORMED);
   int step = qn_view_state_get_step (state);
   g_assert_cmpint (run->result.steps[step].stage, ==, 1);

@@ -366,14 +366,13 @@ test_solve (void)
   g_assert_nonnull (run);
   g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat (fabs (run->result.collapse_multiplier - 0.356), <, 0.01 * 0.356);
-  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
-                   QN_VIEW_MECHANISM);
+  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MECHANISM);
   driver_screenshot (GTK_WIDGET (window), "mechanism");
   driver_activate (window, "win.view::forces");
   driver_screenshot (GTK_WIDGET (window), "forces");
   driver_activate (window, "win.view::deformed");
   driver_activate (window, "win.previous-step");
-  g_assert_cmpint (qn_view_state_get_step (qn_window_get_view_state (window)), ==,
+  g_assert_cmpint (qn_view_state_get_step (state_of (window)), ==,
                    (int) run->result.step_count - 2);
   driver_screenshot (GTK_WIDGET (window), "deformed");
 
@@ -405,7 +404,7 @@ static void
 test_animate (void)
 {
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
-  QnViewState *state = qn_window_get_view_state (window);
+  QnViewState *state = state_of (window);
   driver_key ("F5");
   driver_wait_for_job (window);
   g_assert_nonnull (qn_document_get_run (qn_window_get_document (window)));
@@ -470,7 +469,7 @@ test_export (void)
     g_autofree char *ours = g_strdup_printf ("%s/window.%s", folder, endings[i]);
     g_autofree char *theirs = g_strdup_printf ("%s/cli.%s", folder, endings[i]);
     g_autoptr (GError) error = NULL;
-    qn_view_state_export_as (qn_window_get_view_state (window), recipe, ours, &error);
+    qn_view_state_export_as (state_of (window), recipe, ours, &error);
     g_assert_no_error (error);
     const char *argv[] = {
       g_getenv ("QUOIN_CLI"), "render", model, "--view", "model", "-o", theirs, NULL
@@ -577,7 +576,7 @@ test_large_model (void)
 {
   QnWindow *window = driver_open_window (1280, 800);
   QnDocument *document = qn_window_get_document (window);
-  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnCanvas *canvas = canvas_of (window);
   driver_activate (window, "win.draw");
   g_autoptr (GError) error = NULL;
   gint64 before = g_get_monotonic_time ();

@@ -262,12 +262,6 @@ trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnInspecte
   cairo_close_path (cr);
 }
 
-QnBox
-qn_canvas_get_card (QnCanvas *self)
-{
-  return self->card;
-}
-
 void
 qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
 {

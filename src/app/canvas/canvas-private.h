@@ -47,7 +47,7 @@ struct _QnCanvas {
   gboolean has_place;
   QnVec2 place; /* ringed, m */
   guint place_timeout;
-  QnBox card;        /* beside the pointer, px; empty: none */
+  QnBox card;        /* beside the pointer, px, as drawn last; empty: none */
   QnGaps gaps;       /* marked */
   GtkWidget *corner; /* weak */
 };

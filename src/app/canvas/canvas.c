@@ -295,12 +295,6 @@ qn_canvas_get_document (QnCanvas *self)
   return qn_view_state_get_document (self->state);
 }
 
-GtkWidget *
-qn_canvas_get_gl_layer (QnCanvas *self)
-{
-  return self->gl_layer;
-}
-
 const QnModel *
 qn_canvas_get_model (QnCanvas *self)
 {

@@ -48,9 +48,6 @@ void qn_canvas_show_area (QnCanvas *canvas, QnVec2 low, QnVec2 high);
 const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
 void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
 
-/* Where OpenGL draws large structures; a QnGlLayer. */
-GtkWidget *qn_canvas_get_gl_layer (QnCanvas *canvas);
-
 /* What lies over the lower right corner, which the legend gives way to; borrowed. */
 void qn_canvas_set_corner (QnCanvas *canvas, GtkWidget *corner);
 
@@ -125,8 +122,5 @@ void qn_canvas_draw_label (QnCanvas *canvas, cairo_t *cr, const char *text,
                            QnVec2 screen);
 /* Traces a polygon of the model as a path. */
 void qn_canvas_trace (QnCanvas *canvas, cairo_t *cr, const QnVec2 *points, gsize count);
-
-/* What the card beside the pointer covers, px, as it was drawn last; empty where there is none. */
-QnBox qn_canvas_get_card (QnCanvas *canvas);
 
 #endif

@@ -53,44 +53,26 @@ leave_to_magnet (QnCanvas *canvas)
   qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
 }
 
+/* Selects a part that is pressed, or with Shift or Control more or less than before; a drag moves it. */
 static void
-press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
-{
-  QnSelection *selection = qn_canvas_get_selection (canvas);
-  const QnModel *model = qn_canvas_get_model (canvas);
-  if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
-    qn_selection_toggle (selection, QN_PART_BLOCK, block);
-    return;
-  }
-  if (event->press_count > 1) {
-    select_more (selection, model, block, event->press_count);
-    return;
-  }
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_selection_has (selection, QN_PART_BLOCK, block))
-    qn_selection_set (selection, QN_PART_BLOCK, &block, 1);
-  if (!shows_undeformed (canvas))
-    return;
-
-  gesture->from = gesture->to = grabbed_point (canvas, block, event);
-  leave_to_magnet (canvas);
-  qn_canvas_set_in_gesture (canvas, TRUE);
-}
-
-static void
-press_on_beam (QnCanvas *canvas, QnId beam, const QnToolEvent *event)
+press_on_part (QnCanvas *canvas, QnPartKind part, QnId id, const QnToolEvent *event)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
-    qn_selection_toggle (selection, QN_PART_BEAM, beam);
+    qn_selection_toggle (selection, part, id);
     return;
   }
-  if (!qn_selection_has (selection, QN_PART_BEAM, beam))
-    qn_selection_set (selection, QN_PART_BEAM, &beam, 1);
+  if (part == QN_PART_BLOCK && event->press_count > 1) {
+    select_more (selection, qn_canvas_get_model (canvas), id, event->press_count);
+    return;
+  }
+  if (!qn_selection_has (selection, part, id))
+    qn_selection_set (selection, part, &id, 1);
   if (!shows_undeformed (canvas))
     return;
-  gesture->from = gesture->to = event->model;
+  gesture->from = gesture->to =
+    part == QN_PART_BLOCK ? grabbed_point (canvas, id, event) : event->model;
   leave_to_magnet (canvas);
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
@@ -241,13 +223,13 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   QnPick pick =
     qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
   if (pick.kind == QN_PICK_BEAM) {
-    press_on_beam (canvas, pick.id, event);
+    press_on_part (canvas, QN_PART_BEAM, pick.id, event);
     return;
   }
   if (pick.kind == QN_PICK_BLOCK) {
     QnId block = to_document (canvas, pick.id);
     if (block != QN_NONE)
-      press_on_block (canvas, block, event);
+      press_on_part (canvas, QN_PART_BLOCK, block, event);
     return;
   }
   if (press_on_opening (canvas, event))

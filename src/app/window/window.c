@@ -39,18 +39,6 @@ qn_window_get_document (QnWindow *self)
   return self->document;
 }
 
-QnViewState *
-qn_window_get_view_state (QnWindow *self)
-{
-  return self->state;
-}
-
-QnCanvas *
-qn_window_get_canvas (QnWindow *self)
-{
-  return self->canvas;
-}
-
 /* ---- what the window says ---- */
 
 static void

@@ -11,10 +11,8 @@ G_DECLARE_FINAL_TYPE (QnWindow, qn_window, QN, WINDOW, GtkApplicationWindow)
 /* A window with the start page. */
 QnWindow *qn_window_new (GtkApplication *application);
 
-/* The window's parts; borrowed. */
+/* Borrowed. */
 QnDocument *qn_window_get_document (QnWindow *window);
-QnViewState *qn_window_get_view_state (QnWindow *window);
-QnCanvas *qn_window_get_canvas (QnWindow *window);
 
 /* The page of the manual about what has the focus: a tool, the selection, a panel. */
 const char *qn_window_get_help_page (QnWindow *window);
