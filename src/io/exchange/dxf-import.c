@@ -133,8 +133,6 @@ add_spline (QnDrawingPath *path, const Importer *importer, const QnDxfEntity *en
             const QnDxfPoint *p)
 {
   gsize n = entity->point_count;
-  if (entity->knot_count == 0)
-    return FALSE;
   g_autofree QnVec2 *points = g_new (QnVec2, n);
   g_autofree double *weights = g_new (double, n);
   for (gsize i = 0; i < n; i++) {

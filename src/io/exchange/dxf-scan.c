@@ -608,10 +608,11 @@ qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawin
              QnDxfScan *scan, GError **error)
 {
   static const char binary[] = "AutoCAD Binary DXF";
+  /* Points and knots are pointed to where there are none, too. */
   *scan =
     (QnDxfScan){ .entities = g_array_new (FALSE, FALSE, sizeof (QnDxfEntity)),
-                 .points = g_array_new (FALSE, FALSE, sizeof (QnDxfPoint)),
-                 .knots = g_array_new (FALSE, FALSE, sizeof (double)),
+                 .points = g_array_sized_new (FALSE, FALSE, sizeof (QnDxfPoint), 1),
+                 .knots = g_array_sized_new (FALSE, FALSE, sizeof (double), 1),
                  .blocks = g_hash_table_new_full (g_str_hash, g_str_equal, NULL, g_free),
                  .hidden = g_hash_table_new (g_str_hash, g_str_equal),
                  .top = g_array_new (FALSE, FALSE, sizeof (guint)) };
