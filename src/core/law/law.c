@@ -1,7 +1,7 @@
 #include "core/law/law.h"
 
 #include "core/base/memory.h"
-#include "core/base/numbers.h"
+#include "core/base/require.h"
 #include "core/base/tolerance.h"
 
 #include "core/law/law-ops.h"
@@ -53,46 +53,30 @@ qn_law_at (QnLaw *law, const QnLawParameter *parameter)
   return (double *) ((char *) law + parameter->offset);
 }
 
-static QnStatus
-check_number (double value, QnRange range, double largest, const char *field, QnId index,
-              QnDiag *diag)
-{
-  QnProblem problem = qn_number_problem (value, range, largest);
-  if (problem == QN_PROBLEM_NONE)
-    return QN_OK;
-  return qn_diag_set_field (diag, problem, QN_ENTITY_LAW, index, field, value);
-}
-
 QnStatus
 qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
 {
-  if (law->name == NULL || law->name[0] == '\0')
-    return qn_diag_set_field (diag, QN_PROBLEM_NAME_MISSING, QN_ENTITY_LAW, index, "name",
-                              0);
-
+  const QnSubject of = { QN_ENTITY_LAW, index, diag };
   const QnLawOps *ops = qn_law_ops (law->kind);
-  QnStatus status =
-    check_number (law->kn, QN_RANGE_POSITIVE, QN_LARGEST_STIFFNESS, "kn", index, diag);
-  if (status == QN_OK)
-    status =
-      check_number (law->ks, QN_RANGE_POSITIVE, QN_LARGEST_STIFFNESS, "ks", index, diag);
-  if (status == QN_OK)
-    status = check_number (law->shear_factor, QN_RANGE_NOT_NEGATIVE, QN_LARGEST_NUMBER,
-                           "shear_factor", index, diag);
-  if (status == QN_OK)
-    status = check_number (law->elasticity, QN_RANGE_NOT_NEGATIVE, QN_LARGEST_STIFFNESS,
-                           "elasticity", index, diag);
-  if (status == QN_OK && !(law->poisson >= 0 && law->poisson < 0.5))
-    status = qn_diag_set_field (diag, QN_PROBLEM_LAW_POISSON, QN_ENTITY_LAW, index,
-                                "poisson", law->poisson);
-  for (size_t i = 0; i < ops->parameter_count && status == QN_OK; i++) {
+  bool holds =
+    qn_require_name (of, law->name, QN_NONE, index)
+    && qn_require_size (of, "kn", law->kn, QN_RANGE_POSITIVE, QN_LARGEST_STIFFNESS)
+    && qn_require_size (of, "ks", law->ks, QN_RANGE_POSITIVE, QN_LARGEST_STIFFNESS)
+    && qn_require_number (of, "shear_factor", law->shear_factor, QN_RANGE_NOT_NEGATIVE)
+    && qn_require_size (of, "elasticity", law->elasticity, QN_RANGE_NOT_NEGATIVE,
+                        QN_LARGEST_STIFFNESS)
+    && qn_require (of, law->poisson >= 0 && law->poisson < 0.5, QN_PROBLEM_LAW_POISSON,
+                   "poisson", law->poisson);
+
+  for (size_t i = 0; i < ops->parameter_count && holds; i++) {
     const QnLawParameter *parameter = &ops->parameters[i];
     double value = qn_law_get (law, parameter);
     bool positive = parameter->positive && (parameter->required || value != 0);
-    status = check_number (value, positive ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE,
-                           QN_LARGEST_NUMBER, parameter->key, index, diag);
+    holds = qn_require_number (of, parameter->key, value,
+                               positive ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE);
   }
-  return status == QN_OK && ops->check != NULL ? ops->check (law, index, diag) : status;
+  return holds && ops->check != NULL ? ops->check (law, index, diag)
+                                     : qn_required (holds);
 }
 
 bool

@@ -6,171 +6,120 @@
 
 #include <stdlib.h>
 
-static QnStatus
-check_name (const char *name, QnId namesake, QnEntity entity, QnId index, QnDiag *diag)
-{
-  if (name == NULL || name[0] == '\0')
-    return qn_diag_set_field (diag, QN_PROBLEM_NAME_MISSING, entity, index, "name", 0);
-  if (namesake != index)
-    return qn_diag_set_field (diag, QN_PROBLEM_NAME_TAKEN, entity, index, "name", 0);
-  return QN_OK;
-}
-
-static QnStatus
+static bool
 check_node (const QnModel *model, QnId index, QnDiag *diag)
 {
   const QnNode *node = &model->nodes[index];
-  const QnEntity entity = QN_ENTITY_NODE;
+  const bool given = node->beam != QN_NONE; /* the program gave its name */
   const bool rides = node->seat != QN_SEAT_FREE;
+  const QnSubject of = { given ? QN_ENTITY_BEAM : QN_ENTITY_NODE,
+                         given ? node->beam : index, diag };
 
-  if (node->beam != QN_NONE) { /* a name that the program gave */
-    if (qn_model_find_node (model, node->name) != index)
-      return qn_diag_set_field (diag, QN_PROBLEM_NAME_TAKEN, QN_ENTITY_BEAM, node->beam,
-                                "name", 0);
-    return QN_OK;
-  }
-  QnStatus status =
-    check_name (node->name, qn_model_find_node (model, node->name), entity, index, diag);
-  if (status != QN_OK)
-    return status;
-  if (rides && (node->block < 0 || (size_t) node->block >= model->block_count))
-    return qn_diag_set_field (diag, QN_PROBLEM_BLOCK_UNKNOWN, entity, index, "block",
-                              node->block);
-  if (rides && qn_support_is_any (node->support))
-    return qn_diag_set_field (diag, QN_PROBLEM_NODE_SUPPORTED_BY_BLOCK, entity, index,
-                              "support", 0);
-  if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT) {
-    QnProblem problem =
-      qn_number_problem (qn_worse (fabs (node->at.x), fabs (node->at.y)), QN_RANGE_FINITE,
-                         QN_MAX_COORDINATE);
-    if (problem != QN_PROBLEM_NONE)
-      return qn_diag_set_field (diag, problem, entity, index, "at", 0);
-  }
-  return QN_OK;
+  if (!qn_require_name (of, node->name, qn_model_find_node (model, node->name), index))
+    return false;
+  if (given)
+    return true;
+  if (rides
+      && !(qn_require_block (of, "block", node->block, model)
+           && qn_require (of, !qn_support_is_any (node->support),
+                          QN_PROBLEM_NODE_SUPPORTED_BY_BLOCK, "support", 0)))
+    return false;
+  QnProblem problem = qn_number_problem (qn_worse (fabs (node->at.x), fabs (node->at.y)),
+                                         QN_RANGE_FINITE, QN_MAX_COORDINATE);
+  return (rides && node->seat != QN_SEAT_POINT)
+         || qn_require (of, problem == QN_PROBLEM_NONE, problem, "at", 0);
 }
 
-static QnStatus
+static bool
 check_section (const QnModel *model, QnId index, QnDiag *diag)
 {
-  const QnSection *section = &model->sections[index];
-  const QnEntity entity = QN_ENTITY_SECTION;
-  const QnNumberRule elastic[] = {
-    { "young", section->young, QN_RANGE_POSITIVE },
-    { "shear_modulus", section->shear_modulus, QN_RANGE_NOT_NEGATIVE },
-  };
-  const QnNumberRule strength[] = {
-    { "shear_factor", section->shear_factor, QN_RANGE_POSITIVE },
-    { "yield", section->yield, QN_RANGE_NOT_NEGATIVE },
-    { "plastic_moment", section->plastic_moment, QN_RANGE_NOT_NEGATIVE },
-  };
-  const QnNumberRule rectangle[] = { { "width", section->width, QN_RANGE_POSITIVE },
-                                     { "height", section->height, QN_RANGE_POSITIVE } };
-  const QnNumberRule shapeless[] = {
-    { "area", section->area, QN_RANGE_POSITIVE },
-    { "inertia", section->inertia, QN_RANGE_POSITIVE },
-  };
-  bool has_shape = section->height != 0 || section->width != 0;
-  QnStatus status = check_name (
-    section->name, qn_model_find_section (model, section->name), entity, index, diag);
+  const QnSubject of = { QN_ENTITY_SECTION, index, diag };
+  const QnSection *s = &model->sections[index];
+  const bool has_shape = s->height != 0 || s->width != 0;
 
-  if (status == QN_OK)
-    status = qn_check_numbers (elastic, QN_N_ELEMENTS (elastic), entity, index, diag);
-  if (status == QN_OK && !(section->poisson > -1 && section->poisson <= 0.5))
-    status = qn_diag_set_field (diag, QN_PROBLEM_POISSON_RATIO, entity, index, "poisson",
-                                section->poisson);
-  if (status == QN_OK)
-    status = qn_check_numbers (strength, QN_N_ELEMENTS (strength), entity, index, diag);
-  if (status == QN_OK && !has_shape && section->yield != 0)
-    status = qn_diag_set_field (diag, QN_PROBLEM_YIELD_SHAPELESS, entity, index, "yield",
-                                section->yield);
-  if (status == QN_OK)
-    status = qn_check_numbers (has_shape ? rectangle : shapeless, 2, entity, index, diag);
-  /* A negative density means that the unit weight counts. */
-  if (status == QN_OK)
-    status =
-      qn_check_number (section->density, QN_RANGE_FINITE, entity, index, "density", diag);
-  return status == QN_OK ? qn_check_number (section->unit_weight, QN_RANGE_NOT_NEGATIVE,
-                                            entity, index, "unit_weight", diag)
-                         : status;
+  return qn_require_name (of, s->name, qn_model_find_section (model, s->name), index)
+         && qn_require_number (of, "young", s->young, QN_RANGE_POSITIVE)
+         && qn_require_number (of, "shear_modulus", s->shear_modulus,
+                               QN_RANGE_NOT_NEGATIVE)
+         && qn_require (of, s->poisson > -1 && s->poisson <= 0.5,
+                        QN_PROBLEM_POISSON_RATIO, "poisson", s->poisson)
+         && qn_require_number (of, "shear_factor", s->shear_factor, QN_RANGE_POSITIVE)
+         && qn_require_number (of, "yield", s->yield, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "plastic_moment", s->plastic_moment,
+                               QN_RANGE_NOT_NEGATIVE)
+         && qn_require (of, has_shape || s->yield == 0, QN_PROBLEM_YIELD_SHAPELESS,
+                        "yield", s->yield)
+         && qn_require_number (of, has_shape ? "width" : "area",
+                               has_shape ? s->width : s->area, QN_RANGE_POSITIVE)
+         && qn_require_number (of, has_shape ? "height" : "inertia",
+                               has_shape ? s->height : s->inertia, QN_RANGE_POSITIVE)
+         /* A negative density means that the unit weight counts. */
+         && qn_require_number (of, "density", s->density, QN_RANGE_FINITE)
+         && qn_require_number (of, "unit_weight", s->unit_weight, QN_RANGE_NOT_NEGATIVE);
 }
 
-static QnStatus
+static bool
 check_beam (const QnModel *model, QnId index, QnDiag *diag)
 {
+  const QnSubject of = { QN_ENTITY_BEAM, index, diag };
   const QnBeam *beam = &model->beams[index];
-  const QnEntity entity = QN_ENTITY_BEAM;
-  QnStatus status =
-    check_name (beam->name, qn_model_find_beam (model, beam->name), entity, index, diag);
+  const QnId *ends = beam->nodes;
 
-  for (int end = 0; end < 2 && status == QN_OK; end++)
-    if (beam->nodes[end] < 0 || (size_t) beam->nodes[end] >= model->node_count)
-      status = qn_diag_set_field (diag, QN_PROBLEM_NODE_UNKNOWN, entity, index, "nodes",
-                                  beam->nodes[end]);
-  if (status == QN_OK
-      && (beam->section < 0 || (size_t) beam->section >= model->section_count))
-    status = qn_diag_set_field (diag, QN_PROBLEM_SECTION_UNKNOWN, entity, index,
-                                "section", beam->section);
-  if (status != QN_OK)
-    return status;
-  const QnNode *first = &model->nodes[beam->nodes[0]],
-               *second = &model->nodes[beam->nodes[1]];
-  if (first == second)
-    return qn_diag_set_field (diag, QN_PROBLEM_BEAM_SHORT, entity, index, "nodes", 0);
-  if (first->block != QN_NONE && first->block == second->block)
-    return qn_diag_set_field (diag, QN_PROBLEM_BEAM_ON_ONE_BLOCK, entity, index, "nodes",
-                              first->block);
-  return QN_OK;
+  if (!qn_require_name (of, beam->name, qn_model_find_beam (model, beam->name), index)
+      || !qn_require_index (of, "nodes", ends[0], model->node_count,
+                            QN_PROBLEM_NODE_UNKNOWN)
+      || !qn_require_index (of, "nodes", ends[1], model->node_count,
+                            QN_PROBLEM_NODE_UNKNOWN)
+      || !qn_require_index (of, "section", beam->section, model->section_count,
+                            QN_PROBLEM_SECTION_UNKNOWN))
+    return false;
+  const QnId first = model->nodes[ends[0]].block, second = model->nodes[ends[1]].block;
+  return qn_require (of, ends[0] != ends[1], QN_PROBLEM_BEAM_SHORT, "nodes", 0)
+         && qn_require (of, first == QN_NONE || first != second,
+                        QN_PROBLEM_BEAM_ON_ONE_BLOCK, "nodes", first);
 }
 
-static QnStatus
+static bool
+check_tie_end (const QnModel *model, const QnTieEnd *end, QnSubject of)
+{
+  return (end->block == QN_NONE || qn_require_block (of, "ends", end->block, model))
+         && qn_require_vector (of, "ends", end->at);
+}
+
+static bool
 check_tie (const QnModel *model, QnId index, QnDiag *diag)
 {
+  const QnSubject of = { QN_ENTITY_TIE, index, diag };
   const QnTie *tie = &model->ties[index];
-  const QnEntity entity = QN_ENTITY_TIE;
-  const QnTieEnd *ends = tie->ends;
-  const QnNumberRule rules[] = {
-    { "area", tie->area, QN_RANGE_POSITIVE },
-    { "elasticity", tie->elasticity, QN_RANGE_POSITIVE },
-    { "yield", tie->yield, QN_RANGE_NOT_NEGATIVE },
-    { "prestress", tie->prestress, QN_RANGE_NOT_NEGATIVE },
-    { "slack", tie->slack, QN_RANGE_NOT_NEGATIVE },
-    { "anchor", tie->anchor, QN_RANGE_NOT_NEGATIVE },
-    { "plate.diameter", tie->plate.diameter, QN_RANGE_NOT_NEGATIVE },
-    { "plate.wall", tie->plate.wall, QN_RANGE_NOT_NEGATIVE },
-    { "plate.shear", tie->plate.shear, QN_RANGE_NOT_NEGATIVE },
-    { "plate.compression", tie->plate.compression, QN_RANGE_NOT_NEGATIVE },
-  };
-  QnStatus status =
-    check_name (tie->name, qn_model_find_tie (model, tie->name), entity, index, diag);
+  const QnTiePlate *plate = &tie->plate;
+  const QnId first = tie->ends[0].block;
 
-  if (status == QN_OK)
-    status = qn_check_numbers (rules, QN_N_ELEMENTS (rules), entity, index, diag);
-  for (int end = 0; end < 2 && status == QN_OK; end++) {
-    if (ends[end].block != QN_NONE)
-      status =
-        qn_check_block_reference (model, ends[end].block, entity, index, "ends", diag);
-    if (status == QN_OK)
-      status = qn_check_vector (ends[end].at, entity, index, "ends", diag);
-  }
-  if (status != QN_OK)
-    return status;
-  if (ends[0].block == ends[1].block)
-    return qn_diag_set_field (diag,
-                              ends[0].block == QN_NONE ? QN_PROBLEM_TIE_ON_GROUND
-                                                       : QN_PROBLEM_TIE_ON_ONE_BLOCK,
-                              entity, index, "ends", ends[0].block);
-  if (!(qn_tie_length (tie) > 0))
-    return qn_diag_set_field (diag, QN_PROBLEM_TIE_SHORT, entity, index, "ends", 0);
-  if (!isfinite (qn_tie_stiffness (tie)))
-    return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index, "elasticity",
-                              tie->elasticity);
-  if (tie->prestress > qn_tie_strength (tie))
-    return qn_diag_set_field (diag, QN_PROBLEM_TIE_PRESTRESS, entity, index, "prestress",
-                              tie->prestress);
-  if (tie->prestress > 0 && tie->slack > 0)
-    return qn_diag_set_field (diag, QN_PROBLEM_TIE_SLACK, entity, index, "slack",
-                              tie->slack);
-  return QN_OK;
+  return qn_require_name (of, tie->name, qn_model_find_tie (model, tie->name), index)
+         && qn_require_number (of, "area", tie->area, QN_RANGE_POSITIVE)
+         && qn_require_number (of, "elasticity", tie->elasticity, QN_RANGE_POSITIVE)
+         && qn_require_number (of, "yield", tie->yield, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "prestress", tie->prestress, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "slack", tie->slack, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "anchor", tie->anchor, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "plate.diameter", plate->diameter,
+                               QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "plate.wall", plate->wall, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "plate.shear", plate->shear, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "plate.compression", plate->compression,
+                               QN_RANGE_NOT_NEGATIVE)
+         && check_tie_end (model, &tie->ends[0], of)
+         && check_tie_end (model, &tie->ends[1], of)
+         && qn_require (of, first != tie->ends[1].block,
+                        first == QN_NONE ? QN_PROBLEM_TIE_ON_GROUND
+                                         : QN_PROBLEM_TIE_ON_ONE_BLOCK,
+                        "ends", first)
+         && qn_require (of, qn_tie_length (tie) > 0, QN_PROBLEM_TIE_SHORT, "ends", 0)
+         && qn_require (of, isfinite (qn_tie_stiffness (tie)), QN_PROBLEM_TOO_LARGE,
+                        "elasticity", tie->elasticity)
+         && qn_require (of, !(tie->prestress > qn_tie_strength (tie)),
+                        QN_PROBLEM_TIE_PRESTRESS, "prestress", tie->prestress)
+         && qn_require (of, tie->prestress == 0 || tie->slack == 0, QN_PROBLEM_TIE_SLACK,
+                        "slack", tie->slack);
 }
 
 /* A node that stands free must carry a beam: nothing else holds it. */
@@ -197,15 +146,15 @@ check_use (const QnModel *model, QnDiag *diag)
 QnStatus
 qn_model_check_beams (const QnModel *model, QnDiag *diag)
 {
-  QnStatus status = QN_OK;
+  bool holds = true;
 
-  for (size_t i = 0; i < model->section_count && status == QN_OK; i++)
-    status = check_section (model, (QnId) i, diag);
-  for (size_t i = 0; i < model->node_count && status == QN_OK; i++)
-    status = check_node (model, (QnId) i, diag);
-  for (size_t i = 0; i < model->beam_count && status == QN_OK; i++)
-    status = check_beam (model, (QnId) i, diag);
-  for (size_t i = 0; i < model->tie_count && status == QN_OK; i++)
-    status = check_tie (model, (QnId) i, diag);
-  return status == QN_OK ? check_use (model, diag) : status;
+  for (size_t i = 0; i < model->section_count && holds; i++)
+    holds = check_section (model, (QnId) i, diag);
+  for (size_t i = 0; i < model->node_count && holds; i++)
+    holds = check_node (model, (QnId) i, diag);
+  for (size_t i = 0; i < model->beam_count && holds; i++)
+    holds = check_beam (model, (QnId) i, diag);
+  for (size_t i = 0; i < model->tie_count && holds; i++)
+    holds = check_tie (model, (QnId) i, diag);
+  return holds ? check_use (model, diag) : QN_ERROR_INVALID;
 }

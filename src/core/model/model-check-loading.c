@@ -5,208 +5,163 @@
 
 #define RIGHT_ANGLE 1.57079632679489661923
 
-static QnStatus
-check_settlement (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
-                  QnDiag *diag)
-{
-  if (!model->blocks[load->block].support[load->dof])
-    return qn_diag_set_field (diag, QN_PROBLEM_SETTLEMENT_FREE, entity, index,
-                              "component", 0);
-  return qn_check_number (load->value, QN_RANGE_FINITE, entity, index, "value", diag);
-}
-
-static QnStatus
-check_index (QnId id, size_t count, QnProblem problem, QnEntity entity, QnId index,
-             const char *field, QnDiag *diag)
-{
-  return id >= 0 && (size_t) id < count
-           ? QN_OK
-           : qn_diag_set_field (diag, problem, entity, index, field, id);
-}
-
 /* What a load acts on. */
-static QnStatus
-check_loaded (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
-              QnDiag *diag)
+static bool
+check_loaded (const QnModel *model, const QnLoad *load, QnSubject of)
 {
   if (load->kind == QN_LOAD_LINE)
-    return check_index (load->beam, model->beam_count, QN_PROBLEM_BEAM_UNKNOWN, entity,
-                        index, "beam", diag);
+    return qn_require_index (of, "beam", load->beam, model->beam_count,
+                             QN_PROBLEM_BEAM_UNKNOWN);
   if (load->kind == QN_LOAD_NODE)
-    return check_index (load->node, model->node_count, QN_PROBLEM_NODE_UNKNOWN, entity,
-                        index, "node", diag);
-  return qn_check_block_reference (model, load->block, entity, index, "block", diag);
+    return qn_require_index (of, "node", load->node, model->node_count,
+                             QN_PROBLEM_NODE_UNKNOWN);
+  return qn_require_block (of, "block", load->block, model);
 }
 
 /* How often its weight acts on a block. */
-static QnStatus
-check_direction (QnVec2 direction, QnEntity entity, QnId index, QnDiag *diag)
+static bool
+check_direction (QnVec2 direction, QnSubject of)
 {
-  QnStatus status = qn_check_vector (direction, entity, index, "direction", diag);
-  if (status == QN_OK && !(qn_vec2_length (direction) <= QN_LARGEST_DIRECTION))
-    status = qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index, "direction",
-                                qn_vec2_length (direction));
-  return status;
+  return qn_require_vector (of, "direction", direction)
+         && qn_require (of, qn_vec2_length (direction) <= QN_LARGEST_DIRECTION,
+                        QN_PROBLEM_TOO_LARGE, "direction", qn_vec2_length (direction));
 }
 
-static QnStatus
-check_edge_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
-                 QnDiag *diag)
+/* The edges that a load counts. */
+static bool
+check_edges (const QnModel *model, const QnLoad *load, QnSubject of)
 {
-  QnStatus status =
-    qn_check_block_reference (model, load->block, entity, index, "block", diag);
-  if (status == QN_OK && !load->has_side)
-    status = check_index (load->edge, (size_t) model->blocks[load->block].vertex_count,
-                          QN_PROBLEM_EDGE_UNKNOWN, entity, index, "edge", diag);
-  if (status == QN_OK && !load->has_side)
-    status =
-      check_index (load->edge_count - 1, (size_t) model->blocks[load->block].vertex_count,
-                   QN_PROBLEM_EDGE_UNKNOWN, entity, index, "count", diag);
-  for (int end = 0; end < 2 && status == QN_OK; end++)
-    status = qn_check_number (load->intensity[end], QN_RANGE_FINITE, entity, index,
-                              "intensity", diag);
-  if (status == QN_OK && !(load->part[0] >= 0 && load->part[1] <= 1))
-    status = qn_diag_set_field (diag, QN_PROBLEM_FRACTION, entity, index, "part", 0);
-  if (status == QN_OK && !(load->part[0] < load->part[1]))
-    status = qn_diag_set_field (diag, QN_PROBLEM_LOADED_PART, entity, index, "part", 0);
-  return status == QN_OK && !load->normal
-           ? check_direction (load->vector, entity, index, diag)
-           : status;
+  size_t count = (size_t) model->blocks[load->block].vertex_count;
+
+  return qn_require_index (of, "edge", load->edge, count, QN_PROBLEM_EDGE_UNKNOWN)
+         && qn_require_index (of, "count", load->edge_count - 1, count,
+                              QN_PROBLEM_EDGE_UNKNOWN);
+}
+
+static bool
+check_edge_load (const QnModel *model, const QnLoad *load, QnSubject of)
+{
+  const double *part = load->part;
+
+  return qn_require_block (of, "block", load->block, model)
+         && (load->has_side || check_edges (model, load, of))
+         && qn_require_number (of, "intensity", load->intensity[0], QN_RANGE_FINITE)
+         && qn_require_number (of, "intensity", load->intensity[1], QN_RANGE_FINITE)
+         && qn_require (of, part[0] >= 0 && part[1] <= 1, QN_PROBLEM_FRACTION, "part", 0)
+         && qn_require (of, part[0] < part[1], QN_PROBLEM_LOADED_PART, "part", 0)
+         && (load->normal || check_direction (load->vector, of));
 }
 
 /* Infinite ends are those that are not given. */
-static QnStatus
-check_span (const QnLoad *load, const char *const fields[2], QnEntity entity, QnId index,
-            QnDiag *diag)
+static bool
+check_span (const double span[2], const char *from, const char *to, QnSubject of)
 {
-  for (int end = 0; end < 2; end++)
-    if (isnan (load->span[end]))
-      return qn_diag_set_field (diag, QN_PROBLEM_NOT_FINITE, entity, index, fields[end],
-                                load->span[end]);
-  return load->span[0] < load->span[1]
-           ? QN_OK
-           : qn_diag_set_field (diag, QN_PROBLEM_LOADED_PART, entity, index, fields[0],
-                                load->span[0]);
+  return qn_require (of, !isnan (span[0]), QN_PROBLEM_NOT_FINITE, from, span[0])
+         && qn_require (of, !isnan (span[1]), QN_PROBLEM_NOT_FINITE, to, span[1])
+         && qn_require (of, span[0] < span[1], QN_PROBLEM_LOADED_PART, from, span[0]);
 }
 
 /* Surcharge and backfill. */
-static QnStatus
-check_fill (const QnLoad *load, QnEntity entity, QnId index, QnDiag *diag)
+static bool
+check_fill (const QnLoad *load, QnSubject of)
 {
-  static const char *const across[] = { "from", "to" }, *const up[] = { "bottom", "top" };
-  bool backfill = load->kind == QN_LOAD_BACKFILL;
-  const QnNumberRule rules[] = {
-    { backfill ? "surcharge" : "pressure", load->pressure, QN_RANGE_NOT_NEGATIVE },
-    { "unit_weight", load->unit_weight, QN_RANGE_NOT_NEGATIVE },
-    { "level", load->level, QN_RANGE_FINITE },
-    { "coefficient", load->coefficient, QN_RANGE_NOT_NEGATIVE },
-  };
-  QnStatus status = qn_check_numbers (rules, QN_N_ELEMENTS (rules), entity, index, diag);
-  if (status == QN_OK)
-    status = check_span (load, backfill ? up : across, entity, index, diag);
-  if (status != QN_OK || !backfill)
-    return status;
-  if (load->side != QN_BLOCK_SIDE_LEFT && load->side != QN_BLOCK_SIDE_RIGHT)
-    return qn_diag_set_field (diag, QN_PROBLEM_EARTH_SIDE, entity, index, "side", 0);
-  status = qn_check_number (load->span[1], QN_RANGE_FINITE, entity, index, "top", diag);
-  if (status == QN_OK
-      && !(load->friction_angle >= 0 && load->friction_angle < RIGHT_ANGLE))
-    status = qn_diag_set_field (diag, QN_PROBLEM_EARTH_ANGLE, entity, index,
-                                "friction_angle", load->friction_angle);
-  return status;
+  const bool backfill = load->kind == QN_LOAD_BACKFILL;
+  const double angle = load->friction_angle;
+
+  if (!qn_require_number (of, backfill ? "surcharge" : "pressure", load->pressure,
+                          QN_RANGE_NOT_NEGATIVE)
+      || !qn_require_number (of, "unit_weight", load->unit_weight, QN_RANGE_NOT_NEGATIVE)
+      || !qn_require_number (of, "level", load->level, QN_RANGE_FINITE)
+      || !qn_require_number (of, "coefficient", load->coefficient, QN_RANGE_NOT_NEGATIVE)
+      || !check_span (load->span, backfill ? "bottom" : "from", backfill ? "top" : "to",
+                      of))
+    return false;
+  return !backfill
+         || (qn_require (
+               of, load->side == QN_BLOCK_SIDE_LEFT || load->side == QN_BLOCK_SIDE_RIGHT,
+               QN_PROBLEM_EARTH_SIDE, "side", 0)
+             && qn_require_number (of, "top", load->span[1], QN_RANGE_FINITE)
+             && qn_require (of, angle >= 0 && angle < RIGHT_ANGLE, QN_PROBLEM_EARTH_ANGLE,
+                            "friction_angle", angle));
 }
 
-static QnStatus
-check_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
-            QnDiag *diag)
+static bool
+check_load (const QnModel *model, const QnLoad *load, QnSubject of)
 {
-  if (load->load_case < 0 || (size_t) load->load_case > model->load_case_count)
-    return qn_diag_set_field (diag, QN_PROBLEM_LOAD_CASE_UNKNOWN, entity, index, "case",
-                              load->load_case);
+  if (!qn_require_index (of, "case", load->load_case, model->load_case_count + 1,
+                         QN_PROBLEM_LOAD_CASE_UNKNOWN))
+    return false;
   if (load->kind == QN_LOAD_WEIGHT)
-    return check_direction (load->vector, entity, index, diag);
+    return check_direction (load->vector, of);
   if (load->kind == QN_LOAD_EDGE)
-    return check_edge_load (model, load, entity, index, diag);
+    return check_edge_load (model, load, of);
   if (load->kind == QN_LOAD_SURCHARGE || load->kind == QN_LOAD_BACKFILL)
-    return check_fill (load, entity, index, diag);
-
-  QnStatus status = check_loaded (model, load, entity, index, diag);
-  if (status == QN_OK && load->kind == QN_LOAD_SETTLEMENT)
-    return check_settlement (model, load, entity, index, diag);
-  if (status == QN_OK)
-    status = qn_check_vector (load->vector, entity, index, "value", diag);
-  if (status == QN_OK)
-    status =
-      qn_check_number (load->moment, QN_RANGE_FINITE, entity, index, "moment", diag);
-  if (status == QN_OK && load->has_at)
-    status = qn_check_vector (load->at, entity, index, "at", diag);
-  return status;
+    return check_fill (load, of);
+  if (!check_loaded (model, load, of))
+    return false;
+  if (load->kind == QN_LOAD_SETTLEMENT)
+    return qn_require (of, model->blocks[load->block].support[load->dof],
+                       QN_PROBLEM_SETTLEMENT_FREE, "component", 0)
+           && qn_require_number (of, "value", load->value, QN_RANGE_FINITE);
+  return qn_require_vector (of, "value", load->vector)
+         && qn_require_number (of, "moment", load->moment, QN_RANGE_FINITE)
+         && (!load->has_at || qn_require_vector (of, "at", load->at));
 }
 
-QnStatus
+bool
 qn_model_check_loads (const QnModel *model, QnDiag *diag)
 {
-  QnStatus status = QN_OK;
-  for (size_t i = 0; i < model->load_case_count && status == QN_OK; i++) {
-    double factor = model->load_cases[i].factor;
-    status = qn_check_number (factor, QN_RANGE_NOT_NEGATIVE, QN_ENTITY_LOAD_CASE,
-                              (QnId) i, NULL, diag);
-    if (status == QN_OK && factor > QN_LARGEST_DIRECTION)
-      status = qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LOAD_CASE,
-                                  (QnId) i, NULL, factor);
+  bool holds = true;
+  QnSubject of = { QN_ENTITY_LOAD_CASE, 0, diag };
+
+  for (; (size_t) of.index < model->load_case_count && holds; of.index++) {
+    double factor = model->load_cases[of.index].factor;
+    holds = qn_require_number (of, NULL, factor, QN_RANGE_NOT_NEGATIVE)
+            && qn_require (of, factor <= QN_LARGEST_DIRECTION, QN_PROBLEM_TOO_LARGE, NULL,
+                           factor);
   }
-  for (size_t i = 0; i < model->dead_load_count && status == QN_OK; i++)
-    status =
-      check_load (model, &model->dead_loads[i], QN_ENTITY_DEAD_LOAD, (QnId) i, diag);
-  for (size_t i = 0; i < model->live_load_count && status == QN_OK; i++)
-    status =
-      check_load (model, &model->live_loads[i], QN_ENTITY_LIVE_LOAD, (QnId) i, diag);
-  return status;
+  for (size_t i = 0; i < qn_model_load_count (model) && holds; i++) {
+    bool dead = i < model->dead_load_count;
+    of.entity = dead ? QN_ENTITY_DEAD_LOAD : QN_ENTITY_LIVE_LOAD;
+    of.index = (QnId) (dead ? i : i - model->dead_load_count);
+    holds = check_load (model, qn_model_load (model, i), of);
+  }
+  return holds;
 }
 
 /* The block or node whose displacement is controlled, and that it is free to move. */
-static QnStatus
-check_controlled (const QnModel *model, QnId block, QnId node, QnDof dof, QnEntity entity,
-                  QnId index, QnDiag *diag)
+static bool
+check_controlled (const QnModel *model, QnId block, QnId node, QnDof dof, QnSubject of)
 {
-  QnStatus status =
-    node == QN_NONE
-      ? qn_check_block_reference (model, block, entity, index, "control.block", diag)
-      : check_index (node, model->node_count, QN_PROBLEM_NODE_UNKNOWN, entity, index,
-                     "control.node", diag);
-  if (status == QN_OK && node != QN_NONE && model->nodes[node].seat != QN_SEAT_FREE)
-    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_NODE_RIDES, entity, index,
-                                "control.node", 0);
-  if (status == QN_OK
-      && qn_model_body_is_fixed (model, qn_model_controlled_body (model, block, node),
-                                 dof))
-    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_DOF_FIXED, entity, index,
-                                "control.component", 0);
-  return status;
+  bool known = node == QN_NONE
+                 ? qn_require_block (of, "control.block", block, model)
+                 : qn_require_index (of, "control.node", node, model->node_count,
+                                     QN_PROBLEM_NODE_UNKNOWN)
+                     && qn_require (of, model->nodes[node].seat == QN_SEAT_FREE,
+                                    QN_PROBLEM_CONTROL_NODE_RIDES, "control.node", 0);
+
+  return known
+         && qn_require (of,
+                        !qn_model_body_is_fixed (
+                          model, qn_model_controlled_body (model, block, node), dof),
+                        QN_PROBLEM_CONTROL_DOF_FIXED, "control.component", 0);
 }
 
-static QnStatus
-check_control (const QnModel *model, QnDiag *diag)
+static bool
+check_control (const QnModel *model, QnSubject of)
 {
   const QnAnalysisSettings *analysis = &model->analysis;
-  const QnEntity entity = QN_ENTITY_ANALYSIS;
-  if (analysis->control_block == QN_NONE && analysis->control_node == QN_NONE) {
-    if (analysis->procedure != QN_PROCEDURE_DISPLACEMENT || model->stage_count > 0)
-      return QN_OK;
-    return qn_diag_set_field (diag, QN_PROBLEM_CONTROL_MISSING, entity, QN_NONE,
-                              "control", 0);
-  }
+  const double target = analysis->control_target;
 
-  QnStatus status =
-    check_controlled (model, analysis->control_block, analysis->control_node,
-                      analysis->control_dof, entity, QN_NONE, diag);
-  if (status == QN_OK)
-    status = qn_check_number (analysis->control_target, QN_RANGE_FINITE, entity, QN_NONE,
-                              "control.target", diag);
-  if (status == QN_OK && analysis->control_target == 0)
-    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, entity, QN_NONE,
-                                "control.target", 0);
-  return status;
+  if (analysis->control_block == QN_NONE && analysis->control_node == QN_NONE)
+    return qn_require (
+      of, analysis->procedure != QN_PROCEDURE_DISPLACEMENT || model->stage_count > 0,
+      QN_PROBLEM_CONTROL_MISSING, "control", 0);
+  return check_controlled (model, analysis->control_block, analysis->control_node,
+                           analysis->control_dof, of)
+         && qn_require_number (of, "control.target", target, QN_RANGE_FINITE)
+         && qn_require (of, target != 0, QN_PROBLEM_CONTROL_TARGET_ZERO, "control.target",
+                        0);
 }
 
 /* Whether a settlement is among the loads of some sets, bit by bit as in QnStage. */
@@ -220,17 +175,14 @@ has_settlement (const QnModel *model, uint32_t sets)
   return false;
 }
 
-static QnStatus
-check_procedure (const QnModel *model, QnProcedure procedure, uint32_t sets,
-                 QnEntity entity, QnId index, QnDiag *diag)
+static bool
+check_procedure (const QnModel *model, QnProcedure procedure, uint32_t sets, QnSubject of)
 {
   bool work = procedure == QN_PROCEDURE_WORK, limit = procedure == QN_PROCEDURE_LIMIT;
 
-  if ((work || limit) && has_settlement (model, sets))
-    return qn_diag_set_field (
-      diag, work ? QN_PROBLEM_SETTLEMENT_WORK : QN_PROBLEM_SETTLEMENT_LIMIT, entity,
-      index, "procedure", 0);
-  return QN_OK;
+  return qn_require (of, !((work || limit) && has_settlement (model, sets)),
+                     work ? QN_PROBLEM_SETTLEMENT_WORK : QN_PROBLEM_SETTLEMENT_LIMIT,
+                     "procedure", 0);
 }
 
 /* --- Stages ----------------------------------------------------------------------------- */
@@ -241,169 +193,132 @@ typedef struct {
   size_t last_driven[QN_MAX_LOAD_SETS]; /* number of the stage, from 1; 0: none */
 } SetStates;
 
-static QnStatus
-refuse_stage (QnDiag *diag, QnProblem problem, QnId index, const char *field)
-{
-  return qn_diag_set_field (diag, problem, QN_ENTITY_STAGE, index, field, 0);
-}
-
 /* Sets that a stage drives together must have been driven together before. */
-static QnStatus
-check_stage_sets (const QnModel *model, const SetStates *states, QnId index, int *first,
-                  QnDiag *diag)
+static bool
+check_stage_sets (const QnModel *model, const SetStates *states, const QnStage *stage,
+                  int *first, QnSubject of)
 {
-  const QnStage *stage = &model->stages[index];
-
   *first = QN_NONE;
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++) {
     if ((stage->sets >> set & 1) == 0)
       continue;
-    if ((size_t) set > model->load_set_count)
-      return refuse_stage (diag, QN_PROBLEM_LOAD_SET_UNKNOWN, index, "loads");
+    if (!qn_require (of, (size_t) set <= model->load_set_count,
+                     QN_PROBLEM_LOAD_SET_UNKNOWN, "loads", 0))
+      return false;
     if (*first == QN_NONE)
       *first = set;
-    else if (states->last_driven[set] != states->last_driven[*first])
-      return refuse_stage (diag, QN_PROBLEM_STAGE_SETS_APART, index, "loads");
+    if (!qn_require (of, states->last_driven[set] == states->last_driven[*first],
+                     QN_PROBLEM_STAGE_SETS_APART, "loads", 0))
+      return false;
   }
-  return *first != QN_NONE ? QN_OK
-                           : refuse_stage (diag, QN_PROBLEM_STAGE_IDLE, index, "loads");
+  return qn_require (of, *first != QN_NONE, QN_PROBLEM_STAGE_IDLE, "loads", 0);
 }
 
-static QnStatus
-check_stage_control (const QnModel *model, QnId index, QnDiag *diag)
+static bool
+check_stage_control (const QnModel *model, const QnStage *stage, QnSubject of)
 {
-  const QnStage *stage = &model->stages[index];
-  const QnEntity entity = QN_ENTITY_STAGE;
+  const double target = stage->control_target;
 
   if (stage->control_block == QN_NONE && stage->control_node == QN_NONE)
-    return stage->procedure == QN_PROCEDURE_DISPLACEMENT
-             ? refuse_stage (diag, QN_PROBLEM_CONTROL_MISSING, index, "control")
-             : QN_OK;
-  QnStatus status = check_controlled (model, stage->control_block, stage->control_node,
-                                      stage->control_dof, entity, index, diag);
-  if (status == QN_OK)
-    status = qn_check_number (stage->control_target, QN_RANGE_FINITE, entity, index,
-                              "control.target", diag);
-  if (status == QN_OK && index == 0 && stage->control_target == 0)
-    status = refuse_stage (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, index, "control.target");
-  if (status == QN_OK && stage->has_target)
-    status = refuse_stage (diag, QN_PROBLEM_STAGE_TWO_ENDS, index, "target");
-  return status;
+    return qn_require (of, stage->procedure != QN_PROCEDURE_DISPLACEMENT,
+                       QN_PROBLEM_CONTROL_MISSING, "control", 0);
+  return check_controlled (model, stage->control_block, stage->control_node,
+                           stage->control_dof, of)
+         && qn_require_number (of, "control.target", target, QN_RANGE_FINITE)
+         && qn_require (of, of.index != 0 || target != 0, QN_PROBLEM_CONTROL_TARGET_ZERO,
+                        "control.target", 0)
+         && qn_require (of, !stage->has_target, QN_PROBLEM_STAGE_TWO_ENDS, "target", 0);
 }
 
-static QnStatus
+static bool
 check_stage (const QnModel *model, SetStates *states, QnId index, QnDiag *diag)
 {
+  const QnSubject of = { QN_ENTITY_STAGE, index, diag };
   const QnStage *stage = &model->stages[index];
   bool last = (size_t) index + 1 == model->stage_count;
-  int first;
-
-  if (stage->procedure == QN_PROCEDURE_LIMIT)
-    return refuse_stage (diag, QN_PROBLEM_STAGE_LIMIT, index, "procedure");
-  if (stage->procedure == QN_PROCEDURE_DYNAMIC)
-    return refuse_stage (diag, QN_PROBLEM_STAGES_DYNAMIC, index, "procedure");
-  QnStatus status = check_stage_sets (model, states, index, &first, diag);
-  if (status == QN_OK)
-    status = check_procedure (model, stage->procedure, stage->sets, QN_ENTITY_STAGE,
-                              index, diag);
-  if (status == QN_OK && stage->increments < 0)
-    status = refuse_stage (diag, QN_PROBLEM_NOT_POSITIVE, index, "increments");
-  if (status == QN_OK && stage->has_target)
-    status = qn_check_number (stage->target, QN_RANGE_FINITE, QN_ENTITY_STAGE, index,
-                              "target", diag);
-  if (status == QN_OK)
-    status = check_stage_control (model, index, diag);
-  if (status != QN_OK)
-    return status;
-
   bool controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;
   bool ends =
     stage->has_target || controlled || !qn_model_sets_have_force (model, stage->sets);
-  if (!ends && !last)
-    return refuse_stage (diag, QN_PROBLEM_STAGE_ENDLESS, index, "target");
   double target = stage->has_target ? stage->target : controlled ? NAN : 1;
-  if (ends && target == states->multiplier[first])
-    return refuse_stage (diag, QN_PROBLEM_STAGE_NO_CHANGE, index, "target");
-  for (int set = 0; set < QN_MAX_LOAD_SETS; set++) {
-    if ((stage->sets >> set & 1) == 0)
-      continue;
-    states->multiplier[set] = target;
-    states->last_driven[set] = (size_t) index + 1;
-  }
-  return QN_OK;
+  int first;
+
+  if (!qn_require (of, stage->procedure != QN_PROCEDURE_LIMIT, QN_PROBLEM_STAGE_LIMIT,
+                   "procedure", 0)
+      || !qn_require (of, stage->procedure != QN_PROCEDURE_DYNAMIC,
+                      QN_PROBLEM_STAGES_DYNAMIC, "procedure", 0)
+      || !check_stage_sets (model, states, stage, &first, of)
+      || !check_procedure (model, stage->procedure, stage->sets, of)
+      || !qn_require (of, stage->increments >= 0, QN_PROBLEM_NOT_POSITIVE, "increments",
+                      0)
+      || (stage->has_target
+          && !qn_require_number (of, "target", stage->target, QN_RANGE_FINITE))
+      || !check_stage_control (model, stage, of)
+      || !qn_require (of, ends || last, QN_PROBLEM_STAGE_ENDLESS, "target", 0)
+      || !qn_require (of, !(ends && target == states->multiplier[first]),
+                      QN_PROBLEM_STAGE_NO_CHANGE, "target", 0))
+    return false;
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    if ((stage->sets >> set & 1) != 0) {
+      states->multiplier[set] = target;
+      states->last_driven[set] = (size_t) index + 1;
+    }
+  return true;
 }
 
-static QnStatus
-check_stages (const QnModel *model, QnDiag *diag)
+static bool
+check_stages (const QnModel *model, QnSubject of)
 {
   SetStates states = { 0 };
-  QnStatus status = QN_OK;
+  const double largest = model->analysis.max_multiplier;
 
   if (model->stage_count == 0)
-    return QN_OK;
-  if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
-    return qn_diag_set_field (diag, QN_PROBLEM_STAGE_LIMIT, QN_ENTITY_ANALYSIS, QN_NONE,
-                              "stages", 0);
-  if (model->stage_count > QN_MAX_STAGES)
-    return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_ANALYSIS, QN_NONE,
-                              "stages", (double) model->stage_count);
-  if (isfinite (model->analysis.max_multiplier))
-    return qn_diag_set_field (diag, QN_PROBLEM_STAGE_MULTIPLIER, QN_ENTITY_ANALYSIS,
-                              QN_NONE, "max_multiplier", model->analysis.max_multiplier);
-  for (size_t i = 0; i < model->stage_count && status == QN_OK; i++)
-    status = check_stage (model, &states, (QnId) i, diag);
-  return status;
+    return true;
+  bool holds = qn_require (of, model->analysis.procedure != QN_PROCEDURE_LIMIT,
+                           QN_PROBLEM_STAGE_LIMIT, "stages", 0)
+               && qn_require (of, model->stage_count <= QN_MAX_STAGES,
+                              QN_PROBLEM_TOO_LARGE, "stages", (double) model->stage_count)
+               && qn_require (of, !isfinite (largest), QN_PROBLEM_STAGE_MULTIPLIER,
+                              "max_multiplier", largest);
+  for (size_t i = 0; i < model->stage_count && holds; i++)
+    holds = check_stage (model, &states, (QnId) i, of.diag);
+  return holds;
 }
 
 /* ---------------------------------------------------------------------------------------- */
 
 /* A tolerance that double precision resolves, and that is small enough for an equilibrium. */
-static QnStatus
+static bool
 check_tolerance (double value, double least, double largest, const char *field,
-                 QnDiag *diag)
+                 QnSubject of)
 {
-  QnStatus status =
-    qn_check_number (value, QN_RANGE_POSITIVE, QN_ENTITY_ANALYSIS, QN_NONE, field, diag);
-  if (status != QN_OK || (value >= least && value <= largest))
-    return status;
-  return qn_diag_set_field (
-    diag, value < least ? QN_PROBLEM_TOLERANCE_FINE : QN_PROBLEM_TOLERANCE_COARSE,
-    QN_ENTITY_ANALYSIS, QN_NONE, field, value);
+  return qn_require_number (of, field, value, QN_RANGE_POSITIVE)
+         && qn_require (of, value >= least, QN_PROBLEM_TOLERANCE_FINE, field, value)
+         && qn_require (of, value <= largest, QN_PROBLEM_TOLERANCE_COARSE, field, value);
 }
 
-QnStatus
+bool
 qn_model_check_analysis (const QnModel *model, QnDiag *diag)
 {
-  const QnAnalysisSettings *analysis = &model->analysis;
-  const QnEntity entity = QN_ENTITY_ANALYSIS;
-  QnStatus status = qn_check_number (analysis->increments, QN_RANGE_POSITIVE, entity,
-                                     QN_NONE, "increments", diag);
-  /* Infinity is the default and allowed here. */
-  if (status == QN_OK && !(analysis->max_multiplier >= 0))
-    status = qn_diag_set_field (
-      diag,
-      isnan (analysis->max_multiplier) ? QN_PROBLEM_NOT_FINITE : QN_PROBLEM_NEGATIVE,
-      entity, QN_NONE, "max_multiplier", analysis->max_multiplier);
-  if (status == QN_OK)
-    status =
-      check_tolerance (analysis->multiplier_tolerance, QN_LEAST_MULTIPLIER_TOLERANCE,
-                       QN_LARGEST_MULTIPLIER_TOLERANCE, "multiplier_tolerance", diag);
-  if (status == QN_OK)
-    status = check_tolerance (analysis->residual_tolerance, QN_LEAST_RESIDUAL_TOLERANCE,
-                              QN_LARGEST_RESIDUAL_TOLERANCE, "residual_tolerance", diag);
-  if (status == QN_OK)
-    status = qn_check_number (analysis->max_factorizations, QN_RANGE_POSITIVE, entity,
-                              QN_NONE, "max_factorizations", diag);
-  if (status == QN_OK && !(analysis->max_seconds > 0))
-    status = qn_diag_set_field (diag,
-                                isnan (analysis->max_seconds) ? QN_PROBLEM_NOT_FINITE
-                                                              : QN_PROBLEM_NOT_POSITIVE,
-                                entity, QN_NONE, "max_seconds", analysis->max_seconds);
-  if (status == QN_OK)
-    status = check_control (model, diag);
-  if (status == QN_OK && model->stage_count == 0)
-    status = check_procedure (model, analysis->procedure, 1, entity, QN_NONE, diag);
-  if (status == QN_OK)
-    status = qn_model_check_dynamic (model, diag);
-  return status == QN_OK ? check_stages (model, diag) : status;
+  const QnSubject of = { QN_ENTITY_ANALYSIS, QN_NONE, diag };
+  const QnAnalysisSettings *a = &model->analysis;
+
+  /* Infinity is the default of the multiplier and of seconds. */
+  return qn_require_number (of, "increments", a->increments, QN_RANGE_POSITIVE)
+         && qn_require (of, a->max_multiplier >= 0,
+                        isnan (a->max_multiplier) ? QN_PROBLEM_NOT_FINITE
+                                                  : QN_PROBLEM_NEGATIVE,
+                        "max_multiplier", a->max_multiplier)
+         && check_tolerance (a->multiplier_tolerance, QN_LEAST_MULTIPLIER_TOLERANCE,
+                             QN_LARGEST_MULTIPLIER_TOLERANCE, "multiplier_tolerance", of)
+         && check_tolerance (a->residual_tolerance, QN_LEAST_RESIDUAL_TOLERANCE,
+                             QN_LARGEST_RESIDUAL_TOLERANCE, "residual_tolerance", of)
+         && qn_require_number (of, "max_factorizations", a->max_factorizations,
+                               QN_RANGE_POSITIVE)
+         && qn_require (of, a->max_seconds > 0,
+                        isnan (a->max_seconds) ? QN_PROBLEM_NOT_FINITE
+                                               : QN_PROBLEM_NOT_POSITIVE,
+                        "max_seconds", a->max_seconds)
+         && check_control (model, of)
+         && (model->stage_count > 0 || check_procedure (model, a->procedure, 1, of))
+         && qn_model_check_dynamic (model, diag) && check_stages (model, of);
 }
