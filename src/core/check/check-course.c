@@ -257,8 +257,8 @@ suits_kind (const QnPathEvent *event)
 }
 
 /* Events begin at steps and come in order, the collapse of a stage last; the first snap of the
- * last stage is the first limit point, unless the analysis stops where it loses its stability.
- * What lies between is not compared. */
+ * last stage is the first limit point, unless the analysis stops where it loses its stability. No
+ * event is told twice. What lies between is not compared. */
 static void
 check_events (QnCheck *check)
 {
@@ -281,6 +281,7 @@ check_events (QnCheck *check)
       && (before != NULL
             ? stage.sense * event->multiplier >= stage.sense * before->multiplier
                 && before->kind != QN_EVENT_KIND_COLLAPSE
+                && event->displacement_after != before->displacement_after
             : i == 0 || event->stage > event[-1].stage);
     collapses = is_last && event->kind == QN_EVENT_KIND_COLLAPSE;
     if (is_last && isnan (first) && event->kind == QN_EVENT_KIND_SNAP)

@@ -533,7 +533,7 @@ check_beam_forces (QnCheck *check, size_t step)
     }
 }
 
-/* The last step's forces stand in a result twice. */
+/* The last step's forces, states and bonds stand in a result twice. */
 static void
 check_last_forces (QnCheck *check)
 {
@@ -544,7 +544,9 @@ check_last_forces (QnCheck *check)
     const double *stated = r->step_forces + 2 * (first + p);
     const double force[2] = { r->pairs[p].normal_force, r->pairs[p].shear_force };
     if (!same_force (stated, force, check->tolerance * check->scale)
-        || r->step_states[first + p] != r->pairs[p].state)
+        || r->step_states[first + p] != r->pairs[p].state
+        || !qn_check_agrees (r->step_damage != NULL ? r->step_damage[first + p] : 0,
+                             r->pairs[p].damage, QN_CHECK_STATE))
       qn_check_tell (check, QN_CLAIM_FORCES, (QnId) r->step_count - 1, QN_ENTITY_CONTACT,
                      (QnId) p, stated[0], force[0]);
   }

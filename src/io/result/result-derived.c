@@ -76,6 +76,7 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "events[].displacement_after", result->event_count > 0 },
     { "events[].energy", result->event_count > 0 },
     { "events[].blocks", result->event_count > 0 },
+    { "broken_bond_bound", result->has_broken_bound },
     { "solutions[].found_by", result->solution_count > 0 && !result->limit.given },
     { "mechanism_by_work", result->mechanism_by_work },
     { "node_mechanism", result->node_count > 0 && result->mechanism != NULL
