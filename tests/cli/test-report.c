@@ -136,7 +136,7 @@ test_results (void)
                 WORDS ("Comparison", "path.json: passed", "limit.json: passed",
                        "Question: which multiple of the live load",
                        "no equilibrium above 0.2864, the associative bound",
-                       "Associative bound", "Widest crack at the last step",
+                       "Associative bound", "Widest crack before collapse",
                        "joints that neither slide nor open are left out"),
                 NULL);
   /* What was computed twice is told once, and every joint on request. */

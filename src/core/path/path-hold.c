@@ -8,9 +8,10 @@
  *   a late stop   on the straight way there joints resist less than the load for long, and only where
  *                 gaps close at its end as much: whoever moves another way misses them
  *
- * Then the load is held at the multiplier of the new state, once it is higher by a part that counts, and the
- * structure is let go from the last equilibrium before, with damped motion. Where it rests the path goes on. Where it falls, multipliers between are
- * held until the highest at which it rests is known: its collapse.
+ * Then the load is held at the multiplier of the new state, once it is higher by a part that counts,
+ * and the structure is let go from the last equilibrium before, with damped motion. Where it rests
+ * the path goes on. Where it falls, multipliers between are held until the highest at which it
+ * rests is known: its collapse.
  */
 #include "core/path/path-trace.h"
 

@@ -78,15 +78,31 @@ find_crack (const QnReportRun *run, size_t step)
 }
 
 static void
-tell_crack (QnPages *pages, const QnReportRun *run, Crack crack, bool last, QnUnits units)
+tell_crack (QnPages *pages, const QnReportRun *run, Crack crack, const char *which,
+            QnUnits units)
 {
   const QnBlock *blocks = run->project->model.blocks;
   g_autofree char *size =
     qn_units_format_full (units, QN_QUANTITY_LENGTH, crack.width, 3);
-  qn_report_say (pages,
-                 last ? _ ("Widest crack at the last step: %s, between %s and %s.")
-                      : _ ("Widest crack of all steps: %s, between %s and %s."),
-                 size, blocks[crack.face->a].name, blocks[crack.face->b].name);
+  qn_report_say (pages, _ ("%s: %s, between %s and %s."), which, size,
+                 blocks[crack.face->a].name, blocks[crack.face->b].name);
+}
+
+/* Part of its collapse multiplier up to which a structure in linear geometry has not begun to move on. */
+#define BEFORE_COLLAPSE 0.97
+
+/* The last step of which displacements are not how far a mechanism was followed. */
+static size_t
+last_determined (const QnModel *model, const QnResult *result)
+{
+  size_t step = result->step_count - 1;
+  if (model->analysis.geometry == QN_GEOMETRY_LINEAR
+      && result->outcome == QN_OUTCOME_COLLAPSE && result->has_collapse_multiplier)
+    while (step > 0
+           && result->steps[step].multiplier
+                > BEFORE_COLLAPSE * result->collapse_multiplier)
+      step--;
+  return step;
 }
 
 /* Of a settlement: what its support takes, and the widest crack, over all steps; of long paths at even
@@ -126,16 +142,23 @@ write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
   if (result->step_count == 0 || result->limit.given)
     return;
   g_autofree Crack *cracks = g_new (Crack, result->step_count);
-  Crack widest = { 0 }, *last = &cracks[result->step_count - 1];
+  const size_t end = last_determined (&run->project->model, result);
+  Crack widest = { 0 }, *last = &cracks[end];
   for (size_t s = 0; s < result->step_count; s++) {
     cracks[s] = find_crack (run, s);
-    if (cracks[s].width > widest.width)
+    if (s <= end && cracks[s].width > widest.width)
       widest = cracks[s];
   }
   if (last->width > 0)
-    tell_crack (pages, run, *last, true, units);
+    tell_crack (
+      pages, run, *last,
+      end + 1 == result->step_count
+        ? _ ("Widest crack at the last step")
+        : _ ("Widest crack before collapse, beyond which linear geometry sets no "
+             "limit to the motion"),
+      units);
   if (widest.width > last->width)
-    tell_crack (pages, run, widest, false, units);
+    tell_crack (pages, run, widest, _ ("Widest crack of all steps"), units);
   const QnLoad *settlement = qn_result_settlement (&run->project->model, result);
   if (settlement != NULL)
     write_settlement (pages, run, settlement, cracks, units);
