@@ -59,13 +59,11 @@ qn_law_bilinear_evaluate (const QnSpring *s, const QnSpringMemory *committed,
   }
 }
 
-static QnStatus
-check_bilinear (const QnLaw *law, QnId index, QnDiag *diag)
+static bool
+check_bilinear (const QnLaw *law, QnSubject of)
 {
-  if (law->hardening < 1)
-    return QN_OK;
-  return qn_diag_set_field (diag, QN_PROBLEM_HARDENING_TOO_LARGE, QN_ENTITY_LAW, index,
-                            "hardening", law->hardening);
+  return qn_require (of, law->hardening < 1, QN_PROBLEM_HARDENING_TOO_LARGE, "hardening",
+                     law->hardening);
 }
 
 static void

@@ -120,29 +120,19 @@ evaluate_concrete (const QnSpring *s, const QnSpringMemory *committed, const dou
     stretch (s, q[0] + plastic, r);
 }
 
-static QnStatus
-check_concrete (const QnLaw *law, QnId index, QnDiag *diag)
+static bool
+check_concrete (const QnLaw *law, QnSubject of)
 {
-  const char *field = NULL;
-  QnProblem problem = QN_PROBLEM_NONE;
-  double peak = 2 * law->strength / law->kn;
+  const double ultimate = law->ultimate_strain, peak = 2 * law->strength / law->kn;
 
-  if (law->tension > 0 && law->fracture_energy == 0) {
-    problem = QN_PROBLEM_FRACTURE_ENERGY_MISSING;
-    field = "fracture_energy";
-  } else if (law->ultimate_strain > 0 && law->ultimate_strain < peak) {
-    problem = QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL;
-    field = "ultimate_strain";
-  } else if (law->ultimate_strain > 0 && law->crushing_energy == 0) {
-    problem = QN_PROBLEM_FRACTURE_ENERGY_MISSING;
-    field = "crushing_energy";
-  } else if (law->ultimate_strain == 0 && law->crushing_energy > 0) {
-    problem = QN_PROBLEM_NOT_POSITIVE;
-    field = "ultimate_strain";
-  }
-  if (problem == QN_PROBLEM_NONE)
-    return QN_OK;
-  return qn_diag_set_field (diag, problem, QN_ENTITY_LAW, index, field, 0);
+  return qn_require (of, !(law->tension > 0 && law->fracture_energy == 0),
+                     QN_PROBLEM_FRACTURE_ENERGY_MISSING, "fracture_energy", 0)
+         && qn_require (of, !(ultimate > 0 && ultimate < peak),
+                        QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL, "ultimate_strain", 0)
+         && qn_require (of, !(ultimate > 0 && law->crushing_energy == 0),
+                        QN_PROBLEM_FRACTURE_ENERGY_MISSING, "crushing_energy", 0)
+         && qn_require (of, !(ultimate == 0 && law->crushing_energy > 0),
+                        QN_PROBLEM_NOT_POSITIVE, "ultimate_strain", 0);
 }
 
 static void

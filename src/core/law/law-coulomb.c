@@ -278,16 +278,15 @@ qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
 
 /* --- Laws -------------------------------------------------------------------------------- */
 
-QnStatus
-qn_law_coulomb_check (const QnLaw *law, QnId index, QnDiag *diag)
+bool
+qn_law_coulomb_check (const QnLaw *law, QnSubject of)
 {
   bool residual = law->residual_friction > 0;
 
-  if (law->dilatancy <= law->friction
-      && !(residual && law->dilatancy > law->residual_friction))
-    return QN_OK;
-  return qn_diag_set_field (diag, QN_PROBLEM_DILATANCY_ABOVE_FRICTION, QN_ENTITY_LAW,
-                            index, "dilatancy", law->dilatancy);
+  return qn_require (of,
+                     law->dilatancy <= law->friction
+                       && !(residual && law->dilatancy > law->residual_friction),
+                     QN_PROBLEM_DILATANCY_ABOVE_FRICTION, "dilatancy", law->dilatancy);
 }
 
 void

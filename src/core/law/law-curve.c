@@ -186,54 +186,58 @@ plain_spring (const QnLaw *law)
                      .stretch = { 1, 1 } };
 }
 
-static QnStatus
-check_point (const QnLaw *law, int32_t i, QnProblem *problem)
+static QnProblem
+check_point (const QnLaw *law, int32_t i)
 {
   const QnVec2 *p = law->points, origin = { 0, 0 };
   bool inner_before = i > 0 && p[i - 1].x > 0;
   bool inner_after = i + 1 < law->point_count && p[i + 1].x < 0;
 
   if (!isfinite (p[i].x) || !isfinite (p[i].y))
-    *problem = QN_PROBLEM_NOT_FINITE;
-  else if (i > 0 && p[i].x <= p[i - 1].x)
-    *problem = QN_PROBLEM_CURVE_ORDER;
-  else
-    *problem = point_problem (law,
-                              p[i].x > 0 && inner_before  ? p[i - 1]
-                              : p[i].x < 0 && inner_after ? p[i + 1]
-                                                          : origin,
-                              p[i]);
-  return *problem == QN_PROBLEM_NONE ? QN_OK : QN_ERROR_INVALID;
+    return QN_PROBLEM_NOT_FINITE;
+  if (i > 0 && p[i].x <= p[i - 1].x)
+    return QN_PROBLEM_CURVE_ORDER;
+  return point_problem (law,
+                        p[i].x > 0 && inner_before  ? p[i - 1]
+                        : p[i].x < 0 && inner_after ? p[i + 1]
+                                                    : origin,
+                        p[i]);
 }
 
-static QnStatus
-check_curve (const QnLaw *law, QnId index, QnDiag *diag)
+/* A law for all sizes of blocks must say what energy its descent dissipates. */
+static bool
+check_energy (const QnLaw *law, bool tension, double given, const char *field,
+              QnSubject of)
+{
+  QnSpring plain = plain_spring (law);
+
+  return qn_require (of,
+                     law->basis != QN_BASIS_MATERIAL || given != 0
+                       || !(descent_energy (&plain, tension) > 0),
+                     QN_PROBLEM_FRACTURE_ENERGY_MISSING, field, 0);
+}
+
+static bool
+check_curve (const QnLaw *law, QnSubject of)
 {
   const int32_t count = law->point_count;
-  if (count < 1 || count > QN_MAX_CURVE_POINTS
-      || (count == 1 && law->points[0].x == 0 && law->points[0].y == 0))
-    return qn_diag_set_field (diag, QN_PROBLEM_CURVE_COUNT, QN_ENTITY_LAW, index,
-                              "points", count);
-  for (int32_t i = 0; i < count; i++) {
-    QnProblem problem;
-    if (check_point (law, i, &problem) == QN_OK)
-      continue;
-    qn_diag_set_field (diag, problem, QN_ENTITY_LAW, index, "points", law->points[i].x);
-    if (diag != NULL)
-      diag->sub = i;
-    return QN_ERROR_INVALID;
-  }
+  const QnVec2 *p = law->points;
 
-  QnSpring plain = plain_spring (law);
-  for (int tension = 0; tension < 2; tension++) {
-    double given = tension ? law->fracture_energy : law->crushing_energy;
-    if (law->basis == QN_BASIS_MATERIAL && given == 0
-        && descent_energy (&plain, tension) > 0)
-      return qn_diag_set_field (diag, QN_PROBLEM_FRACTURE_ENERGY_MISSING, QN_ENTITY_LAW,
-                                index, tension ? "fracture_energy" : "crushing_energy",
-                                0);
+  if (!qn_require (of,
+                   count >= 1 && count <= QN_MAX_CURVE_POINTS
+                     && !(count == 1 && p[0].x == 0 && p[0].y == 0),
+                   QN_PROBLEM_CURVE_COUNT, "points", count))
+    return false;
+  for (int32_t i = 0; i < count; i++) {
+    QnProblem problem = check_point (law, i);
+    if (qn_require (of, problem == QN_PROBLEM_NONE, problem, "points", p[i].x))
+      continue;
+    if (of.diag != NULL)
+      of.diag->sub = i;
+    return false;
   }
-  return QN_OK;
+  return check_energy (law, false, law->crushing_energy, "crushing_energy", of)
+         && check_energy (law, true, law->fracture_energy, "fracture_energy", of);
 }
 
 static void

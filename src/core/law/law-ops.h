@@ -3,6 +3,7 @@
 #ifndef QN_CORE_LAW_OPS_H
 #define QN_CORE_LAW_OPS_H
 
+#include "core/base/require.h"
 #include "core/law/spring.h"
 
 /* How the units of a law become those of a spring. */
@@ -16,7 +17,7 @@ typedef struct QnLawOps {
   size_t parameter_count;
 
   /* Rules between parameters; nullable. Numbers have been checked one by one before. */
-  QnStatus (*check) (const QnLaw *law, QnId index, QnDiag *diag);
+  bool (*check) (const QnLaw *law, QnSubject of);
 
   /* Fills what of the spring is the law's own; nullable. kind, kn and ks are set already. */
   void (*resolve) (const QnLaw *law, QnLawScale scale, QnSpring *spring);
@@ -63,7 +64,7 @@ extern const QnLawOps qn_law_ops_steel;
 extern const QnLawOps qn_law_ops_curve;
 
 /* Coulomb's law, part of others; see law-coulomb.c. */
-QnStatus qn_law_coulomb_check (const QnLaw *law, QnId index, QnDiag *diag);
+bool qn_law_coulomb_check (const QnLaw *law, QnSubject of);
 void qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring);
 void qn_law_coulomb_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                               const double q[2], QnSpringResponse *response);

@@ -66,16 +66,14 @@ evaluate_steel (const QnSpring *s, const QnSpringMemory *committed, const double
   r->varies = phi > 0;
 }
 
-static QnStatus
-check_steel (const QnLaw *law, QnId index, QnDiag *diag)
+static bool
+check_steel (const QnLaw *law, QnSubject of)
 {
-  if (law->strength < law->yield)
-    return qn_diag_set_field (diag, QN_PROBLEM_STRENGTH_BELOW_YIELD, QN_ENTITY_LAW, index,
-                              "strength", law->strength);
-  if (law->kn * law->ultimate_strain <= law->strength)
-    return qn_diag_set_field (diag, QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL, QN_ENTITY_LAW,
-                              index, "ultimate_strain", law->ultimate_strain);
-  return QN_OK;
+  return qn_require (of, law->strength >= law->yield, QN_PROBLEM_STRENGTH_BELOW_YIELD,
+                     "strength", law->strength)
+         && qn_require (of, law->kn * law->ultimate_strain > law->strength,
+                        QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL, "ultimate_strain",
+                        law->ultimate_strain);
 }
 
 static void

@@ -75,8 +75,7 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
     holds = qn_require_number (of, parameter->key, value,
                                positive ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE);
   }
-  return holds && ops->check != NULL ? ops->check (law, index, diag)
-                                     : qn_required (holds);
+  return qn_required (holds && (ops->check == NULL || ops->check (law, of)));
 }
 
 bool

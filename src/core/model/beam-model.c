@@ -4,8 +4,8 @@
 
 #include "core/base/decimal.h"
 #include "core/base/memory.h"
-#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
+#include "core/model/model-check.h"
 #include "core/model/model-list.h"
 #include "core/model/outline.h"
 
@@ -99,16 +99,16 @@ add_inner_node (QnModel *model, QnId beam, int32_t number)
 static QnStatus
 expand_beam (QnModel *model, QnId index, QnDiag *diag)
 {
+  const QnSubject of = { QN_ENTITY_BEAM, index, diag };
   int32_t count = model->beams[index].element_count;
   QnId first_node = (QnId) model->node_count;
 
-  if (count < 1 || count > QN_MAX_BEAM_ELEMENTS)
-    return qn_diag_set_field (diag,
-                              count < 1 ? QN_PROBLEM_NOT_POSITIVE : QN_PROBLEM_TOO_LARGE,
-                              QN_ENTITY_BEAM, index, "elements", count);
-  if (model->node_count + (size_t) count > QN_MAX_NODES)
-    return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_NODES, QN_ENTITY_BEAM, index,
-                              "elements", count);
+  if (!qn_require (of, count >= 1, QN_PROBLEM_NOT_POSITIVE, "elements", count)
+      || !qn_require (of, count <= QN_MAX_BEAM_ELEMENTS, QN_PROBLEM_TOO_LARGE, "elements",
+                      count)
+      || !qn_require (of, model->node_count + (size_t) count <= QN_MAX_NODES,
+                      QN_PROBLEM_TOO_MANY_NODES, "elements", count))
+    return QN_ERROR_INVALID;
   for (int32_t i = 1; i < count; i++)
     if (!add_inner_node (model, index, i))
       return qn_diag_no_memory (diag);
@@ -170,24 +170,22 @@ side_middle (const QnModel *model, QnId block, QnBlockSide side)
 static QnStatus
 derive_beam (QnModel *model, QnId index, QnDiag *diag)
 {
+  const QnSubject of = { QN_ENTITY_BEAM, index, diag };
   const QnBeam *beam = &model->beams[index];
   QnVec2 a = model->nodes[beam->nodes[0]].at, b = model->nodes[beam->nodes[1]].at;
   double size = fmax (fmax (fabs (a.x), fabs (a.y)), fmax (fabs (b.x), fabs (b.y)));
 
-  if (!(qn_vec2_length (qn_vec2_sub (b, a)) > QN_TOLERANCE_COORDINATE * size))
-    return qn_diag_set_field (diag, QN_PROBLEM_BEAM_SHORT, QN_ENTITY_BEAM, index, "nodes",
-                              0);
   const QnSection *section = &model->sections[beam->section];
-  double length = qn_vec2_length (qn_vec2_sub (b, a)) / beam->element_count;
-  const double stiffness[] = { section->young * section->area / length,
-                               section->young * section->inertia / pow (length, 3) };
-  for (int i = 0; i < 2; i++) {
-    QnProblem problem =
-      qn_number_problem (stiffness[i], QN_RANGE_POSITIVE, QN_LARGEST_NUMBER);
-    if (problem != QN_PROBLEM_NONE)
-      return qn_diag_set_field (diag, problem, QN_ENTITY_BEAM, index, "section",
-                                stiffness[i]);
-  }
+  double whole = qn_vec2_length (qn_vec2_sub (b, a)),
+         length = whole / beam->element_count;
+  if (!qn_require (of, whole > QN_TOLERANCE_COORDINATE * size, QN_PROBLEM_BEAM_SHORT,
+                   "nodes", 0)
+      || !qn_require_number (of, "section", section->young * section->area / length,
+                             QN_RANGE_POSITIVE)
+      || !qn_require_number (of, "section",
+                             section->young * section->inertia / pow (length, 3),
+                             QN_RANGE_POSITIVE))
+    return QN_ERROR_INVALID;
   for (int32_t i = 0; i < beam->element_count; i++) {
     const QnBeamElement *element = &model->elements[beam->first_element + i];
     QnNode *end = &model->nodes[element->nodes[1]];
@@ -197,16 +195,19 @@ derive_beam (QnModel *model, QnId index, QnDiag *diag)
   return QN_OK;
 }
 
-static QnStatus
-check_moments (const QnModel *model, const QnLoad *loads, size_t count, QnEntity entity,
-               QnDiag *diag)
+static bool
+check_moments (const QnModel *model, QnDiag *diag)
 {
-  for (size_t i = 0; i < count; i++)
-    if (loads[i].kind == QN_LOAD_NODE && loads[i].moment != 0
-        && !model->nodes[loads[i].node].turns)
-      return qn_diag_set_field (diag, QN_PROBLEM_NODE_MOMENT, entity, (QnId) i, "moment",
-                                loads[i].moment);
-  return QN_OK;
+  bool holds = true;
+
+  for (size_t i = 0; i < qn_model_load_count (model) && holds; i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    holds = qn_require (qn_load_subject (model, i, diag),
+                        load->kind != QN_LOAD_NODE || load->moment == 0
+                          || model->nodes[load->node].turns,
+                        QN_PROBLEM_NODE_MOMENT, "moment", load->moment);
+  }
+  return holds;
 }
 
 void
@@ -243,13 +244,7 @@ qn_model_derive_beams (QnModel *model, QnDiag *diag)
   }
   for (size_t i = 0; i < model->beam_count && status == QN_OK; i++)
     status = derive_beam (model, (QnId) i, diag);
-  if (status == QN_OK)
-    status = check_moments (model, model->dead_loads, model->dead_load_count,
-                            QN_ENTITY_DEAD_LOAD, diag);
-  if (status == QN_OK)
-    status = check_moments (model, model->live_loads, model->live_load_count,
-                            QN_ENTITY_LIVE_LOAD, diag);
-  return status;
+  return status == QN_OK ? qn_required (check_moments (model, diag)) : status;
 }
 
 bool

@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
+#include "core/model/model-check.h"
 #include "core/model/outline.h"
 
 #include <stdlib.h>
@@ -60,12 +61,8 @@ typedef struct {
 static QnStatus
 refuse (const Resolver *r, QnProblem problem, const char *field)
 {
-  size_t dead = r->model->dead_load_count;
-  bool live = r->source >= dead;
-
-  return qn_diag_set_field (r->diag, problem,
-                            live ? QN_ENTITY_LIVE_LOAD : QN_ENTITY_DEAD_LOAD,
-                            (QnId) (live ? r->source - dead : r->source), field, 0);
+  QnSubject of = qn_load_subject (r->model, r->source, r->diag);
+  return qn_required (qn_require (of, false, problem, field, 0));
 }
 
 /* Intensities of one sign. */

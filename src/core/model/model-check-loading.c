@@ -120,12 +120,9 @@ qn_model_check_loads (const QnModel *model, QnDiag *diag)
             && qn_require (of, factor <= QN_LARGEST_DIRECTION, QN_PROBLEM_TOO_LARGE, NULL,
                            factor);
   }
-  for (size_t i = 0; i < qn_model_load_count (model) && holds; i++) {
-    bool dead = i < model->dead_load_count;
-    of.entity = dead ? QN_ENTITY_DEAD_LOAD : QN_ENTITY_LIVE_LOAD;
-    of.index = (QnId) (dead ? i : i - model->dead_load_count);
-    holds = check_load (model, qn_model_load (model, i), of);
-  }
+  for (size_t i = 0; i < qn_model_load_count (model) && holds; i++)
+    holds =
+      check_load (model, qn_model_load (model, i), qn_load_subject (model, i, diag));
   return holds;
 }
 

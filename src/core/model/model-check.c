@@ -39,9 +39,7 @@ QnStatus
 qn_model_check_block (const QnModel *model, QnId index, QnDiag *diag)
 {
   const QnBlock *block = &model->blocks[index];
-  bool drawn = block->wall == QN_NONE;
-  const QnSubject of = { drawn ? QN_ENTITY_BLOCK : QN_ENTITY_WALL,
-                         drawn ? index : block->wall, diag };
+  const QnSubject of = qn_block_subject (model, index, diag);
 
   if (!qn_require_name (of, block->name, qn_model_find_block (model, block->name), index))
     return QN_ERROR_INVALID;

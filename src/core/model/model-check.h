@@ -20,6 +20,25 @@ bool qn_model_check_loads (const QnModel *model, QnDiag *diag);
 bool qn_model_check_analysis (const QnModel *model, QnDiag *diag);
 bool qn_model_check_dynamic (const QnModel *model, QnDiag *diag);
 
+/* A block, or the wall that it came from. */
+static inline QnSubject
+qn_block_subject (const QnModel *model, QnId block, QnDiag *diag)
+{
+  QnId wall = model->blocks[block].wall;
+  return wall == QN_NONE ? (QnSubject){ QN_ENTITY_BLOCK, block, diag }
+                         : (QnSubject){ QN_ENTITY_WALL, wall, diag };
+}
+
+/* A load: dead ones come first. */
+static inline QnSubject
+qn_load_subject (const QnModel *model, size_t source, QnDiag *diag)
+{
+  return source < model->dead_load_count
+           ? (QnSubject){ QN_ENTITY_DEAD_LOAD, (QnId) source, diag }
+           : (QnSubject){ QN_ENTITY_LIVE_LOAD, (QnId) (source - model->dead_load_count),
+                          diag };
+}
+
 /* The index of a block. */
 static inline bool
 qn_require_block (QnSubject of, const char *field, QnId block, const QnModel *model)

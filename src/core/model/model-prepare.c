@@ -27,17 +27,14 @@ derive_block (QnModel *model, QnId index, QnDiag *diag)
     block->unit_weight = block->density * model->gravity;
   block->weight = block->unit_weight * block->area * block->thickness;
 
-  bool from_wall = block->wall != QN_NONE;
-  if (!(block->area > 0))
-    return qn_diag_set_field (
-      diag, QN_PROBLEM_ZERO_AREA, from_wall ? QN_ENTITY_WALL : QN_ENTITY_BLOCK,
-      from_wall ? block->wall : index, from_wall ? "unit" : "vertices", block->area);
-  if (!isfinite (block->weight) || !isfinite (block->polar_moment))
-    return qn_diag_set_field (
-      diag, QN_PROBLEM_TOO_LARGE, from_wall ? QN_ENTITY_WALL : QN_ENTITY_BLOCK,
-      from_wall ? block->wall : index, block->density >= 0 ? "density" : "unit_weight",
-      block->density >= 0 ? block->density : block->unit_weight);
-  return QN_OK;
+  const QnSubject of = qn_block_subject (model, index, diag);
+  bool by_density = block->density >= 0;
+  return qn_required (
+    qn_require (of, block->area > 0, QN_PROBLEM_ZERO_AREA,
+                block->wall != QN_NONE ? "unit" : "vertices", block->area)
+    && qn_require (of, isfinite (block->weight) && isfinite (block->polar_moment),
+                   QN_PROBLEM_TOO_LARGE, by_density ? "density" : "unit_weight",
+                   by_density ? block->density : block->unit_weight));
 }
 
 static double

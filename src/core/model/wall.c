@@ -1,6 +1,6 @@
 #include "core/base/decimal.h"
 #include "core/base/memory.h"
-#include "core/base/numbers.h"
+#include "core/base/require.h"
 #include "core/model/model.h"
 
 #include <stdlib.h>
@@ -28,67 +28,56 @@ qn_wall_add_course (QnWall *wall, const double *lengths, size_t count)
   return true;
 }
 
-static QnStatus
-course_problem (QnDiag *diag, QnProblem problem, QnId wall, QnId course, QnId position,
-                double value)
+static bool
+refuse_course (QnSubject of, QnProblem problem, QnId course, QnId position, double value)
 {
-  qn_diag_set_field (diag, problem, QN_ENTITY_WALL, wall, "courses", value);
-  if (diag != NULL) {
-    diag->sub = course;
-    diag->other = position;
+  qn_require (of, false, problem, "courses", value);
+  if (of.diag != NULL) {
+    of.diag->sub = course;
+    of.diag->other = position;
   }
-  return QN_ERROR_INVALID;
+  return false;
 }
 
-static QnStatus
-check_courses (const QnWall *wall, QnId index, size_t *block_count, QnDiag *diag)
+static bool
+check_courses (const QnWall *wall, size_t *block_count, QnSubject of)
 {
   if (wall->course_count == 0)
-    return course_problem (diag, QN_PROBLEM_COURSE_EMPTY, index, QN_NONE, QN_NONE, 0);
+    return refuse_course (of, QN_PROBLEM_COURSE_EMPTY, QN_NONE, QN_NONE, 0);
 
   int32_t begin = 0;
   for (int32_t course = 0; course < wall->course_count; course++) {
     int32_t end = wall->course_ends[course];
     if (begin == end)
-      return course_problem (diag, QN_PROBLEM_COURSE_EMPTY, index, course, QN_NONE, 0);
+      return refuse_course (of, QN_PROBLEM_COURSE_EMPTY, course, QN_NONE, 0);
     for (int32_t i = begin; i < end; i++) {
       double length = wall->lengths[i];
       QnProblem problem =
         length == 0 ? QN_PROBLEM_COURSE_LENGTH_ZERO
                     : qn_number_problem (length, QN_RANGE_FINITE, QN_MAX_COURSE_LENGTH);
       if (problem != QN_PROBLEM_NONE)
-        return course_problem (diag, problem, index, course, i - begin, length);
+        return refuse_course (of, problem, course, i - begin, length);
       if (length > 0)
         (*block_count)++;
     }
     begin = end;
   }
-  return QN_OK;
+  return true;
 }
 
-static QnStatus
-check_wall (const QnModel *model, QnId index, size_t *block_count, QnDiag *diag)
+static bool
+check_wall (const QnWall *wall, size_t *block_count, QnSubject of)
 {
-  const QnWall *wall = &model->walls[index];
-  if (wall->name == NULL || wall->name[0] == '\0')
-    return qn_diag_set_field (diag, QN_PROBLEM_NAME_MISSING, QN_ENTITY_WALL, index,
-                              "name", 0);
+  const double most = QN_MAX_COORDINATE;
 
-  const double origin[] = { wall->origin.x, wall->origin.y };
-  for (size_t i = 0; i < QN_N_ELEMENTS (origin); i++) {
-    QnProblem problem = qn_number_problem (origin[i], QN_RANGE_FINITE, QN_MAX_COORDINATE);
-    if (problem != QN_PROBLEM_NONE)
-      return qn_diag_set_field (diag, problem, QN_ENTITY_WALL, index, "origin",
-                                origin[i]);
-  }
-
-  const double unit[] = { wall->unit.x, wall->unit.y };
-  for (size_t i = 0; i < QN_N_ELEMENTS (unit); i++) {
-    QnProblem problem = qn_number_problem (unit[i], QN_RANGE_POSITIVE, QN_MAX_COORDINATE);
-    if (problem != QN_PROBLEM_NONE)
-      return qn_diag_set_field (diag, problem, QN_ENTITY_WALL, index, "unit", unit[i]);
-  }
-  return check_courses (wall, index, block_count, diag);
+  return qn_require_name (of, wall->name, QN_NONE, QN_NONE)
+         && qn_require_size (of, "origin", wall->origin.x, QN_RANGE_FINITE, most)
+         && qn_require_size (of, "origin", wall->origin.y, QN_RANGE_FINITE, most)
+         && qn_require_size (of, "unit", wall->unit.x, QN_RANGE_POSITIVE, most)
+         && qn_require_size (of, "unit", wall->unit.y, QN_RANGE_POSITIVE, most)
+         && check_courses (wall, block_count, of)
+         && qn_require (of, *block_count <= QN_MAX_BLOCKS, QN_PROBLEM_TOO_MANY_BLOCKS,
+                        "courses", (double) *block_count);
 }
 
 /* "<wall>.<course>.<position>" into `out`, which has room for it. */
@@ -150,12 +139,9 @@ qn_model_expand_walls (QnModel *model, QnDiag *diag)
 {
   size_t block_count = model->block_count;
   for (size_t i = model->expanded_wall_count; i < model->wall_count; i++) {
-    QnStatus status = check_wall (model, (QnId) i, &block_count, diag);
-    if (status != QN_OK)
-      return status;
-    if (block_count > QN_MAX_BLOCKS)
-      return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_BLOCKS, QN_ENTITY_WALL,
-                                (QnId) i, "courses", (double) block_count);
+    const QnSubject of = { QN_ENTITY_WALL, (QnId) i, diag };
+    if (!check_wall (&model->walls[i], &block_count, of))
+      return QN_ERROR_INVALID;
   }
 
   while (model->expanded_wall_count < model->wall_count) {
