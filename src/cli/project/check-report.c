@@ -229,12 +229,10 @@ print_beams (const QnModel *model)
       if (beam->hinge[end])
         qn_print (_ (", hinged"));
     }
-    QnVec2 chord =
-      qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at);
     qn_print (ngettext (", length %.6g m, section %s, %d element\n",
                         ", length %.6g m, section %s, %d elements\n",
                         (unsigned long) beam->element_count),
-              qn_vec2_length (chord), model->sections[beam->section].name,
+              qn_model_beam_length (model, (QnId) i), model->sections[beam->section].name,
               beam->element_count);
   }
 }

@@ -223,8 +223,9 @@ mean_stiffness (const QnAssembly *as)
   if (as->pair_count == 0)
     return qn_beam_assembly_stiffness (&as->beams);
   for (size_t p = 0; p < as->pair_count; p++) {
-    const QnPairSprings *s = &as->springs[p];
-    sum += log (s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn));
+    double k[2];
+    qn_pair_elastic_stiffness (&as->springs[p], k);
+    sum += log (k[0]);
   }
   return exp (sum / (double) as->pair_count);
 }
@@ -237,10 +238,9 @@ softness (const QnAssembly *as)
   double softest = as->stiffness;
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    const QnPairSprings *s = &as->springs[p];
-    double kn = s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn);
-    double ks = s->equal ? s->a.ks : 1 / (1 / s->a.ks + 1 / s->b.ks);
-    softest = fmin (softest, fmin (kn, ks));
+    double k[2];
+    qn_pair_elastic_stiffness (&as->springs[p], k);
+    softest = fmin (softest, fmin (k[0], k[1]));
   }
   for (size_t b = as->model->element_count; b < as->beams.count; b++)
     softest = fmin (softest, as->beams.beams[b].properties.axial);

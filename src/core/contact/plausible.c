@@ -60,88 +60,76 @@ typedef enum {
   ROW_COUNT
 } Row;
 
-#define LAW(key, unit, least, greatest, doubt)                                           \
+#define RANGE(entity, key, unit, least, greatest, doubt)                                 \
   {                                                                                      \
-    QN_ENTITY_LAW, key, unit, least, greatest, QN_PROBLEM_DOUBT_##doubt                  \
+    QN_ENTITY_##entity, key, unit, least, greatest, QN_PROBLEM_DOUBT_##doubt             \
   }
 
 static const QnUsualRange ranges[ROW_COUNT] = {
   /* Rough joints of rock at low stress reach 70 degrees, tan 2.7 (N. Barton, V. Choubey, The shear
    * strength of rock joints in theory and practice, Rock Mechanics 10 (1977) 1-54). */
-  [FRICTION] = LAW ("friction", "", 0.02, 3, TANGENT),
+  [FRICTION] = RANGE (LAW, "friction", "", 0.02, 3, TANGENT),
   /* EN 1996-1-1:2005, 3.6: initial shear and flexural strengths from 0.05 to 0.4 MPa. EN 1992-1-1:2004,
    * table 3.1: concrete 1.6 to 5 MPa in tension, 12 to 90 MPa in compression. Natural stone: to 20 and
    * 400 MPa. EN 1993-1-1:2005, table 3.1: steel from 215 MPa; wires 2 GPa. */
-  [COHESION] = LAW ("cohesion", "Pa", 100, 5e7, STRESS),
-  [TENSION] = LAW ("tension", "Pa", 100, 5e7, STRESS),
-  [COMPRESSION] = LAW ("compression", "Pa", 1e4, 1e9, STRESS),
-  [YIELD] = LAW ("yield", "Pa", 1e4, 5e9, STRESS),
-  [STRENGTH] = LAW ("strength", "Pa", 1e4, 5e9, STRESS),
+  [COHESION] = RANGE (LAW, "cohesion", "Pa", 100, 5e7, STRESS),
+  [TENSION] = RANGE (LAW, "tension", "Pa", 100, 5e7, STRESS),
+  [COMPRESSION] = RANGE (LAW, "compression", "Pa", 1e4, 1e9, STRESS),
+  [YIELD] = RANGE (LAW, "yield", "Pa", 1e4, 5e9, STRESS),
+  [STRENGTH] = RANGE (LAW, "strength", "Pa", 1e4, 5e9, STRESS),
   /* From a pebble's joint up; stiffer ones stand for what is rigid, here and below. */
-  [KN + QN_BASIS_CONTACT] = LAW ("kn", "N/m", 1e4, 1e18, STIFFNESS),
-  [KS + QN_BASIS_CONTACT] = LAW ("ks", "N/m", 1e4, 1e18, STIFFNESS),
+  [KN + QN_BASIS_CONTACT] = RANGE (LAW, "kn", "N/m", 1e4, 1e18, STIFFNESS),
+  [KS + QN_BASIS_CONTACT] = RANGE (LAW, "ks", "N/m", 1e4, 1e18, STIFFNESS),
   /* Joints of mortar have 4e10 to 1.1e11 Pa/m (P. B. Lourenço, Computational Strategies for Masonry
    * Structures, Delft 1996), dry ones less. */
-  [KN + QN_BASIS_SURFACE] = LAW ("kn", "Pa/m", 1e7, 1e18, STIFFNESS),
-  [KS + QN_BASIS_SURFACE] = LAW ("ks", "Pa/m", 1e6, 1e18, STIFFNESS),
+  [KN + QN_BASIS_SURFACE] = RANGE (LAW, "kn", "Pa/m", 1e7, 1e18, STIFFNESS),
+  [KS + QN_BASIS_SURFACE] = RANGE (LAW, "ks", "Pa/m", 1e6, 1e18, STIFFNESS),
   /* From rubber up; masonry has 1000 times its strength (EN 1996-1-1:2005, 3.7.2). */
-  [KN + QN_BASIS_MATERIAL] = LAW ("kn", "Pa", 1e6, 1e18, STIFFNESS),
-  [KS + QN_BASIS_MATERIAL] = LAW ("ks", "Pa", 1e5, 1e18, STIFFNESS),
+  [KN + QN_BASIS_MATERIAL] = RANGE (LAW, "kn", "Pa", 1e6, 1e18, STIFFNESS),
+  [KS + QN_BASIS_MATERIAL] = RANGE (LAW, "ks", "Pa", 1e5, 1e18, STIFFNESS),
   /* EN 1991-1-1:2002, annex A: timber from 3.5, lightweight concrete from 9, masonry 16 to 30, steel
    * 78.5, lead 114 kN/m3. */
-  [UNIT_WEIGHT] = { QN_ENTITY_BLOCK, "unit_weight", "N/m3", 2500, 1.2e5,
-                    QN_PROBLEM_DOUBT_UNIT_WEIGHT },
-  [DENSITY] = { QN_ENTITY_BLOCK, "density", "kg/m3", 250, 12000,
-                QN_PROBLEM_DOUBT_DENSITY },
+  [UNIT_WEIGHT] = RANGE (BLOCK, "unit_weight", "N/m3", 2500, 1.2e5, UNIT_WEIGHT),
+  [DENSITY] = RANGE (BLOCK, "density", "kg/m3", 250, 12000, DENSITY),
   /* From a model of cards to a barrel vault of 100 m. */
-  [THICKNESS] = { QN_ENTITY_BLOCK, "thickness", "m", 1e-3, 100, QN_PROBLEM_DOUBT_LENGTH },
+  [THICKNESS] = RANGE (BLOCK, "thickness", "m", 1e-3, 100, LENGTH),
   /* The largest hewn blocks, at Baalbek, are 20 m long. */
-  [BLOCK_SIZE] = { QN_ENTITY_BLOCK, "vertices", "m", 2e-3, 30, QN_PROBLEM_DOUBT_LENGTH },
+  [BLOCK_SIZE] = RANGE (BLOCK, "vertices", "m", 2e-3, 30, LENGTH),
   /* The Pont du Gard was 360 m long. */
-  [EXTENT] = { QN_ENTITY_MODEL, "blocks", "m", 0.02, 500, QN_PROBLEM_DOUBT_LENGTH },
+  [EXTENT] = RANGE (MODEL, "blocks", "m", 0.02, 500, LENGTH),
   /* Normal gravity is 9.780 to 9.832 m/s2 (World Geodetic System 1984); often rounded to 10. */
-  [GRAVITY] = { QN_ENTITY_MODEL, "gravity", "m/s2", 9.5, 10.5, QN_PROBLEM_DOUBT_GRAVITY },
+  [GRAVITY] = RANGE (MODEL, "gravity", "m/s2", 9.5, 10.5, GRAVITY),
   /* From a wire of 1 mm to a tie of 300 mm. */
-  [BAR_AREA] = { QN_ENTITY_BAR, "area", "m2", 7e-7, 0.1, QN_PROBLEM_DOUBT_AREA },
-  [TIE_AREA] = { QN_ENTITY_TIE, "area", "m2", 7e-7, 0.1, QN_PROBLEM_DOUBT_AREA },
+  [BAR_AREA] = RANGE (BAR, "area", "m2", 7e-7, 0.1, AREA),
+  [TIE_AREA] = RANGE (TIE, "area", "m2", 7e-7, 0.1, AREA),
   /* Ropes of fibres from 1 GPa, carbon up to 600 GPa; yield as of laws. */
-  [TIE_ELASTICITY] = { QN_ENTITY_TIE, "elasticity", "Pa", 1e9, 1e12,
-                       QN_PROBLEM_DOUBT_STIFFNESS },
-  [TIE_YIELD] = { QN_ENTITY_TIE, "yield", "Pa", 1e6, 5e9, QN_PROBLEM_DOUBT_STRESS },
+  [TIE_ELASTICITY] = RANGE (TIE, "elasticity", "Pa", 1e9, 1e12, STIFFNESS),
+  [TIE_YIELD] = RANGE (TIE, "yield", "Pa", 1e6, 5e9, STRESS),
   /* Over the free weight, as forces. */
-  [TIE_PRESTRESS] = { QN_ENTITY_TIE, "prestress", "× W", 5e-5, 1e3,
-                      QN_PROBLEM_DOUBT_FORCE },
-  [TIE_ANCHOR] = { QN_ENTITY_TIE, "anchor", "× W", 5e-5, 1e4, QN_PROBLEM_DOUBT_FORCE },
-  [TIE_SLACK] = { QN_ENTITY_TIE, "slack", "m", 0, 0.1, QN_PROBLEM_DOUBT_LENGTH },
-  [TIE_PLATE] = { QN_ENTITY_TIE, "plate.diameter", "m", 0.02, 3,
-                  QN_PROBLEM_DOUBT_LENGTH },
-  [TIE_WALL] = { QN_ENTITY_TIE, "plate.wall", "m", 0.05, 10, QN_PROBLEM_DOUBT_LENGTH },
-  [TIE_SHEAR] = { QN_ENTITY_TIE, "plate.shear", "Pa", 100, 1e7, QN_PROBLEM_DOUBT_STRESS },
-  [TIE_COMPRESSION] = { QN_ENTITY_TIE, "plate.compression", "Pa", 1e4, 1e9,
-                        QN_PROBLEM_DOUBT_STRESS },
-  [YOUNG] = { QN_ENTITY_SECTION, "young", "Pa", 1e7, 1.3e12, QN_PROBLEM_DOUBT_STIFFNESS },
-  [SECTION_AREA] = { QN_ENTITY_SECTION, "area", "m2", 7e-7, 100, QN_PROBLEM_DOUBT_AREA },
-  [SECTION_HEIGHT] = { QN_ENTITY_SECTION, "height", "m", 1e-3, 10,
-                       QN_PROBLEM_DOUBT_LENGTH },
+  [TIE_PRESTRESS] = RANGE (TIE, "prestress", "× W", 5e-5, 1e3, FORCE),
+  [TIE_ANCHOR] = RANGE (TIE, "anchor", "× W", 5e-5, 1e4, FORCE),
+  [TIE_SLACK] = RANGE (TIE, "slack", "m", 0, 0.1, LENGTH),
+  [TIE_PLATE] = RANGE (TIE, "plate.diameter", "m", 0.02, 3, LENGTH),
+  [TIE_WALL] = RANGE (TIE, "plate.wall", "m", 0.05, 10, LENGTH),
+  [TIE_SHEAR] = RANGE (TIE, "plate.shear", "Pa", 100, 1e7, STRESS),
+  [TIE_COMPRESSION] = RANGE (TIE, "plate.compression", "Pa", 1e4, 1e9, STRESS),
+  [YOUNG] = RANGE (SECTION, "young", "Pa", 1e7, 1.3e12, STIFFNESS),
+  [SECTION_AREA] = RANGE (SECTION, "area", "m2", 7e-7, 100, AREA),
+  [SECTION_HEIGHT] = RANGE (SECTION, "height", "m", 1e-3, 10, LENGTH),
   /* Over the free weight: less is not seen in any result. */
-  [DEAD_FORCE] = { QN_ENTITY_DEAD_LOAD, "value", "× W", 5e-4, 1e4,
-                   QN_PROBLEM_DOUBT_FORCE },
+  [DEAD_FORCE] = RANGE (DEAD_LOAD, "value", "× W", 5e-4, 1e4, FORCE),
   /* Over the largest extent of the structure, as the target. */
-  [SETTLEMENT] = { QN_ENTITY_LIVE_LOAD, "value", "× L", 0, 0.5, QN_PROBLEM_DOUBT_LENGTH },
-  [TARGET] = { QN_ENTITY_ANALYSIS, "control.target", "× L", 0, 2,
-               QN_PROBLEM_DOUBT_LENGTH },
+  [SETTLEMENT] = RANGE (LIVE_LOAD, "value", "× L", 0, 0.5, LENGTH),
+  [TARGET] = RANGE (ANALYSIS, "control.target", "× L", 0, 2, LENGTH),
   /* The strongest record has 4 g: IWTH25, Iwate-Miyagi 2008 (S. Aoi et al., Science 322 (2008)
    * 727-730). */
-  [PULSE] = { QN_ENTITY_GROUND_MOTION, "pulse.amplitude", "m/s2", 0, 50,
-              QN_PROBLEM_DOUBT_ACCELERATION },
-  [SIGNAL] = { QN_ENTITY_GROUND_MOTION, "points", "m/s2", 0, 50,
-               QN_PROBLEM_DOUBT_ACCELERATION },
+  [PULSE] = RANGE (GROUND_MOTION, "pulse.amplitude", "m/s2", 0, 50, ACCELERATION),
+  [SIGNAL] = RANGE (GROUND_MOTION, "points", "m/s2", 0, 50, ACCELERATION),
   /* Two times damping ratio times circular frequency, and over it: a ratio of 0.2 at 10 Hz; of 0.3 at
    * 5 Hz. */
-  [MASS_DAMPING] = { QN_ENTITY_ANALYSIS, "dynamic.damping.mass", "1/s", 0, 25,
-                     QN_PROBLEM_DOUBT_DAMPING },
-  [STIFFNESS_DAMPING] = { QN_ENTITY_ANALYSIS, "dynamic.damping.stiffness", "s", 0, 0.02,
-                          QN_PROBLEM_DOUBT_DAMPING },
+  [MASS_DAMPING] = RANGE (ANALYSIS, "dynamic.damping.mass", "1/s", 0, 25, DAMPING),
+  [STIFFNESS_DAMPING] =
+    RANGE (ANALYSIS, "dynamic.damping.stiffness", "s", 0, 0.02, DAMPING),
 };
 
 const QnUsualRange *
@@ -388,9 +376,9 @@ bearing_of (const QnModel *model, const QnContacts *contacts, size_t face, QnVec
   for (int32_t k = 0; k < of->pair_count && fabs (n) >= fabs (t); k++) {
     QnPairSprings s =
       qn_contacts_pair_springs (model, contacts, (size_t) (of->first_pair + k));
-    double kn = s.equal ? s.a.kn : 1 / (1 / s.a.kn + 1 / s.b.kn);
-    double ks = s.equal ? s.a.ks : 1 / (1 / s.a.ks + 1 / s.b.ks);
-    bearing.stiffness += kn * n * n + ks * t * t;
+    double stiffness[2];
+    qn_pair_elastic_stiffness (&s, stiffness);
+    bearing.stiffness += stiffness[0] * n * n + stiffness[1] * t * t;
   }
   return bearing;
 }

@@ -189,13 +189,6 @@ qn_model_element_loads (const QnModel *model, const double *factors, QnVec2 *out
   }
 }
 
-static double
-node_distance (const QnModel *model, const QnBeam *beam)
-{
-  return qn_vec2_length (
-    qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at));
-}
-
 /* First of the edge forces that come from this load or a later one. */
 static size_t
 first_edge_force (const QnModel *model, size_t source)
@@ -232,10 +225,10 @@ loaded_amount (const QnModel *model, const QnLoad *load)
   for (size_t b = 0; b < model->beam_count; b++) {
     const QnBeam *beam = &model->beams[b];
     if (load->kind == QN_LOAD_WEIGHT)
-      sum +=
-        qn_section_weight (&model->sections[beam->section]) * node_distance (model, beam);
+      sum += qn_section_weight (&model->sections[beam->section])
+             * qn_model_beam_length (model, (QnId) b);
     else if (load->kind == QN_LOAD_LINE && load->beam == (QnId) b)
-      sum += node_distance (model, beam);
+      sum += qn_model_beam_length (model, (QnId) b);
   }
   return sum;
 }

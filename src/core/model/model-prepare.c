@@ -37,15 +37,6 @@ derive_block (QnModel *model, QnId index, QnDiag *diag)
                    by_density ? block->density : block->unit_weight));
 }
 
-static double
-beam_length (const QnModel *model, size_t index)
-{
-  const QnBeam *beam = &model->beams[index];
-
-  return qn_vec2_length (
-    qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at));
-}
-
 /* The upper median of the square roots of the areas: one huge foundation or a crowd of small
  * wedges does not move it. Without blocks that of the lengths of beams; 0 for an empty model. */
 static QnStatus
@@ -59,8 +50,8 @@ derive_characteristic_length (QnModel *model, QnDiag *diag)
   if (sizes == NULL)
     return qn_diag_no_memory (diag);
   for (size_t i = 0; i < count; i++)
-    sizes[i] =
-      model->block_count > 0 ? sqrt (model->blocks[i].area) : beam_length (model, i);
+    sizes[i] = model->block_count > 0 ? sqrt (model->blocks[i].area)
+                                      : qn_model_beam_length (model, (QnId) i);
   qsort (sizes, count, sizeof *sizes, qn_compare_doubles);
   model->characteristic_length = sizes[count / 2];
   free (sizes);

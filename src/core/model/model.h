@@ -471,6 +471,15 @@ qn_model_node_body (const QnModel *model, QnId node)
   return block != QN_NONE ? (size_t) block : model->block_count + (size_t) node;
 }
 
+/* Length of the undeformed beam, m. */
+static inline double
+qn_model_beam_length (const QnModel *model, QnId beam)
+{
+  const QnId *nodes = model->beams[beam].nodes;
+  return qn_vec2_length (
+    qn_vec2_sub (model->nodes[nodes[1]].at, model->nodes[nodes[0]].at));
+}
+
 /* The body that a control names, by block or by node; SIZE_MAX where it names neither. */
 static inline size_t
 qn_model_controlled_body (const QnModel *model, QnId block, QnId node)

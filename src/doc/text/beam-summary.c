@@ -6,14 +6,6 @@
 /* Values below this part of the largest of their kind are rounding. */
 #define ROUNDING 1e-9
 
-double
-qn_model_beam_length (const QnModel *model, QnId beam)
-{
-  const QnId *nodes = model->beams[beam].nodes;
-  return qn_vec2_length (
-    qn_vec2_sub (model->nodes[nodes[1]].at, model->nodes[nodes[0]].at));
-}
-
 static void
 offer (QnBeamExtreme *best, double value, double x)
 {

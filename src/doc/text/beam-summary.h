@@ -18,9 +18,6 @@ typedef struct QnBeamSummary {
   QnBeamExtreme normal, shear, moment; /* of the largest size */
 } QnBeamSummary;
 
-/* Length of the undeformed beam, m. */
-double qn_model_beam_length (const QnModel *model, QnId beam);
-
 /* False where the result does not know the section forces of this step. */
 bool qn_beam_summary_fill (QnBeamSummary *summary, const QnModel *model,
                            const QnResult *result, size_t step, QnId beam);

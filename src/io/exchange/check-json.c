@@ -30,17 +30,15 @@ write_beam_list (QnFileWriter *out, const QnModel *model)
   for (size_t i = 0; i < model->beam_count; i++) {
     const QnBeam *beam = &model->beams[i];
     const QnSection *section = &model->sections[beam->section];
-    const QnVec2 way =
-      qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at);
     double plastic = qn_section_plastic_moment (section);
-    qn_file_writer_json (out,
-                         ",\n    { \"name\": %s, \"kind\": %s, \"nodes\": [%d, %d], "
-                         "\"section\": %s, \"elements\": %d, \"hinges\": [%i, %i], "
-                         "\"length\": %g, \"area\": %g, \"inertia\": %g",
-                         beam->name, qn_beam_kind_names[beam->kind], beam->nodes[0],
-                         beam->nodes[1], section->name, beam->element_count,
-                         beam->hinge[0], beam->hinge[1], qn_vec2_length (way),
-                         section->area, section->inertia);
+    qn_file_writer_json (
+      out,
+      ",\n    { \"name\": %s, \"kind\": %s, \"nodes\": [%d, %d], "
+      "\"section\": %s, \"elements\": %d, \"hinges\": [%i, %i], "
+      "\"length\": %g, \"area\": %g, \"inertia\": %g",
+      beam->name, qn_beam_kind_names[beam->kind], beam->nodes[0], beam->nodes[1],
+      section->name, beam->element_count, beam->hinge[0], beam->hinge[1],
+      qn_model_beam_length (model, (QnId) i), section->area, section->inertia);
     if (isfinite (plastic))
       qn_file_writer_json (out, ", \"plastic_moment\": %g", plastic);
     qn_file_writer_puts (out, " }");
