@@ -10,6 +10,7 @@
 /* Inserts that contain themselves, or each other by the million, end here. */
 #define MAX_DEPTH    24
 #define MAX_PATHS    1000000
+#define MAX_POINTS   4000000 /* of all paths: an arc has many */
 #define MAX_INSERTED 4000000
 
 /* A direction in which a drawing has less than this part of its size is none of its plane. */
@@ -30,6 +31,14 @@ typedef struct Importer {
 typedef struct Point {
   double at[3];
 } Point;
+
+/* Whether a drawing has more than is read. */
+static gboolean
+is_full (const Importer *importer)
+{
+  return importer->drawing->paths->len >= MAX_PATHS || importer->points->len >= MAX_POINTS
+         || importer->budget == 0;
+}
 
 static const Place world = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 0, 0, 0 } };
 
@@ -234,7 +243,7 @@ add_insert (Importer *importer, const QnDxfEntity *insert, const Place *place,
       Place own = insert_place (insert, at, block->base, column, row);
       Place all = compose (place, &own);
       for (guint i = block->first; i < block->end; i++) {
-        if (importer->drawing->paths->len >= MAX_PATHS || importer->budget == 0)
+        if (is_full (importer))
           return;
         importer->budget--;
         add_entity (importer, &g_array_index (importer->scan->entities, QnDxfEntity, i),
@@ -391,9 +400,13 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
                         .points = g_array_new (FALSE, FALSE, sizeof (Point)) };
   for (int rank = 0; rank < RANK_COUNT; rank++)
     add_rank (&importer, (Rank) rank);
-  choose_view (&importer);
-  gboolean done = drawing->paths->len < MAX_PATHS && importer.budget > 0;
-  if (!done)
+  gboolean done = !is_full (&importer);
+  if (done)
+    choose_view (&importer);
+  else if (importer.points->len >= MAX_POINTS)
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:1: outlines of more than %d corners"), name, MAX_POINTS);
+  else
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: more than %d outlines"), name, MAX_PATHS);
   g_array_unref (importer.points);

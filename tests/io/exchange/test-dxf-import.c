@@ -130,6 +130,22 @@ test_endless_inserts (void)
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
 }
 
+/* A million circles have more corners than are read, long before there are too many of them. */
+static void
+test_many_circles (void)
+{
+  static const char text[] =
+    "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\n0\n2\nA\n10\n0\n20\n0\n"
+    "0\nCIRCLE\n8\n0\n10\n5\n20\n5\n40\n2\n0\nENDBLK\n8\n0\n0\nEN"
+    "DSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n"
+    "0\n70\n1000\n71\n1000\n44\n5\n45\n5\n" TAIL;
+  QnDrawing drawing;
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_dxf_import (text, strlen (text), "test.dxf", &drawing, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+  g_assert_nonnull (strstr (error->message, "corners"));
+}
+
 static void
 test_bad_files (void)
 {
@@ -317,6 +333,7 @@ QN_TESTS
   g_test_add_func ("/dxf-import/curves", test_curves);
   g_test_add_func ("/dxf-import/inserts", test_inserts);
   g_test_add_func ("/dxf-import/endless-inserts", test_endless_inserts);
+  g_test_add_func ("/dxf-import/many-circles", test_many_circles);
   g_test_add_func ("/dxf-import/bad-files", test_bad_files);
   g_test_add_func ("/dxf-import/large", test_large);
   g_test_add_func ("/dxf-import/names", test_names);
