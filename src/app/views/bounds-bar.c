@@ -187,12 +187,6 @@ qn_bounds_bar_init (QnBoundsBar *self)
   gtk_widget_set_hexpand (GTK_WIDGET (self), TRUE);
 }
 
-GtkWidget *
-qn_bounds_bar_new (void)
-{
-  return g_object_new (QN_TYPE_BOUNDS_BAR, NULL);
-}
-
 void
 qn_bounds_bar_set (QnBoundsBar *self, GArray *bounds)
 {

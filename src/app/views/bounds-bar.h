@@ -10,8 +10,6 @@
 #define QN_TYPE_BOUNDS_BAR (qn_bounds_bar_get_type ())
 G_DECLARE_FINAL_TYPE (QnBoundsBar, qn_bounds_bar, QN, BOUNDS_BAR, GtkWidget)
 
-GtkWidget *qn_bounds_bar_new (void);
-
 /* Shows these (of QnBound; referenced); hides itself where there are fewer than two. */
 void qn_bounds_bar_set (QnBoundsBar *bar, GArray *bounds);
 
