@@ -7,6 +7,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Distance from a joint that is rounding, relative to the size of a block. */
 #define ON_JOINT 1e-9
@@ -243,64 +244,60 @@ keep_loads (const Rebuild *r, QnLoad *loads, size_t *count)
         loads[(*count)++] = old[i];
 }
 
+/* Keeps those items of an array, in their order, that `follow` still finds something for. */
 static void
-keep_overrides (const Rebuild *r)
+keep_items (const Rebuild *r, gpointer items, gsize size, size_t *count,
+            gboolean (*follow) (const Rebuild *r, gpointer item))
 {
-  QnModel *to = r->to;
-  gsize kept = 0;
-  for (gsize i = 0; i < to->override_count; i++) {
-    QnFaceOverride override = to->overrides[i];
-    override.block_a = follow_block (r, override.block_a);
-    override.block_b = follow_block (r, override.block_b);
-    if (override.block_a != QN_NONE && override.block_b != QN_NONE)
-      to->overrides[kept++] = override;
+  size_t kept = 0;
+  for (size_t i = 0; i < *count; i++) {
+    char *item = (char *) items + i * size;
+    if (follow (r, item))
+      memmove ((char *) items + kept++ * size, item, size);
   }
-  to->override_count = kept;
+  *count = kept;
 }
 
-/* Without those whose block is gone, or whose blocks have become one. */
-static void
-keep_ties (const Rebuild *r)
+static gboolean
+follow_override (const Rebuild *r, gpointer item)
 {
-  QnModel *to = r->to;
-  gsize kept = 0;
-  for (gsize i = 0; i < to->tie_count; i++) {
-    QnTie tie = to->ties[i];
-    gboolean gone = FALSE;
-    for (int end = 0; end < 2; end++) {
-      QnId block = tie.ends[end].block;
-      tie.ends[end].block = follow_block (r, block);
-      gone = gone || (block != QN_NONE && tie.ends[end].block == QN_NONE);
-    }
-    if (gone || tie.ends[0].block == tie.ends[1].block)
-      free (tie.name);
-    else
-      to->ties[kept++] = tie;
-  }
-  to->tie_count = kept;
+  QnFaceOverride *override = item;
+  override->block_a = follow_block (r, override->block_a);
+  override->block_b = follow_block (r, override->block_b);
+  return override->block_a != QN_NONE && override->block_b != QN_NONE;
 }
 
-/* Initial motions and tracks of blocks that are gone go with them. */
-static void
-keep_dynamics (const Rebuild *r)
+/* Not where a block is gone, or where both have become one. */
+static gboolean
+follow_tie (const Rebuild *r, gpointer item)
 {
-  QnModel *to = r->to;
-  gsize kept = 0;
-  for (gsize i = 0; i < to->initial_count; i++) {
-    QnInitialMotion motion = to->initial[i];
-    motion.block = follow_block (r, motion.block);
-    if (motion.block != QN_NONE)
-      to->initial[kept++] = motion;
+  QnTie *tie = item;
+  gboolean gone = FALSE;
+  for (int end = 0; end < 2; end++) {
+    QnId block = tie->ends[end].block;
+    tie->ends[end].block = follow_block (r, block);
+    gone = gone || (block != QN_NONE && tie->ends[end].block == QN_NONE);
   }
-  to->initial_count = kept;
-  kept = 0;
-  for (gsize i = 0; i < to->track_count; i++) {
-    QnTrack track = to->tracks[i];
-    track.block = follow_block (r, track.block);
-    if (track.block != QN_NONE)
-      to->tracks[kept++] = track;
-  }
-  to->track_count = kept;
+  gone = gone || tie->ends[0].block == tie->ends[1].block;
+  if (gone)
+    free (tie->name);
+  return !gone;
+}
+
+static gboolean
+follow_initial (const Rebuild *r, gpointer item)
+{
+  QnInitialMotion *motion = item;
+  motion->block = follow_block (r, motion->block);
+  return motion->block != QN_NONE;
+}
+
+static gboolean
+follow_track (const Rebuild *r, gpointer item)
+{
+  QnTrack *track = item;
+  track->block = follow_block (r, track->block);
+  return track->block != QN_NONE;
 }
 
 static void
@@ -395,9 +392,12 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
   if (done) {
     keep_loads (&r, fresh.dead_loads, &fresh.dead_load_count);
     keep_loads (&r, fresh.live_loads, &fresh.live_load_count);
-    keep_overrides (&r);
-    keep_ties (&r);
-    keep_dynamics (&r);
+    keep_items (&r, fresh.overrides, sizeof *fresh.overrides, &fresh.override_count,
+                follow_override);
+    keep_items (&r, fresh.ties, sizeof *fresh.ties, &fresh.tie_count, follow_tie);
+    keep_items (&r, fresh.initial, sizeof *fresh.initial, &fresh.initial_count,
+                follow_initial);
+    keep_items (&r, fresh.tracks, sizeof *fresh.tracks, &fresh.track_count, follow_track);
     keep_controls (&r);
     done = index_names (&fresh);
   }
