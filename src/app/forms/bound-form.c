@@ -6,7 +6,6 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
-#include "core/base/integer.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -15,13 +14,7 @@
 
 static GMenuModel *make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data);
 
-/* ---- values ---- */
-
-int
-qn_value_int (const QnValue *value)
-{
-  return (int) qn_to_integer (value->number, 0, G_MAXINT32);
-}
+/* ---- members ---- */
 
 gpointer
 qn_bound_form_item (gconstpointer data, const QnModel *model)
@@ -70,53 +63,6 @@ take_member (QnBoundForm *form, QnProject *draft, guint field, const QnValue *va
     *(bool *) at = value->number != 0.0;
   else
     *(int *) at = qn_value_int (value);
-}
-
-void
-qn_value_take_row (QnValue *value, char *row)
-{
-  const guint count = value->row_count++;
-  if ((count & (count + 1)) == 0) /* room for twice as many */
-    value->rows = g_renew (char *, value->rows, 2 * count + 2);
-  value->rows[count] = row;
-  value->rows[count + 1] = NULL;
-}
-
-void
-qn_value_add_row (QnValue *value, const char *row)
-{
-  qn_value_take_row (value, g_strdup (row));
-}
-
-void
-qn_value_set_laws (QnValue *value, const QnModel *model, const char *first, QnId law)
-{
-  if (first != NULL)
-    qn_value_add_row (value, first);
-  for (gsize i = 0; i < model->law_count; i++)
-    qn_value_add_row (value, model->laws[i].name);
-  value->number = law == QN_NONE ? 0 : law + (first != NULL ? 1 : 0);
-}
-
-QnId
-qn_value_get_law (const QnValue *value)
-{
-  return value->number > 0.0 ? (QnId) value->number - 1 : QN_NONE;
-}
-
-void
-qn_value_set_sections (QnValue *value, const QnModel *model, QnId section)
-{
-  for (gsize i = 0; i < model->section_count; i++)
-    qn_value_add_row (value, model->sections[i].name);
-  value->number = section != QN_NONE ? section : 0;
-}
-
-static void
-value_clear (QnValue *value)
-{
-  g_free (value->text);
-  g_strfreev (value->rows);
 }
 
 /* ---- showing ---- */
@@ -308,7 +254,7 @@ show_items (QnBoundForm *form)
   gtk_widget_set_visible (form->widgets[list->list], count > 0);
   gtk_widget_set_visible (form->widgets[list->empty], count == 0);
   show_list (form, GTK_LIST_BOX (form->widgets[list->list]), &value);
-  value_clear (&value);
+  qn_value_clear (&value);
 }
 
 GtkWidget *
@@ -335,7 +281,7 @@ qn_bound_form_show (gpointer data)
     gtk_widget_set_visible (form->widgets[field], shown);
     if (shown)
       show_value (form, form->widgets[field], &value);
-    value_clear (&value);
+    qn_value_clear (&value);
   }
   form->showing = FALSE;
   return form->root;
@@ -558,7 +504,7 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
     refuse (form, widget, error);
   }
   g_clear_weak_pointer (&root);
-  value_clear (&entered.value);
+  qn_value_clear (&entered.value);
 }
 
 static void

@@ -14,34 +14,9 @@
 #define QN_APP_BOUND_FORM_H
 
 #include "app/canvas/canvas.h"
+#include "app/forms/form-value.h"
 #include "doc/document/selection.h"
 #include "doc/masonry/masonry-field.h"
-
-/* What a field shows, or what the user has entered. Zeroed to begin with. */
-typedef struct QnValue {
-  double number; /* in SI; row of a choice or a list, -1 for none; 1 for on */
-  char *text;    /* owned */
-  char **rows;   /* of a choice or a list, anew; owned; NULL: as they are in the file */
-  guint row_count;
-  gboolean mixed;    /* a check or number that is not the same for all that is selected */
-  gboolean disabled; /* shown, but not to be used now */
-} QnValue;
-
-/* The number as a whole one, of 0 or more; as a row, and whether it is on. */
-int qn_value_int (const QnValue *value);
-
-/* One more row of a choice or a list; `row` is taken over, or copied. */
-void qn_value_take_row (QnValue *value, char *row);
-void qn_value_add_row (QnValue *value, const char *row);
-
-/* Names of laws as rows, with `first` (nullable) before them for none, and the row of `law`; the law
- * of such a row. */
-void qn_value_set_laws (QnValue *value, const QnModel *model, const char *first,
-                        QnId law);
-QnId qn_value_get_law (const QnValue *value);
-
-/* Names of sections likewise, without a row for none. */
-void qn_value_set_sections (QnValue *value, const QnModel *model, QnId section);
 
 typedef struct QnFormField {
   const char *id; /* in the .ui file */
