@@ -212,16 +212,8 @@ read_points (Form *form, const char *path)
 {
   QnRecord record;
   g_autoptr (GError) error = NULL;
-  gboolean positive = TRUE;
-  if (!qn_record_read (path, units[form->unit], 0, &record, &error)) {
+  if (!qn_capacity_read_spectrum (path, units[form->unit], &record, &error)) {
     say (form, error->message);
-    return;
-  }
-  for (gsize i = 0; i < record.count; i++)
-    positive = positive && record.points[i].y > 0;
-  if (!positive) {
-    qn_record_clear (&record);
-    say (form, _ ("Accelerations of a spectrum must be positive"));
     return;
   }
   qn_record_clear (&form->points);

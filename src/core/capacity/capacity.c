@@ -47,6 +47,35 @@ check_loads (const QnModel *model, QnDiag *diag)
   return qn_capacity_check_model (model, diag);
 }
 
+double
+qn_capacity_direction (const QnModel *model)
+{
+  double direction = 0;
+
+  for (size_t i = model->dead_load_count; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    if (load.set == 0 && load.kind == QN_LOAD_WEIGHT)
+      direction += load.vector.x;
+  }
+  return direction;
+}
+
+QnCapacityPoint
+qn_capacity_next_point (QnCapacity *c, double multiplier, double control, double scale)
+{
+  if (c->count > c->peak && multiplier <= 0) {
+    const QnCapacityPoint *before = &c->points[c->count - 1];
+    double part = before->multiplier / (before->multiplier - multiplier);
+    control = before->control + part * (control - before->control);
+    multiplier = 0;
+    c->reaches_zero = true;
+  }
+  return (QnCapacityPoint){ .multiplier = multiplier,
+                            .control = control,
+                            .displacement = control * c->ratio,
+                            .acceleration = multiplier * scale };
+}
+
 bool
 qn_capacity_set_masses (QnCapacity *c, QnMassSums sums, double control, double gravity)
 {
@@ -100,18 +129,13 @@ QnStatus
 qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
                   QnId control, QnDiag *diag)
 {
-  double direction = 0;
+  double direction = qn_capacity_direction (model);
   size_t peak = 0, last = result->step_count - 1;
 
   *c = (QnCapacity){ .block = control };
   QnStatus status = check_loads (model, diag);
   if (status != QN_OK)
     return status;
-  for (size_t i = model->dead_load_count; i < qn_model_acting_count (model); i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    if (load.set == 0)
-      direction += load.vector.x;
-  }
   for (size_t i = 0; i < result->step_count; i++)
     if (result->steps[i].multiplier > result->steps[peak].multiplier)
       peak = i;
@@ -130,22 +154,10 @@ qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
   c->peak = peak;
   double acceleration = fabs (direction) * model->gravity / c->share;
   for (size_t i = 0; i < result->step_count && !c->reaches_zero; i++) {
-    double displacement =
-      copysign (1, direction) * motion (result, 0, i, (size_t) c->block);
-    double multiplier = result->steps[i].multiplier;
-    if (i > peak
-        && multiplier <= 0) { /* the curve ends where the multiplier is 0 again */
-      const QnCapacityPoint *before = &c->points[c->count - 1];
-      double part = before->multiplier / (before->multiplier - multiplier);
-      displacement = before->control + part * (displacement - before->control);
-      multiplier = 0;
-      c->reaches_zero = true;
-    }
-    c->points[c->count++] =
-      (QnCapacityPoint){ .multiplier = multiplier,
-                         .control = displacement,
-                         .displacement = displacement * c->ratio,
-                         .acceleration = multiplier * acceleration };
+    double moved = copysign (1, direction) * motion (result, 0, i, (size_t) c->block);
+    c->points[i] =
+      qn_capacity_next_point (c, result->steps[i].multiplier, moved, acceleration);
+    c->count++;
   }
   c->end = c->points[c->count - 1].displacement;
   return QN_OK;

@@ -85,6 +85,14 @@ qn_mass_sums_add (QnMassSums *sums, double weight, double delta)
 bool qn_capacity_set_masses (QnCapacity *capacity, QnMassSums sums, double control,
                              double gravity);
 
+/* The next point of the curve. Where the multiplier is 0 again after the peak, the curve ends between
+ * this point and the one before. `scale`: of the multiplier to a*, m/s2. */
+QnCapacityPoint qn_capacity_next_point (QnCapacity *capacity, double multiplier,
+                                        double control, double scale);
+
+/* Factor of the weights in the live load, along x. */
+double qn_capacity_direction (const QnModel *model);
+
 /* Refuses models without live load or gravity, and beams. */
 QnStatus qn_capacity_check_model (const QnModel *model, QnDiag *diag);
 

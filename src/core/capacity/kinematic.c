@@ -264,28 +264,26 @@ add_forces (Chain *c)
   const QnModel *model = c->model;
   QnVec2 dead = { 0, 0 };
 
-  for (int pass = 0; pass < 2; pass++) /* weights, then forces */
-    for (size_t i = 0; i < qn_model_acting_count (model); i++) {
-      const QnLoad load = qn_model_acting_load (model, i);
-      bool live = load.set == 0, weight = load.kind == QN_LOAD_WEIGHT;
-      bool force = load.kind == QN_LOAD_FORCE || load.kind == QN_LOAD_NODE;
-      if (pass == 0 && weight && load.set == QN_NONE)
-        dead = qn_vec2_add (dead, load.vector);
-      if (pass == 0 && weight && live)
-        c->direction += load.vector.x;
-      if (pass == 0 || (!live && load.set != QN_NONE) || qn_load_is_on_edges (load.kind))
-        continue;
-      if (live
-          && ((!weight && !force) || load.vector.y != 0 || load.moment != 0
-              || !(load.vector.x * c->direction >= 0) || c->direction == 0))
-        return false;
-      if (force)
-        add_force (c, (QnId) qn_model_load_body (model, &load),
-                   qn_vec2_add (model->blocks[qn_model_load_body (model, &load)].centroid,
-                                qn_model_load_arm (model, &load)),
-                   live ? (Force){ .seismic = load.vector.x / c->direction }
-                        : (Force){ .dead = load.vector, .moment = load.moment });
-    }
+  c->direction = qn_capacity_direction (model);
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    bool live = load.set == 0, weight = load.kind == QN_LOAD_WEIGHT;
+    bool force = load.kind == QN_LOAD_FORCE || load.kind == QN_LOAD_NODE;
+    if (weight && load.set == QN_NONE)
+      dead = qn_vec2_add (dead, load.vector);
+    if ((!live && load.set != QN_NONE) || qn_load_is_on_edges (load.kind))
+      continue;
+    if (live
+        && ((!weight && !force) || load.vector.y != 0 || load.moment != 0
+            || !(load.vector.x * c->direction >= 0) || c->direction == 0))
+      return false;
+    if (force)
+      add_force (c, (QnId) qn_model_load_body (model, &load),
+                 qn_vec2_add (model->blocks[qn_model_load_body (model, &load)].centroid,
+                              qn_model_load_arm (model, &load)),
+                 live ? (Force){ .seismic = load.vector.x / c->direction }
+                      : (Force){ .dead = load.vector, .moment = load.moment });
+  }
   for (size_t b = 0; b < model->block_count; b++) {
     const QnBlock *block = &model->blocks[b];
     add_force (
@@ -447,21 +445,13 @@ follow (Chain *c, QnCapacity *capacity, QnDiag *diag)
   while (capacity->count < STEPS && !capacity->reaches_zero) {
     double dead, seismic;
     find_works (c, &dead, &seismic);
-    QnCapacityPoint point = { .multiplier = -dead / (c->direction * seismic),
-                              .control = along (c, displacement (c, body, arm)) };
-    const QnCapacityPoint *before =
-      capacity->count > 0 ? &capacity->points[capacity->count - 1] : NULL;
-    if (before != NULL
-        && !(point.control > before->control && c->direction * seismic > 0))
+    double control = along (c, displacement (c, body, arm));
+    if (capacity->count > 0
+        && !(control > capacity->points[capacity->count - 1].control
+             && c->direction * seismic > 0))
       break;
-    if (before != NULL && point.multiplier <= 0) {
-      double part = before->multiplier / (before->multiplier - point.multiplier);
-      point.control = before->control + part * (point.control - before->control);
-      point.multiplier = 0;
-      capacity->reaches_zero = true;
-    }
-    point.displacement = point.control * capacity->ratio;
-    point.acceleration = point.multiplier * scale;
+    QnCapacityPoint point =
+      qn_capacity_next_point (capacity, -dead / (c->direction * seismic), control, scale);
     if (!QN_ARRAY_PUSH (capacity->points, capacity->count, room, point))
       return qn_diag_no_memory (diag);
     if (point.multiplier > capacity->points[capacity->peak].multiplier)

@@ -276,13 +276,9 @@ follow (const Search *search, QnId control, QnResult *result)
                  && analysis->control_dof == QN_DOF_UX;
   if (control != QN_NONE) {
     /* The block is moved along the live load by the height of the structure. */
-    double direction = 0;
-    for (gsize i = search->model->dead_load_count;
-         i < qn_model_acting_count (search->model); i++)
-      direction += qn_model_acting_load (search->model, i).vector.x;
-    search->model->analysis.control_block = control;
-    search->model->analysis.control_target =
-      copysign (height_of (search->model), direction);
+    analysis->control_block = control;
+    analysis->control_target =
+      copysign (height_of (search->model), qn_capacity_direction (search->model));
   } else if (!own)
     end = choose_control (search);
   if (end != QN_CAPACITY_FOUND)

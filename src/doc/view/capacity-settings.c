@@ -107,7 +107,22 @@ qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char 
   return refuse (problem, error);
 }
 
-/* A table of periods and accelerations. */
+gboolean
+qn_capacity_read_spectrum (const char *path, const char *unit, QnRecord *points,
+                           GError **error)
+{
+  if (!qn_record_read (path, unit, 0, points, error))
+    return FALSE;
+  for (gsize i = 0; i < points->count; i++)
+    if (!(points->points[i].y > 0)) {
+      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                   _ ("%s: accelerations of a spectrum must be positive"), path);
+      qn_record_clear (points);
+      return FALSE;
+    }
+  return TRUE;
+}
+
 static gboolean
 read_spectrum (const QnCapacitySettings *s, const QnProject *project,
                gboolean allow_outside, QnRecord *points, GError **error)
@@ -117,15 +132,7 @@ read_spectrum (const QnCapacitySettings *s, const QnProject *project,
   g_autofree char *path = s->direct
                             ? g_strdup (s->spectrum)
                             : qn_file_inside (folder, s->spectrum, allow_outside, error);
-  if (path == NULL || !qn_record_read (path, s->unit, 0, points, error))
-    return FALSE;
-  for (gsize i = 0; i < points->count; i++)
-    if (!(points->points[i].y > 0)) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                   _ ("%s: accelerations of a spectrum must be positive"), path);
-      return FALSE;
-    }
-  return TRUE;
+  return path != NULL && qn_capacity_read_spectrum (path, s->unit, points, error);
 }
 
 gboolean
