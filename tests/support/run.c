@@ -25,6 +25,26 @@ test_run_solve (TestRun *run)
     QN_OK);
 }
 
+void
+test_analyse (QnModel *model, QnResult *result)
+{
+  TestRun run = { .model = *model };
+  test_run_solve (&run);
+  *model = run.model;
+  *result = run.result;
+  qn_contacts_clear (&run.contacts);
+}
+
+void
+test_control (QnModel *model, QnProcedure procedure, const char *block, QnDof dof,
+              double target)
+{
+  model->analysis.procedure = procedure;
+  model->analysis.control_block = block ? qn_model_find_block (model, block) : QN_NONE;
+  model->analysis.control_dof = dof;
+  model->analysis.control_target = target;
+}
+
 int
 test_run_count_faults (const TestRun *run)
 {

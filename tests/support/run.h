@@ -17,6 +17,13 @@ typedef struct TestRun {
 void test_run_prepare (TestRun *run);
 void test_run_solve (TestRun *run);
 
+/* The same of a model alone. */
+void test_analyse (QnModel *model, QnResult *result);
+
+/* What an analysis prescribes: of a block by its name, NULL: none. */
+void test_control (QnModel *model, QnProcedure procedure, const char *block, QnDof dof,
+                   double target);
+
 /* How many statements of the result its check finds to be false. */
 int test_run_count_faults (const TestRun *run);
 

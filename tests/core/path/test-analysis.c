@@ -4,6 +4,7 @@
 
 #include "support/models.h"
 #include "support/room.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
@@ -11,12 +12,7 @@
 static void
 run (QnModel *model, QnResult *result)
 {
-  g_auto (QnContacts) contacts;
-
-  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
-                   QN_OK);
+  test_analyse (model, result);
   qn_model_clear (model);
 }
 
