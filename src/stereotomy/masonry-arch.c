@@ -4,23 +4,21 @@
 QnStatus
 qn_arch_check (const QnArch *arch, QnDiag *diag)
 {
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require (&rules, arch->span, QN_RANGE_POSITIVE, "span");
-  qn_masonry_require (&rules, arch->rise, QN_RANGE_POSITIVE, "rise");
-  qn_masonry_require (&rules, arch->ring, QN_RANGE_POSITIVE, "ring");
-  qn_masonry_require_count (&rules, arch->voussoirs, 2, "voussoirs");
-  qn_masonry_require (&rules, arch->springer, QN_RANGE_NOT_NEGATIVE, "springer");
+  const QnSubject of = qn_masonry_subject (diag);
   double half = arch->span / 2;
   bool fits = arch->shape == QN_ARCH_CIRCULAR  ? arch->rise <= half * (1 + 1e-12)
               : arch->shape == QN_ARCH_POINTED ? arch->rise > half * (1 + 1e-12)
                                                : true;
   /* Flatter or steeper than this, the curve is a straight line in double precision. */
-  qn_masonry_require_that (&rules,
-                           fits && arch->rise >= 1e-6 * arch->span
-                             && arch->rise <= 1e6 * arch->span
-                             && arch->ring <= 1e6 * arch->span,
-                           QN_PROBLEM_ARCH_SHAPE, "rise", arch->rise);
-  return rules.status;
+  fits = fits && arch->rise >= 1e-6 * arch->span && arch->rise <= 1e6 * arch->span
+         && arch->ring <= 1e6 * arch->span;
+  return qn_required (
+    qn_require_length (of, "span", arch->span, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "rise", arch->rise, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "ring", arch->ring, QN_RANGE_POSITIVE)
+    && qn_require_pieces (of, "voussoirs", arch->voussoirs, 2)
+    && qn_require_length (of, "springer", arch->springer, QN_RANGE_NOT_NEGATIVE)
+    && qn_require (of, fits, QN_PROBLEM_ARCH_SHAPE, "rise", arch->rise));
 }
 
 QnStatus

@@ -4,6 +4,7 @@
 #define QN_STEREOTOMY_MASONRY_PARTS_H
 
 #include "core/base/numbers.h"
+#include "core/base/require.h"
 #include "stereotomy/masonry.h"
 #include "stereotomy/pieces.h"
 
@@ -35,19 +36,15 @@ QnStatus qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag)
 QnStatus qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field,
                              double value);
 
-/* Rules one after the other: the first that is broken is told, and those behind it are not looked at. */
-typedef struct QnRules {
-  QnDiag *diag;
-  QnStatus status;
-} QnRules;
-
-/* A length keeps its range and the limit of coordinates; a count is from `least` to the most pieces; what
- * `holds` says is true, or else the problem. */
-void qn_masonry_require (QnRules *rules, double value, QnRange range, const char *field);
-void qn_masonry_require_count (QnRules *rules, int32_t value, int32_t least,
-                               const char *field);
-void qn_masonry_require_that (QnRules *rules, bool holds, QnProblem problem,
-                              const char *field, double value);
+/* Rules of an object (core/base/require.h): a length keeps its range and the limit of coordinates, a
+ * count is from `least` to the most pieces. */
+static inline QnSubject
+qn_masonry_subject (QnDiag *diag)
+{
+  return (QnSubject){ QN_ENTITY_MASONRY, QN_NONE, diag };
+}
+bool qn_require_length (QnSubject of, const char *field, double value, QnRange range);
+bool qn_require_pieces (QnSubject of, const char *field, int32_t value, int32_t least);
 
 /* Pieces of a straight-sided or curved ring of voussoirs named <prefix>.v1 …, its left springing
  * at `at`; see arch-ring.h. */

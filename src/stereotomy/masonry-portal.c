@@ -10,25 +10,22 @@
 static QnStatus
 check_portal (const QnPortal *portal, QnDiag *diag)
 {
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require_count (&rules, portal->bays, 1, "bays");
-  qn_masonry_require_count (&rules, portal->courses, 1, "courses");
-  qn_masonry_require (&rules, portal->span, QN_RANGE_POSITIVE, "span");
-  qn_masonry_require (&rules, portal->pier_width, QN_RANGE_POSITIVE, "pier");
-  qn_masonry_require (&rules, portal->pier_height, QN_RANGE_POSITIVE, "pier");
-  qn_masonry_require (&rules, portal->lintel_height, QN_RANGE_NOT_NEGATIVE, "lintel");
-  qn_masonry_require_that (&rules,
-                           ((double) portal->bays + 1) * portal->courses
-                               + (double) portal->bays * portal->arch.voussoirs
-                             <= QN_MAX_PIECES,
-                           QN_PROBLEM_TOO_MANY_BLOCKS, "bays", portal->bays);
-  if (rules.status != QN_OK || portal->lintel_height > 0)
-    return rules.status;
-  rules.status = qn_arch_check (&portal->arch, diag);
-  qn_masonry_require_that (&rules,
-                           2 * portal->arch.ring <= portal->pier_width * (1 + 1e-12),
-                           QN_PROBLEM_PIER_TOO_NARROW, "pier", portal->pier_width);
-  return rules.status;
+  const QnSubject of = qn_masonry_subject (diag);
+  const QnArch *arch = &portal->arch;
+  const double bays = portal->bays,
+               pieces = (bays + 1) * portal->courses + bays * arch->voussoirs;
+  return qn_required (
+    qn_require_pieces (of, "bays", portal->bays, 1)
+    && qn_require_pieces (of, "courses", portal->courses, 1)
+    && qn_require_length (of, "span", portal->span, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "pier", portal->pier_width, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "pier", portal->pier_height, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "lintel", portal->lintel_height, QN_RANGE_NOT_NEGATIVE)
+    && qn_require (of, pieces <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS, "bays", bays)
+    && (portal->lintel_height > 0
+        || (qn_arch_check (arch, diag) == QN_OK
+            && qn_require (of, 2 * arch->ring <= portal->pier_width * (1 + 1e-12),
+                           QN_PROBLEM_PIER_TOO_NARROW, "pier", portal->pier_width))));
 }
 
 static double

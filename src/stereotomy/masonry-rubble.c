@@ -34,20 +34,19 @@ noise (const QnRubble *rubble, int32_t row, int32_t column, uint32_t direction)
 static QnStatus
 check_rubble (const QnRubble *rubble, QnDiag *diag)
 {
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require (&rules, rubble->width, QN_RANGE_POSITIVE, "width");
-  qn_masonry_require (&rules, rubble->top, QN_RANGE_POSITIVE, "width");
-  qn_masonry_require (&rules, rubble->height, QN_RANGE_POSITIVE, "height");
-  qn_masonry_require (&rules, rubble->stone, QN_RANGE_POSITIVE, "stone");
-  qn_masonry_require_that (&rules, rubble->irregularity >= 0 && rubble->irregularity <= 1,
-                           QN_PROBLEM_FRACTION, "irregularity", rubble->irregularity);
+  const QnSubject of = qn_masonry_subject (diag);
   /* There is one stone in a row and one row at least, however flat or narrow. */
-  qn_masonry_require_that (&rules,
-                           fmax (1, fmax (rubble->width, rubble->top) / rubble->stone)
-                               * fmax (1, rubble->height / (FLATNESS * rubble->stone))
-                             <= QN_MAX_PIECES,
-                           QN_PROBLEM_TOO_MANY_BLOCKS, "stone", rubble->stone);
-  return rules.status;
+  const double pieces = fmax (1, fmax (rubble->width, rubble->top) / rubble->stone)
+                        * fmax (1, rubble->height / (FLATNESS * rubble->stone));
+  return qn_required (
+    qn_require_length (of, "width", rubble->width, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "width", rubble->top, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "height", rubble->height, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "stone", rubble->stone, QN_RANGE_POSITIVE)
+    && qn_require (of, rubble->irregularity >= 0 && rubble->irregularity <= 1,
+                   QN_PROBLEM_FRACTION, "irregularity", rubble->irregularity)
+    && qn_require (of, pieces <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS, "stone",
+                   rubble->stone));
 }
 
 static double

@@ -33,18 +33,18 @@ add_centred (QnPieces *pieces, double width, double y0, double y1, bool fixed,
 static QnStatus
 check_column (const QnColumn *column, QnDiag *diag)
 {
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require (&rules, column->height, QN_RANGE_POSITIVE, "height");
-  qn_masonry_require (&rules, column->bottom, QN_RANGE_POSITIVE, "width");
-  qn_masonry_require (&rules, column->top, QN_RANGE_POSITIVE, "width");
-  qn_masonry_require_count (&rules, column->drums, 1, "drums");
-  qn_masonry_require (&rules, column->plinth_height, QN_RANGE_NOT_NEGATIVE, "plinth");
-  if (column->plinth_height > 0)
-    qn_masonry_require (&rules, column->plinth_width, QN_RANGE_POSITIVE, "plinth");
-  qn_masonry_require (&rules, column->capital_height, QN_RANGE_NOT_NEGATIVE, "capital");
-  if (column->capital_height > 0)
-    qn_masonry_require (&rules, column->capital_width, QN_RANGE_POSITIVE, "capital");
-  return rules.status;
+  const QnSubject of = qn_masonry_subject (diag);
+  return qn_required (
+    qn_require_length (of, "height", column->height, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "width", column->bottom, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "width", column->top, QN_RANGE_POSITIVE)
+    && qn_require_pieces (of, "drums", column->drums, 1)
+    && qn_require_length (of, "plinth", column->plinth_height, QN_RANGE_NOT_NEGATIVE)
+    && (column->plinth_height == 0
+        || qn_require_length (of, "plinth", column->plinth_width, QN_RANGE_POSITIVE))
+    && qn_require_length (of, "capital", column->capital_height, QN_RANGE_NOT_NEGATIVE)
+    && (column->capital_height == 0
+        || qn_require_length (of, "capital", column->capital_width, QN_RANGE_POSITIVE)));
 }
 
 QnStatus
@@ -82,12 +82,12 @@ QnStatus
 qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
 {
   const QnButtress *buttress = &masonry->buttress;
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require (&rules, buttress->height, QN_RANGE_POSITIVE, "height");
-  qn_masonry_require (&rules, buttress->bottom, QN_RANGE_POSITIVE, "width");
-  qn_masonry_require (&rules, buttress->top, QN_RANGE_POSITIVE, "width");
-  qn_masonry_require_count (&rules, buttress->courses, 1, "courses");
-  QnStatus status = rules.status;
+  const QnSubject of = qn_masonry_subject (diag);
+  QnStatus status =
+    qn_required (qn_require_length (of, "height", buttress->height, QN_RANGE_POSITIVE)
+                 && qn_require_length (of, "width", buttress->bottom, QN_RANGE_POSITIVE)
+                 && qn_require_length (of, "width", buttress->top, QN_RANGE_POSITIVE)
+                 && qn_require_pieces (of, "courses", buttress->courses, 1));
   for (int32_t i = masonry->foundation > 0 ? -1 : 0;
        i < buttress->courses && status == QN_OK; i++) {
     double s0 = fmax (0, (double) i / buttress->courses);

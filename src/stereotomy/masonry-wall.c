@@ -4,32 +4,30 @@ static QnStatus
 check_leaf (const QnMasonryWall *wall, const QnLeaf *leaf, QnDiag *diag)
 {
   bool listed = leaf->bond == QN_BOND_CUSTOM;
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require (&rules, leaf->unit.x, QN_RANGE_POSITIVE, "unit");
-  qn_masonry_require (&rules, leaf->unit.y, QN_RANGE_POSITIVE, "unit");
-  qn_masonry_require (&rules, leaf->header, QN_RANGE_NOT_NEGATIVE, "header");
-  if (!listed)
-    qn_masonry_require (&rules, leaf->length, QN_RANGE_POSITIVE, "length");
-  qn_masonry_require_that (&rules, leaf->lap >= 0 && leaf->lap < 1, QN_PROBLEM_FRACTION,
-                           "lap", leaf->lap);
-  qn_masonry_require_that (&rules,
-                           leaf->bond != QN_BOND_FLEMISH || leaf->header < leaf->unit.x,
-                           QN_PROBLEM_HEADER_TOO_LONG, "header", leaf->header);
-  qn_masonry_require_that (&rules, !listed || wall->leaf_count == 1,
-                           QN_PROBLEM_LEAVES_LISTED, "leaves", 0);
-  qn_masonry_require_that (&rules, !listed || wall->courses.course_count > 0,
-                           QN_PROBLEM_COURSE_EMPTY, "courses", 0);
-  if (rules.status != QN_OK || listed)
-    return rules.status;
+  const QnSubject of = qn_masonry_subject (diag);
+  bool holds =
+    qn_require_length (of, "unit", leaf->unit.x, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "unit", leaf->unit.y, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "header", leaf->header, QN_RANGE_NOT_NEGATIVE)
+    && (listed || qn_require_length (of, "length", leaf->length, QN_RANGE_POSITIVE))
+    && qn_require (of, leaf->lap >= 0 && leaf->lap < 1, QN_PROBLEM_FRACTION, "lap",
+                   leaf->lap)
+    && qn_require (of, leaf->bond != QN_BOND_FLEMISH || leaf->header < leaf->unit.x,
+                   QN_PROBLEM_HEADER_TOO_LONG, "header", leaf->header)
+    && qn_require (of, !listed || wall->leaf_count == 1, QN_PROBLEM_LEAVES_LISTED,
+                   "leaves", 0)
+    && qn_require (of, !listed || wall->courses.course_count > 0, QN_PROBLEM_COURSE_EMPTY,
+                   "courses", 0);
+  if (!holds || listed)
+    return qn_required (holds);
   double shortest =
     leaf->header > 0 ? fmin (leaf->header, leaf->unit.x) : leaf->unit.x / 2;
   double lowest = leaf->unit.y;
   for (size_t i = 0; i < wall->course_height_count; i++)
     lowest = i == 0 ? wall->course_heights[0] : fmin (lowest, wall->course_heights[i]);
-  qn_masonry_require_that (
-    &rules, leaf->length / shortest * (wall->height / lowest) <= QN_MAX_PIECES,
-    QN_PROBLEM_TOO_MANY_BLOCKS, "unit", leaf->unit.x);
-  return rules.status;
+  return qn_required (
+    qn_require (of, leaf->length / shortest * (wall->height / lowest) <= QN_MAX_PIECES,
+                QN_PROBLEM_TOO_MANY_BLOCKS, "unit", leaf->unit.x));
 }
 
 static QnStatus
@@ -37,20 +35,22 @@ check_wall (const QnMasonry *masonry, QnDiag *diag)
 {
   const QnMasonryWall *wall = &masonry->wall;
   QN_ASSERT (wall->leaf_count > 0);
-  QnRules rules = { diag, QN_OK };
-  if (wall->leaves[0].bond != QN_BOND_CUSTOM)
-    qn_masonry_require (&rules, wall->height, QN_RANGE_POSITIVE, "height");
-  for (size_t i = 0; i < wall->course_height_count; i++)
-    qn_masonry_require (&rules, wall->course_heights[i], QN_RANGE_POSITIVE,
-                        "course_heights");
-  qn_masonry_require_that (&rules, wall->minimum_piece >= 0 && wall->minimum_piece < 1,
-                           QN_PROBLEM_FRACTION, "minimum_piece", wall->minimum_piece);
-  for (size_t i = 0; i < wall->leaf_count && rules.status == QN_OK; i++) {
-    rules.status = check_leaf (wall, &wall->leaves[i], diag);
-    if (rules.status != QN_OK && diag != NULL && wall->leaf_count > 1)
+  const QnSubject of = qn_masonry_subject (diag);
+  bool holds = wall->leaves[0].bond == QN_BOND_CUSTOM
+               || qn_require_length (of, "height", wall->height, QN_RANGE_POSITIVE);
+  for (size_t i = 0; holds && i < wall->course_height_count; i++)
+    holds = qn_require_length (of, "course_heights", wall->course_heights[i],
+                               QN_RANGE_POSITIVE);
+  holds = holds
+          && qn_require (of, wall->minimum_piece >= 0 && wall->minimum_piece < 1,
+                         QN_PROBLEM_FRACTION, "minimum_piece", wall->minimum_piece);
+  QnStatus status = qn_required (holds);
+  for (size_t i = 0; i < wall->leaf_count && status == QN_OK; i++) {
+    status = check_leaf (wall, &wall->leaves[i], diag);
+    if (status != QN_OK && diag != NULL && wall->leaf_count > 1)
       diag->other = (QnId) i;
   }
-  return rules.status;
+  return status;
 }
 
 /* Extent of the rectangle that the wall fills, teeth left out. */

@@ -109,44 +109,33 @@ qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field, double v
   return qn_diag_set_field (diag, problem, QN_ENTITY_MASONRY, QN_NONE, field, value);
 }
 
-void
-qn_masonry_require_that (QnRules *rules, bool holds, QnProblem problem, const char *field,
-                         double value)
+bool
+qn_require_length (QnSubject of, const char *field, double value, QnRange range)
 {
-  if (rules->status == QN_OK && !holds)
-    rules->status = qn_masonry_problem (rules->diag, problem, field, value);
+  return qn_require_size (of, field, value, range, QN_MAX_COORDINATE);
 }
 
-void
-qn_masonry_require (QnRules *rules, double value, QnRange range, const char *field)
+bool
+qn_require_pieces (QnSubject of, const char *field, int32_t value, int32_t least)
 {
-  QnProblem problem = qn_number_problem (value, range, QN_MAX_COORDINATE);
-  qn_masonry_require_that (rules, problem == QN_PROBLEM_NONE, problem, field, value);
-}
-
-void
-qn_masonry_require_count (QnRules *rules, int32_t value, int32_t least, const char *field)
-{
-  qn_masonry_require_that (rules, value >= least, QN_PROBLEM_NOT_POSITIVE, field, value);
-  qn_masonry_require_that (rules, value <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS,
-                           field, value);
+  return qn_require (of, value >= least, QN_PROBLEM_NOT_POSITIVE, field, value)
+         && qn_require (of, value <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS, field,
+                        value);
 }
 
 static QnStatus
 check_common (const QnMasonry *m, QnDiag *diag)
 {
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require_that (&rules, m->name != NULL && m->name[0] != '\0',
-                           QN_PROBLEM_NAME_MISSING, "name", 0);
-  qn_masonry_require (&rules, m->origin.x, QN_RANGE_FINITE, "origin");
-  qn_masonry_require (&rules, m->origin.y, QN_RANGE_FINITE, "origin");
-  qn_masonry_require (&rules, m->rotation, QN_RANGE_FINITE, "rotation");
-  qn_masonry_require (&rules, m->thickness, QN_RANGE_POSITIVE, "thickness");
-  qn_masonry_require (&rules, m->foundation, QN_RANGE_NOT_NEGATIVE, "foundation");
-  qn_masonry_require_that (&rules,
-                           m->perturbation >= 0 && m->perturbation <= QN_MAX_PERTURBATION,
-                           QN_PROBLEM_PERTURBATION, "perturbation", m->perturbation);
-  return rules.status;
+  const QnSubject of = qn_masonry_subject (diag);
+  return qn_required (
+    qn_require_name (of, m->name, QN_NONE, QN_NONE)
+    && qn_require_length (of, "origin", m->origin.x, QN_RANGE_FINITE)
+    && qn_require_length (of, "origin", m->origin.y, QN_RANGE_FINITE)
+    && qn_require_length (of, "rotation", m->rotation, QN_RANGE_FINITE)
+    && qn_require_length (of, "thickness", m->thickness, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "foundation", m->foundation, QN_RANGE_NOT_NEGATIVE)
+    && qn_require (of, m->perturbation >= 0 && m->perturbation <= QN_MAX_PERTURBATION,
+                   QN_PROBLEM_PERTURBATION, "perturbation", m->perturbation));
 }
 
 static QnStatus

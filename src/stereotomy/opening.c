@@ -60,23 +60,21 @@ check_opening (const QnOpening *opening, QnDiag *diag)
 {
   const bool stones =
     opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
-  QnRules rules = { diag, QN_OK };
-  qn_masonry_require (&rules, opening->at.x, QN_RANGE_FINITE, "at");
-  qn_masonry_require (&rules, opening->at.y, QN_RANGE_FINITE, "at");
-  qn_masonry_require (&rules, opening->width, QN_RANGE_POSITIVE, "width");
-  qn_masonry_require (&rules, opening->height, QN_RANGE_POSITIVE, "height");
-  if (rules.status == QN_OK)
-    rules.status = check_head (opening, diag);
-  if (opening->span != QN_SPAN_NONE)
-    qn_masonry_require (&rules, opening->depth, QN_RANGE_POSITIVE, "depth");
-  qn_masonry_require (&rules, opening->bearing, QN_RANGE_NOT_NEGATIVE, "bearing");
-  if (stones)
-    qn_masonry_require_count (&rules, opening->voussoirs, 1, "voussoirs");
-  qn_masonry_require_that (&rules, opening->skew >= 0 && opening->skew < M_PI_2 - 0.01,
-                           QN_PROBLEM_FLAT_ARCH_SKEW, "skew", opening->skew);
-  qn_masonry_require (&rules, opening->sill_height, QN_RANGE_NOT_NEGATIVE, "sill");
-  qn_masonry_require (&rules, opening->sill_bearing, QN_RANGE_NOT_NEGATIVE, "sill");
-  return rules.status;
+  const QnSubject of = qn_masonry_subject (diag);
+  return qn_required (
+    qn_require_length (of, "at", opening->at.x, QN_RANGE_FINITE)
+    && qn_require_length (of, "at", opening->at.y, QN_RANGE_FINITE)
+    && qn_require_length (of, "width", opening->width, QN_RANGE_POSITIVE)
+    && qn_require_length (of, "height", opening->height, QN_RANGE_POSITIVE)
+    && check_head (opening, diag) == QN_OK
+    && (opening->span == QN_SPAN_NONE
+        || qn_require_length (of, "depth", opening->depth, QN_RANGE_POSITIVE))
+    && qn_require_length (of, "bearing", opening->bearing, QN_RANGE_NOT_NEGATIVE)
+    && (!stones || qn_require_pieces (of, "voussoirs", opening->voussoirs, 1))
+    && qn_require (of, opening->skew >= 0 && opening->skew < M_PI_2 - 0.01,
+                   QN_PROBLEM_FLAT_ARCH_SKEW, "skew", opening->skew)
+    && qn_require_length (of, "sill", opening->sill_height, QN_RANGE_NOT_NEGATIVE)
+    && qn_require_length (of, "sill", opening->sill_bearing, QN_RANGE_NOT_NEGATIVE));
 }
 
 /* The hole: jambs, and the head as its voussoirs have it. */
