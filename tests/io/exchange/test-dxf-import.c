@@ -15,6 +15,17 @@ parse (const char *text, QnDrawing *drawing)
     g_error ("%s", error->message);
 }
 
+/* The reason has a word. */
+static void
+expect_refused (const char *text, const char *word)
+{
+  QnDrawing drawing;
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_dxf_import (text, strlen (text), "test.dxf", &drawing, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+  g_assert_nonnull (strstr (error->message, word));
+}
+
 static const QnDrawingPath *
 path_at (const QnDrawing *drawing, guint index)
 {
@@ -124,10 +135,7 @@ test_endless_inserts (void)
                              "0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0\n0\nENDBLK\n8\n0\n0\nEN"
                              "DSEC\n0\nSECTION\n2\nENTITIES\n0\n"
                              "INSERT\n8\n0\n2\nA\n10\n0\n20\n0\n" TAIL;
-  QnDrawing drawing;
-  g_autoptr (GError) error = NULL;
-  g_assert_false (qn_dxf_import (text, strlen (text), "test.dxf", &drawing, &error));
-  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+  expect_refused (text, "outlines");
 }
 
 /* A million circles have more corners than are read, long before there are too many of them. */
@@ -139,11 +147,7 @@ test_many_circles (void)
     "0\nCIRCLE\n8\n0\n10\n5\n20\n5\n40\n2\n0\nENDBLK\n8\n0\n0\nEN"
     "DSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n"
     "0\n70\n1000\n71\n1000\n44\n5\n45\n5\n" TAIL;
-  QnDrawing drawing;
-  g_autoptr (GError) error = NULL;
-  g_assert_false (qn_dxf_import (text, strlen (text), "test.dxf", &drawing, &error));
-  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
-  g_assert_nonnull (strstr (error->message, "corners"));
+  expect_refused (text, "corners");
 }
 
 static void
