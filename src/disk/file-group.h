@@ -12,8 +12,7 @@
  *
  * Functions that return int return 0 or the errno of what failed.
  */
-#ifndef QN_DISK_FILE_GROUP_H
-#define QN_DISK_FILE_GROUP_H
+#pragma once
 
 #include <stddef.h>
 
@@ -37,5 +36,3 @@ int qn_file_group_commit (QnFileGroup *group);
 
 /* Removes what has gathered and frees the group. */
 void qn_file_group_discard (QnFileGroup *group);
-
-#endif

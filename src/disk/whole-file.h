@@ -12,8 +12,7 @@
  *
  * All functions return 0 or the errno of what failed.
  */
-#ifndef QN_DISK_WHOLE_FILE_H
-#define QN_DISK_WHOLE_FILE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -37,5 +36,3 @@ void qn_whole_file_discard (QnWholeFile *file);
 
 /* All of it at once. */
 int qn_whole_file_replace (const char *path, const void *bytes, size_t length);
-
-#endif

@@ -1,6 +1,5 @@
 /* Private to the library: what its files share. */
-#ifndef QN_LIBRARY_LIBRARY_PRIVATE_H
-#define QN_LIBRARY_LIBRARY_PRIVATE_H
+#pragma once
 
 #include "io/project/project.h"
 #include "io/result/result-file.h"
@@ -59,5 +58,3 @@ QuoinModel *quoin_library_model_take_made (QnProject *project, const char *name,
 /* The model of the same text with more overrides, before and after its own; both nullable. */
 QuoinModel *quoin_library_model_with (const QuoinModel *model, const char *const *before,
                                       const char *const *after, QuoinError **error);
-
-#endif

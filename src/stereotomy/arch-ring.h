@@ -9,8 +9,7 @@
  * (two at a pointed keystone), `curved` ones as many as keep the sagitta below
  * QN_ARCH_SAGITTA of the radius. Mirrored points are mirrored exactly.
  */
-#ifndef QN_STEREOTOMY_ARCH_RING_H
-#define QN_STEREOTOMY_ARCH_RING_H
+#pragma once
 
 #include "stereotomy/masonry.h"
 #include "stereotomy/ring.h"
@@ -43,5 +42,3 @@ bool qn_arch_ring_voussoir (const QnArchRing *ring, int32_t index, QnRing *vouss
 /* The whole intrados from left to right as the voussoirs have it (for the hole below it), as an
  * open line. */
 bool qn_arch_ring_line (const QnArchRing *ring, QnRing *line);
-
-#endif

@@ -14,8 +14,7 @@
  * middle of the joint". Source: Lourenco, Computational strategies for masonry structures (1996),
  * section 2.2. Lengths in m; rings counter-clockwise.
  */
-#ifndef QN_STEREOTOMY_GAPS_H
-#define QN_STEREOTOMY_GAPS_H
+#pragma once
 
 #include "core/base/status.h"
 #include "stereotomy/ring.h"
@@ -72,5 +71,3 @@ bool qn_gaps_fill (const QnGaps *gaps, QnRings *rings);
 /* The width up to which gaps are looked for where nobody says: the median of area by perimeter of the
  * blocks (a quarter to half of what they are wide), at most 40 mm. */
 double qn_gaps_usual_width (const QnRings *rings);
-
-#endif

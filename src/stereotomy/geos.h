@@ -3,8 +3,7 @@
  * Every failure shows in a NULL result and becomes a QnStatus. The messages of GEOS are used only to
  * recognise lack of memory. Private to this layer.
  */
-#ifndef QN_STEREOTOMY_GEOS_H
-#define QN_STEREOTOMY_GEOS_H
+#pragma once
 
 #include "core/base/status.h"
 #include "stereotomy/ring.h"
@@ -35,5 +34,3 @@ bool qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings 
 /* A function above or a GEOS operation failed: QN_ERROR_NO_MEMORY, or QN_ERROR_INTERNAL with
  * QN_PROBLEM_GEOMETRY_FAILED. */
 QnStatus qn_geos_failed (const QnGeos *geos, QnDiag *diag);
-
-#endif

@@ -1,6 +1,5 @@
 /* Line work to polygons: a soup of segments, as drawings have it, becomes the faces it encloses. */
-#ifndef QN_STEREOTOMY_LINEWORK_H
-#define QN_STEREOTOMY_LINEWORK_H
+#pragma once
 
 #include "stereotomy/weld.h"
 
@@ -34,5 +33,3 @@ void qn_segments_clear (QnSegments *segments);
  * segments. */
 QnStatus qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
                                  size_t *holes, QnHealing *healing, QnDiag *diag);
-
-#endif

@@ -1,7 +1,6 @@
 /* The makers of the kinds of masonry; each fills `pieces` in the object's own frame and reports
  * bad parameters with the key concerned. Private to this layer. */
-#ifndef QN_STEREOTOMY_MASONRY_PARTS_H
-#define QN_STEREOTOMY_MASONRY_PARTS_H
+#pragma once
 
 #include "core/base/numbers.h"
 #include "core/base/require.h"
@@ -51,5 +50,3 @@ bool qn_require_pieces (QnSubject of, const char *field, int32_t value, int32_t 
 QnStatus qn_arch_check (const QnArch *arch, QnDiag *diag);
 QnStatus qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix,
                            QnPieces *pieces, QnDiag *diag);
-
-#endif

@@ -29,8 +29,7 @@
  *
  * Voussoirs, lintels and sills are never merged with the fabric.
  */
-#ifndef QN_STEREOTOMY_MASONRY_H
-#define QN_STEREOTOMY_MASONRY_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -266,5 +265,3 @@ extern const char *const qn_head_names[QN_HEAD_COUNT];
 extern const char *const qn_span_names[QN_SPAN_COUNT];
 extern const char *const qn_sides_names[QN_SIDES_COUNT];
 extern const char *const qn_arch_shape_names[QN_ARCH_SHAPE_COUNT];
-
-#endif

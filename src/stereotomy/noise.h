@@ -1,8 +1,7 @@
 /* Random numbers that depend on a seed and a place alone, whatever the size of the object.
  *
  * splitmix64 (Steele, Lea & Flood, "Fast splittable pseudorandom number generators", 2014). */
-#ifndef QN_STEREOTOMY_NOISE_H
-#define QN_STEREOTOMY_NOISE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -20,5 +19,3 @@ qn_noise (uint32_t seed, uint32_t a, uint32_t b, uint32_t direction)
   }
   return (double) (z >> 11) * 0x1p-52 - 1;
 }
-
-#endif

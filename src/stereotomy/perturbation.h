@@ -10,8 +10,7 @@
  *
  * A corner moves by `size` times its distance from what it does not belong to, at most.
  */
-#ifndef QN_STEREOTOMY_PERTURBATION_H
-#define QN_STEREOTOMY_PERTURBATION_H
+#pragma once
 
 #include "stereotomy/pieces.h"
 
@@ -20,5 +19,3 @@
 
 /* size: 0 to QN_MAX_PERTURBATION. Errors: no memory. */
 QnStatus qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces, QnDiag *diag);
-
-#endif

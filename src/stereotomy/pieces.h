@@ -1,6 +1,5 @@
 /* Pieces: what a parametric object consists of before it becomes blocks. Private to this layer. */
-#ifndef QN_STEREOTOMY_PIECES_H
-#define QN_STEREOTOMY_PIECES_H
+#pragma once
 
 #include "core/base/status.h"
 #include "stereotomy/ring.h"
@@ -46,5 +45,3 @@ qn_rectangle (double x0, double y0, double x1, double y1, QnVec2 corners[4])
   corners[2] = qn_vec2 (x1, y1);
   corners[3] = qn_vec2 (x0, y1);
 }
-
-#endif

@@ -7,8 +7,7 @@
  * is left as it was on failure. Coordinates in m; precision is relative to the polygons' size
  * plus their distance from the origin, so work near a local origin where it matters.
  */
-#ifndef QN_STEREOTOMY_POLYGON_OPS_H
-#define QN_STEREOTOMY_POLYGON_OPS_H
+#pragma once
 
 #include "core/base/status.h"
 #include "stereotomy/ring.h"
@@ -34,5 +33,3 @@ QnStatus qn_polygons_union (const QnRings *rings, QnRing *out, QnDiag *diag);
  * subject itself where the line misses it. */
 QnStatus qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out,
                          QnDiag *diag);
-
-#endif

@@ -4,8 +4,7 @@
  * vertices go around the boundary, the first one not repeated at the end. Coordinates in m.
  * Zeroed structs are empty and may be cleared.
  */
-#ifndef QN_STEREOTOMY_RING_H
-#define QN_STEREOTOMY_RING_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/box.h"
@@ -54,5 +53,3 @@ void qn_rings_clear (QnRings *rings);
 
 /* Extents of all of them. */
 QnBox qn_rings_bounds (const QnRings *rings);
-
-#endif

@@ -4,8 +4,7 @@
  * digit), are deterministic, and report what they did. Rings that collapse are left with
  * fewer than three points, so that indices stay; qn_drop_collapsed() removes them.
  */
-#ifndef QN_STEREOTOMY_WELD_H
-#define QN_STEREOTOMY_WELD_H
+#pragma once
 
 #include "core/base/status.h"
 #include "stereotomy/ring.h"
@@ -35,5 +34,3 @@ size_t qn_drop_collapsed (QnRings *rings);
 
 /* Length over which the boundaries of two counter-clockwise rings lie on each other, m. */
 double qn_joint_length (const QnRing *a, const QnRing *b, double tolerance);
-
-#endif

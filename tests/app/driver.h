@@ -1,7 +1,6 @@
 /* Drives real windows from a test: waits, moves the pointer, presses buttons and keys, takes
  * pictures. The pointer and the keys go through the X server, as a user's do. */
-#ifndef QN_TESTS_APP_DRIVER_H
-#define QN_TESTS_APP_DRIVER_H
+#pragma once
 
 #include "app/canvas/canvas-private.h"
 #include "app/window/application.h"
@@ -160,5 +159,3 @@ void driver_press (GtkWidget *root, const char *label);
 /* From here on warnings that GTK 4.8 gives of itself end nothing: those that are listed in driver.c, no
  * other. */
 void driver_pass_over_gtk (void);
-
-#endif

@@ -4,8 +4,7 @@
  * "bench-results" where the program runs: NAME.csv and NAME.svg (chart.h) for each part, and
  * machine.txt.
  */
-#ifndef QN_TESTS_BENCH_H
-#define QN_TESTS_BENCH_H
+#pragma once
 
 #include "core/base/progress.h"
 
@@ -50,5 +49,3 @@ typedef enum { BENCH_AT_MOST, BENCH_AT_LEAST } BenchDemand;
 FILE *bench_bars_open (const char *name);
 gboolean bench_bar (FILE *csv, const char *bar, const char *what, double measured,
                     BenchDemand demand, double value);
-
-#endif

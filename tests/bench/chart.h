@@ -1,6 +1,5 @@
 /* Charts of the benchmark programs, drawn by Quoin itself. */
-#ifndef QN_TESTS_BENCH_CHART_H
-#define QN_TESTS_BENCH_CHART_H
+#pragma once
 
 #include <glib.h>
 
@@ -35,5 +34,3 @@ double chart_exponent (const Chart *chart, const char *label, double *x0, double
 
 /* Writes NAME.svg into the folder of the results, where there are points, and frees the series. */
 void chart_write (Chart *chart);
-
-#endif

@@ -1,6 +1,5 @@
 /* The linear program of limit analysis solved by Clp: the reference, and the solver to compare with. */
-#ifndef QN_TESTS_CLP_LIMIT_H
-#define QN_TESTS_CLP_LIMIT_H
+#pragma once
 
 #include "core/limit/limit-problem.h"
 
@@ -14,5 +13,3 @@ double clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double se
 /* Processor time of this process: other processes do not count. All solvers use one thread. */
 
 const char *clp_method_name (ClpMethod method);
-
-#endif

@@ -1,6 +1,5 @@
 /* One structure of the scaling benchmark, and what is measured on it. */
-#ifndef QN_TESTS_BENCH_SCALING_CASE_H
-#define QN_TESTS_BENCH_SCALING_CASE_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/model/model.h"
@@ -48,5 +47,3 @@ void scaling_case_path (ScalingCase *c, const ScalingLimits *limits);
 /* The best of Clp's methods on the linear program of limit analysis, whose optimum must be the same
  * to 1e-6; methods that do not end in time do not count. Without Clp nothing is done. */
 void scaling_case_clp (ScalingCase *c, const ScalingLimits *limits);
-
-#endif

@@ -13,8 +13,7 @@
  * size are drawn. Weight is the dead load, weight along x the live load, flow is without
  * dilatancy, and the lowest course stands on a fixed base.
  */
-#ifndef QN_TESTS_SEEDED_WALLS_H
-#define QN_TESTS_SEEDED_WALLS_H
+#pragma once
 
 #include "io/project/project.h"
 
@@ -28,5 +27,3 @@ void seeded_wall_init (QnProject *project, guint32 seed, int least, int most);
 
 /* Reads "FIRST-LAST", or one seed alone; FALSE where they do not count upwards from 1. */
 gboolean seeded_wall_parse_range (const char *text, int *first, int *last);
-
-#endif

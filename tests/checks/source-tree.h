@@ -1,6 +1,5 @@
 /* The source tree as the checks see it: its files and their lines. */
-#ifndef QN_TESTS_CHECKS_SOURCE_TREE_H
-#define QN_TESTS_CHECKS_SOURCE_TREE_H
+#pragma once
 
 #include <glib.h>
 
@@ -25,5 +24,3 @@ void assert_no_complaints (GString *complaints);
 
 /* For self-tests: fails unless there is a complaint that contains `part`. Frees the list. */
 void assert_complaint (GString *complaints, const char *part);
-
-#endif

@@ -1,6 +1,5 @@
 /* Runs the real quoin-cli and keeps what it said. */
-#ifndef QN_TESTS_CLI_RUN_H
-#define QN_TESTS_CLI_RUN_H
+#pragma once
 
 #include "support/scratch.h"
 
@@ -54,5 +53,3 @@ extern const char cli_sliding_block[];
 
 /* `text` with the first occurrence of `from`, which must be there, replaced. */
 char *cli_replace (const char *text, const char *from, const char *to);
-
-#endif

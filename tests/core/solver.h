@@ -1,6 +1,5 @@
 /* Setting up the solver on test models. */
-#ifndef TESTS_CORE_SOLVER_H
-#define TESTS_CORE_SOLVER_H
+#pragma once
 
 #include "core/equilibrium/equilibrium.h"
 #include "support/models.h"
@@ -49,5 +48,3 @@ relax (QnEquilibrium *eq, double multiplier)
   const QnTarget target = qn_target_multiplier (multiplier);
   return qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL, 300);
 }
-
-#endif

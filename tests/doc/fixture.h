@@ -1,7 +1,6 @@
 /* Documents to begin with, and edits of them, for the tests of this folder. What must not fail
  * fails the test. */
-#ifndef TESTS_DOC_FIXTURE_H
-#define TESTS_DOC_FIXTURE_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -23,5 +22,3 @@ QnRun *solve_example (QnDocument *document);
 
 /* Aborts where the state of a document differs from what its text reads back as. */
 void check_state (QnDocument *document);
-
-#endif

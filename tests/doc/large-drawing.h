@@ -1,6 +1,5 @@
 /* A drawing of ten thousand blocks, an edit of one of them, and what that costs. */
-#ifndef QN_TESTS_DOC_LARGE_DRAWING_H
-#define QN_TESTS_DOC_LARGE_DRAWING_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -16,5 +15,3 @@ void large_drawing_move (QnDocument *document, double by);
 
 /* s of processor time that this program has used. */
 double large_drawing_seconds (void);
-
-#endif

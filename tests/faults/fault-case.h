@@ -1,7 +1,6 @@
 /* Analyses into which faults are injected: examples of the project, each taking another way
  * through the solver. */
-#ifndef TESTS_FAULTS_FAULT_CASE_H
-#define TESTS_FAULTS_FAULT_CASE_H
+#pragma once
 
 #include "core/modal/modal.h"
 #include "io/project/project.h"
@@ -36,5 +35,3 @@ void fault_answer_clear (FaultAnswer *answer);
 
 /* A digest of every number of the answer but the times it took; free with g_free(). */
 char *fault_answer_dup_digest (const FaultAnswer *answer);
-
-#endif

@@ -1,7 +1,6 @@
 /* What fuzz targets have in common: the one function, as libFuzzer calls it, and what every refusal
  * must be. */
-#ifndef TESTS_FUZZ_FUZZ_H
-#define TESTS_FUZZ_FUZZ_H
+#pragma once
 
 #include "io/text/io-error.h"
 
@@ -19,5 +18,3 @@ fuzz_check_error (GError *error)
   g_assert_null (strchr (error->message, '\n'));
   g_error_free (error);
 }
-
-#endif

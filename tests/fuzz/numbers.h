@@ -1,7 +1,6 @@
 /* A mutation that knows numbers: bytes changed at random hardly ever give 1e155, and every digit of
  * such a number must be right at once. */
-#ifndef TESTS_FUZZ_NUMBERS_H
-#define TESTS_FUZZ_NUMBERS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -10,5 +9,3 @@
  * trouble with, both chosen by `seed`. Returns the new size, at most `most`, or 0 where the text has
  * no number or the new one has no room. */
 size_t fuzz_mutate_number (uint8_t *data, size_t size, size_t most, unsigned seed);
-
-#endif

@@ -1,8 +1,7 @@
 /* A mutation that knows pieces of text: a pair of brackets with what stands between them, a line,
  * two lines as in DXF, a word. Bytes changed at random seldom leave text well-formed beyond the
  * first rule that a reader checks. */
-#ifndef TESTS_FUZZ_PIECES_H
-#define TESTS_FUZZ_PIECES_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -12,5 +11,3 @@
  * there is no such piece or no room. */
 size_t fuzz_splice_piece (uint8_t *data, size_t size, size_t most, const uint8_t *other,
                           size_t other_size, unsigned seed);
-
-#endif

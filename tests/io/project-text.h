@@ -1,6 +1,5 @@
 /* Project texts to start from, and the messages of those that are refused. */
-#ifndef TESTS_IO_PROJECT_TEXT_H
-#define TESTS_IO_PROJECT_TEXT_H
+#pragma once
 
 #include "io/project/project.h"
 
@@ -29,5 +28,3 @@ void test_parse (const char *text, QnProject *project);
 
 /* Parses a text that must be refused; its message without "wall.quoin:". Free with g_free(). */
 char *test_parse_error (const char *text, const char *const *overrides);
-
-#endif

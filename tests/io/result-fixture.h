@@ -3,8 +3,7 @@
  * The project is test_project_text: a block of 1 m x 1 m and 10 kN on a fixed base. At
  * multiplier 0.2 the live load is 2 kN at half height; it overturns with 1 kN m, so that the
  * left pair carries 4 kN and the right pair 6 kN, each with half of the shear. */
-#ifndef TESTS_IO_RESULT_FIXTURE_H
-#define TESTS_IO_RESULT_FIXTURE_H
+#pragma once
 
 #include "core/result/result.h"
 #include "io/project/project.h"
@@ -25,5 +24,3 @@ void result_fixture_tear_down (ResultFixture *fixture, gconstpointer data);
 
 /* The result file of the fixture as text; free with g_free(). */
 char *result_fixture_dup_text (const ResultFixture *fixture);
-
-#endif

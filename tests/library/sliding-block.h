@@ -1,6 +1,5 @@
 /* Block a, of thickness 1, which is pushed off its base at friction 0.4. */
-#ifndef TESTS_LIBRARY_SLIDING_BLOCK_H
-#define TESTS_LIBRARY_SLIDING_BLOCK_H
+#pragma once
 
 #include <quoin.h>
 
@@ -15,5 +14,3 @@ library_build_sliding_block (void)
   quoin_builder_add_block (builder, "a", block, 4, 1, 20000, false);
   return builder;
 }
-
-#endif

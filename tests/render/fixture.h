@@ -1,7 +1,6 @@
 /* Models, contacts and results made by hand for the tests of pictures, independent of the
  * geometry and the solver. */
-#ifndef QN_TESTS_RENDER_FIXTURE_H
-#define QN_TESTS_RENDER_FIXTURE_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/model/model.h"
@@ -22,5 +21,3 @@ void fixture_init_wall (Fixture *fixture, int columns, int courses);
 void fixture_init_block (Fixture *fixture, double width, double height);
 
 void fixture_clear (Fixture *fixture);
-
-#endif

@@ -3,8 +3,7 @@
  * References lie in tests/golden and are replaced by tests/golden/accept.sh. On failure the
  * picture, the reference and their difference are left as NAME-out.png, NAME-ref.png and
  * NAME-diff.png in the folder image-diffs of the build. */
-#ifndef QN_TESTS_RENDER_IMAGE_COMPARE_H
-#define QN_TESTS_RENDER_IMAGE_COMPARE_H
+#pragma once
 
 #include <cairo.h>
 
@@ -29,5 +28,3 @@ void image_assert_golden (const char *name, cairo_surface_t *out,
 /* A new image whose pixel (x, y) is that of the source at (a x + b y, c x + d y) from the
  * respective corner: mirrors and quarter turns. */
 cairo_surface_t *image_transform (cairo_surface_t *source, int a, int b, int c, int d);
-
-#endif

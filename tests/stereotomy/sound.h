@@ -1,6 +1,5 @@
 /* What must hold of every stereotomy that this layer makes. */
-#ifndef TESTS_STEREOTOMY_SOUND_H
-#define TESTS_STEREOTOMY_SOUND_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -14,5 +13,3 @@ double test_assert_sound (QnModel *model, double area);
 
 /* Sum of the perimeters of all blocks of a prepared model, m. */
 double test_sound_perimeters (const QnModel *model);
-
-#endif

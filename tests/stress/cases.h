@@ -1,6 +1,5 @@
 /* The cases, by subject. Every function appends its own to a GArray of StressCase. */
-#ifndef QN_TESTS_STRESS_CASES_H
-#define QN_TESTS_STRESS_CASES_H
+#pragma once
 
 #include "stress/stress.h"
 
@@ -29,5 +28,3 @@ void stress_case_build_random (const StressCase *c, QnModel *model);
 
 /* All but random walls. */
 GArray *stress_cases_new (void);
-
-#endif

@@ -1,7 +1,6 @@
 /* Independent sums over a result: nothing here is taken from the solver but what it reports.
  * Joints of the Coulomb kind on the contact basis, linear geometry, weights and forces only. */
-#ifndef QN_TESTS_STRESS_CHECKS_H
-#define QN_TESTS_STRESS_CHECKS_H
+#pragma once
 
 #include "stress/stress.h"
 
@@ -30,5 +29,3 @@ bool stress_path_is_consistent (const QnResult *result);
  * forces of an unbounded multiplier, the fall of a structure that does not stand. */
 bool stress_limit_is_proved (const QnModel *model, const QnContacts *contacts,
                              const QnLimitSolution *solution);
-
-#endif

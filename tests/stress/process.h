@@ -1,6 +1,5 @@
 /* A case in a process of its own, so that a crash or an endless loop is an outcome like others. */
-#ifndef QN_TESTS_STRESS_PROCESS_H
-#define QN_TESTS_STRESS_PROCESS_H
+#pragma once
 
 #include "stress/stress.h"
 
@@ -16,5 +15,3 @@ void stress_process_finish (StressProcess *process, StressRow *row);
 
 /* Both. */
 void stress_process_run (const StressCase *c, int seconds, StressRow *row);
-
-#endif

@@ -1,7 +1,6 @@
 /* Walls drawn from a seed: bonds, openings, arches, rubble, leaning or turned, under loads from
  * either side. The same seed gives the same wall on every machine. */
-#ifndef QN_TESTS_STRESS_RANDOM_WALL_H
-#define QN_TESTS_STRESS_RANDOM_WALL_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -14,5 +13,3 @@
 /* Fills `model`, which is not prepared yet, and says what it is in `description`: its kind first,
  * up to a comma. */
 void stress_random_wall (guint32 seed, QnModel *model, char *description, gsize size);
-
-#endif

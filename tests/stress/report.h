@@ -1,6 +1,5 @@
 /* What has come out of the cases: as lines of a test protocol, and as a table in Markdown. */
-#ifndef QN_TESTS_STRESS_REPORT_H
-#define QN_TESTS_STRESS_REPORT_H
+#pragma once
 
 #include "stress/stress.h"
 
@@ -16,5 +15,3 @@ bool stress_report_tap (const StressEntry *entry, guint number);
 
 /* Subjects, tables, and every fault. entries: of StressEntry. */
 void stress_report_markdown (GString *text, const GArray *entries, const char *command);
-
-#endif

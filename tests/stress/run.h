@@ -1,6 +1,5 @@
 /* Running one case: limit analysis, both paths, and every check. */
-#ifndef QN_TESTS_STRESS_RUN_H
-#define QN_TESTS_STRESS_RUN_H
+#pragma once
 
 #include "stress/stress.h"
 
@@ -22,5 +21,3 @@ void stress_run (const StressCase *c, StressRow *row);
 /* Writes the case as a project file with the dilatancy of `flow`. */
 gboolean stress_write_project (const StressCase *c, StressFlow flow, const char *path,
                                GError **error);
-
-#endif

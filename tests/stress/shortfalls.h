@@ -1,7 +1,6 @@
 /* Faults that are known and not corrected: they are reported, not hidden, and do not fail the
  * test. */
-#ifndef QN_TESTS_STRESS_SHORTFALLS_H
-#define QN_TESTS_STRESS_SHORTFALLS_H
+#pragma once
 
 #include "stress/stress.h"
 
@@ -13,5 +12,3 @@ typedef struct StressShortfall {
 
 /* What is known of a case; NULL where nothing is. */
 const StressShortfall *stress_shortfall (const char *name);
-
-#endif

@@ -4,8 +4,7 @@
  * dilatancy = friction, where limit analysis knows the answer, and with none, where it bounds
  * it. What is asked of every case, whatever its numbers, stands in StressFault.
  */
-#ifndef QN_TESTS_STRESS_H
-#define QN_TESTS_STRESS_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/result/result.h"
@@ -130,5 +129,3 @@ stress_row_faults (const StressRow *row)
 
 /* The texts of the faults, joined by semicolons; free with g_free(). */
 char *stress_dup_faults (guint faults);
-
-#endif

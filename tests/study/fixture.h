@@ -1,6 +1,5 @@
 /* A study of one block that slides at its friction, in a folder of its own. */
-#ifndef TESTS_STUDY_FIXTURE_H
-#define TESTS_STUDY_FIXTURE_H
+#pragma once
 
 #include "study/plan/study.h"
 #include "support/scratch.h"
@@ -15,5 +14,3 @@ gboolean fixture_read (const char *folder, const char *text, QnStudy *study,
 
 /* The study of fixture_study_text(); fails where it does not read. */
 void fixture_study (QnStudy *study, const char *plan, const char *more);
-
-#endif

@@ -1,6 +1,5 @@
 /* The same as auto-clear.h for masonry and rings. */
-#ifndef TESTS_SUPPORT_AUTO_CLEAR_STEREOTOMY_H
-#define TESTS_SUPPORT_AUTO_CLEAR_STEREOTOMY_H
+#pragma once
 
 #include "stereotomy/masonry.h"
 #include "stereotomy/ring.h"
@@ -11,5 +10,3 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnMasonry, qn_masonry_clear)
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnMasonries, qn_masonries_clear)
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnRing, qn_ring_clear)
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnRings, qn_rings_clear)
-
-#endif

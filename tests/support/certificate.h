@@ -1,6 +1,5 @@
 /* The two certificates of a limit analysis, summed up from the model alone. */
-#ifndef TESTS_SUPPORT_CERTIFICATE_H
-#define TESTS_SUPPORT_CERTIFICATE_H
+#pragma once
 
 #include "core/limit/limit.h"
 
@@ -11,5 +10,3 @@
  * more than 1e-6 apart. Both sides of a joint must have the same law. */
 void test_assert_certified (const QnModel *model, const QnContacts *contacts,
                             const QnLimitSolution *solution);
-
-#endif

@@ -1,6 +1,5 @@
 /* Preparing a test model and detecting its contacts in one go; any error aborts. */
-#ifndef TESTS_SUPPORT_CONTACTS_H
-#define TESTS_SUPPORT_CONTACTS_H
+#pragma once
 
 #include "support/auto-clear.h"
 
@@ -19,5 +18,3 @@ const QnFinding *test_the_finding (const QnContacts *contacts, QnProblem problem
 
 /* Fails unless all faces and pairs are the same to the last bit. */
 void test_assert_same_faces (const QnContacts *found, const QnContacts *expected);
-
-#endif

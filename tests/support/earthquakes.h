@@ -1,7 +1,6 @@
 /* Structures whose motion under pulses is published or follows from an equation: the rocking block, the
  * multi-drum column and the arch of Lemos. For test-earthquakes and bench-earthquakes. */
-#ifndef QN_TESTS_EARTHQUAKES_H
-#define QN_TESTS_EARTHQUAKES_H
+#pragma once
 
 #include "core/result/result.h"
 
@@ -52,5 +51,3 @@ void test_earthquake_solve (QnModel *model, gboolean follow, QnResult *result);
 /* Whether it overturns; the model is cleared. *energy_error, if larger, is that of the result. */
 gboolean test_earthquake_overturns (QnModel *model, gboolean follow,
                                     double *energy_error);
-
-#endif

@@ -4,8 +4,7 @@
  * of everything that is linked statically (our own code) into the functions here. SuiteSparse and
  * cJSON, which are shared, are given them through their configuration. Of GLib only what may
  * fail (g_try_malloc) does; all else ends the program when memory runs out, and so it does here. */
-#ifndef TESTS_SUPPORT_FAILING_MEMORY_H
-#define TESTS_SUPPORT_FAILING_MEMORY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -18,5 +17,3 @@ long failing_memory_left (void);
 
 /* Lets all succeed again; returns whether one has failed since the last arming. */
 bool failing_memory_disarm (void);
-
-#endif

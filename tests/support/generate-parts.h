@@ -1,6 +1,5 @@
 /* What the generators share; see generate.h. */
-#ifndef TESTS_SUPPORT_GENERATE_PARTS_H
-#define TESTS_SUPPORT_GENERATE_PARTS_H
+#pragma once
 
 #include "support/generate.h"
 
@@ -27,5 +26,3 @@ QnStatus qn_generate_add (QnModel *model, const QnGenerateMaterial *material,
 QnStatus qn_generate_add_fixed (QnModel *model, const QnGenerateMaterial *material,
                                 const char *name, const QnVec2 *vertices, size_t count,
                                 QnDiag *diag);
-
-#endif

@@ -7,8 +7,7 @@
  * Numbers that make no sense are refused with QN_ERROR_INVALID, the entity QN_ENTITY_MODEL and
  * the recipe's member as field, before anything is added.
  */
-#ifndef TESTS_SUPPORT_GENERATE_H
-#define TESTS_SUPPORT_GENERATE_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -60,5 +59,3 @@ QnColumnRecipe qn_column_recipe_default (void);
 QnStatus qn_generate_wall (QnModel *model, const QnWallRecipe *recipe, QnDiag *diag);
 QnStatus qn_generate_arch (QnModel *model, const QnArchRecipe *recipe, QnDiag *diag);
 QnStatus qn_generate_column (QnModel *model, const QnColumnRecipe *recipe, QnDiag *diag);
-
-#endif

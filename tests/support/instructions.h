@@ -1,7 +1,6 @@
 /* Counting instructions, with valgrind: unlike times they are the same however
  * busy the machine is. */
-#ifndef TESTS_SUPPORT_INSTRUCTIONS_H
-#define TESTS_SUPPORT_INSTRUCTIONS_H
+#pragma once
 
 #include <glib.h>
 
@@ -18,5 +17,3 @@ double count_program (const char *const *arguments, int *code);
 
 /* The same of a program and all that it starts, loading them included; it must end well. */
 double count_processes (const char *const *arguments);
-
-#endif

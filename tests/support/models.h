@@ -2,8 +2,7 @@
  * change settings, then qn_model_prepare(). Every one has a law "joint" (coulomb, contact basis,
  * kn = ks = 1e7 N/m, friction 0.65, nothing else) as its contact law, two pairs at the ends
  * without offset, unit weight 10 kN/m3 and thickness 1 m, and no loads. Memory failures abort. */
-#ifndef TESTS_SUPPORT_MODELS_H
-#define TESTS_SUPPORT_MODELS_H
+#pragma once
 
 #include "support/auto-clear.h"
 
@@ -66,5 +65,3 @@ void test_model_mirror (QnModel *model);
 
 /* The same structure with its blocks in another, random order, and the first vertices changed. */
 void test_model_renumber (QnModel *model, unsigned seed);
-
-#endif

@@ -1,7 +1,6 @@
 /* What the forces of contact pairs do to the blocks, and the motion of blocks at the pairs, summed up
  * without the solver. */
-#ifndef TESTS_SUPPORT_PAIR_SUMS_H
-#define TESTS_SUPPORT_PAIR_SUMS_H
+#pragma once
 
 #include "core/contact/contacts.h"
 
@@ -14,5 +13,3 @@ double test_add_pair_forces (const QnModel *model, const QnContacts *contacts,
  * velocities of all blocks (3 x block_count). */
 QnVec2 test_pair_rate (const QnModel *model, const QnContacts *contacts, size_t pair,
                        const double *velocities);
-
-#endif

@@ -6,8 +6,7 @@
  *   }
  *
  * and room-main.c, linked whole, runs them all. A case is run alone by its path: -p /newton. */
-#ifndef TESTS_SUPPORT_ROOM_H
-#define TESTS_SUPPORT_ROOM_H
+#pragma once
 
 /* Remembers a function that adds cases; called before main(). */
 void test_room_note (void (*add_cases) (void));
@@ -19,5 +18,3 @@ void test_room_note (void (*add_cases) (void));
     test_room_note (add_cases);                                                          \
   }                                                                                      \
   static void add_cases (void)
-
-#endif

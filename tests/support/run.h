@@ -1,6 +1,5 @@
 /* A model with what is computed of it. */
-#ifndef TESTS_SUPPORT_RUN_H
-#define TESTS_SUPPORT_RUN_H
+#pragma once
 
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
@@ -33,5 +32,3 @@ void test_find_modes (QnModel *model, size_t wanted, QnModes *modes);
 /* Clears the model too. */
 void test_run_clear (TestRun *run);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (TestRun, test_run_clear)
-
-#endif

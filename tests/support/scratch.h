@@ -1,6 +1,5 @@
 /* Folders for the files that a test makes. */
-#ifndef TESTS_SUPPORT_SCRATCH_H
-#define TESTS_SUPPORT_SCRATCH_H
+#pragma once
 
 #include <glib.h>
 
@@ -32,5 +31,3 @@ guint test_scratch_count (const char *folder);
 
 /* Fails unless the file is this text. */
 void test_scratch_expect (const char *path, const char *text);
-
-#endif

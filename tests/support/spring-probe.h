@@ -1,7 +1,6 @@
 /* Driving one spring by hand: steps that are committed, and tangents held against finite
  * differences. */
-#ifndef QN_TESTS_SUPPORT_SPRING_PROBE_H
-#define QN_TESTS_SUPPORT_SPRING_PROBE_H
+#pragma once
 
 #include "core/law/spring.h"
 
@@ -31,5 +30,3 @@ void probe_assert_tangent (const Probe *probe, double normal, double tangential)
  * forces; `count` rows of { elongation, force }. Every tangent is checked on the way to the
  * next row. */
 void probe_assert_history (Probe *probe, const double (*rows)[2], size_t count);
-
-#endif

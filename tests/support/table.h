@@ -1,6 +1,5 @@
 /* Tables as comma-separated values, read as any program would read them. */
-#ifndef TESTS_SUPPORT_TABLE_H
-#define TESTS_SUPPORT_TABLE_H
+#pragma once
 
 #include <glib.h>
 
@@ -12,5 +11,3 @@ GPtrArray *test_table_read (const char *text);
 /* A field, and the same as a number; row 0 has the headings. Fail the test where it is not there. */
 const char *test_table_field (const GPtrArray *table, guint row, const char *heading);
 double test_table_number (const GPtrArray *table, guint row, const char *heading);
-
-#endif

@@ -1,6 +1,5 @@
 /* Solving test models, and an independent look at what comes out. */
-#ifndef QN_TESTS_VERIFY_SOLVE_H
-#define QN_TESTS_VERIFY_SOLVE_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/path/analysis.h"
@@ -24,5 +23,3 @@ double verify_collapse (QnModel *model);
 
 /* Resultant of all contact forces on one block about its centroid: fx, fy, m. */
 void verify_contact_resultant (const Solved *solved, QnId block, double resultant[3]);
-
-#endif

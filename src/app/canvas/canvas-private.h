@@ -1,6 +1,5 @@
 /* The inside of the drawing widget, shared by the files that make it up. */
-#ifndef QN_APP_CANVAS_PRIVATE_H
-#define QN_APP_CANVAS_PRIVATE_H
+#pragma once
 
 #include "app/canvas/canvas.h"
 #include "app/canvas/gl-layer.h"
@@ -97,5 +96,3 @@ void qn_canvas_emit_status (QnCanvas *canvas);
 
 /* Distance of grid lines at the present zoom, m. */
 double qn_canvas_grid_distance (QnCanvas *canvas);
-
-#endif

@@ -6,8 +6,7 @@
  * Signals: "status" (without arguments) when pointer, hint or snapping have changed;
  * "failed" (message) when an edit was refused.
  */
-#ifndef QN_APP_CANVAS_H
-#define QN_APP_CANVAS_H
+#pragma once
 
 #include "app/canvas/tool.h"
 #include "doc/edit/edit-frame.h"
@@ -122,5 +121,3 @@ void qn_canvas_draw_label (QnCanvas *canvas, cairo_t *cr, const char *text,
                            QnVec2 screen);
 /* Traces a polygon of the model as a path. */
 void qn_canvas_trace (QnCanvas *canvas, cairo_t *cr, const QnVec2 *points, gsize count);
-
-#endif

@@ -1,8 +1,7 @@
 /* Gestures between points. Between two: pressed at the one and released at the other, or clicked at both,
  * or clicked at the first and typed. Rectangles and lines share them; what becomes of the two
  * points is the tool's `complete`. */
-#ifndef QN_APP_GESTURE_H
-#define QN_APP_GESTURE_H
+#pragma once
 
 #include "app/canvas/canvas.h"
 
@@ -70,5 +69,3 @@ void qn_gesture_stroke (cairo_t *cr, GdkRGBA below, double wide, GdkRGBA ink,
 
 /* Fill and outline of everything that is about to be. */
 void qn_gesture_paint (cairo_t *cr);
-
-#endif

@@ -1,8 +1,7 @@
 /* The scene of a large drawing by OpenGL, between two layers of Cairo: a GtkGLArea of the
  * canvas that stays hidden, without any context, while Cairo is quick enough. Where OpenGL 3.3
  * is not to be had the area hides for good and Cairo draws everything. */
-#ifndef QN_APP_GL_LAYER_H
-#define QN_APP_GL_LAYER_H
+#pragma once
 
 #include "render/backend/gl-api.h"
 #include "render/drawing/scene.h"
@@ -29,5 +28,3 @@ gboolean qn_gl_layer_is_software (QnGlLayer *self);
 /* How many scenes and frames this layer has drawn, for tests and timings. */
 unsigned qn_gl_layer_get_uploads (QnGlLayer *self);
 unsigned qn_gl_layer_get_frames (QnGlLayer *self);
-
-#endif

@@ -1,7 +1,6 @@
 /* Handles: the small squares by which what is selected is dragged. Openings, walls, arches and
  * columns by their measures, blocks by their corners, any selection around its middle. */
-#ifndef QN_APP_HANDLE_H
-#define QN_APP_HANDLE_H
+#pragma once
 
 #include "app/canvas/canvas.h"
 #include "doc/masonry/masonry-shape.h"
@@ -23,5 +22,3 @@ void qn_handle_turn (QnCanvas *canvas, double angle);
 
 /* Does it, and ends the gesture. */
 void qn_handle_finish (QnCanvas *canvas);
-
-#endif

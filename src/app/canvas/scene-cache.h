@@ -1,7 +1,6 @@
 /* A picture of a heavy scene: moved and scaled while the camera moves, drawn anew when it
  * rests. It reaches beyond the viewport, so that panning does not meet its rim at once. */
-#ifndef QN_APP_SCENE_CACHE_H
-#define QN_APP_SCENE_CACHE_H
+#pragma once
 
 #include "render/scene/scene-build.h"
 
@@ -21,5 +20,3 @@ void qn_scene_cache_draw (QnSceneCache *cache, const QnScene *scene,
                           const QnCamera *camera, bool moving, int factor, cairo_t *cr);
 
 void qn_scene_cache_clear (QnSceneCache *cache);
-
-#endif

@@ -5,8 +5,7 @@
  * until it is complete or cancelled with Escape. While a gesture is under way, typed numbers
  * go to the tool too, so that a wall can be drawn as "2,4; 1,5" and Enter.
  */
-#ifndef QN_APP_TOOL_H
-#define QN_APP_TOOL_H
+#pragma once
 
 #include "doc/edit/edit.h"
 #include "doc/masonry/masonry-plan.h"
@@ -101,5 +100,3 @@ typedef struct QnToolSettings {
   char *joint_law;      /* name, given to joints; NULL: none of their own */
   gboolean mirror_copy; /* whether mirroring keeps the original */
 } QnToolSettings;
-
-#endif

@@ -1,6 +1,5 @@
 /* One run of a comparison: its mechanism, or its last displacements, and what it is called. */
-#ifndef QN_APP_COMPARE_CELL_H
-#define QN_APP_COMPARE_CELL_H
+#pragma once
 
 #include "core/base/vec2.h"
 #include "doc/document/run.h"
@@ -34,5 +33,3 @@ double qn_compare_cell_fit_scale (GtkWidget *cell);
 
 /* After a change of what the cell was told to show. */
 void qn_compare_cell_redraw (GtkWidget *cell);
-
-#endif

@@ -1,6 +1,5 @@
 /* The inside of the window of comparisons, shared by the files that make it up. */
-#ifndef QN_APP_COMPARE_PRIVATE_H
-#define QN_APP_COMPARE_PRIVATE_H
+#pragma once
 
 #include "app/dialogs/compare-cell.h"
 #include "app/dialogs/dialogs.h"
@@ -36,5 +35,3 @@ void qn_compare_fill_table (Compare *compare);
 /* Curves that share axes lie in one plot, the plots below each other. */
 void qn_compare_draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height,
                              gpointer compare);
-
-#endif

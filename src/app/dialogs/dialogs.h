@@ -1,7 +1,6 @@
 /* Dialogs over a window. Each gets what it works on, and functions by which it tells its window
  * what has come of it; what is passed must live as long as the window. */
-#ifndef QN_APP_DIALOGS_H
-#define QN_APP_DIALOGS_H
+#pragma once
 
 #include "doc/view/recipe.h"
 #include "doc/view/view-state.h"
@@ -49,5 +48,3 @@ void qn_compare_window_show (GtkWindow *parent, QnDocument *document,
 /* Writes runs (of QnRun) as one sheet; `titles`: one for each, or NULL for the names of the runs. */
 gboolean qn_compare_export (const GPtrArray *runs, const char *const *titles,
                             const char *path, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* The inside of the study window, shared by the files that make it up. */
-#ifndef QN_APP_STUDY_PRIVATE_H
-#define QN_APP_STUDY_PRIVATE_H
+#pragma once
 
 #include "app/dialogs/study-window.h"
 #include "study/cases/study-job.h"
@@ -83,5 +82,3 @@ void qn_study_window_open_case (QnStudyWindow *self);
 /* study-export.c: "table", "figure" or "mechanisms", to a file that is asked for, or to `path`. */
 void qn_study_window_export (QnStudyWindow *self, const char *what);
 void qn_study_window_export_to (QnStudyWindow *self, const char *what, const char *path);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * The study file lies beside the project and is written whenever the study is run; every state of
  * it has a folder of results of its own, so that the same study goes on where it stopped. */
-#ifndef QN_APP_STUDY_WINDOW_H
-#define QN_APP_STUDY_WINDOW_H
+#pragma once
 
 #include "app/dialogs/dialogs.h"
 
@@ -25,5 +24,3 @@ void qn_study_window_vary (GtkWindow *window, const char *path, double base);
 
 /* The force moves along a line that has been drawn. */
 void qn_study_window_move_load (GtkWindow *window, const char *path, const GArray *line);
-
-#endif

@@ -10,8 +10,7 @@
  * buttons, switches, toggle buttons whether they are on; scales and spin buttons their number;
  * entries and labels the text; a vertical box has a check for each row, and a bit of the number
  * says whether it is on. Plain buttons and lists call with no value but the row. */
-#ifndef QN_APP_BOUND_FORM_H
-#define QN_APP_BOUND_FORM_H
+#pragma once
 
 #include "app/canvas/canvas.h"
 #include "app/forms/form-value.h"
@@ -131,5 +130,3 @@ gpointer qn_bound_form_item (gconstpointer form, const QnModel *model);
 /* As entered by the user: the number of a field, or its text; while a step takes a value, that. */
 double qn_bound_form_get_number (gpointer form, guint field);
 char *qn_bound_form_dup_text (gpointer form, guint field); /* the caller frees it */
-
-#endif

@@ -1,6 +1,5 @@
 /* Values of the fields of forms (bound-form.h). */
-#ifndef QN_APP_FORM_VALUE_H
-#define QN_APP_FORM_VALUE_H
+#pragma once
 
 #include "core/model/model.h"
 #include <glib.h>
@@ -33,5 +32,3 @@ void qn_value_set_sections (QnValue *value, const QnModel *model, QnId section);
 
 /* Frees what it holds. */
 void qn_value_clear (QnValue *value);
-
-#endif

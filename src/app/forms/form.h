@@ -1,6 +1,5 @@
 /* What widgets of forms and panels hear and own. */
-#ifndef QN_APP_FORM_H
-#define QN_APP_FORM_H
+#pragma once
 
 #include "app/canvas/canvas.h"
 
@@ -10,5 +9,3 @@ void qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback 
 
 /* Frees `data` with g_free() when `owner` is gone. */
 void qn_own (GtkWidget *owner, gpointer data);
-
-#endif

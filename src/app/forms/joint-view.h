@@ -1,7 +1,6 @@
 /* The forces in the selected joint after a run: normal against shear force with the friction cone,
  * and both along the joint. */
-#ifndef QN_APP_JOINT_VIEW_H
-#define QN_APP_JOINT_VIEW_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -12,5 +11,3 @@ void qn_joint_view_init (GtkWidget *area);
 
 /* Takes over the points of the plot. */
 void qn_joint_view_set_plot (GtkWidget *view, const QnJointPlot *plot);
-
-#endif

@@ -1,6 +1,5 @@
 /* How the law answers a typical history of elongations. */
-#ifndef QN_APP_LAW_VIEW_H
-#define QN_APP_LAW_VIEW_H
+#pragma once
 
 #include "core/law/law.h"
 #include <gtk/gtk.h>
@@ -10,5 +9,3 @@ void qn_law_view_init (GtkWidget *area);
 
 /* Takes a copy. */
 void qn_law_view_set_law (GtkWidget *view, const QnLaw *law);
-
-#endif

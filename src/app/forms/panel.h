@@ -1,6 +1,5 @@
 /* The side panels of a window; each looks at the view state and the canvas of its window. */
-#ifndef QN_APP_PANEL_H
-#define QN_APP_PANEL_H
+#pragma once
 
 #include "app/canvas/canvas.h"
 
@@ -93,5 +92,3 @@ GtkWidget *qn_start_page_new (void);
 /* Play, step slider, speed and scale of results. */
 GtkWidget *qn_playback_bar_new (QnViewState *state);
 void qn_playback_bar_toggle (GtkWidget *bar);
-
-#endif

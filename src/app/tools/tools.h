@@ -1,6 +1,5 @@
 /* All tools. */
-#ifndef QN_APP_TOOLS_H
-#define QN_APP_TOOLS_H
+#pragma once
 
 #include "app/canvas/tool.h"
 
@@ -45,5 +44,3 @@ extern const QnTool qn_tool_path;
 
 /* Style of single blocks. */
 QnBlockStyle qn_tool_settings_get_block_style (const QnToolSettings *settings);
-
-#endif

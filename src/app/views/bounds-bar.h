@@ -1,8 +1,7 @@
 /* A line of multipliers from the least to the greatest value that was found for a model, each a mark
  * on it; the pointer over a mark, or a screen reader, is told how it was found. The part up to the
  * lower bound of limit analysis is drawn full, the part up to the upper bound faint. */
-#ifndef QN_APP_BOUNDS_BAR_H
-#define QN_APP_BOUNDS_BAR_H
+#pragma once
 
 #include "doc/document/bounds.h"
 #include <gtk/gtk.h>
@@ -19,5 +18,3 @@ char *qn_bounds_bar_dup_told (QnBoundsBar *bar, double x);
 
 /* Place of a mark on the widget, px. */
 double qn_bounds_bar_place (QnBoundsBar *bar, double value);
-
-#endif

@@ -1,6 +1,5 @@
 /* What is described in ui/NAME.ui. */
-#ifndef QN_APP_BUILDER_H
-#define QN_APP_BUILDER_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -13,5 +12,3 @@ GtkWidget *qn_builder_get_widget (GtkBuilder *builder, const char *id);
 
 /* The widget of that id, which nothing contains yet, floating: for a parent that outlives the builder. */
 GtkWidget *qn_builder_take_widget (GtkBuilder *builder, const char *id);
-
-#endif

@@ -1,6 +1,5 @@
 /* The list of a drop-down. */
-#ifndef QN_APP_CHOICE_LIST_H
-#define QN_APP_CHOICE_LIST_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -15,5 +14,3 @@ void qn_choice_list_fill (GtkDropDown *choice, const char *const *strings, guint
 
 /* Selects a row, without telling those handlers either. */
 void qn_choice_list_select (GtkDropDown *choice, guint selected, gpointer user_data);
-
-#endif

@@ -1,7 +1,6 @@
 /* Files that the user chooses, in one modal chooser at a time over a window or one of its dialogs, or
  * drops on a widget. */
-#ifndef QN_APP_CHOOSER_H
-#define QN_APP_CHOOSER_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -45,5 +44,3 @@ void qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *qu
  * must live as long as the widget. */
 typedef gboolean (*QnTakeFile) (GFile *file, gpointer data);
 void qn_accept_files (GtkWidget *widget, QnTakeFile take, gpointer data);
-
-#endif

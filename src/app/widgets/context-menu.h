@@ -1,6 +1,5 @@
 /* Context menus: opened by the right button, by the Menu key and by Shift+F10. */
-#ifndef QN_APP_CONTEXT_MENU_H
-#define QN_APP_CONTEXT_MENU_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -28,5 +27,3 @@ void qn_menu_add_target (GMenu *menu, const char *label, const char *action,
 
 /* Appends a section that is taken over, if it has items. */
 void qn_menu_add_section (GMenu *menu, GMenu *section);
-
-#endif

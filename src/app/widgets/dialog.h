@@ -1,6 +1,5 @@
 /* Windows that ask something: over their parent, closed by Escape. */
-#ifndef QN_APP_DIALOG_H
-#define QN_APP_DIALOG_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -28,5 +27,3 @@ char *qn_dialog_dup_chosen_path (GtkNativeDialog *chooser, const char *const *en
 /* The same for a path. */
 char *qn_dialog_complete_path (const char *path, const char *const *endings,
                                GError **error);
-
-#endif

@@ -1,7 +1,6 @@
 /* The manual: in Yelp where it is installed and the desktop shows help, else in a window of the
  * program, which holds the same pages. */
-#ifndef QN_APP_HELP_H
-#define QN_APP_HELP_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -14,5 +13,3 @@ const char *qn_help_find_page (GtkWidget *widget);
 
 /* Shows a page; NULL is the first one. */
 void qn_help_show (GtkWindow *parent, const char *page);
-
-#endif

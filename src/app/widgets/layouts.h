@@ -1,6 +1,5 @@
 /* Layouts of boxes that GTK does not have. */
-#ifndef QN_APP_LAYOUTS_H
-#define QN_APP_LAYOUTS_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -15,5 +14,3 @@ void qn_layout_wrap_pair (GtkWidget *box);
 /* Children of one size, from top to bottom in as many columns as the height needs, all but the last
  * full: three at most. */
 void qn_layout_columns (GtkWidget *box);
-
-#endif

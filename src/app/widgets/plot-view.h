@@ -1,8 +1,7 @@
 /* A drawing area that shows a plot, on paper in a dark window too. Ctrl and the wheel zoom, once it has been
  * clicked the wheel alone or plus and minus; the middle button pans; a double click or 0 shows all
  * again. */
-#ifndef QN_APP_PLOT_VIEW_H
-#define QN_APP_PLOT_VIEW_H
+#pragma once
 
 #include "render/figure/plot.h"
 #include <gtk/gtk.h>
@@ -38,5 +37,3 @@ void qn_plot_view_fit (GtkWidget *area);
 /* Where what was drawn last lies; the values at a place. */
 const QnPlotPlace *qn_plot_view_get_place (GtkWidget *area);
 QnVec2 qn_plot_place_value (const QnPlotPlace *place, QnVec2 at);
-
-#endif

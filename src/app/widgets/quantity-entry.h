@@ -3,8 +3,7 @@
  * Emits "committed" when the user has entered a new, valid value (Enter, or leaving the
  * field). What cannot be read, or lies outside of the limits, is marked and not committed.
  * Properties of .ui files: "quantity" (length, stress, …), "least", "most". */
-#ifndef QN_APP_QUANTITY_ENTRY_H
-#define QN_APP_QUANTITY_ENTRY_H
+#pragma once
 
 #include "doc/text/units.h"
 #include <gtk/gtk.h>
@@ -35,5 +34,3 @@ void qn_quantity_entry_set_value (QnQuantityEntry *entry, double value);
 
 /* There is no one value: the entry is empty and says so, and any value that is entered is new. */
 void qn_quantity_entry_set_mixed (QnQuantityEntry *entry);
-
-#endif

@@ -1,7 +1,6 @@
 /* A row of a form: a label with a mnemonic, and the field that it names, also for screen readers.
  * Shown exactly while its field is. Properties: "label", "field". */
-#ifndef QN_APP_ROW_H
-#define QN_APP_ROW_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -15,5 +14,3 @@ GtkWidget *qn_row_get_field (QnRow *row);
 
 /* Its label without the mark of the mnemonic; the caller frees it. */
 char *qn_row_dup_name (QnRow *row);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the user has chosen once for all windows. */
-#ifndef QN_APP_SETTINGS_H
-#define QN_APP_SETTINGS_H
+#pragma once
 
 #include "doc/text/units.h"
 #include <gio/gio.h>
@@ -17,5 +16,3 @@ void qn_settings_apply_style (void);
 
 /* Whether movement should be kept to a minimum. */
 gboolean qn_settings_reduced_motion (void);
-
-#endif

@@ -1,6 +1,5 @@
 /* Labels that are cut short where there is no room for them. */
-#ifndef QN_APP_SHORTENED_H
-#define QN_APP_SHORTENED_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -13,5 +12,3 @@ void qn_shortened_set (GtkLabel *label, PangoEllipsizeMode mode);
 
 /* The folder of a file, with "~" for the user's own. The caller frees it. */
 char *qn_shortened_dup_folder (const char *path);
-
-#endif

@@ -1,6 +1,5 @@
 /* What is drawn by Cairo grows with the text that the user has set. */
-#ifndef QN_APP_TEXT_UNIT_H
-#define QN_APP_TEXT_UNIT_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -8,5 +7,3 @@
  * the widget: QN_TEXT_UNIT where that has 10 points at 96 dpi, and never less. */
 #define QN_TEXT_UNIT (96.0 / 72.0)
 double qn_text_unit (GtkWidget *widget);
-
-#endif

@@ -1,8 +1,7 @@
 /* Every action of the program and its windows, with its shortcut, and when it can be carried out.
  * Accelerators, the window of shortcuts and the shortcuts in tooltips are made from this table;
  * actions that menus, buttons and sources name are checked against it. */
-#ifndef QN_APP_ACTION_TABLE_H
-#define QN_APP_ACTION_TABLE_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -72,5 +71,3 @@ void qn_action_add_accelerators (GtkApplication *application);
 
 /* The window of shortcuts, for one main window. */
 GtkShortcutsWindow *qn_action_new_shortcuts_window (void);
-
-#endif

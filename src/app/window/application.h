@@ -1,6 +1,5 @@
 /* The program: windows, menus, shortcuts, command line of `quoin`. */
-#ifndef QN_APP_APPLICATION_H
-#define QN_APP_APPLICATION_H
+#pragma once
 
 #include <gtk/gtk.h>
 
@@ -9,5 +8,3 @@ G_DECLARE_FINAL_TYPE (QnApplication, qn_application, QN, APPLICATION, GtkApplica
 
 /* The application, one per process: opens files, one window each. Owned by the caller. */
 QnApplication *qn_application_new (void);
-
-#endif

@@ -1,6 +1,5 @@
 /* The inside of a window, shared by the files that make it up. */
-#ifndef QN_APP_WINDOW_PRIVATE_H
-#define QN_APP_WINDOW_PRIVATE_H
+#pragma once
 
 #include "app/widgets/chooser.h"
 #include "app/window/window.h"
@@ -158,5 +157,3 @@ typedef struct QnWindowAction {
 } QnWindowAction;
 void qn_window_add_action_table (QnWindow *window, const QnWindowAction *actions,
                                  gsize count);
-
-#endif

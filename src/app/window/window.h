@@ -1,6 +1,5 @@
 /* A window: one document with its drawing, panels and actions. */
-#ifndef QN_APP_WINDOW_H
-#define QN_APP_WINDOW_H
+#pragma once
 
 #include "app/canvas/canvas.h"
 #include <gtk/gtk.h>
@@ -50,5 +49,3 @@ void qn_window_show_error (QnWindow *window, const char *message);
 /* The same for what went well; it goes by itself. */
 void qn_window_show_message (QnWindow *window, const char *message);
 void qn_window_show_error_at (QnWindow *window, const char *message, QnVec2 at);
-
-#endif

@@ -1,6 +1,5 @@
 /* What "solve" and "limit" share: a project in, an analysis, a result out. */
-#ifndef QN_CLI_CMD_SOLVE_H
-#define QN_CLI_CMD_SOLVE_H
+#pragma once
 
 #include "cli/base/subcommand.h"
 #include "core/result/result.h"
@@ -12,5 +11,3 @@ QnExit qn_cmd_solve_run (const QnSubcommand *self, const char *override, int arg
 
 /* Prints what limit analysis found about the model with this title. */
 void qn_cmd_limit_print (const char *title, const QnResult *result);
-
-#endif

@@ -1,6 +1,5 @@
 /* The derivatives of the associative multiplier as a table. */
-#ifndef QN_CLI_SENSITIVITY_H
-#define QN_CLI_SENSITIVITY_H
+#pragma once
 
 #include "cli/base/exit-code.h"
 #include "core/result/result.h"
@@ -10,5 +9,3 @@
  * non-associative flow (QN_EXIT_USAGE), or without collapse (nothing is said; QN_EXIT_DONE). */
 QnExit qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
                              const QnResult *result);
-
-#endif

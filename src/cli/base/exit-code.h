@@ -1,6 +1,5 @@
 /* Exit codes of quoin-cli; scripts rely on them. */
-#ifndef QN_CLI_EXIT_CODE_H
-#define QN_CLI_EXIT_CODE_H
+#pragma once
 
 typedef enum {
   QN_EXIT_DONE = 0,       /* a collapse that was found is a success */
@@ -11,5 +10,3 @@ typedef enum {
   QN_EXIT_FILE = 5,       /* a file cannot be read or written */
   QN_EXIT_CANCELLED = 130 /* by Ctrl+C; what had converged is kept */
 } QnExit;
-
-#endif

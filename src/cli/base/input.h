@@ -1,6 +1,5 @@
 /* A project with its contacts, as every subcommand that reads a MODEL needs it. */
-#ifndef QN_CLI_INPUT_H
-#define QN_CLI_INPUT_H
+#pragma once
 
 #include "cli/base/exit-code.h"
 #include "io/project/project.h"
@@ -80,5 +79,3 @@ QnExit qn_input_load_for_result (QnInput *input, QnResultFile *file, const char 
                                  gboolean *same_bytes);
 
 void qn_input_clear (QnInput *input);
-
-#endif

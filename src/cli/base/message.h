@@ -1,6 +1,5 @@
 /* What quoin-cli says on standard error: one line per message, "quoin-cli: " in front. */
-#ifndef QN_CLI_MESSAGE_H
-#define QN_CLI_MESSAGE_H
+#pragma once
 
 #include "cli/base/exit-code.h"
 
@@ -35,5 +34,3 @@ QnExit qn_cli_end (GError *error);
 
 /* Tells that the analysis of this project was cancelled; QN_EXIT_CANCELLED. */
 QnExit qn_cli_cancelled (const char *project);
-
-#endif

@@ -1,6 +1,5 @@
 /* Options that all subcommands which make a picture share. */
-#ifndef QN_CLI_PICTURE_H
-#define QN_CLI_PICTURE_H
+#pragma once
 
 #include "cli/base/exit-code.h"
 #include "cli/base/subcommand.h"
@@ -40,5 +39,3 @@ QnExit qn_picture_page (const QnSubcommand *self, const QnPictureOptions *option
 /* The same for a picture or a table. */
 QnExit qn_picture_or_table (const QnSubcommand *self, const QnPictureOptions *options,
                             QnOutput *output);
-
-#endif

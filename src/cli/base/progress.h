@@ -1,6 +1,5 @@
 /* Progress on a terminal, and Ctrl+C. */
-#ifndef QN_CLI_PROGRESS_H
-#define QN_CLI_PROGRESS_H
+#pragma once
 
 #include "core/base/progress.h"
 
@@ -28,5 +27,3 @@ bool qn_terminal_progress_update (const QnProgress *progress, void *user_data);
 
 /* Clears the line. */
 void qn_terminal_progress_done (QnTerminalProgress *progress);
-
-#endif

@@ -1,8 +1,7 @@
 /* Text for a terminal. Names and titles come from files of anybody: an escape sequence in one could
  * rewrite the window's title, hide lines or turn their order, so it is shown as \u001b.
  */
-#ifndef QN_CLI_SHOWN_TEXT_H
-#define QN_CLI_SHOWN_TEXT_H
+#pragma once
 
 #include "cli/base/exit-code.h"
 
@@ -23,5 +22,3 @@ QnExit qn_shown_text_end (QnExit code);
 /* Lets everything that is printed on standard output pass through it. Files that are written there
  * ("-o -") do not. */
 void qn_shown_text_on_standard_output (void);
-
-#endif

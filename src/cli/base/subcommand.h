@@ -4,8 +4,7 @@
  * them in the order of the overall help. A new one needs these three: its file, a line below
  * and a line in the table.
  */
-#ifndef QN_CLI_SUBCOMMAND_H
-#define QN_CLI_SUBCOMMAND_H
+#pragma once
 
 #include "cli/base/exit-code.h"
 
@@ -56,5 +55,3 @@ gboolean qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entr
 
 /* Frees the strings and lists that parsing has put where the entries say. */
 void qn_subcommand_free_values (const GOptionEntry *entries);
-
-#endif

@@ -1,7 +1,6 @@
 /* A project with its result, as the subcommands that show results need it: what is not there is
  * solved. */
-#ifndef QN_CLI_SHEET_INPUT_H
-#define QN_CLI_SHEET_INPUT_H
+#pragma once
 
 #include "cli/base/input.h"
 #include "doc/view/sheet.h"
@@ -32,5 +31,3 @@ void qn_sheet_items_free (QnSheetItem *items, gsize count);
 /* They as a sheet takes them: borrows from both, named by the results of the arguments. Free with g_free(). */
 QnSheetRun *qn_sheet_items_get_runs (const QnSheetItem *items, char **arguments,
                                      gsize count);
-
-#endif

@@ -1,6 +1,5 @@
 /* The actions of `quoin-cli study`: subcommands whose names begin with "study ". */
-#ifndef QN_CLI_CMD_STUDY_H
-#define QN_CLI_CMD_STUDY_H
+#pragma once
 
 #include "cli/base/subcommand.h"
 #include "study/cases/run.h"
@@ -15,5 +14,3 @@ QnExit qn_study_compute (const QnStudy *study, const char *folder, const char *n
 extern const QnSubcommand qn_study_action_table;
 extern const QnSubcommand qn_study_action_summary;
 extern const QnSubcommand qn_study_action_plot;
-
-#endif

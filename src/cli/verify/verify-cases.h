@@ -2,8 +2,7 @@
  *
  * The models are the files of examples/, compiled into the program, so that it can be verified
  * wherever it is installed. */
-#ifndef QN_CLI_VERIFY_CASES_H
-#define QN_CLI_VERIFY_CASES_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -51,5 +50,3 @@ typedef struct QnVerifyGroup {
 
 /* All groups; their number in *count. A static array. */
 const QnVerifyGroup *qn_verify_groups (gsize *count);
-
-#endif

@@ -1,6 +1,5 @@
 /* Computing what a case of "quoin-cli verify" compares. */
-#ifndef QN_CLI_VERIFY_RUN_H
-#define QN_CLI_VERIFY_RUN_H
+#pragma once
 
 #include "cli/base/input.h"
 #include "cli/verify/verify-cases.h"
@@ -12,5 +11,3 @@
 QnStatus qn_verify_run (const QnVerifyCase *test, const QnInput *input,
                         QnProgressFunc progress, void *user_data, QnResult *result,
                         double *value, QnDiag *diag);
-
-#endif

@@ -1,6 +1,5 @@
 /* Private to the assembly: what its files share. */
-#ifndef QN_CORE_ASSEMBLY_PARTS_H
-#define QN_CORE_ASSEMBLY_PARTS_H
+#pragma once
 
 #include "core/assembly/assembly.h"
 
@@ -31,5 +30,3 @@ void qn_assembly_subtract_face_forces (const QnAssembly *assembly, const double 
  * pair p stands at tangents[p x stride]. */
 void qn_assembly_add_face_tangents (QnAssembly *assembly, const double *tangents,
                                     size_t stride);
-
-#endif

@@ -10,8 +10,7 @@
  * Pairs have a committed memory, from which every evaluation starts, and a trial memory,
  * which the last evaluation left. qn_assembly_commit() makes the trial the committed one.
  */
-#ifndef QN_CORE_ASSEMBLY_H
-#define QN_CORE_ASSEMBLY_H
+#pragma once
 
 #include "core/assembly/beam-assembly.h"
 #include "core/base/memory.h"
@@ -246,5 +245,3 @@ void qn_assembly_expand_rates (const QnAssembly *assembly, const double *u,
 /* State, forces and springs of every pair at the last evaluation, which was at u. */
 void qn_assembly_pair_results (const QnAssembly *assembly, const double *u,
                                QnPairResult *results);
-
-#endif

@@ -10,8 +10,7 @@
  * and half. Moments at the ends are exact in statically determinate members either way; what is
  * reported as end forces is in equilibrium with the load itself.
  */
-#ifndef QN_CORE_BEAM_ASSEMBLY_H
-#define QN_CORE_BEAM_ASSEMBLY_H
+#pragma once
 
 #include "core/assembly/beam-element.h"
 #include "core/base/memory.h"
@@ -147,5 +146,3 @@ void qn_beam_assembly_tension (QnBeamAssembly *beams);
 /* Section forces of every element of beams at the last evaluation under dead + multiplier live load. */
 void qn_beam_assembly_forces (const QnBeamAssembly *beams, double multiplier,
                               QnBeamForces *forces);
-
-#endif

@@ -17,8 +17,7 @@
  *
  * Moments M on the ends are counter-clockwise; displacements in the order u1 v1 r1 u2 v2 r2.
  */
-#ifndef QN_CORE_BEAM_ELEMENT_H
-#define QN_CORE_BEAM_ELEMENT_H
+#pragma once
 
 #include "core/model/beam.h"
 #include "core/model/tie.h"
@@ -91,5 +90,3 @@ void qn_beam_mass (const QnBeamProperties *properties, double mass[6][6]);
  * the ends (see QnBeamForces), so that hinges show as kinks; q: N/m along y. */
 double qn_beam_deflection (const QnBeamProperties *properties, const double moments[2],
                            double q, double s);
-
-#endif

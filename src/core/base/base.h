@@ -3,8 +3,7 @@
  * The core is plain C11 with libm and SuiteSparse: no GLib, no input or output, no threads,
  * no global state. All quantities are SI (m, N, kg, s, rad) unless a comment says otherwise.
  */
-#ifndef QN_CORE_BASE_H
-#define QN_CORE_BASE_H
+#pragma once
 
 #include <assert.h>
 #include <stdbool.h>
@@ -49,5 +48,3 @@ typedef enum {
   QN_DOF_RZ, /* rotation about the centroid, rad, counter-clockwise positive */
   QN_DOF_COUNT
 } QnDof;
-
-#endif

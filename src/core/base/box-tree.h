@@ -5,8 +5,7 @@
  * splinters in one corner, costs nothing extra. Building takes O(n log n), a query O(log n + k)
  * for well-separated boxes. Source: Kamel & Faloutsos, "On packing R-trees" (1993).
  */
-#ifndef QN_CORE_BOX_TREE_H
-#define QN_CORE_BOX_TREE_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/box.h"
@@ -58,5 +57,3 @@ bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most,
                         QnBoxPairs *pairs);
 
 void qn_box_pairs_clear (QnBoxPairs *pairs);
-
-#endif

@@ -1,6 +1,5 @@
 /* Axis-parallel boxes. */
-#ifndef QN_CORE_BOX_H
-#define QN_CORE_BOX_H
+#pragma once
 
 #include "core/base/numbers.h"
 #include "core/base/vec2.h"
@@ -110,5 +109,3 @@ qn_box_meets_within (QnBox a, QnBox b, double margin)
   return a.min.x <= b.max.x + margin && b.min.x <= a.max.x + margin
          && a.min.y <= b.max.y + margin && b.min.y <= a.max.y + margin;
 }
-
-#endif

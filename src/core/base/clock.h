@@ -1,6 +1,5 @@
 /* Time, for the statistics of an analysis only: no result depends on it. */
-#ifndef QN_CORE_CLOCK_H
-#define QN_CORE_CLOCK_H
+#pragma once
 
 #include <time.h>
 
@@ -13,5 +12,3 @@ qn_clock_seconds (void)
   clock_gettime (CLOCK_MONOTONIC, &now);
   return (double) now.tv_sec + 1e-9 * (double) now.tv_nsec;
 }
-
-#endif

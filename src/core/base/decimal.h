@@ -1,6 +1,5 @@
 /* Decimal numbers in names; the core has no printf. */
-#ifndef QN_CORE_DECIMAL_H
-#define QN_CORE_DECIMAL_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -9,5 +8,3 @@
 
 /* Writes a number >= 0 and a terminating zero; returns the place of that zero. */
 char *qn_write_decimal (char *out, int32_t number);
-
-#endif

@@ -4,8 +4,7 @@
  * undefined. The whole program converts here: no other place may cast a double to an integer
  * (held by tests/checks/test-conversions.c).
  */
-#ifndef QN_CORE_INTEGER_H
-#define QN_CORE_INTEGER_H
+#pragma once
 
 #include <stdint.h>
 
@@ -19,5 +18,3 @@ qn_to_integer (double value, int64_t least, int64_t most)
     return least;
   return value < (double) most ? (int64_t) value : most;
 }
-
-#endif

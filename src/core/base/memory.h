@@ -3,8 +3,7 @@
  * Every function may fail and returns NULL or false then. The core never aborts when memory is
  * exhausted. Blocks are released with free().
  */
-#ifndef QN_CORE_MEMORY_H
-#define QN_CORE_MEMORY_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -54,5 +53,3 @@ void *qn_pool_alloc (QnPool *pool, size_t count, size_t size);
 void *qn_pool_lines (QnPool *pool, size_t count, size_t size);
 
 void qn_pool_clear (QnPool *pool);
-
-#endif

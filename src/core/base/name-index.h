@@ -4,8 +4,7 @@
  * `char *name`; array and struct size are passed along with every call, since the array may
  * have moved in between. A zeroed index is empty.
  */
-#ifndef QN_CORE_NAME_INDEX_H
-#define QN_CORE_NAME_INDEX_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -24,5 +23,3 @@ QnId qn_name_index_find (const QnNameIndex *index, const void *items, size_t ite
                          const char *name);
 
 void qn_name_index_clear (QnNameIndex *index);
-
-#endif

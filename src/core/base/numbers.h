@@ -1,6 +1,5 @@
 /* Largest and smallest numbers, their order, and the range that given ones must keep. */
-#ifndef QN_CORE_NUMBERS_H
-#define QN_CORE_NUMBERS_H
+#pragma once
 
 #include "core/base/problem.h"
 
@@ -67,5 +66,3 @@ qn_largest (const double *values, size_t count)
     largest = fmax (largest, fabs (values[i]));
   return largest;
 }
-
-#endif

@@ -3,8 +3,7 @@
  * All sums run over coordinates relative to the first vertex, so a polygon a million metres
  * from the origin keeps its digits. Nothing here allocates except qn_polygon_check().
  */
-#ifndef QN_CORE_POLYGON_H
-#define QN_CORE_POLYGON_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/problem.h"
@@ -46,5 +45,3 @@ typedef struct QnPolygonFlaw {
  * rounding (QN_TOLERANCE_POLYGON of its size) count as none, so a polygon that touches itself is
  * refused like one that crosses itself. O(n log n) but for adversaries. */
 QnPolygonFlaw qn_polygon_check (const QnVec2 *vertices, size_t count);
-
-#endif

@@ -5,8 +5,7 @@
  * case and name no entity, because the layer that prints them puts "file:line:column: path: "
  * in front.
  */
-#ifndef QN_CORE_PROBLEM_H
-#define QN_CORE_PROBLEM_H
+#pragma once
 
 /* clang-format off */
 #define QN_PROBLEMS(X) \
@@ -179,5 +178,3 @@ typedef enum {
 
 /* The English sentence of a problem; a static string. */
 const char *qn_problem_text (QnProblem problem);
-
-#endif

@@ -1,6 +1,5 @@
 /* Progress and cancelling of long computations, through one callback. */
-#ifndef QN_CORE_PROGRESS_H
-#define QN_CORE_PROGRESS_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -19,5 +18,3 @@ typedef struct QnProgress {
 /* Called at least once per iteration, from the thread that computes; returns false to cancel.
  * What has converged by then is kept. */
 typedef bool (*QnProgressFunc) (const QnProgress *progress, void *user_data);
-
-#endif

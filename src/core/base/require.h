@@ -1,7 +1,6 @@
 /* Rules that an input must keep, one after the other: a chain joined by && ends at the first one that is
  * broken, which the diagnosis then holds. */
-#ifndef QN_CORE_REQUIRE_H
-#define QN_CORE_REQUIRE_H
+#pragma once
 
 #include "core/base/numbers.h"
 #include "core/base/status.h"
@@ -34,5 +33,3 @@ qn_required (bool holds)
 {
   return holds ? QN_OK : QN_ERROR_INVALID;
 }
-
-#endif

@@ -6,8 +6,7 @@
  *   numerical outcome    QnOutcome inside QnResult, never an error (see result.h)
  *   warnings             QnFindings (see finding.h)
  */
-#ifndef QN_CORE_STATUS_H
-#define QN_CORE_STATUS_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/problem.h"
@@ -75,5 +74,3 @@ QnStatus qn_diag_set_field (QnDiag *diag, QnProblem problem, QnEntity entity, Qn
 
 /* Shorthand for an allocation that failed. */
 QnStatus qn_diag_no_memory (QnDiag *diag);
-
-#endif

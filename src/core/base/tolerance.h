@@ -1,7 +1,6 @@
 /* Tolerances of geometry, laws and solutions, each with its reason. Relative unless a unit is given.
  * What steers one method alone stands at the beginning of its file. */
-#ifndef QN_CORE_TOLERANCE_H
-#define QN_CORE_TOLERANCE_H
+#pragma once
 
 #include <float.h>
 
@@ -77,5 +76,3 @@
 /* Entries of a stiffness and of its transpose that differ by more than this part of the largest
  * make it unsymmetric. */
 #define QN_TOLERANCE_SYMMETRIC 1e-9
-
-#endif

@@ -1,8 +1,7 @@
 /* Sets of items that are joined one after the other: a forest in an array of parents. The root of
  * a set is its least item. Source: Tarjan and van Leeuwen, "Worst-case analysis of set union
  * algorithms" (1984), path halving. */
-#ifndef QN_CORE_UNION_FIND_H
-#define QN_CORE_UNION_FIND_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -29,5 +28,3 @@ qn_sets_join (QnId *parents, QnId a, QnId b)
   b = qn_sets_root (parents, b);
   parents[a > b ? a : b] = a > b ? b : a;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Plane vectors. Counter-clockwise is positive; the z component of a cross product is a scalar. */
-#ifndef QN_CORE_VEC2_H
-#define QN_CORE_VEC2_H
+#pragma once
 
 #include <math.h>
 
@@ -90,5 +89,3 @@ qn_vec2_rotate (QnVec2 a, double cosine, double sine)
 {
   return (QnVec2){ cosine * a.x - sine * a.y, sine * a.x + cosine * a.y };
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Threads that a caller lends for work whose parts do not touch each other. The core starts none. */
-#ifndef QN_CORE_WORKERS_H
-#define QN_CORE_WORKERS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -25,5 +24,3 @@ qn_workers_run (const QnWorkers *workers, int32_t count,
   for (int32_t i = 0; i < count; i++)
     part (data, i);
 }
-
-#endif

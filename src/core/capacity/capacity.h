@@ -17,8 +17,7 @@
  * Gamma = delta_k sum P_i delta_i / sum P_i delta_i^2 and M* = m* Gamma.
  * docs/method/capacity.md explains all of it, with an example by hand.
  */
-#ifndef QN_CORE_CAPACITY_H
-#define QN_CORE_CAPACITY_H
+#pragma once
 
 #include "core/capacity/spectrum.h"
 #include "core/result/result.h"
@@ -151,5 +150,3 @@ QnEnDemand qn_capacity_en_demand (const QnCapacity *capacity, const QnSpectrum *
 
 QnCapacityState qn_capacity_check_en (const QnCapacity *capacity,
                                       const QnEnDemand *demand, QnEnState state);
-
-#endif

@@ -13,8 +13,7 @@
  * The curve alpha(d) is that of the chain as it moves on, without ties: C8.7.1.2.1.6 counts what is
  * known to act until collapse, and a tie has no elongation here at which it breaks.
  * docs/method/capacity.md has examples by hand. */
-#ifndef QN_CORE_KINEMATIC_H
-#define QN_CORE_KINEMATIC_H
+#pragma once
 
 #include "core/capacity/capacity.h"
 #include "core/result/mechanism.h"
@@ -42,5 +41,3 @@ typedef struct QnLinearCheck {
 
 QnLinearCheck qn_capacity_check_linear (const QnCapacity *capacity,
                                         const QnSpectrum *spectrum, double confidence);
-
-#endif

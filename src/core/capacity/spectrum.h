@@ -15,8 +15,7 @@
  * POINTS are joined by straight lines; before the first period the acceleration is that of the
  * first point, after the last one the displacement that of the last.
  */
-#ifndef QN_CORE_SPECTRUM_H
-#define QN_CORE_SPECTRUM_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/vec2.h"
@@ -58,5 +57,3 @@ double qn_spectrum_largest_displacement (const QnSpectrum *spectrum, double peri
 /* TC, where the range of constant acceleration ends, s. Of POINTS 2 pi times the largest
  * pseudo-velocity over the largest acceleration, which is TC where they are those of EN 1998-1. */
 double qn_spectrum_corner (const QnSpectrum *spectrum);
-
-#endif

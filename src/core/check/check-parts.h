@@ -1,6 +1,5 @@
 /* What the parts of the check of a result share; private to this room. */
-#ifndef QN_CORE_CHECK_PARTS_H
-#define QN_CORE_CHECK_PARTS_H
+#pragma once
 
 #include "core/assembly/assembly.h"
 #include "core/check/result-check.h"
@@ -139,5 +138,3 @@ QnStatus qn_check_bounds (QnCheck *check, QnDiag *diag);
  * the assembly was last evaluated. */
 void qn_check_history (QnCheck *check);
 QnStatus qn_check_motion (QnCheck *check, size_t step, QnDiag *diag);
-
-#endif

@@ -5,8 +5,7 @@
  * them: K - s M has as many negative eigenvalues as there are w^2 below s, where M is positive definite
  * (Parlett, The Symmetric Eigenvalue Problem, 1998, 3.3).
  */
-#ifndef QN_CORE_MODE_PROOF_H
-#define QN_CORE_MODE_PROOF_H
+#pragma once
 
 #include "core/assembly/assembly.h"
 #include "core/linalg/inertia.h"
@@ -47,5 +46,3 @@ double qn_mode_proof_skewness (QnModeProof *proof, size_t count, const double *c
  * count open it is told as it is. False when memory runs out. */
 bool qn_mode_proof_count (QnModeProof *proof, double square, int32_t *below,
                           int32_t *up_to);
-
-#endif

@@ -33,8 +33,7 @@
  *                  kinetic one is that of the velocities, the elastic one that of the forces; peaks
  *                  and tracks are those of the steps; what is at rest is slow
  */
-#ifndef QN_CORE_RESULT_CHECK_H
-#define QN_CORE_RESULT_CHECK_H
+#pragma once
 
 #include "core/result/result.h"
 
@@ -73,5 +72,3 @@ typedef enum {
 QnStatus qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
                                 const QnResult *result, QnCheckDepth depth,
                                 QnResultFaults *faults, QnDiag *diag);
-
-#endif

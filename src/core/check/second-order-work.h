@@ -7,8 +7,7 @@
  * and stability in elastic-plastic solids, J. Mech. Phys. Solids 6). Where the forces have a potential
  * no stable state offers such a way, but where a maximum higher by less than QN_PUSH is near. Where
  * friction is not associative a state may offer one and stand all the same. */
-#ifndef QN_CORE_SECOND_ORDER_WORK_H
-#define QN_CORE_SECOND_ORDER_WORK_H
+#pragma once
 
 #include "core/assembly/assembly.h"
 
@@ -19,5 +18,3 @@
  * 0. All of unknowns, as is the scratch. The assembly is left displaced. */
 bool qn_moves_on (QnAssembly *assembly, const double *u, double multiplier, double driven,
                   const double *velocity, double *moved, double *residual);
-
-#endif

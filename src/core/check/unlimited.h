@@ -7,8 +7,7 @@
  * is in stable equilibrium. Moments are different, for a block that turns on and on lowers their potential
  * without end.
  */
-#ifndef QN_CORE_UNLIMITED_H
-#define QN_CORE_UNLIMITED_H
+#pragma once
 
 #include "core/contact/contacts.h"
 
@@ -17,5 +16,3 @@
  * and every block connected by joints to one whose translations are fixed. QN_ERROR_NO_MEMORY. */
 QnStatus qn_check_unlimited (const QnModel *model, const QnContacts *contacts,
                              bool *unlimited, QnDiag *diag);
-
-#endif

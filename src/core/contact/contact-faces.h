@@ -1,6 +1,5 @@
 /* Narrow phase of contact detection: the common stretches of the sides of two blocks. */
-#ifndef QN_CORE_CONTACT_FACES_H
-#define QN_CORE_CONTACT_FACES_H
+#pragma once
 
 #include "core/contact/contact-search.h"
 
@@ -26,5 +25,3 @@ typedef struct QnContactMatches {
 bool qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b,
                             QnContactMatches *matches, QnContacts *contacts,
                             QnTouches *touches);
-
-#endif

@@ -25,8 +25,7 @@
  * carries nothing at that depth, its inset: its elongation is measured from the inset until the
  * corner has left the block. So no contact has energy without work.
  */
-#ifndef QN_CORE_CONTACT_FOLLOW_H
-#define QN_CORE_CONTACT_FOLLOW_H
+#pragma once
 
 #include "core/base/box-tree.h"
 #include "core/contact/contact-side.h"
@@ -127,5 +126,3 @@ bool qn_contacts_set_inset (QnContacts *contacts, size_t pair, double inset);
 /* The faces as drawn between two blocks, whichever is a: [first, end). */
 void qn_contacts_between (const QnContacts *drawn, QnId a, QnId b, size_t *first,
                           size_t *end);
-
-#endif

@@ -1,6 +1,5 @@
 /* Blocks that touch at a point only, touch nothing, or are not held by any support. */
-#ifndef QN_CORE_CONTACT_LOOSE_H
-#define QN_CORE_CONTACT_LOOSE_H
+#pragma once
 
 #include "core/contact/contact-faces.h"
 
@@ -11,5 +10,3 @@ QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *co
 /* Appends findings for blocks that touch nothing or hang on nothing. */
 QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
                                    QnDiag *diag);
-
-#endif

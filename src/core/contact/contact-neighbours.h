@@ -1,7 +1,6 @@
 /* Broad phase of contact detection: the pairs of blocks whose boxes meet, and what is found
  * between them. */
-#ifndef QN_CORE_CONTACT_NEIGHBOURS_H
-#define QN_CORE_CONTACT_NEIGHBOURS_H
+#pragma once
 
 #include "core/contact/contact-search.h"
 
@@ -16,5 +15,3 @@
  * TOO_MANY_OVERLAPS. */
 QnStatus qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts,
                                 QnDiag *diag);
-
-#endif

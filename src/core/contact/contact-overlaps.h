@@ -1,6 +1,5 @@
 /* Blocks that overlap, and how deep. */
-#ifndef QN_CORE_CONTACT_OVERLAPS_H
-#define QN_CORE_CONTACT_OVERLAPS_H
+#pragma once
 
 #include "core/contact/contact-search.h"
 
@@ -12,5 +11,3 @@ typedef struct QnContactCuts {
 /* Appends a finding if blocks a < b overlap; false when memory runs out. */
 bool qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
                                QnContactCuts *cuts, QnFindings *findings);
-
-#endif

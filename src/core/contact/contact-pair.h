@@ -6,8 +6,7 @@
  * form); others are solved by an internal Newton iteration (HybriDFEM, section 2.2; see
  * pair-series.h).
  */
-#ifndef QN_CORE_CONTACT_PAIR_H
-#define QN_CORE_CONTACT_PAIR_H
+#pragma once
 
 #include "core/law/spring.h"
 
@@ -133,5 +132,3 @@ QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
 QnPairState qn_pair_state_of_force (const QnPairSprings *springs,
                                     const QnPairMemory *memory, QnPairState state,
                                     const double force[2], double little);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the steps of contact detection share: lengths that count, sides, broad phase. */
-#ifndef QN_CORE_CONTACT_SEARCH_H
-#define QN_CORE_CONTACT_SEARCH_H
+#pragma once
 
 #include "core/base/box-tree.h"
 #include "core/contact/contact-side.h"
@@ -88,5 +87,3 @@ qn_side_walk_next (QnSideWalk *walk)
   }
   return NULL;
 }
-
-#endif

@@ -3,8 +3,7 @@
  * Vertices that lie on a straight line, as where a neighbour's corner was welded in, do not end
  * a side: one joint stays one contact face.
  */
-#ifndef QN_CORE_CONTACT_SIDE_H
-#define QN_CORE_CONTACT_SIDE_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -29,5 +28,3 @@ typedef struct QnSides {
 bool qn_sides_init (QnSides *sides, const QnModel *model, double tolerance);
 
 void qn_sides_clear (QnSides *sides);
-
-#endif

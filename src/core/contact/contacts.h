@@ -4,8 +4,7 @@
  * line, a < b. Every face carries contact pairs: places where two springs in series join the
  * two blocks. Source: HybriDFEM in 2D, sections 3 and 4 (see README, "Method").
  */
-#ifndef QN_CORE_CONTACTS_H
-#define QN_CORE_CONTACTS_H
+#pragma once
 
 #include "core/contact/contact-pair.h"
 #include "core/contact/finding.h"
@@ -81,5 +80,3 @@ QnPairSprings qn_contacts_pair_springs (const QnModel *model, const QnContacts *
                                         size_t pair);
 
 void qn_contacts_clear (QnContacts *contacts);
-
-#endif

@@ -1,7 +1,6 @@
 /* Findings: what is worth telling the user about a model that can nevertheless be analysed,
  * or that shows why it cannot. A list to be shown at the place, never an error by itself. */
-#ifndef QN_CORE_FINDING_H
-#define QN_CORE_FINDING_H
+#pragma once
 
 #include "core/base/problem.h"
 #include "core/base/status.h"
@@ -39,5 +38,3 @@ qn_finding_has_place (const QnFinding *finding)
 bool qn_findings_add (QnFindings *findings, QnFinding finding);
 
 void qn_findings_clear (QnFindings *findings);
-
-#endif

@@ -16,8 +16,7 @@
  * Unknowns of a pair, everywhere in this order: ux, uy, L rz of block a, then of block b, in m;
  * L is the length by which rotations are scaled.
  */
-#ifndef QN_CORE_PAIR_KINEMATICS_H
-#define QN_CORE_PAIR_KINEMATICS_H
+#pragma once
 
 #include "core/base/vec2.h"
 
@@ -63,5 +62,3 @@ void qn_pair_kinematics_update (QnPairKinematics *pairs, int32_t count,
 void qn_pair_kinematics_add_stiffness (const QnPairKinematics *pair,
                                        const double force[2],
                                        double k[QN_PAIR_FACTORS][QN_PAIR_FACTORS]);
-
-#endif

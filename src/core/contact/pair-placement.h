@@ -1,7 +1,6 @@
 /* Laws and contact pairs of the faces, by the model's rules and its exceptions, and the pairs
  * of reinforcing bars. */
-#ifndef QN_CORE_PAIR_PLACEMENT_H
-#define QN_CORE_PAIR_PLACEMENT_H
+#pragma once
 
 #include "core/contact/contacts.h"
 
@@ -10,5 +9,3 @@
  * the two sides of a face, and springs that would snap back while they soften. */
 QnStatus qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts,
                                   QnDiag *diag);
-
-#endif

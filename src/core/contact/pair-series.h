@@ -11,8 +11,7 @@
  * then the tangential one, in turns, each within an interval that holds its root. (HybriDFEM,
  * section 2.2; the tangent of the pair is Ta (Ta + Tb)^-1 Tb.)
  */
-#ifndef QN_CORE_PAIR_SERIES_H
-#define QN_CORE_PAIR_SERIES_H
+#pragma once
 
 #include "core/contact/contact-pair.h"
 
@@ -40,5 +39,3 @@ void qn_pair_series_sweep (QnPairSeries *series);
 
 /* (Ta + Tb)^-1, regularised where both springs are without stiffness. */
 void qn_pair_series_flexibility (const QnPairSeries *series, double inverse[2][2]);
-
-#endif

@@ -3,8 +3,7 @@
  * The ranges are wide: what lies outside can be computed, but is hardly a structure of masonry. They
  * stand in one table, each with its source (plausible.c; docs/method/contact-pairs.md).
  */
-#ifndef QN_CORE_PLAUSIBLE_H
-#define QN_CORE_PLAUSIBLE_H
+#pragma once
 
 #include "core/contact/contacts.h"
 
@@ -27,5 +26,3 @@ QnStatus qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts,
 
 /* The table. */
 const QnUsualRange *qn_usual_ranges (size_t *count);
-
-#endif

@@ -11,8 +11,7 @@
  * since the dead load, or is farther from all blocks that it touched than its own size:
  * contacts stay where they were on their blocks, and cannot say what it falls on.
  */
-#ifndef QN_CORE_DYNAMICS_H
-#define QN_CORE_DYNAMICS_H
+#pragma once
 
 #include "core/dynamics/moving-contacts.h"
 
@@ -25,5 +24,3 @@
  * state. Where contacts follow the blocks `moving` is theirs, else NULL. */
 QnStatus qn_dynamics_run (QnEquilibrium *eq, QnMovingContacts *moving, QnResult *result,
                           QnDiag *diag);
-
-#endif

@@ -4,8 +4,7 @@
  * the balance is the error: of the work that joints do while they turn within a step, and of
  * Newton's iteration that ends somewhere.
  */
-#ifndef QN_CORE_ENERGY_H
-#define QN_CORE_ENERGY_H
+#pragma once
 
 #include "core/dynamics/time-step.h"
 #include "core/result/result.h"
@@ -29,5 +28,3 @@ void qn_energy_renew (const QnTimeStep *step, QnEnergy *energy);
 
 /* Input less all others. */
 double qn_energy_error (const QnEnergy *energy);
-
-#endif

@@ -4,8 +4,7 @@
  * then the velocity that the ground passes on does not depend on where steps begin and end, and a
  * pulse that starts or ends within a step counts as long as it lasts.
  */
-#ifndef QN_CORE_GROUND_H
-#define QN_CORE_GROUND_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -34,5 +33,3 @@ QnVec2 qn_ground_change (const QnGround *ground, double start, double end);
  * Seismic Design for Nuclear Power Plants, MIT Press 1970, 438-483), comes after a time. Its points
  * must be there. */
 double qn_ground_motion_share_after (const QnGroundMotion *motion, double time);
-
-#endif

@@ -9,8 +9,7 @@
  *
  * with the shear over the normal force T/N that the two blocks exchanged last. The rest of the depth
  * becomes the inset of the contact, (1 - s) |apart|. What is released and not stored again is lost. */
-#ifndef QN_CORE_MOVING_CONTACTS_H
-#define QN_CORE_MOVING_CONTACTS_H
+#pragma once
 
 #include "core/contact/contact-follow.h"
 #include "core/equilibrium/equilibrium.h"
@@ -50,5 +49,3 @@ bool qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multipl
  * found contacts for that step. Found contacts that carry something are noted. */
 bool qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq,
                                 double time, int32_t step_index, QnResult *result);
-
-#endif

@@ -30,8 +30,7 @@
  * closed and sticks this is a k q'. An open joint has no dashpot; one that slides has that of the
  * friction which its normal dashpot makes.
  */
-#ifndef QN_CORE_PAIR_MOTION_H
-#define QN_CORE_PAIR_MOTION_H
+#pragma once
 
 #include "core/contact/contact-pair.h"
 #include "core/model/ground-motion.h"
@@ -90,5 +89,3 @@ double qn_pair_elastic_energy (const QnPairElasticity *elasticity,
  * the forces that the pair had in it. */
 double qn_pair_friction (const QnPairElasticity *elasticity, const QnPairForces *forces,
                          const QnPairInstant *start, const QnPairInstant *end);
-
-#endif

@@ -6,8 +6,7 @@
  * oscillator is followed for one more period after the motion has ended. The largest is that at the
  * samples and at twenty places of the period after the end: choose steps of a twentieth of the
  * shortest period or less. */
-#ifndef QN_CORE_RESPONSE_SPECTRUM_H
-#define QN_CORE_RESPONSE_SPECTRUM_H
+#pragma once
 
 #include <stddef.h>
 
@@ -16,5 +15,3 @@
 void qn_response_spectrum (const double *acceleration, size_t count, double step,
                            double damping, const double *periods, double *spectrum,
                            size_t period_count);
-
-#endif

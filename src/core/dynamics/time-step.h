@@ -30,8 +30,7 @@
  *
  * follows from the equations above; D is what the method itself takes.
  */
-#ifndef QN_CORE_TIME_STEP_H
-#define QN_CORE_TIME_STEP_H
+#pragma once
 
 #include "core/dynamics/ground.h"
 #include "core/dynamics/pair-motion.h"
@@ -110,5 +109,3 @@ void qn_time_step_accept (QnTimeStep *step);
 
 /* Brings the workspace back to `start`. */
 void qn_time_step_restore (QnTimeStep *step);
-
-#endif

@@ -3,8 +3,7 @@
  * Every quantity of eight pairs stands side by side. The loops work on as many of them at a time as
  * the processor has room for, in the same order everywhere: results are equal to the bit.
  */
-#ifndef QN_CORE_CENTRAL_PACK_H
-#define QN_CORE_CENTRAL_PACK_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -105,5 +104,3 @@ typedef struct QnCentralLoops {
 
 /* The fastest loops for this processor that work on at most `width` numbers at a time. */
 const QnCentralLoops *qn_central_loops (int width);
-
-#endif

@@ -1,6 +1,5 @@
 /* All contact pairs of a central path: see central-path.h. Their arithmetic is central-pack.h's. */
-#ifndef QN_CORE_CENTRAL_PAIRS_H
-#define QN_CORE_CENTRAL_PAIRS_H
+#pragma once
 
 #include "core/assembly/assembly.h"
 #include "core/equilibrium/central-pack.h"
@@ -63,5 +62,3 @@ void qn_central_pairs_come_back (QnCentralPairs *pairs);
 /* The responses of the laws become the forces as they are, with the plastic elongations that
  * belong to them. False where a law has no answer there, or some pair has turned. */
 bool qn_central_pairs_take_flow (QnCentralPairs *pairs);
-
-#endif

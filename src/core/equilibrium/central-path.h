@@ -27,8 +27,7 @@
  * 1996). For interior points on friction without associativity: Kleinert, Simeon & Obermayr
  * 2014, on rigid bodies in time.
  */
-#ifndef QN_CORE_CENTRAL_PATH_H
-#define QN_CORE_CENTRAL_PATH_H
+#pragma once
 
 #include "core/equilibrium/equilibrium.h"
 
@@ -63,5 +62,3 @@ QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target
  * and the target. eq->motion is the velocity so far. */
 QnSolveStatus qn_central_path_move (QnCentralPath *path, const QnTarget *target,
                                     double viscosity, int budget);
-
-#endif

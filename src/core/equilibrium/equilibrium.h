@@ -6,8 +6,7 @@
  * current state; qn_equilibrium_commit() accepts it, qn_equilibrium_restore() goes back.
  * Nothing is allocated after qn_equilibrium_setup(), except inside SuiteSparse.
  */
-#ifndef QN_CORE_EQUILIBRIUM_H
-#define QN_CORE_EQUILIBRIUM_H
+#pragma once
 
 #include "core/assembly/assembly.h"
 #include "core/base/progress.h"
@@ -239,5 +238,3 @@ void qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *stat
 void qn_equilibrium_commit (QnEquilibrium *eq);
 void qn_equilibrium_record (QnEquilibrium *eq); /* and the result tells it */
 void qn_equilibrium_restore (QnEquilibrium *eq);
-
-#endif

@@ -1,7 +1,6 @@
 /* What a constitutive law is made of; private to laws and springs. One file and one row of
  * each of the two tables in law-ops.c per law. */
-#ifndef QN_CORE_LAW_OPS_H
-#define QN_CORE_LAW_OPS_H
+#pragma once
 
 #include "core/base/require.h"
 #include "core/law/spring.h"
@@ -73,5 +72,3 @@ int qn_law_coulomb_strength (const QnSpring *spring, QnStrengthRow rows[]);
 /* Kinematic hardening in the normal direction, elastic shear; see law-bilinear.c. */
 void qn_law_bilinear_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                                const double q[2], QnSpringResponse *response);
-
-#endif

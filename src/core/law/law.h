@@ -8,8 +8,7 @@
  * Four kinds are joints, whose two directions belong together; the others describe the fibres
  * of a continuous member: nonlinear in the normal direction, linear elastic in shear.
  */
-#ifndef QN_CORE_LAW_H
-#define QN_CORE_LAW_H
+#pragma once
 
 #include "core/base/status.h"
 
@@ -140,5 +139,3 @@ void qn_law_break_bond (QnLaw *law);
 bool qn_law_assign (QnLaw *law, const QnLaw *from);
 
 void qn_law_clear (QnLaw *law);
-
-#endif

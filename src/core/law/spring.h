@@ -4,8 +4,7 @@
  * opening and tension. The state of a spring (QnSpringMemory) changes only when a step is
  * committed. So the result of a step does not depend on the iterations before it.
  */
-#ifndef QN_CORE_SPRING_H
-#define QN_CORE_SPRING_H
+#pragma once
 
 #include "core/law/law.h"
 
@@ -223,5 +222,3 @@ bool qn_spring_similar (const QnSpring *a, const QnSpring *b);
 
 /* That spring. What softens, softens once: a crack opens in one place. */
 QnSpring qn_spring_join (const QnSpring *a, const QnSpring *b);
-
-#endif

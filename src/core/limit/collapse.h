@@ -29,8 +29,7 @@
  * iterations, so the solution is that of the equations above whatever c was; and the iterate has
  * passed to the other side of the turn.
  */
-#ifndef QN_CORE_COLLAPSE_H
-#define QN_CORE_COLLAPSE_H
+#pragma once
 
 #include "core/limit/interior-point-kkt.h"
 
@@ -104,5 +103,3 @@ bool qn_collapse_proves_infeasible (const QnCollapse *collapse,
  * optimum the metric becomes flat: request a fixed multiplier early. */
 void qn_collapse_project (QnCollapse *collapse, bool fixed, double *lambda, double *y,
                           double *residual, double *slack);
-
-#endif

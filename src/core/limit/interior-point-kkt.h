@@ -17,8 +17,7 @@
  * the cancellation that forming G y has where a large weight keeps that near 0. The first block
  * row then holds by construction, and iterative refinement looks at the other two.
  */
-#ifndef QN_CORE_INTERIOR_POINT_KKT_H
-#define QN_CORE_INTERIOR_POINT_KKT_H
+#pragma once
 
 #include "core/limit/interior-point.h"
 #include "core/linalg/block-lu.h"
@@ -90,5 +89,3 @@ typedef struct QnIpKktVector {
 void qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out);
 
 void qn_ip_kkt_clear (QnIpKkt *kkt);
-
-#endif

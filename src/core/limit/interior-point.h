@@ -22,8 +22,7 @@
  * Cells whose strength rows leave a direction free, redundant or empty equilibrium rows are
  * allowed. The caller scales: forces, lengths, f and d should be of the order of 1.
  */
-#ifndef QN_CORE_INTERIOR_POINT_H
-#define QN_CORE_INTERIOR_POINT_H
+#pragma once
 
 #include "core/base/memory.h"
 #include "core/base/status.h"
@@ -108,5 +107,3 @@ double qn_ip_quadratic_term (const QnIpProblem *problem, const double *y); /* y'
 double qn_ip_limit_term (const QnIpProblem *problem, const double *z);     /* h'z */
 double qn_ip_dot (const double *a, const double *b, int32_t count);
 double qn_ip_largest (const double *values, int32_t count); /* largest |value|, or NaN */
-
-#endif

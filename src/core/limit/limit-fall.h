@@ -1,6 +1,5 @@
 /* How a structure begins to move that does not stand under its dead load; private to limit*.c. */
-#ifndef QN_CORE_LIMIT_FALL_H
-#define QN_CORE_LIMIT_FALL_H
+#pragma once
 
 #include "core/limit/limit-problem.h"
 
@@ -17,5 +16,3 @@
  * found. */
 QnStatus qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
                         void *user_data, double *v, bool *proved, QnDiag *diag);
-
-#endif

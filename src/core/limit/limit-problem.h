@@ -9,8 +9,7 @@
  * Forces are divided by `force_unit`, lengths by `length_unit`, the live load by its own
  * `load_unit`; equilibrium rows of supported degrees of freedom do not exist.
  */
-#ifndef QN_CORE_LIMIT_PROBLEM_H
-#define QN_CORE_LIMIT_PROBLEM_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/limit/interior-point.h"
@@ -48,5 +47,3 @@ void qn_limit_problem_forces (const QnLimitProblem *limit, const double *y, doub
                               double *forces);
 void qn_limit_problem_velocities (const QnLimitProblem *limit, const double *v,
                                   double *velocities);
-
-#endif

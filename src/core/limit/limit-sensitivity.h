@@ -14,8 +14,7 @@
  * Where several mechanisms share the optimum, the multiplier has a kink there: the numbers hold
  * for the mechanism that was found. A cohesion or tension of 0 can only grow.
  */
-#ifndef QN_CORE_LIMIT_SENSITIVITY_H
-#define QN_CORE_LIMIT_SENSITIVITY_H
+#pragma once
 
 #include "core/result/result.h"
 
@@ -43,5 +42,3 @@ QnStatus qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
                                QnDiag *diag);
 
 void qn_limit_sensitivity_clear (QnLimitSensitivity *sensitivity);
-
-#endif

@@ -25,8 +25,7 @@
  *
  * Source: Livesley 1978 (the static program).
  */
-#ifndef QN_CORE_LIMIT_H
-#define QN_CORE_LIMIT_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "core/limit/collapse.h"
@@ -126,5 +125,3 @@ QnStatus qn_limit_find_mechanism (const QnModel *model, const QnContacts *contac
 QnStatus qn_limit_run (const QnModel *model, const QnContacts *contacts,
                        QnProgressFunc progress, void *user_data, QnResult *result,
                        QnDiag *diag);
-
-#endif

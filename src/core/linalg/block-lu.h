@@ -12,8 +12,7 @@
  * Rows are exchanged among the pivots of a front only, so that a factorisation can lose digits
  * or break down where one with free pivoting would not: the caller is to judge its solutions.
  */
-#ifndef QN_CORE_BLOCK_LU_H
-#define QN_CORE_BLOCK_LU_H
+#pragma once
 
 #include "core/base/status.h"
 #include "core/base/vec2.h"
@@ -44,5 +43,3 @@ void qn_block_lu_solve (QnBlockLu *lu, double *b);
 
 /* Sign of the determinant of the matrix last factorised. */
 int qn_block_lu_sign (const QnBlockLu *lu);
-
-#endif

@@ -1,9 +1,6 @@
 /* The loops over dense fronts for each width of vectors: see vectors.h. */
-#ifndef QN_CORE_DENSE_FRONT_LOOPS_H
-#define QN_CORE_DENSE_FRONT_LOOPS_H
+#pragma once
 
 #include "core/linalg/dense-front.h"
 
 extern const QnFrontLoops qn_front_loops_2, qn_front_loops_4, qn_front_loops_8;
-
-#endif

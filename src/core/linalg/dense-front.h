@@ -10,8 +10,7 @@
  * numbers at a time as the processor has room for, in the same order everywhere: results are equal
  * to the bit.
  */
-#ifndef QN_CORE_DENSE_FRONT_H
-#define QN_CORE_DENSE_FRONT_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -72,5 +71,3 @@ typedef struct QnFrontLoops {
 
 /* The fastest loops for this processor that work on at most `width` numbers at a time. */
 const QnFrontLoops *qn_front_loops (int width);
-
-#endif

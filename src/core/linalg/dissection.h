@@ -1,8 +1,7 @@
 /* Nested dissection by place (George 1973; Heath & Raghavan 1995): a structure is cut in half, what
  * touches the cut is eliminated after both halves, and these are cut in turn. The factor of a wall of n
  * blocks has some n log n entries then, where minimum degree has more the larger n is. */
-#ifndef QN_CORE_DISSECTION_H
-#define QN_CORE_DISSECTION_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/vec2.h"
@@ -18,5 +17,3 @@ typedef struct QnPlaneGraph {
 /* set[k]: nodes of a lower set are to be eliminated before those of a higher one; numbered from 0
  * without gaps. False when memory runs out. */
 bool qn_dissect (const QnPlaneGraph *graph, int32_t *set);
-
-#endif

@@ -6,8 +6,7 @@
  * these is eliminated. So the fronts form a tree, and what a front leaves depends on the
  * subtree below it and on nothing else (Duff & Reid 1983).
  */
-#ifndef QN_CORE_FRONT_TREE_H
-#define QN_CORE_FRONT_TREE_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/memory.h"
@@ -42,5 +41,3 @@ bool qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap,
                          const int32_t *ai, const QnVec2 *points);
 
 void qn_front_tree_clear (QnFrontTree *tree);
-
-#endif

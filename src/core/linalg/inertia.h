@@ -23,8 +23,7 @@
  * is too large, other orders of elimination are tried, and small matrices as a dense one with
  * exchanges (Bunch & Kaufman 1977).
  */
-#ifndef QN_CORE_INERTIA_H
-#define QN_CORE_INERTIA_H
+#pragma once
 
 #include "core/linalg/linsys.h"
 
@@ -50,5 +49,3 @@ bool qn_inertia_count (QnInertia *inertia, const double *ax, QnInertiaCount *cou
 /* Overwrites b (length n) with S \ b of the last matrix, by the factors without exchanges:
  * QN_SOLVE_FAILED where these are not accurate enough. */
 QnSolveStatus qn_inertia_solve (QnInertia *inertia, double *b);
-
-#endif

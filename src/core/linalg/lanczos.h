@@ -13,8 +13,7 @@
  *
  * Equal input gives equal output, in as many threads as there are.
  */
-#ifndef QN_CORE_LANCZOS_H
-#define QN_CORE_LANCZOS_H
+#pragma once
 
 #include "core/base/status.h"
 
@@ -40,5 +39,3 @@ typedef enum {
  * number of columns of n, of unit length in the metric of M. */
 QnLanczosStatus qn_lanczos_run (const QnLanczosProblem *problem, size_t wanted,
                                 size_t *found, double *values, double *vectors);
-
-#endif

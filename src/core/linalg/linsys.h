@@ -4,8 +4,7 @@
  * done once, each factorisation is numeric only. Nothing is allocated here between calls; the
  * library behind may do so.
  */
-#ifndef QN_CORE_LINSYS_H
-#define QN_CORE_LINSYS_H
+#pragma once
 
 #include "core/base/status.h"
 #include "core/base/vec2.h"
@@ -54,5 +53,3 @@ int qn_linsys_sign (const QnLinsys *system);
 
 /* Overwrites b (length n) with the solution of the last factorised system. */
 void qn_linsys_solve (QnLinsys *system, double *b);
-
-#endif

@@ -1,6 +1,5 @@
 /* Sparse matrix patterns in compressed columns. */
-#ifndef QN_CORE_SPARSE_H
-#define QN_CORE_SPARSE_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -27,5 +26,3 @@ void qn_sparse_pattern_clear (QnSparsePattern *pattern);
  * either is QN_NONE or the entry is not in the pattern. */
 int32_t qn_sparse_find (const int32_t *ap, const int32_t *ai, int32_t row,
                         int32_t column);
-
-#endif

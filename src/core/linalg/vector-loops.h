@@ -1,6 +1,5 @@
 /* The words of files that are compiled once for each width of vectors: see vectors.h. */
-#ifndef QN_CORE_VECTOR_LOOPS_H
-#define QN_CORE_VECTOR_LOOPS_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -62,5 +61,3 @@ typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_a
 #define WITH_NUMBER(name, lanes) name##_##lanes
 #define WITH_LANES(name, lanes)  WITH_NUMBER (name, lanes)
 #define WITH_WIDTH(name)         WITH_LANES (name, LANES)
-
-#endif

@@ -5,8 +5,7 @@
  * has split in memory. Every width does the same operations on every number, and sums up in the
  * same order: results are equal to the bit.
  */
-#ifndef QN_CORE_VECTORS_H
-#define QN_CORE_VECTORS_H
+#pragma once
 
 #include "core/base/base.h"
 
@@ -26,5 +25,3 @@
 /* Which of them are the fastest that this processor has and that work on at most `width` numbers
  * at a time. */
 int qn_vectors (int width);
-
-#endif

@@ -9,8 +9,7 @@
  * functions. The lowest frequencies come from Lanczos iteration (lanczos.h) with a small negative
  * shift, so that structures without supports have their rigid motions as modes of frequency zero.
  */
-#ifndef QN_CORE_MODAL_H
-#define QN_CORE_MODAL_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "core/result/result.h"
@@ -47,5 +46,3 @@ QnStatus qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model,
                         QnResult *result, QnDiag *diag);
 
 void qn_modes_clear (QnModes *modes);
-
-#endif

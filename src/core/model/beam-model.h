@@ -1,7 +1,6 @@
 /* The rules of nodes, sections, beams and ties, and what is derived of them; part of
  * qn_model_prepare(). */
-#ifndef QN_CORE_BEAM_MODEL_H
-#define QN_CORE_BEAM_MODEL_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -14,5 +13,3 @@ void qn_model_mark_turning_nodes (QnModel *model);
 /* Places nodes and computes sections. Blocks must be derived and beams be checked; refuses what
  * shows only then: beams without length, moments that nothing takes. */
 QnStatus qn_model_derive_beams (QnModel *model, QnDiag *diag);
-
-#endif

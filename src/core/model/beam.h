@@ -7,8 +7,7 @@
  *
  * Axes of a beam: x from its first node to its second, y is x turned by +90 degrees.
  */
-#ifndef QN_CORE_BEAM_H
-#define QN_CORE_BEAM_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/vec2.h"
@@ -114,5 +113,3 @@ extern const char *const qn_block_side_names[QN_BLOCK_SIDE_COUNT];
 double qn_section_shear_modulus (const QnSection *section);
 double qn_section_plastic_moment (const QnSection *section);
 double qn_section_weight (const QnSection *section); /* N/m */
-
-#endif

@@ -1,6 +1,5 @@
 /* Loads on the edges of blocks, resolved into forces. */
-#ifndef QN_CORE_EDGE_LOAD_H
-#define QN_CORE_EDGE_LOAD_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -13,5 +12,3 @@ QnStatus qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag);
 
 /* The chain of edges that an EDGE load is on. */
 void qn_load_chain (const QnModel *model, const QnLoad *load, QnId *first, QnId *count);
-
-#endif

@@ -4,8 +4,7 @@
  * The ground is rigid and does not turn: all supports move alike. Its acceleration is the sum of
  * all ground motions, each a signal a(t) in m/s2 times its scale and its direction.
  */
-#ifndef QN_CORE_GROUND_MOTION_H
-#define QN_CORE_GROUND_MOTION_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/vec2.h"
@@ -104,5 +103,3 @@ extern const char *const qn_damping_stiffness_names[QN_DAMPING_STIFFNESS_COUNT];
 
 /* When a signal is over, s. */
 double qn_ground_motion_end (const QnGroundMotion *motion);
-
-#endif

@@ -1,6 +1,5 @@
 /* The rules that a model's numbers and references must keep; part of qn_model_prepare(). */
-#ifndef QN_CORE_MODEL_CHECK_H
-#define QN_CORE_MODEL_CHECK_H
+#pragma once
 
 #include "core/base/require.h"
 #include "core/model/model.h"
@@ -46,5 +45,3 @@ qn_require_block (QnSubject of, const char *field, QnId block, const QnModel *mo
   return qn_require_index (of, field, block, model->block_count,
                            QN_PROBLEM_BLOCK_UNKNOWN);
 }
-
-#endif

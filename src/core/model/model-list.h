@@ -1,6 +1,5 @@
 /* The lists of a model: arrays that grow by one zeroed item at a time. */
-#ifndef QN_CORE_MODEL_LIST_H
-#define QN_CORE_MODEL_LIST_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -21,5 +20,3 @@ void *qn_model_list_add_named (void *items, size_t *count, size_t *capacity, siz
   qn_model_list_add_named (&(model)->items, &(model)->one##_count,                       \
                            &(model)->one##_capacity, sizeof *(model)->items, index,      \
                            name)
-
-#endif

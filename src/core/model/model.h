@@ -5,8 +5,7 @@
  * call qn_model_prepare() once: it expands walls into blocks, computes derived geometry and
  * refuses what breaks a rule. Afterwards the model is read-only.
  */
-#ifndef QN_CORE_MODEL_H
-#define QN_CORE_MODEL_H
+#pragma once
 
 #include "core/base/name-index.h"
 #include "core/base/status.h"
@@ -618,5 +617,3 @@ qn_model_block_vertices (const QnModel *model, QnId block)
 {
   return model->vertices + model->blocks[block].first_vertex;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Edges of the outlines of blocks: which one faces a side, and which are seen from afar. */
-#ifndef QN_CORE_OUTLINE_H
-#define QN_CORE_OUTLINE_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -22,5 +21,3 @@ typedef struct QnSeenEdges {
  * merging the envelopes of halves. Edges along the rays are not seen. Where blocks overlap, the one
  * that lies in front in the middle of the common stretch hides the other. False when memory runs out. */
 bool qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen);
-
-#endif

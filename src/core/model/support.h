@@ -1,6 +1,5 @@
 /* Whether blocks and nodes are held. */
-#ifndef QN_CORE_SUPPORT_H
-#define QN_CORE_SUPPORT_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -17,5 +16,3 @@ qn_support_is_any (const bool support[QN_DOF_COUNT])
 {
   return support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ];
 }
-
-#endif

@@ -15,8 +15,7 @@
  *
  * and from then on it is an elastic tie that has this force. A tie has no weight.
  */
-#ifndef QN_CORE_TIE_H
-#define QN_CORE_TIE_H
+#pragma once
 
 #include "core/base/base.h"
 #include "core/base/vec2.h"
@@ -87,5 +86,3 @@ QnTieState qn_tie_weakest (const QnTie *tie);
 
 /* What a tie with this force is; a limit is reached within `little`, N. */
 QnTieState qn_tie_state (const QnTie *tie, double force, double little);
-
-#endif

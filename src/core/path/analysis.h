@@ -1,6 +1,5 @@
 /* Running an analysis: the one door to the solver. */
-#ifndef QN_CORE_ANALYSIS_H
-#define QN_CORE_ANALYSIS_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "core/contact/contacts.h"
@@ -21,5 +20,3 @@
 QnStatus qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                           QnProgressFunc progress, void *user_data, QnResult *result,
                           QnDiag *diag);
-
-#endif

@@ -1,6 +1,5 @@
 /* The largest multiplier that limit analysis leaves to a path. */
-#ifndef QN_CORE_BOUND_H
-#define QN_CORE_BOUND_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "core/contact/contacts.h"
@@ -20,5 +19,3 @@ QnStatus qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
 QnStatus qn_path_add_broken_bound (const QnModel *model, const QnContacts *contacts,
                                    QnProgressFunc report, void *report_data,
                                    QnResult *result, QnDiag *diag);
-
-#endif

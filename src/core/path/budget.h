@@ -3,8 +3,7 @@
  * A budget calls the progress function of the analysis's caller, and cancels when it is spent. The
  * outcome is then NOT_CONVERGED, not CANCELLED, with what was reached.
  */
-#ifndef QN_CORE_BUDGET_H
-#define QN_CORE_BUDGET_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "core/result/result.h"
@@ -26,5 +25,3 @@ bool qn_budget_go_on (const QnProgress *progress, void *budget);
 
 /* Gives a result that a spent budget has cancelled its outcome. */
 void qn_budget_conclude (const QnBudget *budget, QnResult *result);
-
-#endif

@@ -8,8 +8,7 @@
  *
  * and the blocks that move. A dip that is not deeper than rounding is none.
  */
-#ifndef QN_CORE_PATH_EVENTS_H
-#define QN_CORE_PATH_EVENTS_H
+#pragma once
 
 #include "core/path/path.h"
 
@@ -54,5 +53,3 @@ bool qn_path_events_collapse (QnPathEvents *events);
 /* Names the blocks that move in this motion (unknowns) as those of the last event: of a collapse under load
  * control, what moves beyond the highest multiplier is no step. */
 void qn_path_events_take_mechanism (QnPathEvents *events, const double *velocity);
-
-#endif

@@ -2,8 +2,7 @@
  * QnTarget), for one displacement its unit vector, for work the live load, for arc length the
  * direction of the path (Riks 1979, Crisfield 1981, linearised).
  */
-#ifndef QN_CORE_PATH_MEASURE_H
-#define QN_CORE_PATH_MEASURE_H
+#pragma once
 
 #include "core/path/path.h"
 
@@ -45,5 +44,3 @@ double qn_path_measure_share_to_end (const QnPathMeasure *measure, double step);
 
 /* Whether the controlled displacement has come to its end. */
 bool qn_path_measure_is_at_end (const QnPathMeasure *measure);
-
-#endif

@@ -6,8 +6,7 @@
  * equilibria before errs by the power that it has terms, so that steps need not be the shorter, the
  * stiffer the joints are.
  */
-#ifndef QN_CORE_PATH_PREDICTOR_H
-#define QN_CORE_PATH_PREDICTOR_H
+#pragma once
 
 #include "core/equilibrium/equilibrium.h"
 
@@ -34,5 +33,3 @@ void qn_path_predictor_note (QnPathPredictor *predictor, const QnEquilibrium *eq
  * equilibria are known. False where it stays. */
 bool qn_path_predictor_go (const QnPathPredictor *predictor, QnEquilibrium *eq,
                            double advance);
-
-#endif

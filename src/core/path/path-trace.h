@@ -2,8 +2,7 @@
  *
  * path-trace.c drives and concludes, path-step.c solves one step, path-end.c tells where the path ends.
  */
-#ifndef QN_CORE_PATH_TRACE_H
-#define QN_CORE_PATH_TRACE_H
+#pragma once
 
 #include "core/limit/limit.h"
 #include "core/path/path-events.h"
@@ -216,5 +215,3 @@ bool qn_path_end_is_spent (const QnPathTrace *trace);
 bool qn_path_trace_accept (QnPathTrace *trace);
 
 void qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop);
-
-#endif

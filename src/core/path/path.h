@@ -3,8 +3,7 @@
  * The path (path-trace.c), stage by stage where there are any (path-stages.c), drives the equilibrium
  * solver from the state under dead load and records every accepted equilibrium in the result.
  */
-#ifndef QN_CORE_PATH_H
-#define QN_CORE_PATH_H
+#pragma once
 
 #include "core/dynamics/moving-contacts.h"
 #include "core/equilibrium/central-path.h"
@@ -111,5 +110,3 @@ QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag 
  * is set, and nothing recorded, where the first step towards the control target takes work from the driven
  * loads, or their work leads away from it: the multiplier is to fall. */
 QnStatus qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag);
-
-#endif

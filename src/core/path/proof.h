@@ -1,6 +1,5 @@
 /* What an analysis reports is proved by the check of results, in one place for all kinds. */
-#ifndef QN_CORE_PROOF_H
-#define QN_CORE_PROOF_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/result/result.h"
@@ -12,5 +11,3 @@
  * are known, with the stages that ended there; CANCELLED results stay as they are. */
 QnStatus qn_result_prove (const QnModel *model, const QnContacts *contacts,
                           QnResult *result, QnDiag *diag);
-
-#endif

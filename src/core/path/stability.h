@@ -6,8 +6,7 @@
  * the critical multiplier the lowest one becomes zero, at a bifurcation as well as at a limit
  * point, and its eigenvector is the way in which the structure gives way.
  */
-#ifndef QN_CORE_STABILITY_H
-#define QN_CORE_STABILITY_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "core/result/result.h"
@@ -29,5 +28,3 @@
 QnStatus qn_stability_run (const QnModel *model, const QnContacts *contacts,
                            QnProgressFunc progress, void *user_data, QnResult *result,
                            QnDiag *diag);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a load–displacement curve shows of a result. */
-#ifndef QN_CORE_CURVE_MOTION_H
-#define QN_CORE_CURVE_MOTION_H
+#pragma once
 
 #include "core/result/result.h"
 
@@ -27,5 +26,3 @@ QnCurveMotion qn_result_curve_motion (const QnModel *model, const QnResult *resu
 
 /* The displacement at a step, m or rad. */
 double qn_curve_motion_at (const QnResult *result, QnCurveMotion motion, size_t step);
-
-#endif

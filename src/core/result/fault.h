@@ -1,6 +1,5 @@
 /* What a result may say that is not true. Each is compared by core/check. */
-#ifndef QN_CORE_FAULT_H
-#define QN_CORE_FAULT_H
+#pragma once
 
 #include "core/base/status.h"
 
@@ -40,5 +39,3 @@ typedef struct QnFault {
   QnId index;           /* or QN_NONE */
   double stated, found; /* in the unit of the claim; NAN where it has no number */
 } QnFault;
-
-#endif

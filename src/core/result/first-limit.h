@@ -1,6 +1,5 @@
 /* Which first loss of stability people are told of. */
-#ifndef QN_CORE_FIRST_LIMIT_H
-#define QN_CORE_FIRST_LIMIT_H
+#pragma once
 
 #include "core/result/result.h"
 
@@ -19,5 +18,3 @@ const QnPathEvent *qn_result_find_buckling (const QnResult *result);
 /* The step where a branch loses its stability: the first of the event's stage at its multiplier. -1 for
  * none. */
 ptrdiff_t qn_result_buckling_step (const QnResult *result, const QnPathEvent *event);
-
-#endif

@@ -1,6 +1,5 @@
 /* Contacts found during the motion, in a result. */
-#ifndef QN_CORE_FOUND_CONTACTS_H
-#define QN_CORE_FOUND_CONTACTS_H
+#pragma once
 
 #include "core/result/result.h"
 
@@ -17,5 +16,3 @@ QnVec2 qn_found_normal (const QnModel *model, const QnFoundContact *contact);
  * or NULL). */
 QnVec2 qn_found_force (const QnModel *model, const QnFoundContact *contact,
                        const QnFoundForce *force, const double *displacements);
-
-#endif

@@ -5,8 +5,7 @@
  * small motions (ux, uy, rz of every block; m, m, rad, or the same per time). Everything is
  * judged relative to the fastest point, so its scale does not matter.
  */
-#ifndef QN_CORE_MECHANISM_H
-#define QN_CORE_MECHANISM_H
+#pragma once
 
 #include "core/base/box.h"
 #include "core/contact/contacts.h"
@@ -113,5 +112,3 @@ double qn_mechanism_cosine (const QnModel *model, const double *a, const double 
  * number of clusters. fields: count pointers to block_count x 3. */
 int32_t qn_mechanism_cluster (const QnModel *model, const double *const *fields,
                               int32_t count, double threshold, int32_t *groups);
-
-#endif

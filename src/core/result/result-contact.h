@@ -6,8 +6,7 @@
  * and the frame of the pair has turned by the mean of its blocks' rotations. That both forces
  * act at this one point follows from the pair's elastic energy being a function of the distance
  * of A and B in that frame (see core/contact/pair-kinematics.h). */
-#ifndef QN_CORE_RESULT_CONTACT_H
-#define QN_CORE_RESULT_CONTACT_H
+#pragma once
 
 #include "core/result/result.h"
 
@@ -19,5 +18,3 @@ const double *qn_result_deformation (const QnModel *model, const QnResult *resul
 void qn_result_contact_place (const QnModel *model, const QnContacts *contacts,
                               size_t pair, const double *deformation, QnVec2 *point,
                               QnVec2 *normal);
-
-#endif

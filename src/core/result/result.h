@@ -1,6 +1,5 @@
 /* Result of an analysis: the path of converged equilibria and how it ended. */
-#ifndef QN_CORE_RESULT_H
-#define QN_CORE_RESULT_H
+#pragma once
 
 #include "core/contact/contact-pair.h"
 #include "core/contact/contacts.h"
@@ -511,5 +510,3 @@ qn_result_step_reactions (const QnResult *result, size_t step)
            ? result->reactions + step * result->support_count * QN_DOF_COUNT
            : NULL;
 }
-
-#endif

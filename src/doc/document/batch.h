@@ -2,8 +2,7 @@
  * has no result is solved, one after the other, each in a thread of its own.
  *
  * Emits "changed" when a document or a run is there, or a message. */
-#ifndef QN_DOC_BATCH_H
-#define QN_DOC_BATCH_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -22,5 +21,3 @@ const GPtrArray *qn_batch_get_documents (QnBatch *batch);
 
 /* What could not be opened or solved, and why; of char *, translated. */
 const GPtrArray *qn_batch_get_messages (QnBatch *batch);
-
-#endif

@@ -1,7 +1,6 @@
 /* HybriDFEM against limit analysis: what the latest runs of a document say about the load that
  * its present model can carry, and what each number guarantees. */
-#ifndef QN_DOC_BOUNDS_H
-#define QN_DOC_BOUNDS_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -34,5 +33,3 @@ double qn_bounds_find (const GArray *bounds, QnBoundKind kind);
 /* How the numbers stand to each other, in a sentence; NULL where there is only one kind of
  * analysis. The caller frees it. */
 char *qn_bounds_dup_verdict (const GArray *bounds);
-
-#endif

@@ -1,6 +1,5 @@
 /* What tells one model from another. */
-#ifndef QN_DOC_DIGEST_H
-#define QN_DOC_DIGEST_H
+#pragma once
 
 #include "io/project/project.h"
 
@@ -13,5 +12,3 @@ char *qn_model_digest_like (const QnProject *project, const QnProjectText *text)
 
 /* The same without the settings of the analysis. */
 char *qn_structure_digest_like (const QnProject *project, const QnProjectText *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* The inside of a document, shared by the files that make it up. */
-#ifndef QN_DOC_DOCUMENT_PRIVATE_H
-#define QN_DOC_DOCUMENT_PRIVATE_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -54,5 +53,3 @@ gboolean qn_document_name_runs (QnDocument *document);
 
 /* Ends the running analysis, if any, and forgets its outcome. */
 void qn_document_drop_job (QnDocument *document);
-
-#endif

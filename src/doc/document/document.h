@@ -14,8 +14,7 @@
  *   "job-changed"   an analysis started or ended
  *   "job-progress"  the running analysis has something to report
  */
-#ifndef QN_DOC_DOCUMENT_H
-#define QN_DOC_DOCUMENT_H
+#pragma once
 
 #include "doc/document/history.h"
 #include "doc/document/job.h"
@@ -177,5 +176,3 @@ const char *qn_run_age_text (QnRunAge age);
 
 /* Whether it is not current. */
 gboolean qn_document_is_stale (QnDocument *document, const QnRun *run);
-
-#endif

@@ -1,6 +1,5 @@
 /* The inside of a history, shared by the files that make it up. */
-#ifndef QN_DOC_HISTORY_PRIVATE_H
-#define QN_DOC_HISTORY_PRIVATE_H
+#pragma once
 
 #include "doc/document/history.h"
 
@@ -26,5 +25,3 @@ struct QnEditHistory {
 
 /* Appends a step without hunks behind all others; does not move the position. */
 QnEditStep *qn_history_add_step (QnEditHistory *history, const char *name);
-
-#endif

@@ -5,8 +5,7 @@
  * command can be undone without code of its own, a step costs only what it changed, and the
  * whole history can be stored as text.
  */
-#ifndef QN_DOC_HISTORY_H
-#define QN_DOC_HISTORY_H
+#pragma once
 
 #include <glib.h>
 
@@ -57,5 +56,3 @@ char *qn_history_to_json (const QnEditHistory *history, const char *text);
 /* The history that was kept beside `text`, or NULL where it belongs to another text: every step
  * has been tried. The present state counts as clean. */
 QnEditHistory *qn_history_from_json (const char *json, const char *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* Drawings of other programs taken into a document, as one step that can be undone. */
-#ifndef QN_DOC_IMPORT_H
-#define QN_DOC_IMPORT_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -15,5 +14,3 @@ gboolean qn_import_knows_file (const char *path);
 
 /* Whether it is a picture that can lie behind a drawing. */
 gboolean qn_import_is_picture (const char *path);
-
-#endif

@@ -4,8 +4,7 @@
  * progress is reported on the main context of the thread that started it, at most twenty
  * times a second. All functions are for that thread.
  */
-#ifndef QN_DOC_JOB_H
-#define QN_DOC_JOB_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "doc/document/run.h"
@@ -80,5 +79,3 @@ typedef enum {
 
 /* What stopped the analysis, for marking the place; valid after a failed finish. */
 const QnDiag *qn_job_get_diag (QnJob *job);
-
-#endif

@@ -1,7 +1,6 @@
 /* The picture behind a document's drawing: laid there, moved, scaled and taken away, each as a
  * step that can be undone. Where it is kept and shown: underlay.h, view-state.h. */
-#ifndef QN_DOC_PICTURE_H
-#define QN_DOC_PICTURE_H
+#pragma once
 
 #include "doc/document/document.h"
 #include "doc/document/underlay.h"
@@ -35,5 +34,3 @@ void qn_document_allow_file (QnDocument *document, const char *file);
 
 /* The same for the picture behind the drawing, if there is one. */
 void qn_document_allow_picture (QnDocument *document);
-
-#endif

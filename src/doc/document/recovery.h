@@ -5,8 +5,7 @@
  * the recovery file; one that is found at the next start is offered to the user. The program that
  * wrote it holds a lock on it (flock): a file without one belongs to a program that is gone.
  */
-#ifndef QN_DOC_RECOVERY_H
-#define QN_DOC_RECOVERY_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -29,5 +28,3 @@ GPtrArray *qn_recovery_list (void);
 gboolean qn_recovery_read (const char *recovery_path, char **text, char **original,
                            GError **error);
 void qn_recovery_remove (const char *recovery_path);
-
-#endif

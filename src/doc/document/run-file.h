@@ -1,6 +1,5 @@
 /* Runs as result files: kept beside the project, and looked at again without solving. */
-#ifndef QN_DOC_RUN_FILE_H
-#define QN_DOC_RUN_FILE_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -20,5 +19,3 @@ gboolean qn_is_result_file (const char *path);
 /* Adds what a result file says to the runs and makes it the current one. It counts as outdated
  * where the project has changed since; refused where blocks or contacts are others. */
 gboolean qn_document_open_result (QnDocument *document, const char *path, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* What runs are called: what differs from the first one, or what the user says; with the method. */
-#ifndef QN_DOC_RUN_NAME_H
-#define QN_DOC_RUN_NAME_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -14,5 +13,3 @@ gboolean qn_document_rename_run (QnDocument *document, const QnRun *run,
 /* What the project of one run says otherwise than that of another, translated, each "friction 0.5"; NULL
  * where the text of one of them is not known. */
 GPtrArray *qn_run_list_changes (const QnRun *from, const QnRun *to);
-
-#endif

@@ -1,6 +1,5 @@
 /* Runs in words: what was asked, and what came of it. */
-#ifndef QN_DOC_RUN_TEXT_H
-#define QN_DOC_RUN_TEXT_H
+#pragma once
 
 #include "doc/document/run.h"
 #include "doc/text/units.h"
@@ -25,5 +24,3 @@ GPtrArray *qn_run_dup_events (const QnRun *run, QnUnits units, guint *told);
 
 /* Whether it followed a path that has a curve. */
 gboolean qn_run_has_curve (const QnRun *run);
-
-#endif

@@ -4,8 +4,7 @@
  * outlives the document's further edits: pictures of a stale result still show the wall that was
  * solved.
  */
-#ifndef QN_DOC_RUN_H
-#define QN_DOC_RUN_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/model/model.h"
@@ -52,5 +51,3 @@ gboolean qn_run_is_in_time (const QnRun *run);
 int qn_run_step_at (const QnRun *run, double time);
 
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnRun, qn_run_unref)
-
-#endif

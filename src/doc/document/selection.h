@@ -4,8 +4,7 @@
  * Blocks and beams are remembered by name across edits, because their numbers change, faces by the
  * names of their blocks and their place, loads and bars by what they say. Emits "changed".
  */
-#ifndef QN_DOC_SELECTION_H
-#define QN_DOC_SELECTION_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "doc/edit/edit-frame.h"
@@ -86,5 +85,3 @@ QnPartSet qn_selection_dup_parts (QnSelection *selection);
 void qn_selection_follow (QnSelection *selection, const QnModel *before,
                           const QnContacts *contacts_before, const QnModel *after,
                           const QnContacts *contacts_after);
-
-#endif

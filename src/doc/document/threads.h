@@ -1,6 +1,5 @@
 /* The threads of this process that analyses of large structures may use. */
-#ifndef QN_DOC_THREADS_H
-#define QN_DOC_THREADS_H
+#pragma once
 
 #include "core/base/workers.h"
 
@@ -8,5 +7,3 @@
  * shared by all callers and kept until the process ends. Where none can be started, the caller's thread
  * does everything. May be called from any thread. */
 const QnWorkers *qn_threads_get (void);
-
-#endif

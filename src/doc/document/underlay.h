@@ -12,8 +12,7 @@
  * width from the left and of its height from below, from the lower left corner counter-clockwise. Then
  * `origin` and `width` are those of the rectangle, `height` is its height in m, and the photo is shown
  * as seen from the front (render/drawing/rectify.h). */
-#ifndef QN_DOC_UNDERLAY_H
-#define QN_DOC_UNDERLAY_H
+#pragma once
 
 #include "io/project/project.h"
 #include "render/scene/view-options.h"
@@ -61,5 +60,3 @@ bool qn_underlay_rectify (QnUnderlay *underlay, const QnVec2 shown[4], double wi
 
 /* Shows the photo as it was taken again, the whole as wide as `width`. */
 void qn_underlay_show_as_taken (QnUnderlay *underlay, double width);
-
-#endif

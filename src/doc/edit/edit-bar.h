@@ -1,8 +1,7 @@
 /* Edits of reinforcing bars, on the draft of qn_document_edit(), with errors as in edit.h. What breaks
  * a rule of bars (they cross joints at right angles, their law has a basis of its own) is refused when
  * the draft becomes the document. */
-#ifndef QN_DOC_EDIT_BAR_H
-#define QN_DOC_EDIT_BAR_H
+#pragma once
 
 #include "core/model/bar.h"
 #include "doc/edit/edit.h"
@@ -24,5 +23,3 @@ QnId qn_model_find_bar (const QnModel *model, QnVec2 at, double reach);
 
 /* "steel, Ø 16 mm: 0; 0.2 m – 2.9; 0.2 m"; the caller frees it. */
 char *qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units);
-
-#endif

@@ -1,6 +1,5 @@
 /* Part of rebuilding a model: beams follow the blocks that their nodes ride on. */
-#ifndef QN_DOC_EDIT_BEAMS_H
-#define QN_DOC_EDIT_BEAMS_H
+#pragma once
 
 #include "doc/edit/edit.h"
 
@@ -25,5 +24,3 @@ void qn_beam_rebuild_clear (QnBeamRebuild *rebuild);
  * block. */
 void qn_edit_transform_nodes (QnModel *model, const gboolean *flags,
                               QnTransform transform);
-
-#endif

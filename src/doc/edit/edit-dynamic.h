@@ -1,6 +1,5 @@
 /* Edits of analyses in time: what they need to begin with, and their ground motions. */
-#ifndef QN_DOC_EDIT_DYNAMIC_H
-#define QN_DOC_EDIT_DYNAMIC_H
+#pragma once
 
 #include "doc/edit/edit.h"
 
@@ -39,5 +38,3 @@ char *qn_ground_motion_dup_text (const QnGroundMotion *motion);
 
 /* "half-sine" …, translated. */
 const char *qn_pulse_kind_text (QnPulseKind kind);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * A face is told by its two blocks; an exception holds for all faces between them. Exceptions
  * that say nothing any more are removed. */
-#ifndef QN_DOC_EDIT_FACE_H
-#define QN_DOC_EDIT_FACE_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "doc/edit/edit.h"
@@ -24,5 +23,3 @@ gboolean qn_edit_set_face_law (QnModel *model, QnFaceSet set, QnId law, GError *
 /* NULL: as all contacts. */
 gboolean qn_edit_set_face_pairs (QnModel *model, QnFaceSet set, const QnPairRule *rule,
                                  GError **error);
-
-#endif

@@ -3,8 +3,7 @@
  * They work on the draft of qn_document_edit() with errors as in edit.h. Lengths are m, stresses
  * Pa. A node that several beams share is one joint: what moves it moves all their ends.
  */
-#ifndef QN_DOC_EDIT_FRAME_H
-#define QN_DOC_EDIT_FRAME_H
+#pragma once
 
 #include "doc/edit/edit.h"
 #include "io/project/project.h"
@@ -148,5 +147,3 @@ gboolean qn_edit_add_section (QnModel *model, QnId like, GError **error);
 gboolean qn_edit_rename_section (QnModel *model, QnId section, const char *name,
                                  GError **error);
 void qn_edit_remove_unused_sections (QnModel *model);
-
-#endif

@@ -1,6 +1,5 @@
 /* Joints of mortar that a drawing leaves open: found in a model, and closed in one step. */
-#ifndef QN_DOC_EDIT_GAPS_H
-#define QN_DOC_EDIT_GAPS_H
+#pragma once
 
 #include "doc/edit/edit.h"
 #include "stereotomy/gaps.h"
@@ -20,5 +19,3 @@ char *qn_gaps_dup_text (const QnGaps *gaps);
  * are none. */
 gboolean qn_edit_close_gaps (QnModel *model, double width, QnGapClosing *closing,
                              GError **error);
-
-#endif

@@ -5,8 +5,7 @@
  * list, which is QnBlock.masonry of their blocks. Loads and exceptions for faces follow the
  * blocks they were at: by name, or where that is gone by place.
  */
-#ifndef QN_DOC_EDIT_MASONRY_H
-#define QN_DOC_EDIT_MASONRY_H
+#pragma once
 
 #include "doc/edit/edit.h"
 #include "io/project/project.h"
@@ -43,5 +42,3 @@ gboolean qn_edit_convert_wall (QnProject *draft, QnId wall, GError **error);
 /* Which objects have all of their blocks in the set, one flag per object. The caller frees
  * it. */
 gboolean *qn_edit_whole_objects (const QnModel *model, QnBlockSet set, gsize *count);
-
-#endif

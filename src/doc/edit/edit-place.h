@@ -3,8 +3,7 @@
  * As in edit.h: on the draft that qn_document_edit_project() hands out, whole or refused. Lengths
  * are m, angles rad. A wall or another object of which every block is in the set moves as one
  * thing and stays parametric; other blocks and beams move one by one. */
-#ifndef QN_DOC_EDIT_PLACE_H
-#define QN_DOC_EDIT_PLACE_H
+#pragma once
 
 #include "doc/edit/edit-frame.h"
 #include "render/drawing/camera.h"
@@ -70,5 +69,3 @@ gboolean qn_spread_parse (const char *name, QnSpread *spread);
 /* The first and the last thing stay where they are. Refused for fewer than three. */
 gboolean qn_edit_spread (QnProject *draft, QnPartSet set, QnSpread spread,
                          GError **error);
-
-#endif

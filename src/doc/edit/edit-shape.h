@@ -3,8 +3,7 @@
  * As in edit.h: on the copy that qn_document_edit() hands out, whole or refused. Blocks of walls
  * and masonry become free blocks of the same names first. Loads stay at their points of
  * application. Lengths in m. */
-#ifndef QN_DOC_EDIT_SHAPE_H
-#define QN_DOC_EDIT_SHAPE_H
+#pragma once
 
 #include "doc/edit/edit.h"
 #include "stereotomy/ring.h"
@@ -38,5 +37,3 @@ gboolean qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
 
 /* The polygon of a block; clear it. FALSE without memory. */
 gboolean qn_block_to_ring (const QnModel *model, QnId block, QnRing *ring);
-
-#endif

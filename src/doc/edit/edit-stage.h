@@ -4,8 +4,7 @@
  * stages (model-check-loading.c) is refused when the draft becomes the document. Lists of loads are
  * told by numbers: QN_DEAD_LOADS, 0 for the live loads, and those of the sets.
  */
-#ifndef QN_DOC_EDIT_STAGE_H
-#define QN_DOC_EDIT_STAGE_H
+#pragma once
 
 #include "doc/edit/edit.h"
 
@@ -81,5 +80,3 @@ typedef enum {
   QN_STAGE_END_COUNT
 } QnStageEnd;
 QnStageEnd qn_stage_get_end (const QnStage *stage);
-
-#endif

@@ -1,7 +1,6 @@
 /* Edits of ties, on the draft of qn_document_edit(), with errors as in edit.h. What breaks a rule of ties
  * (both ends on one block, or on the ground) is refused when the draft becomes the document. */
-#ifndef QN_DOC_EDIT_TIE_H
-#define QN_DOC_EDIT_TIE_H
+#pragma once
 
 #include "doc/edit/edit.h"
 #include "doc/text/units.h"
@@ -40,5 +39,3 @@ char *qn_tie_dup_text (const QnModel *model, const QnTie *tie, QnUnits units);
 
 /* "4 m, 53 kN/mm, strength 4.5 kN (anchor)"; the caller frees it. */
 char *qn_tie_dup_facts (const QnTie *tie, QnUnits units);
-
-#endif

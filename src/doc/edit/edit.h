@@ -5,8 +5,7 @@
  * are m, forces N. Blocks of a parametric wall follow their wall: what concerns single ones
  * either changes the wall's courses or first turns the wall into free blocks.
  */
-#ifndef QN_DOC_EDIT_H
-#define QN_DOC_EDIT_H
+#pragma once
 
 #include "core/model/model.h"
 #include "stereotomy/masonry.h"
@@ -171,5 +170,3 @@ gboolean qn_edit_refuse_nothing (GError **error, const char *message);
 
 /* Which blocks are in the set: one flag per block. The caller frees it. */
 gboolean *qn_block_set_to_flags (QnBlockSet set, const QnModel *model);
-
-#endif

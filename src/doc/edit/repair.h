@@ -5,8 +5,7 @@
  * blocks of a finding the one that is free, not supported and smaller gives way. Where blocks
  * stand apart by joints of mortar these are what is to be closed: nothing is fixed to the ground
  * instead. */
-#ifndef QN_DOC_REPAIR_H
-#define QN_DOC_REPAIR_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "doc/edit/edit.h"
@@ -42,5 +41,3 @@ gboolean qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repa
 /* Does the best for every finding that can be repaired without removing or fixing a block;
  * `count` is how many were. Refused where there is none. */
 gboolean qn_edit_repair_all (QnModel *model, guint *count, GError **error);
-
-#endif

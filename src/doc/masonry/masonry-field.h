@@ -1,8 +1,7 @@
 /* The parameters of a masonry object or an opening as a list that a form can show: label,
  * quantity, limits, and what a new value does to the rest. Which of them there are depends on the
  * object: an arch has a rise, an opening with a lintel a bearing. */
-#ifndef QN_DOC_MASONRY_FIELD_H
-#define QN_DOC_MASONRY_FIELD_H
+#pragma once
 
 #include "doc/masonry/masonry-shape.h"
 #include "doc/text/units.h"
@@ -88,5 +87,3 @@ const QnFieldInfo *qn_opening_field_info (QnOpeningField field);
 gboolean qn_opening_has_field (const QnOpening *opening, QnOpeningField field);
 double qn_opening_get_field (const QnOpening *opening, QnOpeningField field);
 void qn_opening_set_field (QnOpening *opening, QnOpeningField field, double value);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * Points are m of the model. Sizes are rounded to what the bond can lay. Objects are without a
  * name; qn_edit_add_masonry() gives them one. */
-#ifndef QN_DOC_MASONRY_PLAN_H
-#define QN_DOC_MASONRY_PLAN_H
+#pragma once
 
 #include "stereotomy/masonry.h"
 #include <glib.h>
@@ -58,5 +57,3 @@ gboolean qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2
 
 /* Blocks of an object of this size, about: to know what is quick to draw. */
 double qn_masonry_estimate_blocks (const QnMasonry *masonry);
-
-#endif

@@ -1,7 +1,6 @@
 /* The shape of a masonry object under the hand: its frame, size, openings, and the handles by
  * which it is dragged. All points of the interface in m of the model. */
-#ifndef QN_DOC_MASONRY_SHAPE_H
-#define QN_DOC_MASONRY_SHAPE_H
+#pragma once
 
 #include "stereotomy/masonry.h"
 #include <glib.h>
@@ -66,5 +65,3 @@ void qn_masonry_drag (QnMasonry *masonry, int opening, QnHandleKind handle, QnVe
 
 /* Lays a listed wall in a bond, or another one in another: size and openings stay. */
 void qn_masonry_set_bond (QnMasonry *masonry, QnBond bond, double lap);
-
-#endif

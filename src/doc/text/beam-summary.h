@@ -1,6 +1,5 @@
 /* Section forces of a beam in a few numbers: at its ends, and the largest of each. */
-#ifndef QN_DOC_BEAM_SUMMARY_H
-#define QN_DOC_BEAM_SUMMARY_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/result/result.h"
@@ -24,5 +23,3 @@ bool qn_beam_summary_fill (QnBeamSummary *summary, const QnModel *model,
 
 /* The same in three lines of text. The caller frees it. */
 char *qn_beam_summary_dup_text (const QnBeamSummary *summary, QnUnits units);
-
-#endif

@@ -1,6 +1,5 @@
 /* How many there are of something: "1 block · 3 faces", translated, with the plural of each. */
-#ifndef QN_DOC_COUNT_TEXT_H
-#define QN_DOC_COUNT_TEXT_H
+#pragma once
 
 #include <glib.h>
 
@@ -22,5 +21,3 @@ typedef struct QnCount {
 
 /* The counts in their order with `separator` between them. Free with g_free(). */
 char *qn_counts_dup_text (const QnCount *counts, gsize n_counts, const char *separator);
-
-#endif

@@ -1,6 +1,5 @@
 /* The core's problems in the user's language, with the names of what they are about. */
-#ifndef QN_DOC_EXPLAIN_H
-#define QN_DOC_EXPLAIN_H
+#pragma once
 
 #include "core/contact/finding.h"
 #include "core/model/model.h"
@@ -32,5 +31,3 @@ const char *qn_explain_outcome_label (const QnResult *result);
 const char *qn_explain_pair_state (QnPairState state);
 /* How many pairs are in each state: "1 pair sticks, 2 pairs are open". The caller frees it. */
 char *qn_explain_pairs (const guint counts[QN_PAIR_STATE_COUNT]);
-
-#endif

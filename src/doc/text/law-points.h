@@ -1,7 +1,6 @@
 /* The points of a law's curve as the user types them: "-0.002 -2e6; 0.001 1e5", elongation and
  * force or strain and stress, in SI. The decimal sign is that of the locale, or the other. */
-#ifndef QN_DOC_LAW_POINTS_H
-#define QN_DOC_LAW_POINTS_H
+#pragma once
 
 #include "core/law/law.h"
 
@@ -13,5 +12,3 @@ gboolean qn_law_points_parse (const char *text, QnVec2 *points, int32_t *count);
 
 /* The text with nine significant digits; the caller frees it. */
 char *qn_law_points_dup_text (const QnVec2 *points, int32_t count);
-
-#endif

@@ -1,6 +1,5 @@
 /* A typical law of every kind, with the history that shows what is particular about it. */
-#ifndef QN_DOC_LAW_PRESET_H
-#define QN_DOC_LAW_PRESET_H
+#pragma once
 
 #include "core/law/law.h"
 
@@ -23,5 +22,3 @@ const QnLawPreset *qn_law_preset (QnLawKind kind);
 /* Another kind for a law: what the new kind requires and the law does not have is typical. Laws of
  * members come with their basis and stiffness, and without a source; joints keep theirs. */
 void qn_law_change_kind (QnLaw *law, QnLawKind kind);
-
-#endif

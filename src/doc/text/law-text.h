@@ -1,6 +1,5 @@
 /* A law in words: its line in the list of laws. */
-#ifndef QN_DOC_LAW_TEXT_H
-#define QN_DOC_LAW_TEXT_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "doc/text/units.h"
@@ -15,5 +14,3 @@ QnQuantity qn_law_quantity (const char *key, QnBasis basis);
 /* Name; kind, basis and what has it; main numbers; the source: a line each. Free with g_free(). */
 char *qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId law,
                        QnUnits units);
-
-#endif

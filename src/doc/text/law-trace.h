@@ -1,6 +1,5 @@
 /* How a constitutive law answers a history of elongations, for tables and plots. */
-#ifndef QN_DOC_LAW_TRACE_H
-#define QN_DOC_LAW_TRACE_H
+#pragma once
 
 #include "doc/text/law-preset.h"
 #include "render/figure/curve-plot.h"
@@ -22,5 +21,3 @@ QnPlot *qn_law_plot (const QnLawPreset *what, const GArray *samples);
 
 /* A law of one's own with the typical history of its kind, scaled to its numbers. */
 QnLawPreset qn_law_preset_for (const QnLaw *law);
-
-#endif

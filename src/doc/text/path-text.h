@@ -1,6 +1,5 @@
 /* Places of a project file ("laws[0].friction") in words: "Law “dry joint”: friction". */
-#ifndef QN_DOC_PATH_TEXT_H
-#define QN_DOC_PATH_TEXT_H
+#pragma once
 
 #include "core/model/model.h"
 #include <glib.h>
@@ -11,5 +10,3 @@ char *qn_path_dup_text (const QnModel *model, const char *path);
 /* The message of an error about an override of that place without file, place and override, which the
  * window says otherwise. The caller frees it. */
 char *qn_path_dup_reason (const char *message, const char *path);
-
-#endif

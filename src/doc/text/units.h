@@ -4,8 +4,7 @@
  * "0,4 m" and "40 cm" are the same length. Both decimal signs are understood; the one of the
  * locale is written.
  */
-#ifndef QN_DOC_UNITS_H
-#define QN_DOC_UNITS_H
+#pragma once
 
 #include <glib.h>
 
@@ -71,5 +70,3 @@ char *qn_units_format_full (QnUnits units, QnQuantity quantity, double value, in
  * "inf" give infinity, which callers that cannot use it refuse. `value` is in SI. */
 gboolean qn_units_parse (QnUnits units, QnQuantity quantity, const char *text,
                          double *value, GError **error);
-
-#endif

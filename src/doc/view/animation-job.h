@@ -1,6 +1,5 @@
 /* An animation that is drawn in a thread of its own, from a run that is held meanwhile. */
-#ifndef QN_DOC_ANIMATION_JOB_H
-#define QN_DOC_ANIMATION_JOB_H
+#pragma once
 
 #include "doc/view/view-state.h"
 #include "render/movie/animation.h"
@@ -31,5 +30,3 @@ void qn_animation_write_async (QnViewState *state, const QnAnimationSettings *se
                                GAsyncReadyCallback callback, gpointer user_data);
 gboolean qn_animation_write_finish (QnViewState *state, GAsyncResult *result,
                                     GError **error);
-
-#endif

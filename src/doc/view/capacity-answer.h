@@ -1,7 +1,6 @@
 /* Capacity curves for the window and the command line: the path that they come from, checks against a
  * spectrum, and the plot. docs/method/capacity.md has the formulas. */
-#ifndef QN_DOC_CAPACITY_ANSWER_H
-#define QN_DOC_CAPACITY_ANSWER_H
+#pragma once
 
 #include "core/base/progress.h"
 #include "core/capacity/kinematic.h"
@@ -99,5 +98,3 @@ gboolean qn_capacity_answer_export (const QnCapacityAnswer *answer, const char *
                                     GError **error);
 gboolean qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,
                                        GError **error);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * `spectrum` may be a file beside the project instead, with the `unit` of its accelerations where the
  * file does not say it. */
-#ifndef QN_DOC_CAPACITY_SETTINGS_H
-#define QN_DOC_CAPACITY_SETTINGS_H
+#pragma once
 
 #include "doc/view/capacity-answer.h"
 #include "io/exchange/record.h"
@@ -55,5 +54,3 @@ gboolean qn_capacity_settings_apply (const QnCapacitySettings *settings,
 char *qn_capacity_settings_to_json (const QnCapacitySettings *settings);
 
 void qn_capacity_settings_clear (QnCapacitySettings *settings);
-
-#endif

@@ -1,6 +1,5 @@
 /* The files that a project names by relative paths go with it when it is saved elsewhere. */
-#ifndef QN_DOC_CARRY_FILES_H
-#define QN_DOC_CARRY_FILES_H
+#pragma once
 
 #include "doc/document/document.h"
 
@@ -9,5 +8,3 @@
  * named as seen from there. FALSE with an error where a file of the name is there that says
  * something else: nothing is written over. */
 gboolean qn_document_carry_files (QnDocument *document, const char *path, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* Energies of an analysis in time over its time. */
-#ifndef QN_DOC_ENERGY_PLOT_H
-#define QN_DOC_ENERGY_PLOT_H
+#pragma once
 
 #include "core/result/result.h"
 #include "render/figure/plot.h"
@@ -11,5 +10,3 @@
 /* A line for each of them at the same times, a few hundred at most: what lies between is left out. The
  * unit, "J", "kJ" or "MJ", goes by the largest energy. */
 QnPlot *qn_energy_plot (const QnHistory *history, const char **unit);
-
-#endif

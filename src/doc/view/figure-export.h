@@ -1,7 +1,6 @@
 /* Exporting what a window shows: the same bytes as the command line writes for the same
  * project, result and options. */
-#ifndef QN_DOC_FIGURE_EXPORT_H
-#define QN_DOC_FIGURE_EXPORT_H
+#pragma once
 
 #include "doc/view/recipe.h"
 #include "doc/view/view-state.h"
@@ -20,5 +19,3 @@ gboolean qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe,
 
 /* Metadata of pictures of a document; borrows from it. */
 void qn_document_get_metadata (QnDocument *document, QnMetadata *metadata);
-
-#endif

@@ -1,7 +1,6 @@
 /* The figures of a document's project: stored as recipes, each change a step that can be undone,
  * and made again from the window as `quoin-cli figures` makes them. */
-#ifndef QN_DOC_FIGURES_H
-#define QN_DOC_FIGURES_H
+#pragma once
 
 #include "doc/document/document.h"
 #include "doc/view/recipe.h"
@@ -31,5 +30,3 @@ void qn_document_allow_figure (QnDocument *document, const QnRecipe *recipe);
  * outside the project's folder that the user has not allowed are refused (QN_IO_ERROR_OUTSIDE). */
 gboolean qn_document_export_figure (QnDocument *document, const QnRecipe *recipe,
                                     const char *path, GError **error);
-
-#endif

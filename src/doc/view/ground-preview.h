@@ -1,7 +1,6 @@
 /* What a motion of the ground looks like before anything is computed: acceleration, velocity,
  * displacement, and the response spectrum. */
-#ifndef QN_DOC_GROUND_PREVIEW_H
-#define QN_DOC_GROUND_PREVIEW_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -31,5 +30,3 @@ void qn_ground_preview_clear (QnGroundPreview *preview);
 
 /* A plot of it, which borrows its numbers. */
 QnPlot *qn_ground_preview_plot (const QnGroundPreview *preview, QnGroundPreviewKind kind);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * Numbers are those of render/scene/reading.h at the step that is shown. In the views of the model
  * they are told as long as the current run is of the same model; otherwise geometry alone. */
-#ifndef QN_DOC_INSPECT_H
-#define QN_DOC_INSPECT_H
+#pragma once
 
 #include "doc/text/units.h"
 #include "doc/view/view-state.h"
@@ -49,5 +48,3 @@ char *qn_inspect_dup_state (const QnJointReading *reading);
 char *qn_inspect_dup_title (const QnStepView *view, QnInspected what);
 char *qn_inspect_dup_values (const QnStepView *view, QnInspected what, QnUnits units,
                              gboolean brief);
-
-#endif

@@ -1,6 +1,5 @@
 /* Loads and stages in one line of text each. */
-#ifndef QN_DOC_LOAD_TEXT_H
-#define QN_DOC_LOAD_TEXT_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/result/result.h"
@@ -20,5 +19,3 @@ char *qn_stage_dup_text (const QnModel *model, gsize stage, QnUnits units);
  * False where it has none. */
 bool qn_result_stage_steps (const QnResult *result, int32_t stage, size_t *first,
                             size_t *last);
-
-#endif

@@ -4,8 +4,7 @@
  * lines, and those over the grid; within a kind the nearest wins. The answer says what it took,
  * so that the drawing can show it.
  */
-#ifndef QN_DOC_MAGNET_H
-#define QN_DOC_MAGNET_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -37,5 +36,3 @@ QnMagnetHit qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2
 
 /* A round distance (1, 2 or 5 times a power of ten, m) that is at least `least` m. */
 double qn_magnet_round_distance (double least);
-
-#endif

@@ -1,6 +1,5 @@
 /* Contact pairs at given places, as the user types them: "0,1; 0,5; 0,9". */
-#ifndef QN_DOC_PAIR_TEXT_H
-#define QN_DOC_PAIR_TEXT_H
+#pragma once
 
 #include "core/model/model.h"
 #include "doc/text/units.h"
@@ -23,5 +22,3 @@ char *qn_pair_rule_dup_text (const QnPairRule *rule, const QnLaw *law, QnUnits u
 /* The lists of a rule of given places, "" for other rules. The caller frees them. */
 char *qn_pair_rule_dup_positions (const QnPairRule *rule);
 char *qn_pair_rule_dup_weights (const QnPairRule *rule);
-
-#endif

@@ -5,8 +5,7 @@
  *
  * The keys are described in data/project-format.md.
  */
-#ifndef QN_DOC_RECIPE_H
-#define QN_DOC_RECIPE_H
+#pragma once
 
 #include "io/project/project.h"
 #include "render/figure/figure.h"
@@ -52,5 +51,3 @@ void qn_recipe_fill (const QnRecipe *recipe, const QnModel *model,
 
 /* Whether the model is another than the one the figure was stored with. */
 bool qn_recipe_is_stale (const QnRecipe *recipe, const QnProject *project);
-
-#endif

@@ -1,7 +1,6 @@
 /* Results as reports tell of them: each read as a file would be and checked, and the report on what a
  * document holds. */
-#ifndef QN_DOC_REPORT_ITEM_H
-#define QN_DOC_REPORT_ITEM_H
+#pragma once
 
 #include "doc/document/document.h"
 #include "doc/view/report.h"
@@ -39,5 +38,3 @@ void qn_report_item_clear (QnReportItem *item);
  * model as it is now. */
 gboolean qn_report_write (QnDocument *document, QnUnits units, const char *path,
                           GError **error);
-
-#endif

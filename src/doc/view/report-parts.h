@@ -1,6 +1,5 @@
 /* Parts of a report, one file for each. Sections are written in the order of QnReportSection. */
-#ifndef QN_DOC_REPORT_PARTS_H
-#define QN_DOC_REPORT_PARTS_H
+#pragma once
 
 #include "doc/view/report.h"
 
@@ -53,5 +52,3 @@ bool qn_report_write_comparison (QnPages *pages, const QnReport *report, GError 
 /* The kinematic check of a result's mechanism; nothing where the project does not ask for it. */
 bool qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units,
                                 GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a report holds and looks like, kept in the project as `report`: see data/project-format.md. */
-#ifndef QN_DOC_REPORT_TEMPLATE_H
-#define QN_DOC_REPORT_TEMPLATE_H
+#pragma once
 
 #include "render/figure/pages.h"
 
@@ -49,5 +48,3 @@ gboolean qn_report_template_set (QnReportTemplate *plan, const char *option,
 char *qn_report_template_to_json (const QnReportTemplate *plan);
 
 void qn_report_template_clear (QnReportTemplate *plan);
-
-#endif

@@ -1,8 +1,7 @@
 /* A report on a project and what was computed of it: one PDF with model, materials, loads, findings,
  * contacts, every result with its curve and mechanism, the forces of joints, the independent check, a comparison, and the
  * files it was made of. */
-#ifndef QN_DOC_REPORT_H
-#define QN_DOC_REPORT_H
+#pragma once
 
 #include "doc/text/units.h"
 #include "doc/view/report-template.h"
@@ -32,5 +31,3 @@ typedef struct QnReport {
 
 /* The PDF, or NULL with an error. */
 GBytes *qn_report_encode (const QnReport *report, GError **error);
-
-#endif

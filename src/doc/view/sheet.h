@@ -1,7 +1,6 @@
 /* Results of one or several projects side by side: their curves over the same axes, their mechanisms on one
  * sheet, and both as tables. */
-#ifndef QN_DOC_SHEET_H
-#define QN_DOC_SHEET_H
+#pragma once
 
 #include "io/project/project.h"
 #include "render/figure/curve-plot.h"
@@ -49,5 +48,3 @@ gboolean qn_energy_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *ru
 gboolean qn_comparison_export (const QnSheetRun *runs, gsize count, int columns,
                                const char *title, gboolean monochrome, const char *path,
                                const QnOutput *output, GError **error);
-
-#endif

@@ -3,8 +3,7 @@
  * Several widgets look at it (drawing, curve, step slider); each change is announced by
  * "changed", without arguments. The document is not changed by looking at it.
  */
-#ifndef QN_DOC_VIEW_STATE_H
-#define QN_DOC_VIEW_STATE_H
+#pragma once
 
 #include "doc/document/document.h"
 #include "render/scene/view-options.h"
@@ -80,5 +79,3 @@ gboolean qn_view_state_get_content (QnViewState *state, const QnModel **model,
 gboolean qn_view_state_get_content_of (QnViewState *state, QnView view,
                                        const QnModel **model, const QnContacts **contacts,
                                        const QnResult **result);
-
-#endif

@@ -1,7 +1,6 @@
 /* What is found out about a project, and about a result of it, as JSON; data/check-format.md describes it
  * key by key. */
-#ifndef QN_IO_CHECK_JSON_H
-#define QN_IO_CHECK_JSON_H
+#pragma once
 
 #include "io/result/result-claims.h"
 
@@ -18,5 +17,3 @@ typedef struct QnCheckReport {
 
 /* Free with g_free(). */
 char *qn_check_report_dup_json (const QnCheckReport *report, gsize *length);
-
-#endif

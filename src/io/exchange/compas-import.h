@@ -1,6 +1,5 @@
 /* COMPAS assemblies (JSON) and meshes (OBJ) as drawings. */
-#ifndef QN_IO_COMPAS_IMPORT_H
-#define QN_IO_COMPAS_IMPORT_H
+#pragma once
 
 #include "io/exchange/drawing.h"
 
@@ -11,5 +10,3 @@
  * The view is told, and what spoils the first one. Same contract as qn_dxf_import(). */
 gboolean qn_compas_import (const char *text, gsize length, const char *name,
                            QnDrawing *drawing, GError **error);
-
-#endif

@@ -19,8 +19,7 @@
  * Without a layer of supports the blocks of the lowest row are fixed; of a flat arch, whose voussoirs
  * all begin at one height, only those at its ends.
  */
-#ifndef QN_IO_DRAWING_IMPORT_H
-#define QN_IO_DRAWING_IMPORT_H
+#pragma once
 
 #include "io/exchange/drawing.h"
 #include "io/project/project.h"
@@ -100,5 +99,3 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnImportReport, qn_import_report_clear)
  * "Box", else DXF) and makes a project of it; as qn_drawing_to_project() otherwise. */
 gboolean qn_import_file (const char *path, const QnImportSettings *settings,
                          QnProject *project, QnImportReport *report, GError **error);
-
-#endif

@@ -3,8 +3,7 @@
  * Every importer flattens what it reads into paths, open or closed, in the file's own unit, with
  * their layer and the line of the file they come from. drawing-import.h makes a project of them.
  */
-#ifndef QN_IO_DRAWING_H
-#define QN_IO_DRAWING_H
+#pragma once
 
 #include "core/base/vec2.h"
 
@@ -85,5 +84,3 @@ gboolean qn_drawing_path_add_spline (QnDrawingPath *path, guint degree,
                                      const double *knots, gsize knot_count,
                                      const QnVec2 *points, const double *weights,
                                      gsize point_count);
-
-#endif

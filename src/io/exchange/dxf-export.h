@@ -1,6 +1,5 @@
 /* Blocks as DXF, for CAD programs. */
-#ifndef QN_IO_DXF_EXPORT_H
-#define QN_IO_DXF_EXPORT_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/result/result.h"
@@ -16,5 +15,3 @@
 gboolean qn_dxf_export (const QnModel *model, const QnContacts *contacts,
                         const QnResult *result, double scale, double unit,
                         const char *path, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* DXF files as drawings. */
-#ifndef QN_IO_DXF_IMPORT_H
-#define QN_IO_DXF_IMPORT_H
+#pragma once
 
 #include "io/exchange/drawing.h"
 
@@ -12,5 +11,3 @@
  * errors are one line with file and line, domain QN_IO_ERROR. */
 gboolean qn_dxf_import (const char *text, gsize length, const char *name,
                         QnDrawing *drawing, GError **error);
-
-#endif

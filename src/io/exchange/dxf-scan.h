@@ -5,8 +5,7 @@
  * and left out. What an entity says of its shape is kept as it is, in its own coordinates:
  * dxf-import.h puts it in its place.
  */
-#ifndef QN_IO_DXF_SCAN_H
-#define QN_IO_DXF_SCAN_H
+#pragma once
 
 #include "io/exchange/drawing.h"
 
@@ -70,5 +69,3 @@ char *qn_dxf_dup_charset (const char *bytes, gsize size);
 
 /* Number of $INSUNITS for a unit of so many metres; 0 where it has none. */
 int qn_dxf_unit_code (double metres);
-
-#endif

@@ -1,6 +1,5 @@
 /* The text geometry of HybriDFEM as a drawing. */
-#ifndef QN_IO_HYBRIDFEM_IMPORT_H
-#define QN_IO_HYBRIDFEM_IMPORT_H
+#pragma once
 
 #include "io/exchange/drawing.h"
 
@@ -15,5 +14,3 @@
  * contract as qn_dxf_import(). */
 gboolean qn_hybridfem_import (const char *text, gsize length, const char *name,
                               QnDrawing *drawing, GError **error);
-
-#endif

@@ -3,8 +3,7 @@
  * what it did. Where memory runs out they set `no_memory` or return QN_ERROR_NO_MEMORY; the work
  * can be cleared then as ever.
  */
-#ifndef QN_IO_IMPORT_WORK_H
-#define QN_IO_IMPORT_WORK_H
+#pragma once
 
 #include "io/exchange/drawing-import.h"
 #include "stereotomy/linework.h"
@@ -105,5 +104,3 @@ QnStatus qn_import_treat_gaps (QnImportWork *work, QnDiag *diag);
 
 /* Cuts all openings out of the blocks and supports; no opening is left among the outlines. */
 QnStatus qn_import_cut_openings (QnImportWork *work, QnDiag *diag);
-
-#endif

@@ -1,8 +1,7 @@
 /* What the heading of a record of ground motion says: quantity, unit, time step, how many samples.
  * Private to reading records (record-read.c). All of it is read whoever wrote the file: PEER, ESM,
  * COSMOS, CSMIP, K-NET, AFAD, or a person in a table's first line or a comment. */
-#ifndef QN_IO_RECORD_HEADING_H
-#define QN_IO_RECORD_HEADING_H
+#pragma once
 
 #include <glib.h>
 
@@ -48,5 +47,3 @@ gboolean qn_record_is_descriptor (const char *line);
 
 /* Reads the lines before `end`. */
 void qn_record_heading_read (QnRecordHeading *heading, char *const *lines, gsize end);
-
-#endif

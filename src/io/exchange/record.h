@@ -15,8 +15,7 @@
  * states. Records of velocity and of displacement are refused. Raw data of K-NET have an offset, which
  * goes where the largest acceleration that their heading states is one without it.
  */
-#ifndef QN_IO_RECORD_H
-#define QN_IO_RECORD_H
+#pragma once
 
 #include "io/project/project.h"
 
@@ -71,5 +70,3 @@ gboolean qn_project_read_record (QnProject *project, gsize index, const char *fo
                                  gboolean allow_outside, GError **error);
 gboolean qn_project_read_records (QnProject *project, const char *folder,
                                   gboolean allow_outside, GError **error);
-
-#endif

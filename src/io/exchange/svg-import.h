@@ -1,6 +1,5 @@
 /* SVG files as drawings. */
-#ifndef QN_IO_SVG_IMPORT_H
-#define QN_IO_SVG_IMPORT_H
+#pragma once
 
 #include "io/exchange/drawing.h"
 
@@ -12,5 +11,3 @@
  * compressed by gzip. Same contract as qn_dxf_import(). */
 gboolean qn_svg_import (const char *text, gsize length, const char *name,
                         QnDrawing *drawing, GError **error);
-
-#endif

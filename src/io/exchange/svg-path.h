@@ -1,6 +1,5 @@
 /* The data of paths and lists of points in SVG. Private to reading SVG (svg-import.c). */
-#ifndef QN_IO_SVG_PATH_H
-#define QN_IO_SVG_PATH_H
+#pragma once
 
 #include "io/exchange/drawing.h"
 
@@ -23,5 +22,3 @@ void qn_svg_pen_move (QnSvgPen *pen, QnVec2 to);
 /* The data of a path element; FALSE where they are not well-formed. Likewise the points of a polygon. */
 gboolean qn_svg_read_path (QnSvgPen *pen, const char *data);
 gboolean qn_svg_read_points (QnSvgPen *pen, const char *text, gboolean closed);
-
-#endif

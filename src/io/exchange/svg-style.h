@@ -1,7 +1,6 @@
 /* Attributes and style of elements of SVG, as far as they decide where a shape is and whether it is
  * seen. Private to reading SVG (svg-import.c). */
-#ifndef QN_IO_SVG_STYLE_H
-#define QN_IO_SVG_STYLE_H
+#pragma once
 
 #include <glib.h>
 #include <libxml/tree.h>
@@ -34,5 +33,3 @@ typedef struct QnSvgProperties {
 /* From its style, else the style sheets, else its attributes. */
 QnSvgProperties qn_svg_properties_of (const QnSvgStyle *style, const xmlNode *node);
 void qn_svg_properties_clear (QnSvgProperties *properties);
-
-#endif

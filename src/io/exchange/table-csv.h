@@ -1,7 +1,6 @@
 /* Tables as comma-separated values, units in the header, quoted where RFC 4180 requires it. Files
  * are written whole or not at all; errors are QN_IO_ERROR. */
-#ifndef QN_IO_TABLE_CSV_H
-#define QN_IO_TABLE_CSV_H
+#pragma once
 
 #include "core/result/result.h"
 #include "io/project/project.h"
@@ -31,5 +30,3 @@ gboolean qn_ties_csv_write (const char *path, const QnProject *project,
  * where there are none, or the result has none. */
 gboolean qn_beams_csv_write (const char *path, const QnProject *project,
                              const QnResult *result, GError **error);
-
-#endif

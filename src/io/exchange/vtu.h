@@ -1,6 +1,5 @@
 /* Results for ParaView: one VTU file per step and a PVD file that lists them. */
-#ifndef QN_IO_VTU_H
-#define QN_IO_VTU_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/result/result.h"
@@ -24,5 +23,3 @@
  * All files appear together or none of them. Errors: QN_IO_ERROR. */
 gboolean qn_vtu_export (const QnModel *model, const QnContacts *contacts,
                         const QnResult *result, const char *path, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* Where in a JSON text something stands. */
-#ifndef QN_IO_JSON_LOCATE_H
-#define QN_IO_JSON_LOCATE_H
+#pragma once
 
 #include <glib.h>
 
@@ -18,5 +17,3 @@ QnJsonPlace *qn_json_locate_all (const char *text, gsize length, const GPtrArray
 
 /* The same for one path. */
 QnJsonPlace qn_json_locate (const char *text, gsize length, const char *path);
-
-#endif

@@ -1,6 +1,5 @@
 /* Overrides of single values of a JSON document: analysis.increments=37. */
-#ifndef QN_IO_JSON_OVERRIDE_H
-#define QN_IO_JSON_OVERRIDE_H
+#pragma once
 
 #include <cjson/cJSON.h>
 #include <glib.h>
@@ -14,5 +13,3 @@ gboolean qn_json_override (cJSON *root, const char *override, GError **error);
 /* The path part of a well-formed override as qn_json_path_append_ writes it, or NULL; free with
  * g_free(). */
 char *qn_json_override_dup_path (const char *override);
-
-#endif

@@ -3,8 +3,7 @@
  * The parser of cJSON reports no lines, does not distinguish lack of memory from bad input, and
  * reads numbers in the locale of the process. So only its tree is used.
  */
-#ifndef QN_IO_JSON_PARSE_H
-#define QN_IO_JSON_PARSE_H
+#pragma once
 
 #include <cjson/cJSON.h>
 #include <glib.h>
@@ -13,5 +12,3 @@
  * "wall.quoin:3:9: laws[0]: …" (QN_IO_ERROR). Free the tree with cJSON_Delete(). Numbers beyond the
  * range of a double are infinite. */
 cJSON *qn_json_parse (const char *text, gsize length, const char *name, GError **error);
-
-#endif

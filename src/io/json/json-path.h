@@ -2,8 +2,7 @@
  *
  * A key that holds a separator or a line break is written in brackets as JSON: ["a.b"].
  */
-#ifndef QN_IO_JSON_PATH_H
-#define QN_IO_JSON_PATH_H
+#pragma once
 
 #include <glib.h>
 
@@ -27,5 +26,3 @@ void qn_json_path_append_index (GString *path, gsize index);
 /* Whether `path` is `ancestor` or leads to something inside it; both as written by the
  * append functions. */
 gboolean qn_json_path_is_within (const char *path, const char *ancestor);
-
-#endif

@@ -6,8 +6,7 @@
  *   for (gsize i = at + 1; i < json.tokens[at].next; i = json.tokens[i].next)
  *     … element i of an array, or key i of an object, whose value is token i + 1 …
  */
-#ifndef QN_IO_JSON_TOKENS_H
-#define QN_IO_JSON_TOKENS_H
+#pragma once
 
 #include <glib.h>
 
@@ -74,5 +73,3 @@ gboolean qn_json_failf (QnJson *json, gsize at, const char *format, ...)
   G_GNUC_PRINTF (3, 4);
 gboolean qn_json_fail_missing (QnJson *json, gsize at, const char *key);
 gboolean qn_json_no_memory (QnJson *json);
-
-#endif

@@ -4,8 +4,7 @@
  * functions that read; each points to the one that it was reached from. The text of the path, and
  * the line and column, are found only when something is wrong.
  */
-#ifndef QN_IO_JSON_VALUE_H
-#define QN_IO_JSON_VALUE_H
+#pragma once
 
 #include "core/base/numbers.h"
 #include "core/base/status.h"
@@ -110,5 +109,3 @@ gboolean qn_member_array (const QnJsonValue *object, const char *key, QnNeed nee
 /* One of `names`; choice: an enumeration whose values are their places. */
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                            const char *const *names, int count, void *choice);
-
-#endif

@@ -3,8 +3,7 @@
  * A form shows numbers of the model; a study varies numbers of the file. Where the one stands in the
  * other is known to the writer and the readers of projects alone: so it is found by writing the
  * project twice, before the edit and after it, and looking for what differs. */
-#ifndef QN_IO_NUMBER_PATH_H
-#define QN_IO_NUMBER_PATH_H
+#pragma once
 
 #include <glib.h>
 
@@ -14,5 +13,3 @@
  * anything else, or the number concerns the drawing alone. The caller frees it. */
 char *qn_number_path_find (const char *before, const char *after, double value,
                            double *number);
-
-#endif

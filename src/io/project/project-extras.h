@@ -1,6 +1,5 @@
 /* Top-level members of a project file that the model does not hold (view, figures, …). */
-#ifndef QN_IO_PROJECT_EXTRAS_H
-#define QN_IO_PROJECT_EXTRAS_H
+#pragma once
 
 #include "io/json/json-value.h"
 #include "io/project/project.h"
@@ -18,5 +17,3 @@ void qn_project_extras_free (cJSON *extras);
 
 /* Value of a member as JSON text, or NULL. Free with g_free(). */
 char *qn_project_dup_extra (const QnProject *project, const char *member);
-
-#endif

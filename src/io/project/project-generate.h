@@ -1,6 +1,5 @@
 /* Parametric masonry as a project: what `quoin-cli generate` writes. */
-#ifndef QN_IO_PROJECT_GENERATE_H
-#define QN_IO_PROJECT_GENERATE_H
+#pragma once
 
 #include "io/project/project.h"
 
@@ -11,5 +10,3 @@
  * `project` is overwritten without being cleared and holds nothing then. */
 gboolean qn_project_generate (const char *kind, const char *const *keys, double friction,
                               QnProject *project, GError **error);
-
-#endif

@@ -2,8 +2,7 @@
  * stages, …), contact, loads and analysis that no layer uses. They are kept by what they stand in;
  * an entity carries the number of its members as its note, so that they go where it goes.
  */
-#ifndef QN_IO_PROJECT_INNER_H
-#define QN_IO_PROJECT_INNER_H
+#pragma once
 
 #include "io/json/json-value.h"
 #include "io/project/project.h"
@@ -22,5 +21,3 @@ GHashTable *qn_project_index_inner (const QnProject *project);
  * to its object, the end of which was just written. `inner` may be NULL. */
 void qn_json_append_inner (GString *json, GHashTable *inner, const char *owner);
 void qn_json_append_note (GString *json, GHashTable *inner, int32_t note);
-
-#endif

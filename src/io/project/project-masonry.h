@@ -5,8 +5,7 @@
  * blocks of the object remain. Keys, defaults and names of blocks are described in
  * data/project-format.md; the rules behind them in stereotomy/masonry.h.
  */
-#ifndef QN_IO_PROJECT_MASONRY_H
-#define QN_IO_PROJECT_MASONRY_H
+#pragma once
 
 #include "io/json/json-value.h"
 #include "io/project/project.h"
@@ -39,5 +38,3 @@ void qn_project_drop_detached (QnProject *project);
 
 /* Whether the file must still say something of object `index`: blocks of it remain. */
 gboolean qn_project_has_masonry (const QnProject *project, QnId index);
-
-#endif

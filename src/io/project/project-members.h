@@ -1,8 +1,7 @@
 /* Members of an object of a project or result file as a table: which keys are known, how each is read
  * into a struct and written from it. Tables are read and written in their order, and end with { 0 }.
  */
-#ifndef QN_IO_PROJECT_MEMBERS_H
-#define QN_IO_PROJECT_MEMBERS_H
+#pragma once
 
 #include "core/model/model.h"
 #include "io/json/json-value.h"
@@ -129,5 +128,3 @@ void qn_json_put_unusual (GString *json, const char *key, double number, double 
 void qn_json_append_numbers (GString *json, const double *numbers, gsize count);
 void qn_json_put_numbers (GString *json, const char *key, const double *numbers,
                           gsize count);
-
-#endif

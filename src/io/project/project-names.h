@@ -1,7 +1,6 @@
 /* Words of the project file for the enumerations of the model. Those of laws, beams and
  * ground motions stand beside the enumerations. */
-#ifndef QN_IO_PROJECT_NAMES_H
-#define QN_IO_PROJECT_NAMES_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -15,5 +14,3 @@ extern const char *const qn_snap_names[QN_SNAP_THROUGH_COUNT];
 extern const char *const qn_flow_names[QN_FLOW_COUNT];
 extern const char *const qn_follow_names[2]; /* of contacts: that of false first */
 extern const char *const qn_dof_names[QN_DOF_COUNT];
-
-#endif

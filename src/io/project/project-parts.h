@@ -3,8 +3,7 @@
  * set; the other appends the part in the canonical layout, with the members that no layer knows
  * (project-inner.h; `inner` may be NULL).
  */
-#ifndef QN_IO_PROJECT_PARTS_H
-#define QN_IO_PROJECT_PARTS_H
+#pragma once
 
 #include "core/model/model.h"
 #include "io/json/json-value.h"
@@ -94,5 +93,3 @@ typedef int32_t (*QnMembersFunc) (GString *json, const QnModel *model, size_t in
 void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
                           const char *head, int indent, size_t count,
                           QnMembersFunc append_members, const char *tail);
-
-#endif

@@ -6,8 +6,7 @@
  * `density`; of a wall `unit`, `courses`, `thickness` and `unit_weight` or `density`; of a load
  * what its kind needs. Everything else has the default that the format's description gives.
  */
-#ifndef QN_IO_PROJECT_H
-#define QN_IO_PROJECT_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/model/model.h"
@@ -114,5 +113,3 @@ char *qn_range_dup_text (const QnFinding *finding);
  * of char *, free with g_ptr_array_unref(). */
 GPtrArray *qn_project_dup_finding_texts (const QnProject *project,
                                          const QnFindings *findings);
-
-#endif

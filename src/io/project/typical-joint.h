@@ -1,6 +1,5 @@
 /* Joints of usual masonry, with the literature that their numbers come from: docs/method/laws.md. */
-#ifndef QN_IO_TYPICAL_JOINT_H
-#define QN_IO_TYPICAL_JOINT_H
+#pragma once
 
 #include "core/law/law.h"
 
@@ -31,5 +30,3 @@ gboolean qn_law_make_joint (QnLaw *law, QnTypicalJointKind kind);
 /* The source of a law, translated if it is a typical joint's; NULL where it has none. `holds`: whether
  * the law still has the numbers of the joint; TRUE where the source is no typical joint's. */
 const char *qn_law_get_source (const QnLaw *law, gboolean *holds);
-
-#endif

@@ -1,6 +1,5 @@
 /* Unit weights of typical stone and masonry, with where they come from. */
-#ifndef QN_IO_TYPICAL_STONE_H
-#define QN_IO_TYPICAL_STONE_H
+#pragma once
 
 typedef struct QnTypicalStone {
   const char *name;   /* to be translated */
@@ -14,5 +13,3 @@ extern const QnTypicalStone qn_typical_stones[QN_STONE_COUNT];
 
 /* The first that weighs as much, or -1. */
 int qn_typical_stone_find (double unit_weight);
-
-#endif

@@ -3,8 +3,7 @@
  * Here contacts and project are compared with the file; core/check/result-check.h compares the
  * rest.
  */
-#ifndef QN_IO_RESULT_CLAIMS_H
-#define QN_IO_RESULT_CLAIMS_H
+#pragma once
 
 #include "core/check/result-check.h"
 #include "io/result/result-file.h"
@@ -15,5 +14,3 @@
 gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
                                      const QnProject *project, const QnContacts *contacts,
                                      QnResultFaults *faults, GError **error);
-
-#endif

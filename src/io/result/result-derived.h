@@ -4,8 +4,7 @@
  * A result that was read is written again, and both texts are compared member by member. What the program
  * would write otherwise contradicts the rest of the file.
  */
-#ifndef QN_IO_RESULT_DERIVED_H
-#define QN_IO_RESULT_DERIVED_H
+#pragma once
 
 #include "io/result/result-file.h"
 
@@ -18,5 +17,3 @@ gboolean qn_result_text_agrees (const char *text, gsize length, const char *name
                                 const QnResultFile *file, const QnProject *project,
                                 const QnContacts *contacts, GPtrArray *unproved,
                                 GError **error);
-
-#endif

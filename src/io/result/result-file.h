@@ -2,8 +2,7 @@
  *
  * The format is described key by key in data/result-format.md.
  */
-#ifndef QN_IO_RESULT_FILE_H
-#define QN_IO_RESULT_FILE_H
+#pragma once
 
 #include "core/result/result.h"
 #include "io/project/project.h"
@@ -72,5 +71,3 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnResultFile, qn_result_file_clear)
 gboolean qn_result_file_match (const QnResultFile *file, const char *name,
                                const QnProject *project, const QnContacts *contacts,
                                gboolean *same_bytes, GError **error);
-
-#endif

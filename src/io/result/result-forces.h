@@ -1,7 +1,6 @@
 /* Contact forces of every step in a result file: `forces`, two numbers a pair, `states`, a letter a
  * pair, and `damage`, the number of a pair whose bond is damaged and by how much, in turns. */
-#ifndef QN_IO_RESULT_FORCES_H
-#define QN_IO_RESULT_FORCES_H
+#pragma once
 
 #include "core/result/result.h"
 #include "io/json/json-tokens.h"
@@ -14,5 +13,3 @@ void qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_
  * forces and states or none, and some have damage. */
 gboolean qn_result_forces_read (QnJson *json, gsize at, gsize forces, gsize states,
                                 gsize damage, QnResult *result, size_t step);
-
-#endif

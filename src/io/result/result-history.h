@@ -1,7 +1,6 @@
 /* The member `history` of a result file, of an analysis in time, and contacts that follow the blocks
  * (data/result-format.md). */
-#ifndef QN_IO_RESULT_HISTORY_H
-#define QN_IO_RESULT_HISTORY_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/result/result.h"
@@ -19,5 +18,3 @@ void qn_result_found_write (QnFileWriter *writer, const QnResult *result);
  * result with steps and blocks. */
 gboolean qn_result_history_read (QnJson *json, gsize history, gsize found, gsize left,
                                  QnResult *result);
-
-#endif

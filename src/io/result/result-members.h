@@ -2,8 +2,7 @@
  * are read and written (io/project/project-members.h).
  *
  * What reads takes the token of the value and returns FALSE with the error of `json` set. */
-#ifndef QN_IO_RESULT_MEMBERS_H
-#define QN_IO_RESULT_MEMBERS_H
+#pragma once
 
 #include "core/result/result.h"
 #include "io/json/json-tokens.h"
@@ -91,5 +90,3 @@ gboolean qn_result_read_ids (QnJson *json, gsize at, size_t block_count, QnId **
  * text is too short for them, which `refusal` says, or memory runs out. */
 void *qn_result_room (QnJson *json, gsize at, size_t count, size_t size,
                       const char *refusal);
-
-#endif

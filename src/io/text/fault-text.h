@@ -1,6 +1,5 @@
 /* What is not true in a result, in words, translated. */
-#ifndef QN_IO_FAULT_TEXT_H
-#define QN_IO_FAULT_TEXT_H
+#pragma once
 
 #include "core/check/result-check.h"
 
@@ -14,5 +13,3 @@ const char *qn_claim_name (QnClaim claim);
 
 /* The claim of this name, or QN_CLAIM_COUNT. */
 QnClaim qn_claim_from_name (const char *name);
-
-#endif

@@ -3,8 +3,7 @@
  * A project may come from anywhere. What it names stays inside the project's folder, symbolic links
  * followed, unless the user allows more.
  */
-#ifndef QN_IO_FILE_INSIDE_H
-#define QN_IO_FILE_INSIDE_H
+#pragma once
 
 #include <glib.h>
 
@@ -14,5 +13,3 @@
  * the project has no place yet, and only absolute paths name anything. Free with g_free(). */
 char *qn_file_inside (const char *folder, const char *file, gboolean allow_outside,
                       GError **error);
-
-#endif

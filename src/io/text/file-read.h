@@ -1,6 +1,5 @@
 /* Reading a whole file into memory. */
-#ifndef QN_IO_FILE_READ_H
-#define QN_IO_FILE_READ_H
+#pragma once
 
 #include <glib.h>
 
@@ -13,5 +12,3 @@
  * `length` does not count. Free with g_free(). NULL with an error in the domain QN_IO_ERROR,
  * code FILE, for what is missing, unreadable, a folder or too large. */
 char *qn_file_read (const char *path, gsize *length, GError **error);
-
-#endif

@@ -10,8 +10,7 @@
  * Trouble while writing is remembered and reported by the commit, so that the code that makes
  * the bytes needs no checks.
  */
-#ifndef QN_IO_FILE_WRITER_H
-#define QN_IO_FILE_WRITER_H
+#pragma once
 
 #include "core/base/vec2.h"
 
@@ -72,5 +71,3 @@ void qn_file_writer_discard (QnFileWriter *writer);
 /* All of it at once. */
 gboolean qn_file_write (const char *path, const char *bytes, gsize length,
                         GError **error);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * so that a caller only puts its own name in front.
  */
-#ifndef QN_IO_IO_ERROR_H
-#define QN_IO_IO_ERROR_H
+#pragma once
 
 #include <glib.h>
 
@@ -28,5 +27,3 @@ GQuark qn_io_error_quark (void);
  * translated phrase such as "cannot be read". */
 void qn_io_error_set_errno (GError **error, const char *file, const char *what,
                             int error_number);
-
-#endif

@@ -1,6 +1,5 @@
 /* Pieces of JSON text. */
-#ifndef QN_IO_JSON_TEXT_H
-#define QN_IO_JSON_TEXT_H
+#pragma once
 
 #include <glib.h>
 
@@ -21,5 +20,3 @@ void qn_json_append_value (GString *json, const struct cJSON *value, guint inden
 void qn_json_begin_member (GString *json, const char *key);
 void qn_json_put_string (GString *json, const char *key, const char *text);
 void qn_json_put_number (GString *json, const char *key, double number);
-
-#endif

@@ -1,6 +1,5 @@
 /* A mechanism in words, translated, and its facts in the result file. */
-#ifndef QN_IO_MECHANISM_TEXT_H
-#define QN_IO_MECHANISM_TEXT_H
+#pragma once
 
 #include "core/result/mechanism.h"
 #include "core/result/result.h"
@@ -25,5 +24,3 @@ char *qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
 /* The facts as a JSON object: kind, bodies, joints that move. See data/result-format.md. */
 void qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
                          const QnMechanism *mechanism);
-
-#endif

@@ -1,6 +1,5 @@
 /* The word that was probably meant. */
-#ifndef QN_IO_NEAREST_WORD_H
-#define QN_IO_NEAREST_WORD_H
+#pragma once
 
 #include <glib.h>
 
@@ -9,5 +8,3 @@
  * ACM 7 (1964) 171-176; bytes, not characters). NULL where two slips or more would be more than a
  * third of the longer of the two. */
 const char *qn_nearest_word (const char *word, const char *const *words, gsize count);
-
-#endif

@@ -1,6 +1,5 @@
 /* Numbers as text, the same in every locale. */
-#ifndef QN_IO_NUMBER_TEXT_H
-#define QN_IO_NUMBER_TEXT_H
+#pragma once
 
 #include <glib.h>
 
@@ -11,5 +10,3 @@
  * "0.1", "10000000", "1e-6". Not for infinities and NaN, which JSON cannot hold: they give
  * "null". Minus zero gives "0". Returns `text`. */
 const char *qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE]);
-
-#endif

@@ -1,6 +1,5 @@
 /* How an analysis ended and why, in plain sentences of the user's language. */
-#ifndef QN_IO_OUTCOME_TEXT_H
-#define QN_IO_OUTCOME_TEXT_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/result/result.h"
@@ -28,5 +27,3 @@ char *qn_stage_dup_name (const QnModel *model, int32_t stage);
 
 /* Whether nothing but the dead load acts, so that there is no path to follow. */
 gboolean qn_model_lacks_live_load (const QnModel *model);
-
-#endif

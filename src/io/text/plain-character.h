@@ -1,6 +1,5 @@
 /* Which characters are shown as they are. */
-#ifndef QN_IO_PLAIN_CHARACTER_H
-#define QN_IO_PLAIN_CHARACTER_H
+#pragma once
 
 #include <glib.h>
 
@@ -15,5 +14,3 @@ qn_is_plain_character (gunichar c)
   return !g_unichar_iscntrl (c) && !(c >= 0x2028 && c <= 0x202e)
          && !(c >= 0x2066 && c <= 0x2069);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Text of other people's files as UTF-8. */
-#ifndef QN_IO_TEXT_DECODE_H
-#define QN_IO_TEXT_DECODE_H
+#pragma once
 
 #include <glib.h>
 
@@ -9,5 +8,3 @@
  * the bytes are that, else `charset` (NULL: Windows' for western Europe). Bytes that mean nothing
  * in it become replacement characters. */
 char *qn_text_decode (const char *bytes, gsize size, const char *charset, gsize *length);
-
-#endif

@@ -1,6 +1,5 @@
 /* printf() for what people read. Numbers that are none, and line breaks in names, do not reach them. */
-#ifndef QN_IO_TEXT_FORMAT_H
-#define QN_IO_TEXT_FORMAT_H
+#pragma once
 
 #include <glib.h>
 #include <stdarg.h>
@@ -15,5 +14,3 @@ char *qn_text_vprintf (gboolean *finite, const char *format, va_list arguments)
 
 /* As g_string_append_printf(), in the same manner. */
 void qn_text_append (GString *text, const char *format, ...) G_GNUC_PRINTF (2, 3);
-
-#endif

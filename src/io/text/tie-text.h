@@ -1,6 +1,5 @@
 /* Ties in words, translated. */
-#ifndef QN_IO_TIE_TEXT_H
-#define QN_IO_TIE_TEXT_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/result/result.h"
@@ -19,5 +18,3 @@ double qn_tie_utilisation (const QnTie *tie, double force);
 /* "Ties at most: “T” 3000 N, 100 % of its strength (anchor gives), “S” 1200 N, 40 %.", those that use most
  * first; NULL where there are none or their forces are not known. Free with g_free(). */
 char *qn_ties_dup_text (const QnModel *model, const QnResult *result);
-
-#endif

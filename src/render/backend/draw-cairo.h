@@ -1,6 +1,5 @@
 /* The Cairo back end: walks a scene and draws it. */
-#ifndef QN_RENDER_DRAW_CAIRO_H
-#define QN_RENDER_DRAW_CAIRO_H
+#pragma once
 
 #include "render/drawing/scene.h"
 
@@ -25,5 +24,3 @@ void qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layer
  * is counter-clockwise on the page; `unit` px are a point. */
 void qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double size,
                            double angle, double unit, QnColor color);
-
-#endif

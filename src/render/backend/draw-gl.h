@@ -1,7 +1,6 @@
 /* The OpenGL 3.3 back end: draws a scene but its photos and text, which are Cairo's on every
  * back end. All calls need the context current in which the renderer was made. */
-#ifndef QN_RENDER_DRAW_GL_H
-#define QN_RENDER_DRAW_GL_H
+#pragma once
 
 #include "render/backend/draw-cairo.h"
 #include "render/backend/gl-api.h"
@@ -31,5 +30,3 @@ unsigned qn_gl_renderer_uploads (const QnGlRenderer *renderer);
 cairo_surface_t *qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
                                             const QnCamera *camera, bool antialias,
                                             QnDrawCounts *counts, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* Drawing a scene onto a page by the back end that the page has. */
-#ifndef QN_RENDER_DRAW_SCENE_H
-#define QN_RENDER_DRAW_SCENE_H
+#pragma once
 
 #include "render/backend/output.h"
 #include "render/drawing/scene.h"
@@ -9,5 +8,3 @@
  * labels are always Cairo's. */
 bool qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
                     const QnPage *page, GError **error);
-
-#endif

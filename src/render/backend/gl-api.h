@@ -1,7 +1,6 @@
 /* The OpenGL 3.3 functions that this program calls, as a table filled by whoever made the
  * context: no library to link, one table for GtkGLArea, EGL and OSMesa alike. */
-#ifndef QN_RENDER_GL_API_H
-#define QN_RENDER_GL_API_H
+#pragma once
 
 #include <GL/glcorearb.h>
 #include <stdbool.h>
@@ -67,5 +66,3 @@ bool qn_gl_load (QnGl *gl, QnGlGetAddress get_address);
 
 /* Whether the current context is drawn by the processor, not by a graphics card. */
 bool qn_gl_is_software (const QnGl *gl);
-
-#endif

@@ -7,8 +7,7 @@
  * up to four straight edges, and shapes are grown by half a pixel so that a fragment learns
  * from these distances how much of its pixel is covered. Edges 0 and 2, and 1 and 3, face each
  * other: the part of a pixel between two parallel edges is exact however thin the shape. */
-#ifndef QN_RENDER_GL_BATCH_H
-#define QN_RENDER_GL_BATCH_H
+#pragma once
 
 #include "render/drawing/scene.h"
 
@@ -41,5 +40,3 @@ typedef struct QnGlBatch {
 
 void qn_gl_batch_init (QnGlBatch *batch, const QnScene *scene);
 void qn_gl_batch_clear (QnGlBatch *batch);
-
-#endif

@@ -1,7 +1,6 @@
 /* OpenGL without a display: a context with a renderer, made once for all pictures of a page or
  * an animation. It becomes the current context of its thread. */
-#ifndef QN_RENDER_GL_PAINTER_H
-#define QN_RENDER_GL_PAINTER_H
+#pragma once
 
 #include "render/drawing/scene.h"
 
@@ -20,5 +19,3 @@ cairo_surface_t *qn_gl_painter_draw (QnGlPainter *painter, const QnScene *scene,
 
 /* How many painters this process has made: contexts are expensive. */
 unsigned qn_gl_painter_count (void);
-
-#endif

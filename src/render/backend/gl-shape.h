@@ -1,6 +1,5 @@
 /* Shapes as triangles with smooth edges, for gl-batch.c. */
-#ifndef QN_RENDER_GL_SHAPE_H
-#define QN_RENDER_GL_SHAPE_H
+#pragma once
 
 #include "render/backend/gl-batch.h"
 
@@ -22,5 +21,3 @@ void qn_gl_add_fill (const QnGlBrush *brush, const QnVec2 *points, uint32_t coun
 /* A line with mitred corners and square ends; `width` in pt. */
 void qn_gl_add_line (const QnGlBrush *brush, const QnVec2 *points, uint32_t count,
                      bool closed, bool dashed, double width);
-
-#endif

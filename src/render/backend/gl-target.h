@@ -1,6 +1,5 @@
 /* A framebuffer to draw into and to read from, kept from picture to picture. */
-#ifndef QN_RENDER_GL_TARGET_H
-#define QN_RENDER_GL_TARGET_H
+#pragma once
 
 #include "render/backend/gl-api.h"
 
@@ -19,5 +18,3 @@ struct QnGlRenderer;
 
 /* The target that a renderer keeps. */
 QnGlTarget *qn_gl_renderer_target (struct QnGlRenderer *renderer);
-
-#endif

@@ -1,7 +1,6 @@
 /* OpenGL contexts without a display. Each maker is a build option and lives in a file of its
  * own; a context is used by the thread that made it, while it is the current one. */
-#ifndef QN_RENDER_OFFSCREEN_H
-#define QN_RENDER_OFFSCREEN_H
+#pragma once
 
 #include "render/backend/gl-api.h"
 
@@ -26,5 +25,3 @@ QnOffscreen *qn_offscreen_new_osmesa (void);
 /* Fills the table for the context that is current and that somebody else has made, such as a
  * GtkGLArea. False where it is older than OpenGL 3.3, or the build knows no EGL. */
 bool qn_gl_load_current (QnGl *gl);
-
-#endif

@@ -5,8 +5,7 @@
  * the end. A failed export leaves the old file, if any, as it was. Equal input gives equal
  * bytes: no dates, no counters.
  */
-#ifndef QN_RENDER_OUTPUT_H
-#define QN_RENDER_OUTPUT_H
+#pragma once
 
 #include "render/drawing/render-error.h"
 
@@ -83,5 +82,3 @@ void qn_output_describe_pdf (cairo_surface_t *surface, const QnMetadata *metadat
 
 /* Replaces the file by these bytes as a whole. Devices and pipes are written to directly. */
 bool qn_file_replace (const char *path, const void *data, size_t length, GError **error);
-
-#endif

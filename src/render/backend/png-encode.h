@@ -1,6 +1,5 @@
 /* PNG files with text chunks and resolution, which Cairo's own writer cannot carry. */
-#ifndef QN_RENDER_PNG_ENCODE_H
-#define QN_RENDER_PNG_ENCODE_H
+#pragma once
 
 #include <cairo.h>
 #include <glib.h>
@@ -14,5 +13,3 @@ typedef struct QnPngText {
  * transparent pixel is written without alpha. NULL with an error (FAILED). */
 GBytes *qn_png_encode (cairo_surface_t *surface, double dpi, const QnPngText *texts,
                        size_t text_count, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* The camera: how model coordinates (m, y up) become picture coordinates (px, y down). */
-#ifndef QN_RENDER_CAMERA_H
-#define QN_RENDER_CAMERA_H
+#pragma once
 
 #include "core/base/box.h"
 
@@ -39,5 +38,3 @@ void qn_camera_zoom_at (QnCamera *camera, QnVec2 s, double factor);
 
 /* Moves the picture by `delta` px. */
 void qn_camera_pan (QnCamera *camera, QnVec2 delta);
-
-#endif

@@ -3,8 +3,7 @@
  * The palette keeps to hues that red-green blind readers tell apart and to lightness steps
  * that survive a black-and-white copier; nothing is ever told by colour alone.
  */
-#ifndef QN_RENDER_COLOR_H
-#define QN_RENDER_COLOR_H
+#pragma once
 
 #include <stdint.h>
 
@@ -59,5 +58,3 @@ QnColor qn_map_diverging (double t, int monochrome);
 
 /* `color` with its opacity multiplied by alpha, 0 .. 1. */
 QnColor qn_color_fade (QnColor color, double alpha);
-
-#endif

@@ -1,7 +1,6 @@
 /* The shapes of markers, once for every back end: paths in units of the marker's size, x along
  * its angle, y to the left of it. */
-#ifndef QN_RENDER_MARKER_SHAPE_H
-#define QN_RENDER_MARKER_SHAPE_H
+#pragma once
 
 #include "render/drawing/scene.h"
 
@@ -25,5 +24,3 @@ typedef struct QnMarkerPath {
 
 /* The `part`-th path of a marker, from 0; false when there are no more. */
 bool qn_marker_path (QnMarker marker, int part, QnMarkerPath *path);
-
-#endif

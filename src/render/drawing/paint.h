@@ -1,6 +1,5 @@
 /* Colours of the palette as Cairo takes them. */
-#ifndef QN_RENDER_PAINT_H
-#define QN_RENDER_PAINT_H
+#pragma once
 
 #include "render/drawing/color.h"
 
@@ -13,5 +12,3 @@ qn_set_color (cairo_t *cr, QnColor color, double alpha)
   cairo_set_source_rgba (cr, color.r / 255.0, color.g / 255.0, color.b / 255.0,
                          color.a / 255.0 * alpha);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* A palette of at most 256 colours for GIF, by median cut (Heckbert 1982). */
-#ifndef QN_RENDER_PALETTE_H
-#define QN_RENDER_PALETTE_H
+#pragma once
 
 #include <cairo.h>
 #include <stdint.h>
@@ -20,5 +19,3 @@ void qn_palette_clear (QnPalette *palette);
 
 /* Index of the nearest colour to an ARGB pixel. */
 uint8_t qn_palette_find (QnPalette *palette, uint32_t pixel);
-
-#endif

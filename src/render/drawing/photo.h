@@ -1,6 +1,5 @@
 /* Photos and scans as images that can be drawn. */
-#ifndef QN_RENDER_PHOTO_H
-#define QN_RENDER_PHOTO_H
+#pragma once
 
 #include <cairo.h>
 #include <glib.h>
@@ -12,5 +11,3 @@
 /* Reads a PNG, JPEG, TIFF … file, turned the right way up as the camera noted. NULL with an
  * error (QN_RENDER_ERROR_FILE). */
 cairo_surface_t *qn_photo_load (const char *path, GError **error);
-
-#endif

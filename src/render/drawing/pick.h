@@ -1,6 +1,5 @@
 /* Picking: what is under the pointer, by walking the same scene that is drawn. */
-#ifndef QN_RENDER_PICK_H
-#define QN_RENDER_PICK_H
+#pragma once
 
 #include "render/drawing/scene.h"
 
@@ -19,5 +18,3 @@ QnPick qn_pick_at (const QnScene *scene, const QnCamera *camera, QnVec2 screen,
  * rectangle between two screen points; each once. */
 void qn_pick_inside (const QnScene *scene, const QnCamera *camera, QnVec2 corner_a,
                      QnVec2 corner_b, QnPickKind kind, GArray *ids);
-
-#endif

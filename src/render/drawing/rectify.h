@@ -5,8 +5,7 @@
  * plane parts of the rectangle's width and height from its lower left corner. The two are related by a
  * plane projective transformation (P. Heckbert, Fundamentals of Texture Mapping and Image Warping, 1989,
  * section 2.2.3: unit square to quadrilateral). */
-#ifndef QN_RENDER_RECTIFY_H
-#define QN_RENDER_RECTIFY_H
+#pragma once
 
 #include "core/base/box.h"
 
@@ -35,5 +34,3 @@ bool qn_rectify_to_plane (const QnVec2 points[4], QnVec2 photo, QnVec2 *plane);
 /* The plane seen from the front, and in `seen` the part of it that the picture shows. NULL without
  * memory. `points` are sorted. The caller destroys it. */
 cairo_surface_t *qn_rectify (cairo_surface_t *photo, const QnVec2 points[4], QnBox *seen);
-
-#endif

@@ -1,6 +1,5 @@
 /* Errors of this layer, with a sentence in the user's language. */
-#ifndef QN_RENDER_RENDER_ERROR_H
-#define QN_RENDER_RENDER_ERROR_H
+#pragma once
 
 #include <glib.h>
 
@@ -18,5 +17,3 @@ GQuark qn_render_error_quark (void);
 
 /* The file ("-": standard output) cannot be written; an errno says why. */
 void qn_render_error_set_unwritten (GError **error, const char *path, int trouble);
-
-#endif

@@ -1,6 +1,5 @@
 /* Fitting a scene into a rectangle with everything that does not scale with it. */
-#ifndef QN_RENDER_SCENE_FIT_H
-#define QN_RENDER_SCENE_FIT_H
+#pragma once
 
 #include "render/drawing/scene.h"
 
@@ -8,5 +7,3 @@
  * line ends and labels; at `scale` px per m where that is > 0. The camera's viewport and unit
  * are given, its centre and scale are set. */
 void qn_scene_fit (QnCamera *camera, const QnScene *scene, cairo_t *cr, double scale);
-
-#endif

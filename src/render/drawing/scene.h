@@ -7,8 +7,7 @@
  * typographic points and do not grow with zoom. Commands are ordered by layer, then by the
  * order in which they were added; later ones cover earlier ones.
  */
-#ifndef QN_RENDER_SCENE_H
-#define QN_RENDER_SCENE_H
+#pragma once
 
 #include "core/result/mechanism.h"
 #include "render/drawing/camera.h"
@@ -209,5 +208,3 @@ qn_command_is_thinned (const QnCommand *command)
          || command->layer == QN_LAYER_HATCH || command->layer == QN_LAYER_JOINTS
          || command->layer == QN_LAYER_FORCES;
 }
-
-#endif

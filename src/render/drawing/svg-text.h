@@ -2,8 +2,7 @@
  * outlines; so a text leaves a rectangle of a colour of its own among what is drawn before and after
  * it, which is replaced by the text once the SVG is written.
  */
-#ifndef QN_RENDER_SVG_TEXT_H
-#define QN_RENDER_SVG_TEXT_H
+#pragma once
 
 #include "render/drawing/color.h"
 #include "render/drawing/text.h"
@@ -25,5 +24,3 @@ void qn_svg_text_insert (GString *svg, const GPtrArray *texts);
 
 /* Text as XML: what no XML document may hold, not even as a reference, becomes U+FFFD. */
 char *qn_xml_dup_text (const char *text);
-
-#endif

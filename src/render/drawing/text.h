@@ -1,6 +1,5 @@
 /* Text on a page, through Pango: any language, and the same layout on every surface. */
-#ifndef QN_RENDER_TEXT_H
-#define QN_RENDER_TEXT_H
+#pragma once
 
 #include "render/drawing/color.h"
 
@@ -37,5 +36,3 @@ void qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text,
  * the right or bottom edge. `angle` turns it counter-clockwise about (x, y). */
 void qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
                    double y, double align_x, double align_y, double angle, QnColor color);
-
-#endif

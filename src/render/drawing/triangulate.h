@@ -1,6 +1,5 @@
 /* Triangles that cover a simple polygon, for back ends that know nothing else. */
-#ifndef QN_RENDER_TRIANGULATE_H
-#define QN_RENDER_TRIANGULATE_H
+#pragma once
 
 #include "core/base/vec2.h"
 
@@ -12,5 +11,3 @@
  * one by one, O(count^2): masonry blocks have few vertices. */
 size_t qn_triangulate (const QnVec2 *points, uint32_t count, uint32_t *indices,
                        uint32_t *order);
-
-#endif

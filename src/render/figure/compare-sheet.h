@@ -1,7 +1,6 @@
 /* A sheet of several figures at one scale, with title above and words beneath each: the
  * comparison of mechanisms in a report. */
-#ifndef QN_RENDER_COMPARE_SHEET_H
-#define QN_RENDER_COMPARE_SHEET_H
+#pragma once
 
 #include "render/figure/figure.h"
 
@@ -25,5 +24,3 @@ bool qn_compare_sheet_groups (const QnFigure *figures, size_t count, QnId *group
 bool qn_compare_sheet_export (const QnCompareSheet *sheet, const char *path,
                               const QnOutput *output, const QnMetadata *metadata,
                               GError **error);
-
-#endif

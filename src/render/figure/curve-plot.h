@@ -1,7 +1,6 @@
 /* Load-displacement curves: several runs in one plot with units, marked collapse and
  * limit points and reference lines. */
-#ifndef QN_RENDER_CURVE_PLOT_H
-#define QN_RENDER_CURVE_PLOT_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/result/curve-motion.h"
@@ -66,5 +65,3 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnCurve, qn_curve_clear)
 /* The plot of curves that share axes, with their marks; both arrays are borrowed. */
 QnPlot *qn_curve_plot (const QnCurve *curves, size_t count,
                        const QnReferenceLine *references, size_t reference_count);
-
-#endif

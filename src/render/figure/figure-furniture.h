@@ -1,7 +1,6 @@
 /* What stands around the structure in a figure: legend, colour bar and scale bar, laid out as
  * a row below it or a column beside it. Private to figures and sheets. */
-#ifndef QN_RENDER_FIGURE_FURNITURE_H
-#define QN_RENDER_FIGURE_FURNITURE_H
+#pragma once
 
 #include "render/backend/output.h"
 #include "render/drawing/scene.h"
@@ -45,5 +44,3 @@ void qn_furniture_column_size (const QnFurniture *furniture, double *width,
 /* Draws the items flowing within the rectangle x, y, width; `scale` is in px per m. */
 void qn_furniture_draw (const QnFurniture *furniture, cairo_t *cr, double scale,
                         bool as_column);
-
-#endif

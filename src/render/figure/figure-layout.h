@@ -1,7 +1,6 @@
 /* Where the parts of a figure stand: titles, structure, furniture. Laid out once and drawn many
  * times, so that the frames of an animation do not jump. */
-#ifndef QN_RENDER_FIGURE_LAYOUT_H
-#define QN_RENDER_FIGURE_LAYOUT_H
+#pragma once
 
 #include "render/figure/figure-furniture.h"
 #include "render/figure/figure.h"
@@ -26,5 +25,3 @@ bool qn_figure_layout_draw (const QnFigureLayout *layout, const QnFigure *figure
                             GError **error);
 
 void qn_figure_layout_clear (QnFigureLayout *layout);
-
-#endif

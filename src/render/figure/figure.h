@@ -1,6 +1,5 @@
 /* A figure: one view of one model with title, legend and scale bar, ready for a report. */
-#ifndef QN_RENDER_FIGURE_H
-#define QN_RENDER_FIGURE_H
+#pragma once
 
 #include "render/backend/output.h"
 #include "render/scene/scene-build.h"
@@ -58,5 +57,3 @@ bool qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
  * be drawn. */
 bool qn_figure_fit_height (const QnFigure *figure, cairo_t *cr, const QnPage *page,
                            const QnFrame *frame, double *height, GError **error);
-
-#endif

@@ -1,7 +1,6 @@
 /* The forces in one joint: normal force against shear force with the friction cone, and both along
  * the joint. Small, for a panel; the same marks as in pictures: hollow = open, square = slides. */
-#ifndef QN_RENDER_JOINT_PLOT_H
-#define QN_RENDER_JOINT_PLOT_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/result/result.h"
@@ -36,5 +35,3 @@ bool qn_joint_plot_fill (QnJointPlot *plot, const QnModel *model,
 /* Draws the two diagrams below each other; `unit`: px per typographic point. */
 void qn_joint_plot_draw (const QnJointPlot *plot, cairo_t *cr, double width,
                          double height, double unit);
-
-#endif

@@ -1,8 +1,7 @@
 /* A document of pages: headings, paragraphs, tables, figures and curves, one below the other, as a
  * PDF whose text can be selected. What does not fit any more begins the next page. Equal input gives
  * equal bytes. */
-#ifndef QN_RENDER_PAGES_H
-#define QN_RENDER_PAGES_H
+#pragma once
 
 #include "render/figure/curve-plot.h"
 #include "render/figure/figure.h"
@@ -48,5 +47,3 @@ void qn_pages_plot (QnPages *pages, const QnPlot *plot, double share);
 
 /* Frees the document; its PDF, or NULL with an error. */
 GBytes *qn_pages_finish (QnPages *pages, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* Axes of plots: ranges, round ticks, and how they are drawn. */
-#ifndef QN_RENDER_PLOT_AXES_H
-#define QN_RENDER_PLOT_AXES_H
+#pragma once
 
 #include <cairo.h>
 #include <stdbool.h>
@@ -51,5 +50,3 @@ void qn_axes_draw (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit,
 void qn_axes_draw_names (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit,
                          const char *x_name, const char *y_name, double left,
                          double bottom, bool monochrome);
-
-#endif

@@ -1,7 +1,6 @@
 /* A plot as data: points, lines, bands, bars and coloured cells over two axes. One function lays it
  * out and draws it, in files and in the window. */
-#ifndef QN_RENDER_PLOT_H
-#define QN_RENDER_PLOT_H
+#pragma once
 
 #include "render/backend/output.h"
 #include "render/drawing/scene.h"
@@ -83,5 +82,3 @@ void qn_plot_draw (const QnPlot *plot, cairo_t *cr, double unit, const QnFrame *
 /* Writes the plot as qn_page_export() does. */
 bool qn_plot_export (const QnPlot *plot, const char *path, const QnOutput *output,
                      const QnMetadata *metadata, GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* Animations: a mechanism that moves, or the path of an analysis with a dot on its curve. */
-#ifndef QN_RENDER_ANIMATION_H
-#define QN_RENDER_ANIMATION_H
+#pragma once
 
 #include "render/figure/figure.h"
 
@@ -44,5 +43,3 @@ bool qn_animation_export (const QnAnimation *animation, const char *path,
 /* Whether the path's form is one that can be written by this build; for checking before any
  * work. */
 bool qn_animation_check_path (const char *path, GError **error);
-
-#endif

@@ -1,7 +1,6 @@
 /* Movie files, one encoder per format; private to animations. Frames are ARGB32 image surfaces
  * of one size, opaque. Nothing is left behind by a movie that is not finished. */
-#ifndef QN_RENDER_MOVIE_H
-#define QN_RENDER_MOVIE_H
+#pragma once
 
 #include "render/backend/output.h"
 
@@ -22,5 +21,3 @@ extern const QnMovieFormat qn_movie_webm;
 
 /* Whether this build and machine can write WebM. */
 bool qn_movie_webm_available (GError **error);
-
-#endif

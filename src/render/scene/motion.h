@@ -1,7 +1,6 @@
 /* Motion: a displacement field over the blocks, scaled for drawing, and what it does to the
  * joints. */
-#ifndef QN_RENDER_MOTION_H
-#define QN_RENDER_MOTION_H
+#pragma once
 
 #include "core/contact/contacts.h"
 #include "core/result/mechanism.h"
@@ -63,5 +62,3 @@ QnJoint *qn_motion_mechanism_joints (const QnModel *model, const QnContacts *con
 
 /* "overturning", "rocking", "sliding", …; translated. */
 const char *qn_mechanism_kind_text (QnMechanismKind kind);
-
-#endif

@@ -5,8 +5,7 @@
  * of the face, counter-clockwise, so that moment = -normal * eccentricity. In equilibrium the
  * forces and moments of all joints of a block sum up to what loads and supports do not carry.
  */
-#ifndef QN_RENDER_READING_H
-#define QN_RENDER_READING_H
+#pragma once
 
 #include "core/result/found-contacts.h"
 #include "render/scene/motion.h"
@@ -98,5 +97,3 @@ bool *qn_step_left (const QnContacts *contacts, const QnResult *result, size_t s
 /* The displacements of a step, at factor 1; `displacements` is NULL where the result has no
  * steps. */
 QnMotion qn_step_motion (const QnModel *model, const QnResult *result, size_t step);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the drawings of beams share; private to the scene-*.c files. */
-#ifndef QN_RENDER_SCENE_BEAMS_H
-#define QN_RENDER_SCENE_BEAMS_H
+#pragma once
 
 #include "core/assembly/beam-assembly.h"
 #include "render/scene/scene-builder.h"
@@ -22,5 +21,3 @@ QnVec2 qn_beam_drawing_place (const QnBeamDrawing *drawing, QnId element, double
 
 /* A node as drawn. */
 QnVec2 qn_builder_place_node (const QnSceneBuilder *builder, QnId node);
-
-#endif

@@ -1,6 +1,5 @@
 /* From a model and its result to a scene. */
-#ifndef QN_RENDER_SCENE_BUILD_H
-#define QN_RENDER_SCENE_BUILD_H
+#pragma once
 
 #include "render/drawing/scene.h"
 #include "render/scene/motion.h"
@@ -16,5 +15,3 @@ QnScene *qn_scene_build (const QnModel *model, const QnContacts *contacts,
 /* How the blocks are displaced in a scene that was built of these, its factor included. */
 QnMotion qn_scene_motion (const QnScene *scene, const QnModel *model,
                           const QnResult *result, const QnViewOptions *options);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the builders of a scene share; private to the scene-*.c files. */
-#ifndef QN_RENDER_SCENE_BUILDER_H
-#define QN_RENDER_SCENE_BUILDER_H
+#pragma once
 
 #include "render/scene/motion.h"
 #include "render/scene/reading.h"
@@ -114,5 +113,3 @@ QnColor *qn_build_field (QnSceneBuilder *builder);
 
 /* The largest of 1, 2, 5 x 10^n not above `value` (> 0). */
 double qn_nice_below (double value);
-
-#endif

@@ -7,8 +7,7 @@
  * line of thrust leads from the one to the other. Where a wall forks, at openings, it ends, and so
  * it does where a joint is bent or pulled: the force acts outside of it.
  */
-#ifndef QN_RENDER_THRUST_H
-#define QN_RENDER_THRUST_H
+#pragma once
 
 #include "render/scene/reading.h"
 
@@ -43,5 +42,3 @@ void qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *c
                      size_t touch_count);
 
 void qn_thrust_clear (QnThrust *thrust);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a picture shows: the view of the command line and its switches, as plain data. */
-#ifndef QN_RENDER_VIEW_OPTIONS_H
-#define QN_RENDER_VIEW_OPTIONS_H
+#pragma once
 
 #include "core/base/box.h"
 #include "core/contact/contacts.h"
@@ -119,5 +118,3 @@ extern const char *const qn_diagram_names[QN_DIAGRAM_COUNT];
 /* Sets "field" or "diagram" by the name of one, "step" to "last" or a number from 0, "scale" to "auto", "true" or a
  * positive number, or a switch to "on" or "off". False where that is none of these. */
 bool qn_view_options_set (QnViewOptions *options, const char *name, const char *value);
-
-#endif

@@ -1,6 +1,5 @@
 /* One case of a study: the project with the values of its parameters, analysed. */
-#ifndef QN_STUDY_CASE_H
-#define QN_STUDY_CASE_H
+#pragma once
 
 #include "core/result/result.h"
 #include "study/plan/study.h"
@@ -37,5 +36,3 @@ void qn_case_result_fail (QnCaseResult *result, const char *reason);
 
 void qn_case_result_clear (QnCaseResult *result);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnCaseResult, qn_case_result_clear)
-
-#endif

@@ -8,8 +8,7 @@
  * Whoever computes holds a lock beside the database, which the system gives back when the
  * process ends in whatever way: a database has one writer at a time.
  */
-#ifndef QN_STUDY_FOLDER_H
-#define QN_STUDY_FOLDER_H
+#pragma once
 
 #include "study/plan/study.h"
 
@@ -34,5 +33,3 @@ int qn_folder_lock (const char *database, GError **error);
 
 /* Path of the kept result of a case (number from 1). Free with g_free(). */
 char *qn_folder_dup_result (const char *folder, gsize number);
-
-#endif

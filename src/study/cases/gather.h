@@ -1,6 +1,5 @@
 /* Joining the slices of a study, computed here or elsewhere, into one database. */
-#ifndef QN_STUDY_GATHER_H
-#define QN_STUDY_GATHER_H
+#pragma once
 
 #include "study/cases/folder.h"
 
@@ -14,5 +13,3 @@ typedef struct QnGathered {
  * cannot be read ends it with an error that names it; what came before stays. */
 gboolean qn_study_gather (const QnStudy *study, const char *folder, QnGathered *gathered,
                           GError **error);
-
-#endif

@@ -1,6 +1,5 @@
 /* A load on its way over a structure. */
-#ifndef QN_STUDY_MOVING_LOAD_H
-#define QN_STUDY_MOVING_LOAD_H
+#pragma once
 
 #include "study/plan/study.h"
 
@@ -12,5 +11,3 @@ QnId qn_nearest_block (const QnModel *model, QnVec2 point);
  * the start of the line, and what has not come to the line yet carries nothing. */
 void qn_moving_load_add_overrides (GPtrArray *overrides, const QnParameter *parameter,
                                    double distance_of_first, const QnModel *model);
-
-#endif

@@ -1,6 +1,5 @@
 /* Computing the cases of a study on all cores of a machine. */
-#ifndef QN_STUDY_RUN_H
-#define QN_STUDY_RUN_H
+#pragma once
 
 #include "study/cases/folder.h"
 
@@ -32,5 +31,3 @@ typedef struct QnStudyRunSettings {
 gboolean qn_study_run (const QnStudy *study, const char *folder,
                        const QnStudyRunSettings *settings, QnStudyProgress *progress,
                        gboolean *cancelled, GError **error);
-
-#endif

@@ -4,8 +4,7 @@
  * each from the block that is nearest, and its components are rounded to 63 levels of the
  * largest speed. Two fields are alike as the cosine between them is close to 1.
  */
-#ifndef QN_STUDY_SHAPE_H
-#define QN_STUDY_SHAPE_H
+#pragma once
 
 #include "core/model/model.h"
 
@@ -27,5 +26,3 @@ char *qn_shape_dup (const QnModel *model, const double *velocities);
 
 /* Cosine of two shapes, -1 to 1; 0 where one of them is no shape. */
 double qn_shape_cosine (const char *a, const char *b);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * Functions that return gboolean set an error, QN_IO_ERROR, where they return FALSE.
  */
-#ifndef QN_STUDY_STORE_H
-#define QN_STUDY_STORE_H
+#pragma once
 
 #include "study/cases/case.h"
 #include "study/plan/sample.h"
@@ -55,5 +54,3 @@ gboolean qn_store_set_note (QnStore *store, const char *key, const char *value,
 
 /* What has not been committed is lost. NULL is allowed. */
 void qn_store_close (QnStore *store);
-
-#endif

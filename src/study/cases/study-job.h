@@ -1,6 +1,5 @@
 /* A study that is computed in the background: a thread that runs it, looked at now and then. */
-#ifndef QN_STUDY_JOB_H
-#define QN_STUDY_JOB_H
+#pragma once
 
 #include "study/cases/run.h"
 
@@ -26,5 +25,3 @@ void qn_study_job_cancel (QnStudyJob *job);
 
 /* Cancels, waits for the end, and frees. */
 void qn_study_job_free (QnStudyJob *job);
-
-#endif

@@ -5,8 +5,7 @@
  * lines "number, values" from standard input and answers each with one line on standard output,
  * fields separated by tabs. It ends with its input, or with the process that started it.
  */
-#ifndef QN_STUDY_WORKER_H
-#define QN_STUDY_WORKER_H
+#pragma once
 
 #include "study/cases/case.h"
 
@@ -48,5 +47,3 @@ gboolean qn_worker_answer (QnWorker *worker, gsize *index, QnCaseResult *result)
 /* Waits for a worker that has ended, or kills it first; how it ended, in words, or NULL where it
  * ended as it should. Free with g_free(). */
 char *qn_worker_end (QnWorker *worker, gboolean kill_it);
-
-#endif

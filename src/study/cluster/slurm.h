@@ -5,8 +5,7 @@
  * cases and are neither waiting nor running, because their tasks failed or were lost, are
  * submitted again, and no others.
  */
-#ifndef QN_STUDY_SLURM_H
-#define QN_STUDY_SLURM_H
+#pragma once
 
 #include "study/cases/folder.h"
 
@@ -38,5 +37,3 @@ void qn_submission_clear (QnSubmission *submission);
 /* "1,3-5" of the marked places, numbered from 1: Slurm's way to name array tasks. Free with
  * g_free(). */
 char *qn_slurm_dup_range (const guint8 *marks, guint count);
-
-#endif

@@ -3,8 +3,7 @@
  * Correlations are Spearman's, of ranks. Behind both ways stands a normal variable for each
  * coordinate; two of them with correlation r have the rank correlation 6/pi asin (r/2).
  */
-#ifndef QN_STUDY_CORRELATION_H
-#define QN_STUDY_CORRELATION_H
+#pragma once
 
 #include <glib.h>
 #include <gsl/gsl_rng.h>
@@ -22,5 +21,3 @@ void qn_correlation_copula (const double *correlation, gsize width, double *poin
  * larger than 2 x width. */
 void qn_correlation_reorder (const double *correlation, gsize width, double *points,
                              gsize count, gsl_rng *random);
-
-#endif

@@ -3,8 +3,7 @@
  * Numbers come out by the inverse of the cumulative distribution, so that every plan (random,
  * stratified or quasi-random) needs nothing but points of the unit interval.
  */
-#ifndef QN_STUDY_DISTRIBUTION_H
-#define QN_STUDY_DISTRIBUTION_H
+#pragma once
 
 #include <glib.h>
 
@@ -48,5 +47,3 @@ void qn_distribution_set_values (QnDistribution *distribution, const double *val
                                  const double *weights, gsize count);
 
 void qn_distribution_clear (QnDistribution *distribution);
-
-#endif

@@ -4,8 +4,7 @@
  * title) stays as it is; an edit is a step that can be undone. A draft need not be sound:
  * qn_study_read() says whether it is.
  */
-#ifndef QN_STUDY_DRAFT_H
-#define QN_STUDY_DRAFT_H
+#pragma once
 
 #include "study/plan/study.h"
 
@@ -85,5 +84,3 @@ void qn_draft_set_run (QnDraft *draft, QnStudyRun run);
 
 gboolean qn_draft_has_output (const QnDraft *draft, QnStudyOutput output);
 void qn_draft_set_output (QnDraft *draft, QnStudyOutput output, gboolean wanted);
-
-#endif

@@ -4,8 +4,7 @@
  * to 12 significant digits, so that the last digits of a machine's mathematical functions do not
  * show: the same study gives the same table everywhere.
  */
-#ifndef QN_STUDY_SAMPLE_H
-#define QN_STUDY_SAMPLE_H
+#pragma once
 
 #include "study/plan/study.h"
 
@@ -26,5 +25,3 @@ qn_sample_case (const QnSample *sample, gsize index)
 {
   return sample->values + index * sample->width;
 }
-
-#endif

@@ -4,8 +4,7 @@
  * that has been read is sound: the project reads, every path leads to a number of it, and the
  * plan has as many cases as QN_STUDY_MAX_CASES at most.
  */
-#ifndef QN_STUDY_STUDY_H
-#define QN_STUDY_STUDY_H
+#pragma once
 
 #include "io/project/project.h"
 #include "study/plan/distribution.h"
@@ -154,5 +153,3 @@ qn_study_output (const QnStudy *study, gsize index)
 {
   return g_array_index (study->outputs, QnStudyOutput, index);
 }
-
-#endif

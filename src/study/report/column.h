@@ -1,6 +1,5 @@
 /* Columns of a study's table as statistics take them. */
-#ifndef QN_STUDY_COLUMN_H
-#define QN_STUDY_COLUMN_H
+#pragma once
 
 #include "study/report/statistics.h"
 #include "study/report/table.h"
@@ -44,5 +43,3 @@ char *qn_mechanism_share_dup_name (const QnMechanismShare *share);
 /* Most frequent first, of QnMechanismShare; *whole counts the cases that have one. Free with
  * g_array_unref(). */
 GArray *qn_table_dup_mechanisms (const QnTable *table, gsize *whole);
-
-#endif

@@ -1,6 +1,5 @@
 /* Figures of a study: PNG, SVG or PDF by the ending of the path. */
-#ifndef QN_STUDY_FIGURES_H
-#define QN_STUDY_FIGURES_H
+#pragma once
 
 #include "render/figure/plot.h"
 #include "study/report/table.h"
@@ -38,5 +37,3 @@ QnPlot *qn_study_figure_plot (const QnStudyFigure *figure, const QnTable *table,
 gboolean qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
                                  const char *path, const QnOutput *output,
                                  GError **error);
-
-#endif

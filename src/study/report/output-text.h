@@ -1,6 +1,5 @@
 /* What readers see of outputs: files have keys (collapse_multiplier, overturning). */
-#ifndef QN_STUDY_OUTPUT_TEXT_H
-#define QN_STUDY_OUTPUT_TEXT_H
+#pragma once
 
 #include "study/plan/study.h"
 
@@ -9,5 +8,3 @@ const char *qn_study_output_text (QnStudyOutput output);
 
 /* The word for a kind of mechanism, translated; `kind` itself where it is none that is known. */
 const char *qn_study_mechanism_text (const char *kind);
-
-#endif

@@ -4,8 +4,7 @@
  * of a Latin hypercube or of a Sobol sequence cover the space more evenly: there the intervals are
  * wider than they need be, never narrower.
  */
-#ifndef QN_STUDY_STATISTICS_H
-#define QN_STUDY_STATISTICS_H
+#pragma once
 
 #include <glib.h>
 
@@ -51,5 +50,3 @@ typedef struct QnSobolIndex {
  * where fewer than 8 blocks are whole or nothing varies. */
 gboolean qn_sobol_indices (const double *values, gsize blocks, gsize width,
                            QnSobolIndex *indices);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the cases of a study say, in words and numbers. */
-#ifndef QN_STUDY_SUMMARY_H
-#define QN_STUDY_SUMMARY_H
+#pragma once
 
 #include "study/report/table.h"
 
@@ -10,5 +9,3 @@
  * levels are no sample: of them least and greatest values, and what each parameter does by itself.
  * Free with g_free(). */
 char *qn_summary_dup_text (const QnTable *table);
-
-#endif

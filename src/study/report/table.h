@@ -1,6 +1,5 @@
 /* The results of a study in memory, and as a table for other programs. */
-#ifndef QN_STUDY_TABLE_H
-#define QN_STUDY_TABLE_H
+#pragma once
 
 #include "study/cases/store.h"
 
@@ -53,5 +52,3 @@ qn_table_number (const QnTable *table, gsize row, gsize column)
 /* Comma-separated values, RFC 4180; what does not depend on the machine alone, so no times. "-" is
  * standard output. */
 gboolean qn_table_write (const QnTable *table, const char *path, GError **error);
-
-#endif
