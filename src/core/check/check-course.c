@@ -281,7 +281,8 @@ check_events (QnCheck *check)
       && (before != NULL
             ? stage.sense * event->multiplier >= stage.sense * before->multiplier
                 && before->kind != QN_EVENT_KIND_COLLAPSE
-                && event->displacement_after != before->displacement_after
+                && (event->displacement_after != before->displacement_after
+                    || event->displacement_before != before->displacement_before)
             : i == 0 || event->stage > event[-1].stage);
     collapses = is_last && event->kind == QN_EVENT_KIND_COLLAPSE;
     if (is_last && isnan (first) && event->kind == QN_EVENT_KIND_SNAP)

@@ -5,20 +5,19 @@
 #include <string.h>
 
 /* What is true of a result of which nothing is concluded: the steps before the first that is not, with what
- * happened in the stages before. Where the forces of earlier steps were not kept all of them stay. */
-static void
+ * happened in the stages before. Where the forces of earlier steps were not kept all of them stay. Whether
+ * another step is the last one now, which is checked more closely than it was. */
+static bool
 keep_what_is_true (const QnModel *model, QnResult *result, const QnResultFaults *faults)
 {
   size_t first = result->step_count;
 
-  memcpy (result->refused, faults->items, sizeof faults->items);
-  result->refused_count = faults->count;
   for (int i = 0; i < faults->count; i++)
     if (faults->items[i].step != QN_NONE && (size_t) faults->items[i].step < first)
       first = (size_t) faults->items[i].step;
   if (first == result->step_count || result->history.width > 0
       || (first > 0 && !qn_result_has_forces (result, first - 1)))
-    return;
+    return false;
   for (size_t p = 0; p < result->pair_count; p++)
     result->pairs[p] =
       first > 0 ? qn_result_pair_at (result, first - 1, p) : (QnPairResult){ 0 };
@@ -26,6 +25,7 @@ keep_what_is_true (const QnModel *model, QnResult *result, const QnResultFaults 
   if (first > 0)
     result->stage = result->steps[first - 1].stage;
   qn_result_judge_linearity (model, result);
+  return first > 0;
 }
 
 /* A mechanism in large displacements in which joints do not flow as rigid blocks would have it: proved by
@@ -84,6 +84,10 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
   qn_result_clear_events (result);
   for (size_t i = 0; i < result->step_count; i++)
     result->steps[i].event = QN_EVENT_NONE;
-  keep_what_is_true (model, result, &faults);
-  return QN_OK;
+  memcpy (result->refused, faults.items, sizeof faults.items);
+  result->refused_count = faults.count;
+  while (status == QN_OK && keep_what_is_true (model, result, &faults))
+    status =
+      qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
+  return status;
 }
