@@ -206,29 +206,74 @@ test_close_while_typing (void)
   driver_wait_until_gone (parts);
 }
 
-/* Of a cyclic protocol the result tells every cycle; one of its stages that is moved makes stages of all. */
+static void
+enter (GtkWidget *form, const char *id, const char *text)
+{
+  GtkWidget *entry = driver_find_id (form, id);
+  gtk_editable_set_text (GTK_EDITABLE (entry), text);
+  g_signal_emit_by_name (entry, "activate");
+  driver_settle ();
+}
+
+/* A cyclic protocol is one row of the list, is entered by its amplitudes, and moves as a whole; the result
+ * tells every cycle. */
 static void
 test_cycles (void)
 {
   QnWindow *window = driver_open_example ("46-cyclic-panel.quoin");
   QnDocument *document = qn_window_get_document (window);
   GtkWidget *root = GTK_WIDGET (window);
+  gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   open_expander (root, "Stages and c_ycles");
   g_assert_nonnull (driver_find_widget (root, driver_says, "cycle 4: load multiplier"));
+  driver_screenshot (root, "cycles-curve");
   driver_activate (window, "win.show-panel::analysis");
   open_expander (root, "Loading in _Stages");
-  GtkWidget *list = driver_find_widget (root, is_list_of_stages, NULL);
-  g_assert_nonnull (list);
-  gtk_list_box_select_row (GTK_LIST_BOX (list),
-                           gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 1));
+  GtkWidget *form = driver_find_widget (root, driver_is_expander, "Loading in _Stages");
+  GtkListBox *list = GTK_LIST_BOX (driver_find_widget (root, is_list_of_stages, NULL));
+  for (int i = 0; i < 12; i++)
+    g_assert_cmpint (
+      gtk_widget_get_visible (GTK_WIDGET (gtk_list_box_get_row_at_index (list, i))), ==,
+      i == 0);
+  gtk_list_box_select_row (list, gtk_list_box_get_row_at_index (list, 0));
   driver_settle ();
-  driver_press (root, "Remove Stage");
-  g_assert_cmpuint (model_of (window)->stage_count, ==, 11);
+  g_assert_cmpstr (
+    gtk_editable_get_text (GTK_EDITABLE (driver_find_id (form, "amplitudes"))), ==,
+    "0.5\u00a0mm; 2\u00a0mm");
+  enter (form, "amplitudes", "1; 0.3 cm; 4");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 18);
+  g_assert_cmpfloat (model_of (window)->stages[7].control_target, ==, -0.003);
+  enter (form, "cycles", "1");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 9);
+  driver_screenshot (root, "cycles-form");
+
+  /* A stage behind it goes before all of it. */
+  driver_press (root, "Add Stage");
+  driver_press (root, "Earlier");
   g_assert_cmpint (model_of (window)->stages[0].leg, ==, 0);
-  g_assert_true (qn_document_undo (document));
+  g_assert_cmpint (model_of (window)->stages[9].leg, ==, 9);
+  gtk_list_box_select_row (list, gtk_list_box_get_row_at_index (list, 1));
+  driver_settle ();
+  enter (form, "name", "swing");
+  g_assert_cmpstr (model_of (window)->stages[9].name, ==, "swing");
+  enter (form, "amplitudes", "0");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 10);
+  gtk_widget_grab_focus (GTK_WIDGET (list));
+  driver_press (root, "Remove Stage");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 1);
+  while (qn_document_undo (document))
+    driver_settle ();
   g_assert_cmpint (model_of (window)->stages[11].leg, ==, 12);
+  g_assert_cmpfloat (model_of (window)->stages[11 - 1].control_target, ==, -0.002);
+
+  /* Without amplitudes it is a stage like others. */
+  gtk_list_box_select_row (list, gtk_list_box_get_row_at_index (list, 0));
+  driver_settle ();
+  enter (form, "amplitudes", "");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 1);
+  g_assert_cmpint (model_of (window)->stages[0].leg, ==, 0);
   driver_discard (window);
 }
 

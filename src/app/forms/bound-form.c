@@ -94,6 +94,7 @@ show_list (QnBoundForm *form, GtkListBox *list, const QnValue *value)
     GtkWidget *label = gtk_list_box_row_get_child (GTK_LIST_BOX_ROW (child));
     gtk_label_set_text (GTK_LABEL (label), *row);
     gtk_widget_set_tooltip_text (label, *row);
+    gtk_widget_set_visible (child, **row != '\0');
     child = gtk_widget_get_next_sibling (child);
   }
   while (child != NULL) {

@@ -46,6 +46,7 @@ typedef struct QnFormList {
     empty; /* fields: of the list, of the label that is there instead where it has no items */
   gsize items, count; /* members of QnModel */
   gsize size;         /* of an item */
+  /* Empty: the item has no row of its own. */
   char *(*dup_row) (const QnModel *model, gsize index);
   gboolean in_drawing; /* the selected one is the selection's of this kind: */
   QnItemKind kind;

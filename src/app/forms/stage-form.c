@@ -2,6 +2,7 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
+#include "core/model/cycles.h"
 #include "doc/edit/edit-stage.h"
 #include "doc/view/load-text.h"
 #include <glib/gi18n.h>
@@ -25,6 +26,8 @@
   MEMBER (DISTANCE, "distance", CHANGE, QnStage, control_target)                         \
   FIELD (CONTROL, "control", NULL)                                                       \
   FIELD (FOLLOW, "follow", CHANGE)                                                       \
+  FIELD (AMPLITUDES, "amplitudes", CHANGE)                                               \
+  FIELD (CYCLES, "cycles", CHANGE)                                                       \
   MEMBER (INCREMENTS, "increments", CHANGE, QnStage, increments)
 QN_FORM_FIELDS;
 
@@ -39,11 +42,23 @@ dup_row (const QnModel *model, gsize index)
 
 /* ---- what is shown ---- */
 
+/* A cyclic protocol is one item of the list: the first of its stages. */
+static gboolean
+look (gpointer data)
+{
+  QnBoundForm *form = data;
+  const QnModel *model = qn_canvas_get_model (form->canvas);
+  while (form->selected >= 0 && model->stages[form->selected].leg > 1)
+    form->selected--;
+  return TRUE;
+}
+
 static gboolean
 show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue *value)
 {
   const QnStage *stage = &model->stages[form->selected];
   gboolean controlled = qn_stage_get_end (stage) == QN_STAGE_END_DISPLACEMENT;
+  gsize cycles;
   switch (field) {
   case NAME:
     value->text = g_strdup (stage->name);
@@ -62,12 +77,19 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
     value->number = qn_stage_get_end (stage);
     return TRUE;
   case TARGET:
-    return stage->has_target;
+    return stage->has_target && stage->leg == 0;
   case DISTANCE:
     g_object_set (
       form->widgets[DISTANCE], "quantity",
       stage->control_dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH, NULL);
-    return controlled;
+    return controlled && stage->leg == 0;
+  case AMPLITUDES:
+  case CYCLES:
+    value->text = qn_stage_dup_amplitudes (model, (gsize) form->selected,
+                                           qn_settings_get_units (), &cycles);
+    value->number = (double) cycles;
+    value->disabled = field == CYCLES && stage->leg == 0;
+    return controlled || stage->has_target;
   case CONTROL:
     if (controlled)
       value->text = stage->control_block != QN_NONE
@@ -99,7 +121,9 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case LATER:
     value->disabled =
-      form->selected < 0 || form->selected + 1 >= (int) model->stage_count;
+      form->selected < 0
+      || (gsize) form->selected + qn_stage_span (model, (gsize) form->selected)
+           >= model->stage_count;
     return TRUE;
   case BOX:
     return form->selected >= 0;
@@ -127,6 +151,32 @@ take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
   return TRUE;
 }
 
+/* The protocol as it is, or what is entered of it. Where its ends are told otherwise it is one cycle of the
+ * end that the stage has now. */
+static gboolean
+change_cycles (const QnBoundForm *form, QnModel *model, guint field, const QnValue *value,
+               const QnStage *stage, GError **error)
+{
+  const gsize first = (gsize) form->selected;
+  const double end = stage->has_target ? stage->target : stage->control_target;
+  g_autofree double *amplitudes = g_new (double, qn_stage_span (model, first));
+  gsize cycles, count = qn_stage_amplitudes (model, first, amplitudes, &cycles);
+  if (field == AMPLITUDES) {
+    g_free (amplitudes);
+    amplitudes = qn_stage_parse_amplitudes (stage, value->text, qn_settings_get_units (),
+                                            &count, error);
+    if (amplitudes == NULL)
+      return FALSE;
+  } else if (count > 0
+             && qn_stage_get_end (stage) != qn_stage_get_end (&model->stages[first])) {
+    count = qn_stage_get_end (stage) != QN_STAGE_END_COLLAPSE;
+    amplitudes[0] = end;
+  }
+  if (field == CYCLES)
+    cycles = (gsize) value->number;
+  return qn_edit_change_stage (model, first, stage, amplitudes, count, cycles, error);
+}
+
 /* Where nothing is said yet the load doubles, or the block moves a little. */
 static gboolean
 change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *value,
@@ -144,7 +194,7 @@ change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *val
   stage.has_target = end == QN_STAGE_END_MULTIPLIER;
   if (!stage.has_target)
     stage.target = 0.0;
-  else if (stage.target == 0.0 && form->selected == 0)
+  else if (stage.target == 0.0 && (form->selected == 0 || stage.leg > 0))
     stage.target = 1.0;
   if (end != QN_STAGE_END_DISPLACEMENT)
     stage.control_block = stage.control_node = QN_NONE;
@@ -152,7 +202,7 @@ change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *val
     return FALSE;
   if (end == QN_STAGE_END_DISPLACEMENT && stage.control_target == 0.0)
     stage.control_target = qn_magnet_round_distance (0.05 * model->characteristic_length);
-  return qn_edit_change_stage (model, (gsize) form->selected, &stage, error);
+  return change_cycles (form, model, field, value, &stage, error);
 }
 
 static gboolean
@@ -169,8 +219,11 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case REMOVE:
     return qn_edit_delete_stage (model, stage, error);
   case EARLIER:
+    form->wanted = (int) qn_stage_before (model, stage);
+    return qn_edit_move_stage (model, stage, by, error);
   case LATER:
-    form->wanted = form->selected + by;
+    form->wanted =
+      form->selected + (int) qn_stage_span (model, stage + qn_stage_span (model, stage));
     return qn_edit_move_stage (model, stage, by, error);
   case NAME:
     return qn_edit_rename_stage (model, stage, value->text, error);
@@ -184,6 +237,7 @@ qn_stage_form_new (QnCanvas *canvas)
 {
   static const QnFormList list =
     QN_FORM_LIST (STAGES, EMPTY, stages, stage_count, dup_row, FALSE, 0);
-  static const QnFormKind kind = QN_FORM_KIND ("stage-form", QnBoundForm, .list = &list);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("stage-form", QnBoundForm, .list = &list, .look = look);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

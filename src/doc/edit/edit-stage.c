@@ -1,6 +1,7 @@
 #include "doc/edit/edit-stage.h"
 
 #include "core/base/box.h"
+#include "core/model/cycles.h"
 #include "core/model/support.h"
 
 #include <glib/gi18n-lib.h>
@@ -373,62 +374,58 @@ qn_edit_add_stage (QnModel *model, GError **error)
   return TRUE;
 }
 
-/* A protocol of which one stage is changed alone becomes stages like others. */
-static void
-dissolve_cycles (QnModel *model, gsize index)
-{
-  if (model->stages[index].leg == 0)
-    return;
-  while (model->stages[index].leg > 1)
-    index--;
-  do
-    model->stages[index++].leg = 0;
-  while (index < model->stage_count && model->stages[index].leg > 1);
-}
-
 gboolean
 qn_edit_delete_stage (QnModel *model, gsize index, GError **error)
 {
-  dissolve_cycles (model, index);
-  free (model->stages[index].name);
-  qn_edit_drop (model->stages, &model->stage_count, sizeof *model->stages, index);
+  (void) error;
+  for (gsize span = qn_stage_span (model, index); span > 0; span--) {
+    free (model->stages[index].name);
+    qn_edit_drop (model->stages, &model->stage_count, sizeof *model->stages, index);
+  }
   return TRUE;
 }
 
 gboolean
 qn_edit_move_stage (QnModel *model, gsize index, int by, GError **error)
 {
-  if ((by < 0 && index == 0) || (by > 0 && index + 1 >= model->stage_count))
+  const gsize first = by < 0 ? qn_stage_before (model, index) : index;
+  const gsize ahead = qn_stage_span (model, first), second = first + ahead;
+  if ((by < 0 && index == 0) || second >= model->stage_count)
     return qn_edit_refuse_nothing (error, _ ("There is no stage to swap with"));
-  gsize other = by < 0 ? index - 1 : index + 1;
-  dissolve_cycles (model, index);
-  dissolve_cycles (model, other);
-  QnStage stage = model->stages[index];
-  model->stages[index] = model->stages[other];
-  model->stages[other] = stage;
+  const gsize behind = qn_stage_span (model, second);
+  QnStage *stages = model->stages + first;
+  g_autofree QnStage *moved = g_memdup2 (stages, ahead * sizeof *stages);
+  memmove (stages, stages + ahead, behind * sizeof *stages);
+  memcpy (stages + behind, moved, ahead * sizeof *stages);
   close_ends (model);
   return TRUE;
 }
 
 gboolean
 qn_edit_change_stage (QnModel *model, gsize index, const QnStage *settings,
-                      GError **error)
+                      const double *amplitudes, gsize count, gsize cycles, GError **error)
 {
   char *name = model->stages[index].name;
-  dissolve_cycles (model, index);
   model->stages[index] = *settings;
   model->stages[index].name = name;
-  model->stages[index].leg = 0;
-  return TRUE;
+  for (gsize i = 0; i < count; i++)
+    if (amplitudes[i] == 0.0)
+      return qn_edit_refuse (error, _ ("An amplitude is not 0"));
+  if (count * cycles * QN_CYCLE_LEGS > QN_MAX_STAGES)
+    return qn_edit_refuse (error, _ ("So many cycles are too many stages"));
+  return qn_model_set_cycles (model, index, amplitudes, count, cycles)
+         || qn_edit_no_memory (error);
 }
 
 gboolean
 qn_edit_rename_stage (QnModel *model, gsize index, const char *name, GError **error)
 {
-  dissolve_cycles (model, index);
-  if (*name != '\0')
-    return qn_edit_take_name (&model->stages[index].name, name, error);
-  free (model->stages[index].name);
-  model->stages[index].name = NULL;
+  for (gsize i = qn_stage_span (model, index); i-- > 0;) {
+    char **old = &model->stages[index + i].name;
+    if (*name != '\0' && !qn_edit_take_name (old, name, error))
+      return FALSE;
+    if (*name == '\0')
+      g_clear_pointer (old, free);
+  }
   return TRUE;
 }

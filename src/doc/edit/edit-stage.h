@@ -62,11 +62,14 @@ gboolean qn_edit_add_stage (QnModel *model, GError **error);
 gboolean qn_edit_delete_stage (QnModel *model, gsize stage, GError **error);
 
 /* Swaps a stage with the one before (by = -1) or behind it (1); of both, what would now lack an
- * end gets one. */
+ * end gets one. A cyclic protocol, known by its first stage, is deleted, moved, changed and named as a
+ * whole (core/model/cycles.h). */
 gboolean qn_edit_move_stage (QnModel *model, gsize stage, int by, GError **error);
 
-/* Replaces the settings of a stage, all but its name. */
+/* Replaces the settings of a stage, all but its name, and with count above 0 makes a protocol of it, of so
+ * many cycles of each amplitude. */
 gboolean qn_edit_change_stage (QnModel *model, gsize stage, const QnStage *settings,
+                               const double *amplitudes, gsize count, gsize cycles,
                                GError **error);
 /* An empty name is none: its number stands for it. */
 gboolean qn_edit_rename_stage (QnModel *model, gsize stage, const char *name,

@@ -1,5 +1,6 @@
 #include "doc/view/load-text.h"
 
+#include "core/model/cycles.h"
 #include "doc/edit/edit-stage.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n-lib.h>
@@ -167,6 +168,43 @@ dup_set_names (const QnModel *model, const QnStage *stage)
   return g_string_free (names, FALSE);
 }
 
+static QnQuantity
+end_quantity (const QnStage *stage)
+{
+  return qn_stage_get_end (stage) == QN_STAGE_END_DISPLACEMENT
+           ? quantity_of (stage->control_dof)
+           : QN_QUANTITY_NUMBER;
+}
+
+char *
+qn_stage_dup_amplitudes (const QnModel *model, gsize index, QnUnits units, gsize *cycles)
+{
+  g_autofree double *amplitudes = g_new (double, qn_stage_span (model, index));
+  const gsize count = qn_stage_amplitudes (model, index, amplitudes, cycles);
+  GString *text = g_string_new (NULL);
+  for (gsize i = 0; i < count; i++) {
+    g_autofree char *amplitude = qn_units_format_full (
+      qn_units_of_motion (units), end_quantity (&model->stages[index]), amplitudes[i], 6);
+    g_string_append_printf (text, "%s%s", i > 0 ? "; " : "", amplitude);
+  }
+  return g_string_free (text, FALSE);
+}
+
+double *
+qn_stage_parse_amplitudes (const QnStage *stage, const char *text, QnUnits units,
+                           gsize *count, GError **error)
+{
+  g_auto (GStrv) words = g_strsplit (text, ";", -1);
+  g_autofree double *amplitudes = g_new (double, g_strv_length (words) + 1);
+  *count = 0;
+  for (char **word = words; *word != NULL; word++)
+    if (*g_strstrip (*word) != '\0'
+        && !qn_units_parse (qn_units_of_motion (units), end_quantity (stage), *word,
+                            &amplitudes[(*count)++], error))
+      return NULL;
+  return g_steal_pointer (&amplitudes);
+}
+
 char *
 qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
 {
@@ -174,6 +212,15 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
   g_autofree char *name = qn_stage_dup_name (model, (int32_t) index + 1);
   g_autofree char *sets = dup_set_names (model, stage);
   g_autofree char *target = NULL;
+  if (stage->leg > 1)
+    return g_strdup ("");
+  if (stage->leg == 1) {
+    gsize cycles;
+    target = qn_stage_dup_amplitudes (model, index, units, &cycles);
+    return g_strdup_printf (_ ("%s: %s to and fro by %s, %d cycles each"),
+                            stage->name != NULL ? stage->name : name, sets, target,
+                            (int) cycles);
+  }
   switch (qn_stage_get_end (stage)) {
   case QN_STAGE_END_MULTIPLIER:
     target = qn_units_format (units, QN_QUANTITY_NUMBER, stage->target, 5);

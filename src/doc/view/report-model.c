@@ -355,7 +355,8 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
     write_load (pages, report, qn_model_load (model, i), i < model->dead_load_count);
   for (size_t i = 0; i < model->stage_count; i++) {
     g_autofree char *text = qn_stage_dup_text (model, i, report->units);
-    qn_report_say (pages, _ ("Stage %zu: %s"), i + 1, text);
+    if (*text != '\0')
+      qn_report_say (pages, _ ("Stage %zu: %s"), i + 1, text);
   }
   for (size_t i = 0; i < model->ground_count; i++)
     qn_report_write_ground_motion (pages, &model->ground[i]);

@@ -1,4 +1,5 @@
 /* analysis, with its stages. */
+#include "core/model/cycles.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-names.h"
@@ -112,58 +113,35 @@ read_stage_sets (const QnJsonValue *place, const QnModel *model, QnStage *stage)
   return TRUE;
 }
 
-/* The end of a stage: a displacement, or a multiplier. */
-static void
-end_at (QnStage *stage, double target)
-{
-  stage->has_target = stage->control_block == QN_NONE && stage->control_node == QN_NONE;
-  *(stage->has_target ? &stage->target : &stage->control_target) = target;
-}
-
-static double
-end_of (const QnStage *stage)
-{
-  return stage->has_target ? stage->target : stage->control_target;
-}
-
-/* Makes the last stage, read but for its end, the first of those of a cyclic protocol. */
+/* Makes the last stage, read but for its end, a cyclic protocol. */
 static gboolean
 read_cycles (const QnJsonValue *place, const QnJsonValue *amplitudes, QnModel *model)
 {
-  const QnStage first = model->stages[model->stage_count - 1];
   QnJsonValue item = { 0 }, cycles_place = qn_json_value_member (place, "cycles");
   QnJsonValue target = qn_json_value_member (place, "target");
-  int32_t cycles = 1, leg = 0;
-  double amplitude;
+  g_autoptr (GArray) values = g_array_new (FALSE, FALSE, sizeof (double));
+  int32_t cycles = 1;
   if (target.json != NULL)
     return qn_json_value_fail (&target, _ ("target and amplitudes exclude each other"));
   if (!qn_json_value_array (amplitudes)
       || !qn_member_count (place, "cycles", QN_OPTIONAL, QN_MAX_STAGES, &cycles))
     return FALSE;
   while (qn_json_value_next (amplitudes, &item)) {
+    double amplitude;
     if (!qn_json_value_number (&item, QN_RANGE_FINITE, &amplitude))
       return FALSE;
     if (amplitude == 0)
       return qn_json_value_fail (&item, _ ("an amplitude is not 0"));
-    for (int32_t i = 0; i < QN_CYCLE_LEGS * cycles; i++) {
-      if (leg >= QN_MAX_STAGES)
-        return qn_json_value_failf (&cycles_place, _ ("more than %d stages"),
-                                    QN_MAX_STAGES);
-      QnStage *stage = leg > 0 ? qn_model_add_stage (model, first.name)
-                               : &model->stages[model->stage_count - 1];
-      if (stage == NULL)
-        return qn_json_value_no_memory (place);
-      char *name = stage->name;
-      *stage = first;
-      stage->name = name;
-      stage->leg = ++leg;
-      end_at (stage, i % QN_CYCLE_LEGS == 0   ? amplitude
-                     : i % QN_CYCLE_LEGS == 1 ? -amplitude
-                                              : 0);
-    }
+    g_array_append_val (values, amplitude);
+    if ((gint64) values->len * cycles * QN_CYCLE_LEGS > QN_MAX_STAGES)
+      return qn_json_value_failf (&cycles_place, _ ("more than %d stages"),
+                                  QN_MAX_STAGES);
   }
-  return leg > 0
-         || qn_json_value_fail (amplitudes, _ ("expected at least one amplitude"));
+  if (values->len == 0)
+    return qn_json_value_fail (amplitudes, _ ("expected at least one amplitude"));
+  return qn_model_set_cycles (model, model->stage_count - 1, (double *) values->data,
+                              values->len, (size_t) cycles)
+         || qn_json_value_no_memory (place);
 }
 
 static gboolean
@@ -233,33 +211,6 @@ qn_project_stage_entry (const QnModel *model, gsize index)
   return entry;
 }
 
-/* The amplitude of every cycle of the protocol that begins with a stage, or of all that follow each other in equal
- * numbers one. */
-static void
-put_cycles (GString *json, const QnModel *model, gsize index)
-{
-  g_autofree double *amplitudes = g_new (double, model->stage_count);
-  gsize count = 0, cycles = 1, kept = 0;
-  gboolean uniform = TRUE;
-  for (gsize i = index;
-       i < model->stage_count && model->stages[i].leg == (int32_t) (i - index) + 1;
-       i += QN_CYCLE_LEGS)
-    amplitudes[count++] = end_of (&model->stages[i]);
-  while (cycles < count && amplitudes[cycles] == amplitudes[0])
-    cycles++;
-  for (gsize i = 0; i < count; i++)
-    uniform = uniform && amplitudes[i] == amplitudes[i - i % cycles];
-  if (!uniform || count % cycles > 0)
-    cycles = 1;
-  for (gsize i = 0; i < count; i += cycles)
-    amplitudes[kept++] = amplitudes[i];
-  qn_json_put_numbers (json, "amplitudes", amplitudes, kept);
-  if (cycles > 1) {
-    qn_json_begin_member (json, "cycles");
-    g_string_append_printf (json, "%zu", cycles);
-  }
-}
-
 static int32_t
 append_stage (GString *json, const QnModel *model, size_t entry)
 {
@@ -286,8 +237,15 @@ append_stage (GString *json, const QnModel *model, size_t entry)
   if (stage->control_block != QN_NONE || stage->control_node != QN_NONE)
     qn_members_put (json, "control", stage->leg > 0 ? cycle_control : stage_control,
                     model, stage, NULL);
-  if (stage->leg > 0)
-    put_cycles (json, model, index);
+  gsize cycles;
+  g_autofree double *amplitudes = g_new (double, qn_stage_span (model, index));
+  const gsize count = qn_stage_amplitudes (model, index, amplitudes, &cycles);
+  if (count > 0)
+    qn_json_put_numbers (json, "amplitudes", amplitudes, count);
+  if (cycles > 1) {
+    qn_json_begin_member (json, "cycles");
+    g_string_append_printf (json, "%zu", cycles);
+  }
   return stage->note;
 }
 

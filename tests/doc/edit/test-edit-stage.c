@@ -101,13 +101,16 @@ rename_stage (QnModel *model, gpointer data, GError **error)
 typedef struct Settings {
   gsize stage;
   QnStage settings;
+  double amplitudes[2];
+  gsize count, cycles;
 } Settings;
 
 static gboolean
 change_stage (QnModel *model, gpointer data, GError **error)
 {
   const Settings *s = data;
-  return qn_edit_change_stage (model, s->stage, &s->settings, error);
+  return qn_edit_change_stage (model, s->stage, &s->settings, s->amplitudes, s->count,
+                               s->cycles, error);
 }
 
 static const QnLoad push = { .kind = QN_LOAD_FORCE,
@@ -327,20 +330,20 @@ test_order (void)
   stage.control_target = 0.01;
   stage.has_target = true;
   stage.target = 1;
-  refuse (document, change_stage, &(Settings){ 1, stage });
+  refuse (document, change_stage, &(Settings){ 1, stage, { 0 }, 0, 1 });
   stage.has_target = false;
-  model = edit (document, change_stage, &(Settings){ 1, stage });
+  model = edit (document, change_stage, &(Settings){ 1, stage, { 0 }, 0, 1 });
   g_assert_cmpint (qn_stage_get_end (&model->stages[1]), ==, QN_STAGE_END_DISPLACEMENT);
   stage = model->stages[1];
   stage.sets = 0;
-  refuse (document, change_stage, &(Settings){ 1, stage });
+  refuse (document, change_stage, &(Settings){ 1, stage, { 0 }, 0, 1 });
 }
 
-/* A cyclic protocol of which one stage is changed becomes stages like others. */
+/* A cyclic protocol is moved, changed, named and deleted as a whole. */
 static void
-test_dissolves (void)
+test_cycles (void)
 {
-  static const gsize second = 1;
+  static const gsize first = 0;
   g_auto (GStrv) parts = g_strsplit (text, "\"max_multiplier\": 0.25", 2);
   g_autofree char *cyclic = g_strjoinv (
     "\"stages\": [ { \"loads\": \"live\", \"amplitudes\": [0.1, 0.2] } ]", parts);
@@ -348,17 +351,38 @@ test_dissolves (void)
   const QnModel *model = qn_document_get_model (document);
   g_assert_cmpuint (model->stage_count, ==, 6);
   g_assert_cmpint (model->stages[5].leg, ==, 6);
-  model = edit (document, delete_stage, (gpointer) &second);
-  g_assert_cmpuint (model->stage_count, ==, 5);
-  for (gsize i = 0; i < 5; i++)
-    g_assert_cmpint (model->stages[i].leg, ==, 0);
-  g_assert_true (qn_document_undo (document));
-  model = qn_document_get_model (document);
-  g_assert_cmpint (model->stages[5].leg, ==, 6);
-  Settings settings = { 4, model->stages[4] };
-  settings.settings.target = -0.3;
+  Settings settings = { 0, model->stages[0], { 0.1, 0.3 }, 2, 2 };
+  settings.settings.increments = 7;
   model = edit (document, change_stage, &settings);
-  g_assert_cmpfloat (model->stages[4].target, ==, -0.3);
+  g_assert_cmpuint (model->stage_count, ==, 12);
+  for (gsize i = 0; i < 12; i++) {
+    static const double ends[] = {
+      0.1, -0.1, 0, 0.1, -0.1, 0, 0.3, -0.3, 0, 0.3, -0.3, 0
+    };
+    g_assert_cmpint (model->stages[i].leg, ==, (int) i + 1);
+    g_assert_cmpint (model->stages[i].increments, ==, 7);
+    g_assert_cmpfloat (model->stages[i].target, ==, ends[i]);
+  }
+  settings.amplitudes[1] = 0;
+  refuse (document, change_stage, &settings);
+  settings.amplitudes[1] = 1;
+  settings.cycles = 167; /* 1,002 stages */
+  refuse (document, change_stage, &settings);
+  model = edit (document, rename_stage, "swing");
+  g_assert_cmpstr (model->stages[11].name, ==, "swing");
+  model = edit (document, add_stage, NULL);
+  model = edit (document, move_stage, &(Order){ 12, -1 });
+  g_assert_cmpint (model->stages[0].leg, ==, 0);
+  g_assert_cmpint (model->stages[12].leg, ==, 12);
+  refuse (document, move_stage, &(Order){ 1, 1 });
+  model = edit (document, move_stage, &(Order){ 0, 1 });
+  g_assert_cmpint (model->stages[11].leg, ==, 12);
+  settings = (Settings){ 0, model->stages[0], { 0 }, 0, 1 };
+  model = edit (document, change_stage, &settings);
+  g_assert_cmpuint (model->stage_count, ==, 2);
+  g_assert_true (qn_document_undo (document));
+  model = edit (document, delete_stage, (gpointer) &first);
+  g_assert_cmpuint (model->stage_count, ==, 1);
   g_assert_cmpint (model->stages[0].leg, ==, 0);
 }
 
@@ -369,5 +393,5 @@ QN_TESTS
   g_test_add_func ("/doc/edit-stage/unknown-members", test_unknown_members);
   g_test_add_func ("/doc/edit-stage/stages", test_stages);
   g_test_add_func ("/doc/edit-stage/order", test_order);
-  g_test_add_func ("/doc/edit-stage/dissolves", test_dissolves);
+  g_test_add_func ("/doc/edit-stage/cycles", test_cycles);
 }
