@@ -155,11 +155,7 @@ run_with (const FiguresOptions *options, const char *path)
   QnExit code = qn_input_load (&shop.solved.input, path, &options->input);
   if (code == QN_EXIT_DONE) {
     GError *error = NULL;
-    g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
-    g_autoptr (GPtrArray) recipes =
-      qn_recipes_read (&shop.solved.input.project, warnings, &error);
-    for (guint i = 0; i < warnings->len; i++)
-      qn_cli_warning ("%s", (const char *) g_ptr_array_index (warnings, i));
+    g_autoptr (GPtrArray) recipes = qn_recipes_read (&shop.solved.input.project, &error);
     code = recipes != NULL ? make_all (recipes, options, &shop) : qn_cli_fail (error);
     qn_sheet_item_clear (&shop.solved);
   }

@@ -13,7 +13,7 @@
 GPtrArray *
 qn_document_get_figures (QnDocument *document, GError **error)
 {
-  return qn_recipes_read (qn_document_get_project (document), NULL, error);
+  return qn_recipes_read (qn_document_get_project (document), error);
 }
 
 static gint64

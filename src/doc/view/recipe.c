@@ -183,13 +183,12 @@ read_recipe (const QnJsonValue *object, GHashTable *known)
 }
 
 GPtrArray *
-qn_recipes_read (const QnProject *project, GPtrArray *warnings, GError **error)
+qn_recipes_read (const QnProject *project, GError **error)
 {
   g_autoptr (GPtrArray) recipes =
     g_ptr_array_new_with_free_func ((GDestroyNotify) qn_recipe_free);
   g_autoptr (GHashTable) known = g_hash_table_new (g_str_hash, g_str_equal);
   QnReader reader = qn_project_reader (project);
-  reader.warnings = warnings;
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
   QnJsonValue list, element = { 0 };
   gboolean sound = qn_member_array (&root, "figures", QN_OPTIONAL, &list);

@@ -27,10 +27,8 @@ void qn_recipe_free (QnRecipe *recipe);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnRecipe, qn_recipe_free)
 
 /* The project's recipes (of QnRecipe *, possibly none). On failure NULL with an error that
- * names file, line, column and key (QN_IO_ERROR). Unknown keys are added to `warnings`
- * (nullable; of char *). */
-GPtrArray *qn_recipes_read (const QnProject *project, GPtrArray *warnings,
-                            GError **error);
+ * names file, line, column and key (QN_IO_ERROR). */
+GPtrArray *qn_recipes_read (const QnProject *project, GError **error);
 
 /* FALSE with an error where two of these recipes are the same file, so that one picture would take the
  * place of the other. `names` (nullable, NULL-terminated): only the recipes of these names. */

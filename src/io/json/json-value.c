@@ -238,7 +238,8 @@ qn_json_value_unknown (const QnJsonValue *member, const char *const *keys, gsize
   g_autoptr (GString) message = g_string_new (_ ("unknown key"));
   if (near != NULL)
     g_string_append_printf (message, _ ("; the nearest known one is \"%s\""), near);
-  return qn_json_value_idle (member, message->str);
+  return member->reader->refuses_unknown ? qn_json_value_fail (member, message->str)
+                                         : qn_json_value_idle (member, message->str);
 }
 
 gboolean

@@ -22,7 +22,8 @@ typedef struct QnReader {
   GPtrArray *warnings;          /* of char *; NULL: not collected */
   guint dropped_warnings;       /* beyond QN_READER_MAX_WARNINGS */
   GError *error;                /* the first one; domain QN_IO_ERROR */
-  gboolean keeps_unknown;       /* puts unknown members aside: */
+  gboolean refuses_unknown;     /* unknown members are errors; or */
+  gboolean keeps_unknown;       /* they are put aside: */
   cJSON *
     unknown; /* copies of them, an object by the path of their owner; the caller's to free */
 } QnReader;

@@ -22,6 +22,21 @@ static const char *const project_keys[] = {
   "underlay", "history", "capacity", "report",  "run_names", QN_MASONRY_MEMBER
 };
 
+/* Keys of those that the layers above read, where their values are checked when they are needed. */
+static const char *const capacity_keys[] = { "control",   "spectrum",  "ag",
+                                             "soil",      "damping",   "unit",
+                                             "mechanism", "confidence" };
+static const char *const report_keys[] = { "sections", "paper",  "every_joint",
+                                           "demand",   "author", "text" };
+static const char *const underlay_keys[] = { "image", "origin",  "width",
+                                             "angle", "opacity", "rectangle" };
+static const char *const figure_keys[] = {
+  "name",  "view",       "file",    "result",      "title",      "caption",
+  "field", "diagram",    "step",    "scale",       "ghost",      "symbols",
+  "loads", "dimensions", "names",   "values",      "legend",     "titles",
+  "size",  "dpi",        "backend", "transparent", "monochrome", "model_digest"
+};
+
 static gboolean
 check_format (const QnJsonValue *root)
 {
@@ -57,6 +72,34 @@ read_title_and_gravity (const QnJsonValue *root, QnModel *model)
   return model->title != NULL || title == NULL || qn_json_value_no_memory (root);
 }
 
+/* Tells unknown keys of what the model does not hold: a demand misspelt is a report without verdict. */
+static gboolean
+check_extra (const QnJsonValue *place)
+{
+  static const struct {
+    const char *member;
+    const char *const *keys;
+    gsize count;
+  } tables[] = { { "capacity", capacity_keys, G_N_ELEMENTS (capacity_keys) },
+                 { "report", report_keys, G_N_ELEMENTS (report_keys) },
+                 { "underlay", underlay_keys, G_N_ELEMENTS (underlay_keys) },
+                 { "figures", figure_keys, G_N_ELEMENTS (figure_keys) } };
+  gsize t = 0;
+  while (t < G_N_ELEMENTS (tables) && strcmp (place->key, tables[t].member) != 0)
+    t++;
+  QnJsonValue element = { 0 };
+  bool fine = true;
+  if (t == G_N_ELEMENTS (tables))
+    return TRUE;
+  place->reader->keeps_unknown = FALSE; /* they are kept with the rest of the member */
+  if (cJSON_IsObject (place->json))
+    fine = qn_json_value_check_keys (place, tables[t].keys, tables[t].count);
+  while (fine && cJSON_IsArray (place->json) && qn_json_value_next (place, &element))
+    fine = qn_json_value_check_keys (&element, tables[t].keys, tables[t].count);
+  place->reader->keeps_unknown = TRUE;
+  return fine;
+}
+
 /* Moves the top-level members that the model does not hold out of the tree, with a warning for
  * those that no layer knows. */
 static gboolean
@@ -73,7 +116,8 @@ keep_extras (const QnJsonValue *root, cJSON *document, QnProject *project)
       continue;
     QnJsonValue place = qn_json_value_child (root, child);
     if (key == G_N_ELEMENTS (project_keys)
-        && !qn_json_value_unknown (&place, project_keys, key))
+          ? !qn_json_value_unknown (&place, project_keys, key)
+          : !check_extra (&place))
       return FALSE;
     if (project->extras == NULL)
       project->extras = cJSON_CreateObject ();

@@ -710,7 +710,8 @@ qn_study_read (const char *path, const char *model_path, QnStudy *study, GError 
   QnReader reader = { .name = study->name,
                       .text = study->text,
                       .length = study->length,
-                      .warnings = study->warnings };
+                      .warnings = study->warnings,
+                      .refuses_unknown = TRUE };
   cJSON *document =
     qn_json_parse (study->text, study->length, study->name, &reader.error);
   if (document != NULL) {

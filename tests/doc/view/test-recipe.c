@@ -38,7 +38,6 @@ test_reads (void)
 {
   g_auto (QnProject) project;
   GError *error = NULL;
-  g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
   load (
     &project, "1",
     "[{\"name\": \"plain\"},"
@@ -48,7 +47,7 @@ test_reads (void)
     "\"monochrome\": true, \"transparent\": true, \"backend\": \"gl\", \"colour\": 1},"
     "{\"name\": \"last\", \"view\": \"forces\", \"step\": \"last\", \"scale\": "
     "\"auto\"}]");
-  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, warnings, &error);
+  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, &error);
   g_assert_no_error (error);
   g_assert_cmpuint (recipes->len, ==, 3);
 
@@ -77,8 +76,8 @@ test_reads (void)
   g_assert_cmpint (last->view.step, ==, QN_STEP_LAST);
   g_assert_cmpfloat (last->view.scale, ==, QN_SCALE_AUTO);
 
-  g_assert_cmpuint (warnings->len, ==, 1);
-  g_assert_nonnull (strstr (g_ptr_array_index (warnings, 0), "colour"));
+  g_assert_cmpuint (project.warnings->len, ==, 1);
+  g_assert_nonnull (strstr (g_ptr_array_index (project.warnings, 0), "colour"));
 }
 
 static void
@@ -86,7 +85,7 @@ test_none (void)
 {
   g_auto (QnProject) project;
   load (&project, "1", NULL);
-  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL, NULL);
+  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL);
   g_assert_cmpuint (recipes->len, ==, 0);
 }
 
@@ -114,7 +113,7 @@ test_refusals (void)
     g_auto (QnProject) project;
     GError *error = NULL;
     load (&project, "1", wrong[i][0]);
-    g_assert_null (qn_recipes_read (&project, NULL, &error));
+    g_assert_null (qn_recipes_read (&project, &error));
     g_assert_nonnull (error);
     g_assert_nonnull (strstr (error->message, wrong[i][1]));
     g_assert_nonnull (strstr (error->message, "test.quoin:2:"));
@@ -143,7 +142,7 @@ test_round_trip (void)
   }
   g_autofree char *first = qn_recipes_to_json (recipes);
   load (&project, "1", first);
-  g_autoptr (GPtrArray) back = qn_recipes_read (&project, NULL, NULL);
+  g_autoptr (GPtrArray) back = qn_recipes_read (&project, NULL);
   g_assert_nonnull (back);
   g_autofree char *second = qn_recipes_to_json (back);
   g_assert_cmpstr (first, ==, second);
@@ -178,7 +177,7 @@ test_same_file (void)
   load (&project, "1",
         "[{\"name\": \"a\"}, {\"name\": \"b\", \"file\": \"x/../a.png\"},"
         "{\"name\": \"c\"}]");
-  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL, &error);
+  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, &error);
   g_assert_no_error (error);
   g_assert_false (qn_recipes_check_files (recipes, NULL, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
@@ -208,7 +207,7 @@ read_many (int count)
   g_string_append_c (figures, ']');
   g_auto (QnProject) project;
   load (&project, "1", figures->str);
-  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL, NULL);
+  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL);
   g_assert_cmpuint (recipes->len, ==, count);
   return 0;
 }

@@ -199,6 +199,12 @@ test_idle_overrides (void)
     { "masonry=[{\"kind\": \"arch\", \"spam\": 1}]",
       "the nearest known one is \"span\"" },
     { "colour=3", "unknown key" },
+    { "report={\"demnd\": 0.3}",
+      "report.demnd: unknown key; the nearest known one is \"demand\"" },
+    { "capacity={\"spectrm\": \"type1\"}", "the nearest known one is \"spectrum\"" },
+    { "underlay={\"imag\": \"a.png\"}", "the nearest known one is \"image\"" },
+    { "figures=[{\"name\": \"a\"}, {\"viw\": \"model\"}]",
+      "figures[1].viw: unknown key" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
     const char *const overrides[] = { rows[i][0], NULL };

@@ -99,6 +99,10 @@ test_bad_input (void)
   expect_error ("quoin-study\",", "quoin\",",
                 "s.quoin-study:1:13: format: ", "not a study");
   expect_error ("\"version\": 1", "\"version\": 2", ":1:39: version: ", "version 1");
+  expect_error ("\"run\":", "\"parmeters\": [], \"run\":", "parmeters: ",
+                "unknown key; the nearest known one is \"parameters\"");
+  expect_error ("\"uniform\",", "\"uniform\", \"maxx\": 1,",
+                "parameters[0].distribution.maxx: ", "unknown key");
   expect_error ("\"solve\"", "\"guess\"", "run: ", "solve, limit, modal, dynamic");
   expect_error ("\"solve\"", "\"dynamic\"", ":2:", "time_step");
   expect_error ("laws[0].friction", "laws[3].friction",
@@ -181,16 +185,6 @@ test_missing_model (void)
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
 }
 
-static void
-test_warnings (void)
-{
-  g_auto (QnStudy) study;
-  fixture_study (&study, PLAN, ", \"colour\": 1");
-  g_assert_cmpuint (study.warnings->len, ==, 1);
-  g_assert_nonnull (
-    strstr (g_ptr_array_index (study.warnings, 0), "colour: unknown key"));
-}
-
 QN_TESTS
 {
   g_test_add_func ("/study/read/sound", test_sound);
@@ -198,5 +192,4 @@ QN_TESTS
   g_test_add_func ("/study/read/bound-is-named", test_bound_is_named);
   g_test_add_func ("/study/read/impossible-correlation", test_impossible_correlation);
   g_test_add_func ("/study/read/missing-model", test_missing_model);
-  g_test_add_func ("/study/read/warnings", test_warnings);
 }
