@@ -155,7 +155,10 @@
   X (PIER_TOO_NARROW, "pier is too narrow for the arches on it") \
   X (OVERRIDE_UNUSED, "exception names two blocks without a common face") \
   X (DOUBT_TANGENT, "friction is a tangent: is this an angle in degrees?") \
-  X (DOUBT_STRESS, "strengths are in Pa: is this in MPa, kPa or another unit?") \
+  X (DOUBT_STRESS, "strengths and pressures are in Pa: is this in MPa, kPa or another unit?") \
+  X (DOUBT_RATIO, "this is a ratio: is it in percent?") \
+  X (DOUBT_ENERGY, "energies are in J/m2: is this in N/mm?") \
+  X (DOUBT_WEIGHT, "the weight is a force already: is gravity counted twice?") \
   X (DOUBT_STIFFNESS, "stiffness is in N/m, Pa/m or Pa by its basis: is this in another unit, kN, MPa or GPa?") \
   X (DOUBT_UNIT_WEIGHT, "unit weights are in N/m3: is this in kN/m3, or a density?") \
   X (DOUBT_DENSITY, "densities are in kg/m3: is this in t/m3, or a unit weight?") \

@@ -28,7 +28,13 @@ typedef enum {
   COMPRESSION,
   YIELD,
   STRENGTH,
-  KN, /* by basis, here and for KS */
+  STRAIN,
+  FRACTURE_TENSION,
+  FRACTURE_SHEAR,
+  FRACTURE,
+  CRUSHING,
+  DILATION_END, /* the last of those that every basis has, and of the parameters of laws */
+  KN,           /* by basis, here and for KS */
   KS = KN + QN_BASIS_COUNT,
   UNIT_WEIGHT = KS + QN_BASIS_COUNT,
   DENSITY,
@@ -49,9 +55,18 @@ typedef enum {
   TIE_COMPRESSION,
   YOUNG,
   SECTION_AREA,
+  SECTION_INERTIA,
+  SECTION_WIDTH,
   SECTION_HEIGHT,
+  SECTION_YIELD,
+  SECTION_WEIGHT,
+  DEAD_WEIGHT,
   DEAD_FORCE,
-  SETTLEMENT,
+  DEAD_INTENSITY,
+  PRESSURE, /* of dead loads; of live ones one row further, here and below */
+  FILL = PRESSURE + 2,
+  EARTH = FILL + 2,
+  SETTLEMENT = EARTH + 2,
   TARGET,
   PULSE,
   SIGNAL,
@@ -77,6 +92,14 @@ static const QnUsualRange ranges[ROW_COUNT] = {
   [COMPRESSION] = RANGE (LAW, "compression", "Pa", 1e4, 1e9, STRESS),
   [YIELD] = RANGE (LAW, "yield", "Pa", 1e4, 5e9, STRESS),
   [STRENGTH] = RANGE (LAW, "strength", "Pa", 1e4, 5e9, STRESS),
+  [STRAIN] = RANGE (LAW, "ultimate_strain", "", 1e-4, 0.5, RATIO),
+  /* Joints of brick and mortar: 5 to 20 J/m2 in tension, 10 to 250 in shear (R. van der Pluijm, cited by
+   * Lourenço 1996, below); concrete 110 to 160 (fib Model Code 2010, 5.1.5.2), crushed a hundred times. */
+  [FRACTURE_TENSION] = RANGE (LAW, "fracture_energy_tension", "J/m2", 0.5, 1e4, ENERGY),
+  [FRACTURE_SHEAR] = RANGE (LAW, "fracture_energy_shear", "J/m2", 0.5, 1e5, ENERGY),
+  [FRACTURE] = RANGE (LAW, "fracture_energy", "J/m2", 0.5, 1e7, ENERGY),
+  [CRUSHING] = RANGE (LAW, "crushing_energy", "J/m2", 50, 1e7, ENERGY),
+  [DILATION_END] = RANGE (LAW, "dilation_end", "m", 1e-6, 0.2, LENGTH),
   /* From a pebble's joint up; stiffer ones stand for what is rigid, here and below. */
   [KN + QN_BASIS_CONTACT] = RANGE (LAW, "kn", "N/m", 1e4, 1e18, STIFFNESS),
   [KS + QN_BASIS_CONTACT] = RANGE (LAW, "ks", "N/m", 1e4, 1e18, STIFFNESS),
@@ -115,9 +138,26 @@ static const QnUsualRange ranges[ROW_COUNT] = {
   [TIE_COMPRESSION] = RANGE (TIE, "plate.compression", "Pa", 1e4, 1e9, STRESS),
   [YOUNG] = RANGE (SECTION, "young", "Pa", 1e7, 1.3e12, STIFFNESS),
   [SECTION_AREA] = RANGE (SECTION, "area", "m2", 7e-7, 100, AREA),
+  /* As the height of the rectangle with this area. */
+  [SECTION_INERTIA] = RANGE (SECTION, "inertia", "m of height", 1e-3, 10, LENGTH),
+  [SECTION_WIDTH] = RANGE (SECTION, "width", "m", 1e-3, 100, LENGTH),
   [SECTION_HEIGHT] = RANGE (SECTION, "height", "m", 1e-3, 10, LENGTH),
+  [SECTION_YIELD] = RANGE (SECTION, "yield", "Pa", 1e5, 5e9, STRESS),
+  [SECTION_WEIGHT] = RANGE (SECTION, "unit_weight", "N/m3", 2500, 1.2e5, UNIT_WEIGHT),
+  /* Times the weight, which is a force already. */
+  [DEAD_WEIGHT] = RANGE (DEAD_LOAD, "direction", "× W", 0.2, 5, WEIGHT),
   /* Over the free weight: less is not seen in any result. */
   [DEAD_FORCE] = RANGE (DEAD_LOAD, "value", "× W", 5e-4, 1e4, FORCE),
+  [DEAD_INTENSITY] = RANGE (DEAD_LOAD, "intensity", "N/m", 20, 1e8, FORCE),
+  /* EN 1991-1-1:2002, table 6.2: from 1.5 kN/m2; snow and roofs from 0.4. A live one may be a unit. */
+  [PRESSURE] = RANGE (DEAD_LOAD, "pressure", "Pa", 20, 1e7, STRESS),
+  [PRESSURE + 1] = RANGE (LIVE_LOAD, "pressure", "Pa", 0.5, 1e7, STRESS),
+  /* Expanded clay to ore: EN 1991-1-1:2002, annex A. */
+  [FILL] = RANGE (DEAD_LOAD, "unit_weight", "N/m3", 2500, 5e4, UNIT_WEIGHT),
+  [FILL + 1] = RANGE (LIVE_LOAD, "unit_weight", "N/m3", 2500, 5e4, UNIT_WEIGHT),
+  /* Active in gravel to passive with wall friction (EN 1997-1:2004, annex C). */
+  [EARTH] = RANGE (DEAD_LOAD, "coefficient", "", 0.05, 30, RATIO),
+  [EARTH + 1] = RANGE (LIVE_LOAD, "coefficient", "", 0.05, 30, RATIO),
   /* Over the largest extent of the structure, as the target. */
   [SETTLEMENT] = RANGE (LIVE_LOAD, "value", "× L", 0, 0.5, LENGTH),
   [TARGET] = RANGE (ANALYSIS, "control.target", "× L", 0, 2, LENGTH),
@@ -172,7 +212,6 @@ examine (Doubts *d, Row row, size_t index, QnId block, double value)
 static void
 examine_laws (Doubts *d)
 {
-  static const Row strengths[] = { COHESION, TENSION, COMPRESSION, YIELD, STRENGTH };
   for (size_t i = 0; i < d->model->law_count; i++) {
     const QnLaw *law = &d->model->laws[i];
     size_t count;
@@ -181,13 +220,11 @@ examine_laws (Doubts *d)
     examine (d, (Row) (KS + law->basis), i, QN_NONE, law->ks);
     for (size_t k = 0; k < count; k++) {
       double value = qn_law_get (law, &parameters[k]);
-      if (strcmp (parameters[k].key, ranges[FRICTION].key) == 0)
-        examine (d, FRICTION, i, QN_NONE, value);
-      /* A strength in N depends on the size of what it belongs to. */
-      for (size_t s = 0; law->basis != QN_BASIS_CONTACT && s < QN_N_ELEMENTS (strengths);
-           s++)
-        if (strcmp (parameters[k].key, ranges[strengths[s]].key) == 0)
-          examine (d, strengths[s], i, QN_NONE, value);
+      /* A strength in N or an energy in J depends on the size of what it belongs to. */
+      for (Row row = FRICTION; row <= DILATION_END; row++)
+        if (strcmp (parameters[k].key, ranges[row].key) == 0
+            && (law->basis != QN_BASIS_CONTACT || row == FRICTION || row == DILATION_END))
+          examine (d, row, i, QN_NONE, value);
     }
   }
 }
@@ -239,10 +276,25 @@ examine_loads (Doubts *d, double extent)
 {
   const QnModel *model = d->model;
   double weight = free_weight (model);
-  for (size_t i = 0; i < model->dead_load_count && weight > 0; i++)
-    if (model->dead_loads[i].kind == QN_LOAD_FORCE)
-      examine (d, DEAD_FORCE, i, model->dead_loads[i].block,
-               qn_vec2_length (model->dead_loads[i].vector) / weight);
+  for (size_t i = 0; i < model->dead_load_count && weight > 0; i++) {
+    const QnLoad *load = &model->dead_loads[i];
+    double size = qn_vec2_length (load->vector);
+    if (load->kind == QN_LOAD_FORCE)
+      examine (d, DEAD_FORCE, i, load->block, size / weight);
+    else if (load->kind == QN_LOAD_WEIGHT)
+      examine (d, DEAD_WEIGHT, i, QN_NONE, size);
+    else if (load->kind == QN_LOAD_EDGE)
+      examine (d, DEAD_INTENSITY, i, load->block,
+               fmax (fabs (load->intensity[0]), fabs (load->intensity[1])));
+  }
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    int live = i >= model->dead_load_count;
+    size_t index = i - (live ? model->dead_load_count : 0);
+    examine (d, (Row) (PRESSURE + live), index, QN_NONE, load->pressure);
+    examine (d, (Row) (FILL + live), index, QN_NONE, load->unit_weight);
+    examine (d, (Row) (EARTH + live), index, QN_NONE, load->coefficient);
+  }
   for (size_t i = 0; i < model->live_load_count && extent > 0; i++)
     if (model->live_loads[i].kind == QN_LOAD_SETTLEMENT
         && model->live_loads[i].dof != QN_DOF_RZ)
@@ -299,10 +351,16 @@ examine_members (Doubts *d)
   for (size_t i = 0; i < model->section_count; i++) {
     const QnSection *section = &model->sections[i];
     examine (d, YOUNG, i, QN_NONE, section->young);
-    if (section->height > 0)
+    examine (d, SECTION_YIELD, i, QN_NONE, section->yield);
+    examine (d, SECTION_WEIGHT, i, QN_NONE, section->unit_weight);
+    if (section->height > 0) {
       examine (d, SECTION_HEIGHT, i, QN_NONE, section->height);
-    else
+      examine (d, SECTION_WIDTH, i, QN_NONE, section->width);
+    } else {
       examine (d, SECTION_AREA, i, QN_NONE, section->area);
+      examine (d, SECTION_INERTIA, i, QN_NONE,
+               sqrt (12 * section->inertia / section->area));
+    }
   }
 }
 

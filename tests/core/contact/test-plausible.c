@@ -109,6 +109,57 @@ put_tie (QnTie *tie, const char *key, double number)
       *numbers[i].at = number * numbers[i].unit;
 }
 
+static void
+put_section (QnSection *section, const char *key, double number)
+{
+  if (strcmp (key, "young") == 0) {
+    section->young = number;
+  } else if (strcmp (key, "unit_weight") == 0) {
+    section->unit_weight = number;
+  } else if (strcmp (key, "inertia") == 0) {
+    section->inertia = section->area * number * number / 12;
+  } else {
+    section->height = section->width = 0.1;
+    section->area = section->inertia = 0;
+    *(strcmp (key, "height") == 0  ? &section->height
+      : strcmp (key, "width") == 0 ? &section->width
+                                   : &section->yield) = number;
+  }
+}
+
+static void
+put_load (QnModel *model, const QnUsualRange *range, double number)
+{
+  const double weight = 2 * 0.5 * 10000;
+  const bool dead = range->entity == QN_ENTITY_DEAD_LOAD;
+  const char *key = range->key;
+  QnLoad *load;
+  if (strcmp (key, "value") == 0 && !dead) {
+    model->live_loads[1].value = -extent_of (model) * number;
+  } else if (strcmp (key, "value") == 0) {
+    model->dead_loads[1].vector = qn_vec2 (0, number * weight);
+  } else if (strcmp (key, "direction") == 0) {
+    model->dead_loads[0].vector = qn_vec2 (0, -number);
+  } else if (strcmp (key, "intensity") == 0) {
+    load = qn_model_add_dead_load (model);
+    load->kind = QN_LOAD_EDGE;
+    load->block = 1;
+    load->has_side = load->normal = true;
+    load->part[1] = 1;
+    load->intensity[1] = -number;
+  } else {
+    load = dead ? qn_model_add_dead_load (model) : qn_model_add_live_load (model);
+    load->kind = QN_LOAD_BACKFILL;
+    load->span[0] = -HUGE_VAL;
+    load->span[1] = 0.4;
+    load->unit_weight = 18000;
+    load->coefficient = 0.3;
+    *(strcmp (key, "pressure") == 0      ? &load->pressure
+      : strcmp (key, "unit_weight") == 0 ? &load->unit_weight
+                                         : &load->coefficient) = number;
+  }
+}
+
 /* Puts a number where the row says. */
 static void
 put (QnModel *model, const QnUsualRange *range, double number)
@@ -126,9 +177,24 @@ put (QnModel *model, const QnUsualRange *range, double number)
     law->ks = 1e9;
   if (of_law && strcmp (key, "compression") == 0) {
     law->kind = QN_LAW_MOHR_COULOMB;
-  } else if (of_law && (strcmp (key, "yield") == 0 || strcmp (key, "strength") == 0)) {
-    law->kind = strcmp (key, "yield") == 0 ? QN_LAW_BILINEAR : QN_LAW_CONCRETE;
+  } else if (of_law && strcmp (key, "yield") == 0) {
+    law->kind = QN_LAW_BILINEAR;
     law->friction = 0;
+  } else if (of_law
+             && (strcmp (key, "strength") == 0 || strcmp (key, "ultimate_strain") == 0
+                 || strcmp (key, "fracture_energy") == 0
+                 || strcmp (key, "crushing_energy") == 0)) {
+    law->kind = QN_LAW_CONCRETE;
+    law->strength = 3e7;
+    law->kn = law->ks = 1e14;
+    law->crushing_energy = 5e4;
+    law->ultimate_strain = 0.0035;
+    law->friction = 0;
+  } else if (of_law && strncmp (key, "fracture_energy_", 16) == 0) {
+    law->cohesion = law->tension = 1e5;
+    law->fracture_energy_tension = 100;
+  } else if (of_law && strcmp (key, "dilation_end") == 0) {
+    law->dilatancy = 0.1;
   }
   if (of_law && (strcmp (key, "kn") == 0 || strcmp (key, "ks") == 0)) {
     *(strcmp (key, "kn") == 0 ? &law->kn : &law->ks) = number;
@@ -138,6 +204,11 @@ put (QnModel *model, const QnUsualRange *range, double number)
     for (size_t i = 0; i < count; i++)
       if (strcmp (parameters[i].key, key) == 0)
         *qn_law_at (law, &parameters[i]) = number;
+  } else if (range->entity == QN_ENTITY_SECTION && strcmp (key, "area") != 0) {
+    put_section (&model->sections[0], key, number);
+  } else if (range->entity == QN_ENTITY_DEAD_LOAD
+             || range->entity == QN_ENTITY_LIVE_LOAD) {
+    put_load (model, range, number);
   } else if (strcmp (key, "unit_weight") == 0) {
     model->blocks[1].unit_weight = number;
   } else if (strcmp (key, "density") == 0) {
@@ -154,18 +225,9 @@ put (QnModel *model, const QnUsualRange *range, double number)
     model->bars[0].area = number;
   } else if (range->entity == QN_ENTITY_TIE) {
     put_tie (&model->ties[0], key, number);
-  } else if (strcmp (key, "young") == 0) {
-    model->sections[0].young = number;
   } else if (strcmp (key, "area") == 0) {
+    model->sections[0].inertia *= pow (number / model->sections[0].area, 2);
     model->sections[0].area = number;
-  } else if (strcmp (key, "height") == 0) {
-    model->sections[0].height = number;
-    model->sections[0].width = 0.1;
-  } else if (range->entity == QN_ENTITY_DEAD_LOAD) {
-    model->dead_loads[1].vector =
-      qn_vec2 (0, number * 2 * 0.5 * 10000); /* their weight */
-  } else if (range->entity == QN_ENTITY_LIVE_LOAD) {
-    model->live_loads[1].value = -extent_of (model) * number;
   } else if (strcmp (key, "control.target") == 0) {
     model->analysis.procedure = QN_PROCEDURE_DISPLACEMENT;
     model->analysis.control_target = extent_of (model) * number;
@@ -221,7 +283,7 @@ test_counts (void)
   const QnUsualRange *ranges = qn_usual_ranges (&count);
   const QnUsualRange *weight = NULL;
   for (size_t i = 0; i < count; i++)
-    if (strcmp (ranges[i].key, "unit_weight") == 0)
+    if (ranges[i].entity == QN_ENTITY_BLOCK && strcmp (ranges[i].key, "unit_weight") == 0)
       weight = &ranges[i];
   double value;
   for (int kind = 0; kind < 3; kind++) {
