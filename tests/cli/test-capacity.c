@@ -71,8 +71,12 @@ test_block (void)
   g_autofree char *json = g_build_filename (folder, "c.json", NULL);
   g_autofree char *csv = g_build_filename (folder, "c.csv", NULL);
   g_autofree char *svg = g_build_filename (folder, "c.svg", NULL);
-  cli_says ("SLV", "capacity", model, "--spectrum", "type1", "--ag", "2.4525", "--soil",
-            "C", "--json", json, "--csv", csv, "-o", svg, NULL);
+  cli_says ("m/s2 (0.25 g), soil C, damping 0.05\nState", "capacity", model, "--spectrum",
+            "type1", "--ag", "2.4525", "--soil", "C", "--json", json, "--csv", csv, "-o",
+            svg, NULL);
+  /* In g by Italian habit: ten times too little. */
+  cli_says ("is this number in g?", "capacity", model, "--spectrum", "type2", "--ag",
+            "0.25", "--soil", "C", NULL);
   g_autofree char *text = cli_read (json), *table = cli_read (csv),
                   *picture = cli_read (svg);
   const char *slv = strstr (text, "\"SLV\"");

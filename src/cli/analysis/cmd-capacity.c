@@ -48,7 +48,9 @@ take_settings (const QnSubcommand *self, const CapacityOptions *options,
     { "mechanism", options->mechanism ? "true" : NULL },
   };
   const QnProject *project = &answer->input->project;
-  gboolean done = qn_capacity_settings_read (project, s, &error);
+  gboolean done = TRUE;
+  if (!qn_capacity_settings_read (project, s, &error))
+    return qn_cli_fail (error);
   for (gsize i = 0; done && i < G_N_ELEMENTS (given); i++)
     done = given[i][1] == NULL
            || qn_capacity_settings_set (s, given[i][0], given[i][1], &error);

@@ -124,6 +124,33 @@ tell_mechanism (GString *text, const QnCapacityAnswer *answer)
                   linear->capacity, answer->confidence, linear->demand, sld, slv);
 }
 
+/* Very low seismicity, m/s2: EN 1998-1:2004, 3.2.1(5), 0.04 g. */
+#define LEAST_AG (0.04 * 9.80665)
+
+static void
+tell_spectrum (GString *text, const QnSpectrum *spectrum)
+{
+  double largest = spectrum->ground_acceleration;
+  if (spectrum->kind == QN_SPECTRUM_POINTS)
+    for (gsize i = 0; i < spectrum->point_count; i++)
+      largest = fmax (largest, spectrum->points[i].y);
+  qn_text_append (text,
+                  spectrum->kind == QN_SPECTRUM_POINTS ? _ (
+                    "\nspectrum of the file: largest acceleration %.4g m/s2 (%.3g g)")
+                  : spectrum->kind == QN_SPECTRUM_EN_1
+                    ? _ ("\nspectrum of EN 1998-1, type 1: ag %.4g m/s2 (%.3g g)")
+                    : _ ("\nspectrum of EN 1998-1, type 2: ag %.4g m/s2 (%.3g g)"),
+                  largest, largest / 9.80665);
+  if (spectrum->kind != QN_SPECTRUM_POINTS)
+    g_string_append_printf (text, _ (", soil %c"), 'A' + (int) spectrum->soil);
+  qn_text_append (text, _ (", damping %.3g"), spectrum->damping);
+  if (spectrum->kind != QN_SPECTRUM_POINTS && largest < LEAST_AG)
+    qn_text_append (text,
+                    _ ("; the code need not be applied below %.2g m/s2: is this "
+                       "number in g?"),
+                    LEAST_AG);
+}
+
 char *
 qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
                               const char *reason, QnUnits units)
@@ -164,6 +191,8 @@ qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
       _ ("\ne* is small: the blocks move very differently, and a* of the codes is %.1f "
          "times what virtual work gives, multiplier times g"),
       1 / c->share);
+  if (answer->has_spectrum)
+    tell_spectrum (text, &answer->spectrum);
   return g_string_free (text, FALSE);
 }
 
