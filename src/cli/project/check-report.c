@@ -121,13 +121,15 @@ print_ground (const QnModel *model)
       continue;
     QnRecordFacts facts = qn_record_facts (
       &(QnRecord){ .points = motion->points, .count = motion->point_count });
-    qn_print (
-      _ ("  %zu samples every %.4g s to %.4g s, unit %s; peak %.4g m/s2 (%.3g g), "
-         "%.4g m/s, %.4g m; drift at the end %.3g m/s, %.3g m\n"),
-      motion->point_count, facts.time_step, facts.duration,
-      motion->record == NULL ? "m/s2" : motion->record_unit, facts.peak,
-      facts.peak / 9.80665, facts.velocity, facts.displacement, facts.end_velocity,
-      facts.end_displacement);
+    g_autofree char *every = facts.time_step > 0
+                               ? g_strdup_printf (_ (" every %.4g s"), facts.time_step)
+                               : g_strdup ("");
+    qn_print (_ ("  %zu samples%s to %.4g s, unit %s; peak %.4g m/s2 (%.3g g), "
+                 "%.4g m/s, %.4g m; drift at the end %.3g m/s, %.3g m\n"),
+              motion->point_count, every, facts.duration,
+              motion->record == NULL ? "m/s2" : motion->record_unit, facts.peak,
+              facts.peak / 9.80665, facts.velocity, facts.displacement,
+              facts.end_velocity, facts.end_displacement);
   }
 }
 

@@ -167,7 +167,10 @@ make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **
   g_autofree char *study_path = g_build_filename (ida->options->folder, study_name, NULL);
   QnRecord record;
   QnProject model;
-  if (!qn_record_read (path, ida->options->unit, ida->options->time_step, &record, error))
+  /* What the command line states is for the records that do not. */
+  if (!qn_record_read (path, NULL, 0, &record, NULL)
+      && !qn_record_read (path, ida->options->unit, ida->options->time_step, &record,
+                          error))
     return FALSE;
   QnRecordFacts facts = qn_record_facts (&record);
   g_autofree char *doubt = qn_record_dup_doubt (&record);

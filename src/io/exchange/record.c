@@ -12,6 +12,9 @@
 /* A stronger record is probably in another unit; m/s2. */
 #define DOUBTFUL_PEAK (3 * QN_STANDARD_GRAVITY)
 
+/* Times of samples are written with few digits: steps that differ by less than this part are equal. */
+#define EVEN 0.05
+
 void
 qn_record_clear (QnRecord *record)
 {
@@ -22,13 +25,15 @@ qn_record_clear (QnRecord *record)
 QnRecordFacts
 qn_record_facts (const QnRecord *record)
 {
-  QnRecordFacts facts = { 0 };
-  double v = 0, d = 0;
+  QnRecordFacts facts = { .time_step = NAN };
+  double v = 0, d = 0, least = HUGE_VAL, greatest = 0;
   for (gsize i = 0; i < record->count; i++) {
     QnVec2 b = record->points[i];
     if (i > 0) {
       QnVec2 a = record->points[i - 1];
       double h = b.x - a.x;
+      least = fmin (least, h);
+      greatest = fmax (greatest, h);
       d += h * v
            + h * h * (2 * a.y + b.y) / 6; /* exact for straight lines between samples */
       v += 0.5 * h * (a.y + b.y);
@@ -38,7 +43,7 @@ qn_record_facts (const QnRecord *record)
     facts.displacement = MAX (facts.displacement, fabs (d));
   }
   facts.duration = record->count > 0 ? record->points[record->count - 1].x : 0;
-  if (record->count > 1)
+  if (record->count > 1 && greatest <= least * (1 + EVEN))
     facts.time_step =
       (facts.duration - record->points[0].x) / (double) (record->count - 1);
   facts.end_velocity = v;

@@ -41,11 +41,11 @@ void qn_record_clear (QnRecord *record);
 
 /* What a record amounts to, without correction of the base line. */
 typedef struct QnRecordFacts {
-  double duration;                       /* s */
-  double peak;                           /* m/s2 */
-  double velocity;                       /* m/s, largest */
-  double displacement;                   /* m, largest */
-  double time_step;                      /* s, the mean between samples */
+  double duration;     /* s */
+  double peak;         /* m/s2 */
+  double velocity;     /* m/s, largest */
+  double displacement; /* m, largest */
+  double time_step;    /* s between samples; NAN where they do not follow evenly */
   double end_velocity, end_displacement; /* m/s, m: drift of the base line */
 } QnRecordFacts;
 
