@@ -119,6 +119,22 @@ test_ends_at_target (void)
   }
 }
 
+/* A path that goes on behind its peak: the peak is the collapse, told beside where the path ends; of limit
+ * analysis it is told that it does not know of displacements. */
+static void
+test_ends_behind_peak (void)
+{
+  g_autofree char *model = cli_example ("02-overturning-block.quoin");
+  const char *control =
+    "analysis.control={\"block\": \"block\", \"component\": \"ux\", \"target\": 0.2}";
+  cli_says (": collapse at load multiplier 0.49", "solve", model, "--set", control,
+            "--set", "analysis.geometry=nonlinear", "--set",
+            "analysis.procedure=displacement", NULL);
+  cli_says ("of the undeformed structure above 0.5000", "limit", model, "--set",
+            "analysis.geometry=nonlinear", NULL);
+  cli_says ("no equilibrium above 0.5000", "limit", model, NULL);
+}
+
 static void
 test_bad_set (void)
 {
@@ -439,6 +455,7 @@ QN_TESTS
   g_test_add_func ("/cli/solve/set", test_set);
   g_test_add_func ("/cli/solve/set-is-repeatable", test_set_is_repeatable);
   g_test_add_func ("/cli/solve/ends-at-target", test_ends_at_target);
+  g_test_add_func ("/cli/solve/ends-behind-peak", test_ends_behind_peak);
   g_test_add_func ("/cli/solve/bad-set", test_bad_set);
   g_test_add_func ("/cli/solve/quiet-warns", test_quiet_warns);
   g_test_add_func ("/cli/solve/outputs", test_outputs);

@@ -83,6 +83,10 @@ print_summary (const QnProject *project, const QnResult *result)
   else if (buckled != NULL)
     qn_print (_ ("%s: stability is lost at load multiplier %.6g\n"), title,
               buckled->multiplier);
+  else if (result->has_collapse_multiplier && result->stage == 0)
+    qn_print (_ ("%s: collapse at load multiplier %.5f, last equilibrium at %.5f\n"),
+              title, result->collapse_multiplier,
+              result->steps[result->step_count - 1].multiplier);
   else if (result->step_count > 0)
     qn_print (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
               result->steps[result->step_count - 1].multiplier);

@@ -260,7 +260,7 @@ qn_explain_procedure (const QnAnalysisSettings *analysis)
     return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("limit, associative")
                                                  : _ ("limit, non-associative");
   case QN_PROCEDURE_DYNAMIC:
-    return _ ("in time");
+    return _ ("analysis in time");
   case QN_PROCEDURE_COUNT:
     break;
   }

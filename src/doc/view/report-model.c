@@ -85,8 +85,8 @@ dup_law_numbers (const QnLaw *law, QnUnits units)
   g_string_append_printf (text, "kn = %s, ks = %s", kn, ks);
   for (size_t i = 0; i < count; i++) {
     double value = qn_law_get (law, &parameters[i]);
-    if (!isfinite (value))
-      continue;
+    if (!isfinite (value) || (value == 0 && parameters[i].positive))
+      continue; /* not given, which is not 0 */
     g_autofree char *number = qn_units_format_full (
       units, qn_law_quantity (parameters[i].key, law->basis), value, 6);
     number = qn_label_power (number);
@@ -363,8 +363,7 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     write_dynamic (pages, report);
   qn_report_say (pages, _ ("Procedure: %s, in %s geometry."), qn_report_procedure (model),
-                 model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear")
-                                                                : _ ("nonlinear"));
+                 qn_report_geometry (model));
 }
 
 void
@@ -374,6 +373,9 @@ qn_report_write_findings (QnPages *pages, const QnReport *report)
   if (report->project->model.block_count == 0)
     return;
   qn_pages_heading (pages, _ ("Findings"));
+  const GPtrArray *warnings = report->project->warnings;
+  for (guint i = 0; i < warnings->len; i++)
+    qn_pages_paragraph (pages, g_ptr_array_index (warnings, i));
   if (findings->count == 0)
     qn_pages_paragraph (pages, _ ("Contact detection has found nothing unusual."));
   for (size_t i = 0; i < findings->count && i < QN_REPORT_ROWS; i++) {

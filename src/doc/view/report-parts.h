@@ -9,6 +9,9 @@
 /* "displacement control"; of a project with stages, each of which has its own, "load stages". */
 const char *qn_report_procedure (const QnModel *model);
 
+/* "linear" or "nonlinear"; limit analysis takes the undeformed structure. */
+const char *qn_report_geometry (const QnModel *model);
+
 /* A paragraph. */
 void qn_report_say (QnPages *pages, const char *format, ...) G_GNUC_PRINTF (2, 3);
 

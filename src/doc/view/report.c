@@ -17,6 +17,15 @@ qn_report_procedure (const QnModel *model)
                                 : qn_explain_procedure (&model->analysis);
 }
 
+const char *
+qn_report_geometry (const QnModel *model)
+{
+  return model->analysis.geometry == QN_GEOMETRY_LINEAR
+             || model->analysis.procedure == QN_PROCEDURE_LIMIT
+           ? _ ("linear")
+           : _ ("nonlinear");
+}
+
 void
 qn_report_say (QnPages *pages, const char *format, ...)
 {
@@ -121,15 +130,13 @@ static char *
 dup_basis (const QnReportRun *run)
 {
   const QnModel *model = &run->project->model;
-  const char *geometry =
-    model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear");
   const char *check = run->faults == NULL       ? _ ("not checked")
                       : run->faults->count == 0 ? _ ("the independent check is passed")
                                                 : _ ("the independent check fails");
   return g_strdup_printf (
     _ ("It rests on %s in %s geometry, on the laws and the pairs of the "
        "joints as given below; %s."),
-    qn_report_procedure (model), geometry, check);
+    qn_report_procedure (model), qn_report_geometry (model), check);
 }
 
 /* What a result has proved of a path or of limit analysis: which multiplier is carried, and whether more than
@@ -177,7 +184,10 @@ find_proof (const QnReportRun *run, double demand)
   }
   if (r->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
     return proof; /* nothing is carried */
-  if (run->faults == NULL || run->faults->count > 0)
+  if (r->vibration.mode > 0 || r->stability != QN_STABILITY_UNKNOWN
+      || r->history.width > 0 || qn_result_settlement (model, r) != NULL)
+    proof.doubt = _ ("the question is another one, without such a multiplier");
+  else if (run->faults == NULL || run->faults->count > 0)
     proof.doubt = _ ("the independent check is not passed");
   else if (r->outcome == QN_OUTCOME_UNBOUNDED)
     proof.doubt = _ ("no collapse was found");
@@ -189,19 +199,13 @@ find_proof (const QnReportRun *run, double demand)
     proof.doubt = _ ("linear geometry may not hold up to it: use large displacements");
   else if (!proof.ends && proof.carried < demand)
     proof.doubt = _ ("the path was not followed so far");
-  else if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    proof.doubt = _ ("an analysis in time has no load multiplier");
   return proof;
 }
 
-/* Whether a run meets the demand; NULL where it answers another question. */
+/* Whether a run meets the demand. */
 static char *
 dup_verdict (const QnReportRun *run, double demand)
 {
-  const QnResult *r = &run->file->result;
-  if (r->vibration.mode > 0 || r->stability != QN_STABILITY_UNKNOWN
-      || r->history.width > 0 || qn_result_settlement (&run->project->model, r) != NULL)
-    return NULL;
   const Proof proof = find_proof (run, demand);
   g_autofree char *wanted = qn_label_number ("%.4g", demand);
   g_autofree char *carried = qn_label_number ("%.4g", proof.carried);

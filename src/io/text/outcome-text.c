@@ -317,8 +317,11 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
         _ ("The multiplier was %s, the least of %d solutions up to %.4f;"), found,
         result->solution_count, greatest);
   g_autofree char *to =
-    isnan (bound)
-      ? g_strdup (_ ("what bounds it from above is not known."))
+    isnan (bound) ? g_strdup (_ ("what bounds it from above is not known."))
+    : model->analysis.geometry == QN_GEOMETRY_NONLINEAR
+      ? qn_text_printf (_ ("no equilibrium of the undeformed structure above %.4f, the "
+                           "associative bound; displacements may lower it."),
+                        bound)
       : qn_text_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
   g_autofree char *safe = dup_broken_bond (model, result);
   g_autofree char *coarse = dup_coarse_pairs (model, result);
