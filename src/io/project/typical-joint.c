@@ -5,20 +5,25 @@
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
 
-/* Blocks are rigid: joints of mortar are as flexible as the masonry that they hold together,
+/* Energy of slip over cohesion as of the joint of Lourenço & Rots 1997, 125 J/m2 over 0.35 MPa.
+ *
+ * Blocks are rigid: joints of mortar are as flexible as the masonry that they hold together,
  * kn = E / h and ks = G / h over courses of the height h, 0.2 m of stone and 0.07 m of brick. */
 const QnTypicalJoint qn_typical_joints[QN_JOINT_COUNT] = {
-  [QN_JOINT_DRY_STONE] = { N_ ("Dry-jointed stone"), 0.65, 0.0, 1e10, 1e10, 24e3,
+  [QN_JOINT_DRY_STONE] = { N_ ("Dry-jointed stone"), 0.65, 0.0, 0.0, 1e10, 1e10, 24e3,
                            N_ ("Friction: Ferris & Tin-Loi 2001. Stiffness: arch of "
                                "Lemos, 1e10 Pa/m.") },
-  [QN_JOINT_LIME_MORTAR] = { N_ ("Lime mortar"), 0.4, 0.1e6, 1.4e10, 4.7e9, 22e3,
+  [QN_JOINT_LIME_MORTAR] = { N_ ("Lime mortar"), 0.4, 0.1e6, 36.0, 1.4e10, 4.7e9, 22e3,
                              N_ ("Strength: EN 1996-1-1, 3.6.2 and table 3.4. "
+                                 "Fracture energy: Lourenço & Rots 1997, by cohesion. "
                                  "Stiffness: squared stone of Circolare 7/2019, table "
                                  "C8.5.I, courses of 0.2 m.") },
-  [QN_JOINT_BRICK] = { N_ ("Brick, cement-lime mortar"), 0.4, 0.2e6, 2.1e10, 7e9, 18e3,
-                       N_ ("Strength: EN 1996-1-1, 3.6.2 and table 3.4. Stiffness: "
-                           "brick and lime mortar of Circolare 7/2019, table C8.5.I, "
-                           "courses of 0.07 m.") },
+  [QN_JOINT_BRICK] = { N_ ("Brick, cement-lime mortar"), 0.4, 0.2e6, 71.0, 2.1e10, 7e9,
+                       18e3,
+                       N_ ("Strength: EN 1996-1-1, 3.6.2 and table 3.4. "
+                           "Fracture energy: Lourenço & Rots 1997, by cohesion. "
+                           "Stiffness: brick and lime mortar of Circolare 7/2019, table "
+                           "C8.5.I, courses of 0.07 m.") },
 };
 
 gboolean
@@ -37,7 +42,9 @@ qn_law_make_joint (QnLaw *law, QnTypicalJointKind kind)
                   .kn = 2.0 * joint->kn,
                   .ks = 2.0 * joint->ks,
                   .friction = joint->friction,
-                  .cohesion = joint->cohesion };
+                  .cohesion = joint->cohesion,
+                  .fracture_energy_shear = joint->fracture,
+                  .exponential = joint->fracture > 0.0 };
   return TRUE;
 }
 
@@ -53,7 +60,8 @@ qn_law_get_source (const QnLaw *law, gboolean *holds)
       *holds = law->kind == QN_LAW_COULOMB && law->basis == QN_BASIS_SURFACE
                && law->kn == 2.0 * joint->kn && law->ks == 2.0 * joint->ks
                && law->friction == joint->friction && law->cohesion == joint->cohesion
-               && law->tension == 0.0 && law->dilatancy == 0.0;
+               && law->fracture_energy_shear == joint->fracture && law->tension == 0.0
+               && law->dilatancy == 0.0;
       return _ (qn_typical_joints[i].source);
     }
   return law->source;

@@ -28,12 +28,15 @@ test_laws (void)
     g_assert_cmpint (law.kind, ==, QN_LAW_COULOMB);
     g_assert_cmpint (law.basis, ==, QN_BASIS_SURFACE);
     g_assert_cmpfloat (law.tension, ==, 0.0);
+    /* Lourenço & Rots 1997: 125 J/m2 with a cohesion of 0.35 MPa. */
+    g_assert_cmpfloat_with_epsilon (law.fracture_energy_shear,
+                                    law.cohesion * 125 / 0.35e6, 0.5);
     /* Two springs in series are the joint. */
     g_assert_cmpfloat_with_epsilon (1 / (1 / law.kn + 1 / law.kn), joint->kn, 1.0);
     g_assert_cmpfloat_with_epsilon (1 / (1 / law.ks + 1 / law.ks), joint->ks, 1.0);
     g_assert_cmpstr (qn_law_get_source (&law, &holds), ==, joint->source);
     g_assert_true (holds);
-    law.friction = 0.5;
+    law.fracture_energy_shear += 1;
     g_assert_nonnull (qn_law_get_source (&law, &holds));
     g_assert_false (holds);
     qn_law_clear (&law);
