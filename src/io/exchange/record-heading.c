@@ -17,7 +17,11 @@ static const struct {
   { "mm/s2", { QN_RECORD_ACCELERATION, 0.001 } },
   { "ft/s2", { QN_RECORD_ACCELERATION, 0.3048 } },
   { "in/s2", { QN_RECORD_ACCELERATION, 0.0254 } },
+  { "um/s2", { QN_RECORD_ACCELERATION, 1e-6 } },
+  { "nm/s2", { QN_RECORD_ACCELERATION, 1e-9 } },
   { "g", { QN_RECORD_ACCELERATION, QN_STANDARD_GRAVITY } },
+  { "g/10", { QN_RECORD_ACCELERATION, 0.1 * QN_STANDARD_GRAVITY } },
+  { "%g", { QN_RECORD_ACCELERATION, 0.01 * QN_STANDARD_GRAVITY } },
   { "mg", { QN_RECORD_ACCELERATION, 0.001 * QN_STANDARD_GRAVITY } },
   { "m/s", { QN_RECORD_VELOCITY, 1 } },
   { "cm/s", { QN_RECORD_VELOCITY, 0.01 } },
@@ -29,6 +33,7 @@ static const struct {
   { "in", { QN_RECORD_DISPLACEMENT, 0.0254 } },
   { "s", { QN_RECORD_TIME, 1 } },
   { "ms", { QN_RECORD_TIME, 0.001 } },
+  { "min", { QN_RECORD_TIME, 60 } },
 };
 
 const char *
@@ -52,9 +57,10 @@ qn_record_unit (const char *text)
   g_autofree char *lower = g_utf8_strdown (text, -1);
   g_autoptr (GString) unit = g_string_new (lower);
   static const char *const spellings[][2] = {
-    { " ", "" },    { "\t", "" },      { "²", "2" },     { "⁻2", "-2" },  { "^", "" },
-    { "**", "" },   { "(", "" },       { ")", "" },      { "·", "" },     { "*", "" },
-    { "sec", "s" }, { "/s/s", "/s2" }, { "s-2", "/s2" }, { "s-1", "/s" }, { "./", "/" },
+    { " ", "" },     { "\t", "" },  { "²", "2" },   { "⁻2", "-2" },    { "^", "" },
+    { "**", "" },    { "(", "" },   { ")", "" },    { "·", "" },       { "*", "" },
+    { "µ", "u" },    { "μ", "u" },  { "sec", "s" }, { "/s/s", "/s2" }, { "s-2", "/s2" },
+    { "s-1", "/s" }, { "./", "/" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (spellings); i++)
     replace (unit, spellings[i][0], spellings[i][1]);
@@ -105,29 +111,6 @@ has_word (const char *lower, const char *beginning)
   return FALSE;
 }
 
-QnRecordQuantity
-qn_record_quantity_of_name (const char *name)
-{
-  static const struct {
-    const char *beginning;
-    QnRecordQuantity quantity;
-  } words[] = {
-    { "acc", QN_RECORD_ACCELERATION },    { "beschl", QN_RECORD_ACCELERATION },
-    { "acel", QN_RECORD_ACCELERATION },   { "vel", QN_RECORD_VELOCITY },
-    { "geschw", QN_RECORD_VELOCITY },     { "vitesse", QN_RECORD_VELOCITY },
-    { "disp", QN_RECORD_DISPLACEMENT },   { "versch", QN_RECORD_DISPLACEMENT },
-    { "déplac", QN_RECORD_DISPLACEMENT }, { "deplac", QN_RECORD_DISPLACEMENT },
-    { "spost", QN_RECORD_DISPLACEMENT },  { "time", QN_RECORD_TIME },
-    { "zeit", QN_RECORD_TIME },           { "temps", QN_RECORD_TIME },
-    { "tempo", QN_RECORD_TIME },
-  };
-  g_autofree char *lower = g_utf8_strdown (name, -1);
-  for (gsize i = 0; i < G_N_ELEMENTS (words); i++)
-    if (has_word (lower, words[i].beginning))
-      return words[i].quantity;
-  return QN_RECORD_UNKNOWN;
-}
-
 /* The text behind a key, its unit in brackets and its colon or equals sign; NULL where the key is no
  * word of the line or, if `strict`, has no such sign. */
 static const char *
@@ -153,6 +136,41 @@ value_of (const char *lower, const char *key, gboolean strict)
   return at + strspn (at, " \t");
 }
 
+gboolean
+qn_record_is_of_spectrum (const char *name)
+{
+  static const char *const beginnings[] = { "period", "périod", "freq",
+                                            "fréq",   "spectr", "psa" };
+  g_autofree char *lower = g_utf8_strdown (name, -1);
+  for (gsize i = 0; i < G_N_ELEMENTS (beginnings); i++)
+    if (has_word (lower, beginnings[i]))
+      return TRUE;
+  return value_of (lower, "sa", FALSE) != NULL;
+}
+
+QnRecordQuantity
+qn_record_quantity_of_name (const char *name)
+{
+  static const struct {
+    const char *beginning;
+    QnRecordQuantity quantity;
+  } words[] = {
+    { "acc", QN_RECORD_ACCELERATION },    { "beschl", QN_RECORD_ACCELERATION },
+    { "acel", QN_RECORD_ACCELERATION },   { "vel", QN_RECORD_VELOCITY },
+    { "geschw", QN_RECORD_VELOCITY },     { "vitesse", QN_RECORD_VELOCITY },
+    { "disp", QN_RECORD_DISPLACEMENT },   { "versch", QN_RECORD_DISPLACEMENT },
+    { "déplac", QN_RECORD_DISPLACEMENT }, { "deplac", QN_RECORD_DISPLACEMENT },
+    { "spost", QN_RECORD_DISPLACEMENT },  { "time", QN_RECORD_TIME },
+    { "zeit", QN_RECORD_TIME },           { "temps", QN_RECORD_TIME },
+    { "tempo", QN_RECORD_TIME },
+  };
+  g_autofree char *lower = g_utf8_strdown (name, -1);
+  for (gsize i = 0; i < G_N_ELEMENTS (words); i++)
+    if (has_word (lower, words[i].beginning))
+      return words[i].quantity;
+  return QN_RECORD_UNKNOWN;
+}
+
 static double
 number_of (const char *lower, const char *key, gboolean strict)
 {
@@ -161,8 +179,17 @@ number_of (const char *lower, const char *key, gboolean strict)
   return isfinite (number) && number > 0 ? number : 0;
 }
 
+/* Two lines that state different things are a contradiction. */
 static void
-read_step (QnRecordHeading *heading, const char *lower)
+take_step (QnRecordHeading *heading, double step, gsize line)
+{
+  if (heading->time_step > 0 && fabs (step / heading->time_step - 1) > 0.01)
+    heading->second_step = line;
+  heading->time_step = step;
+}
+
+static void
+read_step (QnRecordHeading *heading, const char *lower, gsize line)
 {
   static const struct {
     const char *key;
@@ -183,10 +210,11 @@ read_step (QnRecordHeading *heading, const char *lower)
   for (gsize i = 0; i < G_N_ELEMENTS (steps); i++) {
     double number = number_of (lower, steps[i].key, steps[i].strict);
     if (number > 0)
-      heading->time_step = steps[i].rate ? 1 / number
-                           : has_word (lower, "ms") || has_word (lower, "msec")
-                             ? 0.001 * number
-                             : number;
+      take_step (heading,
+                 steps[i].rate                                        ? 1 / number
+                 : has_word (lower, "ms") || has_word (lower, "msec") ? 0.001 * number
+                                                                      : number,
+                 line);
   }
   static const char *const counts[] = { "npts", "ndata", "number of data",
                                         "number of points", "number of samples" };
@@ -200,7 +228,7 @@ read_step (QnRecordHeading *heading, const char *lower)
   double count = g_ascii_strtod (lower, &end), step = g_ascii_strtod (end, NULL);
   if (has_word (lower, "npts") && has_word (lower, "dt") && count > 0 && step > 0) {
     heading->count = count;
-    heading->time_step = step;
+    take_step (heading, step, line);
   }
 }
 
@@ -224,6 +252,8 @@ read_unit (QnRecordHeading *heading, const char *lower, gsize line)
   }
   if (unit.quantity == QN_RECORD_UNKNOWN)
     return;
+  if (heading->unit.quantity == unit.quantity && heading->unit.factor != unit.factor)
+    heading->second_unit = line;
   heading->unit = unit;
   heading->unit_line = line;
 }
@@ -232,9 +262,8 @@ read_unit (QnRecordHeading *heading, const char *lower, gsize line)
 static void
 read_scale (QnRecordHeading *heading, const char *lower, gsize line)
 {
-  double largest = number_of (lower, "max. acc.", FALSE);
-  if (largest > 0)
-    heading->largest = 0.01 * largest;
+  if (number_of (lower, "max. acc.", FALSE) > 0)
+    heading->peak_line = line;
   double span = number_of (lower, "scale factor", FALSE);
   const char *slash = strstr (lower, "(gal)/");
   double steps = slash != NULL ? g_ascii_strtod (slash + 6, NULL) : 0;
@@ -256,6 +285,7 @@ read_descriptor (QnRecordHeading *heading, const char *lower, gsize number)
   if (length > 0
       && fabs (heading->count * heading->time_step - length) > 1.01 + 0.01 * length)
     heading->time_step = 0; /* it was another number */
+  heading->second_step = heading->second_unit = 0;
   heading->quantity = qn_record_quantity_of_name (lower);
   if (strstr (lower, "unit") == NULL) {
     heading->unit = qn_record_unit_of_name (lower);
@@ -297,7 +327,7 @@ qn_record_heading_read (QnRecordHeading *heading, char *const *lines, gsize end)
   double duration = 0;
   for (gsize i = 0; i < end; i++) {
     g_autofree char *lower = g_utf8_strdown (lines[i], -1);
-    read_step (heading, lower);
+    read_step (heading, lower, i + 1);
     read_unit (heading, lower, i + 1);
     read_scale (heading, lower, i + 1);
     duration = fmax (duration, number_of (lower, "duration time", FALSE));
@@ -307,11 +337,14 @@ qn_record_heading_read (QnRecordHeading *heading, char *const *lines, gsize end)
       read_descriptor (heading, lower, end);
       return;
     }
-    QnRecordQuantity words = qn_record_quantity_of_name (lower);
+    const char *type = value_of (lower, "data_type", TRUE);
+    QnRecordQuantity words = type != NULL && has_word (type, "spectr")
+                               ? QN_RECORD_SPECTRUM
+                               : qn_record_quantity_of_name (lower);
     if (words != QN_RECORD_UNKNOWN && words != QN_RECORD_TIME
         && heading->quantity != QN_RECORD_ACCELERATION)
       heading->quantity = words;
   }
-  if (heading->largest > 0 && duration > 0 && heading->time_step > 0)
+  if (heading->peak_line > 0 && duration > 0 && heading->time_step > 0)
     heading->count = round (duration / heading->time_step);
 }

@@ -13,7 +13,8 @@ typedef enum {
   QN_RECORD_ACCELERATION,
   QN_RECORD_VELOCITY,
   QN_RECORD_DISPLACEMENT,
-  QN_RECORD_TIME
+  QN_RECORD_TIME,
+  QN_RECORD_SPECTRUM
 } QnRecordQuantity;
 
 typedef struct QnRecordUnit {
@@ -28,7 +29,9 @@ typedef struct QnRecordHeading {
   gsize unit_line;           /* from 1; 0: none */
   double time_step;          /* s; 0: not stated */
   double count;              /* samples; 0: not stated */
-  double largest; /* m/s2, without the offset of raw data (K-NET); 0: not stated */
+  gsize peak_line;   /* from 1, with the largest acceleration or several; 0: none */
+  gsize second_step; /* a line that states another time step than one before; 0: none */
+  gsize second_unit; /* the same of the unit */
 } QnRecordHeading;
 
 /* "m/s2", "cm/sec^2", "m s-2", "gal", "G", "CM/S" …; blanks, powers and case do not matter. */
@@ -41,6 +44,9 @@ const char *qn_record_unit_name (QnRecordUnit unit);
  * say: "Beschleunigung [m/s2]", "vel", "acc in g". */
 QnRecordUnit qn_record_unit_of_name (const char *name);
 QnRecordQuantity qn_record_quantity_of_name (const char *name);
+
+/* Whether a column of this name belongs to a spectrum: "Period (s)", "Sa [g]", "frequency". */
+gboolean qn_record_is_of_spectrum (const char *name);
 
 /* Whether the line says how many samples follow it, as those of COSMOS and CSMIP do. */
 gboolean qn_record_is_descriptor (const char *line);

@@ -62,6 +62,8 @@ next_number (const Reading *r, const char **at, double *number, gboolean *bad)
   gsize length = strcspn (c, separators);
   if (length == 0)
     return FALSE;
+  if (r->packed) /* those of a whole line may touch */
+    length = MIN (length, sizeof token - 1);
   *bad = length >= sizeof token;
   if (*bad)
     return FALSE;
@@ -141,6 +143,28 @@ survey (Reading *r)
   }
 }
 
+/* A first line of the number of samples, maybe with their time step, is part of the heading. */
+static void
+pass_count (Reading *r)
+{
+  double first = 0, other, head[2] = { 0 }, count = 0;
+  const char *at = r->lines[r->first];
+  gboolean bad = FALSE;
+  guint columns = count_numbers (r, at, &first);
+  if (r->packed || columns > 2 || !(first > 1 && first == floor (first)))
+    return;
+  for (gsize i = r->first + 1; r->lines[i] != NULL; i++)
+    if (!is_passed_over (r->lines[i]))
+      count += count_numbers (r, r->lines[i], &other);
+  if (count != first)
+    return;
+  for (guint i = 0; i < columns; i++)
+    next_number (r, &at, &head[i], &bad);
+  r->heading.count = count;
+  r->heading.time_step = fmax (head[1], 0);
+  r->first++;
+}
+
 /* Where the data begin: behind the line that announces them, else at the first line of numbers. */
 static gboolean
 find_data (Reading *r)
@@ -156,8 +180,14 @@ find_data (Reading *r)
              || count_numbers (r, r->lines[r->first], &first) == 0))
     r->first++;
   if (r->lines[r->first] == NULL)
-    return fail (r, 0, _ ("record is empty"));
+    return fail (r, 0, _ ("record is empty: no line has numbers alone"));
+  pass_count (r);
+  double count = r->heading.count, step = r->heading.time_step;
   qn_record_heading_read (&r->heading, r->lines, r->first);
+  if (count > 0) {
+    r->heading.count = count;
+    r->heading.time_step = step > 0 ? step : r->heading.time_step;
+  }
   if (r->packed)
     return TRUE;
   survey (r);
@@ -169,12 +199,20 @@ find_data (Reading *r)
 /* ---- unit and time step ---- */
 
 static gboolean
+fail_of_units (const Reading *r, gsize line)
+{
+  return fail (r, line, _ ("the heading states two different units"));
+}
+
+static gboolean
 check_quantity (const Reading *r, gsize line, QnRecordQuantity quantity)
 {
   if (quantity == QN_RECORD_VELOCITY)
     return fail (r, line, _ ("this is a record of velocity, not of acceleration"));
   if (quantity == QN_RECORD_DISPLACEMENT)
     return fail (r, line, _ ("this is a record of displacement, not of acceleration"));
+  if (quantity == QN_RECORD_SPECTRUM)
+    return fail (r, line, _ ("this is a spectrum, not a record of acceleration in time"));
   return TRUE;
 }
 
@@ -188,8 +226,12 @@ settle_unit (Reading *r, gsize line, QnRecordUnit own)
     if (given.quantity != QN_RECORD_ACCELERATION)
       return fail (r, 0, _ ("unit is not one of m/s2, cm/s2, gal, mm/s2 and g"));
   }
-  if (!check_quantity (r, line, own.quantity))
+  if (!check_quantity (r, line, own.quantity)
+      || (r->heading.quantity == QN_RECORD_SPECTRUM
+          && !check_quantity (r, 0, QN_RECORD_SPECTRUM)))
     return FALSE;
+  if (r->heading.second_unit > 0)
+    return fail_of_units (r, r->heading.second_unit);
   if (own.quantity != QN_RECORD_ACCELERATION) {
     if (!check_quantity (r, 0, r->heading.quantity))
       return FALSE;
@@ -211,6 +253,9 @@ static gboolean
 settle_time_step (Reading *r)
 {
   double said = r->heading.time_step;
+  if (r->heading.second_step > 0)
+    return fail (r, r->heading.second_step,
+                 _ ("the heading states two different time steps"));
   if (said > 0 && r->time_step > 0 && fabs (said / r->time_step - 1) > 1e-6)
     return fail (r, 0, _ ("the file states another time step than the one given"));
   if (!(said > 0) && !(r->time_step > 0))
@@ -233,6 +278,8 @@ unit_of_heading (Reading *r)
         || (i + 1 == r->first && own.quantity != QN_RECORD_TIME)) {
       unit = own;
       r->heading.unit_line = i + 1;
+      if (strstr (lower, "pga") || strstr (lower, "peak") || strstr (lower, "max"))
+        r->heading.peak_line = i + 1;
     }
   }
   return unit;
@@ -328,6 +375,10 @@ choose_columns (Reading *r, char **names)
   for (guint i = 0; i < r->columns; i++) {
     g_autofree char *lower = g_utf8_strdown (names[i], -1);
     QnRecordUnit own = qn_record_unit_of_name (lower);
+    if (own.quantity == QN_RECORD_UNKNOWN)
+      own = qn_record_unit (lower);
+    if (qn_record_is_of_spectrum (lower))
+      return check_quantity (r, line, QN_RECORD_SPECTRUM);
     QnRecordQuantity quantity = own.quantity != QN_RECORD_UNKNOWN
                                   ? own.quantity
                                   : qn_record_quantity_of_name (lower);
@@ -359,7 +410,7 @@ choose_columns (Reading *r, char **names)
   if (unit.factor > 0 && r->heading.unit.factor > 0
       && (unit.factor != r->heading.unit.factor
           || r->heading.unit.quantity != QN_RECORD_ACCELERATION))
-    return fail (r, line, _ ("the heading states two different units"));
+    return fail_of_units (r, line);
   if (unit.quantity != QN_RECORD_UNKNOWN)
     return settle_unit (r, line, unit);
   return settle_unit (r, r->heading.unit_line, r->heading.unit);
@@ -410,17 +461,37 @@ is_table (const Reading *r)
   return r->even ? r->first_grows || !(r->time_step > 0) : r->columns == 2;
 }
 
+/* Whether the heading states this largest acceleration, or none. */
+static gboolean
+states_peak (const Reading *r, double peak, double part)
+{
+  gboolean any = FALSE;
+  if (r->heading.peak_line == 0)
+    return TRUE;
+  g_autofree char *lower = g_utf8_strdown (r->lines[r->heading.peak_line - 1], -1);
+  double factor = qn_record_unit_of_name (lower).factor;
+  for (const char *at = lower; *(at += strcspn (at, "0123456789.")) != '\0';) {
+    char *end;
+    double number = factor * g_ascii_strtod (at, &end);
+    if (number > 0 && fabs (peak - number) <= part * number)
+      return TRUE;
+    any = any || number > 0;
+    at = MAX (end, at + 1);
+  }
+  return !any;
+}
+
 /* Takes off the offset of raw data (K-NET) where the heading's largest acceleration says so. */
 static gboolean
 take_off_offset (Reading *r, QnRecord *record)
 {
-  double peak = 0, sum = 0, largest = r->heading.largest;
+  double peak = 0, sum = 0;
   QnVec2 *points = (QnVec2 *) (void *) r->points->data;
   for (guint i = 0; i < r->points->len; i++) {
     peak = fmax (peak, fabs (points[i].y));
     sum += points[i].y;
   }
-  if (!(largest > 0) || fabs (peak - largest) <= SAME_PEAK * largest)
+  if (states_peak (r, peak, SAME_PEAK))
     return TRUE;
   record->offset = sum / r->points->len;
   peak = 0;
@@ -428,8 +499,9 @@ take_off_offset (Reading *r, QnRecord *record)
     points[i].y -= record->offset;
     peak = fmax (peak, fabs (points[i].y));
   }
-  return fabs (peak - largest) <= 0.05 * largest
-         || fail (r, 0, _ ("the largest acceleration is not that of the heading"));
+  return states_peak (r, peak, 0.05)
+         || fail (r, r->heading.peak_line,
+                  _ ("the largest acceleration is not that of the heading"));
 }
 
 static gboolean
@@ -445,7 +517,8 @@ read_any (Reading *r)
     return fail (
       r, r->first + 1,
       _ ("several records side by side, as AFAD publishes them: keep the one to "
-         "use, in a file of its own"));
+         "use, in a file of its own; if the numbers follow each other, state how many "
+         "there are in a line above (NPTS=)"));
   return read_samples (r);
 }
 
@@ -455,7 +528,12 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
 {
   gsize length;
   g_autofree char *decoded = qn_text_decode (text, size, NULL, &length);
-  g_auto (GStrv) lines = g_strsplit (decoded, "\n", -1);
+  gboolean text_file = strlen (decoded) == length;
+  g_autoptr (GString) plain = g_string_new (decoded);
+  g_string_replace (plain, "\",\"", ";", 0); /* quoted cells may have decimal commas */
+  g_string_replace (plain, "\"", " ", 0);
+  g_string_replace (plain, "\xe2\x88\x92", "-", 0); /* the minus sign of typesetters */
+  g_auto (GStrv) lines = g_strsplit (plain->str, "\n", -1);
   Reading reading = { .name = name,
                       .lines = lines,
                       .unit = unit,
@@ -464,7 +542,7 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
                       .error = error };
   *record = (QnRecord){ 0 };
   gboolean done =
-    strlen (decoded) == length
+    text_file
       ? read_any (&reading)
       : fail (&reading, 0,
               _ ("not a text file: records in binary form (SAC, miniSEED) must be "

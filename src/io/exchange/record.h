@@ -10,10 +10,12 @@
  *               K-NET and KiK-net, AFAD with one component
  *
  * The kind is told from the contents, encoded in UTF-8, UTF-16 or Windows-1252. Units are m/s2, cm/s2
- * (also gal), mm/s2, ft/s2, in/s2 and g = 9.80665 m/s2, however spelt. Where a file does not state
- * its unit or its time step, they must be given. It is an error to give another one than the file
- * states. Records of velocity and of displacement are refused. Raw data of K-NET have an offset, which
- * goes where the largest acceleration that their heading states is one without it.
+ * (also gal), mm/s2, um/s2, nm/s2, ft/s2, in/s2 and g = 9.80665 m/s2 (also mg, %g, g/10), however
+ * spelt. Where a file does not state its unit or its time step, they must be given. It is an error to
+ * give another one than the file states, and for its heading to state two; where it has the unit from
+ * its largest acceleration alone, that must be the one of the data. Records of velocity and of
+ * displacement, and spectra, are refused. Raw data of K-NET have an offset, which goes where the
+ * largest acceleration that their heading states is one without it.
  */
 #pragma once
 

@@ -229,6 +229,44 @@ test_networks (void)
     1e-15);
 }
 
+/* What a heading says twice, in other places, or not of an acceleration in time. */
+static void
+test_headings (void)
+{
+  /* A line of 80 characters whose numbers touch. */
+  assert_samples (
+    parse ("   8 points of accel data equally spaced at .010 sec, in g/10.\n"
+           "-100.00000-100.00000-100.00000-100.00000-100.00000-100.00000"
+           "-100.00000 -10.00000\n",
+           NULL, 0),
+    8, 0.07, -9.80665);
+  assert_motion (parse ("4 .01\n0 1\n-2 .5\n", "m/s2", 0), 0);
+  assert_motion (parse ("4\n0\n1\n-2\n.5\n", "m/s2", 0.01), 0);
+  assert_motion (parse ("\"Zeit [s]\",\"a [m/s2]\"\n\"0,00\",\"0,0\"\n\"0,01\",\"1,0\"\n"
+                        "\"0,02\",\"\xe2\x88\x92"
+                        "2,0\"\n\"0,03\",\"0,5\"\n",
+                        NULL, 0),
+                 0);
+  assert_motion (parse ("Time,Acc,Vel\ns,cm/s2,m/s\n0,0,9\n.01,100,9\n.02,-200,9\n"
+                        ".03,50,9\n",
+                        NULL, 0),
+                 1e-15);
+  assert_samples (parse ("t (min),a (%g)\n0,0\n1,100\n", NULL, 0), 2, 60, 9.80665);
+  assert_samples (parse ("PGA (g) = 0.5 (NS), 0.2\ndt = 0.1\n0\n-.5\n", NULL, 0), 2, 0.1,
+                  -0.5 * 9.80665);
+  assert_refused ("PGA (gal) = 200\ndt = 0.1\n0\n-.2\n", NULL, 0,
+                  "r:1: the largest acceleration is not that");
+  assert_refused ("dt = 0.1\nsampling rate 200 Hz\nunit: g\n0\n1\n", NULL, 0,
+                  "r:2: the heading states two different time steps");
+  assert_refused ("dt = 0.1\nunit: g\nunit: gal\n0\n1\n", NULL, 0,
+                  "r:3: the heading states two different units");
+  assert_refused ("Period (s),Sa (g)\n0,1\n1,2\n", NULL, 0, "r:1: this is a spectrum");
+  assert_refused ("T [s];PSA [g]\n0;1\n1;2\n", NULL, 0, "this is a spectrum");
+  assert_refused ("DATA_TYPE: ACCELERATION SPECTRUM\nUNITS: g\n0 1\n1 2\n", NULL, 0,
+                  "this is a spectrum");
+  assert_refused ("<a>1 2</a>\n", NULL, 0, "no line has numbers alone");
+}
+
 static void
 test_quantities (void)
 {
@@ -299,6 +337,7 @@ QN_TESTS
   g_test_add_func ("/record/units", test_units);
   g_test_add_func ("/record/people", test_people);
   g_test_add_func ("/record/networks", test_networks);
+  g_test_add_func ("/record/headings", test_headings);
   g_test_add_func ("/record/quantities", test_quantities);
   g_test_add_func ("/record/doubts", test_doubts);
   g_test_add_func ("/record/refused", test_refused);
