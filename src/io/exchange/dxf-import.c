@@ -26,6 +26,7 @@ typedef struct Importer {
   const QnDxfScan *scan;
   GArray *points; /* Point: of all paths, one after the other, in the world */
   guint budget;   /* of entities of inserts, drawn or not */
+  gboolean faces; /* there are no other outlines */
 } Importer;
 
 typedef struct Point {
@@ -334,13 +335,53 @@ add_rank (Importer *importer, Rank rank)
       qn_drawing_note (importer->drawing, repeat ? left_out : _ (taken[rank]),
                        entity->line, qn_vec2 (NAN, NAN))
         ->minor = rank == HATCHES && repeat;
-    if (!repeat)
-      add_entity (importer, entity, &world, "0", 0);
+    if (repeat)
+      continue;
+    const QnDxfPoint *p = points_of (importer, entity);
+    if (rank == FACES && memcmp (&p[2], &p[3], sizeof *p) == 0)
+      qn_drawing_note (importer->drawing,
+                       _ ("triangles of meshes, each of which becomes a block"),
+                       entity->line, qn_vec2 (NAN, NAN));
+    importer->faces = importer->faces || rank == FACES;
+    add_entity (importer, entity, &world, "0", 0);
   }
 }
 
-/* Turns a drawing that lies in an upright plane, and so has no depth, to be seen from the front. */
-static void
+/* Direction in plan of the upright plane that the points lie in; the zero vector where there is none. */
+static QnVec2
+direction_of_plane (const Importer *importer, double size)
+{
+  guint count = importer->points->len;
+  const Point *points = (const Point *) (const void *) importer->points->data;
+  QnVec2 mean = { 0 }, least = { INFINITY, INFINITY }, most = { -INFINITY, -INFINITY };
+  double xx = 0, yy = 0, xy = 0, aside = 0;
+  for (guint i = 0; i < count; i++) {
+    QnVec2 p = qn_vec2 (points[i].at[0], points[i].at[1]);
+    mean = qn_vec2_add (mean, qn_vec2_scale (1.0 / count, p));
+    least = qn_vec2 (fmin (least.x, p.x), fmin (least.y, p.y));
+    most = qn_vec2 (fmax (most.x, p.x), fmax (most.y, p.y));
+  }
+  if (!(most.y - least.y > FLAT * size))
+    return qn_vec2 (1, 0);
+  if (!(most.x - least.x > FLAT * size))
+    return qn_vec2 (0, 1);
+  for (guint i = 0; i < count; i++) {
+    double x = points[i].at[0] - mean.x, y = points[i].at[1] - mean.y;
+    xx += x * x;
+    yy += y * y;
+    xy += x * y;
+  }
+  double angle = 0.5 * atan2 (2 * xy, xx - yy);
+  QnVec2 along = qn_vec2 (cos (angle), sin (angle));
+  for (guint i = 0; i < count; i++)
+    aside = fmax (aside, fabs ((points[i].at[1] - mean.y) * along.x
+                               - (points[i].at[0] - mean.x) * along.y));
+  return 2 * aside > FLAT * size ? qn_vec2 (0, 0) : along;
+}
+
+/* Turns a drawing that lies in an upright plane, and so has no depth, to be seen from the front. False
+ * where faces of solids lie about in space. */
+static gboolean
 choose_view (Importer *importer)
 {
   double least[3] = { INFINITY, INFINITY, INFINITY },
@@ -354,31 +395,29 @@ choose_view (Importer *importer)
   for (int k = 0; k < 3; k++)
     size = fmax (size, most[k] - least[k]);
   if (!(most[2] - least[2] > FLAT * size))
-    return;
-  int right = !(most[1] - least[1] > FLAT * size)   ? 0
-              : !(most[0] - least[0] > FLAT * size) ? 1
-                                                    : -1;
-  if (right < 0) {
-    qn_drawing_note (importer->drawing,
-                     _ ("shapes are drawn in space and seen from above; shapes"), 0,
-                     qn_vec2 (NAN, NAN))
-      ->count = importer->drawing->paths->len;
-    return;
-  }
-  qn_drawing_note (importer->drawing,
-                   right == 0
-                     ? _ ("drawn in the x-z plane and seen from the front; shapes")
-                     : _ ("drawn in the y-z plane and seen from the side; shapes"),
-                   0, qn_vec2 (NAN, NAN))
+    return TRUE;
+  QnVec2 right = direction_of_plane (importer, size);
+  gboolean flat = right.x != 0 || right.y != 0;
+  if (!flat && importer->faces)
+    return FALSE;
+  qn_drawing_note (
+    importer->drawing,
+    !flat          ? _ ("shapes are drawn in space and seen from above; shapes")
+    : right.y == 0 ? _ ("drawn in the x-z plane and seen from the front; shapes")
+    : right.x == 0 ? _ ("drawn in the y-z plane and seen from the side; shapes")
+                   : _ ("drawn in an upright plane and seen square to it; shapes"),
+    0, qn_vec2 (NAN, NAN))
     ->count = importer->drawing->paths->len;
   guint next = 0;
-  for (guint i = 0; i < importer->drawing->paths->len; i++) {
+  for (guint i = 0; flat && i < importer->drawing->paths->len; i++) {
     QnDrawingPath *path = &g_array_index (importer->drawing->paths, QnDrawingPath, i);
     for (gsize k = 0; k < path->count; k++) {
       const Point *point = &g_array_index (importer->points, Point, next++);
-      path->points[k] = qn_vec2 (point->at[right], point->at[2]);
+      path->points[k] =
+        qn_vec2 (right.x * point->at[0] + right.y * point->at[1], point->at[2]);
     }
   }
+  return TRUE;
 }
 
 gboolean
@@ -400,13 +439,16 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
                         .points = g_array_new (FALSE, FALSE, sizeof (Point)) };
   for (int rank = 0; rank < RANK_COUNT; rank++)
     add_rank (&importer, (Rank) rank);
-  gboolean done = !is_full (&importer);
-  if (done)
-    choose_view (&importer);
-  else if (importer.points->len >= MAX_POINTS)
+  gboolean full = is_full (&importer), done = !full && choose_view (&importer);
+  if (!done && !full)
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:1: faces of solids (3DFACE) that lie in no upright plane: write "
+                    "them as OBJ or COMPAS to read them as prisms, or draw their front"),
+                 name);
+  else if (full && importer.points->len >= MAX_POINTS)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: outlines of more than %d corners"), name, MAX_POINTS);
-  else
+  else if (full)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: more than %d outlines"), name, MAX_PATHS);
   g_array_unref (importer.points);

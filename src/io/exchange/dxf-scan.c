@@ -33,8 +33,10 @@ typedef struct Scanner {
 static const struct {
   double metres;
   int code;
-} units[] = { { 1, 6 },      { 0.001, 4 },  { 0.01, 5 }, { 0.1, 14 },
-              { 0.0254, 1 }, { 0.3048, 2 }, { 1000, 7 }, { 0.9144, 10 } };
+} units[] = { { 1, 6 },           { 0.001, 4 },   { 0.01, 5 },
+              { 0.1, 14 },        { 0.0254, 1 },  { 0.3048, 2 },
+              { 1000, 7 },        { 0.9144, 10 }, { 1200. / 3937, 21 },
+              { 100. / 3937, 22 } };
 
 int
 qn_dxf_unit_code (double metres)
@@ -607,7 +609,7 @@ gboolean
 qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawing,
              QnDxfScan *scan, GError **error)
 {
-  static const char binary[] = "AutoCAD Binary DXF";
+  static const char binary[] = "AutoCAD Binary DXF", dwg[] = "AC10";
   /* Points and knots are pointed to where there are none, too. */
   *scan =
     (QnDxfScan){ .entities = g_array_new (FALSE, FALSE, sizeof (QnDxfEntity)),
@@ -627,6 +629,8 @@ qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawin
   gboolean done;
   if (length >= strlen (binary) && memcmp (text, binary, strlen (binary)) == 0)
     done = fail (&scanner, 1, _ ("binary DXF; save it as text (ASCII)"));
+  else if (length >= strlen (dwg) && memcmp (text, dwg, strlen (dwg)) == 0)
+    done = fail (&scanner, 1, _ ("a DWG file; save it as DXF"));
   else
     done = scan_pairs (&scanner);
   g_array_unref (scanner.pairs);
@@ -662,6 +666,12 @@ qn_dxf_dup_charset (const char *bytes, gsize size)
   if (at == NULL)
     return NULL;
   g_autofree char *stated = g_strndup (at, strcspn (at, " \t\r\n"));
+  static const char *const names[][2] = { { "mac-roman", "MACINTOSH" },
+                                          { "ascii", "CP437" }, /* of DOS */
+                                          { "gb2312", "CP936" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++)
+    if (g_ascii_strcasecmp (stated, names[i][0]) == 0)
+      return g_strdup (names[i][1]);
   const char *number = strpbrk (stated, "0123456789");
   gboolean page = g_ascii_strncasecmp (stated, "ANSI_", 5) == 0
                   || g_ascii_strncasecmp (stated, "DOS", 3) == 0;

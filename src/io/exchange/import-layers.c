@@ -11,10 +11,11 @@ static const struct {
 } known[] = {
   { QN_ROLE_SUPPORT,
     " support supports fixed base bases ground foundation foundations found footing "
-    "footings"
-    " auflager fundament fundamente sockel baugrund"
+    "footings terrain rock soil"
+    " auflager fundament fundamente sockel baugrund gelande"
     " appui appuis fixe fixes fondation fondations socle"
-    " appoggio appoggi fisso fissi fondazione fondazioni vincolo vincoli basamento " },
+    " appoggio appoggi fisso fissi fondazione fondazioni vincolo vincoli basamento "
+    "terreno " },
   { QN_ROLE_OPENING,
     " opening openings void voids hole holes window windows door doors"
     " offnung offnungen oeffnung oeffnungen aussparung aussparungen fenster tur turen "
@@ -24,9 +25,14 @@ static const struct {
   { QN_ROLE_IGNORED,
     " dim dims dimension dimensions text texts axis axes hatch hatches hatching defpoint"
     " defpoints contact contacts deformed grid grids anno annotation annotations"
-    " bemassung texte achse achsen schraffur schraffuren raster beschriftung"
-    " cote cotes cotation cotations textes axe hachure hachures"
-    " quota quote quotatura testo testi asse assi retino tratteggio griglia " },
+    " title titleblock border legend viewport viewports vport crack cracks"
+    " bemassung vermassung hilfslinien plankopf legende riss risse texte achse achsen "
+    "schraffur schraffuren raster beschriftung"
+    " cote cotes cotation cotations textes axe hachure hachures cartouche fissure "
+    "fissures"
+    " quota quote quotatura testo testi asse assi retino retini tratteggio griglia "
+    "cartiglio"
+    " legenda lesione lesioni " },
   /* What is built, whatever else the name says. */
   { QN_ROLE_BLOCK,
     " block blocks stone stones brick bricks masonry wall walls arch arches vault "
@@ -110,6 +116,19 @@ is_among (const char *word, const char *words)
   return strstr (words, between) != NULL;
 }
 
+/* Which list of known words has this one; G_N_ELEMENTS (known) where none has. */
+static gsize
+find_word (const char *word)
+{
+  gsize i = 0;
+  while (i < G_N_ELEMENTS (known) && !is_among (word, known[i].words))
+    i++;
+  return i;
+}
+
+/* German puts words together: "Fensteröffnungen". Short ends say nothing: BACKGROUND, DATABASE. */
+#define SHORTEST_END 7
+
 /* The role that a name proposes: that of its last word that is known, the one which the others
  * describe (GROUND FLOOR is a floor). *doubtful where other words speak against it or are unknown. */
 static QnRole
@@ -126,9 +145,11 @@ guess_role (const char *layer, gboolean *doubtful)
       length++;
     char *next = word + length + (word[length] != '\0');
     word[length] = '\0';
-    gsize i = 0;
-    while (i < G_N_ELEMENTS (known) && !is_among (word, known[i].words))
-      i++;
+    gsize i = find_word (word);
+    for (gsize k = 1; i == G_N_ELEMENTS (known) && k + SHORTEST_END <= length; k++) {
+      i = find_word (word + k);
+      unknown = TRUE;
+    }
     if (i < G_N_ELEMENTS (known)) {
       *doubtful = *doubtful || (any && known[i].role != role);
       any = TRUE;

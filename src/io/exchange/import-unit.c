@@ -74,6 +74,10 @@ qn_import_choose_unit (QnImportWork *work)
                     work->unit, width * work->unit, height * work->unit);
     return;
   }
+  if (size == 0) { /* nothing to see */
+    work->unit = declared > 0 ? declared : 1;
+    return;
+  }
   if (declared > 0 && is_plausible (size * declared)) {
     work->unit = declared;
     qn_import_tell (work, FALSE,

@@ -160,6 +160,10 @@ test_bad_files (void)
     { "", "bad.dxf:1: ", "empty" },
     { "hello\nworld\n", "bad.dxf:1: ", "not a DXF file" },
     { "AutoCAD Binary DXF\r\n\x1a", "bad.dxf:1: ", "binary" },
+    { "AC1027", "bad.dxf:1: ", "a DWG file" },
+    { HEAD "0\n3DFACE\n10\n0\n20\n0\n30\n0\n11\n3\n21\n4\n31\n0\n12\n0\n22\n5\n32\n5\n"
+           "13\n0\n23\n0\n33\n5\n" TAIL,
+      "bad.dxf:1: ", "in no upright plane" },
     { HEAD "0\nLINE\n8\n0\n10\nabc\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
     { HEAD "0\nLINE\n8\n0\n10\n1e400\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
     { HEAD "0\nLINE\n8\n0\n10\nnan\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
@@ -257,6 +261,8 @@ test_text (void)
                                       "") TAIL,
       "Öffnung" },
     { PAGE ("ANSI_1251") HEAD SQUARE ("\xd1\xf2\xe5\xed\xe0", "") TAIL, "Стена" },
+    { PAGE ("mac-roman") HEAD SQUARE ("\x85l", "") TAIL, "Öl" },
+    { PAGE ("ascii") HEAD SQUARE ("\x99l", "") TAIL, "Öl" },
     { PAGE ("DOS850") HEAD SQUARE ("\x99", "") TAIL, "Ö" },
     { PAGE ("no such page") HEAD SQUARE ("\xd6l", "") TAIL, "\xef\xbf\xbdl" },
     { HEAD SQUARE ("\xd6l", "") TAIL, "Öl" },
@@ -303,6 +309,18 @@ test_views (void)
          &mixed);
   g_autofree char *depth = dup_notes (&mixed);
   g_assert_nonnull (strstr (depth, "drawn in space and seen from above"));
+  /* A front at an angle in plan, of two triangles. */
+  g_auto (QnDrawing) turned;
+#define TRIANGLE(x1, y1, z1)                                                             \
+  "0\n3DFACE\n10\n0\n20\n0\n30\n0\n11\n3\n21\n4\n31\n0\n12\n" x1 "\n22\n" y1 "\n32\n" z1 \
+  "\n13\n" x1 "\n23\n" y1 "\n33\n" z1 "\n"
+  parse (HEAD TRIANGLE ("3", "4", "5") TRIANGLE ("0", "0", "5") TAIL, &turned);
+  g_assert_cmpfloat_with_epsilon (path_at (&turned, 0)->points[2].x, 5, 1e-12);
+  g_assert_cmpfloat (path_at (&turned, 0)->points[2].y, ==, 5);
+  g_autofree char *told = dup_notes (&turned);
+  g_assert_nonnull (
+    strstr (told, "triangles of meshes, each of which becomes a block: 2"));
+  g_assert_nonnull (strstr (told, "seen square to it; shapes: 2"));
 }
 
 /* Hatches and faces in space are outlines where there are no others. */
