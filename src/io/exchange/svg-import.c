@@ -143,9 +143,11 @@ parse_transform (Importer *importer, const char *text, Matrix all, guint line)
     while (count < 6 && qn_svg_next_number (&at, &numbers[count])) {
       double factor = unit_factor (at);
       numbers[count++] *= factor > 0 ? factor : 1;
-      while (g_ascii_isalpha (*at) || *at == '%')
+      while (g_ascii_isalpha (*at))
         at++;
     }
+    if (*at == '%')
+      count = 0;
     g_autofree char *kind = g_strndup (text, (gsize) (open - text));
     Matrix own;
     if (!transform_of (g_strstrip (g_strdelimit (kind, ",", ' ')), numbers, count, &own))
@@ -167,7 +169,7 @@ static double
 length_of (Importer *importer, const xmlNode *node, const State *state, const char *key,
            Along along, double otherwise)
 {
-  g_autofree char *text = qn_svg_dup_attribute (node, key);
+  g_autofree char *text = qn_svg_dup_property (&importer->style, node, key);
   const char *at = text;
   double number;
   if (text == NULL || !qn_svg_next_number (&at, &number))
@@ -467,25 +469,103 @@ enter_drawing (Importer *importer, const xmlNode *root, State *state)
     importer->drawing->unit = unit;
 }
 
+static gboolean
+says (const char *value, const char *word)
+{
+  return value != NULL && g_ascii_strcasecmp (value, word) == 0;
+}
+
+/* A paint that is not seen; as before where the element itself says nothing. */
+static gboolean
+is_unpainted (const char *paint, const char *opacity, gboolean before)
+{
+  if (opacity != NULL && g_ascii_strtod (opacity, NULL) == 0)
+    return TRUE;
+  return paint == NULL || says (paint, "inherit")
+           ? before
+           : says (paint, "none") || says (paint, "transparent");
+}
+
+/* Where transformations turn about: "400px 300px", "50% bottom" of the view port. */
+static QnVec2
+origin_of (const char *text, const State *state)
+{
+  static const struct {
+    const char *word;
+    double part;
+  } words[] = { { "left", 0 },  { "top", 0 },    { "center", 0.5 },
+                { "right", 1 }, { "bottom", 1 }, { NULL, 0 } };
+  double number[2] = { 0 }, part[2] = { 0.5, 0.5 };
+  g_auto (GStrv) given = g_strsplit_set (text, " \t\r\n", -1);
+  guint count = 0;
+  for (char **one = given; *one != NULL && count < 2; one++) {
+    guint axis = says (*one, "top") || says (*one, "bottom")   ? 1
+                 : says (*one, "left") || says (*one, "right") ? 0
+                                                               : count;
+    const char *at = *one;
+    guint i = 0;
+    while (words[i].word != NULL && !says (*one, words[i].word))
+      i++;
+    part[axis] = words[i].part;
+    if (words[i].word == NULL && qn_svg_next_number (&at, &number[axis])) {
+      double factor = *at == '%' ? 0 : unit_factor (at);
+      part[axis] = *at == '%' ? 0.01 * number[axis] : 0;
+      number[axis] *= *at == '%' ? 0 : factor > 0 ? factor : 1;
+    }
+    count += **one != '\0';
+  }
+  return qn_vec2 (number[0] + part[0] * state->width,
+                  number[1] + part[1] * state->height);
+}
+
+static void
+enter_transform (Importer *importer, const xmlNode *node, char *const *own, State *state)
+{
+  static const QnSvgProperty single[] = { QN_SVG_TRANSLATE, QN_SVG_ROTATE, QN_SVG_SCALE };
+  static const char *const names[] = { "translate", "rotate", "scale" };
+  guint line = (guint) xmlGetLineNo (node);
+  gboolean any = own[QN_SVG_TRANSFORM] != NULL && !says (own[QN_SVG_TRANSFORM], "none");
+  QnVec2 origin = { 0 };
+  if (own[QN_SVG_TRANSFORM_ORIGIN] != NULL)
+    origin = origin_of (own[QN_SVG_TRANSFORM_ORIGIN], state);
+  Matrix to = { 1, 0, 0, 1, origin.x, origin.y },
+         back = { 1, 0, 0, 1, -origin.x, -origin.y };
+  state->matrix = multiply (&state->matrix, &to);
+  for (guint i = 0; i < G_N_ELEMENTS (single); i++)
+    if (own[single[i]] != NULL && !says (own[single[i]], "none")) {
+      g_autofree char *text = g_strdup_printf ("%s(%s)", names[i], own[single[i]]);
+      state->matrix = parse_transform (importer, text, state->matrix, line);
+      any = TRUE;
+    }
+  state->matrix = parse_transform (importer, own[QN_SVG_TRANSFORM], state->matrix, line);
+  state->matrix = multiply (&state->matrix, &back);
+  if (any && own[QN_SVG_TRANSFORM_BOX] != NULL
+      && !says (own[QN_SVG_TRANSFORM_BOX], "view-box")) {
+    note (importer, node, _ ("shapes transformed about a box of their own left out"));
+    state->gone = TRUE;
+  }
+}
+
 /* What the element's attributes and style change for it and for what is in it. */
 static void
 enter (Importer *importer, const xmlNode *node, State *state)
 {
-  QnSvgProperties own = qn_svg_properties_of (&importer->style, node);
-  state->matrix =
-    parse_transform (importer, own.transform, state->matrix, (guint) xmlGetLineNo (node));
-  state->gone = state->gone || g_strcmp0 (own.display, "none") == 0;
-  if (own.visibility != NULL && strcmp (own.visibility, "inherit") != 0)
-    state->invisible = strcmp (own.visibility, "visible") != 0;
-  if (own.fill != NULL && strcmp (own.fill, "inherit") != 0)
-    state->empty = strcmp (own.fill, "none") == 0;
-  if (own.stroke != NULL && strcmp (own.stroke, "inherit") != 0)
-    state->bare = strcmp (own.stroke, "none") == 0;
-  if (own.fill_rule != NULL && strcmp (own.fill_rule, "inherit") != 0)
-    state->even_odd = strcmp (own.fill_rule, "evenodd") == 0;
-  if (own.clip_path != NULL && strcmp (own.clip_path, "none") != 0)
+  QnSvgProperties properties = qn_svg_properties_of (&importer->style, node);
+  char *const *own = properties.of;
+  enter_transform (importer, node, own, state);
+  state->gone =
+    state->gone || says (own[QN_SVG_DISPLAY], "none")
+    || (own[QN_SVG_OPACITY] != NULL && g_ascii_strtod (own[QN_SVG_OPACITY], NULL) == 0);
+  if (own[QN_SVG_VISIBILITY] != NULL && !says (own[QN_SVG_VISIBILITY], "inherit"))
+    state->invisible = !says (own[QN_SVG_VISIBILITY], "visible");
+  state->empty = is_unpainted (own[QN_SVG_FILL], own[QN_SVG_FILL_OPACITY], state->empty);
+  state->bare =
+    is_unpainted (own[QN_SVG_STROKE], own[QN_SVG_STROKE_OPACITY], state->bare);
+  if (own[QN_SVG_FILL_RULE] != NULL && !says (own[QN_SVG_FILL_RULE], "inherit"))
+    state->even_odd = says (own[QN_SVG_FILL_RULE], "evenodd");
+  if (own[QN_SVG_CLIP_PATH] != NULL && !says (own[QN_SVG_CLIP_PATH], "none"))
     note (importer, node, _ ("shapes that are clipped taken whole"));
-  qn_svg_properties_clear (&own);
+  qn_svg_properties_clear (&properties);
   if (!is (node, "g"))
     return;
   g_autofree char *label = qn_svg_dup_attribute (node, "inkscape:label");
@@ -641,7 +721,17 @@ import_document (const xmlDoc *document, const char *name, QnDrawing *drawing,
   State state = { .matrix = { 1, 0, 0, 1, 0, 0 }, .layer = "0", .bare = TRUE };
   qn_svg_style_init (&importer.style);
   collect (&importer, root);
-  gboolean done = walk (&importer, root, state);
+  if (importer.style.odd > 0)
+    qn_drawing_note (drawing, _ ("rules of the style sheet that are not followed"), 0,
+                     qn_vec2 (NAN, NAN))
+      ->count = importer.style.odd;
+  gboolean done = is (root, "svg");
+  if (done)
+    done = walk (&importer, root, state);
+  else
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:1: not an SVG drawing: its element is \"%s\""), name,
+                 qn_svg_name (root));
   if (drawing->unit == 0 && importer.physical)
     drawing->unit = METRES_PER_PIXEL;
   qn_svg_style_clear (&importer.style);

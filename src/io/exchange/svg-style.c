@@ -50,7 +50,7 @@ add_rule (QnSvgStyle *style, char *selector, const char *declarations)
     *mark = '\0';
   gboolean any = strcmp (selector, "*") == 0 || (*selector == '\0' && mark != NULL);
   if ((!any && !is_name (selector)) || (mark != NULL && !is_name (mark + 1))) {
-    style->odd = TRUE;
+    style->odd++;
     return;
   }
   Rule *rule = g_new (Rule, 1);
@@ -76,8 +76,10 @@ qn_svg_style_add (QnSvgStyle *style, const xmlNode *node)
     if (open == NULL)
       continue;
     *open = '\0';
-    if (strchr (*rule, '@') != NULL) { /* of a medium, or a font */
-      style->odd = TRUE;
+    if (strstr (*rule, "@font-face") != NULL)
+      continue;
+    if (strchr (*rule, '@') != NULL) { /* of a medium */
+      style->odd++;
       continue;
     }
     g_auto (GStrv) selectors = g_strsplit (*rule, ",", -1);
@@ -129,9 +131,9 @@ matches (const Rule *rule, const xmlNode *node, const char *id, const char *clas
          && (rule->weight != 2 || g_strcmp0 (id, rule->name) == 0);
 }
 
-/* Takes up what declarations say; the last one counts. */
+/* Takes up what declarations say of the properties of these names; the last one counts. */
 static void
-take_declarations (QnSvgProperties *own, const char *text)
+take_declarations (const char *text, const char *const *names, guint count, char **values)
 {
   g_auto (GStrv) all = g_strsplit (text, ";", -1);
   for (char **one = all; *one != NULL; one++) {
@@ -143,55 +145,60 @@ take_declarations (QnSvgProperties *own, const char *text)
     if (important != NULL)
       *important = '\0';
     const char *name = g_strstrip (*one);
-    char **place = strcmp (name, "display") == 0      ? &own->display
-                   : strcmp (name, "visibility") == 0 ? &own->visibility
-                   : strcmp (name, "fill") == 0       ? &own->fill
-                   : strcmp (name, "stroke") == 0     ? &own->stroke
-                   : strcmp (name, "fill-rule") == 0  ? &own->fill_rule
-                   : strcmp (name, "transform") == 0  ? &own->transform
-                   : strcmp (name, "clip-path") == 0  ? &own->clip_path
-                                                      : NULL;
-    if (place == NULL)
-      continue;
-    g_free (*place);
-    *place = g_strdup (g_strstrip (colon + 1));
+    for (guint i = 0; i < count; i++)
+      if (g_ascii_strcasecmp (name, names[i]) == 0) {
+        g_free (values[i]);
+        values[i] = g_strdup (g_strstrip (colon + 1));
+      }
   }
+}
+
+static void
+take_properties (const QnSvgStyle *style, const xmlNode *node, const char *const *names,
+                 guint count, char **values)
+{
+  g_autofree char *id = qn_svg_dup_attribute (node, "id");
+  g_autofree char *classes = qn_svg_dup_attribute (node, "class");
+  g_autofree char *declared = qn_svg_dup_attribute (node, "style");
+  for (guint i = 0; i < count; i++)
+    values[i] = qn_svg_dup_attribute (node, names[i]);
+  for (int weight = 0; weight <= 2; weight++)
+    for (guint i = 0; i < style->rules->len; i++) {
+      const Rule *rule = style->rules->pdata[i];
+      if (rule->weight == weight && matches (rule, node, id, classes))
+        take_declarations (rule->declarations, names, count, values);
+    }
+  if (declared != NULL)
+    take_declarations (declared, names, count, values);
 }
 
 QnSvgProperties
 qn_svg_properties_of (const QnSvgStyle *style, const xmlNode *node)
 {
-  QnSvgProperties own = { .display = qn_svg_dup_attribute (node, "display"),
-                          .visibility = qn_svg_dup_attribute (node, "visibility"),
-                          .fill = qn_svg_dup_attribute (node, "fill"),
-                          .stroke = qn_svg_dup_attribute (node, "stroke"),
-                          .fill_rule = qn_svg_dup_attribute (node, "fill-rule"),
-                          .transform = qn_svg_dup_attribute (node, "transform"),
-                          .clip_path = qn_svg_dup_attribute (node, "clip-path") };
-  g_autofree char *id = qn_svg_dup_attribute (node, "id");
-  g_autofree char *classes = qn_svg_dup_attribute (node, "class");
-  g_autofree char *declared = qn_svg_dup_attribute (node, "style");
-  for (int weight = 0; weight <= 2; weight++)
-    for (guint i = 0; i < style->rules->len; i++) {
-      const Rule *rule = style->rules->pdata[i];
-      if (rule->weight == weight && matches (rule, node, id, classes))
-        take_declarations (&own, rule->declarations);
-    }
-  if (declared != NULL)
-    take_declarations (&own, declared);
-  if (style->odd && own.stroke == NULL) /* a rule that is not followed may draw it */
-    own.stroke = g_strdup ("unknown");
+  static const char *const names[QN_SVG_PROPERTY_COUNT] = {
+    "display",   "visibility", "opacity",          "fill",          "fill-opacity",
+    "fill-rule", "stroke",     "stroke-opacity",   "translate",     "rotate",
+    "scale",     "transform",  "transform-origin", "transform-box", "clip-path",
+  };
+  QnSvgProperties own;
+  take_properties (style, node, names, QN_SVG_PROPERTY_COUNT, own.of);
+  if (style->odd > 0
+      && own.of[QN_SVG_STROKE] == NULL) /* a rule that is not followed may draw it */
+    own.of[QN_SVG_STROKE] = g_strdup ("unknown");
   return own;
 }
 
 void
 qn_svg_properties_clear (QnSvgProperties *properties)
 {
-  g_free (properties->display);
-  g_free (properties->visibility);
-  g_free (properties->fill);
-  g_free (properties->stroke);
-  g_free (properties->fill_rule);
-  g_free (properties->transform);
-  g_free (properties->clip_path);
+  for (int i = 0; i < QN_SVG_PROPERTY_COUNT; i++)
+    g_free (properties->of[i]);
+}
+
+char *
+qn_svg_dup_property (const QnSvgStyle *style, const xmlNode *node, const char *name)
+{
+  char *value;
+  take_properties (style, node, &name, 1, &value);
+  return value;
 }

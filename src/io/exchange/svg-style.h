@@ -8,7 +8,7 @@
 /* Rules of style sheets: selectors of an element, a class, an id, or an element with a class. */
 typedef struct QnSvgStyle {
   GPtrArray *rules; /* of the style sheets, in their order */
-  gboolean odd;     /* there are selectors of other kinds, which are not followed */
+  guint odd;        /* rules with selectors of other kinds, which are not followed */
 } QnSvgStyle;
 
 void qn_svg_style_init (QnSvgStyle *style);
@@ -24,12 +24,34 @@ const char *qn_svg_name (const xmlNode *node);
  * ("xlink:href" is href in any, or none). NULL where it is not there. */
 char *qn_svg_dup_attribute (const xmlNode *node, const char *key);
 
-/* NULL where the element itself says nothing. */
+typedef enum {
+  QN_SVG_DISPLAY,
+  QN_SVG_VISIBILITY,
+  QN_SVG_OPACITY,
+  QN_SVG_FILL,
+  QN_SVG_FILL_OPACITY,
+  QN_SVG_FILL_RULE,
+  QN_SVG_STROKE,
+  QN_SVG_STROKE_OPACITY,
+  QN_SVG_TRANSLATE,
+  QN_SVG_ROTATE,
+  QN_SVG_SCALE,
+  QN_SVG_TRANSFORM,
+  QN_SVG_TRANSFORM_ORIGIN,
+  QN_SVG_TRANSFORM_BOX,
+  QN_SVG_CLIP_PATH,
+  QN_SVG_PROPERTY_COUNT
+} QnSvgProperty;
+
+/* Strings by property, owned; NULL where the element itself says nothing. */
 typedef struct QnSvgProperties {
-  char *display, *visibility, *fill, *stroke, *fill_rule, *transform,
-    *clip_path; /* owned */
+  char *of[QN_SVG_PROPERTY_COUNT];
 } QnSvgProperties;
 
 /* From its style, else the style sheets, else its attributes. */
 QnSvgProperties qn_svg_properties_of (const QnSvgStyle *style, const xmlNode *node);
 void qn_svg_properties_clear (QnSvgProperties *properties);
+
+/* The same of one property of any name, such as "width". */
+char *qn_svg_dup_property (const QnSvgStyle *style, const xmlNode *node,
+                           const char *name);

@@ -82,6 +82,7 @@ test_bad_files (void)
   } cases[] = { { "<svg>\n<path d=\"M 0 0 L 1\"/></svg>", "bad.svg:2: " },
                 { "<svg>\n<path d=\"M 0 0 X 1\"/></svg>", "bad.svg:2: " },
                 { "<svg>\n\n<g></svg>", "bad.svg:3: " },
+                { "<html><svg/></html>", "bad.svg:1: not an SVG drawing" },
                 { "", "bad.svg:1: " } };
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnDrawing drawing;
@@ -230,6 +231,13 @@ test_hidden (void)
     { "<rect fill=\"none\"/>", TRUE },
     { "<g stroke=\"#000\"><rect fill=\"none\"/></g>", FALSE },
     { "<line x2=\"1\"/>", FALSE },
+    { "<g opacity=\"0\"><rect opacity=\"1\"/></g>", TRUE },
+    { "<rect style=\"Opacity:0%\"/>", TRUE },
+    { "<rect opacity=\".5\"/>", FALSE },
+    { "<rect fill=\"transparent\"/>", TRUE },
+    { "<rect fill-opacity=\"0\"/>", TRUE },
+    { "<rect fill-opacity=\"0\" stroke=\"#000\"/>", FALSE },
+    { "<rect style=\"DISPLAY:NONE\"/>", TRUE },
     { "<a><switch><rect/></switch></a>", FALSE },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
@@ -289,6 +297,15 @@ test_places (void)
     { "><symbol id=\"a\" viewBox=\"0 0 2 2\"><rect width=\"1\" height=\"2\"/></symbol>"
       "<use xlink:href=\"#a\" x=\"3\" width=\"8\" height=\"8\"/>",
       0, 3, 0, 4 },
+    { "><style>rect{x:3px;width:4px;transform-origin:1px 2px;rotate:180deg}</style>"
+      "<rect width=\"9\" height=\"5\"/>",
+      0, -1, 4, -4 },
+    { "width=\"10\" height=\"20\"><rect width=\"4\" height=\"5\" "
+      "transform=\"scale(2)\" transform-origin=\"0 bottom\"/>",
+      0, 0, -20, 8 },
+    { "><rect width=\"4\" height=\"5\" style=\"translate:1px 2px;scale:3;"
+      "transform:translate(1px,0)\"/>",
+      0, 4, 2, 12 },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *text = g_strdup_printf ("<svg %s</svg>", cases[i].svg);
@@ -354,8 +371,25 @@ test_endless_uses (void)
   g_assert_false (qn_svg_import (text->str, text->len, "test.svg", &many, NULL));
 }
 
+/* What is not followed is told. */
+static void
+test_told (void)
+{
+  g_auto (QnDrawing) drawing;
+  parse ("<svg><style>@font-face{src:x} g > rect{display:none} [a]{fill:none}</style>"
+         "<rect width='1' height='1' style='transform-box:fill-box;rotate:9deg'/></svg>",
+         &drawing);
+  g_assert_cmpuint (drawing.notes->len, ==, 2);
+  const QnDrawingNote *rules = drawing.notes->pdata[0], *box = drawing.notes->pdata[1];
+  g_assert_nonnull (strstr (rules->text, "that are not followed"));
+  g_assert_cmpuint (rules->count, ==, 2);
+  g_assert_nonnull (strstr (box->text, "about a box of their own left out"));
+  g_assert_true (path_at (&drawing, 0)->hidden);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/svg-import/told", test_told);
   g_test_add_func ("/svg-import/shapes", test_shapes);
   g_test_add_func ("/svg-import/path-commands", test_path_commands);
   g_test_add_func ("/svg-import/extreme-numbers", test_extreme_numbers);
