@@ -1,5 +1,6 @@
 #include "io/exchange/compas-import.h"
 #include "core/base/polygon.h"
+#include "core/base/union-find.h"
 #include "io/json/json-parse.h"
 #include "io/text/io-error.h"
 #include "stereotomy/ring.h"
@@ -278,6 +279,89 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
     mesh->name, 'x' + views[view].depth);
 }
 
+/* Adds the bodies of an object, which share no vertex: each is a block. Where one of them is
+ * flat the object stays whole: its faces do not share their vertices, or it has no sides. */
+static void
+split_bodies (GPtrArray *meshes, guint number)
+{
+  Mesh *mesh = meshes->pdata[number];
+  const guint *faces = (const guint *) (const void *) mesh->faces->data;
+  guint length = mesh->faces->len, count = mesh->points->len, found = 0;
+  g_autofree QnId *sets = g_new (QnId, count + 1);
+  g_autofree guint *own = g_new0 (guint, count + 1);
+  g_autofree MeshPoint *least = g_new (MeshPoint, count + 1);
+  g_autofree MeshPoint *most = g_new0 (MeshPoint, count + 1);
+  g_autofree Mesh **bodies = g_new0 (Mesh *, count + 1);
+  gboolean whole = TRUE;
+  qn_sets_init (sets, count);
+  for (guint f = 0; f < length; f += faces[f] + 1)
+    for (guint i = 2; i <= faces[f]; i++)
+      qn_sets_join (sets, (QnId) faces[f + 1], (QnId) faces[f + i]);
+  for (guint f = 0; f < length; f += faces[f] + 1)
+    for (guint k = 1; k <= faces[f]; k++) {
+      QnId root = qn_sets_root (sets, (QnId) faces[f + k]);
+      const MeshPoint *p = &g_array_index (mesh->points, MeshPoint, faces[f + k]);
+      if (own[root]++ == 0)
+        least[root] = most[root] = *p;
+      for (int axis = 0; axis < 3; axis++) {
+        least[root].at[axis] = fmin (least[root].at[axis], p->at[axis]);
+        most[root].at[axis] = fmax (most[root].at[axis], p->at[axis]);
+      }
+    }
+  for (guint i = 0; i < count; i++) {
+    found += own[i] > 0;
+    for (int axis = 0; axis < 3 && own[i] > 0; axis++)
+      whole = whole && most[i].at[axis] > least[i].at[axis];
+    own[i] = 0;
+  }
+  if (found < 2 || !whole)
+    return;
+  found = 0;
+  for (guint f = 0; f < length; f += faces[f] + 1) {
+    if (faces[f] == 0)
+      continue;
+    Mesh **body = &bodies[qn_sets_root (sets, (QnId) faces[f + 1])];
+    if (*body == NULL) {
+      g_autofree char *name = g_strdup_printf ("%s.%u", mesh->name, ++found);
+      *body = add_mesh (meshes, name, mesh->support, mesh->density);
+    }
+    g_array_append_val ((*body)->faces, faces[f]);
+    for (guint k = 1; k <= faces[f]; k++) {
+      guint corner = faces[f + k];
+      if (own[corner] == 0) {
+        g_array_append_val ((*body)->points,
+                            g_array_index (mesh->points, MeshPoint, corner));
+        own[corner] = (*body)->points->len;
+      }
+      guint index = own[corner] - 1;
+      g_array_append_val ((*body)->faces, index);
+    }
+  }
+  g_array_set_size (mesh->faces, 0);
+}
+
+/* Takes out plates without thickness, such as a floor drawn as one face: they are no blocks. */
+static void
+drop_plates (GPtrArray *meshes, QnDrawing *drawing)
+{
+  for (guint i = meshes->len; i-- > 0;) {
+    const Mesh *mesh = meshes->pdata[i];
+    const guint *faces = (const guint *) (const void *) mesh->faces->data;
+    gboolean taken_apart = mesh->faces->len == 0;
+    gboolean plate = taken_apart || mesh->faces->len == faces[0] + 1;
+    for (int view = 0; view < (int) G_N_ELEMENTS (views); view++) {
+      double ends[2] = { 0 }, extent = extent_of (mesh, view, ends);
+      plate = plate || ends[1] - ends[0] <= PLANAR_TOLERANCE * extent;
+    }
+    if (!plate)
+      continue;
+    g_ptr_array_remove_index (meshes, i);
+    if (!taken_apart)
+      qn_drawing_note (drawing, _ ("meshes without thickness left out"), 0,
+                       qn_vec2 (NAN, NAN));
+  }
+}
+
 /* Tries the views; what spoils the first one is told where another one is taken. */
 static gboolean
 view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
@@ -297,9 +381,9 @@ view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
     }
     if (first == NULL)
       first = g_steal_pointer (&problem);
-    qn_drawing_clear (drawing);
-    qn_drawing_init (drawing);
-    drawing->unit = 1;
+    for (guint i = 0; i < drawing->paths->len; i++)
+      g_free (g_array_index (drawing->paths, QnDrawingPath, i).points);
+    g_array_set_size (drawing->paths, 0);
   }
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                _ ("%s:1: the blocks are not prisms of one direction: %s"), name, first);
@@ -401,7 +485,11 @@ collect (GPtrArray *meshes, const cJSON *item, const cJSON *nodes, const char *n
   const cJSON *data = member (placed, "data");
   if (cJSON_IsObject (placed))
     matrix = member (data != NULL ? data : placed, "matrix");
-  if (vertices != NULL && faces != NULL && cJSON_GetArraySize (faces) > 0) {
+  /* Networks have their blocks in nodes, whatever else stands beside them. */
+  if (cJSON_GetArraySize (member (item, "node")) > 0) {
+    item = member (item, "node");
+    support = FALSE;
+  } else if (vertices != NULL && faces != NULL && cJSON_GetArraySize (faces) > 0) {
     take_mesh (meshes, vertices, faces, name, support, density, matrix);
     return;
   }
@@ -486,6 +574,9 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
       collect (meshes, document, NULL, "1", FALSE, 0, NULL);
     else
       collect_objects (meshes, text);
+    for (guint i = 0, count = meshes->len; i < count; i++)
+      split_bodies (meshes, i);
+    drop_plates (meshes, drawing);
     if (meshes->len == 0)
       g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                    _ ("%s:1: no assembly of blocks"), name);

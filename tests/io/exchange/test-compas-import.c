@@ -87,6 +87,13 @@ test_other_forms (void)
     "true, \"block\": { \"value\": %s } }, \"1\": { \"block\": { \"value\": %s } } } } }",
     a, c);
   assert_blocks (value);
+  /* What stands beside the nodes of a network is no block, and no support of theirs. */
+  g_autofree char *beside = g_strdup_printf (
+    "{ \"is_support\": true, \"vertex\": {\"0\": {}}, \"face\": {\"0\": [0]}, "
+    "\"node\": { \"0\": { \"is_support\": true, \"block\": %s }, "
+    "\"1\": { \"block\": %s } } }",
+    a, c);
+  assert_blocks (beside);
 }
 
 static void
@@ -128,6 +135,14 @@ test_views (void)
          "test.obj:1: the blocks are not prisms of one direction: block c is not a prism "
          "along y",
          0);
+  /* A floor of one face, and two bodies in one object. */
+  parse (
+    BOX ("a", "0", "1", "0", "1", "0",
+         "1") "v 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\nv 3 0 1\nv 4 0 1\nv 4 1 1\nv 3 1 1\n"
+              "f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -5 -1 -2 -6\n"
+              "f -8 -4 -1 -5\nf -7 -6 -2 -3\n"
+              "o floor\nv -9 0 0\nv 9 0 0\nv 9 9 0\nv -9 9 0\nf -4 -3 -2 -1\n",
+    "meshes without thickness left out; seen from the front, along y; blocks; ", 2);
 }
 
 /* An object of the points (x, z) of `corners`, four outer and four others, at y = 0 and, the others moved
