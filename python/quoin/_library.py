@@ -134,10 +134,10 @@ class Progress(typing.NamedTuple):
     """How far an analysis has come."""
 
     done: float  #: from 0 to 1, never less than before; 1 once, at its end
-    what: str  #: "path", "time", "limit analysis" (of a path: its bound), "stability", "modes" …
-    reached: float  #: load multiplier, or s in time
+    what: str  #: "path", "time", "limit analysis" (of a path: its bound), "modes", "cases", "frames" …
+    reached: float  #: load multiplier, s in time, or how many cases or frames
     steps: int
-    iterations: int
+    iterations: int  #: of a study: failed cases
 
 
 #: Called at every iteration; False cancels.
@@ -159,7 +159,11 @@ def watched(progress: ProgressFunc | None, function: typing.Any,
             raised.append(error)
             return False
 
-    answer = call(function, *arguments, ffi.NULL if progress is None else report, ffi.NULL)
+    try:
+        answer = call(function, *arguments, ffi.NULL if progress is None else report, ffi.NULL)
+    except Error:
+        if not raised:
+            raise
     if raised:
         raise raised[0]
     return answer

@@ -12,7 +12,7 @@ import tempfile
 import typing
 
 from . import _library
-from ._library import Path, Value, ffi, lib
+from ._library import Path, ProgressFunc, Value, ffi, lib
 
 if typing.TYPE_CHECKING:
     from .model import Model
@@ -22,12 +22,13 @@ if typing.TYPE_CHECKING:
 Row = typing.Dict[str, typing.Union[float, str, None]]
 
 
-def command(*arguments: str | os.PathLike[str]) -> str:
+def command(*arguments: str | os.PathLike[str], progress: ProgressFunc | None = None) -> str:
     """Runs quoin-cli with these arguments, and gives what it prints: command("check", path). Its
-    errors are those of this package."""
+    errors are those of this package. `progress` is told the cases of a study or of ida; where it
+    returns False the command is cancelled, with a NoAnswerError, and goes on when it is run again."""
     given, _kept = _library.strings(os.fspath(argument) for argument in arguments)
     output = ffi.new("char **")
-    _library.call(lib.quoin_command, given, output)
+    _library.watched(progress, lib.quoin_command_watched, given, output)
     return _library.owned(output[0])
 
 
@@ -79,11 +80,12 @@ class Study:
     def __init__(self, folder: Path) -> None:
         self.folder = os.fspath(folder)
 
-    def run(self, jobs: int | None = None, keep: bool = False, retry: bool = False) -> Study:
+    def run(self, jobs: int | None = None, keep: bool = False, retry: bool = False,
+            progress: ProgressFunc | None = None) -> Study:
         """Computes the cases that have no row yet; with `keep` their full results too, with `retry`
         also those that failed."""
         command("study", "run", self.folder, "--quiet",
-                *options(jobs=jobs, keep=keep, retry=retry))
+                *options(jobs=jobs, keep=keep, retry=retry), progress=progress)
         return self
 
     def table(self) -> list[Row]:
@@ -112,17 +114,19 @@ class Study:
         return f"<quoin.Study {self.folder}>"
 
 
-def study(source: Path, folder: Path, jobs: int | None = None, keep: bool = False) -> Study:
+def study(source: Path, folder: Path, jobs: int | None = None, keep: bool = False,
+          progress: ProgressFunc | None = None) -> Study:
     """Computes the study of a file in a folder, which is made where there is none. Cases that are
     there are not computed again."""
     command("study", "run", source, "--quiet", "--output", folder,
-            *options(jobs=jobs, keep=keep))
+            *options(jobs=jobs, keep=keep), progress=progress)
     return Study(folder)
 
 
 def study_of(model: Model, parameters: typing.Sequence[typing.Mapping[str, Value]],
              outputs: typing.Sequence[str], folder: Path, run: str, plan: Value,
-             jobs: int | None, members: typing.Mapping[str, Value]) -> Study:
+             jobs: int | None, progress: ProgressFunc | None,
+             members: typing.Mapping[str, Value]) -> Study:
     with files(model) as arguments, tempfile.TemporaryDirectory(prefix="quoin-") as place:
         path = pathlib.Path(place, "study.quoin-study")
         if arguments[1:]:  # a study has no values of its own
@@ -133,14 +137,15 @@ def study_of(model: Model, parameters: typing.Sequence[typing.Mapping[str, Value
             "model": os.path.abspath(arguments[0]), "run": run, "plan": plan,
             "parameters": list(parameters), "outputs": list(outputs), **members,
         }), encoding="utf-8")
-        return study(path, folder, jobs)
+        return study(path, folder, jobs, progress=progress)
 
 
 def ida(model: Model, records: typing.Sequence[Path], scale: tuple[float, float, float],
-        folder: Path, picture: Path | None, values: typing.Mapping[str, Value]) -> list[Row]:
+        folder: Path, picture: Path | None, progress: ProgressFunc | None,
+        values: typing.Mapping[str, Value]) -> list[Row]:
     with files(model) as arguments:
         return rows(command(
             "ida", *arguments, "--output", folder, "--csv", "-", "--quiet",
             *options(record=[os.fspath(record) for record in records],
                      scale=":".join(f"{number:.12g}" for number in scale),
-                     picture=picture, **values)))
+                     picture=picture, **values), progress=progress))

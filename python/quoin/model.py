@@ -165,10 +165,12 @@ class Model:
         """Limit analysis of rigid blocks."""
         return Result(_library.watched(progress, lib.quoin_limit, self._handle, associative))
 
-    def modal(self, count: int = 6, loaded: bool = False,
+    def modal(self, count: int = 6, loaded: bool = False, slip: bool = False,
               progress: ProgressFunc | None = None) -> Modes:
-        """The lowest frequencies and modes, about dead load or the last equilibrium."""
-        return Modes(_library.watched(progress, lib.quoin_modal, self._handle, count, loaded))
+        """The lowest frequencies and modes, about dead load or the last equilibrium. Closed joints are
+        elastic; with `slip` those that slide have their tangent stiffness."""
+        function = lib.quoin_modal_sliding if slip else lib.quoin_modal
+        return Modes(_library.watched(progress, function, self._handle, count, loaded))
 
     def read_result(self, path: Path) -> Result:
         """A result file of this model. Values that it was computed with, as of --set, are those of
@@ -252,19 +254,20 @@ class Model:
     def study(self, parameters: typing.Sequence[typing.Mapping[str, Value]],
               outputs: typing.Sequence[str], folder: Path, run: str = "solve",
               plan: typing.Mapping[str, Value] | None = None, jobs: int | None = None,
-              **members: Value) -> Study:
+              progress: ProgressFunc | None = None, **members: Value) -> Study:
         """Computes many cases on all cores: members as of a study file, "parameters" with "name",
         "path" and "values", "range" or a distribution, plan {"kind": "grid"} where none is given.
         Cases that are in the folder already are not computed again."""
         return cases.study_of(self, parameters, outputs, folder, run,
-                              plan or {"kind": "grid"}, jobs, members)
+                              plan or {"kind": "grid"}, jobs, progress, members)
 
     def ida(self, records: typing.Sequence[Path], scale: tuple[float, float, float],
             folder: Path, picture: Path | None = None, unit: str | None = None,
-            time_step: float | None = None, jobs: int | None = None) -> list[cases.Row]:
+            time_step: float | None = None, jobs: int | None = None,
+            progress: ProgressFunc | None = None) -> list[cases.Row]:
         """Incremental dynamic analysis: every record at every factor, (least, greatest, step). A row
         for each with record, scale, peaks and whether it overturned."""
-        return cases.ida(self, records, scale, folder, picture,
+        return cases.ida(self, records, scale, folder, picture, progress,
                          {"unit": unit, "time_step": time_step, "jobs": jobs})
 
     def export(self, path: Path, **options: Value) -> None:
@@ -273,10 +276,10 @@ class Model:
             cases.command("export", *arguments, "--output", path, *cases.options(**options))
 
     def report(self, path: Path, results: typing.Sequence[Result] | None = None,
-               **options: Value) -> None:
+               progress: ProgressFunc | None = None, **options: Value) -> None:
         """Writes a report as PDF on the model and results of it; solves it where none are given.
         options: paper "a4" or "letter", sections=["model", "results"], demand=0.3."""
-        draw(self._handle, [self.solve()] if results is None else results, "report", path,
+        draw(self._handle, [self.solve(progress)] if results is None else results, "report", path,
              None, options)
 
     def figures(self, folder: Path, names: typing.Sequence[str] = ()) -> list[str]:

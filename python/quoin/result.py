@@ -12,7 +12,8 @@ import warnings
 import numpy
 
 from . import _library, cases
-from ._library import Array, ChangedWarning, Path, Value, ffi, lib, number
+from ._library import (Array, ChangedWarning, Path, ProgressFunc, Value, ffi, lib,
+                       number)
 
 if typing.TYPE_CHECKING:
     from .model import Model
@@ -42,7 +43,8 @@ def compare(results: typing.Sequence[Result], path: Path | None = None, format: 
 
 
 def draw(model: typing.Any, results: typing.Sequence[Result], view: str, path: Path | None,
-         format: str | None, options: typing.Mapping[str, Value]) -> bytes | None:
+         format: str | None, options: typing.Mapping[str, Value],
+         progress: ProgressFunc | None = None) -> bytes | None:
     """Draws into a file, or returns the bytes of a format."""
     first = results[0]._handle if results else ffi.NULL
     figure = ffi.gc(_library.call(lib.quoin_figure_new, model, first, view.encode()),
@@ -57,7 +59,8 @@ def draw(model: typing.Any, results: typing.Sequence[Result], view: str, path: P
                 one = "on" if one else "off"
             _library.call(lib.quoin_figure_set, figure, name.encode(), str(one).encode())
     if path is not None:
-        _library.call(lib.quoin_figure_write, figure, _library.encoded(path))
+        _library.watched(progress, lib.quoin_figure_write_watched, figure,
+                         _library.encoded(path))
         return None
     length = ffi.new("size_t *")
     content = _library.call(lib.quoin_figure_encode, figure, (format or "svg").encode(),
@@ -120,6 +123,13 @@ class Result:
         faults = ffi.new("char **")
         passes = _library.call(lib.quoin_result_check, self._handle, faults)
         return passes, _library.owned(faults[0]).splitlines()
+
+    def sensitivity(self) -> dict[str, Value]:
+        """How the multiplier of an associative limit analysis changes: "laws", each with "name" and
+        the changes by its "friction", "cohesion", "tension" (per 1, per N or Pa), "weight" and
+        "thickness" of its blocks (per factor); "dead_loads", "live_loads" (per factor)."""
+        return json.loads(_library.owned(
+            _library.call(lib.quoin_limit_sensitivity, self._handle)))
 
     @property
     def multiplier(self) -> float | None:
@@ -343,12 +353,13 @@ class Result:
         return draw(model, [self], view, path, format, options)
 
     def animate(self, path: Path, view: str | None = None, size: str = "960x720",
-                **options: Value) -> None:
+                progress: ProgressFunc | None = None, **options: Value) -> None:
         """Moves the mechanism, or with view="deformed" the path: GIF, WebM, or pictures in FOLDER/.
         options: frames, rate (pictures per second), speed (of an analysis in time, 1 is real time),
         scale, once, curve=False, monochrome."""
         first = "mechanism" if self.mechanism is not None else "deformed"
-        self.draw(view or first, path, size=size, **options)
+        model = lib.quoin_result_get_model(self._handle)
+        draw(model, [self], view or first, path, None, {"size": size, **options}, progress)
 
     def curve(self, path: Path | None = None, format: str = "svg",
               **options: Value) -> bytes | None:
@@ -395,11 +406,14 @@ def _restore(model: Model, content: str) -> Result:
 
 
 class Modes:
-    """Small vibrations: `omega` (n,) in rad/s and `shapes` (n, bodies, 3), largest
-    displacement 1 m."""
+    """Small vibrations: `omega` (n,) in rad/s and `shapes` (n, bodies, 3), largest displacement
+    1 m; `masses` (n,) of the modes so scaled and `effective_masses` (n, 2) in x and y, in kg: those
+    of all modes sum up to the mass that moves."""
 
     omega: Array
     shapes: Array
+    masses: Array
+    effective_masses: Array
 
     def __init__(self, handle: typing.Any) -> None:
         handle = ffi.gc(handle, lib.quoin_modes_free)
@@ -408,3 +422,13 @@ class Modes:
         self.omega = _library.array(lib.quoin_modes_get_omega(handle), (count,), handle)
         self.shapes = _library.array(lib.quoin_modes_get_shapes(handle), (count, bodies, 3),
                                      handle)
+        masses = _library.array(lib.quoin_modes_get_masses(handle), (count, 3), handle)
+        self.masses, self.effective_masses = masses[:, 0], masses[:, 1:]
+
+    def damping(self, ratio: float) -> tuple[float, float]:
+        """Rayleigh's coefficients of mass, 1/s, and of stiffness, s, that give the first mode that is
+        no rigid motion and the last one this part of critical damping."""
+        moving = self.omega[self.omega > 0]
+        first, last = (moving[0], moving[-1]) if moving.size else (0.0, 0.0)
+        stiffness = 2 * ratio / (first + last) if moving.size else 0.0
+        return stiffness * first * last, stiffness

@@ -272,11 +272,22 @@ encode_picture (const QuoinFigure *self, QnFormat format, GError **cause)
 }
 
 static bool
-animate (const QuoinFigure *self, const char *path, GError **cause)
+report_frame (int done, int total, void *data)
+{
+  QuoinCaller *caller = data;
+  caller->steps = done;
+  caller->reached = done;
+  return quoin_library_tell (caller, (double) done / MAX (total, 1), 0);
+}
+
+static bool
+animate (const QuoinFigure *self, const char *path, QuoinCaller *caller, GError **cause)
 {
   QnMetadata metadata;
   QnAnimation animation = self->animation;
   qn_project_get_metadata (&self->model->project, &metadata);
+  animation.progress = report_frame;
+  animation.user_data = caller;
   animation.figure.options.monochrome = self->figure.options.monochrome;
   animation.figure.options.scale = self->figure.options.scale;
   return (self->speed == 0 || qn_animation_set_speed (&animation, self->speed, cause))
@@ -374,11 +385,12 @@ encode (const QuoinFigure *figure, const char *path, GError **cause)
 }
 
 static bool
-write_figure (const QuoinFigure *figure, const char *path, GError **cause)
+write_figure (const QuoinFigure *figure, const char *path, QuoinCaller *caller,
+              GError **cause)
 {
   gsize length;
   if (is_animation (figure, path))
-    return animate (figure, path, cause);
+    return animate (figure, path, caller, cause);
   if (figure->kind != PICTURE && figure->kind != REPORT)
     return write_sheet (figure, path, cause);
   g_autoptr (GBytes) bytes = encode (figure, path, cause);
@@ -387,16 +399,32 @@ write_figure (const QuoinFigure *figure, const char *path, GError **cause)
 }
 
 bool
-quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error)
+quoin_figure_write_watched (const QuoinFigure *figure, const char *path,
+                            QuoinProgressFunc progress, void *data, QuoinError **error)
 {
   GError *cause = NULL;
+  QuoinCaller caller = { .func = progress, .data = data, .what = "frames" };
   if (!quoin_library_given (figure, "figure", error)
       || !quoin_library_given (path, "path", error))
     return false;
-  if (write_figure (figure, path, &cause))
+  if (write_figure (figure, path, &caller, &cause)) {
+    if (caller.done < 1)
+      quoin_library_tell (&caller, 1, 0);
     return true;
-  quoin_library_take_error (error, path, cause);
+  }
+  if (caller.cancelled) {
+    quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER, "%s: cancelled", path);
+    g_error_free (cause);
+  } else {
+    quoin_library_take_error (error, path, cause);
+  }
   return false;
+}
+
+bool
+quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error)
+{
+  return quoin_figure_write_watched (figure, path, NULL, NULL, error);
 }
 
 /* What only files can take is written to one that goes again. */
@@ -410,7 +438,8 @@ encode_by_file (const QuoinFigure *figure, const char *format, size_t *length,
     return NULL;
   g_autofree char *name = g_strconcat ("figure.", format, NULL);
   g_autofree char *path = g_build_filename (folder, name, NULL);
-  if (write_figure (figure, path, cause))
+  QuoinCaller nobody = { 0 };
+  if (write_figure (figure, path, &nobody, cause))
     g_file_get_contents (path, &content, length, cause);
   g_unlink (path);
   g_rmdir (folder);

@@ -39,6 +39,22 @@ QuoinResult *quoin_library_result_ref (QuoinResult *result);
     return of != NULL && item < (size_t) (count) ? (value) : (none);                     \
   }
 
+/* A caller's callback as the core's, and what it has been told last. */
+typedef struct QuoinCaller {
+  QuoinProgressFunc func; /* or NULL */
+  void *data;
+  const QnModel *model; /* of an analysis */
+  const char *all;      /* what the whole analysis is of; NULL: its parts are told */
+  int calls;
+  double done, reached; /* 0 to 1; multiplier, or s */
+  int32_t steps;
+  const char *what;
+  bool cancelled; /* it has returned false */
+} QuoinCaller;
+
+/* Calls it; false cancels. */
+bool quoin_library_tell (QuoinCaller *caller, double done, int32_t iterations);
+
 /* False, with an error, where an argument that must be given is NULL. */
 bool quoin_library_given (const void *argument, const char *name, QuoinError **error);
 

@@ -1,3 +1,4 @@
+#include "core/limit/limit-sensitivity.h"
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
@@ -6,6 +7,7 @@
 #include "io/project/project-names.h"
 #include "io/result/result-claims.h"
 #include "io/text/fault-text.h"
+#include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
 #include "library/library-private.h"
@@ -18,20 +20,8 @@ struct QuoinModes {
 
 /* --- Running ----------------------------------------------------------------------------- */
 
-/* The caller's callback as the core's, and what it has been told last. */
-typedef struct Caller {
-  QuoinProgressFunc func;
-  void *data;
-  const QnModel *model;
-  const char *all; /* what the whole analysis is of; NULL: its parts are told */
-  int calls;
-  double done, reached; /* 0 to 1; multiplier, or s */
-  int32_t steps;
-  const char *what;
-} Caller;
-
 /* That of the callback which runs in this thread. */
-static _Thread_local const Caller *calling;
+static _Thread_local const QuoinCaller *calling;
 
 double
 quoin_progress_get_done (void)
@@ -45,14 +35,17 @@ quoin_progress_get_what (void)
   return calling != NULL ? calling->what : NULL;
 }
 
-static bool
-tell (Caller *caller, double done, int32_t iterations)
+bool
+quoin_library_tell (QuoinCaller *caller, double done, int32_t iterations)
 {
-  const Caller *outer = calling;
+  const QuoinCaller *outer = calling;
+  if (caller->func == NULL)
+    return true;
   caller->done = fmax (caller->done, done);
   calling = caller;
   bool goes_on = caller->func (caller->reached, caller->steps, iterations, caller->data);
   calling = outer;
+  caller->cancelled = caller->cancelled || !goes_on;
   return goes_on;
 }
 
@@ -62,7 +55,7 @@ static bool
 report (const QnProgress *progress, void *data)
 {
   enum { HALF_WAY = 100 };
-  Caller *caller = data;
+  QuoinCaller *caller = data;
   bool in_time = caller->model->analysis.procedure == QN_PROCEDURE_DYNAMIC;
   double calls = caller->calls++;
   if (caller->func == NULL)
@@ -75,20 +68,20 @@ report (const QnProgress *progress, void *data)
     caller->reached = in_time ? progress->time : progress->multiplier;
     caller->steps = progress->steps;
   }
-  return tell (caller,
-               !in_time            ? calls / (calls + HALF_WAY)
-               : progress->end > 0 ? fmin (progress->time / progress->end, 1)
-                                   : 0,
-               progress->iterations);
+  return quoin_library_tell (caller,
+                             !in_time ? calls / (calls + HALF_WAY)
+                             : progress->end > 0
+                               ? fmin (progress->time / progress->end, 1)
+                               : 0,
+                             progress->iterations);
 }
 
 /* The last call, once the analysis has come to its end. */
 static void
-report_end (Caller *caller, const QnResult *result)
+report_end (QuoinCaller *caller, const QnResult *result)
 {
-  if (caller->func != NULL && caller->calls > 0
-      && result->outcome != QN_OUTCOME_CANCELLED)
-    tell (caller, 1, result->statistics.iterations);
+  if (caller->calls > 0 && result->outcome != QN_OUTCOME_CANCELLED)
+    quoin_library_tell (caller, 1, result->statistics.iterations);
 }
 
 /* A result that takes over what the core has filled. */
@@ -123,10 +116,10 @@ run (Analysis analysis, QuoinModel *model, QuoinProgressFunc progress, void *dat
   QnResult result;
   if (!quoin_library_given (model, "model", error))
     return NULL;
-  Caller caller = { .func = progress,
-                    .data = data,
-                    .model = &model->project.model,
-                    .all = analysis == qn_stability_run ? "stability" : NULL };
+  QuoinCaller caller = { .func = progress,
+                         .data = data,
+                         .model = &model->project.model,
+                         .all = analysis == qn_stability_run ? "stability" : NULL };
   if (model->unread != NULL) {
     quoin_library_take_error (error, model->project.name, g_error_copy (model->unread));
     return NULL;
@@ -181,21 +174,64 @@ quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc progress, vo
   return result;
 }
 
-QuoinModes *
-quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc progress,
-             void *data, QuoinError **error)
+char *
+quoin_limit_sensitivity (const QuoinResult *result, QuoinError **error)
+{
+  QnDiag diag = { 0 };
+  QnLimitSensitivity found;
+  gsize length;
+  if (!quoin_library_given (result, "result", error))
+    return NULL;
+  const QnProject *project = &result->model->project;
+  const QnModel *model = &project->model;
+  if (!result->result.limit.given || result->result.limit.flow != QN_FLOW_ASSOCIATIVE
+      || result->result.outcome != QN_OUTCOME_COLLAPSE) {
+    quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER,
+                             "%s: no collapse by associative limit analysis",
+                             project->name);
+    return NULL;
+  }
+  if (qn_limit_sensitivity (model, &result->model->contacts, &result->result, &found,
+                            &diag)
+      != QN_OK) {
+    quoin_library_take_diag (error, project, &diag);
+    return NULL;
+  }
+  QnFileWriter *out = qn_file_writer_new_in_memory ();
+  qn_file_writer_json (out, "{ \"multiplier\": %g, \"laws\": [", found.multiplier);
+  for (size_t i = 0; i < model->law_count; i++) {
+    const QnLawSensitivity *law = &found.laws[i];
+    qn_file_writer_json (out,
+                         ", { \"name\": %s, \"friction\": %g, \"cohesion\": %g, "
+                         "\"tension\": %g, \"weight\": %g, \"thickness\": %g }",
+                         model->laws[i].name, law->friction, law->cohesion, law->tension,
+                         law->weight, law->thickness);
+  }
+  qn_file_writer_puts (out, "], \"dead_loads\": [");
+  for (size_t i = 0; i < model->dead_load_count; i++)
+    qn_file_writer_json (out, ", %g", found.dead_loads[i]);
+  qn_file_writer_puts (out, "], \"live_loads\": [");
+  for (size_t i = 0; i < model->live_load_count; i++)
+    qn_file_writer_json (out, ", %g", found.live_loads[i]);
+  qn_file_writer_puts (out, "] }\n");
+  qn_limit_sensitivity_clear (&found);
+  return qn_file_writer_steal (out, &length);
+}
+
+static QuoinModes *
+find_modes (QuoinModel *model, size_t count, QnModalState state,
+            QuoinProgressFunc progress, void *data, QuoinError **error)
 {
   if (!quoin_library_given (model, "model", error))
     return NULL;
   QnDiag diag = { 0 };
   QnResult result;
   QuoinModes *modes = g_new0 (QuoinModes, 1);
-  Caller caller = {
+  QuoinCaller caller = {
     .func = progress, .data = data, .model = &model->project.model, .all = "modes"
   };
-  if (qn_modal_run (&model->project.model, &model->contacts,
-                    loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, count, report, &caller,
-                    &modes->modes, &result, &diag)
+  if (qn_modal_run (&model->project.model, &model->contacts, state, count, report,
+                    &caller, &modes->modes, &result, &diag)
       != QN_OK) {
     quoin_library_take_diag (error, &model->project, &diag);
     g_free (modes);
@@ -212,6 +248,22 @@ quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc pro
                            model->project.name);
   quoin_modes_free (modes);
   return NULL;
+}
+
+QuoinModes *
+quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc progress,
+             void *data, QuoinError **error)
+{
+  return find_modes (model, count, loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
+                     progress, data, error);
+}
+
+QuoinModes *
+quoin_modal_sliding (QuoinModel *model, size_t count, bool loaded,
+                     QuoinProgressFunc progress, void *data, QuoinError **error)
+{
+  QnModalState state = (loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD) | QN_MODAL_SLIDING;
+  return find_modes (model, count, state, progress, data, error);
 }
 
 /* "option=value" one after the other. */
@@ -242,7 +294,7 @@ write_capacity (const QnCapacityAnswer *answer, const QnProject *project,
 
 /* The answer of a model that is written over; false with an error of either kind. */
 static bool
-find_capacity (QuoinModel *own, QnCapacityAnswer *answer, Caller *caller,
+find_capacity (QuoinModel *own, QnCapacityAnswer *answer, QuoinCaller *caller,
                QuoinError **error)
 {
   QnProject *project = &own->project;
@@ -282,7 +334,7 @@ quoin_capacity (QuoinModel *model, const char *const *options, const char *pictu
   QuoinModel *own = quoin_library_model_with (model, NULL, NULL, error);
   if (own == NULL)
     return NULL;
-  Caller caller = {
+  QuoinCaller caller = {
     .func = progress, .data = data, .model = &own->project.model, .all = "capacity"
   };
   if (qn_capacity_settings_read (&own->project, &settings, &cause)
@@ -315,8 +367,19 @@ quoin_modes_free (QuoinModes *modes)
 QUOIN_GET (size_t, quoin_modes_get_count, QuoinModes, 0, of->modes.count)
 QUOIN_GET (const double *, quoin_modes_get_omega, QuoinModes, NULL, of->modes.omega)
 QUOIN_GET (const double *, quoin_modes_get_shapes, QuoinModes, NULL, of->modes.shapes)
+QUOIN_GET (const double *, quoin_modes_get_masses, QuoinModes, NULL, of->modes.masses)
 QUOIN_GET (size_t, quoin_modes_get_body_count, QuoinModes, 0,
            of->modes.block_count + of->modes.node_count)
+
+void
+quoin_modes_get_damping (const QuoinModes *modes, double ratio, double coefficients[2])
+{
+  if (modes == NULL || coefficients == NULL || modes->modes.count == 0)
+    return;
+  QnModesDamping damping = qn_modes_damping (&modes->modes, ratio);
+  coefficients[0] = damping.mass;
+  coefficients[1] = damping.stiffness;
+}
 
 /* --- Files ------------------------------------------------------------------------------- */
 

@@ -221,10 +221,21 @@ QuoinResult *quoin_stability (QuoinModel *model, QuoinProgressFunc progress, voi
 QuoinResult *quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc progress,
                           void *data, QuoinError **error);
 
+/* How the multiplier of an associative limit analysis that found collapse changes, JSON:
+ * "multiplier"; "laws", each with "name" and the changes by its "friction", "cohesion",
+ * "tension" (per 1, per N or Pa as the law has them), "weight" and "thickness" of its
+ * blocks (per factor); "dead_loads" and "live_loads", per factor. To be freed with
+ * quoin_free(). */
+char *quoin_limit_sensitivity (const QuoinResult *result, QuoinError **error);
+
 /* The lowest frequencies about the equilibrium under dead load or, with `loaded`, about the last
  * one of the analysis. */
 QuoinModes *quoin_modal (QuoinModel *model, size_t count, bool loaded,
                          QuoinProgressFunc progress, void *data, QuoinError **error);
+/* The same with the tangent stiffness of joints that slide, where closed ones are elastic otherwise. */
+QuoinModes *quoin_modal_sliding (QuoinModel *model, size_t count, bool loaded,
+                                 QuoinProgressFunc progress, void *data,
+                                 QuoinError **error);
 void quoin_modes_free (QuoinModes *modes);
 
 /* The capacity curve, and the displacement checks of EN 1998-3 and NTC 2018, as JSON,
@@ -238,6 +249,13 @@ char *quoin_capacity (QuoinModel *model, const char *const *options, const char 
 size_t quoin_modes_get_count (const QuoinModes *modes);
 const double *quoin_modes_get_omega (const QuoinModes *modes);  /* count, rad/s */
 const double *quoin_modes_get_shapes (const QuoinModes *modes); /* count x bodies x 3 */
+/* count x 3, kg: the mass of each mode, and its effective masses in x and y, which sum up
+ * to the mass that moves. */
+const double *quoin_modes_get_masses (const QuoinModes *modes);
+/* Rayleigh's coefficients of mass, 1/s, and of stiffness, s, that give the first mode that
+ * is no rigid motion and the last one this part of critical damping. */
+void quoin_modes_get_damping (const QuoinModes *modes, double ratio,
+                              double coefficients[2]);
 /* Rows of a shape: blocks, then nodes of beams. */
 size_t quoin_modes_get_body_count (const QuoinModes *modes);
 
@@ -362,6 +380,13 @@ int32_t quoin_result_get_factorizations (const QuoinResult *result);
  * printed, to be freed with quoin_free(). Ends with the error of the program. */
 bool quoin_command (const char *const *arguments, char **output, QuoinError **error);
 
+/* The same, told how many cases of a study or of ida there are rows for: `multiplier` and
+ * steps; iterations: how many of them failed. Within the callback quoin_progress_get_done()
+ * is their share and quoin_progress_get_what() "cases". False ends the program as Ctrl+C
+ * does, with an error; the same arguments go on later. */
+bool quoin_command_watched (const char *const *arguments, char **output,
+                            QuoinProgressFunc progress, void *data, QuoinError **error);
+
 /* --- Figures ----------------------------------------------------------------------------- */
 
 /* view: "model", "contacts", "deformed", "mechanism", "forces", "diagrams"; "curve" (of
@@ -388,6 +413,12 @@ bool quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
 /* PNG, SVG or PDF by the ending, CSV of "curve" and "compare"; "deformed" and "mechanism"
  * move in GIF, WebM or pictures in a FOLDER/. Whole or not at all. */
 bool quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error);
+
+/* The same, told after every picture of an animation how many there are: `multiplier` and
+ * steps; quoin_progress_get_what() is "frames". */
+bool quoin_figure_write_watched (const QuoinFigure *figure, const char *path,
+                                 QuoinProgressFunc progress, void *data,
+                                 QuoinError **error);
 
 /* The same into memory, format "png", "svg", "pdf", "csv", "gif", "webm"; to be freed
  * with quoin_free(). */

@@ -50,6 +50,7 @@ is_first (void)
   X (builder_set, (quoin_builder_set (NULL, "a", "1"), quoin_builder_set (o->builder, NULL, "1"), quoin_builder_set (o->builder, "a", NULL), true)) \
   X (capacity, REFUSED (quoin_capacity (NULL, NULL, NULL, NULL, NULL, &error))) \
   X (command, REFUSED (quoin_command (NULL, NULL, &error))) \
+  X (command_watched, REFUSED (quoin_command_watched (NULL, NULL, NULL, NULL, &error))) \
   X (error_free, (quoin_error_free (NULL), true)) \
   X (error_get_column, quoin_error_get_column (NULL) == 0) \
   X (error_get_file, quoin_error_get_file (NULL) == NULL) \
@@ -63,7 +64,9 @@ is_first (void)
   X (figure_new, REFUSED (quoin_figure_new (NULL, NULL, "model", &error)) && REFUSED (quoin_figure_new (o->model, NULL, NULL, &error))) \
   X (figure_set, REFUSED (quoin_figure_set (NULL, "dpi", "1", &error)) && REFUSED (quoin_figure_set (o->figure, NULL, "1", &error)) && REFUSED (quoin_figure_set (o->figure, "dpi", NULL, &error))) \
   X (figure_write, REFUSED (quoin_figure_write (NULL, "a.png", &error)) && REFUSED (quoin_figure_write (o->figure, NULL, &error))) \
+  X (figure_write_watched, REFUSED (quoin_figure_write_watched (NULL, "a.png", NULL, NULL, &error)) && REFUSED (quoin_figure_write_watched (o->figure, NULL, NULL, NULL, &error))) \
   X (free, (quoin_free (NULL), true)) \
+  X (limit_sensitivity, REFUSED (quoin_limit_sensitivity (NULL, &error))) \
   X (limit, REFUSED (quoin_limit (NULL, true, NULL, NULL, &error))) \
   X (modal, REFUSED (quoin_modal (NULL, 1, false, NULL, NULL, &error))) \
   X (model_check, quoin_model_check (NULL) == NULL) \
@@ -97,8 +100,11 @@ is_first (void)
   X (model_to_text, quoin_model_to_text (NULL) == NULL) \
   X (model_unref, (quoin_model_unref (NULL), true)) \
   X (model_with, REFUSED (quoin_model_with (NULL, NULL, &error))) \
+  X (modal_sliding, REFUSED (quoin_modal_sliding (NULL, 1, false, NULL, NULL, &error))) \
   X (modes_free, (quoin_modes_free (NULL), true)) \
   X (modes_get_body_count, quoin_modes_get_body_count (NULL) == 0) \
+  X (modes_get_damping, (quoin_modes_get_damping (NULL, 0.05, NULL), true)) \
+  X (modes_get_masses, quoin_modes_get_masses (NULL) == NULL) \
   X (modes_get_count, quoin_modes_get_count (NULL) == 0) \
   X (modes_get_omega, quoin_modes_get_omega (NULL) == NULL) \
   X (modes_get_shapes, quoin_modes_get_shapes (NULL) == NULL) \

@@ -334,6 +334,23 @@ test_modes (void)
   for (size_t i = 0; i < 3; i++)
     nearest = fmin (nearest, fabs (quoin_modes_get_omega (modes)[i] / vertical - 1));
   g_assert_cmpfloat (nearest, <, 1e-9);
+  /* Effective masses of all modes are the mass of the block, whose modes move it as a whole. */
+  const double *masses = quoin_modes_get_masses (modes),
+               *omega = quoin_modes_get_omega (modes);
+  double sums[2] = { 0 }, damping[2] = { 0 };
+  for (size_t i = 0; i < 3; i++)
+    for (int k = 0; k < 2; k++)
+      sums[k] += masses[3 * i + 1 + (size_t) k];
+  for (int k = 0; k < 2; k++)
+    g_assert_cmpfloat_with_epsilon (sums[k] / mass, 1, 1e-9);
+  quoin_modes_get_damping (modes, 0.05, damping);
+  for (size_t i = 0; i < 3; i += 2)
+    g_assert_cmpfloat_with_epsilon (damping[0] + damping[1] * omega[i] * omega[i],
+                                    0.1 * omega[i], 1e-9 * omega[i]);
+  quoin_modes_free (modes);
+  /* No joint slides: the tangent is that of closed joints. */
+  modes = quoin_modal_sliding (model, 3, false, NULL, NULL, &error);
+  g_assert_cmpuint (quoin_modes_get_count (modes), ==, 3);
   quoin_modes_free (modes);
   quoin_model_unref (model);
   quoin_builder_free (builder);
@@ -619,6 +636,29 @@ test_command (void)
   g_setenv ("QUOIN_CLI", program, TRUE);
 }
 
+/* The change of the multiplier by the friction of the sliding block, tan phi, is 1 per 1. */
+static void
+test_sensitivity (void)
+{
+  QuoinBuilder *builder = library_build_sliding_block ();
+  quoin_builder_add_live_weight (builder, 1, 0);
+  QuoinModel *model = quoin_builder_finish (builder, &error);
+  QuoinResult *result = quoin_limit (model, true, NULL, NULL, &error),
+              *other = quoin_limit (model, false, NULL, NULL, &error);
+  char *text = quoin_limit_sensitivity (result, &error);
+  g_assert_null (error);
+  const char *friction = strstr (text, "\"friction\": ");
+  g_assert_nonnull (friction);
+  g_assert_cmpfloat_with_epsilon (g_ascii_strtod (friction + 12, NULL), 1, 1e-6);
+  quoin_free (text);
+  g_assert_null (quoin_limit_sensitivity (other, &error));
+  g_assert_true (is_error (QUOIN_ERROR_NO_ANSWER, "no collapse by associative"));
+  quoin_result_free (result);
+  quoin_result_free (other);
+  quoin_model_unref (model);
+  quoin_builder_free (builder);
+}
+
 /* An analysis in time reads its records as the command line does; without them it is refused, and the
  * model is there all the same. */
 static void
@@ -708,6 +748,7 @@ test_free_modes (void)
 QN_TESTS
 {
   g_test_add_func ("/library/progress", test_progress);
+  g_test_add_func ("/library/sensitivity", test_sensitivity);
   g_test_add_func ("/library/read-again", test_read_again);
   g_test_add_func ("/library/made-models", test_made_models);
   g_test_add_func ("/library/sheets", test_sheets);

@@ -392,6 +392,48 @@ def test_studies(tmp_path):
         quoin.Study(tmp_path / "none").table()
 
 
+def test_studies_tell_how_far_they_are(tmp_path):
+    wall = quoin.open(EXAMPLES / "01-sliding-block.quoin")
+    friction = [{"name": "mu", "path": "laws[0].friction", "range": [0.4, 0.8, 5]}]
+    told = []
+    study = wall.study(friction, ["associative_multiplier"], tmp_path / "s", run="limit",
+                       progress=lambda state: told.append(state))
+    shares = [state.done for state in told]
+    assert shares == sorted(shares) and shares[-1] == 1 and told[-1].steps == 5
+    assert {state.what for state in told} == {"cases"} and len(study.table()) == 5
+
+    with pytest.raises(quoin.NoAnswerError, match="cancelled"):
+        wall.study(friction, ["associative_multiplier"], tmp_path / "t", run="limit",
+                   progress=lambda state: False)
+
+    def fails(state):
+        raise KeyError("seen by the caller")
+
+    with pytest.raises(KeyError):
+        quoin.Study(tmp_path / "t").run(progress=fails)
+    assert len(quoin.Study(tmp_path / "t").run().table()) == 5
+
+
+def test_films_tell_how_far_they_are(tmp_path):
+    result = quoin.open(EXAMPLES / "01-sliding-block.quoin").limit()
+    frames = []
+    result.animate(tmp_path / "a.gif", frames=3, size="80x60", progress=frames.append)
+    assert [(state.steps, state.what) for state in frames] == [(n, "frames") for n in (1, 2, 3)]
+    assert frames[-1].done == 1
+    with pytest.raises(quoin.NoAnswerError, match="cancelled"):
+        result.animate(tmp_path / "b.gif", frames=3, size="80x60", progress=lambda state: False)
+    assert not (tmp_path / "b.gif").exists()
+
+
+def test_sensitivity():
+    wall = quoin.open(EXAMPLES / "ferris-tin-loi" / "wall1.quoin")
+    by_friction = wall.limit().sensitivity()["laws"][0]["friction"]
+    steps = [wall.set({"laws[0].friction": mu}).limit().multiplier for mu in (0.649, 0.651)]
+    assert by_friction == pytest.approx((steps[1] - steps[0]) / 0.002, rel=1e-3)
+    with pytest.raises(quoin.NoAnswerError):
+        wall.limit(associative=False).sensitivity()
+
+
 def test_records_that_grow(tmp_path):
     block = quoin.open(EXAMPLES / "02-overturning-block.quoin")
     rows = block.ida([EXAMPLES / "43-synthetic-record.csv"], (0.5, 1, 0.5), tmp_path / "ida",
@@ -429,6 +471,16 @@ def test_modes():
     modes = wall.set({"laws[0].dilatancy": 0.65}).modal(4)
     assert modes.omega.shape == (4,) and modes.shapes.shape == (4, 34, 3)
     assert (numpy.diff(modes.omega) >= 0).all() and modes.omega[0] > 0
+    every = wall.modal(count=100)
+    free = sum(block.weight for block in wall.blocks if not any(block.fixed)) / 9.81
+    assert every.effective_masses.sum(axis=0) == pytest.approx([free, free])
+    mass, stiffness = every.damping(0.05)
+    assert mass + stiffness * every.omega[0] ** 2 == pytest.approx(0.1 * every.omega[0])
+    associative = wall.set({"laws[0].dilatancy": 0.65})
+    slides = associative.modal(2, slip=True).omega
+    assert slides.shape == (2,) and slides[0] <= modes.omega[0] * (1 + 1e-9)
+    with pytest.raises(quoin.NoAnswerError, match="slip without dilatancy"):
+        wall.modal(2, slip=True)
 
 
 SQUARES = [[(-1, -1), (1, -1), (1, 0), (-1, 0)],

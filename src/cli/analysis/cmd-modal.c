@@ -70,20 +70,14 @@ write_result (const ModalOptions *options, const QnInput *input, const QnModes *
   return qn_cli_end (error);
 }
 
-/* Rayleigh's damping, mass + stiffness of the circular frequency w: 2 ratio w = mass + stiffness w^2. */
 static void
 print_damping (double ratio, const QnModes *modes)
 {
-  size_t first = 0, last = modes->count - 1;
-  while (first < last && modes->omega[first] == 0)
-    first++;
-  double sum = modes->omega[first] + modes->omega[last];
-  double stiffness = sum > 0 ? 2 * ratio / sum : 0;
+  QnModesDamping damping = qn_modes_damping (modes, ratio);
   qn_print (
     _ ("damping by mass %.6g 1/s and by stiffness %.6g s: %.4g of critical for modes "
        "%zu and %zu\n"),
-    stiffness * modes->omega[first] * modes->omega[last], stiffness, ratio, first + 1,
-    last + 1);
+    damping.mass, damping.stiffness, ratio, damping.first + 1, damping.last + 1);
 }
 
 static QnExit
@@ -121,15 +115,17 @@ solve_modal (const ModalOptions *options, const QnInput *input)
     code = QN_EXIT_NO_ANSWER;
   } else if (!options->quiet && g_strcmp0 (options->output, "-") != 0
              && g_strcmp0 (options->csv, "-") != 0) {
-    qn_print ("%6s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
-              _ ("frequency [Hz]"), _ ("period [s]"));
+    qn_print ("%6s  %14s  %14s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
+              _ ("frequency [Hz]"), _ ("period [s]"), _ ("mass in x [kg]"),
+              _ ("mass in y [kg]"));
     for (size_t i = 0; i < modes.count; i++) {
       double hertz = modes.omega[i] / (2 * G_PI);
       qn_print ("%6zu  %14.6f  %14.6f  ", i + 1, modes.omega[i], hertz);
       if (hertz > 0)
-        qn_print ("%14.6g\n", 1 / hertz);
+        qn_print ("%14.6g", 1 / hertz);
       else
-        qn_print ("%14s\n", _ ("rigid motion"));
+        qn_print ("%14s", _ ("rigid motion"));
+      qn_print ("  %14.6g  %14.6g\n", modes.masses[3 * i + 1], modes.masses[3 * i + 2]);
     }
     if (options->damping > 0)
       print_damping (options->damping, &modes);
@@ -202,7 +198,8 @@ const QnSubcommand qn_cmd_modal = {
   .summary = N_ ("Frequencies and modes of small vibrations"),
   .help = N_ (
     "Blocks vibrate with their mass, weight over gravity, on their joints: closed ones "
-    "are elastic, open ones are left out; with --slip on the tangent stiffness. A "
+    "are elastic, open ones are left out; with --slip on the tangent stiffness. Beside "
+    "each mode stand its effective masses in x and y, which sum up to all that moves. A "
     "result written with --output can be drawn and animated "
     "like a mechanism. Structures without supports have rigid motions of "
     "frequency zero."),

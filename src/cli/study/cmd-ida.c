@@ -346,7 +346,7 @@ compute (const Ida *ida, gsize index, Curve *curve)
   if (!make_study (ida, index, curve, &study, &error))
     return qn_cli_fail (error);
   QnExit code = qn_study_compute (&study, folder, ida->options->folder, settings,
-                                  ida->options->quiet, &progress);
+                                  ida->options->quiet, index, ida->count, &progress);
   if (code == QN_EXIT_DONE && !take_run_curve (curve, &study, folder, &error))
     code = qn_cli_fail (error);
   qn_study_clear (&study);

@@ -22,10 +22,11 @@ typedef struct RunOptions {
   gboolean keep, retry, prepare, quiet;
 } RunOptions;
 
-/* How far a study has come, on a terminal. */
+/* How far a study has come, on a terminal, or in lines for a program that sets QUOIN_PROGRESS. */
 typedef struct Display {
-  gboolean shown;
-  gint64 last_time; /* us */
+  gboolean shown, lines;
+  gsize part, parts; /* this study is one of so many of as many cases */
+  gint64 last_time;  /* us */
 } Display;
 
 static gboolean
@@ -34,6 +35,10 @@ update_display (const QnStudyProgress *progress, gpointer data)
   enum { INTERVAL = 200000 };
   Display *display = data;
   gint64 now = g_get_monotonic_time ();
+  if (display->lines)
+    fprintf (stderr, "progress %zu %zu %zu\n",
+             display->part * progress->wanted + progress->present,
+             display->parts * progress->wanted, progress->failed);
   if (display->shown && now - display->last_time >= INTERVAL) {
     display->last_time = now;
     fprintf (stderr, "\r\033[K");
@@ -63,9 +68,13 @@ dup_program (void)
 
 QnExit
 qn_study_compute (const QnStudy *study, const char *folder, const char *name,
-                  QnStudyRunSettings settings, gboolean quiet, QnStudyProgress *progress)
+                  QnStudyRunSettings settings, gboolean quiet, gsize part, gsize parts,
+                  QnStudyProgress *progress)
 {
-  Display display = { .shown = !quiet && isatty (STDERR_FILENO) };
+  Display display = { .shown = !quiet && isatty (STDERR_FILENO),
+                      .lines = g_getenv ("QUOIN_PROGRESS") != NULL,
+                      .part = part,
+                      .parts = parts };
   gboolean cancelled;
   GError *error = NULL;
   g_autofree char *program = dup_program ();
@@ -107,7 +116,7 @@ compute (const QnStudy *study, const RunOptions *options, QnStudyRunSettings set
 {
   QnStudyProgress progress;
   QnExit code = qn_study_compute (study, options->folder, options->folder, settings,
-                                  options->quiet, &progress);
+                                  options->quiet, 0, 1, &progress);
   if (options->quiet || (code != QN_EXIT_DONE && code != QN_EXIT_CANCELLED))
     return code;
   qn_print (_ ("%s: %zu of %zu cases"), options->folder, progress.present,

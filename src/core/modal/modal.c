@@ -16,6 +16,9 @@
  * cost no digits, large enough to make K of a free structure regular. */
 #define SHIFT 1e-7
 
+/* A sum below this part of that of its absolute values is rounding. */
+#define ROUNDING 1e-12
+
 typedef struct {
   QnAssembly *assembly;
   QnLinsys *linsys;
@@ -67,16 +70,23 @@ go_on_modes (void *equilibrium)
   return qn_equilibrium_go_on (equilibrium);
 }
 
-/* Modes scaled to a largest displacement of 1. */
+/* Modes scaled to a largest displacement of 1; the vectors have a modal mass of 1. */
 static QnStatus
 take_modes (const Pencil *pencil, const double *u, QnModes *modes, QnDiag *diag)
 {
   const QnAssembly *as = pencil->assembly;
-  size_t bodies = qn_model_body_count (as->model), row = bodies * QN_DOF_COUNT;
+  size_t bodies = qn_model_body_count (as->model), row = bodies * QN_DOF_COUNT,
+         n = (size_t) pencil->n;
+  double *moved[] = { pencil->proof.product, pencil->proof.shifted }; /* M r in x and y */
 
+  for (int i = 0; i < 2; i++) {
+    memset (moved[i], 0, n * sizeof *moved[i]);
+    qn_assembly_add_inertia (as, qn_vec2 (i == 0, i == 1), moved[i]);
+  }
   modes->omega = qn_alloc (pencil->found, sizeof *modes->omega);
   modes->shapes = qn_alloc (pencil->found * row, sizeof *modes->shapes);
-  if (modes->omega == NULL || modes->shapes == NULL)
+  modes->masses = qn_alloc (pencil->found, 3 * sizeof *modes->masses);
+  if (modes->omega == NULL || modes->shapes == NULL || modes->masses == NULL)
     return qn_diag_no_memory (diag);
   modes->count = pencil->found;
   modes->block_count = as->model->block_count;
@@ -87,11 +97,22 @@ take_modes (const Pencil *pencil, const double *u, QnModes *modes, QnDiag *diag)
     double *shape = modes->shapes + mode * row;
     modes->omega[mode] =
       square > QN_MODE_ZERO * pencil->proof.largest ? sqrt (square) : 0;
-    qn_assembly_expand_rates (as, u, pencil->vectors + mode * (size_t) pencil->n, shape);
+    const double *vector = pencil->vectors + mode * n;
+    qn_assembly_expand_rates (as, u, vector, shape);
     for (size_t b = 0; b < bodies; b++)
       largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
     for (size_t i = 0; largest > 0 && i < row; i++)
       shape[i] /= largest;
+    modes->masses[3 * mode] = largest > 0 ? 1 / (largest * largest) : 0;
+    for (int i = 0; i < 2; i++) {
+      double share = 0, size = 0;
+      for (size_t k = 0; k < n; k++) {
+        share += vector[k] * moved[i][k];
+        size += fabs (vector[k] * moved[i][k]);
+      }
+      modes->masses[3 * mode + 1 + i] =
+        fabs (share) > ROUNDING * size ? share * share : 0;
+    }
   }
   return QN_OK;
 }
@@ -241,6 +262,18 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
   return status;
 }
 
+QnModesDamping
+qn_modes_damping (const QnModes *modes, double ratio)
+{
+  QnModesDamping damping = { .last = modes->count - 1 };
+  while (damping.first < damping.last && modes->omega[damping.first] == 0)
+    damping.first++;
+  double low = modes->omega[damping.first], high = modes->omega[damping.last];
+  damping.stiffness = low + high > 0 ? 2 * ratio / (low + high) : 0;
+  damping.mass = damping.stiffness * low * high;
+  return damping;
+}
+
 QnStatus
 qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model, QnResult *result,
                QnDiag *diag)
@@ -258,5 +291,6 @@ qn_modes_clear (QnModes *modes)
 {
   free (modes->omega);
   free (modes->shapes);
+  free (modes->masses);
   *modes = (QnModes){ 0 };
 }

@@ -19,6 +19,10 @@ typedef struct QnModes {
   double *omega;  /* rad/s, ascending; rigid motions and what is numerically zero: 0 */
   double *shapes; /* count x (block_count + node_count) x 3: m, m, rad; largest
                      displacement 1 m */
+  double *
+    masses; /* count x 3, kg: of the mode so scaled, phi' M phi; and the effective ones in x and
+                     y, (phi' M r)^2 / phi' M phi with r the unit translation: those of all modes sum up
+                     to the mass that moves */
   size_t open,
     slides; /* pairs that are left out, and that count as elastic although they slide */
 } QnModes;
@@ -40,6 +44,15 @@ typedef enum {
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
                        QnModalState state, size_t wanted, QnProgressFunc progress,
                        void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);
+
+/* Rayleigh's damping, 2 ratio omega = mass + stiffness omega^2, of the first mode that is no rigid motion
+ * and of the last one, counted from 0: coefficients of mass, 1/s, and of stiffness, s. */
+typedef struct QnModesDamping {
+  size_t first, last;
+  double mass, stiffness;
+} QnModesDamping;
+
+QnModesDamping qn_modes_damping (const QnModes *modes, double ratio);
 
 /* Makes one of the modes, counted from 0, the mechanism of a result of their state. */
 QnStatus qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model,
