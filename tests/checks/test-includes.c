@@ -38,7 +38,7 @@ static const Layer layers[] = {
   { "library",
     { NULL },
     { "core/", "stereotomy/", "io/", "render/", "doc/", "library/" },
-    { "glib" } },
+    { "glib", "gio/" } },
   { "study",
     { "plan", "cases", "report", "cluster" },
     { "core/", "stereotomy/", "io/", "render/", "disk/", "study/" },
