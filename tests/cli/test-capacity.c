@@ -98,6 +98,10 @@ test_block (void)
     cli_write (folder, "s.csv",
                "period [s],acceleration [m/s2]\n0.2,7.0509375\n0.6,7.0509375\n"
                "1.69577,2.494772\n2,2.11528\n4,0.52882\n");
+  g_autofree char *frequencies =
+    cli_write (folder, "f.csv", "Frequency [Hz],Sa [g]\n1,0.3\n2,0.2\n");
+  cli_fails (3, "f.csv:1: a spectrum by frequencies", "capacity", model, "--spectrum",
+             frequencies, NULL);
   CliRun run = cli_run ("capacity", model, "--spectrum", points, "--json", "-", NULL);
   cli_assert_done (&run);
   slv = strstr (run.out, "\"SLV\"");

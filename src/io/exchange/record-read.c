@@ -21,6 +21,7 @@ typedef struct Reading {
   char **lines; /* NULL-terminated */
   const char *unit;
   double time_step;
+  gboolean spectrum; /* accelerations by periods are wanted */
   QnRecordHeading heading;
   gboolean decimal_comma;
   gboolean packed;      /* numbers of fixed width may touch */
@@ -211,7 +212,7 @@ check_quantity (const Reading *r, gsize line, QnRecordQuantity quantity)
     return fail (r, line, _ ("this is a record of velocity, not of acceleration"));
   if (quantity == QN_RECORD_DISPLACEMENT)
     return fail (r, line, _ ("this is a record of displacement, not of acceleration"));
-  if (quantity == QN_RECORD_SPECTRUM)
+  if (quantity == QN_RECORD_SPECTRUM && !r->spectrum)
     return fail (r, line, _ ("this is a spectrum, not a record of acceleration in time"));
   return TRUE;
 }
@@ -377,8 +378,10 @@ choose_columns (Reading *r, char **names)
     QnRecordUnit own = qn_record_unit_of_name (lower);
     if (own.quantity == QN_RECORD_UNKNOWN)
       own = qn_record_unit (lower);
-    if (qn_record_is_of_spectrum (lower))
+    if (!r->spectrum && qn_record_is_of_spectrum (lower))
       return check_quantity (r, line, QN_RECORD_SPECTRUM);
+    if (r->spectrum && strstr (lower, "freq") != NULL)
+      return fail (r, line, _ ("a spectrum by frequencies: give it by periods"));
     QnRecordQuantity quantity = own.quantity != QN_RECORD_UNKNOWN
                                   ? own.quantity
                                   : qn_record_quantity_of_name (lower);
@@ -522,9 +525,9 @@ read_any (Reading *r)
   return read_samples (r);
 }
 
-gboolean
-qn_record_parse (const char *text, gsize size, const char *name, const char *unit,
-                 double time_step, QnRecord *record, GError **error)
+static gboolean
+parse (const char *text, gsize size, const char *name, const char *unit, double time_step,
+       gboolean spectrum, QnRecord *record, GError **error)
 {
   gsize length;
   g_autofree char *decoded = qn_text_decode (text, size, NULL, &length);
@@ -538,6 +541,7 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
                       .lines = lines,
                       .unit = unit,
                       .time_step = time_step,
+                      .spectrum = spectrum,
                       .points = g_array_new (FALSE, FALSE, sizeof (QnVec2)),
                       .error = error };
   *record = (QnRecord){ 0 };
@@ -556,13 +560,34 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
   return done;
 }
 
-gboolean
-qn_record_read (const char *path, const char *unit, double time_step, QnRecord *record,
-                GError **error)
+static gboolean
+read_file (const char *path, const char *unit, double time_step, gboolean spectrum,
+           QnRecord *record, GError **error)
 {
   gsize length;
   *record = (QnRecord){ 0 };
   g_autofree char *text = qn_file_read (path, &length, error);
   return text != NULL
-         && qn_record_parse (text, length, path, unit, time_step, record, error);
+         && parse (text, length, path, unit, time_step, spectrum, record, error);
+}
+
+gboolean
+qn_record_parse (const char *text, gsize size, const char *name, const char *unit,
+                 double time_step, QnRecord *record, GError **error)
+{
+  return parse (text, size, name, unit, time_step, FALSE, record, error);
+}
+
+gboolean
+qn_record_read (const char *path, const char *unit, double time_step, QnRecord *record,
+                GError **error)
+{
+  return read_file (path, unit, time_step, FALSE, record, error);
+}
+
+gboolean
+qn_record_read_spectrum (const char *path, const char *unit, QnRecord *record,
+                         GError **error)
+{
+  return read_file (path, unit, 0, TRUE, record, error);
 }

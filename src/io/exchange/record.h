@@ -39,6 +39,10 @@ gboolean qn_record_parse (const char *text, gsize length, const char *name,
                           const char *unit, double time_step, QnRecord *record,
                           GError **error);
 
+/* Reads a spectrum in the same way: accelerations by periods, s. */
+gboolean qn_record_read_spectrum (const char *path, const char *unit, QnRecord *record,
+                                  GError **error);
+
 void qn_record_clear (QnRecord *record);
 
 /* What a record amounts to, without correction of the base line. */
