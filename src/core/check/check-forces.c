@@ -105,6 +105,19 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
+/* What friction carries of a force at elongation q, of a joint whose bond is damaged. */
+static void
+take_friction (const QnPairSprings *springs, const QnPairMemory *before, double damage,
+               const double q[2], const double stated[2], double friction[2])
+{
+  const QnSpring *s = &springs->a;
+  const double bond[2] = { s->kn * (q[0] - qn_spring_crushed (s, &before->a)),
+                           s->ks * q[1] };
+
+  for (int i = 0; i < 2; i++)
+    friction[i] = (stated[i] - (1 - damage) * bond[i]) / damage;
+}
+
 /* The slip and opening that leave a joint, its bond damaged as after the step, with this force at
  * elongation q. Of two springs all that is new counts as the first one's: which of them slid
  * makes no difference to both together. False for what is not elastic and perfectly plastic. */
@@ -125,12 +138,8 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
     return s->kind == QN_LAW_MOHR_COULOMB && other == NULL
            && memory->a.opening <= before->a.opening;
   }
-  if (damage > 0 && damage < 1) { /* what friction carries of it */
-    const double bond[2] = { s->kn * (q[0] - qn_spring_crushed (s, &before->a)),
-                             s->ks * q[1] };
-    for (int i = 0; i < 2; i++)
-      force[i] = (stated[i] - (1 - damage) * bond[i]) / damage;
-  }
+  if (damage > 0 && damage < 1)
+    take_friction (springs, before, damage, q, stated, force);
   if (other != NULL && !(qn_law_is_plastic (s->kind) && qn_law_is_plastic (other->kind)))
     return false;
   if (other != NULL) {
@@ -393,6 +402,7 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
   const QnPairSprings *springs = &check->assembly.springs[p];
   const QnPairMemory *memory = &check->assembly.responses[p].memory;
   double little = QN_CHECK_STATE * check->scale;
+  double damage = qn_pair_damage (springs, memory);
 
   if (state == QN_PAIR_YIELD && !qn_law_yields (springs->a.kind)
       && !qn_law_yields (springs->b.kind))
@@ -403,6 +413,14 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
                                   : state == QN_PAIR_OPEN || !is_apart (check, p);
   if (state == QN_PAIR_YIELD)
     return is_near_strength (springs, memory, force, little);
+  if (damage > 0 && damage < 1 && springs->equal) { /* the rest is elastic */
+    const QnPairSprings dry = qn_pair_springs_broken (springs);
+    double friction[2];
+    take_friction (springs, &check->assembly.committed[p], damage,
+                   check->assembly.elongations + 2 * p, force, friction);
+    return qn_pair_state_of_force (&dry, memory, state, friction, little / damage)
+           == state;
+  }
   return qn_pair_state_of_force (springs, memory, state, force, little) == state;
 }
 

@@ -255,8 +255,56 @@ test_falls_where_it_has_jumped (void)
   g_assert_true (tells (&run, QN_CLAIM_EVENTS));
 }
 
+/* What is left of a bond carries besides the friction of a joint that slips, which is not at its strength
+ * then: in time as on a path. */
+static void
+test_slip_of_a_damaged_bond (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init_block_on_plane (model, 0.5, 0.82);
+  model->blocks[1].unit_weight = 20000;
+  QnLaw *law = &model->laws[0];
+  law->basis = QN_BASIS_SURFACE;
+  law->kn = law->ks = 1e10;
+  law->friction = 0.6;
+  law->cohesion = 15e3;
+  law->tension = 4e3;
+  law->fracture_energy_tension = 5;
+  law->fracture_energy_shear = 20;
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->kind = QN_LOAD_WEIGHT;
+  dead->vector = qn_vec2 (0, -1);
+  QnDynamicSettings *dynamic = &model->analysis.dynamic;
+  model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
+  dynamic->duration = 0.4;
+  dynamic->time_step = dynamic->output_interval = 0.005;
+  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->direction = qn_vec2 (1, 0);
+  motion->pulse = (QnPulse){ QN_PULSE_SINE, 5.5, 0.3, 0 };
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  size_t slips = 0;
+  for (size_t i = 0; i < r->step_count * r->pair_count; i++)
+    if (r->step_states[i] == QN_PAIR_SLIP) {
+      slips++;
+      g_assert_cmpfloat (r->step_damage[i], >, 0);
+      g_assert_cmpfloat (r->step_damage[i], <, 1);
+    }
+  g_assert_cmpuint (slips, >, 0);
+  /* Friction that is not at its strength does not slip. */
+  for (size_t i = 0; i < r->step_count * r->pair_count; i++)
+    if (r->step_states[i] == QN_PAIR_STICK && r->step_damage[i] > 0)
+      r->step_states[i] = QN_PAIR_SLIP;
+  g_assert_true (tells (&run, QN_CLAIM_STATES));
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/core/result-check/slip-of-a-damaged-bond",
+                   test_slip_of_a_damaged_bond);
   g_test_add_func ("/core/result-check/bond-damaged-on-the-way",
                    test_bond_damaged_on_the_way);
   g_test_add_func ("/core/result-check/falls-where-it-has-jumped",
