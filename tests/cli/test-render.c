@@ -222,6 +222,35 @@ test_curve_runs (Solved *solved, gconstpointer data)
   g_autofree char *stages = cli_example ("16-load-stages.quoin");
   cli_fails (3, "no axes in common", "curve", first, spread, "-o", csv, NULL);
   cli_fails (3, "no axes in common", "curve", first, stages, "-o", csv, NULL);
+  /* Loads without names have them where they are the same: not in another direction, of another size or on
+   * another block; the weight pushes structures of any size alike. */
+  g_autofree char *block = cli_example ("01-sliding-block.quoin");
+  g_autofree char *stack = cli_example ("05-stack.quoin");
+  g_autofree char *mast = cli_example ("36-mast-on-block.quoin");
+  cli_do ("curve", block, stack, "-o", csv, NULL);
+  cli_fails (3, "no axes in common", "curve", stack, mast, "-o", csv, NULL);
+  static const char *const forces[] = {
+    "loads.live=[{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [100, 0]}]",
+    "loads.live=[{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [200, 0]}]",
+    "loads.live=[{\"kind\": \"force\", \"block\": \"block 4\", \"value\": [100, 0]}]",
+    "loads.live=[{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [40, 0]}, "
+    "{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [60, 0]}]",
+    "loads.live=[{\"kind\": \"weight\", \"direction\": [-1, 0]}]",
+  };
+  char *runs[G_N_ELEMENTS (forces)];
+  for (gsize i = 0; i < G_N_ELEMENTS (forces); i++) {
+    g_autofree char *name = g_strdup_printf ("force-%zu.json", i);
+    g_autofree char *path = g_build_filename (solved->folder, name, NULL);
+    cli_do ("solve", stack, "-q", "--set", forces[i], "-o", path, NULL);
+    runs[i] = g_strdup_printf ("%s=%s", stack, path);
+  }
+  cli_do ("curve", runs[0], runs[3], "-o", csv, NULL);
+  cli_fails (3, "no axes in common", "curve", runs[0], runs[1], "-o", csv, NULL);
+  cli_fails (3, "no axes in common", "curve", runs[0], runs[2], "-o", csv, NULL);
+  cli_fails (3, "no axes in common", "curve", stack, runs[0], "-o", csv, NULL);
+  cli_fails (3, "no axes in common", "curve", stack, runs[4], "-o", csv, NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (forces); i++)
+    g_free (runs[i]);
   cli_do ("curve", spread, "-o", csv, NULL);
   g_autofree char *reactions = cli_read (csv);
   g_autoptr (GPtrArray) rows = test_table_read (reactions);

@@ -4,6 +4,7 @@
 
 #include <glib.h>
 #include <math.h>
+#include <string.h>
 
 /* The step from which the path, or that of the last stage, first loses stability: the first that comes up to the
  * multiplier that the analysis reports, or the one before it goes beyond. Further on a path that descends
@@ -40,21 +41,83 @@ find_collapse (const QnResult *result)
 bool
 qn_curve_shares_axes (const QnCurve *a, const QnCurve *b)
 {
-  return a->in_time == b->in_time && a->settles == b->settles
-         && g_strcmp0 (a->set, b->set) == 0;
+  if (a->in_time != b->in_time || a->settles != b->settles)
+    return false;
+  return a->in_time || a->settles
+         || (g_strcmp0 (a->loads, b->loads) == 0
+             && (a->bodies != b->bodies || g_strcmp0 (a->loaded, b->loaded) == 0));
 }
 
-/* The load set that the last stage of a result drives; 0: live loads. */
-static int
-driven_set (const QnModel *model, const QnResult *result)
+/* The load sets that the last stage of a result drives, a bit each; 1: live loads. */
+static uint32_t
+driven_sets (const QnModel *model, const QnResult *result)
 {
   bool staged = result->stage > 0 && (size_t) result->stage <= model->stage_count;
-  uint32_t sets = staged ? model->stages[result->stage - 1].sets : 1;
-  int set = 0;
+  return staged ? model->stages[result->stage - 1].sets : 1;
+}
 
-  while (set + 1 < QN_MAX_LOAD_SETS && (sets >> set & 1) == 0)
-    set++;
-  return set;
+/* Adds a word to a list in order, once. */
+static void
+add_word (GPtrArray *words, char *word)
+{
+  guint i = 0;
+  while (i < words->len && strcmp (words->pdata[i], word) < 0)
+    i++;
+  if (i < words->len && strcmp (words->pdata[i], word) == 0)
+    g_free (word);
+  else
+    g_ptr_array_insert (words, (gint) i, word);
+}
+
+static char *
+dup_words (GPtrArray *words)
+{
+  g_ptr_array_add (words, NULL);
+  return g_strjoinv ("\n", (char **) words->pdata);
+}
+
+static bool
+sums_up (QnLoadKind kind)
+{
+  return kind == QN_LOAD_WEIGHT || kind == QN_LOAD_FORCE || kind == QN_LOAD_NODE;
+}
+
+/* Loads on the weight and forces are summed up; of distributed ones what is given counts, not what it
+ * comes to on this structure. */
+static void
+describe_loads (QnCurve *curve, const QnModel *model, uint32_t sets)
+{
+  g_autoptr (GPtrArray) loads = g_ptr_array_new_with_free_func (g_free),
+                        loaded = g_ptr_array_new_with_free_func (g_free);
+  double sums[QN_LOAD_KIND_COUNT][3] = { { 0 } };
+  for (size_t i = 0; i < model->live_load_count; i++) {
+    const QnLoad *l = &model->live_loads[i];
+    const double f = qn_model_load_factor (model, l), *q = l->intensity;
+    if ((sets >> l->set & 1) == 0 || f == 0)
+      continue;
+    sums[l->kind][0] += f * l->vector.x;
+    sums[l->kind][1] += f * l->vector.y;
+    sums[l->kind][2] += f * l->moment;
+    if (l->kind == QN_LOAD_FORCE || l->kind == QN_LOAD_EDGE)
+      add_word (loaded, g_strdup (model->blocks[l->block].name));
+    else if (l->kind == QN_LOAD_NODE)
+      add_word (loaded, g_strdup (model->nodes[l->node].name));
+    else if (l->kind == QN_LOAD_LINE)
+      add_word (loaded, g_strdup (model->beams[l->beam].name));
+    if (!sums_up (l->kind))
+      add_word (loads,
+                g_strdup_printf ("%d %d %.6g %.6g %.6g %.6g %.6g %.6g %.6g", l->kind,
+                                 l->side, f * l->vector.x, f * l->vector.y, f * q[0],
+                                 f * q[1], f * l->pressure, f * l->unit_weight,
+                                 l->coefficient + l->friction_angle));
+  }
+  for (int k = 0; k < QN_LOAD_KIND_COUNT; k++)
+    if (sums_up ((QnLoadKind) k))
+      add_word (loads, g_strdup_printf ("%d %.6g %.6g %.6g", k, sums[k][0] + 0.0,
+                                        sums[k][1] + 0.0, sums[k][2] + 0.0));
+  curve->loads = dup_words (loads);
+  curve->loaded = dup_words (loaded);
+  curve->bodies = model->block_count + model->node_count;
 }
 
 bool
@@ -73,7 +136,11 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
                       .rotation = motion.dof == QN_DOF_RZ,
                       .in_time = result->history.width > 0 };
   const QnLoad *settlement = qn_result_settlement (model, result);
-  int set = driven_set (model, result);
+  const uint32_t sets = driven_sets (model, result);
+  int set = 0;
+  while (set + 1 < QN_MAX_LOAD_SETS && (sets >> set & 1) == 0)
+    set++;
+  describe_loads (curve, model, sets);
   curve->settles = settlement != NULL;
   if (set > 0 && !curve->settles && (size_t) set <= model->load_set_count)
     curve->set = g_strdup (model->load_sets[set - 1]);
@@ -203,5 +270,7 @@ qn_curve_clear (QnCurve *curve)
   g_free (curve->x);
   g_free (curve->y);
   g_free (curve->set);
+  g_free (curve->loads);
+  g_free (curve->loaded);
   *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
 }

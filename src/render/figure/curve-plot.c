@@ -83,6 +83,8 @@ name_axes (QnPlot *plot, const Data *data)
   char *motion = qn_plot_keep (plot, dup_motion_name (data));
   const char *set = data->count > 0 ? data->curves[0].set : NULL;
   double factor = 1;
+  for (size_t i = 0; i < data->count; i++) /* the same loads may have several names */
+    set = g_strcmp0 (data->curves[i].set, set) == 0 ? set : NULL;
   if (is_in_time (data)) {
     const char *unit = motion_unit (data, data->largest_y, &factor);
     plot->x.label = qn_plot_keep (plot, g_strdup_printf ("%s (s)", _ ("Time")));

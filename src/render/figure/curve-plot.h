@@ -14,6 +14,9 @@ typedef struct QnCurve {
   bool in_time;      /* of an analysis in time: x is the time, s, y the displacement */
   bool settles;      /* x is a settlement, y what the supports that settle take, N */
   char *set;         /* whose multiplier y is; NULL: that of the live loads. Owned */
+  char *loads, *loaded; /* what these are at multiplier 1, and the bodies they act on, as
+                           text that is equal for equal loads; owned */
+  size_t bodies;        /* how many the structure has */
   bool
     since_dead; /* displacements leave out what the dead load has moved, which is not 0 */
   const char
@@ -45,7 +48,9 @@ bool qn_reference_line_parse (const char *text, QnReferenceLine *line);
 bool qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
                            QnCurveMotion motion);
 
-/* Whether two curves may be drawn over the same axes. */
+/* Whether two curves may be drawn over the same axes: multipliers where they multiply the same
+ * kinds of loads with the same directions and sizes, in structures of equally many bodies also the
+ * same bodies, whatever the names of their sets. */
 bool qn_curve_shares_axes (const QnCurve *a, const QnCurve *b);
 
 /* Where a curve has nothing more to tell: from near its peak on the multiplier stays as it is to
