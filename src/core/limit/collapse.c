@@ -27,6 +27,7 @@ static const struct {
   double restored; /* out-of-balance of projected forces, in units of force, */
   int32_t
     rounds; /* by so many solves at most: each removes the rounding of the one before */
+  double flow; /* proximal term of a flow of its own, in units of force over rate */
   /* Proximal term of the linear systems (interior-point-kkt.h): least, most, and the factor by which it
    * grows where the error of a solution is above the worst that is a direction. */
   double least_proximal, most_proximal, more_proximal, worst_solution;
@@ -48,6 +49,7 @@ static const struct {
   .idle = 15,
   .restored = 1e-13,
   .rounds = 3,
+  .flow = 1e-8,
   .least_proximal = 1e-10,
   .most_proximal = 1e-5,
   .more_proximal = 30,
@@ -158,6 +160,21 @@ find_residuals (QnCollapse *c)
     p->load != NULL ? p->load_gain - qn_ip_dot (p->load, c->at.v, p->row_count) : 0;
 }
 
+/* Without dilatancy the flows of both directions in which an open joint may slip cancel: they may grow
+ * together without end. A proximal term holds them: of a step it leaves itself times the change of a
+ * flow in the strength of its row, G y + s - term z = h, and that vanishes as steps do. */
+static double
+flow_term (const QnCollapse *c)
+{
+  return c->own_flow ? tuning.flow : 0;
+}
+
+static double
+yielding (const QnCollapse *c, int32_t i)
+{
+  return c->at.s[i] + flow_term (c) * c->at.z[i];
+}
+
 /* The direction that takes `share` off the residuals and has c->products as s dz + z ds. */
 static void
 solve_for_share (QnCollapse *c, double share, QnIpVector *out)
@@ -166,7 +183,7 @@ solve_for_share (QnCollapse *c, double share, QnIpVector *out)
   QnIpKktVector solution = { out->y, out->s, out->v, 0 };
 
   for (int32_t i = 0; i < p->bound_count; i++)
-    out->z[i] = c->products[i] / c->at.s[i] - c->w[i] * share * c->rz[i];
+    out->z[i] = (c->products[i] - c->at.z[i] * share * c->rz[i]) / yielding (c, i);
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     c->right.y[i] = share * c->ry[i];
   qn_ip_add_flows (p, out->z, -1, c->right.y);
@@ -176,8 +193,9 @@ solve_for_share (QnCollapse *c, double share, QnIpVector *out)
   qn_ip_kkt_solve (&c->kkt, &c->right, &solution);
   out->lambda = solution.lambda;
   for (int32_t i = 0; i < p->bound_count; i++) {
-    out->s[i] = share * c->rz[i] - out->s[i];
-    out->z[i] = (c->products[i] - c->at.z[i] * out->s[i]) / c->at.s[i];
+    double left = share * c->rz[i] - out->s[i];
+    out->z[i] = (c->products[i] - c->at.z[i] * left) / yielding (c, i);
+    out->s[i] = left + flow_term (c) * out->z[i];
   }
 }
 
@@ -309,7 +327,7 @@ static bool
 factorize_collapse (QnCollapse *c)
 {
   for (int32_t i = 0; i < c->problem->bound_count; i++)
-    c->w[i] = c->at.z[i] / c->at.s[i];
+    c->w[i] = c->at.z[i] / yielding (c, i);
   return qn_ip_kkt_factorize (&c->kkt, c->w);
 }
 

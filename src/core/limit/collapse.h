@@ -52,7 +52,7 @@ typedef struct QnCollapse {
   bool own_flow;           /* some strength row is not associative */
 
   QnIpVector step, trial;
-  double *w;            /* z / s */
+  double *w;            /* z / s, less where a flow is large */
   double *ry, *rv, *rz; /* residuals, minus the left-hand sides */
   double r_lambda;      /* that of the work */
   double power;         /* s'z */

@@ -198,15 +198,16 @@ test_coupling (void)
   qn_model_clear (&model);
 }
 
-/* A running bond that takes the path some hundred factorisations. */
 static void
-test_running_bond (void)
+check_masonry (int32_t length, int32_t courses, int32_t openings)
 {
   QnWallRecipe recipe = qn_wall_recipe_default ();
   QnModel model;
 
-  recipe.length = 10;
-  recipe.courses = 20;
+  recipe.length = length;
+  recipe.courses = courses;
+  recipe.openings = openings;
+  recipe.seed = 7;
   qn_model_init (&model);
   g_assert_cmpint (qn_generate_wall (&model, &recipe, NULL), ==, QN_OK);
   QnLimitInterval interval = solve (&model);
@@ -217,6 +218,20 @@ test_running_bond (void)
   g_assert_cmpfloat (interval.lowest, <, interval.associative);
   g_assert_cmpint (interval.solution.effort.factorizations, <=, 150);
   qn_limit_interval_clear (&interval);
+}
+
+/* A running bond that takes the path some hundred factorisations. */
+static void
+test_running_bond (void)
+{
+  check_masonry (10, 20, 0);
+}
+
+/* Joints open on the way in which flows of both directions of slip may grow without end. */
+static void
+test_facade (void)
+{
+  check_masonry (11, 26, 5);
 }
 
 /* With dilatancy = friction there is one fixed point: the associative value. */
@@ -390,6 +405,7 @@ QN_TESTS
   g_test_add_func ("/limit-non-associative/growth", test_growth);
   g_test_add_func ("/limit-non-associative/coupling", test_coupling);
   g_test_add_func ("/limit-non-associative/running-bond", test_running_bond);
+  g_test_add_func ("/limit-non-associative/facade", test_facade);
   g_test_add_func ("/limit-non-associative/associative-law", test_associative_law);
   g_test_add_func ("/limit-non-associative/block", test_block);
   g_test_add_func ("/limit-non-associative/strengths", test_strengths);
