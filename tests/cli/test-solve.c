@@ -135,6 +135,16 @@ test_ends_behind_peak (void)
   cli_says ("no equilibrium above 0.5000", "limit", model, NULL);
 }
 
+/* Joints of five pairs open pair by pair, and the path creeps to its collapse. It gets there by its own
+ * steps for less than a search for the collapse takes: 71 factorisations with it. */
+static void
+test_five_pairs (void)
+{
+  g_autofree char *json = solve_example ("28-arch-under-fill.quoin", NULL, NULL, NULL);
+  g_assert_cmpfloat_with_epsilon (number_of (json, "collapse_multiplier"), 4.88779, 1e-4);
+  g_assert_cmpfloat (number_of (json, "factorizations"), <=, 62);
+}
+
 static void
 test_bad_set (void)
 {
@@ -455,6 +465,7 @@ QN_TESTS
   g_test_add_func ("/cli/solve/set", test_set);
   g_test_add_func ("/cli/solve/set-is-repeatable", test_set_is_repeatable);
   g_test_add_func ("/cli/solve/ends-at-target", test_ends_at_target);
+  g_test_add_func ("/cli/solve/five-pairs", test_five_pairs);
   g_test_add_func ("/cli/solve/ends-behind-peak", test_ends_behind_peak);
   g_test_add_func ("/cli/solve/bad-set", test_bad_set);
   g_test_add_func ("/cli/solve/quiet-warns", test_quiet_warns);

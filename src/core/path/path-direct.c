@@ -24,14 +24,18 @@ may_settle (const QnPathTrace *trace)
          && trace->measure.procedure == QN_PROCEDURE_WORK;
 }
 
+static double
+taken (const QnPathTrace *trace)
+{
+  return trace->path->equilibrium.statistics.factorizations - trace->aside;
+}
+
 /* `factorizations`: over the number of blocks, at least, at most. */
 static bool
 has_taken (const QnPathTrace *trace, const double factorizations[3])
 {
   double share = factorizations[0] / (double) trace->path->model->block_count;
-
-  return trace->path->equilibrium.statistics.factorizations - trace->aside
-         > fmin (fmax (share, factorizations[1]), factorizations[2]);
+  return taken (trace) > fmin (fmax (share, factorizations[1]), factorizations[2]);
 }
 
 bool
@@ -187,7 +191,10 @@ qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag)
   if (!applies (trace))
     return QN_OK;
   if (last ? !is_ahead (trace, true)
-           : !trace->sought && (far || qn_path_end_creeps (trace, qn_path_tuning.creep)))
+           : !trace->sought
+               && (far
+                   || (taken (trace) > qn_path_tuning.direct
+                       && qn_path_end_creeps (trace, qn_path_tuning.creep))))
     status = seek (trace, diag);
   return status == QN_OK && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far)
            ? end_there (trace, diag)

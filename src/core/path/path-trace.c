@@ -42,6 +42,7 @@ const QnPathTuning qn_path_tuning = {
   .plateau_growth = 10,
   .least_gain = 0.02,
   .creep = 0.04,
+  .direct = 60,
   .reach = 0.03,
   .late = 0.85,
   .resists = 0.77,

@@ -57,9 +57,9 @@ typedef struct QnPathTuning {
   double plateau_tolerance, plateau_growth, least_gain;
 
   /* A path whose multiplier gains no more than `creep` of itself while the motion doubles creeps:
-   * its collapse is sought directly. It leads there once it has come within `reach` of that
-   * multiplier. */
-  double creep, reach;
+   * its collapse is sought directly, once it has taken so many factorisations as that does: 38 to 60
+   * on the six walls. The path leads there once it has come within `reach` of that multiplier. */
+  double creep, direct, reach;
 
   /* A step of load control in linear geometry is doubtful if joints, at the part `late` of the straight way, resist
    * less than the part `resists` of what a straight path would have gained there (path-hold.c). Most
