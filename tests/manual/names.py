@@ -57,8 +57,8 @@ def text_line(text, place):
 def accelerators(root):
     """(of actions, of tools)"""
     with open(os.path.join(root, "src/app/window/action-table.c"), encoding="utf-8") as file:
-        actions = {key.lower() for keys in re.findall(r'\.keys = "([^"]+)"', file.read())
-                   for key in keys.split()}
+        keyed = re.findall(r'(?:ALL|NO_ENTRY|DRAWING),\s*"([^"]+)"', file.read())
+        actions = {key.lower() for keys in keyed for key in keys.split()}
     tools = set()
     for path in glob.glob(os.path.join(root, "src/app/tools/tool-*.c")):
         with open(path, encoding="utf-8") as file:

@@ -540,6 +540,31 @@ qn_canvas_edit_project (QnCanvas *self, const char *name, const char *key,
   return tell_outcome (self, done, error);
 }
 
+typedef struct Transform {
+  QnPartSet set;
+  QnTransform transform;
+  int copies;
+} Transform;
+
+static gboolean
+edit_transform (QnProject *draft, gpointer data, GError **error)
+{
+  const Transform *edit = data;
+  return edit->copies > 0
+           ? qn_edit_copy_all (draft, edit->set, edit->transform, edit->copies, error)
+           : qn_edit_transform_all (draft, edit->set, edit->transform, error);
+}
+
+gboolean
+qn_canvas_transform (QnCanvas *self, const char *name, const char *key,
+                     QnTransform transform, int copies)
+{
+  Transform edit = { qn_canvas_dup_parts (self), transform, copies };
+  gboolean done = qn_canvas_edit_project (self, name, key, edit_transform, &edit);
+  qn_part_set_clear (&edit.set);
+  return done;
+}
+
 char *
 qn_canvas_dup_status (QnCanvas *self)
 {

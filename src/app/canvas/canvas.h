@@ -107,6 +107,10 @@ gboolean qn_canvas_edit (QnCanvas *canvas, const char *name, const char *key,
                          QnEditFunc func, gpointer data);
 gboolean qn_canvas_edit_project (QnCanvas *canvas, const char *name, const char *key,
                                  QnProjectEditFunc func, gpointer data);
+/* Moves the selected blocks and beams in one step; with `copies` adds so many, each moved against the one
+ * before, and leaves the selected ones where they are. */
+gboolean qn_canvas_transform (QnCanvas *canvas, const char *name, const char *key,
+                              QnTransform transform, int copies);
 
 /* Tells the user why something cannot be done. */
 void qn_canvas_tell (QnCanvas *canvas, const char *message);

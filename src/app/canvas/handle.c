@@ -328,15 +328,6 @@ edit_tie (QnModel *model, gpointer data, GError **error)
                                 error);
 }
 
-static gboolean
-edit_turn (QnProject *draft, gpointer data, GError **error)
-{
-  const Drag *drag = data;
-  return qn_edit_transform_all (
-    draft, drag->set, qn_transform_rotation (drag->grip.center, turn_angle (drag)),
-    error);
-}
-
 static const char *
 step_name (QnCanvas *canvas, const QnGrip *grip)
 {
@@ -374,7 +365,8 @@ finish (QnCanvas *canvas, double typed_angle)
   else if (drag.grip.kind == QN_GRIP_CORNER)
     qn_canvas_edit (canvas, _ ("Move Corner"), NULL, edit_corner, &drag);
   else if (drag.grip.kind == QN_GRIP_TURN)
-    qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &drag);
+    qn_canvas_transform (canvas, _ ("Rotate"), NULL,
+                         qn_transform_rotation (drag.grip.center, turn_angle (&drag)), 0);
   else if (drag.grip.kind == QN_GRIP_NODE)
     qn_canvas_edit (canvas, _ ("Move Beam End"), NULL, edit_node, &drag);
   else if (drag.grip.kind == QN_GRIP_TIE)

@@ -68,13 +68,7 @@ make_plot (gpointer data, gboolean zoomed, char **message)
   place[0] =
     qn_table_number (&self->table, (gsize) self->chosen, (gsize) figure.parameters[0]);
   place[1] = qn_table_number (&self->table, (gsize) self->chosen, (gsize) figure.column);
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                .series = 1,
-                                .x = place,
-                                .y = place + 1,
-                                .count = 1,
-                                .marker = QN_MARKER_RING,
-                                .size = 10.0 });
+  qn_plot_points (plot, NULL, 1, place, place + 1, 1, QN_MARKER_RING, 10.0);
   return plot;
 }
 

@@ -8,48 +8,27 @@ typedef struct Form {
   QnId section; /* that the form is about */
 } Form;
 
+#define CHANGE N_ ("Change %s")
+
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (TITLE, "title", NULL)                                                           \
   FIELD (USERS, "users", NULL)                                                           \
   FIELD (NAME, "name", N_ ("Rename Section"))                                            \
   FIELD (SHAPE, "shape", N_ ("Change Section"))                                          \
+  MEMBER (YOUNG, "young", CHANGE, QnSection, young)                                      \
+  MEMBER (SHEAR_MODULUS, "shear_modulus", CHANGE, QnSection, shear_modulus)              \
+  MEMBER (POISSON, "poisson", CHANGE, QnSection, poisson)                                \
+  MEMBER (WIDTH, "width", CHANGE, QnSection, width)                                      \
+  MEMBER (HEIGHT, "height", CHANGE, QnSection, height)                                   \
+  MEMBER (AREA, "area", CHANGE, QnSection, area)                                         \
+  MEMBER (INERTIA, "inertia", CHANGE, QnSection, inertia)                                \
+  MEMBER (SHEAR_FACTOR, "shear_factor", CHANGE, QnSection, shear_factor)                 \
+  MEMBER (YIELD, "yield", CHANGE, QnSection, yield)                                      \
+  MEMBER (PLASTIC_MOMENT, "plastic_moment", CHANGE, QnSection, plastic_moment)           \
+  MEMBER (UNIT_WEIGHT, "unit_weight", CHANGE, QnSection, unit_weight)                    \
   FIELD (ADD, "add", N_ ("Add Section"))                                                 \
   FIELD (UNUSED, "unused", N_ ("Remove Unused Sections"))
 QN_FORM_FIELDS;
-
-static const QnFieldInfo *
-row_info (guint row)
-{
-  static const QnFieldInfo infos[QN_SECTION_FIELD_COUNT] = {
-    [QN_SECTION_YOUNG] = { N_ ("Young's modulus"), QN_QUANTITY_STRESS, 1e-6, 1e15, FALSE,
-                           NULL },
-    [QN_SECTION_SHEAR_MODULUS] = { N_ ("Shear modulus"), QN_QUANTITY_STRESS, 1e-6, 1e15,
-                                   FALSE, NULL },
-    [QN_SECTION_POISSON] = { N_ ("Poisson's ratio"), QN_QUANTITY_NUMBER, -0.999, 0.5,
-                             FALSE, NULL },
-    [QN_SECTION_WIDTH] = { N_ ("Width"), QN_QUANTITY_LENGTH, 1e-6, 1e6, FALSE, NULL },
-    [QN_SECTION_HEIGHT] = { N_ ("Height"), QN_QUANTITY_LENGTH, 1e-6, 1e6, FALSE, NULL },
-    [QN_SECTION_AREA] = { N_ ("Area (m²)"), QN_QUANTITY_NUMBER, 1e-12, 1e12, FALSE,
-                          NULL },
-    [QN_SECTION_INERTIA] = { N_ ("Moment of inertia (m⁴)"), QN_QUANTITY_NUMBER, 1e-18,
-                             1e12, FALSE, NULL },
-    [QN_SECTION_SHEAR_FACTOR] = { N_ ("Shear factor"), QN_QUANTITY_NUMBER, 1e-6, 1e6,
-                                  FALSE, NULL },
-    [QN_SECTION_YIELD] = { N_ ("Yield (0: none)"), QN_QUANTITY_STRESS, 0.0, 1e15, FALSE,
-                           NULL },
-    [QN_SECTION_PLASTIC_MOMENT] = { N_ ("Plastic moment (0: none)"), QN_QUANTITY_MOMENT,
-                                    0.0, 1e15, FALSE, NULL },
-    [QN_SECTION_UNIT_WEIGHT] = { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9,
-                                 FALSE, NULL },
-  };
-  return &infos[row];
-}
-
-static const char *
-row_step (guint row)
-{
-  return _ ("Change %s");
-}
 
 static QnBeamSet
 selected (const Form *form)
@@ -71,6 +50,12 @@ look (gpointer data)
   return form->section != QN_NONE;
 }
 
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  return &model->sections[((const Form *) form)->section];
+}
+
 static gboolean
 any_is_unused (const QnModel *model)
 {
@@ -89,7 +74,7 @@ show (gpointer data, guint field, QnValue *value)
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
   const QnSection *section = &model->sections[form->section];
-  QnSectionField number = (QnSectionField) (field - FIELD_COUNT);
+  gboolean rectangle = section->height > 0.0;
   guint users = 0;
   switch (field) {
   case TITLE:
@@ -104,16 +89,23 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (section->name);
     return TRUE;
   case SHAPE:
-    value->number = section->height > 0.0 ? 0 : 1;
+    value->number = rectangle ? 0 : 1;
     return TRUE;
-  case ADD:
-    return TRUE;
+  case WIDTH:
+  case HEIGHT:
+  case YIELD:
+    return rectangle;
+  case AREA:
+  case INERTIA:
+  case PLASTIC_MOMENT:
+    return !rectangle;
+  case SHEAR_MODULUS:
+    return section->shear_modulus > 0.0;
+  case POISSON:
+    return !(section->shear_modulus > 0.0);
   case UNUSED:
     return any_is_unused (model);
   default:
-    if (!qn_section_has_field (section, number))
-      return FALSE;
-    value->number = qn_section_get_field (section, number);
     return TRUE;
   }
 }
@@ -135,17 +127,19 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case UNUSED:
     qn_edit_remove_unused_sections (model);
     return TRUE;
+  case UNIT_WEIGHT:
+    model->sections[form->section].density = -1.0; /* no longer what counts */
+    return TRUE;
   default:
-    return qn_edit_set_section_field (
-      model, form->section, (QnSectionField) (field - FIELD_COUNT), value->number, error);
+    return TRUE;
   }
 }
 
 GtkWidget *
 qn_section_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "section-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-    .row_info = row_info, .row_step = row_step, .row_count = QN_SECTION_FIELD_COUNT);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("section-form", Form, .subject = subject, .look = look,
+                  .follows = QN_FOLLOW_SELECTION);
   return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

@@ -4,33 +4,15 @@
 
 #include <glib/gi18n.h>
 
-typedef struct Mirror {
-  QnPartSet set;
-  QnTransform transform;
-  gboolean keep;
-} Mirror;
-
-static gboolean
-edit_mirror (QnProject *draft, gpointer data, GError **error)
-{
-  const Mirror *mirror = data;
-  return mirror->keep
-           ? qn_edit_copy_all (draft, mirror->set, mirror->transform, 1, error)
-           : qn_edit_transform_all (draft, mirror->set, mirror->transform, error);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnVec2 a = gesture->from, b = gesture->to;
-  QnPartSet set = qn_canvas_dup_parts (canvas);
-  Mirror mirror = { set, qn_transform_mirror (a, b),
-                    qn_canvas_get_tool_settings (canvas)->mirror_copy };
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (a.x != b.x || a.y != b.y)
-    qn_canvas_edit_project (canvas, _ ("Mirror"), NULL, edit_mirror, &mirror);
-  qn_part_set_clear (&set);
+    qn_canvas_transform (canvas, _ ("Mirror"), NULL, qn_transform_mirror (a, b),
+                         qn_canvas_get_tool_settings (canvas)->mirror_copy ? 1 : 0);
 }
 
 static void

@@ -5,18 +5,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-typedef struct Turn {
-  QnPartSet set;
-  QnTransform transform;
-} Turn;
-
-static gboolean
-edit_turn (QnProject *draft, gpointer data, GError **error)
-{
-  const Turn *turn = data;
-  return qn_edit_transform_all (draft, turn->set, turn->transform, error);
-}
-
 static double
 angle_of_gesture (QnCanvas *canvas)
 {
@@ -32,11 +20,9 @@ rotate (QnCanvas *canvas, double angle)
   /* Typed before a centre was clicked: about the middle of what is selected. */
   if (!qn_canvas_is_in_gesture (canvas) && qn_canvas_get_parts_box (canvas, &low, &high))
     center = qn_vec2_lerp (low, high, 0.5);
-  QnPartSet set = qn_canvas_dup_parts (canvas);
-  Turn turn = { set, qn_transform_rotation (center, angle) };
   qn_canvas_set_in_gesture (canvas, FALSE);
-  qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &turn);
-  qn_part_set_clear (&set);
+  qn_canvas_transform (canvas, _ ("Rotate"), NULL, qn_transform_rotation (center, angle),
+                       0);
 }
 
 static void

@@ -186,25 +186,34 @@ to_document (QnCanvas *canvas, QnId block)
 
 /* ---- openings and handles ---- */
 
+/* Selects the opening at a place of the model; FALSE where there is none. */
+static gboolean
+select_opening (QnCanvas *canvas, QnVec2 at)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  for (gsize i = list->count; i > 0 && shows_undeformed (canvas); i--) {
+    int opening = qn_masonry_opening_at (&list->items[i - 1], at);
+    if (opening == QN_NO_OPENING)
+      continue;
+    qn_selection_set_opening (qn_canvas_get_selection (canvas), (QnId) (i - 1), opening);
+    return TRUE;
+  }
+  return FALSE;
+}
+
 /* A click into an opening selects it, and a drag from there moves it. */
 static gboolean
 press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
 {
-  const QnMasonries *list = qn_canvas_get_masonry (canvas);
-  for (gsize i = list->count; i > 0 && shows_undeformed (canvas); i--) {
-    int opening = qn_masonry_opening_at (&list->items[i - 1], event->model);
-    if (opening == QN_NO_OPENING)
-      continue;
-    qn_selection_set_opening (qn_canvas_get_selection (canvas), (QnId) (i - 1), opening);
-    QnGrip grip = { .kind = QN_GRIP_MASONRY,
-                    .at = event->model,
-                    .object = (QnId) (i - 1),
-                    .opening = opening,
-                    .handle = QN_HANDLE_MIDDLE };
-    qn_handle_begin (canvas, grip);
-    return TRUE;
-  }
-  return FALSE;
+  QnGrip grip = { .kind = QN_GRIP_MASONRY,
+                  .at = event->model,
+                  .handle = QN_HANDLE_MIDDLE };
+  if (!select_opening (canvas, event->model))
+    return FALSE;
+  qn_selection_get_opening (qn_canvas_get_selection (canvas), &grip.object,
+                            &grip.opening);
+  qn_handle_begin (canvas, grip);
+  return TRUE;
 }
 
 static void
@@ -267,7 +276,6 @@ void
 qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
-  const QnMasonries *list = qn_canvas_get_masonry (canvas);
   QnVec2 at = qn_camera_to_model (qn_canvas_get_camera (canvas), screen);
   QnToolEvent event = { .screen = screen, .model = at, .point = at, .press_count = 1 };
   guint count = 0;
@@ -295,35 +303,16 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
     return;
   }
   qn_selection_clear (selection);
-  for (gsize i = list->count; i > 0 && shows_undeformed (canvas); i--) {
-    int opening = qn_masonry_opening_at (&list->items[i - 1], at);
-    if (opening == QN_NO_OPENING)
-      continue;
-    qn_selection_set_opening (selection, (QnId) (i - 1), opening);
-    return;
-  }
-}
-
-typedef struct Move {
-  QnPartSet set;
-  QnTransform transform;
-} Move;
-
-static gboolean
-edit_move (QnProject *draft, gpointer data, GError **error)
-{
-  const Move *move = data;
-  return qn_edit_transform_all (draft, move->set, move->transform, error);
+  select_opening (canvas, at);
 }
 
 static void
 finish_move (QnCanvas *canvas, QnVec2 by)
 {
-  Move move = { qn_canvas_dup_parts (canvas), qn_transform_translation (by.x, by.y) };
   qn_canvas_set_magnet_skip (canvas, NULL);
   qn_canvas_set_in_gesture (canvas, FALSE);
-  qn_canvas_edit_project (canvas, _ ("Move"), NULL, edit_move, &move);
-  qn_part_set_clear (&move.set);
+  qn_canvas_transform (canvas, _ ("Move"), NULL, qn_transform_translation (by.x, by.y),
+                       0);
 }
 
 static void

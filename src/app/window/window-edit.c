@@ -20,8 +20,6 @@
 
 typedef struct Edit {
   QnPartSet set;
-  QnTransform transform;
-  int copies;
   QnAlign align;
   QnSpread spread;
   gboolean (*blocks) (QnModel *model, QnBlockSet set, GError **error);
@@ -41,20 +39,6 @@ edit_blocks (QnModel *model, gpointer data, GError **error)
   return edit->blocks (model, edit->set.blocks, error);
 }
 
-static gboolean
-edit_transform (QnProject *draft, gpointer data, GError **error)
-{
-  const Edit *edit = data;
-  return qn_edit_transform_all (draft, edit->set, edit->transform, error);
-}
-
-static gboolean
-edit_copy (QnProject *draft, gpointer data, GError **error)
-{
-  const Edit *edit = data;
-  return qn_edit_copy_all (draft, edit->set, edit->transform, edit->copies, error);
-}
-
 static void
 edit_parts (QnWindow *self, const char *name, QnEditFunc func, Edit edit)
 {
@@ -64,11 +48,10 @@ edit_parts (QnWindow *self, const char *name, QnEditFunc func, Edit edit)
 }
 
 static void
-edit_selection (QnWindow *self, const char *name, const char *key, QnProjectEditFunc func,
-                Edit edit)
+edit_selection (QnWindow *self, const char *name, QnProjectEditFunc func, Edit edit)
 {
   edit.set = qn_canvas_dup_parts (self->canvas);
-  qn_canvas_edit_project (self->canvas, name, key, func, &edit);
+  qn_canvas_edit_project (self->canvas, name, NULL, func, &edit);
   qn_part_set_clear (&edit.set);
 }
 
@@ -219,8 +202,8 @@ mirror (QnWindow *self, GVariant *parameter)
   gboolean vertical = g_str_equal (g_variant_get_string (parameter, NULL), "vertical");
   QnVec2 other =
     vertical ? qn_vec2 (middle.x, middle.y + 1.0) : qn_vec2 (middle.x + 1.0, middle.y);
-  edit_selection (self, _ ("Mirror"), NULL, edit_transform,
-                  (Edit){ .transform = qn_transform_mirror (middle, other) });
+  qn_canvas_transform (self->canvas, _ ("Mirror"), NULL,
+                       qn_transform_mirror (middle, other), 0);
 }
 
 /* Degrees, counter-clockwise, about the middle of the selection. */
@@ -231,9 +214,8 @@ rotate (QnWindow *self, GVariant *parameter)
   if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
     return;
   double angle = g_variant_get_double (parameter) * G_PI / 180.0;
-  edit_selection (
-    self, _ ("Rotate"), NULL, edit_transform,
-    (Edit){ .transform = qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), angle) });
+  qn_canvas_transform (self->canvas, _ ("Rotate"), NULL,
+                       qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), angle), 0);
 }
 
 /* What an edit has added: named otherwise than everything that was there. */
@@ -277,9 +259,8 @@ duplicate (QnWindow *self, GVariant *parameter)
   double aside = 1.25 * (high.x - low.x);
   if (!(aside > 0.0))
     aside = 0.25 * (high.y - low.y);
-  edit_selection (
-    self, _ ("Duplicate"), NULL, edit_copy,
-    (Edit){ .transform = qn_transform_translation (aside, 0.0), .copies = 1 });
+  qn_canvas_transform (self->canvas, _ ("Duplicate"), NULL,
+                       qn_transform_translation (aside, 0.0), 1);
   select_added (self, &before);
   qn_model_clear (&before);
 }
@@ -299,8 +280,8 @@ array (QnWindow *self, GVariant *parameter)
   if (turn != 0.0)
     transform = qn_transform_compose (
       qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), turn), transform);
-  edit_selection (self, _ ("Array"), NULL, edit_copy,
-                  (Edit){ .transform = transform, .copies = CLAMP (copies, 1, 10000) });
+  qn_canvas_transform (self->canvas, _ ("Array"), NULL, transform,
+                       CLAMP (copies, 1, 10000));
 }
 
 static void
@@ -318,8 +299,8 @@ nudge (QnWindow *self, GVariant *parameter)
   }
   double step =
     qn_magnet_round_distance (NUDGE_PX / qn_canvas_get_camera (self->canvas)->scale);
-  edit_selection (self, _ ("Move"), "nudge", edit_transform,
-                  (Edit){ .transform = qn_transform_translation (dx * step, dy * step) });
+  qn_canvas_transform (self->canvas, _ ("Move"), "nudge",
+                       qn_transform_translation (dx * step, dy * step), 0);
 }
 
 static void
@@ -412,7 +393,7 @@ align (QnWindow *self, GVariant *parameter)
 {
   Edit edit = { 0 };
   if (qn_align_parse (g_variant_get_string (parameter, NULL), &edit.align))
-    edit_selection (self, _ ("Align"), NULL, edit_align, edit);
+    edit_selection (self, _ ("Align"), edit_align, edit);
 }
 
 static void
@@ -420,7 +401,7 @@ distribute (QnWindow *self, GVariant *parameter)
 {
   Edit edit = { 0 };
   if (qn_spread_parse (g_variant_get_string (parameter, NULL), &edit.spread))
-    edit_selection (self, _ ("Distribute"), NULL, edit_spread, edit);
+    edit_selection (self, _ ("Distribute"), edit_spread, edit);
 }
 
 typedef struct Holding {

@@ -313,13 +313,8 @@ draw_runs (const Ida *ida, const QnOutput *output)
     x[2] = farthest > 0 ? 1.1 * farthest : 1;
     y[0] = level;
     y[1] = y[2] = curve->peaks[first];
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                  .label = overturning,
-                                  .series = (int) c,
-                                  .dash = QN_USUAL_DASH,
-                                  .x = x,
-                                  .y = y,
-                                  .count = 3 });
+    qn_plot_mark (plot, QN_MARKS_LINE, overturning, (int) c, x, y, 3)->dash =
+      QN_USUAL_DASH;
     overturning = NULL; /* told once */
   }
   plot->title = ida->project.model.title;

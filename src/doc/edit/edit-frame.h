@@ -114,29 +114,6 @@ gboolean qn_edit_add_node_force (QnModel *model, QnId node, gboolean live, QnVec
 
 /* ---- sections (edit-section.c) ---- */
 
-typedef enum {
-  QN_SECTION_YOUNG,
-  QN_SECTION_SHEAR_MODULUS,
-  QN_SECTION_POISSON,
-  QN_SECTION_WIDTH,
-  QN_SECTION_HEIGHT,
-  QN_SECTION_AREA,
-  QN_SECTION_INERTIA,
-  QN_SECTION_SHEAR_FACTOR,
-  QN_SECTION_YIELD,
-  QN_SECTION_PLASTIC_MOMENT,
-  QN_SECTION_UNIT_WEIGHT,
-  QN_SECTION_FIELD_COUNT
-} QnSectionField;
-
-/* Whether the section has this number: width and height, or area and inertia. */
-gboolean qn_section_has_field (const QnSection *section, QnSectionField field);
-double qn_section_get_field (const QnSection *section, QnSectionField field);
-
-/* Whether the section is one still is checked when the draft becomes the document. */
-gboolean qn_edit_set_section_field (QnModel *model, QnId section, QnSectionField field,
-                                    double value, GError **error);
-
 /* Whether it is a rectangle, or has area and inertia, which stay what they are. */
 gboolean qn_edit_set_section_shape (QnModel *model, QnId section, gboolean rectangle,
                                     GError **error);

@@ -16,71 +16,6 @@ is_rectangle (const QnSection *section)
   return section->height > 0.0;
 }
 
-/* ---- numbers ---- */
-
-gboolean
-qn_section_has_field (const QnSection *section, QnSectionField field)
-{
-  switch (field) {
-  case QN_SECTION_WIDTH:
-  case QN_SECTION_HEIGHT:
-  case QN_SECTION_YIELD:
-    return is_rectangle (section);
-  case QN_SECTION_AREA:
-  case QN_SECTION_INERTIA:
-  case QN_SECTION_PLASTIC_MOMENT:
-    return !is_rectangle (section);
-  case QN_SECTION_SHEAR_MODULUS:
-    return section->shear_modulus > 0.0;
-  case QN_SECTION_POISSON:
-    return !(section->shear_modulus > 0.0);
-  case QN_SECTION_YOUNG:
-  case QN_SECTION_SHEAR_FACTOR:
-  case QN_SECTION_UNIT_WEIGHT:
-  case QN_SECTION_FIELD_COUNT:
-    break;
-  }
-  return TRUE;
-}
-
-static double *
-field_of (QnSection *section, QnSectionField field)
-{
-  double *fields[QN_SECTION_FIELD_COUNT] = {
-    [QN_SECTION_YOUNG] = &section->young,
-    [QN_SECTION_SHEAR_MODULUS] = &section->shear_modulus,
-    [QN_SECTION_POISSON] = &section->poisson,
-    [QN_SECTION_WIDTH] = &section->width,
-    [QN_SECTION_HEIGHT] = &section->height,
-    [QN_SECTION_AREA] = &section->area,
-    [QN_SECTION_INERTIA] = &section->inertia,
-    [QN_SECTION_SHEAR_FACTOR] = &section->shear_factor,
-    [QN_SECTION_YIELD] = &section->yield,
-    [QN_SECTION_PLASTIC_MOMENT] = &section->plastic_moment,
-    [QN_SECTION_UNIT_WEIGHT] = &section->unit_weight,
-  };
-  return fields[field];
-}
-
-double
-qn_section_get_field (const QnSection *section, QnSectionField field)
-{
-  QnSection copy = *section;
-  return *field_of (&copy, field);
-}
-
-gboolean
-qn_edit_set_section_field (QnModel *model, QnId id, QnSectionField field, double value,
-                           GError **error)
-{
-  (void) error; /* the rules are the model's */
-  QnSection *section = &model->sections[id];
-  *field_of (section, field) = value;
-  if (field == QN_SECTION_UNIT_WEIGHT)
-    section->density = -1.0; /* no longer what counts */
-  return TRUE;
-}
-
 gboolean
 qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError **error)
 {
@@ -99,8 +34,6 @@ qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError *
   }
   return TRUE;
 }
-
-/* ---- the list ---- */
 
 gboolean
 qn_edit_add_section (QnModel *model, QnId like, GError **error)

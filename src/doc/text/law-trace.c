@@ -58,8 +58,7 @@ qn_law_plot (const QnLawPreset *what, const GArray *samples)
   plot->x.label =
     qn_plot_keep (plot, g_strdup_printf ("%s (%s)", name, strain ? "‰" : "mm"));
   plot->y.room = QN_CURVE_ROOM;
-  qn_plot_add (plot,
-               (QnMarks){ .kind = QN_MARKS_LINE, .x = x, .y = y, .count = samples->len });
+  qn_plot_mark (plot, QN_MARKS_LINE, NULL, 0, x, y, samples->len);
   return plot;
 }
 

@@ -557,13 +557,8 @@ add_spectrum (QnPlot *plot, const QnSpectrum *spectrum, double farthest)
     highest = fmax (highest, y[count]);
     count++;
   }
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                .label = _ ("elastic spectrum"),
-                                .series = 1,
-                                .dash = QN_USUAL_DASH,
-                                .x = x,
-                                .y = y,
-                                .count = count });
+  qn_plot_mark (plot, QN_MARKS_LINE, _ ("elastic spectrum"), 1, x, y, count)->dash =
+    QN_USUAL_DASH;
   return highest;
 }
 
@@ -581,20 +576,12 @@ add_state (QnPlot *plot, const QnCapacityAnswer *answer, int k, double highest)
   y[1] = omega * omega * x[1];
   x[2] = state->capacity;
   y[2] = qn_capacity_acceleration (&answer->capacity, state->capacity);
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                .label = qn_plot_keep (
-                                  plot, qn_text_printf (_ ("%s: demand"), name)),
-                                .series = 2 + k,
-                                .x = x,
-                                .y = y,
-                                .count = 2 });
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                .label = qn_plot_keep (
-                                  plot, qn_text_printf (_ ("%s: capacity"), name)),
-                                .series = 2 + k,
-                                .x = x + 2,
-                                .y = y + 2,
-                                .count = 1 });
+  qn_plot_mark (plot, QN_MARKS_LINE,
+                qn_plot_keep (plot, qn_text_printf (_ ("%s: demand"), name)), 2 + k, x, y,
+                2);
+  qn_plot_mark (plot, QN_MARKS_POINTS,
+                qn_plot_keep (plot, qn_text_printf (_ ("%s: capacity"), name)), 2 + k,
+                x + 2, y + 2, 1);
 }
 
 QnPlot *
@@ -615,11 +602,7 @@ qn_capacity_answer_plot (const QnCapacityAnswer *answer)
   for (gsize k = 0; k < states; k++)
     if (!answer->states[k].refused)
       farthest = fmax (farthest, answer->states[k].demand);
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                .label = _ ("capacity curve"),
-                                .x = x,
-                                .y = y,
-                                .count = c->count });
+  qn_plot_mark (plot, QN_MARKS_LINE, _ ("capacity curve"), 0, x, y, c->count);
   if (answer->has_spectrum)
     highest = fmax (highest, add_spectrum (plot, &answer->spectrum, BEYOND * farthest));
   for (gsize k = 0; k < states; k++)

@@ -69,12 +69,9 @@ qn_energy_plot (const QnHistory *history, const char **unit)
   *unit = units[k];
   plot->y.label = qn_plot_keep (plot, g_strdup_printf (_ ("Energy (%s)"), *unit));
   for (int curve = 0; curve < QN_ENERGY_CURVES; curve++)
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                  .label = name_of (curve),
-                                  .series = curve == ERROR ? QN_ENERGY_KINETIC : curve,
-                                  .dash = curve == ERROR ? QN_USUAL_DASH : 0,
-                                  .x = times,
-                                  .y = energies + count * (gsize) curve,
-                                  .count = count });
+    qn_plot_mark (plot, QN_MARKS_LINE, name_of (curve),
+                  curve == ERROR ? QN_ENERGY_KINETIC : curve, times,
+                  energies + count * (gsize) curve, count)
+      ->dash = curve == ERROR ? QN_USUAL_DASH : 0;
   return plot;
 }

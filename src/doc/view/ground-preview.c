@@ -102,9 +102,6 @@ qn_ground_preview_plot (const QnGroundPreview *preview, QnGroundPreviewKind kind
   QnPlot *plot = qn_plot_new (kind == QN_GROUND_SPECTRUM ? _ ("Period (s), damping 5 %")
                                                          : _ ("Time (s)"),
                               labels[kind]);
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                .x = preview->x,
-                                .y = preview->y,
-                                .count = preview->count });
+  qn_plot_mark (plot, QN_MARKS_LINE, NULL, 0, preview->x, preview->y, preview->count);
   return plot;
 }

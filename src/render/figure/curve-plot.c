@@ -108,13 +108,7 @@ add_mark (QnPlot *plot, const QnCurve *curve, int series, ptrdiff_t at, QnMarker
           double size)
 {
   if (at >= 0 && (size_t) at < curve->count)
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                  .series = series,
-                                  .x = curve->x + at,
-                                  .y = curve->y + at,
-                                  .count = 1,
-                                  .marker = marker,
-                                  .size = size });
+    qn_plot_points (plot, NULL, series, curve->x + at, curve->y + at, 1, marker, size);
 }
 
 /* Curves differ by dashes as well as by colour. */
@@ -123,14 +117,9 @@ add_curve (QnPlot *plot, const Data *data, size_t index)
 {
   const QnCurve *curve = &data->curves[index];
   const int series = (int) index;
-  qn_plot_add (plot,
-               (QnMarks){ .kind = QN_MARKS_LINE,
-                          .label = curve->label,
-                          .series = series,
-                          .dash = data->count > 1 && index % 2 == 1 ? QN_USUAL_DASH : 0,
-                          .x = curve->x,
-                          .y = curve->y,
-                          .count = curve->count });
+  qn_plot_mark (plot, QN_MARKS_LINE, curve->label, series, curve->x, curve->y,
+                curve->count)
+    ->dash = data->count > 1 && index % 2 == 1 ? QN_USUAL_DASH : 0;
   if (curve->runs_on && curve->count > 1) {
     const ptrdiff_t end = (ptrdiff_t) curve->count - 1;
     add_mark (plot, curve, series, end, QN_MARKER_ARROW_HEAD, 7);
@@ -146,11 +135,7 @@ static void
 add_sample (QnPlot *plot, bool shown, QnMarker marker, double size, const char *label)
 {
   if (shown)
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                  .label = label,
-                                  .series = QN_SERIES_INK,
-                                  .marker = marker,
-                                  .size = size });
+    qn_plot_points (plot, label, QN_SERIES_INK, NULL, NULL, 0, marker, size);
 }
 
 QnPlot *
@@ -173,12 +158,10 @@ qn_curve_plot (const QnCurve *curves, size_t count, const QnReferenceLine *refer
   }
   name_axes (plot, &data);
   for (size_t i = 0; i < reference_count; i++)
-    qn_plot_add (
-      plot, (QnMarks){ .kind = QN_MARKS_LEVEL,
-                       .series = i == 0 ? QN_SERIES_REFERENCE : (int) (count + i - 1),
-                       .dash = i / 2 % 2 == 0 ? 5 : 1.5,
-                       .y = &references[i].y,
-                       .count = 1 });
+    qn_plot_mark (plot, QN_MARKS_LEVEL, NULL,
+                  i == 0 ? QN_SERIES_REFERENCE : (int) (count + i - 1), NULL,
+                  &references[i].y, 1)
+      ->dash = i / 2 % 2 == 0 ? 5 : 1.5;
   for (size_t i = 0; i < count; i++)
     add_curve (plot, &data, i);
   /* the lines at known values stand behind the curves, but after them in the legend */

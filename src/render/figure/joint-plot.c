@@ -82,13 +82,8 @@ add_joint_points (QnPlot *plot, const QnJointPlot *joint, const double *x,
     [QN_PAIR_YIELD] = { QN_MARKER_SQUARE, 1 },
   };
   for (size_t i = 0; i < joint->count; i++)
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                  .series = looks[joint->points[i].state].series,
-                                  .x = x + i,
-                                  .y = y + i,
-                                  .count = 1,
-                                  .marker = looks[joint->points[i].state].marker,
-                                  .size = JOINT_MARK });
+    qn_plot_points (plot, NULL, looks[joint->points[i].state].series, x + i, y + i, 1,
+                    looks[joint->points[i].state].marker, JOINT_MARK);
 }
 
 /* Largest compression and tension; a cone is shown a little beyond. */
@@ -130,11 +125,8 @@ add_cones (QnPlot *plot, const QnJointPlot *joint)
     const double corners[2][5] = { { -end, cap, cap, -end, -end },
                                    { at_end, at_cap, -at_cap, -at_end, at_end } };
     double *x = qn_plot_keep (plot, g_memdup2 (corners, sizeof corners));
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                  .series = QN_SERIES_INK,
-                                  .x = x,
-                                  .y = x + 5,
-                                  .count = end < press ? 5 : 4 });
+    qn_plot_mark (plot, QN_MARKS_LINE, NULL, QN_SERIES_INK, x, x + 5,
+                  end < press ? 5 : 4);
   }
 }
 
@@ -151,17 +143,9 @@ add_joint_bars (QnPlot *plot, const QnJointPlot *joint, const double *along,
     y[3 * i + 1] = normal[i];
     y[3 * i + 2] = NAN;
   }
-  qn_plot_add (
-    plot,
-    (QnMarks){
-      .kind = QN_MARKS_LINE, .series = 0, .x = x, .y = y, .count = 3 * joint->count });
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                .series = QN_SERIES_INK,
-                                .x = along,
-                                .y = shear,
-                                .count = joint->count,
-                                .marker = QN_MARKER_CROSS,
-                                .size = JOINT_MARK });
+  qn_plot_mark (plot, QN_MARKS_LINE, NULL, 0, x, y, 3 * joint->count);
+  qn_plot_points (plot, NULL, QN_SERIES_INK, along, shear, joint->count, QN_MARKER_CROSS,
+                  JOINT_MARK);
 }
 
 void

@@ -62,6 +62,24 @@ qn_plot_add (QnPlot *plot, QnMarks marks)
   return &g_array_index (plot->marks, QnMarks, plot->marks->len - 1);
 }
 
+QnMarks *
+qn_plot_mark (QnPlot *plot, QnMarkKind kind, const char *label, int series,
+              const double *x, const double *y, size_t count)
+{
+  return qn_plot_add (plot,
+                      (QnMarks){ kind, label, series, .x = x, .y = y, .count = count });
+}
+
+QnMarks *
+qn_plot_points (QnPlot *plot, const char *label, int series, const double *x,
+                const double *y, size_t count, QnMarker marker, double size)
+{
+  QnMarks *points = qn_plot_mark (plot, QN_MARKS_POINTS, label, series, x, y, count);
+  points->marker = marker;
+  points->size = size;
+  return points;
+}
+
 /* ---- layout ---- */
 
 static void

@@ -75,6 +75,12 @@ void *qn_plot_keep (QnPlot *plot, void *memory);
 /* Adds marks; what comes back is valid until the next ones. */
 QnMarks *qn_plot_add (QnPlot *plot, QnMarks marks);
 
+/* The same by what most have; points with a marker of their own. */
+QnMarks *qn_plot_mark (QnPlot *plot, QnMarkKind kind, const char *label, int series,
+                       const double *x, const double *y, size_t count);
+QnMarks *qn_plot_points (QnPlot *plot, const char *label, int series, const double *x,
+                         const double *y, size_t count, QnMarker marker, double size);
+
 /* Draws the plot into a rectangle, a point being `unit` px. `place` may be NULL. */
 void qn_plot_draw (const QnPlot *plot, cairo_t *cr, double unit, const QnFrame *frame,
                    QnPlotPlace *place);

@@ -66,10 +66,8 @@ draw_scatter (const Page *page)
                                     (gsize) page->figure->column, &x, &y);
   QnPlot *plot = new_plot (output_name (page, page->figure->parameters[0]),
                            output_name (page, page->figure->column));
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                .x = qn_plot_keep (plot, x),
-                                .y = qn_plot_keep (plot, y),
-                                .count = count });
+  qn_plot_mark (plot, QN_MARKS_POINTS, NULL, 0, qn_plot_keep (plot, x),
+                qn_plot_keep (plot, y), count);
   return plot;
 }
 
@@ -148,18 +146,10 @@ draw_cumulative (const Page *page)
   }
   plot->y.from_zero = true;
   if (qn_table_is_sample (page->table))
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_BAND,
-                                  /* xgettext:no-c-format */
-                                  .label = _ ("95 % interval"),
-                                  .x = sorted,
-                                  .y = low,
-                                  .y_end = high,
-                                  .count = steps });
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_STEPS,
-                                .label = _ ("share of the cases"),
-                                .x = sorted,
-                                .y = share,
-                                .count = steps });
+    /* xgettext:no-c-format */
+    qn_plot_mark (plot, QN_MARKS_BAND, _ ("95 % interval"), 0, sorted, low, steps)
+      ->y_end = high;
+  qn_plot_mark (plot, QN_MARKS_STEPS, _ ("share of the cases"), 0, sorted, share, steps);
   return plot;
 }
 
@@ -218,11 +208,9 @@ add_bars (QnPlot *plot, const GArray *bars, int series, const char *label, doubl
                                 .y_end = numbers + BOTTOM * count,
                                 .count = count });
   if (label != NULL)
-    qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_WHISKERS,
-                                  .x = numbers + LOW * count,
-                                  .y = numbers + MIDDLE * count,
-                                  .x_end = numbers + HIGH * count,
-                                  .count = count });
+    qn_plot_mark (plot, QN_MARKS_WHISKERS, NULL, 0, numbers + LOW * count,
+                  numbers + MIDDLE * count, count)
+      ->x_end = numbers + HIGH * count;
 }
 
 /* One row for each bar, the longest on top. */
@@ -301,12 +289,7 @@ draw_tornado (const Page *page)
   line[0] = line[1] = base;
   line[2] = -0.5;
   line[3] = (double) bars->len - 0.5;
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE,
-                                .label = _ ("the project as it is"),
-                                .series = 1,
-                                .x = line,
-                                .y = line + 2,
-                                .count = 2 });
+  qn_plot_mark (plot, QN_MARKS_LINE, _ ("the project as it is"), 1, line, line + 2, 2);
   return plot;
 }
 
@@ -400,9 +383,7 @@ draw_surface (const Page *page)
   if (table->study->plan == QN_PLAN_GRID && count > 0)
     add_cells (plot, x, y, z, count);
   else
-    qn_plot_add (
-      plot,
-      (QnMarks){ .kind = QN_MARKS_POINTS, .x = x, .y = y, .values = z, .count = count });
+    qn_plot_mark (plot, QN_MARKS_POINTS, NULL, 0, x, y, count)->values = z;
   return plot;
 }
 
@@ -452,12 +433,7 @@ draw_envelope (const Page *page)
                    .count = level_count };
   plot->y.from_zero = true;
   qn_plot_add (plot, line);
-  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_POINTS,
-                                .label = label,
-                                .series = 1,
-                                .x = at + least,
-                                .y = low + least,
-                                .count = 1 });
+  qn_plot_mark (plot, QN_MARKS_POINTS, label, 1, at + least, low + least, 1);
   line.label = _ ("greatest value");
   line.series = 2;
   line.y = high;

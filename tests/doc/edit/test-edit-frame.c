@@ -288,8 +288,9 @@ set_shape (QnModel *model, gpointer data, GError **error)
 static gboolean
 set_young (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_set_section_field (model, 0, QN_SECTION_YOUNG, *(const double *) data,
-                                    error);
+  (void) error;
+  model->sections[0].young = *(const double *) data;
+  return TRUE;
 }
 
 static gboolean
