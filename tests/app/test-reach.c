@@ -441,14 +441,6 @@ test_paste (void)
 }
 
 /* A stone that is dragged out of its wall dissolves it: the step says so, and undo gives it back. */
-static gboolean
-move_one (QnModel *model, gpointer data, GError **error)
-{
-  const QnId *id = data;
-  return qn_edit_transform_blocks (model, (QnBlockSet){ id, 1 },
-                                   qn_transform_translation (3.0, 0.0), error);
-}
-
 static void
 test_dissolving_is_named (void)
 {
@@ -456,7 +448,12 @@ test_dissolving_is_named (void)
   driver_lay_large_wall (window);
   QnDocument *document = qn_window_get_document (window);
   QnId id = (QnId) model_of (window)->block_count - 1;
-  g_assert_true (qn_canvas_edit (canvas_of (window), "Move", NULL, move_one, &id));
+  QnDraft draft;
+  g_assert_true (qn_canvas_begin_edit (canvas_of (window), &draft));
+  g_assert_true (qn_canvas_end_edit (
+    canvas_of (window), &draft, "Move", NULL,
+    qn_edit_transform_blocks (draft.model, (QnBlockSet){ &id, 1 },
+                              qn_transform_translation (3.0, 0.0), &draft.error)));
   QnEditHistory *history = qn_document_get_history (document);
   const char *name = qn_history_get_name (history, qn_history_get_position (history) - 1);
   g_assert_cmpstr (name, ==, "Move, Wall to Free Blocks");

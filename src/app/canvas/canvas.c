@@ -451,17 +451,10 @@ qn_canvas_get_selected (QnCanvas *self)
   return set;
 }
 
-QnBlockSet
-qn_canvas_dup_selected (QnCanvas *self)
-{
-  QnBlockSet set = qn_canvas_get_selected (self);
-  return (QnBlockSet){ g_memdup2 (set.ids, set.count * sizeof *set.ids), set.count };
-}
-
 QnPartSet
-qn_canvas_dup_parts (QnCanvas *self)
+qn_canvas_get_parts (QnCanvas *self)
 {
-  return qn_selection_dup_parts (qn_canvas_get_selection (self));
+  return qn_selection_get_parts (qn_canvas_get_selection (self));
 }
 
 gboolean
@@ -508,61 +501,45 @@ qn_canvas_set_magnet_skip (QnCanvas *self, gboolean *skip)
   self->magnet_skip = skip;
 }
 
-/* Says what an edit has done or why it was refused. */
-static gboolean
-tell_outcome (QnCanvas *self, gboolean done, const GError *error)
+gboolean
+qn_canvas_begin_edit (QnCanvas *self, QnDraft *draft)
 {
+  g_autoptr (GError) error = NULL;
+  draft->model = &draft->project.model;
+  draft->error = NULL;
+  if (qn_document_begin_edit (qn_canvas_get_document (self), &draft->project, &error))
+    return TRUE;
+  qn_canvas_tell (self, error->message);
+  return FALSE;
+}
+
+gboolean
+qn_canvas_end_edit (QnCanvas *self, QnDraft *draft, const char *name, const char *key,
+                    gboolean done)
+{
+  QnDocument *document = qn_canvas_get_document (self);
+  done = qn_document_end_edit (document, &draft->project, name, key, done, &draft->error);
   if (!done)
-    qn_canvas_tell (self, error->message);
-  else if (qn_document_has_dissolved (qn_canvas_get_document (self)))
+    qn_canvas_tell (self, draft->error->message);
+  else if (qn_document_has_dissolved (document))
     qn_canvas_tell (self, _ ("The wall is now a set of free blocks without "
                              "parameters. Undo restores the wall."));
+  g_clear_error (&draft->error);
   return done;
-}
-
-gboolean
-qn_canvas_edit (QnCanvas *self, const char *name, const char *key, QnEditFunc func,
-                gpointer data)
-{
-  g_autoptr (GError) error = NULL;
-  gboolean done =
-    qn_document_edit (qn_canvas_get_document (self), name, key, func, data, &error);
-  return tell_outcome (self, done, error);
-}
-
-gboolean
-qn_canvas_edit_project (QnCanvas *self, const char *name, const char *key,
-                        QnProjectEditFunc func, gpointer data)
-{
-  g_autoptr (GError) error = NULL;
-  gboolean done = qn_document_edit_project (qn_canvas_get_document (self), name, key,
-                                            func, data, &error);
-  return tell_outcome (self, done, error);
-}
-
-typedef struct Transform {
-  QnPartSet set;
-  QnTransform transform;
-  int copies;
-} Transform;
-
-static gboolean
-edit_transform (QnProject *draft, gpointer data, GError **error)
-{
-  const Transform *edit = data;
-  return edit->copies > 0
-           ? qn_edit_copy_all (draft, edit->set, edit->transform, edit->copies, error)
-           : qn_edit_transform_all (draft, edit->set, edit->transform, error);
 }
 
 gboolean
 qn_canvas_transform (QnCanvas *self, const char *name, const char *key,
                      QnTransform transform, int copies)
 {
-  Transform edit = { qn_canvas_dup_parts (self), transform, copies };
-  gboolean done = qn_canvas_edit_project (self, name, key, edit_transform, &edit);
-  qn_part_set_clear (&edit.set);
-  return done;
+  QnDraft draft;
+  QnPartSet set = qn_canvas_get_parts (self);
+  return qn_canvas_begin_edit (self, &draft)
+         && qn_canvas_end_edit (
+           self, &draft, name, key,
+           copies > 0
+             ? qn_edit_copy_all (&draft.project, set, transform, copies, &draft.error)
+             : qn_edit_transform_all (&draft.project, set, transform, &draft.error));
 }
 
 char *

@@ -82,13 +82,10 @@ void qn_canvas_beams_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
 /* The document's parametric masonry; borrowed until the next change. */
 const QnMasonries *qn_canvas_get_masonry (QnCanvas *canvas);
 
-/* The selected blocks, copied, because the selection may change under an edit; free the ids. */
-QnBlockSet qn_canvas_dup_selected (QnCanvas *canvas);
-
-/* The same, borrowed: as long as the selection stays as it is. */
+/* The selected blocks; and with them the beams. Borrowed as long as the selection stays as it is: an edit
+ * changes it when it ends. */
 QnBlockSet qn_canvas_get_selected (QnCanvas *canvas);
-/* The selected blocks and beams likewise; clear them. */
-QnPartSet qn_canvas_dup_parts (QnCanvas *canvas);
+QnPartSet qn_canvas_get_parts (QnCanvas *canvas);
 /* Box around them; FALSE where there are none. */
 gboolean qn_canvas_get_parts_box (QnCanvas *canvas, QnVec2 *low, QnVec2 *high);
 
@@ -101,12 +98,18 @@ gboolean qn_canvas_snaps (QnCanvas *canvas);
 /* Blocks that the magnet leaves alone, one flag per block, taken over; NULL for none. */
 void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);
 
-/* Do an edit as qn_document_edit() and qn_document_edit_project(); FALSE where it is refused, which
- * the signal "failed" has told then. */
-gboolean qn_canvas_edit (QnCanvas *canvas, const char *name, const char *key,
-                         QnEditFunc func, gpointer data);
-gboolean qn_canvas_edit_project (QnCanvas *canvas, const char *name, const char *key,
-                                 QnProjectEditFunc func, gpointer data);
+/* An edit that is under way: what it changes, and why it is refused. */
+typedef struct QnDraft {
+  QnProject project;
+  QnModel *model; /* of the project */
+  GError *error;
+} QnDraft;
+
+/* Begin and end an edit as qn_document_begin_edit() and qn_document_end_edit() do; FALSE where it is
+ * refused, which the signal "failed" has told then. */
+gboolean qn_canvas_begin_edit (QnCanvas *canvas, QnDraft *draft);
+gboolean qn_canvas_end_edit (QnCanvas *canvas, QnDraft *draft, const char *name,
+                             const char *key, gboolean done);
 /* Moves the selected blocks and beams in one step; with `copies` adds so many, each moved against the one
  * before, and leaves the selected ones where they are. */
 gboolean qn_canvas_transform (QnCanvas *canvas, const char *name, const char *key,

@@ -256,7 +256,6 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
 
 typedef struct Drag {
   QnGrip grip;
-  QnPartSet set;
   QnVec2 from, to;
   double typed_angle; /* rad, or NAN */
   gboolean snap;
@@ -299,35 +298,6 @@ drag_masonry (QnMasonry *masonry, gpointer data, GError **error)
   return TRUE;
 }
 
-static gboolean
-edit_masonry (QnProject *draft, gpointer data, GError **error)
-{
-  const Drag *drag = data;
-  return qn_edit_change_masonry (draft, drag->grip.object, drag_masonry, data, error);
-}
-
-static gboolean
-edit_corner (QnModel *model, gpointer data, GError **error)
-{
-  const Drag *drag = data;
-  return qn_edit_move_corner (model, drag->set.blocks, drag->from, drag->to, error);
-}
-
-static gboolean
-edit_node (QnModel *model, gpointer data, GError **error)
-{
-  const Drag *drag = data;
-  return qn_edit_place_node (model, drag->grip.object, drag->to, error);
-}
-
-static gboolean
-edit_tie (QnModel *model, gpointer data, GError **error)
-{
-  const Drag *drag = data;
-  return qn_edit_place_tie_end (model, drag->grip.object, drag->grip.handle, drag->to,
-                                error);
-}
-
 static const char *
 step_name (QnCanvas *canvas, const QnGrip *grip)
 {
@@ -354,24 +324,31 @@ static void
 finish (QnCanvas *canvas, double typed_angle)
 {
   Drag drag = drag_of_gesture (canvas);
+  const QnGrip grip = drag.grip;
+  QnDraft draft;
   drag.typed_angle = typed_angle;
-  drag.set = qn_canvas_dup_parts (canvas);
-  const char *name =
-    drag.grip.kind == QN_GRIP_MASONRY ? step_name (canvas, &drag.grip) : NULL;
+  const char *name = grip.kind == QN_GRIP_MASONRY  ? step_name (canvas, &grip)
+                     : grip.kind == QN_GRIP_CORNER ? _ ("Move Corner")
+                     : grip.kind == QN_GRIP_NODE   ? _ ("Move Beam End")
+                                                   : _ ("Move Tie End");
   qn_canvas_set_magnet_skip (canvas, NULL);
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (drag.grip.kind == QN_GRIP_MASONRY)
-    qn_canvas_edit_project (canvas, name, NULL, edit_masonry, &drag);
-  else if (drag.grip.kind == QN_GRIP_CORNER)
-    qn_canvas_edit (canvas, _ ("Move Corner"), NULL, edit_corner, &drag);
-  else if (drag.grip.kind == QN_GRIP_TURN)
+  if (grip.kind == QN_GRIP_TURN)
     qn_canvas_transform (canvas, _ ("Rotate"), NULL,
-                         qn_transform_rotation (drag.grip.center, turn_angle (&drag)), 0);
-  else if (drag.grip.kind == QN_GRIP_NODE)
-    qn_canvas_edit (canvas, _ ("Move Beam End"), NULL, edit_node, &drag);
-  else if (drag.grip.kind == QN_GRIP_TIE)
-    qn_canvas_edit (canvas, _ ("Move Tie End"), NULL, edit_tie, &drag);
-  qn_part_set_clear (&drag.set);
+                         qn_transform_rotation (grip.center, turn_angle (&drag)), 0);
+  if (grip.kind == QN_GRIP_TURN || grip.kind == QN_GRIP_NONE
+      || !qn_canvas_begin_edit (canvas, &draft))
+    return;
+  gboolean done = grip.kind == QN_GRIP_MASONRY ? qn_edit_change_masonry (
+                    &draft.project, grip.object, drag_masonry, &drag, &draft.error)
+                  : grip.kind == QN_GRIP_CORNER
+                    ? qn_edit_move_corner (draft.model, qn_canvas_get_selected (canvas),
+                                           drag.from, drag.to, &draft.error)
+                  : grip.kind == QN_GRIP_NODE
+                    ? qn_edit_place_node (draft.model, grip.object, drag.to, &draft.error)
+                    : qn_edit_place_tie_end (draft.model, grip.object, grip.handle,
+                                             drag.to, &draft.error);
+  qn_canvas_end_edit (canvas, &draft, name, NULL, done);
 }
 
 void

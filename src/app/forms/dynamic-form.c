@@ -218,17 +218,13 @@ show (gpointer data, guint field, QnValue *value)
 
 /* ---- records ---- */
 
-static gboolean
-add_record (QnModel *model, gpointer path, GError **error)
-{
-  return qn_edit_add_record (model, path, error);
-}
-
 static void
 import_path (Form *form, const char *path)
 {
-  if (!qn_canvas_edit (form->base.canvas, _ ("Import Ground Motion"), NULL, add_record,
-                       (gpointer) path))
+  QnDraft draft;
+  if (!qn_canvas_begin_edit (form->base.canvas, &draft)
+      || !qn_canvas_end_edit (form->base.canvas, &draft, _ ("Import Ground Motion"), NULL,
+                              qn_edit_add_record (draft.model, path, &draft.error)))
     return;
   form->selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
   qn_bound_form_show (form);

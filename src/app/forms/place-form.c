@@ -18,20 +18,10 @@ static const QnFormField fields[] = {
   [ARRANGE] = { .id = "arrange" },
 };
 
-/* Borrowed from the selection. */
-static QnPartSet
-selected (const QnBoundForm *form)
-{
-  QnSelection *selection = qn_canvas_get_selection (form->canvas);
-  QnPartSet set = { qn_canvas_get_selected (form->canvas), { NULL, 0 } };
-  set.beams.ids = qn_selection_get (selection, QN_PART_BEAM, &set.beams.count);
-  return set;
-}
-
 static gboolean
 look (gpointer form)
 {
-  QnPartSet set = selected (form);
+  QnPartSet set = qn_canvas_get_parts (((QnBoundForm *) form)->canvas);
   return set.blocks.count + set.beams.count > 0;
 }
 
@@ -55,7 +45,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnPartSet set = selected (form);
+  QnPartSet set = qn_canvas_get_parts (form->canvas);
   QnExtent extent;
   if (!qn_extent_find (model, set, &extent))
     return FALSE;
@@ -88,16 +78,12 @@ show (gpointer data, guint field, QnValue *value)
   }
 }
 
-/* The ids are copied: the selection may change under the edit. */
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  const QnBoundForm *form = data;
-  QnPartSet set = qn_canvas_dup_parts (form->canvas);
   QnExtentField what = field == TURN ? QN_EXTENT_ANGLE : (QnExtentField) field;
-  gboolean done = qn_edit_set_extent (draft, set, what, value->number, error);
-  qn_part_set_clear (&set);
-  return done;
+  return qn_edit_set_extent (draft, qn_canvas_get_parts (((QnBoundForm *) data)->canvas),
+                             what, value->number, error);
 }
 
 GtkWidget *

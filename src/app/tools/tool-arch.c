@@ -38,21 +38,18 @@ arch_of_gesture (QnCanvas *canvas)
   return arch;
 }
 
-static gboolean
-edit_add (QnProject *draft, gpointer data, GError **error)
-{
-  const Arch *arch = data;
-  QnMasonry masonry;
-  if (!qn_plan_arch (&masonry, &arch->style, arch->left, arch->right, arch->rise))
-    return qn_edit_no_memory (error);
-  return qn_edit_add_masonry (draft, &masonry, error);
-}
-
 static void
 add (QnCanvas *canvas, Arch arch)
 {
+  QnDraft draft;
+  QnMasonry masonry;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  qn_canvas_edit_project (canvas, _ ("Add Arch"), NULL, edit_add, &arch);
+  if (qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (
+      canvas, &draft, _ ("Add Arch"), NULL,
+      qn_plan_arch (&masonry, &arch.style, arch.left, arch.right, arch.rise)
+        ? qn_edit_add_masonry (&draft.project, &masonry, &draft.error)
+        : qn_edit_no_memory (&draft.error));
 }
 
 /* The span is known: on to the rise; or all is. */

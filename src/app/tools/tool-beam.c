@@ -4,32 +4,22 @@
 
 #include <glib/gi18n.h>
 
-typedef struct Draw {
-  QnVec2 from, to;
-  QnBeamStyle style;
-} Draw;
-
-static gboolean
-edit_add (QnModel *model, gpointer data, GError **error)
-{
-  const Draw *drawn = data;
-  return qn_edit_add_beam (model, drawn->from, drawn->to, drawn->style, error);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
   g_autofree char *section = g_strdup (settings->section);
-  Draw drawn = { gesture->from,
-                 gesture->to,
-                 { .section = section,
-                   .hinge = { settings->hinges[0], settings->hinges[1] },
-                   .element_count = settings->elements } };
+  const QnVec2 from = gesture->from, to = gesture->to;
+  const QnBeamStyle style = { .section = section,
+                              .hinge = { settings->hinges[0], settings->hinges[1] },
+                              .element_count = settings->elements };
+  QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if ((drawn.from.x != drawn.to.x || drawn.from.y != drawn.to.y)
-      && qn_canvas_edit (canvas, _ ("Add Beam"), NULL, edit_add, &drawn)) {
+  if ((from.x != to.x || from.y != to.y) && qn_canvas_begin_edit (canvas, &draft)
+      && qn_canvas_end_edit (
+        canvas, &draft, _ ("Add Beam"), NULL,
+        qn_edit_add_beam (draft.model, from, to, style, &draft.error))) {
     /* The new beam is selected, so that its handles and its form are there. */
     const QnModel *model = qn_canvas_get_model (canvas);
     QnId last = (QnId) model->beam_count - 1;

@@ -5,28 +5,17 @@
 #include "doc/edit/edit-shape.h"
 #include <glib/gi18n.h>
 
-typedef struct Cut {
-  QnBlockSet set;
-  QnVec2 a, b;
-} Cut;
-
-static gboolean
-edit_cut (QnModel *model, gpointer data, GError **error)
-{
-  const Cut *cut = data;
-  return qn_edit_cut_blocks (model, cut->set, cut->a, cut->b, error);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnBlockSet set = qn_canvas_dup_selected (canvas);
-  Cut cut = { set, gesture->from, gesture->to };
+  QnVec2 a = gesture->from, b = gesture->to;
+  QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (cut.a.x != cut.b.x || cut.a.y != cut.b.y)
-    qn_canvas_edit (canvas, _ ("Cut Blocks"), NULL, edit_cut, &cut);
-  g_free ((gpointer) set.ids);
+  if ((a.x != b.x || a.y != b.y) && qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (canvas, &draft, _ ("Cut Blocks"), NULL,
+                        qn_edit_cut_blocks (draft.model, qn_canvas_get_selected (canvas),
+                                            a, b, &draft.error));
 }
 
 /* The line, and the blocks that it would part. */

@@ -21,9 +21,8 @@ typedef struct Displacement {
 } Displacement;
 
 static gboolean
-edit_displace (QnModel *model, gpointer data, GError **error)
+edit_displace (QnModel *model, const Displacement *d, GError **error)
 {
-  const Displacement *d = data;
   if (d->typed == NULL)
     return qn_edit_displace (model, d->set, d->transform, d->angle, error);
   for (guint i = 0; i < d->set.count; i++) {
@@ -41,15 +40,13 @@ find_pivot (QnCanvas *canvas, gboolean right)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
   QnVec2 low = { 0 }, high = { 0 };
-  g_autofree QnId *ids = NULL;
-  QnBlockSet set = qn_canvas_dup_selected (canvas);
-  ids = (QnId *) set.ids;
+  QnBlockSet set = qn_canvas_get_selected (canvas);
   qn_canvas_get_parts_box (canvas, &low, &high);
   double level = low.y + AS_LOW * (high.y - low.y);
   QnVec2 pivot = qn_vec2 (right ? -INFINITY : INFINITY, low.y);
   for (guint i = 0; i < set.count; i++) {
-    const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
-    for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++)
+    const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
+    for (QnId k = 0; k < model->blocks[set.ids[i]].vertex_count; k++)
       if (v[k].y <= level && (right ? v[k].x > pivot.x : v[k].x < pivot.x))
         pivot = v[k];
   }
@@ -73,13 +70,14 @@ transform_of (QnCanvas *canvas, double *angle)
 static void
 displace (QnCanvas *canvas, Displacement d)
 {
-  d.set = qn_canvas_dup_selected (canvas);
+  QnDraft draft;
+  d.set = qn_canvas_get_selected (canvas);
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (d.set.count == 0)
     qn_canvas_tell (canvas, _ ("Select the blocks that start from elsewhere"));
-  else
-    qn_canvas_edit (canvas, _ ("Set Initial Displacement"), NULL, edit_displace, &d);
-  g_free ((QnId *) d.set.ids);
+  else if (qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (canvas, &draft, _ ("Set Initial Displacement"), NULL,
+                        edit_displace (draft.model, &d, &draft.error));
 }
 
 static void

@@ -44,13 +44,19 @@ typedef struct Put {
 } Put;
 
 static gboolean
-edit_put (QnModel *model, gpointer data, GError **error)
+put_load (QnCanvas *canvas, const char *name, const Put *put)
 {
-  const Put *put = data;
+  QnDraft draft;
+  gboolean done = TRUE;
+  if (!qn_canvas_begin_edit (canvas, &draft))
+    return FALSE;
   if (put->load == QN_NONE)
-    return qn_edit_add_edge_load (model, put->chain, put->live, put->intensity, error);
-  qn_load_set_chain (&qn_model_loads (model, put->live, NULL)[put->load], put->chain);
-  return TRUE;
+    done = qn_edit_add_edge_load (draft.model, put->chain, put->live, put->intensity,
+                                  &draft.error);
+  else
+    qn_load_set_chain (&qn_model_loads (draft.model, put->live, NULL)[put->load],
+                       put->chain);
+  return qn_canvas_end_edit (canvas, &draft, name, NULL, done);
 }
 
 /* The load that is to be put on other edges: the selected one. */
@@ -86,10 +92,10 @@ complete (QnCanvas *canvas)
   if (put.chain.block == QN_NONE)
     qn_canvas_tell (canvas, _ ("There is no edge of a block here"));
   else if (!change) {
-    if (qn_canvas_edit (canvas, _ ("Add Edge Load"), NULL, edit_put, &put))
+    if (put_load (canvas, _ ("Add Edge Load"), &put))
       select_last (canvas, put.live);
   } else if (find_selected (canvas, &put))
-    qn_canvas_edit (canvas, _ ("Choose Edges"), NULL, edit_put, &put);
+    put_load (canvas, _ ("Choose Edges"), &put);
 }
 
 static void

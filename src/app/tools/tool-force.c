@@ -7,23 +7,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-typedef struct Force {
-  QnId node; /* or QN_NONE, */
-  QnId block;
-  gboolean live;
-  QnVec2 vector, at;
-} Force;
-
-static gboolean
-edit_add (QnModel *model, gpointer data, GError **error)
-{
-  const Force *force = data;
-  return force->node != QN_NONE ? qn_edit_add_node_force (model, force->node, force->live,
-                                                          force->vector, error)
-                                : qn_edit_add_force (model, force->block, force->live,
-                                                     force->vector, force->at, error);
-}
-
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
@@ -39,11 +22,18 @@ add (QnCanvas *canvas, QnVec2 vector)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnPick pick = qn_canvas_pick (canvas, gesture->from_screen, 1u << QN_PICK_BLOCK);
-  Force force = { qn_canvas_pick_node (canvas, gesture->from_screen), pick.id,
-                  qn_canvas_get_tool_settings (canvas)->live, vector, gesture->from };
+  const QnId node = qn_canvas_pick_node (canvas, gesture->from_screen);
+  const gboolean live = qn_canvas_get_tool_settings (canvas)->live;
+  const QnVec2 at = gesture->from;
+  QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (pick.kind == QN_PICK_BLOCK || force.node != QN_NONE)
-    qn_canvas_edit (canvas, _ ("Add Force"), NULL, edit_add, &force);
+  if ((pick.kind == QN_PICK_BLOCK || node != QN_NONE)
+      && qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (
+      canvas, &draft, _ ("Add Force"), NULL,
+      node != QN_NONE
+        ? qn_edit_add_node_force (draft.model, node, live, vector, &draft.error)
+        : qn_edit_add_force (draft.model, pick.id, live, vector, at, &draft.error));
 }
 
 static void

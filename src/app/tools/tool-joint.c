@@ -5,21 +5,6 @@
 #include "doc/edit/edit-face.h"
 #include <glib/gi18n.h>
 
-typedef struct Paint {
-  GArray *faces; /* of QnContactFace */
-  const char *law;
-} Paint;
-
-static gboolean
-edit_paint (QnModel *model, gpointer data, GError **error)
-{
-  const Paint *paint = data;
-  gboolean named = paint->law != NULL && *paint->law != '\0';
-  QnId law = named ? qn_model_find_law (model, paint->law) : QN_NONE;
-  QnFaceSet set = { (const QnContactFace *) paint->faces->data, paint->faces->len };
-  return qn_edit_set_face_law (model, set, law, error);
-}
-
 void
 qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const char *law)
 {
@@ -28,10 +13,14 @@ qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const cha
   for (guint i = 0; i < count; i++)
     if ((gsize) ids[i] < contacts->face_count)
       g_array_append_val (faces, contacts->faces[ids[i]]);
-  g_autofree char *own = g_strdup (law); /* it may change with the document */
-  Paint paint = { faces, own };
-  if (faces->len > 0)
-    qn_canvas_edit (canvas, _ ("Set Law of Joints"), NULL, edit_paint, &paint);
+  QnFaceSet set = { (const QnContactFace *) faces->data, faces->len };
+  QnDraft draft;
+  if (faces->len > 0 && qn_canvas_begin_edit (canvas, &draft)) {
+    QnId id =
+      law != NULL && *law != '\0' ? qn_model_find_law (draft.model, law) : QN_NONE;
+    qn_canvas_end_edit (canvas, &draft, _ ("Set Law of Joints"), NULL,
+                        qn_edit_set_face_law (draft.model, set, id, &draft.error));
+  }
 }
 
 static void

@@ -8,29 +8,18 @@
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 
-static gboolean
-edit_add_bar (QnModel *model, gpointer data, GError **error)
-{
-  const QnGesture *gesture = data;
-  return qn_edit_draw_bar (model, gesture->from, gesture->to, error);
-}
-
-static gboolean
-edit_add_tie (QnModel *model, gpointer data, GError **error)
-{
-  const QnGesture *gesture = data;
-  return qn_edit_draw_tie (model, gesture->from, gesture->to, error);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
   const gboolean tie = qn_canvas_get_tool (canvas) == &qn_tool_tie;
-  QnGesture drawn = *qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnVec2 from = gesture->from, to = gesture->to;
+  QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if ((drawn.from.x == drawn.to.x && drawn.from.y == drawn.to.y)
-      || !qn_canvas_edit (canvas, tie ? _ ("Add Tie") : _ ("Add Bar"), NULL,
-                          tie ? edit_add_tie : edit_add_bar, &drawn))
+  if ((from.x == to.x && from.y == to.y) || !qn_canvas_begin_edit (canvas, &draft)
+      || !qn_canvas_end_edit (canvas, &draft, tie ? _ ("Add Tie") : _ ("Add Bar"), NULL,
+                              (tie ? qn_edit_draw_tie : qn_edit_draw_bar) (
+                                draft.model, from, to, &draft.error)))
     return;
   /* What is new is selected, so that its numbers are there. */
   const QnModel *model = qn_canvas_get_model (canvas);

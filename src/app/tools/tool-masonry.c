@@ -16,14 +16,6 @@ make_plan (QnCanvas *canvas, QnMasonry *masonry)
            : qn_plan_in_box (masonry, style, gesture->from, gesture->to);
 }
 
-static gboolean
-edit_add (QnProject *draft, gpointer data, GError **error)
-{
-  QnMasonry masonry;
-  return make_plan (data, &masonry) ? qn_edit_add_masonry (draft, &masonry, error)
-                                    : qn_edit_no_memory (error);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
@@ -40,8 +32,14 @@ complete (QnCanvas *canvas)
   const int kind = qn_canvas_get_tool (canvas) == &qn_tool_wall
                      ? QN_MASONRY_WALL
                      : qn_canvas_get_tool_settings (canvas)->masonry.kind;
-  if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y)
-    qn_canvas_edit_project (canvas, _ (names[kind]), NULL, edit_add, canvas);
+  QnDraft draft;
+  QnMasonry masonry;
+  if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y
+      && qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (canvas, &draft, _ (names[kind]), NULL,
+                        make_plan (canvas, &masonry)
+                          ? qn_edit_add_masonry (&draft.project, &masonry, &draft.error)
+                          : qn_edit_no_memory (&draft.error));
   qn_canvas_set_in_gesture (canvas, FALSE);
 }
 

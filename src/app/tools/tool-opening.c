@@ -14,7 +14,7 @@ typedef struct Opening {
   QnVec2 from, to;
   gboolean snap;
   QnId object;
-  int number; /* what was cut, or is to be filled */
+  int number; /* what was cut */
 } Opening;
 
 /* The object whose rectangle contains a point, the last one first, or QN_NONE. */
@@ -54,9 +54,8 @@ add_opening (QnMasonry *masonry, gpointer data, GError **error)
 
 /* A wall that is listed course by course becomes an object first. */
 static gboolean
-edit_cut (QnProject *draft, gpointer data, GError **error)
+cut (QnProject *draft, Opening *o, GError **error)
 {
-  Opening *o = data;
   QnVec2 middle = qn_vec2_lerp (o->from, o->to, 0.5);
   QnMasonries list;
   if (!qn_project_get_masonry (draft, &list, error))
@@ -76,13 +75,6 @@ edit_cut (QnProject *draft, gpointer data, GError **error)
   return qn_edit_change_masonry (draft, o->object, add_opening, o, error);
 }
 
-static gboolean
-edit_fill (QnProject *draft, gpointer data, GError **error)
-{
-  const Opening *o = data;
-  return qn_edit_remove_opening (draft, o->object, (gsize) o->number, error);
-}
-
 static Opening
 opening_of_gesture (QnCanvas *canvas)
 {
@@ -97,9 +89,12 @@ static void
 complete (QnCanvas *canvas)
 {
   Opening opening = opening_of_gesture (canvas);
+  QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (opening.from.x != opening.to.x && opening.from.y != opening.to.y
-      && qn_canvas_edit_project (canvas, _ ("Cut Opening"), NULL, edit_cut, &opening))
+      && qn_canvas_begin_edit (canvas, &draft)
+      && qn_canvas_end_edit (canvas, &draft, _ ("Cut Opening"), NULL,
+                             cut (&draft.project, &opening, &draft.error)))
     qn_selection_set_opening (qn_canvas_get_selection (canvas), opening.object,
                               opening.number);
 }
@@ -108,14 +103,17 @@ static void
 fill_at (QnCanvas *canvas, QnVec2 at)
 {
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
-  Opening opening = { .object = wall_at (list, at) };
-  if (opening.object == QN_NONE)
-    return;
-  opening.number = qn_masonry_opening_at (&list->items[opening.object], at);
-  if (opening.number == QN_NO_OPENING)
+  const QnId object = wall_at (list, at);
+  const int number =
+    object != QN_NONE ? qn_masonry_opening_at (&list->items[object], at) : QN_NO_OPENING;
+  QnDraft draft;
+  if (number == QN_NO_OPENING)
     return;
   qn_selection_clear (qn_canvas_get_selection (canvas));
-  qn_canvas_edit_project (canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
+  if (qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (
+      canvas, &draft, _ ("Fill Opening"), NULL,
+      qn_edit_remove_opening (&draft.project, object, (gsize) number, &draft.error));
 }
 
 /* ---- the one that is selected, by its handles ---- */

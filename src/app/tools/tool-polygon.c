@@ -8,23 +8,17 @@
 /* px: a click this near to the first corner closes the polygon. */
 #define CLOSE_PX 8.0
 
-static gboolean
-edit_add (QnModel *model, gpointer data, GError **error)
-{
-  QnCanvas *canvas = data;
-  const GArray *points = qn_canvas_get_gesture (canvas)->points;
-  QnBlockStyle style =
-    qn_tool_settings_get_block_style (qn_canvas_get_tool_settings (canvas));
-  return qn_edit_add_block (model, (const QnVec2 *) points->data, points->len, style,
-                            error);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (gesture->points->len >= 3)
-    qn_canvas_edit (canvas, _ ("Add Block"), NULL, edit_add, canvas);
+  const GArray *points = qn_canvas_get_gesture (canvas)->points;
+  QnBlockStyle style =
+    qn_tool_settings_get_block_style (qn_canvas_get_tool_settings (canvas));
+  QnDraft draft;
+  if (points->len >= 3 && qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (canvas, &draft, _ ("Add Block"), NULL,
+                        qn_edit_add_block (draft.model, (const QnVec2 *) points->data,
+                                           points->len, style, &draft.error));
   qn_canvas_set_in_gesture (canvas, FALSE);
 }
 

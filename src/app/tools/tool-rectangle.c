@@ -4,24 +4,19 @@
 
 #include <glib/gi18n.h>
 
-static gboolean
-edit_add (QnModel *model, gpointer data, GError **error)
+static void
+complete (QnCanvas *canvas)
 {
-  QnCanvas *canvas = data;
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnVec2 a = gesture->from, b = gesture->to;
   QnVec2 corners[] = { a, { b.x, a.y }, b, { a.x, b.y } };
   QnBlockStyle style =
     qn_tool_settings_get_block_style (qn_canvas_get_tool_settings (canvas));
-  return qn_edit_add_block (model, corners, G_N_ELEMENTS (corners), style, error);
-}
-
-static void
-complete (QnCanvas *canvas)
-{
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y)
-    qn_canvas_edit (canvas, _ ("Add Block"), NULL, edit_add, canvas);
+  QnDraft draft;
+  if (a.x != b.x && a.y != b.y && qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (canvas, &draft, _ ("Add Block"), NULL,
+                        qn_edit_add_block (draft.model, corners, G_N_ELEMENTS (corners),
+                                           style, &draft.error));
   qn_canvas_set_in_gesture (canvas, FALSE);
 }
 

@@ -5,33 +5,13 @@
 
 #include <glib/gi18n.h>
 
-typedef struct Support {
-  QnId id;
-  bool fixed[QN_DOF_COUNT];
-} Support;
-
-static gboolean
-edit_block (QnModel *model, gpointer data, GError **error)
-{
-  const Support *support = data;
-  return qn_edit_set_support (model, (QnBlockSet){ &support->id, 1 }, support->fixed,
-                              error);
-}
-
-static gboolean
-edit_node (QnModel *model, gpointer data, GError **error)
-{
-  const Support *support = data;
-  return qn_edit_set_node_support (model, support->id, support->fixed, error);
-}
-
 /* Everything fixed becomes free, everything else fixed. */
 static gboolean
-toggle (Support *support, const bool held[QN_DOF_COUNT])
+toggle (bool fixed[QN_DOF_COUNT], const bool held[QN_DOF_COUNT])
 {
   bool all = qn_support_is_full (held);
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    support->fixed[dof] = !all;
+    fixed[dof] = !all;
   return all;
 }
 
@@ -39,20 +19,25 @@ static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  Support support = { .id = qn_canvas_pick_node (canvas, event->screen) };
-  if (support.id != QN_NONE && model->nodes[support.id].block == QN_NONE) {
-    gboolean all = toggle (&support, model->nodes[support.id].support);
-    qn_canvas_edit (canvas, all ? _ ("Free Node") : _ ("Fix Node"), NULL, edit_node,
-                    &support);
+  QnId node = qn_canvas_pick_node (canvas, event->screen);
+  bool fixed[QN_DOF_COUNT];
+  QnDraft draft;
+  if (node != QN_NONE && model->nodes[node].block == QN_NONE) {
+    gboolean all = toggle (fixed, model->nodes[node].support);
+    if (qn_canvas_begin_edit (canvas, &draft))
+      qn_canvas_end_edit (
+        canvas, &draft, all ? _ ("Free Node") : _ ("Fix Node"), NULL,
+        qn_edit_set_node_support (draft.model, node, fixed, &draft.error));
     return;
   }
   QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK);
   if (pick.kind != QN_PICK_BLOCK)
     return;
-  support.id = pick.id;
-  gboolean all = toggle (&support, model->blocks[pick.id].support);
-  qn_canvas_edit (canvas, all ? _ ("Free Block") : _ ("Fix Block"), NULL, edit_block,
-                  &support);
+  gboolean all = toggle (fixed, model->blocks[pick.id].support);
+  if (qn_canvas_begin_edit (canvas, &draft))
+    qn_canvas_end_edit (canvas, &draft, all ? _ ("Free Block") : _ ("Fix Block"), NULL,
+                        qn_edit_set_support (draft.model, (QnBlockSet){ &pick.id, 1 },
+                                             fixed, &draft.error));
 }
 
 const QnTool qn_tool_support = {

@@ -17,19 +17,6 @@ typedef struct Table {
   QnId count;                          /* of rows */
 } Table;
 
-typedef struct Corner {
-  QnId block;
-  QnVec2 from, to;
-} Corner;
-
-static gboolean
-edit_corner (QnModel *model, gpointer data, GError **error)
-{
-  const Corner *corner = data;
-  return qn_edit_move_corner (model, (QnBlockSet){ &corner->block, 1 }, corner->from,
-                              corner->to, error);
-}
-
 /* The only block that is selected, or QN_NONE. */
 static QnId
 selected_block (Table *table)
@@ -57,8 +44,13 @@ on_committed (QnQuantityEntry *entry, Table *table)
       to.y = qn_quantity_entry_get_value (entry);
     else
       continue;
-    Corner corner = { block, v[k], to };
-    if (!qn_canvas_edit (table->canvas, _ ("Move Corner"), NULL, edit_corner, &corner))
+    QnDraft draft;
+    const QnVec2 from = v[k];
+    if (!qn_canvas_begin_edit (table->canvas, &draft)
+        || !qn_canvas_end_edit (table->canvas, &draft, _ ("Move Corner"), NULL,
+                                qn_edit_move_corner (draft.model,
+                                                     (QnBlockSet){ &block, 1 }, from, to,
+                                                     &draft.error)))
       qn_quantity_entry_refuse (entry, _ ("No block has this shape"));
     return;
   }

@@ -27,34 +27,26 @@ typedef struct Fix {
 
 /* ---- repairs ---- */
 
-static gboolean
-edit_repair (QnModel *model, gpointer data, GError **error)
-{
-  const Fix *fix = data;
-  return qn_edit_repair (model, &fix->finding, fix->repair, error);
-}
-
-static gboolean
-edit_repair_all (QnModel *model, gpointer data, GError **error)
-{
-  return qn_edit_repair_all (model, data, error);
-}
-
 static void
 on_fix (GtkButton *button, Panel *panel)
 {
   /* The edit makes the list anew, and with it this button goes. */
-  Fix fix = *(const Fix *) g_object_get_data (G_OBJECT (button), "qn-fix");
-  qn_canvas_edit (panel->canvas, qn_repair_get_step_name (fix.repair), NULL, edit_repair,
-                  &fix);
+  const Fix *fix = g_object_get_data (G_OBJECT (button), "qn-fix");
+  QnDraft draft;
+  if (qn_canvas_begin_edit (panel->canvas, &draft))
+    qn_canvas_end_edit (
+      panel->canvas, &draft, qn_repair_get_step_name (fix->repair), NULL,
+      qn_edit_repair (draft.model, &fix->finding, fix->repair, &draft.error));
 }
 
 static void
 on_repair_all (Panel *panel)
 {
   guint count = 0;
-  if (!qn_canvas_edit (panel->canvas, _ ("Repair Contacts"), NULL, edit_repair_all,
-                       &count))
+  QnDraft draft;
+  if (!qn_canvas_begin_edit (panel->canvas, &draft)
+      || !qn_canvas_end_edit (panel->canvas, &draft, _ ("Repair Contacts"), NULL,
+                              qn_edit_repair_all (draft.model, &count, &draft.error)))
     return;
   gsize left =
     qn_document_get_contacts (qn_canvas_get_document (panel->canvas))->findings.count;
@@ -165,17 +157,14 @@ update_gaps (Panel *panel, const QnModel *model)
   return apart;
 }
 
-static gboolean
-edit_gaps (QnModel *model, gpointer data, GError **error)
-{
-  return qn_edit_close_gaps (model, *(const double *) data, NULL, error);
-}
-
 static void
 on_close_gaps (Panel *panel)
 {
   double width = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (panel->gap_width));
-  qn_canvas_edit (panel->canvas, _ ("Close Gaps"), NULL, edit_gaps, &width);
+  QnDraft draft;
+  if (qn_canvas_begin_edit (panel->canvas, &draft))
+    qn_canvas_end_edit (panel->canvas, &draft, _ ("Close Gaps"), NULL,
+                        qn_edit_close_gaps (draft.model, width, NULL, &draft.error));
 }
 
 static void

@@ -18,41 +18,16 @@
 /* Places beside their old one, a quarter of their width apart, that are tried for pasted blocks. */
 #define MOST_PLACES 400
 
-typedef struct Edit {
-  QnPartSet set;
-  QnAlign align;
-  QnSpread spread;
-  gboolean (*blocks) (QnModel *model, QnBlockSet set, GError **error);
-} Edit;
-
-static gboolean
-edit_delete (QnModel *model, gpointer data, GError **error)
-{
-  return qn_edit_delete_all (model, ((const Edit *) data)->set, error);
-}
-
 /* Of the blocks alone: beams do not travel by the clipboard, nor have they walls or are joined. */
-static gboolean
-edit_blocks (QnModel *model, gpointer data, GError **error)
-{
-  const Edit *edit = data;
-  return edit->blocks (model, edit->set.blocks, error);
-}
-
 static void
-edit_parts (QnWindow *self, const char *name, QnEditFunc func, Edit edit)
+edit_blocks (QnWindow *self, const char *name,
+             gboolean (*func) (QnModel *model, QnBlockSet set, GError **error))
 {
-  edit.set = qn_canvas_dup_parts (self->canvas);
-  qn_canvas_edit (self->canvas, name, NULL, func, &edit);
-  qn_part_set_clear (&edit.set);
-}
-
-static void
-edit_selection (QnWindow *self, const char *name, QnProjectEditFunc func, Edit edit)
-{
-  edit.set = qn_canvas_dup_parts (self->canvas);
-  qn_canvas_edit_project (self->canvas, name, NULL, func, &edit);
-  qn_part_set_clear (&edit.set);
+  QnDraft draft;
+  if (qn_canvas_begin_edit (self->canvas, &draft))
+    qn_canvas_end_edit (
+      self->canvas, &draft, name, NULL,
+      func (draft.model, qn_canvas_get_selected (self->canvas), &draft.error));
 }
 
 /* ---- openings ---- */
@@ -64,13 +39,6 @@ typedef struct OpeningEdit {
 } OpeningEdit;
 
 static gboolean
-edit_fill (QnProject *draft, gpointer data, GError **error)
-{
-  const OpeningEdit *edit = data;
-  return qn_edit_remove_opening (draft, edit->object, (gsize) edit->opening, error);
-}
-
-static gboolean
 move_opening (QnMasonry *masonry, gpointer data, GError **error)
 {
   const OpeningEdit *edit = data;
@@ -79,13 +47,6 @@ move_opening (QnMasonry *masonry, gpointer data, GError **error)
   opening->at.x += edit->dx * 0.5 * leaf->unit.x;
   opening->at.y += edit->dy * leaf->unit.y;
   return TRUE;
-}
-
-static gboolean
-edit_move_opening (QnProject *draft, gpointer data, GError **error)
-{
-  const OpeningEdit *edit = data;
-  return qn_edit_change_masonry (draft, edit->object, move_opening, data, error);
 }
 
 /* The selected opening; FALSE where there is none. */
@@ -119,9 +80,8 @@ selected_item (QnWindow *self, ItemEdit *edit)
 }
 
 static gboolean
-edit_delete_item (QnModel *model, gpointer data, GError **error)
+delete_item (QnModel *model, const ItemEdit *edit, GError **error)
 {
-  const ItemEdit *edit = data;
   if (edit->kind == QN_ITEM_BAR)
     return qn_edit_remove_bar (model, edit->item, error);
   if (edit->kind == QN_ITEM_TIE)
@@ -130,9 +90,8 @@ edit_delete_item (QnModel *model, gpointer data, GError **error)
 }
 
 static gboolean
-edit_duplicate_item (QnModel *model, gpointer data, GError **error)
+copy_item (QnModel *model, const ItemEdit *edit, GError **error)
 {
-  const ItemEdit *edit = data;
   if (edit->kind == QN_ITEM_BAR)
     return qn_edit_duplicate_bar (model, edit->item, error);
   if (edit->kind == QN_ITEM_TIE)
@@ -148,7 +107,10 @@ duplicate_item (QnWindow *self, ItemEdit edit)
   const char *name = edit.kind == QN_ITEM_BAR   ? _ ("Duplicate Bar")
                      : edit.kind == QN_ITEM_TIE ? _ ("Duplicate Tie")
                                                 : _ ("Duplicate Load");
-  if (!qn_canvas_edit (self->canvas, name, NULL, edit_duplicate_item, &edit))
+  QnDraft draft;
+  if (!qn_canvas_begin_edit (self->canvas, &draft)
+      || !qn_canvas_end_edit (self->canvas, &draft, name, NULL,
+                              copy_item (draft.model, &edit, &draft.error)))
     return;
   const QnModel *model = qn_document_get_model (self->document);
   QnId copy = edit.kind == QN_ITEM_BAR   ? (QnId) model->bar_count - 1
@@ -164,32 +126,39 @@ delete_selected (QnWindow *self, GVariant *parameter)
 {
   OpeningEdit opening = { 0 };
   ItemEdit item;
-  if (selected_item (self, &item)) {
+  gboolean is_item = selected_item (self, &item);
+  gboolean is_opening = !is_item && selected_opening (self, &opening), done;
+  QnPartSet parts = qn_canvas_get_parts (self->canvas);
+  const char *name = is_opening                 ? _ ("Fill Opening")
+                     : !is_item                 ? _ ("Delete")
+                     : item.kind == QN_ITEM_BAR ? _ ("Remove Bar")
+                     : item.kind == QN_ITEM_TIE ? _ ("Remove Tie")
+                                                : _ ("Remove Load");
+  QnDraft draft;
+  if (is_item || is_opening)
     qn_selection_clear (qn_document_get_selection (self->document));
-    qn_canvas_edit (self->canvas,
-                    item.kind == QN_ITEM_BAR   ? _ ("Remove Bar")
-                    : item.kind == QN_ITEM_TIE ? _ ("Remove Tie")
-                                               : _ ("Remove Load"),
-                    NULL, edit_delete_item, &item);
-  } else if (selected_opening (self, &opening)) {
-    qn_selection_clear (qn_document_get_selection (self->document));
-    qn_canvas_edit_project (self->canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
-  } else
-    edit_parts (self, _ ("Delete"), edit_delete, (Edit){ 0 });
+  if (!qn_canvas_begin_edit (self->canvas, &draft))
+    return;
+  if (is_item)
+    done = delete_item (draft.model, &item, &draft.error);
+  else if (is_opening)
+    done = qn_edit_remove_opening (&draft.project, opening.object,
+                                   (gsize) opening.opening, &draft.error);
+  else
+    done = qn_edit_delete_all (draft.model, parts, &draft.error);
+  qn_canvas_end_edit (self->canvas, &draft, name, NULL, done);
 }
 
 static void
 detach (QnWindow *self, GVariant *parameter)
 {
-  edit_parts (self, _ ("Detach into Free Blocks"), edit_blocks,
-              (Edit){ .blocks = qn_edit_detach });
+  edit_blocks (self, _ ("Detach into Free Blocks"), qn_edit_detach);
 }
 
 static void
 join (QnWindow *self, GVariant *parameter)
 {
-  edit_parts (self, _ ("Join Blocks"), edit_blocks,
-              (Edit){ .blocks = qn_edit_join_blocks });
+  edit_blocks (self, _ ("Join Blocks"), qn_edit_join_blocks);
 }
 
 static void
@@ -289,12 +258,15 @@ nudge (QnWindow *self, GVariant *parameter)
 {
   double dx, dy;
   OpeningEdit opening = { 0 };
+  QnDraft draft;
   g_variant_get (parameter, "(dd)", &dx, &dy);
   if (selected_opening (self, &opening)) {
     opening.dx = dx;
     opening.dy = dy;
-    qn_canvas_edit_project (self->canvas, _ ("Move Opening"), "nudge-opening",
-                            edit_move_opening, &opening);
+    if (qn_canvas_begin_edit (self->canvas, &draft))
+      qn_canvas_end_edit (self->canvas, &draft, _ ("Move Opening"), "nudge-opening",
+                          qn_edit_change_masonry (&draft.project, opening.object,
+                                                  move_opening, &opening, &draft.error));
     return;
   }
   double step =
@@ -374,46 +346,29 @@ select_faces_like (QnWindow *self, GVariant *parameter)
 
 /* ---- in line, at equal distances; supports, joints, loads of context menus ---- */
 
-static gboolean
-edit_align (QnProject *draft, gpointer data, GError **error)
-{
-  const Edit *edit = data;
-  return qn_edit_align (draft, edit->set, edit->align, error);
-}
-
-static gboolean
-edit_spread (QnProject *draft, gpointer data, GError **error)
-{
-  const Edit *edit = data;
-  return qn_edit_spread (draft, edit->set, edit->spread, error);
-}
-
 static void
 align (QnWindow *self, GVariant *parameter)
 {
-  Edit edit = { 0 };
-  if (qn_align_parse (g_variant_get_string (parameter, NULL), &edit.align))
-    edit_selection (self, _ ("Align"), edit_align, edit);
+  QnAlign align;
+  QnDraft draft;
+  if (qn_align_parse (g_variant_get_string (parameter, NULL), &align)
+      && qn_canvas_begin_edit (self->canvas, &draft))
+    qn_canvas_end_edit (self->canvas, &draft, _ ("Align"), NULL,
+                        qn_edit_align (&draft.project, qn_canvas_get_parts (self->canvas),
+                                       align, &draft.error));
 }
 
 static void
 distribute (QnWindow *self, GVariant *parameter)
 {
-  Edit edit = { 0 };
-  if (qn_spread_parse (g_variant_get_string (parameter, NULL), &edit.spread))
-    edit_selection (self, _ ("Distribute"), edit_spread, edit);
-}
-
-typedef struct Holding {
-  QnBlockSet set;
-  bool support[QN_DOF_COUNT];
-} Holding;
-
-static gboolean
-edit_support (QnModel *model, gpointer data, GError **error)
-{
-  const Holding *holding = data;
-  return qn_edit_set_support (model, holding->set, holding->support, error);
+  QnSpread spread;
+  QnDraft draft;
+  if (qn_spread_parse (g_variant_get_string (parameter, NULL), &spread)
+      && qn_canvas_begin_edit (self->canvas, &draft))
+    qn_canvas_end_edit (self->canvas, &draft, _ ("Distribute"), NULL,
+                        qn_edit_spread (&draft.project,
+                                        qn_canvas_get_parts (self->canvas), spread,
+                                        &draft.error));
 }
 
 static void
@@ -426,15 +381,14 @@ hold (QnWindow *self, GVariant *parameter)
                 { "pinned", { true, true, false } },
                 { "roller", { false, true, false } },
                 { "free", { false, false, false } } };
-  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
-    if (!g_str_equal (kinds[i].name, g_variant_get_string (parameter, NULL)))
-      continue;
-    Holding holding = { .set = qn_canvas_dup_selected (self->canvas) };
-    memcpy (holding.support, kinds[i].support, sizeof holding.support);
-    qn_canvas_edit (self->canvas, _ ("Set Support"), NULL, edit_support, &holding);
-    g_free ((gpointer) holding.set.ids);
-    return;
-  }
+  QnDraft draft;
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
+    if (g_str_equal (kinds[i].name, g_variant_get_string (parameter, NULL))
+        && qn_canvas_begin_edit (self->canvas, &draft))
+      qn_canvas_end_edit (self->canvas, &draft, _ ("Set Support"), NULL,
+                          qn_edit_set_support (draft.model,
+                                               qn_canvas_get_selected (self->canvas),
+                                               kinds[i].support, &draft.error));
 }
 
 static void
@@ -487,24 +441,18 @@ static void
 cut (QnWindow *self, GVariant *parameter)
 {
   copy (self, parameter);
-  edit_parts (self, _ ("Cut"), edit_blocks, (Edit){ .blocks = qn_edit_delete_blocks });
+  edit_blocks (self, _ ("Cut"), qn_edit_delete_blocks);
 }
 
-/* Blocks of the clipboard, and where they go. */
-typedef struct Paste {
-  GVariant *blocks; /* of BLOCKS_TYPE */
-  QnVec2 by;
-} Paste;
-
+/* Blocks of BLOCKS_TYPE, moved. */
 static gboolean
-edit_paste (QnModel *model, gpointer data, GError **error)
+add_blocks (QnModel *model, GVariant *blocks, QnVec2 by, GError **error)
 {
-  const Paste *paste = data;
   GVariantIter iter;
   GVariant *corners;
   gboolean fixed, done = TRUE;
   QnBlockStyle style = { .law = QN_NONE };
-  g_variant_iter_init (&iter, paste->blocks);
+  g_variant_iter_init (&iter, blocks);
   while (done
          && g_variant_iter_next (&iter, BLOCK_FORMAT, &fixed, &style.thickness,
                                  &style.unit_weight, &corners)) {
@@ -512,7 +460,7 @@ edit_paste (QnModel *model, gpointer data, GError **error)
     const QnVec2 *v = g_variant_get_fixed_array (corners, &count, sizeof *v);
     g_autofree QnVec2 *vertices = g_new (QnVec2, count);
     for (gsize k = 0; k < count; k++)
-      vertices[k] = qn_vec2_add (v[k], paste->by);
+      vertices[k] = qn_vec2_add (v[k], by);
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       style.support[dof] = fixed;
     done = qn_edit_add_block (model, vertices, (guint) count, style, error);
@@ -591,11 +539,14 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
   QnModel before;
   if (qn_model_copy (model, &before, NULL) != QN_OK)
     return;
-  Paste paste = { blocks, find_room (model, box) };
-  if (qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste, &paste)) {
+  const QnVec2 by = find_room (model, box);
+  QnDraft draft;
+  if (qn_canvas_begin_edit (self->canvas, &draft)
+      && qn_canvas_end_edit (self->canvas, &draft, _ ("Paste"), NULL,
+                             add_blocks (draft.model, blocks, by, &draft.error))) {
     select_added (self, &before);
-    qn_canvas_show_area (self->canvas, qn_vec2_add (box.min, paste.by),
-                         qn_vec2_add (box.max, paste.by));
+    qn_canvas_show_area (self->canvas, qn_vec2_add (box.min, by),
+                         qn_vec2_add (box.max, by));
   }
   qn_model_clear (&before);
 }

@@ -19,8 +19,6 @@ static const char *const signal_names[QN_DOCUMENT_SIGNAL_COUNT] = {
   "runs-changed", "job-changed",     "job-progress"
 };
 
-/* What a new drawing starts with. */
-
 void
 qn_document_emit (QnDocument *self, QnDocumentSignal signal)
 {
@@ -444,17 +442,21 @@ step_to (QnDocument *self, const char *name, const char *key, QnProject *draft,
   return TRUE;
 }
 
-/* A copy of the project with an edit; holds nothing where that is refused. */
-static gboolean
-edit_copy (QnDocument *self, QnProjectEditFunc func, gpointer user_data, QnProject *draft,
-           GError **error)
+gboolean
+qn_document_begin_edit (QnDocument *self, QnProject *draft, GError **error)
 {
   if (!qn_project_copy (&self->project, draft, error))
     return FALSE;
   g_free (draft->name);
   draft->name = g_strdup (name_in_messages (self));
-  /* Numbers entities as a file that is read. */
-  if (func (draft, user_data, error) && qn_edit_rebuild (&draft->model, NULL, error)
+  return TRUE;
+}
+
+/* Numbers entities as a file that is read; the draft holds nothing where that is refused. */
+static gboolean
+complete (QnProject *draft, gboolean done, GError **error)
+{
+  if (done && qn_edit_rebuild (&draft->model, NULL, error)
       && qn_project_prepare (draft, error))
     return TRUE;
   qn_project_clear (draft);
@@ -494,16 +496,25 @@ dissolves (const QnModel *before, const QnModel *after)
 }
 
 gboolean
+qn_document_end_edit (QnDocument *self, QnProject *draft, const char *name,
+                      const char *key, gboolean done, GError **error)
+{
+  if (!complete (draft, done, error))
+    return FALSE;
+  self->dissolved = dissolves (&self->project.model, &draft->model);
+  g_autofree char *told =
+    self->dissolved ? g_strdup_printf (_ ("%s, Wall to Free Blocks"), name) : NULL;
+  return step_to (self, told != NULL ? told : name, key, draft, error);
+}
+
+gboolean
 qn_document_edit_project (QnDocument *self, const char *name, const char *key,
                           QnProjectEditFunc func, gpointer user_data, GError **error)
 {
   QnProject draft;
-  if (!edit_copy (self, func, user_data, &draft, error))
-    return FALSE;
-  self->dissolved = dissolves (&self->project.model, &draft.model);
-  g_autofree char *told =
-    self->dissolved ? g_strdup_printf (_ ("%s, Wall to Free Blocks"), name) : NULL;
-  return step_to (self, told != NULL ? told : name, key, &draft, error);
+  return qn_document_begin_edit (self, &draft, error)
+         && qn_document_end_edit (self, &draft, name, key,
+                                  func (&draft, user_data, error), error);
 }
 
 gboolean
@@ -517,7 +528,8 @@ static QnProjectText *
 write_edited (QnDocument *self, QnProjectEditFunc func, gpointer user_data)
 {
   QnProject draft;
-  if (!edit_copy (self, func, user_data, &draft, NULL))
+  if (!qn_document_begin_edit (self, &draft, NULL)
+      || !complete (&draft, func (&draft, user_data, NULL), NULL))
     return NULL;
   QnProjectText *text = qn_project_write (&draft, NULL, NULL);
   qn_project_clear (&draft);

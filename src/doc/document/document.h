@@ -81,7 +81,17 @@ QnSelection *qn_document_get_selection (QnDocument *document);
 
 /* ---- edits ---- */
 
-/* Changes a copy of the model. Blocks may be appended behind the wall blocks; for removals and
+/* An edit begins with a copy of the project, for the caller to change. FALSE with an error where there is no
+ * memory for it. */
+gboolean qn_document_begin_edit (QnDocument *document, QnProject *draft, GError **error);
+
+/* Its end: the draft, which is taken over, becomes the project, as one step of the history (see
+ * qn_document_edit()). FALSE with an error where the draft breaks a rule, or where the edit was refused: `done`
+ * FALSE, and the error is there. */
+gboolean qn_document_end_edit (QnDocument *document, QnProject *draft, const char *name,
+                               const char *key, gboolean done, GError **error);
+
+/* The same by a function. Changes a copy of the model. Blocks may be appended behind the wall blocks; for removals and
  * changes of walls see edit.h. False with an error refuses the edit. */
 typedef gboolean (*QnEditFunc) (QnModel *model, gpointer user_data, GError **error);
 

@@ -526,12 +526,10 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
 }
 
 QnPartSet
-qn_selection_dup_parts (QnSelection *selection)
+qn_selection_get_parts (QnSelection *selection)
 {
-  QnPartSet set = { 0 };
-  const QnId *blocks = qn_selection_get (selection, QN_PART_BLOCK, &set.blocks.count);
-  const QnId *beams = qn_selection_get (selection, QN_PART_BEAM, &set.beams.count);
-  set.blocks.ids = g_memdup2 (blocks, set.blocks.count * sizeof *blocks);
-  set.beams.ids = g_memdup2 (beams, set.beams.count * sizeof *beams);
+  QnPartSet set;
+  set.blocks.ids = qn_selection_get (selection, QN_PART_BLOCK, &set.blocks.count);
+  set.beams.ids = qn_selection_get (selection, QN_PART_BEAM, &set.beams.count);
   return set;
 }

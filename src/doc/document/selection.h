@@ -76,9 +76,8 @@ typedef enum {
 void qn_selection_select_faces_like (QnSelection *selection, const QnContacts *contacts,
                                      QnId face, QnFaceLikeness likeness);
 
-/* The selected blocks and beams, copied, because the selection may change under an edit. Clear
- * it with qn_part_set_clear(). */
-QnPartSet qn_selection_dup_parts (QnSelection *selection);
+/* The selected blocks and beams; borrowed as long as the selection stays as it is. */
+QnPartSet qn_selection_get_parts (QnSelection *selection);
 
 /* Follows the blocks and beams of `before` to those of the same names in `after`, and faces to
  * those between them. */

@@ -3,14 +3,6 @@
 
 #include "doc/edit/edit-masonry.h"
 
-void
-qn_part_set_clear (QnPartSet *set)
-{
-  g_free ((gpointer) set->blocks.ids);
-  g_free ((gpointer) set->beams.ids);
-  *set = (QnPartSet){ 0 };
-}
-
 /* ---- moving ---- */
 
 /* A node that goes somewhere; told by name, because blocks that move may change numbers. */

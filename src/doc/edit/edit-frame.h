@@ -20,8 +20,6 @@ typedef struct QnPartSet {
   QnBeamSet beams;
 } QnPartSet;
 
-void qn_part_set_clear (QnPartSet *set);
-
 /* What a new beam is made of. */
 typedef struct QnBeamStyle {
   const char *section; /* name; NULL or unknown: the first there is, or a new one */

@@ -282,23 +282,9 @@ qn_view_state_get_phase (QnViewState *self)
 static bool *
 find_switch (QnViewState *self, const char *name)
 {
-  QnViewOptions *o = &self->options;
-  bool *loads = qn_view_needs_result (o->view) ? &self->result_loads : &o->loads;
-  const struct {
-    const char *name;
-    bool *value;
-  } switches[] = { { "ghost", &o->ghost },
-                   { "symbols", &o->symbols },
-                   { "loads", loads },
-                   { "dimensions", &o->dimensions },
-                   { "names", &o->names },
-                   { "values", &o->values },
-                   { "monochrome", &o->monochrome } };
-  for (gsize i = 0; i < G_N_ELEMENTS (switches); i++) {
-    if (strcmp (switches[i].name, name) == 0)
-      return switches[i].value;
-  }
-  return NULL;
+  return strcmp (name, "loads") == 0 && qn_view_needs_result (self->options.view)
+           ? &self->result_loads
+           : qn_view_switch (&self->options, name);
 }
 
 gboolean
