@@ -47,13 +47,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   return TRUE;
 }
 
-GtkWidget *
-qn_array_form_new (QnCanvas *canvas)
+/* As it is before anything is shown. */
+static void
+init (gpointer data)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "array-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
-  Form *form = qn_bound_form_new (&kind, canvas);
+  Form *form = data;
   form->numbers[COPIES] = 3.0;
   form->numbers[RIGHT] = 1.0;
-  return qn_bound_form_show (form);
 }
+
+const QnFormKind qn_array_form =
+  QN_FORM_KIND ("array-form", Form, .subject = subject, .look = look,
+                .follows = QN_FOLLOW_SELECTION, .init = init);

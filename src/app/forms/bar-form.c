@@ -76,12 +76,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_bar_form_new (QnCanvas *canvas)
-{
-  static const QnFormList list =
-    QN_FORM_LIST (BARS, EMPTY, bars, bar_count, dup_row, TRUE, QN_ITEM_BAR);
-  static const QnFormKind kind =
-    QN_FORM_KIND ("bar-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+static const QnFormList list =
+  QN_FORM_LIST (BARS, EMPTY, bars, bar_count, dup_row, TRUE, QN_ITEM_BAR);
+
+const QnFormKind qn_bar_form =
+  QN_FORM_KIND ("bar-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);

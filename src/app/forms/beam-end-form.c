@@ -129,12 +129,14 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_beam_end_form_new (QnCanvas *canvas, int end)
+static void
+init_second (gpointer form)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("beam-end-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION);
-  Form *form = qn_bound_form_new (&kind, canvas);
-  form->end = end;
-  return qn_bound_form_show (form);
+  ((Form *) form)->end = 1;
 }
+
+const QnFormKind qn_first_end_form =
+  QN_FORM_KIND ("beam-end-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION);
+const QnFormKind qn_second_end_form =
+  QN_FORM_KIND ("beam-end-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+                .init = init_second);

@@ -147,11 +147,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_beam_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind =
-    QN_FORM_KIND ("beam-form", QnBoundForm, .look = look,
-                  .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_beam_form =
+  QN_FORM_KIND ("beam-form", QnBoundForm, .look = look,
+                .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);

@@ -147,10 +147,5 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_block_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind = QN_FORM_KIND ("block-form", QnBoundForm, .look = look,
-                                               .follows = QN_FOLLOW_SELECTION);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_block_form =
+  QN_FORM_KIND ("block-form", QnBoundForm, .look = look, .follows = QN_FOLLOW_SELECTION);

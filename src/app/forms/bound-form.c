@@ -735,6 +735,8 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   /* A window is kept by GTK, anything else by the parent that it gets. */
   if (!GTK_IS_WINDOW (form->root))
     g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
+  if (kind->init != NULL)
+    kind->init (form);
   if (canvas == NULL)
     return form;
   add_menus (form);
@@ -753,4 +755,10 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   if ((kind->follows & QN_FOLLOW_TOOL) != 0)
     qn_watch (form->root, canvas, "status", G_CALLBACK (on_status), form);
   return form;
+}
+
+GtkWidget *
+qn_form_new (const QnFormKind *kind, QnCanvas *canvas)
+{
+  return qn_bound_form_show (qn_bound_form_new (kind, canvas));
 }

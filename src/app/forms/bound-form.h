@@ -77,8 +77,9 @@ typedef struct QnFormKind {
   guint row_count;
   const QnFieldInfo *(*row_info) (guint row);
   const char *(*row_step) (guint row);
-  const QnFormList *list; /* or NULL */
-  QnFollow follows;       /* besides the model */
+  const QnFormList *list;       /* or NULL */
+  QnFollow follows;             /* besides the model */
+  void (*init) (gpointer form); /* NULL, or fills the struct before anything is shown */
   /* Looks at what the form is about; FALSE: nothing, the form hides. NULL: always shown. */
   gboolean (*look) (gpointer form);
   /* The struct of the members that fields have, in `model` (NULL in dialogs and for fields without a
@@ -117,6 +118,9 @@ struct QnBoundForm {
 /* A form of that kind; its struct lives as long as its root. `canvas` is NULL for dialogs, whose
  * fields have no steps. Shows nothing before qn_bound_form_show(). */
 gpointer qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas);
+
+/* The root of a new form that shows its values. */
+GtkWidget *qn_form_new (const QnFormKind *kind, QnCanvas *canvas);
 
 /* Makes all fields show their values. Returns the root. */
 GtkWidget *qn_bound_form_show (gpointer form);

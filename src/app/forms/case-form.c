@@ -63,11 +63,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_case_form_new (QnCanvas *canvas)
-{
-  static const QnFormList list =
-    QN_FORM_LIST (CASES, EMPTY, load_cases, load_case_count, dup_row, FALSE, 0);
-  static const QnFormKind kind = QN_FORM_KIND ("case-form", QnBoundForm, .list = &list);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+static const QnFormList list =
+  QN_FORM_LIST (CASES, EMPTY, load_cases, load_case_count, dup_row, FALSE, 0);
+
+const QnFormKind qn_case_form = QN_FORM_KIND ("case-form", QnBoundForm, .list = &list);

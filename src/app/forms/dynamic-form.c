@@ -299,17 +299,18 @@ on_destroy (GtkWidget *root, Form *form)
   g_free (form->fault);
 }
 
-GtkWidget *
-qn_dynamic_form_new (QnCanvas *canvas)
+/* As it is before anything is shown. */
+static void
+init (gpointer data)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("dynamic-form", Form, .subject = subject, .look = look,
-                  .follows = QN_FOLLOW_SELECTION);
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
-  Form *form = qn_bound_form_new (&kind, canvas);
+  Form *form = data;
   form->selected = 0;
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_accept_files (form->base.root, take_file, form);
   g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
-  return qn_bound_form_show (form);
 }
+
+const QnFormKind qn_dynamic_form =
+  QN_FORM_KIND ("dynamic-form", Form, .subject = subject, .look = look,
+                .follows = QN_FOLLOW_SELECTION, .init = init);

@@ -216,13 +216,14 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
          && qn_edit_set_face_pairs (model, set, &rule, error);
 }
 
-GtkWidget *
-qn_face_form_new (QnCanvas *canvas)
+/* As it is before anything is shown. */
+static void
+init (gpointer data)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("face-form", QnBoundForm, .look = look,
-                  .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);
-  QnBoundForm *form = qn_bound_form_new (&kind, canvas);
+  QnBoundForm *form = data;
   qn_joint_view_init (form->widgets[VIEW]);
-  return qn_bound_form_show (form);
 }
+
+const QnFormKind qn_face_form = QN_FORM_KIND (
+  "face-form", QnBoundForm, .look = look,
+  .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW, .init = init);

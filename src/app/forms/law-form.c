@@ -370,14 +370,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_law_form_new (QnCanvas *canvas)
+/* As it is before anything is shown. */
+static void
+init (gpointer data)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "law-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION, .row_info = row_info,
-    .row_step = row_step, .row_count = G_N_ELEMENTS (numbers));
-  QnBoundForm *form = qn_bound_form_new (&kind, canvas);
+  QnBoundForm *form = data;
   ((Form *) form)->by = QN_NONE;
   qn_law_view_init (form->widgets[VIEW]);
-  return qn_bound_form_show (form);
 }
+
+const QnFormKind qn_law_form = QN_FORM_KIND (
+  "law-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION, .row_info = row_info,
+  .row_step = row_step, .row_count = G_N_ELEMENTS (numbers), .init = init);

@@ -473,13 +473,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_load_form_new (QnCanvas *canvas)
+/* As it is before anything is shown. */
+static void
+init (gpointer data)
 {
-  static const QnFormKind kind = QN_FORM_KIND (
-    "load-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
-  Form *form = qn_bound_form_new (&kind, canvas);
+  Form *form = data;
   form->shown = QN_DEAD_LOADS;
   form->selected = form->wanted = -1;
-  return qn_bound_form_show (form);
 }
+
+const QnFormKind qn_load_form =
+  QN_FORM_KIND ("load-form", Form, .subject = subject, .look = look,
+                .follows = QN_FOLLOW_SELECTION, .init = init);

@@ -163,11 +163,6 @@ row_step (guint row)
   return _ ("Change %s");
 }
 
-GtkWidget *
-qn_masonry_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind = QN_FORM_KIND (
-    "masonry-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-    .row_info = row_info, .row_step = row_step, .row_count = QN_MASONRY_FIELD_COUNT);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_masonry_form = QN_FORM_KIND (
+  "masonry-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+  .row_info = row_info, .row_step = row_step, .row_count = QN_MASONRY_FIELD_COUNT);

@@ -122,11 +122,6 @@ row_step (guint row)
   return row <= QN_OPENING_BOTTOM ? _ ("Move Opening") : _ ("Change Opening");
 }
 
-GtkWidget *
-qn_opening_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind = QN_FORM_KIND (
-    "opening-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-    .row_info = row_info, .row_step = row_step, .row_count = QN_OPENING_FIELD_COUNT);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_opening_form = QN_FORM_KIND (
+  "opening-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+  .row_info = row_info, .row_step = row_step, .row_count = QN_OPENING_FIELD_COUNT);

@@ -1,53 +1,26 @@
 /* The side panels of a window; each looks at the view state and the canvas of its window. */
 #pragma once
 
-#include "app/canvas/canvas.h"
+#include "app/forms/bound-form.h"
 
 /* The tool's settings and what is selected: blocks, their wall, a contact face. */
 GtkWidget *qn_properties_panel_new (QnCanvas *canvas);
 
-/* The picture behind the drawing; hidden where there is none. */
-GtkWidget *qn_picture_panel_new (QnCanvas *canvas);
+/* Its parts, each hidden where it has nothing to say: what the current tool draws with, the selected blocks,
+ * copies of them, the masonry they belong to, an opening, contact faces; where the selection is, by numbers;
+ * the selected beams, the two ends of a single one, their section; the picture behind the drawing. */
+extern const QnFormKind qn_style_form, qn_block_form, qn_array_form, qn_wall_form,
+  qn_masonry_form, qn_opening_form, qn_face_form, qn_place_form, qn_beam_form,
+  qn_first_end_form, qn_second_end_form, qn_section_form, qn_picture_form;
 
-/* Its parts, each hidden where it has nothing to say: what the current tool draws with, the
- * selected blocks, copies of them, the masonry they belong to, an opening, contact faces. */
-GtkWidget *qn_style_form_new (QnCanvas *canvas);
-GtkWidget *qn_block_form_new (QnCanvas *canvas);
-GtkWidget *qn_array_form_new (QnCanvas *canvas);
-GtkWidget *qn_wall_form_new (QnCanvas *canvas);
-GtkWidget *qn_masonry_form_new (QnCanvas *canvas);
-GtkWidget *qn_opening_form_new (QnCanvas *canvas);
-GtkWidget *qn_face_form_new (QnCanvas *canvas);
-
-/* Where the selection is, by numbers; the corners of a single block. */
-GtkWidget *qn_place_form_new (QnCanvas *canvas);
+/* The corners of a single block. */
 GtkWidget *qn_corner_table_new (QnCanvas *canvas);
 
-/* The selected beams, the two ends of a single one (end: 0, 1), their section. */
-GtkWidget *qn_beam_form_new (QnCanvas *canvas);
-GtkWidget *qn_beam_end_form_new (QnCanvas *canvas, int end);
-GtkWidget *qn_section_form_new (QnCanvas *canvas);
-
-/* Procedure and its parameters, loads, contacts, laws. */
+/* Procedure and its parameters; its parts: single loads, load cases, stages of loading; settings and ground
+ * motions of an analysis in time, hidden where the analysis is another; laws, reinforcing bars, ties. */
 GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
-
-/* Single loads, and stages of loading; parts of the analysis panel. */
-GtkWidget *qn_load_form_new (QnCanvas *canvas);
-GtkWidget *qn_case_form_new (QnCanvas *canvas);
-GtkWidget *qn_stage_form_new (QnCanvas *canvas);
-
-/* Settings and ground motions of an analysis in time; part of the analysis panel, hidden where the
- * analysis is another. */
-GtkWidget *qn_dynamic_form_new (QnCanvas *canvas);
-
-/* Reinforcing bars; part of the analysis panel. */
-GtkWidget *qn_bar_form_new (QnCanvas *canvas);
-
-/* Ties; likewise. */
-GtkWidget *qn_tie_form_new (QnCanvas *canvas);
-
-/* The law of the contacts; part of the analysis panel. */
-GtkWidget *qn_law_form_new (QnCanvas *canvas);
+extern const QnFormKind qn_load_form, qn_case_form, qn_stage_form, qn_dynamic_form,
+  qn_law_form, qn_bar_form, qn_tie_form;
 
 /* Outcome in words, curve, list of runs and steps, table of contacts. */
 GtkWidget *qn_result_panel_new (QnCanvas *canvas);

@@ -86,10 +86,5 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
                              what, value->number, error);
 }
 
-GtkWidget *
-qn_place_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind = QN_FORM_KIND ("place-form", QnBoundForm, .look = look,
-                                               .follows = QN_FOLLOW_SELECTION);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_place_form =
+  QN_FORM_KIND ("place-form", QnBoundForm, .look = look, .follows = QN_FOLLOW_SELECTION);

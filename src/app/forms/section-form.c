@@ -135,11 +135,5 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_section_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind =
-    QN_FORM_KIND ("section-form", Form, .subject = subject, .look = look,
-                  .follows = QN_FOLLOW_SELECTION);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_section_form = QN_FORM_KIND (
+  "section-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);

@@ -232,12 +232,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_stage_form_new (QnCanvas *canvas)
-{
-  static const QnFormList list =
-    QN_FORM_LIST (STAGES, EMPTY, stages, stage_count, dup_row, FALSE, 0);
-  static const QnFormKind kind =
-    QN_FORM_KIND ("stage-form", QnBoundForm, .list = &list, .look = look);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+static const QnFormList list =
+  QN_FORM_LIST (STAGES, EMPTY, stages, stage_count, dup_row, FALSE, 0);
+
+const QnFormKind qn_stage_form =
+  QN_FORM_KIND ("stage-form", QnBoundForm, .list = &list, .look = look);

@@ -203,11 +203,5 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   return TRUE;
 }
 
-GtkWidget *
-qn_style_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind =
-    QN_FORM_KIND ("style-form", QnBoundForm, .look = look, .subject = subject,
-                  .follows = QN_FOLLOW_TOOL);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_style_form = QN_FORM_KIND (
+  "style-form", QnBoundForm, .look = look, .subject = subject, .follows = QN_FOLLOW_TOOL);

@@ -173,12 +173,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
-GtkWidget *
-qn_tie_form_new (QnCanvas *canvas)
-{
-  static const QnFormList list =
-    QN_FORM_LIST (TIES, EMPTY, ties, tie_count, dup_row, TRUE, QN_ITEM_TIE);
-  static const QnFormKind kind =
-    QN_FORM_KIND ("tie-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+static const QnFormList list =
+  QN_FORM_LIST (TIES, EMPTY, ties, tie_count, dup_row, TRUE, QN_ITEM_TIE);
+
+const QnFormKind qn_tie_form =
+  QN_FORM_KIND ("tie-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);

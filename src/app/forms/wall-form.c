@@ -56,10 +56,5 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   return qn_edit_rebuild (&draft->model, NULL, error);
 }
 
-GtkWidget *
-qn_wall_form_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind = QN_FORM_KIND (
-    "wall-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_wall_form = QN_FORM_KIND (
+  "wall-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION);

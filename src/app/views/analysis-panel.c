@@ -330,12 +330,15 @@ qn_analysis_panel_new (QnCanvas *canvas)
   static const QnFormKind kind =
     QN_FORM_KIND ("analysis-panel", QnBoundForm, .subject = subject);
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
-  gtk_box_append (GTK_BOX (form->widgets[DYNAMIC_BOX]), qn_dynamic_form_new (canvas));
-  gtk_box_append (GTK_BOX (form->widgets[LOADS_BOX]), qn_load_form_new (canvas));
-  gtk_box_append (GTK_BOX (form->widgets[LOADS_BOX]), qn_case_form_new (canvas));
-  gtk_box_append (GTK_BOX (form->widgets[STAGES_BOX]), qn_stage_form_new (canvas));
-  gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_law_form_new (canvas));
-  gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_bar_form_new (canvas));
-  gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_tie_form_new (canvas));
+  const struct {
+    guint box;
+    const QnFormKind *part;
+  } parts[] = { { DYNAMIC_BOX, &qn_dynamic_form }, { LOADS_BOX, &qn_load_form },
+                { LOADS_BOX, &qn_case_form },      { STAGES_BOX, &qn_stage_form },
+                { LAWS_BOX, &qn_law_form },        { LAWS_BOX, &qn_bar_form },
+                { LAWS_BOX, &qn_tie_form } };
+  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
+    gtk_box_append (GTK_BOX (form->widgets[parts[i].box]),
+                    qn_form_new (parts[i].part, canvas));
   return qn_bound_form_show (form);
 }

@@ -104,10 +104,5 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     fade ? "picture-opacity" : NULL, &underlay, error);
 }
 
-GtkWidget *
-qn_picture_panel_new (QnCanvas *canvas)
-{
-  static const QnFormKind kind =
-    QN_FORM_KIND ("picture-panel", QnBoundForm, .look = look, .follows = QN_FOLLOW_VIEW);
-  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
-}
+const QnFormKind qn_picture_form =
+  QN_FORM_KIND ("picture-panel", QnBoundForm, .look = look, .follows = QN_FOLLOW_VIEW);

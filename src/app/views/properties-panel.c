@@ -30,18 +30,16 @@ qn_properties_panel_new (QnCanvas *canvas)
   GtkWidget *box = qn_builder_take_widget (builder, "panel");
   Panel *panel = g_new (Panel, 1);
   *panel = (Panel){ canvas, qn_builder_get_widget (builder, "hint") };
-  GtkWidget *parts[] = {
-    qn_style_form_new (canvas),       qn_block_form_new (canvas),
-    qn_place_form_new (canvas),       qn_corner_table_new (canvas),
-    qn_wall_form_new (canvas),        qn_opening_form_new (canvas),
-    qn_masonry_form_new (canvas),     qn_face_form_new (canvas),
-    qn_beam_form_new (canvas),        qn_beam_end_form_new (canvas, 0),
-    qn_beam_end_form_new (canvas, 1), qn_section_form_new (canvas),
-    qn_array_form_new (canvas)
+  static const QnFormKind *const parts[] = {
+    &qn_block_form,      &qn_place_form,   NULL,
+    &qn_wall_form,       &qn_opening_form, &qn_masonry_form,
+    &qn_face_form,       &qn_beam_form,    &qn_first_end_form,
+    &qn_second_end_form, &qn_section_form, &qn_array_form
   };
-  gtk_box_prepend (GTK_BOX (box), parts[0]);
-  for (gsize i = 1; i < G_N_ELEMENTS (parts); i++)
-    gtk_box_append (GTK_BOX (box), parts[i]);
+  gtk_box_prepend (GTK_BOX (box), qn_form_new (&qn_style_form, canvas));
+  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++) /* the table is no form */
+    gtk_box_append (GTK_BOX (box), parts[i] != NULL ? qn_form_new (parts[i], canvas)
+                                                    : qn_corner_table_new (canvas));
   qn_own (box, panel);
   qn_watch (box, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), panel);
   update (panel);
