@@ -3,6 +3,7 @@
 #include "app/canvas/canvas-private.h"
 
 #include "app/widgets/settings.h"
+#include "core/base/polygon.h"
 #include "doc/view/inspect.h"
 #include <pango/pangocairo.h>
 
@@ -54,29 +55,13 @@ qn_canvas_joint_line (QnCanvas *self, const QnMotion *motion, const QnContactFac
                             qn_canvas_place (self, motion, face->b, ends[i]), 0.5);
 }
 
-static double
-distance_to_segment (QnVec2 p, QnVec2 a, QnVec2 b)
-{
-  QnVec2 d = qn_vec2_sub (b, a), r = qn_vec2_sub (p, a);
-  double length = qn_vec2_dot (d, d);
-  double s = length > 0.0 ? CLAMP (qn_vec2_dot (r, d) / length, 0.0, 1.0) : 0.0;
-  return qn_vec2_length (qn_vec2_add_scaled (r, -s, d));
-}
-
 /* The smaller side of the smaller block, px. */
 static double
 block_size (QnCanvas *self, const QnModel *model, const QnContactFace *face)
 {
-  double least = INFINITY;
-  const QnId sides[2] = { face->a, face->b };
-  for (int i = 0; i < 2; i++) {
-    QnBox box = QN_BOX_EMPTY;
-    const QnVec2 *v = qn_model_block_vertices (model, sides[i]);
-    for (QnId k = 0; k < model->blocks[sides[i]].vertex_count; k++)
-      qn_box_add_point (&box, v[k]);
-    least = MIN (least, MIN (box.max.x - box.min.x, box.max.y - box.min.y));
-  }
-  return least * self->camera.scale;
+  return self->camera.scale
+         * fmin (qn_box_smaller_side (qn_model_block_box (model, face->a)),
+                 qn_box_smaller_side (qn_model_block_box (model, face->b)));
 }
 
 QnId
@@ -105,7 +90,7 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
       continue;
     QnVec2 line[2];
     qn_canvas_joint_line (self, &motion, face, line);
-    double distance = distance_to_segment (screen, line[0], line[1]);
+    double distance = qn_segment_distance (line[0], line[1], screen);
     if (distance < nearest && block_size (self, model, face) >= LEAST_BLOCK_PX) {
       nearest = distance;
       found = (QnId) f;

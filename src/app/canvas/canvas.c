@@ -2,6 +2,7 @@
 
 #include "app/widgets/settings.h"
 #include "app/widgets/text-unit.h"
+#include "doc/edit/edit-place.h"
 #include "doc/text/count-text.h"
 #include "io/project/project-masonry.h"
 #include <glib/gi18n.h>
@@ -460,23 +461,12 @@ qn_canvas_get_parts (QnCanvas *self)
 gboolean
 qn_canvas_get_parts_box (QnCanvas *self, QnVec2 *low, QnVec2 *high)
 {
-  const QnModel *model = qn_canvas_get_model (self);
-  QnSelection *selection = qn_canvas_get_selection (self);
-  QnBox box = QN_BOX_EMPTY;
-  guint count = 0;
-  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
-  for (guint i = 0; i < count; i++) {
-    const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
-    for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++)
-      qn_box_add_point (&box, v[k]);
-  }
-  ids = qn_selection_get (selection, QN_PART_BEAM, &count);
-  for (guint i = 0; i < count; i++)
-    for (int end = 0; end < 2; end++)
-      qn_box_add_point (&box, model->nodes[model->beams[ids[i]].nodes[end]].at);
-  *low = box.min;
-  *high = box.max;
-  return box.min.x <= box.max.x;
+  QnExtent extent;
+  gboolean any =
+    qn_extent_find (qn_canvas_get_model (self), qn_canvas_get_parts (self), &extent);
+  *low = extent.box.min;
+  *high = extent.box.max;
+  return any;
 }
 
 QnId

@@ -67,23 +67,10 @@ clear (gpointer data)
 
 /* ---- what it would become ---- */
 
-static QnBox
-extents_of (const QnModel *model)
-{
-  QnBox box = { model->vertices[0], model->vertices[0] };
-  for (gsize i = 1; i < model->vertex_count; i++) {
-    box.min = qn_vec2 (MIN (box.min.x, model->vertices[i].x),
-                       MIN (box.min.y, model->vertices[i].y));
-    box.max = qn_vec2 (MAX (box.max.x, model->vertices[i].x),
-                       MAX (box.max.y, model->vertices[i].y));
-  }
-  return box;
-}
-
 static char *
 dup_extents (const QnModel *model)
 {
-  QnBox box = extents_of (model);
+  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
   QnUnits shown = qn_settings_get_units ();
   g_autofree char *width =
     qn_units_format_full (shown, QN_QUANTITY_LENGTH, box.max.x - box.min.x, 4);

@@ -478,8 +478,7 @@ box_of_blocks (GVariant *blocks)
     g_autoptr (GVariant) block = g_variant_get_child_value (blocks, i);
     g_autoptr (GVariant) corners = g_variant_get_child_value (block, 3);
     const QnVec2 *v = g_variant_get_fixed_array (corners, &count, sizeof *v);
-    for (gsize k = 0; k < count; k++)
-      qn_box_add_point (&box, v[k]);
+    qn_box_add_box (&box, qn_box_of_points (v, count));
   }
   return box;
 }
@@ -490,8 +489,7 @@ is_free (const QnModel *model, QnBox box, QnVec2 by)
 {
   double touch = 1e-9 * (1.0 + qn_box_diagonal (box));
   for (gsize i = 0; i < model->block_count; i++) {
-    QnBox other = qn_box_of_points (qn_model_block_vertices (model, (QnId) i),
-                                    (gsize) model->blocks[i].vertex_count);
+    QnBox other = qn_model_block_box (model, (QnId) i);
     if (box.min.x + by.x < other.max.x - touch && box.max.x + by.x > other.min.x + touch
         && box.min.y + by.y < other.max.y - touch
         && box.max.y + by.y > other.min.y + touch)

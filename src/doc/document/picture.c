@@ -50,18 +50,6 @@ qn_document_allow_picture (QnDocument *document)
     qn_document_allow_file (document, path);
 }
 
-static QnBox
-box_of (const QnModel *model)
-{
-  QnBox box = { model->vertices[0], model->vertices[0] };
-  for (gsize i = 1; i < model->vertex_count; i++) {
-    QnVec2 v = model->vertices[i];
-    box.min = qn_vec2 (MIN (box.min.x, v.x), MIN (box.min.y, v.y));
-    box.max = qn_vec2 (MAX (box.max.x, v.x), MAX (box.max.y, v.y));
-  }
-  return box;
-}
-
 gboolean
 qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
                             GError **error)
@@ -72,7 +60,9 @@ qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
   cairo_surface_destroy (image);
   qn_document_allow_file (document, path);
   const QnModel *model = qn_document_get_model (document);
-  QnBox box = model->block_count > 0 ? box_of (model) : view;
+  QnBox box = model->block_count > 0
+                ? qn_box_of_points (model->vertices, model->vertex_count)
+                : view;
   QnUnderlay underlay = { .origin = box.min,
                           .width = MAX (box.max.x - box.min.x, 1e-3),
                           .opacity = 0.6 };

@@ -1,6 +1,5 @@
 #include "doc/edit/edit-bar.h"
 
-#include "core/base/box.h"
 #include "core/base/polygon.h"
 #include "doc/text/law-preset.h"
 #include <glib/gi18n-lib.h>
@@ -40,11 +39,8 @@ static QnBox
 box_of (const QnModel *model, QnBlockSet set)
 {
   QnBox box = QN_BOX_EMPTY;
-  for (guint i = 0; i < set.count; i++) {
-    const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
-    for (QnId k = 0; k < model->blocks[set.ids[i]].vertex_count; k++)
-      qn_box_add_point (&box, v[k]);
-  }
+  for (guint i = 0; i < set.count; i++)
+    qn_box_add_box (&box, qn_model_block_box (model, set.ids[i]));
   return box;
 }
 
@@ -54,7 +50,7 @@ lies_level (const QnModel *model, QnBlockSet set, QnVec2 middle, QnVec2 size)
 {
   guint level = 0, upright = 0;
   for (guint i = 0; i < set.count; i++) {
-    QnBox box = box_of (model, (QnBlockSet){ set.ids + i, 1 });
+    QnBox box = qn_model_block_box (model, set.ids[i]);
     level += box.min.y < middle.y && middle.y < box.max.y;
     upright += box.min.x < middle.x && middle.x < box.max.x;
   }

@@ -11,14 +11,6 @@
 /* ---- extents ---- */
 
 static void
-add_block (QnBox *box, const QnModel *model, QnId block)
-{
-  const QnVec2 *v = qn_model_block_vertices (model, block);
-  for (QnId k = 0; k < model->blocks[block].vertex_count; k++)
-    qn_box_add_point (box, v[k]);
-}
-
-static void
 add_beam (QnBox *box, const QnModel *model, QnId beam)
 {
   for (int end = 0; end < 2; end++)
@@ -61,7 +53,7 @@ qn_extent_find (const QnModel *model, QnPartSet set, QnExtent *extent)
   *extent = (QnExtent){ .box = QN_BOX_EMPTY };
   for (guint i = 0; i < set.blocks.count; i++) {
     const QnBlock *block = &model->blocks[set.blocks.ids[i]];
-    add_block (&extent->box, model, set.blocks.ids[i]);
+    qn_box_add_box (&extent->box, qn_model_block_box (model, set.blocks.ids[i]));
     extent->area += block->area;
     extent->weight += block->weight;
     extent->centroid =
@@ -203,7 +195,7 @@ find_things (const QnModel *model, QnPartSet set)
     }
     Thing *thing = thing_of_block (things, known, block, together);
     g_ptr_array_add (thing->blocks, g_strdup (block->name));
-    add_block (&thing->box, model, id);
+    qn_box_add_box (&thing->box, qn_model_block_box (model, id));
   }
   for (guint i = 0; i < set.beams.count; i++) {
     Thing *thing = add_thing (things);

@@ -130,14 +130,9 @@ copy_walls (Rebuild *r)
 static QnVec2
 middle_of_box (const QnModel *model, QnId block, QnVec2 *half)
 {
-  const QnVec2 *v = qn_model_block_vertices (model, block);
-  QnVec2 low = v[0], high = v[0];
-  for (QnId i = 1; i < model->blocks[block].vertex_count; i++) {
-    low = qn_vec2 (MIN (low.x, v[i].x), MIN (low.y, v[i].y));
-    high = qn_vec2 (MAX (high.x, v[i].x), MAX (high.y, v[i].y));
-  }
-  *half = qn_vec2_scale (0.5, qn_vec2_sub (high, low));
-  return qn_vec2_lerp (low, high, 0.5);
+  QnBox box = qn_model_block_box (model, block);
+  *half = qn_vec2_scale (0.5, qn_vec2_sub (box.max, box.min));
+  return qn_vec2_lerp (box.min, box.max, 0.5);
 }
 
 /* A block of masonry that was laid again is the one of the same name or, where there is none any

@@ -1,6 +1,5 @@
 #include "doc/edit/edit-stage.h"
 
-#include "core/base/box.h"
 #include "core/model/cycles.h"
 #include "core/model/support.h"
 
@@ -112,13 +111,9 @@ box_of (const QnModel *model, QnBlockSet set)
 {
   g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
   QnBox box = QN_BOX_EMPTY;
-  for (gsize b = 0; b < model->block_count; b++) {
-    const QnVec2 *corners = qn_model_block_vertices (model, (QnId) b);
-    gboolean counts =
-      set.count > 0 ? flags[b] : !qn_support_is_full (model->blocks[b].support);
-    for (QnId k = 0; counts && k < model->blocks[b].vertex_count; k++)
-      qn_box_add_point (&box, corners[k]);
-  }
+  for (gsize b = 0; b < model->block_count; b++)
+    if (set.count > 0 ? flags[b] : !qn_support_is_full (model->blocks[b].support))
+      qn_box_add_box (&box, qn_model_block_box (model, (QnId) b));
   return box;
 }
 

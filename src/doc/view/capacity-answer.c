@@ -244,12 +244,8 @@ analyse (const Search *search, QnResult *result)
 static double
 height_of (const QnModel *model)
 {
-  double low = INFINITY, high = -INFINITY;
-  for (size_t i = 0; i < model->vertex_count; i++) {
-    low = MIN (low, model->vertices[i].y);
-    high = MAX (high, model->vertices[i].y);
-  }
-  return high - low;
+  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
+  return box.max.y - box.min.y;
 }
 
 /* A mechanism of limit analysis; the result is there where FOUND. */
