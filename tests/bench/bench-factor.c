@@ -34,7 +34,6 @@ typedef struct {
   int32_t n;
   int32_t *ap, *ai;
   double *ax;
-  const QnVec2 *points;
   double *b, *x; /* load and solution */
 } System;
 
@@ -51,7 +50,7 @@ typedef struct {
 static void *
 block_analyse (const System *s)
 {
-  return qn_block_lu_new (s->n, s->ap, s->ai, s->points, NULL);
+  return qn_block_lu_new (s->n, s->ap, s->ai, NULL);
 }
 
 static void
@@ -217,8 +216,7 @@ run (FILE *csv, const char *kind, const QnModel *model, const QnContacts *contac
   g_assert_cmpint (qn_assembly_setup (&as, model, contacts, NULL), ==, QN_OK);
   size_t n = (size_t) as.unknown_count;
   g_autofree double *u = g_new0 (double, n), *b = g_new0 (double, n);
-  QnVec2 *points = qn_assembly_points (&as);
-  System s = { as.unknown_count, as.ap, as.ai, as.ax, points, b, u };
+  System s = { as.unknown_count, as.ap, as.ai, as.ax, b, u };
 
   for (size_t i = 0; i < n; i++)
     b[i] = as.dead[i] + 0.5 * as.live[i];
@@ -232,7 +230,6 @@ run (FILE *csv, const char *kind, const QnModel *model, const QnContacts *contac
   qn_assembly_tangent (&as, 0.5, VISCOSITY);
   g_assert_false (qn_assembly_is_symmetric (&as));
   measure (csv, kind, model->block_count, "slipping", &s);
-  free (points);
   qn_assembly_clear (&as);
 }
 

@@ -19,7 +19,7 @@ static const Layer layers[] = {
     { "base", "law", "model", "contact", "linalg", "result", "assembly", "equilibrium",
       "limit", "dynamics", "check", "path", "modal", "capacity" },
     { "core/" },
-    { "klu.h", "cholmod.h", "amd.h", "camd.h", "colamd.h", "SuiteSparse_config.h" } },
+    { "klu.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h" } },
   { "disk", { NULL }, { "disk/" }, { "dirent.h" } },
   { "stereotomy", { NULL }, { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",

@@ -280,24 +280,6 @@ prepare_damping (QnAssembly *as)
   }
 }
 
-QnVec2 *
-qn_assembly_points (const QnAssembly *as)
-{
-  const QnModel *model = as->model;
-  QnVec2 *points = qn_alloc ((size_t) as->unknown_count, sizeof *points);
-
-  if (points == NULL)
-    return NULL;
-  for (size_t b = 0; b < qn_model_body_count (model); b++) {
-    QnVec2 point = b < model->block_count ? model->blocks[b].centroid
-                                          : model->nodes[b - model->block_count].at;
-    for (size_t i = 0; i < QN_DOF_COUNT; i++)
-      if (as->unknown[QN_DOF_COUNT * b + i] != QN_NONE)
-        points[as->unknown[QN_DOF_COUNT * b + i]] = point;
-  }
-  return points;
-}
-
 QnStatus
 qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *contacts,
                    QnDiag *diag)

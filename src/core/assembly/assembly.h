@@ -119,9 +119,6 @@ void qn_assembly_clear (QnAssembly *assembly);
  * those of the undeformed state until the next evaluation. */
 void qn_assembly_place_pair (QnAssembly *assembly, size_t pair);
 
-/* Where the bodies of all unknowns stand; NULL when memory runs out. */
-QnVec2 *qn_assembly_points (const QnAssembly *assembly);
-
 /* Makes "dead" the dead loads and every set times its factor in `held`, "live" every set times
  * its factor in `driven`; QN_MAX_LOAD_SETS factors each. At first nothing is held, and the live
  * loads (set 0) are driven. */

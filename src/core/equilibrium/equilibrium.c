@@ -77,12 +77,9 @@ allocate_for_pairs (QnEquilibrium *eq)
 {
   const QnAssembly *as = &eq->assembly;
   QnPool *pool = &eq->pair_pool;
-  QnVec2 *points = qn_assembly_points (as);
 
-  eq->linsys = points == NULL ? NULL
-                              : qn_linsys_new (as->unknown_count, as->ap, as->ai, points,
-                                               as->model->analysis.workers);
-  free (points);
+  eq->linsys =
+    qn_linsys_new (as->unknown_count, as->ap, as->ai, as->model->analysis.workers);
   eq->factored_phases = qn_pool_alloc (pool, as->pair_count, sizeof *eq->factored_phases);
   eq->gaps = qn_pool_alloc (pool, as->pair_count, sizeof *eq->gaps);
   qn_equilibrium_state_init (&eq->committed, as, pool);

@@ -97,8 +97,8 @@ schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnPool *pool)
   schur->values = qn_pool_alloc (pool, count, sizeof *schur->values);
   if (keys != NULL && !pool->failed) {
     fill_pattern (schur, keys, count);
-    schur->lu = qn_block_lu_new (problem->row_count, schur->columns, schur->rows, NULL,
-                                 problem->workers);
+    schur->lu =
+      qn_block_lu_new (problem->row_count, schur->columns, schur->rows, problem->workers);
   }
   free (keys);
 }

@@ -346,12 +346,11 @@ lay_out_solution (QnBlockLu *lu)
 }
 
 static bool
-set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai,
-        const QnVec2 *points)
+set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
 {
   size_t entries = (size_t) ap[n];
 
-  if (!qn_front_tree_init (&lu->tree, n, ap, ai, points))
+  if (!qn_front_tree_init (&lu->tree, n, ap, ai))
     return false;
   lu->matrices =
     qn_pool_alloc (&lu->pool, (size_t) lu->tree.front_count + 1, sizeof *lu->matrices);
@@ -370,7 +369,7 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai,
 }
 
 QnBlockLu *
-qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points,
+qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai,
                  const QnWorkers *workers)
 {
   QnBlockLu *lu = qn_alloc (1, sizeof *lu);
@@ -379,7 +378,7 @@ qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *
     return NULL;
   lu->loops = qn_front_loops (QN_FRONT_ROWS);
   lu->workers = workers;
-  if (!set_up (lu, n, ap, ai, points)) {
+  if (!set_up (lu, n, ap, ai)) {
     qn_block_lu_free (lu);
     return NULL;
   }

@@ -15,17 +15,15 @@
 #pragma once
 
 #include "core/base/status.h"
-#include "core/base/vec2.h"
 #include "core/base/workers.h"
 
 typedef struct QnBlockLu QnBlockLu;
 
 /* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which
- * must be symmetric. The pattern is borrowed and must outlive the object. `points`: where the
- * unknowns stand (front-tree.h), or NULL. `workers` (nullable) are borrowed as well. NULL when memory
- * runs out. */
+ * must be symmetric. The pattern is borrowed and must outlive the object. `workers`
+ * (nullable) are borrowed as well. NULL when memory runs out. */
 QnBlockLu *qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai,
-                            const QnVec2 *points, const QnWorkers *workers);
+                            const QnWorkers *workers);
 
 void qn_block_lu_free (QnBlockLu *lu);
 

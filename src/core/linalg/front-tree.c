@@ -1,10 +1,8 @@
 #include "core/linalg/front-tree.h"
 
 #include "core/base/memory.h"
-#include "core/linalg/dissection.h"
 
 #include <amd.h>
-#include <camd.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,16 +16,12 @@
 #define SOME_ZEROS 0.25
 #define FEW_ZEROS  0.05
 
-/* Nodes from which on dissection is tried. */
-#define LARGE 1000
-
 /* What the analysis works on: the graph of nodes, which are unknowns that stand together and
  * meet the same others. */
 typedef struct {
   QnPool pool; /* of all that follows but rows */
   int32_t n, count;
   const int32_t *ap, *ai;
-  const QnVec2 *points;  /* n, or NULL */
   int32_t *node;         /* n: of each unknown */
   int32_t *width;        /* unknowns of each node */
   int32_t *start, *next; /* neighbours of nodes, themselves left out */
@@ -154,71 +148,15 @@ find_columns (Analysis *a)
   return true;
 }
 
-/* --- Order of elimination ---------------------------------------------------------------- */
-
-/* Finds place and columns that belong to an order; their number of multiplications in *work. */
-static bool
-try_order (Analysis *a, double *work)
-{
-  for (int32_t j = 0; j < a->count; j++)
-    a->place[a->order[j]] = j;
-  if (!find_columns (a))
-    return false;
-  *work = 0;
-  for (int32_t j = 0; j < a->count; j++) {
-    double length = a->column_start[j + 1] - a->column_start[j];
-    *work += length * length;
-  }
-  return true;
-}
-
-/* By dissection, and by minimum degree within its sets. */
-static bool
-order_by_dissection (const Analysis *a, int32_t *order)
-{
-  size_t nodes = (size_t) a->count;
-  QnVec2 *points = qn_alloc (nodes, sizeof *points);
-  int32_t *set = qn_alloc (nodes, sizeof *set);
-  bool ok = points != NULL && set != NULL;
-
-  if (ok) {
-    for (int32_t i = a->n - 1; i >= 0; i--)
-      points[a->node[i]] = a->points[i];
-    ok = qn_dissect (&(QnPlaneGraph){ a->count, a->start, a->next, points }, set)
-         && camd_order (a->count, a->start, a->next, order, NULL, NULL, set) >= CAMD_OK;
-  }
-  free (points);
-  free (set);
-  return ok;
-}
-
-/* The cheaper of two orders, with its columns. */
+/* The order of elimination, by minimum degree, and the columns that belong to it. */
 static bool
 choose_order (Analysis *a)
 {
-  size_t nodes = (size_t) a->count;
-  double by_degree, by_dissection;
-
-  if (amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK
-      || !try_order (a, &by_degree))
+  if (amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK)
     return false;
-  if (a->points == NULL || a->count < LARGE)
-    return true;
-
-  Analysis other = *a; /* the same graph, another order */
-  other.order = qn_pool_alloc (&a->pool, nodes, sizeof *other.order);
-  other.place = qn_pool_alloc (&a->pool, nodes, sizeof *other.place);
-  other.column_start = qn_pool_alloc (&a->pool, nodes + 1, sizeof *other.column_start);
-  other.rows = NULL;
-  other.row_capacity = 0;
-  bool ok = !a->pool.failed && order_by_dissection (a, other.order)
-            && try_order (&other, &by_dissection);
-  bool better = ok && by_dissection < by_degree;
-  free (better ? a->rows : other.rows);
-  other.pool = a->pool;
-  if (better)
-    *a = other;
-  return ok;
+  for (int32_t j = 0; j < a->count; j++)
+    a->place[a->order[j]] = j;
+  return find_columns (a);
 }
 
 /* --- Groups of nodes that make a front -------------------------------------------------- */
@@ -451,10 +389,9 @@ analyse (Analysis *a, QnFrontTree *tree)
 }
 
 bool
-qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap, const int32_t *ai,
-                    const QnVec2 *points)
+qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap, const int32_t *ai)
 {
-  Analysis a = { .n = n, .ap = ap, .ai = ai, .points = points };
+  Analysis a = { .n = n, .ap = ap, .ai = ai };
 
   *tree = (QnFrontTree){ .n = n };
   bool ok = analyse (&a, tree);

@@ -10,7 +10,6 @@
 
 #include "core/base/base.h"
 #include "core/base/memory.h"
-#include "core/base/vec2.h"
 
 /* Positions: unknowns in the order of elimination. */
 typedef struct QnFront {
@@ -35,9 +34,8 @@ typedef struct QnFrontTree {
 } QnFrontTree;
 
 /* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which must be
- * symmetric. `points`: coordinates of the unknowns, NULL: unknown. Large structures are ordered by
- * them where that needs fewer operations. False when memory runs out; _clear is legal then. */
+ * symmetric. False when memory runs out; _clear is legal then. */
 bool qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap,
-                         const int32_t *ai, const QnVec2 *points);
+                         const int32_t *ai);
 
 void qn_front_tree_clear (QnFrontTree *tree);

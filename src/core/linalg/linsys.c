@@ -37,8 +37,7 @@ struct QnLinsys {
 };
 
 QnLinsys *
-qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points,
-               const QnWorkers *workers)
+qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnWorkers *workers)
 {
   QnLinsys *system = qn_alloc (1, sizeof *system);
 
@@ -52,7 +51,7 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *po
   system->n = n;
   system->ap = (int32_t *) ap;
   system->ai = (int32_t *) ai;
-  system->blocks = qn_block_lu_new (n, ap, ai, points, workers);
+  system->blocks = qn_block_lu_new (n, ap, ai, workers);
   system->trial = qn_pool_alloc (&system->pool, (size_t) n, sizeof *system->trial);
   system->solution = qn_pool_alloc (&system->pool, (size_t) n, sizeof *system->solution);
   system->left = qn_pool_alloc (&system->pool, (size_t) n, sizeof *system->left);

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "core/base/status.h"
-#include "core/base/vec2.h"
 #include "core/base/workers.h"
 
 typedef struct QnLinsys QnLinsys;
@@ -24,10 +23,9 @@ typedef enum {
 
 /* For an n x n unsymmetric matrix in compressed columns with a structurally symmetric pattern
  * (column pointers ap, n + 1 of them; sorted row indices ai). The pattern is borrowed and
- * must outlive the system. `points`: where the unknowns stand (front-tree.h), or NULL. `workers`
- * (nullable) are borrowed as well. Returns NULL when memory runs out. */
+ * must outlive the system. `workers` (nullable) are borrowed as well. Returns NULL when memory runs out. */
 QnLinsys *qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai,
-                         const QnVec2 *points, const QnWorkers *workers);
+                         const QnWorkers *workers);
 
 void qn_linsys_free (QnLinsys *system);
 

@@ -91,7 +91,7 @@ test_solution (void)
   for (int structure = 0; structure < 5; structure++) {
     g_auto (Grid) grid;
     grid_init (&grid, SIDE, random);
-    QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
+    QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
     g_assert_nonnull (lu);
     for (int k = 0; k < 3; k++) {
       grid_randomise (&grid, random);
@@ -113,7 +113,7 @@ test_vanishing_pivot (void)
   g_autoptr (GRand) random = g_rand_new_with_seed (13);
   g_auto (Grid) grid;
   grid_init (&grid, SIDE, random);
-  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
 
   grid_randomise (&grid, random);
   for (int32_t j = 0; j < grid.n; j++)
@@ -146,7 +146,7 @@ test_single_body (void)
   const int32_t ap[] = { 0, 2, 4 }, ai[] = { 0, 1, 0, 1 };
   const double ax[] = { 0, 2, 4, 1 };
   double b[] = { 4, 3 };
-  QnBlockLu *lu = qn_block_lu_new (2, ap, ai, NULL, NULL);
+  QnBlockLu *lu = qn_block_lu_new (2, ap, ai, NULL);
 
   g_assert_cmpfloat (qn_block_lu_factor (lu, ax), ==, 0.5);
   qn_block_lu_solve (lu, b);
@@ -159,7 +159,7 @@ static void
 test_empty (void)
 {
   const int32_t ap[] = { 0 }, ai[] = { 0 };
-  QnBlockLu *lu = qn_block_lu_new (0, ap, ai, NULL, NULL);
+  QnBlockLu *lu = qn_block_lu_new (0, ap, ai, NULL);
 
   g_assert_nonnull (lu);
   g_assert_cmpfloat (qn_block_lu_factor (lu, NULL), ==, 1);
@@ -174,8 +174,8 @@ test_refactorisation (void)
   g_autoptr (GRand) random = g_rand_new_with_seed (17);
   g_auto (Grid) grid;
   grid_init (&grid, SIDE, random);
-  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
-  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
   double share, least = 1;
 
   grid_randomise (&grid, random);
@@ -223,8 +223,8 @@ test_parts (void)
   double share;
   grid_init (&grid, LARGE_SIDE, random);
   QnWorkers backwards = { .run = run_backwards, .pool = &most };
-  QnBlockLu *one = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
-  QnBlockLu *other = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, &backwards);
+  QnBlockLu *one = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+  QnBlockLu *other = qn_block_lu_new (grid.n, grid.ap, grid.ai, &backwards);
 
   for (int k = 0; k < 6; k++) {
     if (k % 3 == 0)

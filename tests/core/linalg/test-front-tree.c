@@ -5,35 +5,29 @@
 
 #include <glib.h>
 
-enum { SIDE = 15, LARGE_SIDE = 60, MOST_BODIES = LARGE_SIDE * LARGE_SIDE };
+enum { SIDE = 15, BODIES = SIDE * SIDE };
 
-/* Bodies in running bond, where their unknowns stand; those of a small one are of one or two unknowns only, and
- * some alone. */
+/* Bodies in running bond; some are of one or two unknowns only, and some alone. */
 static int32_t
-make_pattern (GRand *random, int side, int32_t **ap, int32_t **ai, QnVec2 *points)
+make_pattern (GRand *random, int32_t **ap, int32_t **ai)
 {
-  static int32_t unknown[MOST_BODIES][3];
+  static int32_t unknown[BODIES][3];
   QnSparsePattern pattern;
   int32_t n = 0;
 
-  for (int b = 0; b < side * side; b++)
-    for (int d = 0; d < 3; d++) {
-      unknown[b][d] =
-        side == SIDE && g_rand_int_range (random, 0, 6) == 0 ? QN_NONE : n++;
-      if (unknown[b][d] != QN_NONE)
-        points[unknown[b][d]] =
-          qn_vec2 (b % side + 0.5 * (b / side % 2), 0.4 * (b / side));
-    }
+  for (int b = 0; b < SIDE * SIDE; b++)
+    for (int d = 0; d < 3; d++)
+      unknown[b][d] = g_rand_int_range (random, 0, 6) == 0 ? QN_NONE : n++;
   g_assert_true (qn_sparse_pattern_init (&pattern, n, 100));
-  for (int b = 0; b < side * side; b++) {
-    bool shifted = b / side % 2 == 1; /* running bond: the other block below */
-    int below = b >= side ? b - side : b, next = shifted ? below + 1 : below - 1;
-    bool has_next = b >= side && next / side == below / side && next >= 0;
-    const int others[] = { b % side > 0 ? b - 1 : b, below, has_next ? next : b };
+  for (int b = 0; b < SIDE * SIDE; b++) {
+    bool shifted = b / SIDE % 2 == 1; /* running bond: the other block below */
+    int below = b >= SIDE ? b - SIDE : b, next = shifted ? below + 1 : below - 1;
+    bool has_next = b >= SIDE && next / SIDE == below / SIDE && next >= 0;
+    const int others[] = { b % SIDE > 0 ? b - 1 : b, below, has_next ? next : b };
     g_assert_true (qn_sparse_pattern_add_clique (&pattern, unknown[b], 3));
     for (size_t k = 0; k < G_N_ELEMENTS (others); k++) {
       int32_t both[6];
-      if (side == SIDE && g_rand_int_range (random, 0, 9) == 0)
+      if (g_rand_int_range (random, 0, 9) == 0)
         continue;
       for (int d = 0; d < 3; d++) {
         both[d] = unknown[b][d];
@@ -136,10 +130,9 @@ test_random (void)
   g_autoptr (GRand) random = g_rand_new_with_seed (23);
 
   for (int structure = 0; structure < 10; structure++) {
-    static QnVec2 points[3 * MOST_BODIES];
-    int32_t *ap, *ai, n = make_pattern (random, SIDE, &ap, &ai, points);
+    int32_t *ap, *ai, n = make_pattern (random, &ap, &ai);
     QnFrontTree tree;
-    g_assert_true (qn_front_tree_init (&tree, n, ap, ai, structure < 5 ? NULL : points));
+    g_assert_true (qn_front_tree_init (&tree, n, ap, ai));
     g_assert_cmpint (tree.n, ==, n);
     check_fronts (&tree);
     check_entries (&tree, ap, ai);
@@ -150,51 +143,13 @@ test_random (void)
   }
 }
 
-static double
-multiplications (const QnFrontTree *tree)
-{
-  double sum = 0;
-  for (int32_t f = 0; f < tree->front_count; f++) {
-    double pivots = tree->fronts[f].pivots, rest = tree->fronts[f].rest;
-    sum += pivots * (pivots * (pivots / 3 + rest) + rest * rest);
-  }
-  return sum;
-}
-
-/* A large wall is cheaper to eliminate if it is known where its bodies stand; never more expensive, also where
- * all stand at one place and no cut means anything. */
-static void
-test_dissection (void)
-{
-  static QnVec2 points[3 * MOST_BODIES], one_place[3 * MOST_BODIES];
-  const QnVec2 *const known[] = { NULL, one_place, points };
-  double work[3];
-  g_autoptr (GRand) random = g_rand_new_with_seed (29);
-  int32_t *ap, *ai, n = make_pattern (random, LARGE_SIDE, &ap, &ai, points);
-
-  for (int k = 0; k < 3; k++) {
-    QnFrontTree tree;
-    g_assert_true (qn_front_tree_init (&tree, n, ap, ai, known[k]));
-    check_fronts (&tree);
-    check_entries (&tree, ap, ai);
-    check_postorder (&tree);
-    work[k] = multiplications (&tree);
-    qn_front_tree_clear (&tree);
-  }
-  g_test_message ("%.3g by minimum degree, %.3g by dissection", work[0], work[2]);
-  g_assert_cmpfloat (work[1], <=, 1.02 * work[0]);
-  g_assert_cmpfloat (work[2], <, 0.9 * work[0]);
-  free (ap);
-  free (ai);
-}
-
 static void
 test_empty (void)
 {
   const int32_t ap[] = { 0 }, ai[] = { 0 };
   QnFrontTree tree;
 
-  g_assert_true (qn_front_tree_init (&tree, 0, ap, ai, NULL));
+  g_assert_true (qn_front_tree_init (&tree, 0, ap, ai));
   g_assert_cmpint (tree.front_count, ==, 0);
   qn_front_tree_clear (&tree);
 }
@@ -202,6 +157,5 @@ test_empty (void)
 QN_TESTS
 {
   g_test_add_func ("/front-tree/random", test_random);
-  g_test_add_func ("/front-tree/dissection", test_dissection);
   g_test_add_func ("/front-tree/empty", test_empty);
 }

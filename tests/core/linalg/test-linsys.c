@@ -44,7 +44,7 @@ test_refactorisation (void)
   Dense d;
   g_autoptr (GRand) random = g_rand_new_with_seed (3);
   dense_pattern (&d);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
   g_assert_nonnull (system);
 
   for (int k = 0; k < 50; k++) {
@@ -96,7 +96,7 @@ test_sign (void)
   int negative = 0;
   g_autoptr (GRand) random = g_rand_new_with_seed (7);
   dense_pattern (&d);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
 
   for (int k = 0; k < 60; k++) {
     dense_random (&d, random);
@@ -119,7 +119,7 @@ test_at_once (void)
   Dense d;
   g_autoptr (GRand) random = g_rand_new_with_seed (9);
   dense_pattern (&d);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
 
   for (int k = 0; k < 40; k++) {
     double zeros[N] = { 0 };
@@ -151,7 +151,7 @@ test_singular (void)
   g_autoptr (GRand) random = g_rand_new_with_seed (5);
   dense_pattern (&d);
   dense_random (&d, random);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
 
   g_assert_cmpint (qn_linsys_factor (system, d.ax), ==, QN_SOLVE_CONVERGED);
   for (int i = 0; i < N; i++)
@@ -175,7 +175,7 @@ test_free_unknown (void)
   g_autoptr (GRand) random = g_rand_new_with_seed (6);
   dense_pattern (&d);
   dense_random (&d, random);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
 
   for (int i = 0; i < N; i++)
     d.ax[5 * N + i] = d.ax[i * N + 5] = 0;

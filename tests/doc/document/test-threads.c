@@ -57,8 +57,8 @@ test_factorisation (void)
   qn_sparse_pattern_clear (&pattern);
   g_autofree double *ax = g_new (double, ap[n]), *x = g_new (double, n),
                     *y = g_new (double, n);
-  QnBlockLu *one = qn_block_lu_new (n, ap, ai, NULL, NULL);
-  QnBlockLu *all = qn_block_lu_new (n, ap, ai, NULL, qn_threads_get ());
+  QnBlockLu *one = qn_block_lu_new (n, ap, ai, NULL);
+  QnBlockLu *all = qn_block_lu_new (n, ap, ai, qn_threads_get ());
   for (int round = 0; round < 3; round++) {
     for (int32_t j = 0; j < n; j++)
       for (int32_t p = ap[j]; p < ap[j + 1]; p++)
