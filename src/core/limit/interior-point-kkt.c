@@ -2,6 +2,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/numbers.h"
+#include "core/linalg/sparse.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,97 +11,50 @@
 /* Entries of a 6 x 6 matrix. */
 #define GROUP_ENTRIES (QN_IP_GROUP_ROWS * QN_IP_GROUP_ROWS)
 
-static int
-compare_keys (const void *a, const void *b)
-{
-  int64_t x = *(const int64_t *) a, y = *(const int64_t *) b;
-  return (x > y) - (x < y);
-}
-
-/* Key of an entry of M: column by column, rows ascending. */
-static int64_t
-entry_key (int32_t row, int32_t column, int32_t row_count)
-{
-  return (int64_t) column * row_count + row;
-}
-
-/* All entries of M in storage order, without duplicates. */
-static int64_t *
-list_entries (const QnIpProblem *p, size_t *count)
-{
-  size_t most = (size_t) p->group_count * GROUP_ENTRIES + (size_t) p->row_count;
-  int64_t *keys = qn_alloc (most, sizeof *keys);
-  size_t n = 0, unique = 0;
-
-  if (!keys)
-    return NULL;
-  for (int32_t r = 0; r < p->row_count; r++)
-    keys[n++] = entry_key (r, r, p->row_count);
-  for (int32_t g = 0; g < p->group_count; g++) {
-    const int32_t *rows = p->groups[g].rows;
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-      for (int j = 0; j < QN_IP_GROUP_ROWS; j++)
-        if (i != j && rows[i] >= 0 && rows[j] >= 0)
-          keys[n++] = entry_key (rows[i], rows[j], p->row_count);
-  }
-  qsort (keys, n, sizeof *keys, compare_keys);
-  for (size_t i = 0; i < n; i++)
-    if (unique == 0 || keys[i] != keys[unique - 1])
-      keys[unique++] = keys[i];
-  *count = unique;
-  return keys;
-}
-
-static int32_t
-find_entry (const int64_t *keys, size_t count, int64_t key)
-{
-  const int64_t *found = bsearch (&key, keys, count, sizeof *keys, compare_keys);
-  return (int32_t) (found - keys);
-}
-
-static void
-fill_pattern (QnIpSchur *schur, const int64_t *keys, size_t count)
+/* The pattern of M in storage order, without duplicates. */
+static bool
+find_pattern (QnIpSchur *schur, QnPool *pool)
 {
   const QnIpProblem *p = schur->problem;
-  int32_t n = p->row_count;
+  QnSparsePattern pattern;
+  bool ok = qn_sparse_pattern_init (&pattern, p->row_count,
+                                    (size_t) p->group_count * GROUP_ENTRIES
+                                      + (size_t) p->row_count);
 
-  for (size_t e = 0; e < count; e++) {
-    schur->rows[e] = (int32_t) (keys[e] % n);
-    schur->columns[keys[e] / n + 1] = (int32_t) e + 1;
+  for (int32_t r = 0; ok && r < p->row_count; r++)
+    ok = qn_sparse_pattern_add_clique (&pattern, &r, 1);
+  for (int32_t g = 0; ok && g < p->group_count; g++)
+    ok = qn_sparse_pattern_add_clique (&pattern, p->groups[g].rows, QN_IP_GROUP_ROWS);
+  ok = ok && qn_sparse_pattern_compress (&pattern, &schur->columns, &schur->rows);
+  qn_sparse_pattern_clear (&pattern);
+  if (ok) {
+    qn_pool_add (pool, schur->columns);
+    qn_pool_add (pool, schur->rows);
   }
-  schur->columns[0] = 0;
-  for (int32_t r = 0; r < n; r++)
-    schur->diagonal[r] = find_entry (keys, count, entry_key (r, r, n));
-  for (int32_t g = 0; g < p->group_count; g++) {
-    const int32_t *at = p->groups[g].rows;
-    int32_t *slots = schur->slots + (size_t) g * GROUP_ENTRIES;
-    for (int i = 0, e = 0; i < QN_IP_GROUP_ROWS; i++)
-      for (int j = 0; j < QN_IP_GROUP_ROWS; j++, e++)
-        slots[e] = at[i] < 0 || at[j] < 0
-                     ? -1
-                     : find_entry (keys, count, entry_key (at[i], at[j], n));
-  }
+  return ok && !pool->failed;
 }
 
 static void
-schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnPool *pool)
+schur_init (QnIpSchur *schur, const QnIpProblem *p, QnPool *pool)
 {
-  size_t n = (size_t) problem->row_count, count = 0;
-  int64_t *keys = list_entries (problem, &count);
-
-  *schur = (QnIpSchur){ .problem = problem };
-  schur->slots = qn_pool_alloc (pool, (size_t) problem->group_count * GROUP_ENTRIES,
-                                sizeof *schur->slots);
-  schur->diagonal = qn_pool_alloc (pool, n, sizeof *schur->diagonal);
-  schur->columns = qn_pool_alloc (pool, n + 1, sizeof *schur->columns);
-  schur->rows = qn_pool_alloc (pool, count, sizeof *schur->rows);
-  schur->values = qn_pool_alloc (pool, count, sizeof *schur->values);
-  if (keys != NULL && !pool->failed) {
-    fill_pattern (schur, keys, count);
-    schur->lu =
-      qn_block_lu_new (problem->row_count, schur->columns, schur->rows, problem->workers);
-  }
-  free (keys);
+  *schur = (QnIpSchur){ .problem = p };
+  schur->slots =
+    qn_pool_alloc (pool, (size_t) p->group_count * GROUP_ENTRIES, sizeof *schur->slots);
+  schur->diagonal = qn_pool_alloc (pool, (size_t) p->row_count, sizeof *schur->diagonal);
+  if (!find_pattern (schur, pool))
+    return;
+  schur->values =
+    qn_pool_alloc (pool, (size_t) schur->columns[p->row_count], sizeof *schur->values);
+  if (schur->values == NULL)
+    return;
+  for (int32_t r = 0; r < p->row_count; r++)
+    schur->diagonal[r] = qn_sparse_find (schur->columns, schur->rows, r, r);
+  for (int32_t g = 0, e = 0; g < p->group_count; g++)
+    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+      for (int j = 0; j < QN_IP_GROUP_ROWS; j++, e++)
+        schur->slots[e] = qn_sparse_find (schur->columns, schur->rows,
+                                          p->groups[g].rows[i], p->groups[g].rows[j]);
+  schur->lu = qn_block_lu_new (p->row_count, schur->columns, schur->rows, p->workers);
 }
 
 /* Builds and factorises M for the compliances H^-1 (cell_count x 4, by rows) and r; false where it is
