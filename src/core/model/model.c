@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 #include "core/model/model-list.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,72 +32,85 @@ qn_model_init (QnModel *model)
   };
 }
 
-static void
-wall_clear (QnWall *wall)
+/* A list of the model, by its places in QnModel. Items of `named` ones begin with their name, which is
+ * owned and which an index holds unless its place is 0. */
+typedef struct List {
+  size_t items, count, capacity, size, index;
+  bool named;
+} List;
+
+#define LIST(items, one)                                                                 \
+  offsetof (QnModel, items), offsetof (QnModel, one##_count),                            \
+    offsetof (QnModel, one##_capacity), sizeof *((QnModel *) NULL)->items
+
+static const List lists[] = {
+  { LIST (laws, law), offsetof (QnModel, law_names), true },
+  { LIST (blocks, block), offsetof (QnModel, block_names), true },
+  { LIST (nodes, node), offsetof (QnModel, node_names), true },
+  { LIST (sections, section), offsetof (QnModel, section_names), true },
+  { LIST (beams, beam), offsetof (QnModel, beam_names), true },
+  { LIST (ties, tie), offsetof (QnModel, tie_names), true },
+  { LIST (walls, wall), 0, true },
+  { LIST (load_sets, load_set), 0, true },
+  { LIST (load_cases, load_case), 0, true },
+  { LIST (stages, stage), 0, true },
+  { LIST (vertices, vertex), 0, false },
+  { LIST (overrides, override), 0, false },
+  { LIST (bars, bar), 0, false },
+  { LIST (dead_loads, dead_load), 0, false },
+  { LIST (live_loads, live_load), 0, false },
+  { LIST (elements, element), 0, false },
+  { LIST (edge_forces, edge_force), 0, false },
+  { LIST (ground, ground), 0, false },
+  { LIST (initial, initial), 0, false },
+  { LIST (tracks, track), 0, false },
+};
+
+#undef LIST
+
+static char *
+items_of (const QnModel *model, const List *list)
 {
-  free (wall->name);
-  free (wall->lengths);
-  free (wall->course_ends);
-  *wall = (QnWall){ 0 };
+  char *items;
+
+  memcpy (&items, (const char *) model + list->items, sizeof items);
+  return items;
+}
+
+static size_t
+count_of (const QnModel *model, const List *list)
+{
+  size_t count;
+
+  memcpy (&count, (const char *) model + list->count, sizeof count);
+  return count;
 }
 
 void
 qn_model_clear (QnModel *model)
 {
   for (size_t i = 0; i < model->law_count; i++)
-    qn_law_clear (&model->laws[i]);
-  for (size_t i = 0; i < model->block_count; i++)
-    free (model->blocks[i].name);
-  for (size_t i = 0; i < model->wall_count; i++)
-    wall_clear (&model->walls[i]);
-  for (size_t i = 0; i < model->load_set_count; i++)
-    free (model->load_sets[i]);
-  for (size_t i = 0; i < model->load_case_count; i++)
-    free (model->load_cases[i].name);
-  for (size_t i = 0; i < model->stage_count; i++)
-    free (model->stages[i].name);
+    free (model->laws[i].source);
+  for (size_t i = 0; i < model->wall_count; i++) {
+    free (model->walls[i].lengths);
+    free (model->walls[i].course_ends);
+  }
   for (size_t i = 0; i < model->ground_count; i++) {
     free (model->ground[i].record);
     free (model->ground[i].unit);
     free (model->ground[i].points);
   }
-
-  for (size_t i = 0; i < model->node_count; i++)
-    free (model->nodes[i].name);
-  for (size_t i = 0; i < model->section_count; i++)
-    free (model->sections[i].name);
-  for (size_t i = 0; i < model->beam_count; i++)
-    free (model->beams[i].name);
-  for (size_t i = 0; i < model->tie_count; i++)
-    free (model->ties[i].name);
-
+  for (const List *list = lists; list < lists + QN_N_ELEMENTS (lists); list++) {
+    char *items = items_of (model, list), *name;
+    for (size_t i = 0; list->named && i < count_of (model, list); i++) {
+      memcpy (&name, items + i * list->size, sizeof name);
+      free (name);
+    }
+    free (items);
+    if (list->index > 0)
+      qn_name_index_clear ((QnNameIndex *) (void *) ((char *) model + list->index));
+  }
   free (model->title);
-  free (model->vertices);
-  free (model->laws);
-  free (model->blocks);
-  free (model->walls);
-  free (model->overrides);
-  free (model->bars);
-  free (model->ties);
-  free (model->dead_loads);
-  free (model->live_loads);
-  free (model->load_sets);
-  free (model->load_cases);
-  free (model->edge_forces);
-  free (model->stages);
-  free (model->ground);
-  free (model->initial);
-  free (model->tracks);
-  free (model->nodes);
-  free (model->sections);
-  free (model->beams);
-  free (model->elements);
-  qn_name_index_clear (&model->law_names);
-  qn_name_index_clear (&model->block_names);
-  qn_name_index_clear (&model->node_names);
-  qn_name_index_clear (&model->section_names);
-  qn_name_index_clear (&model->beam_names);
-  qn_name_index_clear (&model->tie_names);
   *model = (QnModel){ 0 };
 }
 
@@ -123,55 +137,30 @@ duplicate_name (const char *name, bool *failed)
   return copy;
 }
 
-static QnNameIndex
-duplicate_index (QnNameIndex index, bool *failed)
-{
-  index.slots = duplicate (index.slots, index.slot_count, sizeof *index.slots, failed);
-  return index.slots != NULL ? index : (QnNameIndex){ 0 };
-}
-
+/* Makes a list, which is the source's, one of its own. One that could not be copied is empty, so that
+ * the copy may be cleared. */
 static void
-copy_signal (const QnGroundMotion *from, QnGroundMotion *to, bool *failed)
+copy_list (QnModel *copy, const List *list, bool *failed)
 {
-  to->record = duplicate_name (from->record, failed);
-  to->unit = duplicate_name (from->unit, failed);
-  to->points = duplicate (from->points, from->point_count, sizeof *to->points, failed);
-  to->point_count = to->point_capacity = to->points != NULL ? from->point_count : 0;
-}
+  size_t count = count_of (copy, list);
+  char *items = duplicate (items_of (copy, list), count, list->size, failed), *name;
 
-/* Everything but names and what walls own. Counts of arrays that could not be copied are 0, so
- * that the copy may be cleared. */
-static void
-copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
-{
-#define COPY_ARRAY(array, counter, room)                                                 \
-  do {                                                                                   \
-    copy->array =                                                                        \
-      duplicate (source->array, source->counter, sizeof *copy->array, failed);           \
-    copy->counter = copy->room = copy->array != NULL ? source->counter : 0;              \
-  } while (0)
-
-  COPY_ARRAY (vertices, vertex_count, vertex_capacity);
-  COPY_ARRAY (laws, law_count, law_capacity);
-  COPY_ARRAY (blocks, block_count, block_capacity);
-  COPY_ARRAY (walls, wall_count, wall_capacity);
-  COPY_ARRAY (overrides, override_count, override_capacity);
-  COPY_ARRAY (bars, bar_count, bar_capacity);
-  COPY_ARRAY (ties, tie_count, tie_capacity);
-  COPY_ARRAY (dead_loads, dead_load_count, dead_load_capacity);
-  COPY_ARRAY (live_loads, live_load_count, live_load_capacity);
-  COPY_ARRAY (nodes, node_count, node_capacity);
-  COPY_ARRAY (sections, section_count, section_capacity);
-  COPY_ARRAY (beams, beam_count, beam_capacity);
-  COPY_ARRAY (elements, element_count, element_capacity);
-  COPY_ARRAY (load_sets, load_set_count, load_set_capacity);
-  COPY_ARRAY (load_cases, load_case_count, load_case_capacity);
-  COPY_ARRAY (edge_forces, edge_force_count, edge_force_capacity);
-  COPY_ARRAY (stages, stage_count, stage_capacity);
-  COPY_ARRAY (ground, ground_count, ground_capacity);
-  COPY_ARRAY (initial, initial_count, initial_capacity);
-  COPY_ARRAY (tracks, track_count, track_capacity);
-#undef COPY_ARRAY
+  count = items != NULL ? count : 0;
+  for (size_t i = 0; list->named && i < count; i++) {
+    memcpy (&name, items + i * list->size, sizeof name);
+    name = duplicate_name (name, failed);
+    memcpy (items + i * list->size, &name, sizeof name);
+  }
+  memcpy ((char *) copy + list->items, &items, sizeof items);
+  memcpy ((char *) copy + list->count, &count, sizeof count);
+  memcpy ((char *) copy + list->capacity, &count, sizeof count);
+  if (list->index == 0)
+    return;
+  QnNameIndex *index = (QnNameIndex *) (void *) ((char *) copy + list->index);
+  index->slots =
+    duplicate (index->slots, index->slot_count, sizeof *index->slots, failed);
+  if (index->slots == NULL)
+    *index = (QnNameIndex){ 0 };
 }
 
 QnStatus
@@ -180,49 +169,28 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
   bool failed = false;
   *copy = *source;
   copy->title = duplicate_name (source->title, &failed);
-  copy->law_names = duplicate_index (source->law_names, &failed);
-  copy->block_names = duplicate_index (source->block_names, &failed);
-  copy->node_names = duplicate_index (source->node_names, &failed);
-  copy->section_names = duplicate_index (source->section_names, &failed);
-  copy->beam_names = duplicate_index (source->beam_names, &failed);
-  copy->tie_names = duplicate_index (source->tie_names, &failed);
-  copy_arrays (source, copy, &failed);
-
-  for (size_t i = 0; i < copy->law_count; i++) {
-    copy->laws[i].name = duplicate_name (source->laws[i].name, &failed);
-    copy->laws[i].source = duplicate_name (source->laws[i].source, &failed);
+  for (size_t i = 0; i < QN_N_ELEMENTS (lists); i++)
+    copy_list (copy, &lists[i], &failed);
+  for (size_t i = 0; i < copy->law_count; i++)
+    copy->laws[i].source = duplicate_name (copy->laws[i].source, &failed);
+  for (size_t i = 0; i < copy->ground_count; i++) {
+    QnGroundMotion *motion = &copy->ground[i];
+    motion->record = duplicate_name (motion->record, &failed);
+    motion->unit = duplicate_name (motion->unit, &failed);
+    motion->points =
+      duplicate (motion->points, motion->point_count, sizeof *motion->points, &failed);
+    motion->point_capacity = motion->point_count;
   }
-  for (size_t i = 0; i < copy->block_count; i++)
-    copy->blocks[i].name = duplicate_name (source->blocks[i].name, &failed);
-  for (size_t i = 0; i < copy->node_count; i++)
-    copy->nodes[i].name = duplicate_name (source->nodes[i].name, &failed);
-  for (size_t i = 0; i < copy->section_count; i++)
-    copy->sections[i].name = duplicate_name (source->sections[i].name, &failed);
-  for (size_t i = 0; i < copy->beam_count; i++)
-    copy->beams[i].name = duplicate_name (source->beams[i].name, &failed);
-  for (size_t i = 0; i < copy->tie_count; i++)
-    copy->ties[i].name = duplicate_name (source->ties[i].name, &failed);
-  for (size_t i = 0; i < copy->load_set_count; i++)
-    copy->load_sets[i] = duplicate_name (source->load_sets[i], &failed);
-  for (size_t i = 0; i < copy->load_case_count; i++)
-    copy->load_cases[i].name = duplicate_name (source->load_cases[i].name, &failed);
-  for (size_t i = 0; i < copy->stage_count; i++)
-    copy->stages[i].name = duplicate_name (source->stages[i].name, &failed);
-  for (size_t i = 0; i < copy->ground_count; i++)
-    copy_signal (&source->ground[i], &copy->ground[i], &failed);
   for (size_t i = 0; i < copy->wall_count; i++) {
-    const QnWall *from = &source->walls[i];
-    QnWall *to = &copy->walls[i];
-    size_t courses = (size_t) from->course_count;
-    size_t lengths = courses > 0 ? (size_t) from->course_ends[courses - 1] : 0;
-    to->name = duplicate_name (from->name, &failed);
-    to->lengths = duplicate (from->lengths, lengths, sizeof *to->lengths, &failed);
-    to->course_ends =
-      duplicate (from->course_ends, courses, sizeof *to->course_ends, &failed);
-    to->length_capacity = lengths;
-    to->course_capacity = courses;
+    QnWall *wall = &copy->walls[i];
+    size_t courses = (size_t) wall->course_count;
+    size_t lengths = courses > 0 ? (size_t) wall->course_ends[courses - 1] : 0;
+    wall->lengths = duplicate (wall->lengths, lengths, sizeof *wall->lengths, &failed);
+    wall->course_ends =
+      duplicate (wall->course_ends, courses, sizeof *wall->course_ends, &failed);
+    wall->length_capacity = lengths;
+    wall->course_capacity = courses;
   }
-
   if (failed) {
     qn_model_clear (copy);
     return qn_diag_no_memory (diag);
