@@ -58,17 +58,11 @@ void
 qn_assembly_elongation_rates (const QnAssembly *as, const double *v, double *rates)
 {
   for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
-    double local[QN_FACE_UNKNOWNS];
-    const double *a = local, *b = local + QN_DOF_COUNT;
+    double v_face[QN_FACE_UNKNOWNS];
 
-    if (as->whole[f]) {
-      a = v + unknowns[0];
-      b = v + unknowns[QN_DOF_COUNT];
-    } else
-      qn_assembly_gather (as, f, v, local);
-    Two apart = *(const Two *) b - *(const Two *) a;
-    const Two motion[2] = { { a[2], apart[0] }, { apart[1], b[2] } };
+    qn_assembly_gather (as, f, v, v_face);
+    const double *a = v_face, *b = v_face + QN_DOF_COUNT;
+    const Two motion[2] = { { a[2], b[0] - a[0] }, { b[1] - a[1], b[2] } };
     for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++)
       *(Two *) (rates + 2 * p) = pair_rate (&as->gradients[p], motion);
   }
@@ -160,22 +154,6 @@ spread (const Column sum[QN_PAIR_FACTORS], double kf[QN_FACE_UNKNOWNS][QN_FACE_U
   }
 }
 
-/* The same right into ax, where the three rows of either block stand one below the other. */
-static inline void
-add_whole_face (const Column sum[QN_PAIR_FACTORS], const int32_t *scatter, double *ax)
-{
-  QN_UNROLL
-  for (int j = 0; j < QN_FACE_UNKNOWNS; j++) {
-    Column column = column_of (sum, j);
-    Two both = { column.low[1], column.high[0] };
-    double *a = ax + scatter[j], *b = ax + scatter[3 * QN_FACE_UNKNOWNS + j];
-    *(Two *) a -= both;
-    a[2] += column.low[0];
-    *(Two *) b += both;
-    b[2] += column.high[1];
-  }
-}
-
 /* sum += what the forces of a face add as its pairs turn */
 static void
 add_geometric_stiffness (const QnAssembly *as, size_t f, Column sum[QN_PAIR_FACTORS])
@@ -200,10 +178,6 @@ qn_assembly_add_face_tangents (QnAssembly *as, const double *tangents, size_t st
     face_tangent (as, f, tangents, stride, sum);
     if (as->nonlinear)
       add_geometric_stiffness (as, f, sum);
-    if (as->whole[f]) {
-      add_whole_face (sum, scatter, as->ax);
-      continue;
-    }
     double kf[QN_FACE_UNKNOWNS][QN_FACE_UNKNOWNS];
     spread (sum, kf);
     for (int i = 0; i < QN_FACE_UNKNOWNS; i++, scatter += QN_FACE_UNKNOWNS)

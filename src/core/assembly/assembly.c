@@ -34,7 +34,6 @@ allocate (QnAssembly *as)
   as->scatter = qn_pool_alloc (pool, as->contacts->face_count * 36, sizeof *as->scatter);
   as->first_pairs =
     qn_pool_alloc (pool, as->contacts->face_count + 1, sizeof *as->first_pairs);
-  as->whole = qn_pool_alloc (pool, as->contacts->face_count, sizeof *as->whole);
   as->forces = qn_pool_alloc (pool, qn_model_body_count (as->model) * QN_DOF_COUNT,
                               sizeof *as->forces);
   as->settles = qn_pool_alloc (pool, n, sizeof *as->settles);
@@ -138,14 +137,9 @@ find_face_places (QnAssembly *as, size_t f)
   const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
   int32_t *scatter = as->scatter + 36 * f;
 
-  as->whole[f] = true;
   for (int i = 0; i < QN_FACE_UNKNOWNS; i++)
-    for (int j = 0; j < QN_FACE_UNKNOWNS; j++) {
-      int32_t place = qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
-      scatter[6 * i + j] = place;
-      if (place == QN_NONE || (i % 3 > 0 && place != scatter[6 * (i - 1) + j] + 1))
-        as->whole[f] = false;
-    }
+    for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
+      scatter[6 * i + j] = qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
 }
 
 /* Pattern of K: every block couples with itself and with the blocks it touches. */

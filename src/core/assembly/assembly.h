@@ -101,10 +101,7 @@ typedef struct QnAssembly {
   bool *loose;            /* scratch, a body */
   int32_t *first_pairs;   /* face_count + 1: the first pair of each face */
   int32_t *face_unknowns; /* face_count x 6, QN_NONE where fixed */
-  int32_t *scatter; /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
-  bool *
-    whole; /* face_count: whether the three rows of either block stand one below the other
-                  in every column */
+  int32_t *scatter;  /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
   int32_t *diagonal; /* unknown_count: where the diagonal stands in ax */
 } QnAssembly;
 
