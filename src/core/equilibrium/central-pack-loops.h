@@ -3,4 +3,4 @@
 
 #include "core/equilibrium/central-pack.h"
 
-extern const QnCentralLoops qn_central_loops_2, qn_central_loops_4, qn_central_loops_8;
+extern const QnCentralLoops qn_central_loops_2, qn_central_loops_4;

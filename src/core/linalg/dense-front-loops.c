@@ -499,10 +499,8 @@ add_vectors (const Vector sum[STRIP_VECTORS])
 {
 #if LANES == 2
   return (sum[0] + sum[2]) + (sum[1] + sum[3]);
-#elif LANES == 4
-  return sum[0] + sum[1];
 #else
-  return sum[0];
+  return sum[0] + sum[1];
 #endif
 }
 
@@ -512,11 +510,8 @@ add_lanes (Vector sum)
 {
 #if LANES == 2
   return sum[0] + sum[1];
-#elif LANES == 4
-  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 #else
-  return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
-         + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 #endif
 }
 
@@ -524,13 +519,7 @@ add_lanes (Vector sum)
 PART Vector
 add_all_lanes (Vector sum[LANES])
 {
-#if LANES == 8
-  QN_UNROLL
-  for (int c = 0; c < 4; c++)
-    sum[c] = SHUFFLE (sum[2 * c], sum[2 * c + 1], ZIP_FOUR_LOW)
-             + SHUFFLE (sum[2 * c], sum[2 * c + 1], ZIP_FOUR_HIGH);
-#endif
-#if LANES >= 4
+#if LANES == 4
   QN_UNROLL
   for (int c = 0; c < 2; c++)
     sum[c] = SHUFFLE (sum[2 * c], sum[2 * c + 1], TWO_EVEN)

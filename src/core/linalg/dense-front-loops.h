@@ -3,4 +3,4 @@
 
 #include "core/linalg/dense-front.h"
 
-extern const QnFrontLoops qn_front_loops_2, qn_front_loops_4, qn_front_loops_8;
+extern const QnFrontLoops qn_front_loops_2, qn_front_loops_4;

@@ -9,8 +9,7 @@
 #endif
 #define LANES QN_VECTOR_LANES
 
-#if defined __x86_64__                                                                   \
-  && ((LANES == 8 && !defined __AVX512F__) || (LANES == 4 && !defined __AVX2__))
+#if defined __x86_64__ && LANES == 4 && !defined __AVX2__
 #error "These vectors would be split: the compiler is not asked for what they need."
 #endif
 
@@ -24,7 +23,7 @@ typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_a
 #endif
 
 /* Where the numbers of a vector come from, of two: the even and the odd places of both, or every
- * second two of them; one of either in turn (ZIP), or two, or four. */
+ * second two of them; one of either in turn (ZIP), or two. */
 #if LANES == 2
 #define EVEN         0, 2
 #define ODD          1, 3
@@ -32,7 +31,7 @@ typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_a
 #define ZIP_HIGH     1, 3
 #define ZIP_TWO_LOW  0, 1
 #define ZIP_TWO_HIGH 2, 3
-#elif LANES == 4
+#else
 #define EVEN         0, 2, 4, 6
 #define ODD          1, 3, 5, 7
 #define ZIP_LOW      0, 4, 1, 5
@@ -41,17 +40,6 @@ typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_a
 #define ZIP_TWO_HIGH 2, 3, 6, 7
 #define TWO_EVEN     0, 1, 4, 5
 #define TWO_ODD      2, 3, 6, 7
-#else
-#define EVEN          0, 2, 4, 6, 8, 10, 12, 14
-#define ODD           1, 3, 5, 7, 9, 11, 13, 15
-#define ZIP_LOW       0, 8, 1, 9, 2, 10, 3, 11
-#define ZIP_HIGH      4, 12, 5, 13, 6, 14, 7, 15
-#define ZIP_TWO_LOW   0, 1, 8, 9, 2, 3, 10, 11
-#define ZIP_TWO_HIGH  4, 5, 12, 13, 6, 7, 14, 15
-#define TWO_EVEN      0, 1, 4, 5, 8, 9, 12, 13
-#define TWO_ODD       2, 3, 6, 7, 10, 11, 14, 15
-#define ZIP_FOUR_LOW  0, 1, 2, 3, 8, 9, 10, 11
-#define ZIP_FOUR_HIGH 4, 5, 6, 7, 12, 13, 14, 15
 #endif
 
 /* Made part of its caller, where the numbers of vectors and columns are known. */

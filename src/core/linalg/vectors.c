@@ -4,8 +4,6 @@ int
 qn_vectors (int width)
 {
 #ifdef QN_HAVE_X86_VECTORS
-  if (width >= 8 && __builtin_cpu_supports ("avx512f"))
-    return 2;
   if (width >= 4 && __builtin_cpu_supports ("avx2"))
     return 1;
 #endif

@@ -1,6 +1,6 @@
 /* Vectors of the processor's own size.
  *
- * Inner loops are compiled once for vectors of two, four and eight numbers (`vectors` in
+ * Inner loops are compiled once for vectors of two and of four numbers (`vectors` in
  * meson.build): the compiler splits vectors that are wider than the processor's, and keeps what it
  * has split in memory. Every width does the same operations on every number, and sums up in the
  * same order: results are equal to the bit.
@@ -9,11 +9,11 @@
 
 #include "core/base/base.h"
 
-/* The loops `name` of all widths, narrow ones first: name_2, name_4 (AVX2), name_8 (AVX-512F). */
+/* The loops `name` of all widths, narrow ones first: name_2, name_4 (AVX2). */
 #ifdef QN_HAVE_X86_VECTORS
 #define QN_ALL_WIDTHS(name)                                                              \
   {                                                                                      \
-    &name##_2, &name##_4, &name##_8                                                      \
+    &name##_2, &name##_4                                                                 \
   }
 #else
 #define QN_ALL_WIDTHS(name)                                                              \
