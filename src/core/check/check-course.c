@@ -1,4 +1,4 @@
-/* The course of an analysis: steps in order, and what it says of them: collapse, events, outcome. */
+/* The course of an analysis: steps in order, and what it says of them: collapse and outcome. */
 #include "core/check/check-parts.h"
 #include "core/check/unlimited.h"
 
@@ -6,9 +6,6 @@
 
 /* Multipliers and displacements that stand in a result twice are written alike. */
 #define SAME 1e-9
-
-/* Whether a motion is one of a kind is not told by rounding. */
-#define NEARLY 1e-6
 
 static bool
 same (double a, double b)
@@ -37,12 +34,10 @@ check_numbers (QnCheck *check)
 {
   const QnResult *r = check->result;
   size_t bodies = qn_result_body_count (r) * QN_DOF_COUNT;
-  const QnStatistics *spent = &r->statistics;
   bool finite =
     !(r->has_collapse_multiplier && !isfinite (r->collapse_multiplier))
     && !(r->has_first_limit_multiplier && !isfinite (r->first_limit_multiplier))
-    && spent->seconds >= 0 && spent->factor_seconds >= 0 && spent->assembly_seconds >= 0
-    && spent->law_seconds >= 0 && all_finite (r->displacements, r->step_count * bodies)
+    && all_finite (r->displacements, r->step_count * bodies)
     && all_finite (r->mechanism, bodies)
     && all_finite (r->history.rows, r->history.row_count * r->history.width);
 
@@ -55,16 +50,14 @@ check_numbers (QnCheck *check)
     tell (check, QN_CLAIM_NUMBERS);
 }
 
-/* The dead load first, stages one after the other, times growing; in time no multiplier. Where the load is
- * prescribed it grows all the time; only the last step may lie below, where the structure moves on. Limit
- * analysis has two: before and at collapse. */
+/* The dead load first, stages one after the other, times growing; in time no multiplier. Limit analysis has
+ * two steps: before and at collapse. */
 static void
 check_order (QnCheck *check)
 {
   const QnResult *r = check->result;
   bool in_time = r->history.width > 0;
   int32_t stages = (int32_t) check->model->stage_count;
-  double grows = 0;
 
   if (r->limit.given && r->step_count != 2)
     tell (check, QN_CLAIM_STEPS);
@@ -78,14 +71,6 @@ check_order (QnCheck *check)
     if (in_time && i > 1)
       in_order = in_order && step->time > r->steps[i - 1].time;
     bool ends = i + 1 == r->step_count && r->outcome == QN_OUTCOME_COLLAPSE;
-    bool begins = i == 0 || step->stage != r->steps[i - 1].stage;
-    double more = begins ? 0 : step->multiplier - r->steps[i - 1].multiplier;
-    QnProcedure procedure = step->stage > 0 && step->stage <= stages
-                              ? check->model->stages[step->stage - 1].procedure
-                              : check->model->analysis.procedure;
-    if (!begins && !ends && procedure == QN_PROCEDURE_LOAD)
-      in_order = in_order && (grows == 0 ? more != 0 : grows * more > 0);
-    grows = more;
     if (!in_order)
       qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i,
                            in_time ? step->time : step->multiplier, NAN);
@@ -95,7 +80,7 @@ check_order (QnCheck *check)
                            check->tolerance);
     /* Motion that is driven may go on beyond its collapse multiplier. */
     if ((step->event == QN_EVENT_COLLAPSE) != ends)
-      qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) i, NAN, NAN);
+      qn_check_tell_model (check, QN_CLAIM_OUTCOME, (QnId) i, NAN, NAN);
   }
 }
 
@@ -158,12 +143,6 @@ qn_check_stage (const QnCheck *check, int32_t number)
   return stage;
 }
 
-static double
-multiplier_at (const QnCheck *check, const QnCheckStage *stage, size_t step)
-{
-  return step == stage->base ? stage->origin : check->result->steps[step].multiplier;
-}
-
 /* In linear geometry a structure that moves on for good collapses at its last multiplier, unless that has
  * fallen to nothing; in large displacements, and where joints lose strength, at the highest. Where its
  * mechanism is not known, either may be told. */
@@ -196,122 +175,24 @@ check_collapse (QnCheck *check)
     qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, told);
 }
 
-/* --- Events ------------------------------------------------------------------------------- */
-
-/* How far a body that is free to has moved since the stage began, the largest of all, m; rotations and what
- * rides on blocks aside. */
-static double
-largest_shift (const QnCheck *check, size_t from, size_t to)
-{
-  const double *a = qn_result_step_displacements (check->result, from);
-  const double *b = qn_result_step_displacements (check->result, to);
-  double largest = 0;
-
-  for (size_t i = 0; i < qn_result_body_count (check->result) * QN_DOF_COUNT;
-       i += QN_DOF_COUNT) {
-    const int32_t *unknown = check->assembly.unknown + i;
-    largest = fmax (largest, hypot (unknown[0] != QN_NONE ? b[i] - a[i] : 0,
-                                    unknown[1] != QN_NONE ? b[i + 1] - a[i + 1] : 0));
-  }
-  return largest;
-}
-
-/* Whether an event begins at a step that has the highest multiplier of its stage so far. */
-static bool
-begins_at_step (const QnCheck *check, const QnCheckStage *stage, const QnPathEvent *event)
-{
-  double highest = stage->origin;
-
-  for (size_t i = stage->base; i <= stage->last; i++) {
-    double at = multiplier_at (check, stage, i);
-    if (stage->sense * at < stage->sense * highest && !same (at, highest))
-      continue;
-    highest = at;
-    if (same (event->multiplier, at)
-        && same (event->displacement_before, largest_shift (check, stage->base, i)))
-      return true;
-  }
-  return false;
-}
-
-/* A jump is local or a snap by how far it takes the structure; where a branch loses its stability, nothing has
- * moved. */
-static bool
-suits_kind (const QnPathEvent *event)
-{
-  double after = event->displacement_after;
-  double part = after > 0 ? 1 - event->displacement_before / after : 0;
-
-  switch (event->kind) {
-  case QN_EVENT_KIND_LOCAL:
-    return part < QN_JUMP_SNAP * (1 + NEARLY);
-  case QN_EVENT_KIND_SNAP:
-    return part >= QN_JUMP_SNAP * (1 - NEARLY);
-  case QN_EVENT_KIND_BUCKLING:
-    return same (after, event->displacement_before);
-  case QN_EVENT_KIND_COLLAPSE:
-  case QN_EVENT_KIND_COUNT:
-    break;
-  }
-  return true;
-}
-
-/* Events begin at steps and come in order, the collapse of a stage last; the first snap of the
- * last stage is the first limit point, unless the analysis stops where it loses its stability. No
- * event is told twice. What lies between is not compared. */
+/* The first snap of the last stage is the first limit point. */
 static void
-check_events (QnCheck *check)
+check_first_limit (QnCheck *check)
 {
   const QnResult *r = check->result;
   double first = NAN;
-  bool collapses = false;
 
-  if (r->events_unknown || r->stability != QN_STABILITY_UNKNOWN || r->limit.given
-      || r->history.width > 0 || r->step_count == 0)
+  if (r->events_unknown || r->stability != QN_STABILITY_UNKNOWN
+      || r->outcome == QN_OUTCOME_SNAP || r->outcome == QN_OUTCOME_NOT_CONVERGED)
     return;
-  for (size_t i = 0; i < r->event_count; i++) {
-    const QnPathEvent *event = &r->events[i];
-    bool is_last = event->stage == r->stage;
-    const QnPathEvent *before =
-      i > 0 && event[-1].stage == event->stage ? event - 1 : NULL;
-    QnCheckStage stage = qn_check_stage (check, event->stage);
-    bool is_true =
-      begins_at_step (check, &stage, event) && suits_kind (event) && event->energy >= 0
-      && event->displacement_after >= 0 && event->stage <= r->stage
-      && (before != NULL
-            ? stage.sense * event->multiplier >= stage.sense * before->multiplier
-                && before->kind != QN_EVENT_KIND_COLLAPSE
-                && (event->displacement_after != before->displacement_after
-                    || event->displacement_before != before->displacement_before)
-            : i == 0 || event->stage > event[-1].stage);
-    collapses = is_last && event->kind == QN_EVENT_KIND_COLLAPSE;
-    if (is_last && isnan (first) && event->kind == QN_EVENT_KIND_SNAP)
-      first = event->multiplier;
-    if (!is_true || (collapses && !r->has_collapse_multiplier))
-      qn_check_tell (check, QN_CLAIM_EVENTS, QN_NONE, QN_ENTITY_ANALYSIS, (QnId) i,
-                     event->multiplier, NAN);
-  }
-  if (r->has_collapse_multiplier && !collapses)
-    tell (check, QN_CLAIM_EVENTS);
-  if (r->outcome != QN_OUTCOME_SNAP && r->outcome != QN_OUTCOME_NOT_CONVERGED
-      && (r->has_first_limit_multiplier != !isnan (first)
-          || (!isnan (first) && !same (r->first_limit_multiplier, first))))
+  for (size_t i = r->event_count; i-- > 0;)
+    if (r->events[i].stage == r->stage && r->events[i].kind == QN_EVENT_KIND_SNAP)
+      first = r->events[i].multiplier;
+  if (r->has_first_limit_multiplier != !isnan (first)
+      || (!isnan (first) && !same (r->first_limit_multiplier, first)))
     qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE,
                          r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN,
                          first);
-}
-
-/* Where the analysis stops at its first limit point, that is the last step's multiplier or beyond. */
-static void
-check_stop (QnCheck *check)
-{
-  const QnResult *r = check->result;
-
-  if (r->outcome == QN_OUTCOME_SNAP && r->step_count > 0
-      && r->stability == QN_STABILITY_UNKNOWN && check->model->stage_count == 0
-      && !(r->first_limit_multiplier >= r->steps[r->step_count - 1].multiplier - SAME))
-    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, r->first_limit_multiplier,
-                         r->steps[r->step_count - 1].multiplier);
 }
 
 /* --- Outcome ------------------------------------------------------------------------------ */
@@ -431,8 +312,7 @@ qn_check_course (QnCheck *check, QnDiag *diag)
   check_order (check);
   QnStatus status = check_outcome (check, diag);
   check_collapse (check);
-  check_events (check);
-  check_stop (check);
+  check_first_limit (check);
   check_linearity (check);
   return status;
 }

@@ -34,34 +34,28 @@ exists (const QnCheck *check, const QnFoundContact *contact)
          && is_side (&check->follow.sides, contact);
 }
 
-/* Whether all that the result says of found contacts refers to something, in the order it should: both
- * lists grow as time goes on. */
+/* Whether all that the result says of found contacts refers to something. */
 static bool
 refers (const QnCheck *check)
 {
   const QnResult *r = check->result;
-  const int32_t steps = (int32_t) r->step_count;
-  const double first = r->history.width > 0 ? 0 : 1; /* the dead load comes before */
-  size_t begun = 0;
+  size_t last = 0;
 
   for (size_t i = 0; i < r->found_count; i++)
-    if (!exists (check, &r->found[i].contact)
-        || !(r->found[i].time >= (i > 0 ? r->found[i - 1].time : 0)))
+    if (!exists (check, &r->found[i].contact))
       return false;
   for (size_t i = 0; i < r->left_count; i++)
-    if (r->left[i].face < 0 || (size_t) r->left[i].face >= check->contacts->face_count
-        || !(r->left[i].time >= (i > 0 ? r->left[i - 1].time : first)))
+    if (r->left[i].face < 0 || (size_t) r->left[i].face >= check->contacts->face_count)
       return false;
   for (size_t i = 0; i < r->found_force_count; i++) {
     const QnFoundForce *f = &r->found_forces[i];
-    if (f->found < 0 || (size_t) f->found >= r->found_count || f->step < 0
-        || f->step >= steps || !isfinite (f->normal) || !isfinite (f->shear)
-        || (i > 0 && f->step < r->found_forces[i - 1].step))
+    if (f->found < 0 || (size_t) f->found >= r->found_count || f->step < (int32_t) last
+        || (size_t) f->step >= r->step_count || !isfinite (f->normal)
+        || !isfinite (f->shear))
       return false;
-    begun += f->step == r->found[f->found].time;
+    last = (size_t) f->step;
   }
-  /* Along a path every contact carries at the step that it is found at. */
-  return r->history.width > 0 || begun == r->found_count;
+  return true;
 }
 
 bool
@@ -128,29 +122,19 @@ qn_check_found_take (QnCheck *check, size_t step)
        check->next_force++) {
     const QnFoundForce *force = &r->found_forces[check->next_force];
     check->found[force->found] = *force;
-    bool stated = !as->inactive[drawn + (size_t) force->found];
-    /* Stated twice, or before it is found. */
-    if (stated || !(r->found[force->found].time <= r->steps[step].time))
-      qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step,
-                           r->found[force->found].time, r->steps[step].time);
+    if (!as->inactive[drawn + (size_t) force->found]) /* stated twice */
+      qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step, force->normal, NAN);
     as->inactive[drawn + (size_t) force->found] = false;
   }
-  size_t left = 0, faces = 0;
   for (size_t i = 0; i < r->left_count; i++) {
     const QnContactFace *face = &check->contacts->faces[r->left[i].face];
     /* The dead load comes before all that moves, also where that begins at the same time. */
     if (step == 0 || !(r->left[i].time <= r->steps[step].time))
       continue;
-    left++;
     check->follow.left[r->left[i].face] = true;
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
       as->inactive[p] = true;
   }
-  for (size_t f = 0; f < check->contacts->face_count; f++)
-    faces += check->follow.left[f];
-  if (left != faces) /* none is left twice */
-    qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step, (double) left,
-                         (double) faces);
 }
 
 /* Of the contacts that are listed, those that the result states something of at this step. */

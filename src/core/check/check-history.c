@@ -11,6 +11,30 @@
 /* Steps and rows of the history that fall together, in lengths of a row. */
 #define SAME_TIME 1e-6
 
+/* Rows are as far apart as the first two, but for the last, which comes before the end or with it; that is the
+ * last step's. */
+static void
+check_times (QnCheck *check)
+{
+  const QnHistory *h = &check->result->history;
+  double end = check->result->steps[check->result->step_count - 1].time;
+  double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 0;
+  bool in_order = qn_check_agrees (h->end, end, SAME_TIME * end);
+
+  for (size_t i = 1; i < h->row_count; i++) {
+    const double *row = h->rows + i * h->width;
+    double time = row[QN_HISTORY_TIME];
+    in_order = in_order
+               && (i + 1 < h->row_count
+                     ? qn_check_agrees (time, apart * (double) i, SAME_TIME * apart)
+                     : time > (row - h->width)[QN_HISTORY_TIME]
+                         && time <= end + SAME_TIME * apart);
+  }
+  if (!in_order)
+    qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, h->end,
+                   end);
+}
+
 /* INPUT = the sum of the others, to within the error that is told. */
 static void
 check_energy (QnCheck *check)
@@ -34,67 +58,6 @@ check_energy (QnCheck *check)
   if (!(worst <= 2 * h->energy_error * most + QN_CHECK_TOLERANCE * most))
     qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) at, QN_ENTITY_ANALYSIS, QN_NONE, worst,
                    h->energy_error * most);
-}
-
-/* No kept step is worse than what is told of all. Rows are as far apart as the first two, but for
- * the last, and tracks are the displacements of the steps at their times. */
-static void
-check_rows (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  const QnHistory *h = &r->history;
-  double end = r->steps[r->step_count - 1].time, residual = 0;
-  double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 0;
-  size_t step = 1;
-
-  for (size_t i = 1; i < r->step_count; i++)
-    residual = qn_worse (residual, r->steps[i].residual);
-  if (!qn_check_agrees (h->end, end, SAME_TIME * end)
-      || !(residual <= h->largest_residual * (1 + QN_CHECK_EXACT))
-      || !(h->steps * h->shortest_step <= end * (1 + SAME_TIME)))
-    qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, h->end,
-                   end);
-  for (size_t i = 1; i < h->row_count; i++) {
-    const double *row = h->rows + i * h->width;
-    double time = row[QN_HISTORY_TIME], regular = apart * (double) i;
-    bool is_last = i + 1 == h->row_count;
-    if (is_last
-          ? !(time > (row - h->width)[QN_HISTORY_TIME] && time <= end + SAME_TIME * apart)
-          : !qn_check_agrees (time, regular, SAME_TIME * apart))
-      qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) i, QN_ENTITY_ANALYSIS, QN_NONE, time,
-                     end);
-    while (step + 1 < r->step_count && r->steps[step].time < time - SAME_TIME * apart)
-      step++;
-    if (step == r->step_count || fabs (r->steps[step].time - time) > SAME_TIME * apart)
-      continue;
-    const double *u = qn_result_step_displacements (r, step);
-    for (size_t t = 0; t < check->model->track_count; t++) {
-      const QnTrack *track = &check->model->tracks[t];
-      double at = u[QN_DOF_COUNT * track->block + (int) track->dof];
-      if (!qn_check_agrees (row[QN_HISTORY_TRACK + t], at,
-                            QN_CHECK_EXACT * (1 + fabs (at))))
-        qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) i, QN_ENTITY_TRACK, (QnId) t,
-                       row[QN_HISTORY_TRACK + t], at);
-    }
-  }
-}
-
-/* No step has moved further than the peaks say. */
-static void
-check_peaks (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  const double *start = qn_result_step_displacements (r, 0);
-
-  for (size_t i = 1; i < r->step_count; i++)
-    for (size_t b = 0; b < r->block_count; b++) {
-      const double *u = qn_result_step_displacements (r, i) + QN_DOF_COUNT * b;
-      const double *u0 = start + QN_DOF_COUNT * b;
-      double moved = hypot (u[0] - u0[0], u[1] - u0[1]);
-      if (!(moved <= r->history.peaks[b] * (1 + QN_CHECK_EXACT) + QN_CHECK_EXACT))
-        qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) i, QN_ENTITY_BLOCK, (QnId) b,
-                       r->history.peaks[b], moved);
-    }
 }
 
 /* Row of the history at the time of a step; NULL where none is. Of two steps at the start the second has
@@ -179,6 +142,31 @@ check_rest (QnCheck *check, size_t step)
                    fastest, most);
 }
 
+/* No step has moved further than the peaks say, and tracks are its displacements. */
+static void
+check_places (QnCheck *check, size_t step, const double *row)
+{
+  const QnResult *r = check->result;
+  const double *start = qn_result_step_displacements (r, 0);
+  const double *u = qn_result_step_displacements (r, step);
+
+  for (size_t b = 0; b < r->block_count; b++) {
+    const double *now = u + QN_DOF_COUNT * b, *then = start + QN_DOF_COUNT * b;
+    double moved = hypot (now[0] - then[0], now[1] - then[1]);
+    if (!(moved <= r->history.peaks[b] * (1 + QN_CHECK_EXACT) + QN_CHECK_EXACT))
+      qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_BLOCK, (QnId) b,
+                     r->history.peaks[b], moved);
+  }
+  for (size_t t = 0; t < check->model->track_count; t++) {
+    const QnTrack *track = &check->model->tracks[t];
+    double at = u[QN_DOF_COUNT * track->block + (int) track->dof];
+    if (!qn_check_agrees (row[QN_HISTORY_TRACK + t], at,
+                          QN_CHECK_EXACT * (1 + fabs (at))))
+      qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_TRACK, (QnId) t,
+                     row[QN_HISTORY_TRACK + t], at);
+  }
+}
+
 /* Kinetic energy by the velocities and masses, elastic energy by the forces. Beams, and contacts found on the
  * way, store energy that is not counted here. */
 QnStatus
@@ -199,6 +187,7 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
                    r->steps[step].time, NAN);
   if (row == NULL || h->width != QN_HISTORY_TRACK + check->model->track_count)
     return QN_OK;
+  check_places (check, step, row);
   if (check->mass == NULL) {
     const QnAssembly *as = &check->assembly;
     check->mass = qn_pool_alloc (&check->pool, (size_t) as->ap[as->unknown_count],
@@ -239,7 +228,6 @@ qn_check_history (QnCheck *check)
     qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_TRACK, QN_NONE, NAN, NAN);
     return;
   }
+  check_times (check);
   check_energy (check);
-  check_rows (check);
-  check_peaks (check);
 }

@@ -1,13 +1,8 @@
 #include "io/result/result-claims.h"
 
-#include "core/result/result-contact.h"
 #include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
-#include <math.h>
-
-/* Rounding of places, relative to the size of coordinates. */
-#define SAME_PLACE 1e-9
 
 static gboolean
 refuse (GError **error, const char *name, char *message)
@@ -31,33 +26,6 @@ check_hash (const QnResultFile *file, const char *name, const QnProject *project
                      file->model_sha256 != NULL ? file->model_sha256 : "–"));
 }
 
-/* Where the contacts are, in which direction, and which area they stand for. */
-static gboolean
-check_places (const QnResultFile *file, const char *name, const QnModel *model,
-              const QnContacts *contacts, GError **error)
-{
-  const double *deformation = qn_result_deformation (model, &file->result);
-  for (size_t i = 0; i < file->result.pair_count; i++) {
-    const QnResultContact *stated = &file->contacts[i];
-    const QnContactPair *pair = &contacts->pairs[i];
-    double area = pair->tributary * contacts->faces[pair->face].thickness;
-    QnVec2 point, normal;
-    qn_result_contact_place (model, contacts, i, deformation, &point, &normal);
-    double size = SAME_PLACE * (1 + fabs (point.x) + fabs (point.y));
-    gboolean same =
-      qn_vec2_length (qn_vec2_sub (point, stated->point)) <= size
-      && qn_vec2_length (qn_vec2_sub (normal, stated->normal)) <= SAME_PLACE
-      && (stated->area < 0 || fabs (stated->area - area) <= SAME_PLACE * (area + 1e-3));
-    if (!same)
-      return refuse (
-        error, name,
-        g_strdup_printf (_ ("contacts[%zu]: point, normal or area are not those "
-                            "of the project"),
-                         i));
-  }
-  return TRUE;
-}
-
 gboolean
 qn_result_file_find_faults (const QnResultFile *file, const char *name,
                             const QnProject *project, const QnContacts *contacts,
@@ -65,8 +33,7 @@ qn_result_file_find_faults (const QnResultFile *file, const char *name,
 {
   *faults = (QnResultFaults){ 0 };
   if (!qn_result_file_match (file, name, project, contacts, NULL, error)
-      || !check_hash (file, name, project, error)
-      || !check_places (file, name, &project->model, contacts, error))
+      || !check_hash (file, name, project, error))
     return FALSE;
   if (file->result.step_count > 0 && file->result.pair_count != contacts->pair_count)
     return refuse (error, name,

@@ -34,7 +34,6 @@ static const struct {
                       "N" },
   [QN_CLAIM_REACTIONS] = { "reactions",
                            N_ ("the reaction is not what forces and loads leave"), "N" },
-  [QN_CLAIM_EVENTS] = { "events", N_ ("the event is not one of the steps"), "" },
   [QN_CLAIM_OUTCOME] = { "outcome", N_ ("the outcome is not that of the steps"), NULL },
   [QN_CLAIM_COLLAPSE] = { "collapse-multiplier",
                           N_ ("the collapse multiplier is not that of the steps"), "" },

@@ -228,33 +228,6 @@ test_bond_damaged_on_the_way (void)
   g_assert_true (tells (&run, QN_CLAIM_FORCES));
 }
 
-/* A structure that jumps and then falls from where it has come: both events end with the same displacement. */
-static void
-test_falls_where_it_has_jumped (void)
-{
-  g_auto (TestRun) run = { 0 };
-  test_model_init_wall (&run.model, 1, 0);
-  test_run_solve (&run);
-  QnResult *r = &run.result;
-  g_assert_cmpuint (r->event_count, ==, 1);
-  const QnPathEvent falls = r->events[0];
-  QnPathEvent jump = { .multiplier = r->steps[1].multiplier,
-                       .displacement_after = falls.displacement_after,
-                       .kind = QN_EVENT_KIND_SNAP };
-  const double *u = qn_result_step_displacements (r, 0),
-               *v = qn_result_step_displacements (r, 1);
-  for (size_t i = 0; i < qn_result_body_count (r) * QN_DOF_COUNT; i += QN_DOF_COUNT)
-    jump.displacement_before =
-      fmax (jump.displacement_before, hypot (v[i] - u[i], v[i + 1] - u[i + 1]));
-  g_assert_true (qn_result_add_event (r, jump));
-  r->events[0] = jump;
-  r->events[1] = falls;
-  g_assert_false (tells (&run, QN_CLAIM_EVENTS));
-  r->events[1].displacement_before = jump.displacement_before;
-  r->events[1].multiplier = jump.multiplier;
-  g_assert_true (tells (&run, QN_CLAIM_EVENTS));
-}
-
 /* What is left of a bond carries besides the friction of a joint that slips, which is not at its strength
  * then: in time as on a path. */
 static void
@@ -307,8 +280,6 @@ QN_TESTS
                    test_slip_of_a_damaged_bond);
   g_test_add_func ("/core/result-check/bond-damaged-on-the-way",
                    test_bond_damaged_on_the_way);
-  g_test_add_func ("/core/result-check/falls-where-it-has-jumped",
-                   test_falls_where_it_has_jumped);
   g_test_add_func ("/core/result-check/fibre-strained-on-the-way",
                    test_fibre_strained_on_the_way);
   g_test_add_func ("/core/result-check/joint-that-has-risen", test_joint_that_has_risen);
