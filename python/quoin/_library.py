@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import re
@@ -167,6 +168,18 @@ def watched(progress: ProgressFunc | None, function: typing.Any,
     if raised:
         raise raised[0]
     return answer
+
+
+def _plain(value: Value) -> Value:
+    """Numbers and arrays of numpy as JSON takes them."""
+    if isinstance(value, (numpy.generic, numpy.ndarray)):
+        return value.tolist()
+    raise TypeError(f"{type(value).__name__} is no value of a project")
+
+
+def dumps(value: Value, allow_nan: bool = True) -> str:
+    """JSON, with numbers and arrays of numpy."""
+    return json.dumps(value, default=_plain, allow_nan=allow_nan)
 
 
 def encoded(path: Path) -> bytes:

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 import contextlib
 import csv
-import json
 import os
 import pathlib
 import tempfile
 import typing
 
 from . import _library
-from ._library import Path, ProgressFunc, Value, ffi, lib
+from ._library import FileError, Path, ProgressFunc, Value, ffi, lib
 
 if typing.TYPE_CHECKING:
     from .model import Model
@@ -84,6 +83,8 @@ class Study:
             progress: ProgressFunc | None = None) -> Study:
         """Computes the cases that have no row yet; with `keep` their full results too, with `retry`
         also those that failed."""
+        if not os.path.isdir(self.folder):
+            raise FileError(f"{self.folder}: there is no such folder of a study", self.folder)
         command("study", "run", self.folder, "--quiet",
                 *options(jobs=jobs, keep=keep, retry=retry), progress=progress)
         return self
@@ -132,7 +133,7 @@ def study_of(model: Model, parameters: typing.Sequence[typing.Mapping[str, Value
         if arguments[1:]:  # a study has no values of its own
             model.save(pathlib.Path(place, "model.quoin"))
             arguments = [str(pathlib.Path(place, "model.quoin"))]
-        path.write_text(json.dumps({
+        path.write_text(_library.dumps({
             "format": "quoin-study", "version": 1, "title": model.title,
             "model": os.path.abspath(arguments[0]), "run": run, "plan": plan,
             "parameters": list(parameters), "outputs": list(outputs), **members,

@@ -38,16 +38,12 @@ class Face(typing.NamedTuple):
     ends: Array  #: (2, 2), m
 
 
-def _plain(value: Value) -> Value:
-    """Numbers and arrays of numpy as JSON takes them."""
-    if isinstance(value, (numpy.generic, numpy.ndarray)):
-        return value.tolist()
-    raise TypeError(f"{type(value).__name__} is no value of a project")
-
-
 def _value(value: Value) -> str:
     """As after --set of the command line: JSON, or a plain string."""
-    return value if isinstance(value, str) else json.dumps(value, default=_plain)
+    try:
+        return value if isinstance(value, str) else _library.dumps(value, allow_nan=False)
+    except ValueError as error:
+        raise ValueError(f"{value!r}: number is not finite") from error
 
 
 def _overrides(values: Values | None) -> tuple[typing.Any, typing.Any]:
@@ -319,7 +315,7 @@ def from_dict(project: typing.Mapping[str, Value], name: str = "model",
               values: Values | None = None) -> Model:
     """A model of a project file as a dictionary. name: stands for the file in messages; files
     that the project names lie beside it."""
-    content = json.dumps(project, default=_plain).encode()
+    content = _library.dumps(project).encode()
     given, _kept = _overrides(values)
     return Model(_library.call(lib.quoin_model_parse, content, len(content), name.encode(),
                                given))
@@ -335,13 +331,14 @@ def read_drawing(path: Path, unit: float | str = 0.0, thickness: float = 1.0,
     "block", "support", "opening" or "ignored". close_joints, mortar_joints: joints of mortar up to
     this width, m (0: automatic), are closed, or filled with blocks of mortar. The model's
     `import_report` says what was found, repaired and left out, that of an error what was by then."""
-    options = [f"thickness={thickness!r}", f"unit-weight={unit_weight!r}",
-               f"friction={friction!r}", f"tolerance={tolerance!r}"]
+    number = _library.dumps
+    options = [f"thickness={number(thickness)}", f"unit-weight={number(unit_weight)}",
+               f"friction={number(friction)}", f"tolerance={number(tolerance)}"]
     if unit:
         options.append(f"unit={unit}")
     for option, width in (("close-joints", close_joints), ("mortar-joints", mortar_joints)):
         if width is not None:
-            options.append(f"{option}={width!r}")
+            options.append(f"{option}={number(width)}")
     options += [f"layer={name}={role}" for name, role in (layers or {}).items()]
     given, _kept = _library.strings(options)
     told = ffi.new("char **")
@@ -385,7 +382,10 @@ def wall(courses: typing.Iterable[typing.Iterable[float]],
     """A wall on a fixed base. courses: from the bottom, lengths in multiples of unit[0],
     negative: an opening. unit: length and height of a full block, m. kn: N/m of each contact pair;
     None: joints as of new drawings. live: horizontal and vertical load per weight."""
-    rows = [list(course) for course in courses]
+    try:
+        rows = [[float(part) for part in course] for course in courses]
+    except (TypeError, ValueError) as error:
+        raise TypeError("courses: expected lists of lengths") from error
     if not rows or not all(rows):
         raise ValueError("courses: a wall has one course or more, each of one block or more")
     length = max(sum(abs(part) for part in row) for row in rows) * unit[0]
@@ -402,7 +402,10 @@ def wall(courses: typing.Iterable[typing.Iterable[float]],
 
 def _numbers(supports: typing.Iterable[typing.Any], count: int) -> set[int]:
     """The numbers of blocks that a list of numbers or a mask means."""
-    entries = list(supports)
+    try:
+        entries = list(supports)
+    except TypeError:
+        entries = [None]  # said below
     if entries and all(isinstance(entry, (bool, numpy.bool_)) for entry in entries):
         if len(entries) != count:
             raise ValueError(f"supports: a mask of {len(entries)} for {count} blocks")
@@ -422,9 +425,12 @@ def _corners(polygon: typing.Any, number: int) -> Array:
         if len(polygon.interiors) > 0:
             raise ValueError(f"polygons[{number}]: a block has no holes")
         polygon = polygon.exterior.coords
-    corners = numpy.asarray(polygon, dtype=float)
-    if corners.ndim != 2 or corners.shape[1] not in (2, 3):
+    corners = numpy.asarray(polygon)
+    if corners.ndim != 2 or corners.shape[1] not in (2, 3) or numpy.iscomplexobj(corners):
         raise ValueError(f"polygons[{number}]: expected corners (n, 2)")
+    corners = corners.astype(float)
+    if (corners[:, 2:] != corners[:1, 2:]).any():
+        raise ValueError(f"polygons[{number}]: does not lie in a plane of equal z")
     closed = len(corners) > 3 and (corners[0] == corners[-1]).all()
     return corners[:-1, :2] if closed else corners[:, :2]
 

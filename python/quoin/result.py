@@ -333,6 +333,8 @@ class Result:
         column = ("ux", "uy", "rz").index(component)
         values = numpy.asarray(self.displacements)[:, :, column]
         if block is not None:
+            if block not in self._names():
+                raise ValueError(f"block: there is no {block!r}")
             shown = values[:, self._names().index(block)]
         else:
             shown = values[:, numpy.abs(values[-1]).argmax()]
@@ -428,6 +430,8 @@ class Modes:
     def damping(self, ratio: float) -> tuple[float, float]:
         """Rayleigh's coefficients of mass, 1/s, and of stiffness, s, that give the first mode that is
         no rigid motion and the last one this part of critical damping."""
+        if not 0 <= ratio < 1:
+            raise ValueError("ratio: is from 0 to less than 1")
         moving = self.omega[self.omega > 0]
         first, last = (moving[0], moving[-1]) if moving.size else (0.0, 0.0)
         stiffness = 2 * ratio / (first + last) if moving.size else 0.0

@@ -224,6 +224,10 @@ find_modes (QuoinModel *model, size_t count, QnModalState state,
 {
   if (!quoin_library_given (model, "model", error))
     return NULL;
+  if (count == 0) {
+    quoin_library_set_error (error, QUOIN_ERROR_USAGE, "count: counts from 1");
+    return NULL;
+  }
   QnDiag diag = { 0 };
   QnResult result;
   QuoinModes *modes = g_new0 (QuoinModes, 1);

@@ -516,6 +516,25 @@ def test_numbers_of_numpy():
         model.set({"laws[0].friction": object()})
 
 
+def test_values_that_are_none_name_themselves(tmp_path):
+    wall = quoin.wall([[1, 1]])
+    for call, error, words in (
+            (lambda: quoin.from_polygons(SQUARES, supports=0), TypeError, "supports: expected"),
+            (lambda: quoin.from_polygons([[(0, 0, 0), (1, 0, 0), (1, 0, 1)]], [0]), ValueError,
+             "plane of equal z"),
+            (lambda: quoin.from_polygons([numpy.array([0, 1, 1j])], [0]), ValueError, "corners"),
+            (lambda: quoin.wall("abc"), TypeError, "courses: expected lists of lengths"),
+            (lambda: wall.set({"gravity": float("nan")}), ValueError, "nan: number is not finite"),
+            (lambda: wall.modal(0), quoin.UsageError, "count"),
+            (lambda: wall.modal(1).damping(1.5), ValueError, "ratio"),
+            (lambda: quoin.Study(tmp_path / "none").run(), quoin.FileError, "no such folder")):
+        with pytest.raises(error, match=words):
+            call()
+    friction = [{"name": "mu", "path": "laws[0].friction", "values": numpy.array([0.4, 0.5])}]
+    study = wall.study(friction, ["associative_multiplier"], tmp_path / "s", run="limit")
+    assert [row["mu"] for row in study.table()] == [0.4, 0.5]
+
+
 def test_closed_rings_and_what_is_none():
     closed = quoin.from_polygons([ring + ring[:1] for ring in SQUARES], [0])
     assert [len(block.vertices) for block in closed.blocks] == [4, 4, 4]
