@@ -19,7 +19,7 @@
   FIELD (BOX, "fields", NULL)                                                            \
   FIELD (NAME, "name", N_ ("Rename Stage"))                                              \
   MEMBER (SETS, "sets", CHANGE, QnStage, sets)                                           \
-  FIELD (PROCEDURE, "procedure", CHANGE)                                                 \
+  MEMBER (PROCEDURE, "procedure", CHANGE, QnStage, procedure)                            \
   FIELD (END, "end", CHANGE)                                                             \
   MEMBER (TARGET, "target", CHANGE, QnStage, target)                                     \
   MEMBER (COMPONENT, "component", CHANGE, QnStage, control_dof)                          \
@@ -30,9 +30,6 @@
   FIELD (CYCLES, "cycles", CHANGE)                                                       \
   MEMBER (INCREMENTS, "increments", CHANGE, QnStage, increments)
 QN_FORM_FIELDS;
-
-static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLACEMENT,
-                                          QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
 
 static char *
 dup_row (const QnModel *model, gsize index)
@@ -68,11 +65,6 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
     for (int32_t set = 1; set <= (int32_t) model->load_set_count; set++)
       qn_value_add_row (value, qn_model_load_set_name (model, set));
     return TRUE;
-  case PROCEDURE:
-    for (guint i = 0; i < G_N_ELEMENTS (procedures); i++)
-      if (procedures[i] == stage->procedure)
-        value->number = i;
-    return TRUE;
   case END:
     value->number = qn_stage_get_end (stage);
     return TRUE;
@@ -98,6 +90,7 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
                       : g_strdup_printf (_ ("Control node: %s"),
                                          model->nodes[stage->control_node].name);
     return controlled;
+  case PROCEDURE:
   case INCREMENTS:
     return TRUE;
   default:
@@ -185,9 +178,7 @@ change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *val
   QnStage stage = model->stages[form->selected];
   QnStageEnd end = qn_stage_get_end (&stage);
   gboolean controlled = stage.control_block != QN_NONE || stage.control_node != QN_NONE;
-  if (field == PROCEDURE)
-    stage.procedure = procedures[(guint) value->number];
-  else if (field == END)
+  if (field == END)
     end = (QnStageEnd) value->number;
   if (stage.procedure == QN_PROCEDURE_DISPLACEMENT)
     end = QN_STAGE_END_DISPLACEMENT;
@@ -211,7 +202,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnBoundForm *form = data;
   QnModel *model = &draft->model;
   gsize stage = (gsize) MAX (form->selected, 0);
-  int by = field == EARLIER ? -1 : 1;
   switch (field) {
   case ADD:
     form->wanted = (int) model->stage_count;
@@ -219,12 +209,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case REMOVE:
     return qn_edit_delete_stage (model, stage, error);
   case EARLIER:
-    form->wanted = (int) qn_stage_before (model, stage);
-    return qn_edit_move_stage (model, stage, by, error);
   case LATER:
-    form->wanted =
-      form->selected + (int) qn_stage_span (model, stage + qn_stage_span (model, stage));
-    return qn_edit_move_stage (model, stage, by, error);
+    form->wanted = qn_edit_move_stage (model, stage, field == EARLIER ? -1 : 1, error);
+    return form->wanted >= 0;
   case NAME:
     return qn_edit_rename_stage (model, stage, value->text, error);
   default:

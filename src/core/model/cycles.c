@@ -14,16 +14,6 @@ qn_stage_span (const QnModel *model, size_t first)
 }
 
 size_t
-qn_stage_before (const QnModel *model, size_t first)
-{
-  size_t before = first > 0 ? first - 1 : 0;
-
-  while (before > 0 && model->stages[before].leg > 1)
-    before--;
-  return before;
-}
-
-size_t
 qn_stage_amplitudes (const QnModel *model, size_t first, double *amplitudes,
                      size_t *cycles)
 {

@@ -7,9 +7,6 @@
 /* How many stages an entry has; 1 of an ordinary one. */
 size_t qn_stage_span (const QnModel *model, size_t first);
 
-/* The first stage of the entry before `first`, or `first` where there is none. */
-size_t qn_stage_before (const QnModel *model, size_t first);
-
 /* The amplitudes of a protocol, as few as say it, and how many cycles each has. `amplitudes` has room for
  * qn_stage_span(). Returns their number: 0 of an ordinary stage. */
 size_t qn_stage_amplitudes (const QnModel *model, size_t first, double *amplitudes,

@@ -380,20 +380,25 @@ qn_edit_delete_stage (QnModel *model, gsize index, GError **error)
   return TRUE;
 }
 
-gboolean
+int
 qn_edit_move_stage (QnModel *model, gsize index, int by, GError **error)
 {
-  const gsize first = by < 0 ? qn_stage_before (model, index) : index;
-  const gsize ahead = qn_stage_span (model, first), second = first + ahead;
-  if ((by < 0 && index == 0) || second >= model->stage_count)
-    return qn_edit_refuse_nothing (error, _ ("There is no stage to swap with"));
-  const gsize behind = qn_stage_span (model, second);
+  gsize first = index;
+  if (by < 0 && index > 0)
+    while (model->stages[--first].leg > 1)
+      ;
+  const gsize ahead = qn_stage_span (model, first);
+  if (first + ahead >= model->stage_count || (by < 0 && index == 0)) {
+    qn_edit_refuse_nothing (error, _ ("There is no stage to swap with"));
+    return -1;
+  }
+  const gsize behind = qn_stage_span (model, first + ahead);
   QnStage *stages = model->stages + first;
   g_autofree QnStage *moved = g_memdup2 (stages, ahead * sizeof *stages);
   memmove (stages, stages + ahead, behind * sizeof *stages);
   memcpy (stages + behind, moved, ahead * sizeof *stages);
   close_ends (model);
-  return TRUE;
+  return (int) (by < 0 ? first : first + behind);
 }
 
 gboolean

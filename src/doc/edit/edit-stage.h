@@ -62,9 +62,9 @@ gboolean qn_edit_add_stage (QnModel *model, GError **error);
 gboolean qn_edit_delete_stage (QnModel *model, gsize stage, GError **error);
 
 /* Swaps a stage with the one before (by = -1) or behind it (1); of both, what would now lack an
- * end gets one. A cyclic protocol, known by its first stage, is deleted, moved, changed and named as a
+ * end gets one. Returns where it is then; -1: nowhere. A cyclic protocol, known by its first stage, is deleted, moved, changed and named as a
  * whole (core/model/cycles.h). */
-gboolean qn_edit_move_stage (QnModel *model, gsize stage, int by, GError **error);
+int qn_edit_move_stage (QnModel *model, gsize stage, int by, GError **error);
 
 /* Replaces the settings of a stage, all but its name, and with count above 0 makes a protocol of it, of so
  * many cycles of each amplitude. */
@@ -77,9 +77,8 @@ gboolean qn_edit_rename_stage (QnModel *model, gsize stage, const char *name,
 
 /* How a stage ends. */
 typedef enum {
-  QN_STAGE_END_COLLAPSE,     /* nowhere: only the last one may */
-  QN_STAGE_END_MULTIPLIER,   /* at a multiplier */
-  QN_STAGE_END_DISPLACEMENT, /* at a displacement */
-  QN_STAGE_END_COUNT
+  QN_STAGE_END_COLLAPSE,    /* nowhere: only the last one may */
+  QN_STAGE_END_MULTIPLIER,  /* at a multiplier */
+  QN_STAGE_END_DISPLACEMENT /* at a displacement */
 } QnStageEnd;
 QnStageEnd qn_stage_get_end (const QnStage *stage);

@@ -232,7 +232,6 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
     return g_strdup_printf (_ ("%s: %s until %s is %s"), name, sets,
                             components[stage->control_dof], target);
   case QN_STAGE_END_COLLAPSE:
-  case QN_STAGE_END_COUNT:
     break;
   }
   return qn_model_sets_have_force (model, stage->sets)

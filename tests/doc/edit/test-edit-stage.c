@@ -83,7 +83,7 @@ static gboolean
 move_stage (QnModel *model, gpointer data, GError **error)
 {
   const Order *order = data;
-  return qn_edit_move_stage (model, order->stage, order->by, error);
+  return qn_edit_move_stage (model, order->stage, order->by, error) >= 0;
 }
 
 static gboolean
