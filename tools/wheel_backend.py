@@ -1,12 +1,17 @@
 """What pip and build call to make the wheel: meson-python with the options of a wheel. Without what the build
 needs they say so in one line."""
 
+import importlib
+import importlib.util
+import os
 import shutil
 import subprocess
-
-import mesonpy
+import sys
 
 OPTIONS = ["-Dwheel=true", "-Dapp=disabled", "-Dtests=false"]
+
+#: Where Debian keeps meson-python.
+DEBIAN = "/usr/lib/python3/dist-packages"
 
 #: What pkg-config must know, and compilers must find; Debian's packages of it.
 LIBRARIES = {
@@ -48,17 +53,31 @@ def _settings(given):
     return given
 
 
+def _mesonpy():
+    """meson-python, of the system where pip shuts its packages out, with Meson; None where there is none."""
+    if importlib.util.find_spec("mesonpy") is None:
+        sys.path.append(DEBIAN)
+        if importlib.util.find_spec("mesonpy") is None:
+            sys.path.remove(DEBIAN)
+            return None
+        os.environ.pop("PYTHONPATH", None)  # by which pip shuts them out of Meson too
+    return importlib.import_module("mesonpy")
+
+
 def build_wheel(directory, config_settings=None, metadata_directory=None):
-    return mesonpy.build_wheel(directory, _settings(config_settings), metadata_directory)
+    settings = _settings(config_settings)
+    return _mesonpy().build_wheel(directory, settings, metadata_directory)
 
 
 def build_sdist(directory, config_settings=None):
-    return mesonpy.build_sdist(directory, _settings(config_settings))
+    return _mesonpy().build_sdist(directory, _settings(config_settings))
 
 
 def get_requires_for_build_wheel(config_settings=None):
-    """Ninja and patchelf of the system will do."""
-    return []
+    """What pip is to fetch: nothing where the system has it, so that no network is needed. Ninja and
+    patchelf of the system will do."""
+    _settings(config_settings)
+    return [] if _mesonpy() else ["meson-python >= 0.12"]
 
 
 get_requires_for_build_sdist = get_requires_for_build_wheel

@@ -22,7 +22,7 @@ python3 -m venv --system-site-packages environment
   'import wheel_backend; wheel_backend.build_wheel(".")' 2>"$work/lacks") && exit 1
 grep -qx 'quoin: the build lacks gcc, .*' "$work/lacks"
 
-environment/bin/pip install --quiet --no-index --no-deps --no-build-isolation ./quoin >log 2>&1 \
+environment/bin/pip install --quiet --no-index --no-deps ./quoin >log 2>&1 \
   || { cat log; exit 1; }
 rm -r quoin
 environment/bin/python -c 'import quoin; print(quoin.__file__)' | grep "^$work/environment/"
