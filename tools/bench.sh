@@ -1,6 +1,7 @@
 #!/bin/bash
 # Runs the benchmarks, an hour or so in all, and says what got worse since a baseline. Sets the
-# machine up first where something is missing, Clp among it, the peer of limit analysis.
+# machine up first where something is missing, Clp and, where it is packaged, HiGHS among it, the
+# peers of limit analysis.
 #
 #   tools/bench.sh [NAME...]     all, or some of: contacts dynamics earthquakes factor joints
 #                                members outcomes paths render scaling stress study
@@ -17,9 +18,13 @@ failed=0
 partial=()
 [ $# -eq 0 ] || partial=(--partial)
 
-tools/setup.sh coinor-libclp-dev
+peers=(coinor-libclp-dev)
+if apt-cache show libhighs-dev >/dev/null 2>&1; then
+  peers+=(libhighs-dev)
+fi
+tools/setup.sh "${peers[@]}"
 if [ -f build/build.ninja ]; then
-  meson setup --reconfigure build >/dev/null # Clp may be new
+  meson setup --reconfigure build >/dev/null # a peer may be new
 else
   meson setup build
 fi

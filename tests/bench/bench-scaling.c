@@ -1,13 +1,13 @@
 /* How the parts of the program grow with the structure: walls in running bond and façades with
  * openings, from 200 to 50,000 blocks.
  *
- *   bench-scaling [--clp N] [--path N] [--procedure P] [--seconds N] [--limit-seconds N]
+ *   bench-scaling [--peers N] [--path N] [--procedure P] [--seconds N] [--limit-seconds N]
  *                 [--check] [BLOCKS…]
  *
  * For each: contact detection, beside one factorisation of the elastic stiffness matrix; one
- * elastic solution from nothing; limit analysis by Quoin and, up to --clp blocks, by Clp (the best
- * of its simplex methods and its barrier); up to --path blocks, the path to collapse (multiplier
- * tolerance 1e-3) by the procedure load, work or arc-length. A path or a method of Clp that takes
+ * elastic solution from nothing; limit analysis by Quoin and, up to --peers blocks, by Clp and by HiGHS (the
+ * best of their simplex methods and interior points); up to --path blocks, the path to collapse (multiplier
+ * tolerance 1e-3) by the procedure load, work or arc-length. A path or a method of theirs that takes
  * longer than --seconds is stopped; a path then counts with what it has reached, and not for
  * the growth. What is demanded is in scaling-bars.csv; with --check the program fails where a
  * demand on a size that was run is not met. */
@@ -18,10 +18,10 @@
 #include <locale.h>
 #include <math.h>
 
-static int largest_clp = 1800, largest_path = 10000;
+static int largest_peers = 1800, largest_path = 10000;
 static int largest_run; /* of the paths */
 static gboolean check;
-static ScalingLimits limits = { .path = 300, .limit = 3600, .clp = 300 };
+static ScalingLimits limits = { .path = 300, .limit = 3600, .peers = 300 };
 
 static Chart chart = { .name = "scaling",
                        .title = "Processor time against the number of blocks",
@@ -39,7 +39,8 @@ static const char headings[] =
   "detection/factorisation,elastic s,elastic/kernel,elastic peak MB,limit outcome,"
   "limit s,limit/kernel,limit factorisations,limit multiplier,limit peak MB,path "
   "outcome,path s,path/kernel,path factorisations,path multiplier,path first limit,path "
-  "peak MB,Clp s,Clp method,Clp/limit,Clp/path";
+  "peak MB,Clp s,Clp method,Clp/limit,Clp/path,"
+  "HiGHS s,HiGHS method";
 
 static void
 add_to_chart (Chart *to, const ScalingCase *c, const char *what, double value)
@@ -55,7 +56,7 @@ report (FILE *csv, const ScalingCase *c)
   const ScalingPart *limit = &c->limit, *path = &c->path;
   bench_csv_row (csv,
                  "%s,%zu,%zu,%.4f,%.3f,%.4f,%.2f,%.4f,%.2f,%.0f,%s,%.3f,%.1f,%d,%.8f,"
-                 "%.0f,%s,%.3f,%.1f,%d,%.5f,%.5f,%.0f,%.3f,%s,%.1f,%.1f",
+                 "%.0f,%s,%.3f,%.1f,%d,%.5f,%.5f,%.0f,%.3f,%s,%.1f,%.1f,%.3f,%s",
                  c->kind, c->blocks, c->faces, c->detection.seconds, c->detection.kernels,
                  c->factorization, c->detection.seconds / c->factorization,
                  c->elastic.seconds, c->elastic.kernels, c->elastic.megabytes,
@@ -63,11 +64,13 @@ report (FILE *csv, const ScalingCase *c)
                  limit->multiplier, limit->megabytes, path->outcome, path->seconds,
                  path->kernels, path->factorizations, path->multiplier, c->first_limit,
                  path->megabytes, c->clp.seconds, c->clp.outcome,
-                 c->clp.seconds / limit->seconds, c->clp.seconds / path->seconds);
+                 c->clp.seconds / limit->seconds, c->clp.seconds / path->seconds,
+                 c->highs.seconds, c->highs.outcome);
   add_to_chart (&chart, c, "contact detection", c->detection.seconds);
   add_to_chart (&chart, c, "factorisation", c->factorization);
   add_to_chart (&chart, c, "elastic solution", c->elastic.seconds);
   add_to_chart (&chart, c, "Clp", c->clp.seconds);
+  add_to_chart (&chart, c, "HiGHS", c->highs.seconds);
   add_to_chart (&memory, c, "elastic solution", c->elastic.megabytes);
   if (limit->done) {
     add_to_chart (&chart, c, "limit analysis", limit->seconds);
@@ -120,8 +123,8 @@ run (FILE *csv, FILE *bars, int blocks, gboolean facade)
     scaling_case_path (&c, &limits);
     largest_run = MAX (largest_run, blocks);
   }
-  if (blocks <= largest_clp)
-    scaling_case_clp (&c, &limits);
+  if (blocks <= largest_peers)
+    scaling_case_peers (&c, &limits);
   report (csv, &c);
   gboolean met = check_size (bars, &c, blocks);
   scaling_case_clear (&c);
@@ -164,13 +167,13 @@ parse (int *argc, char ***argv, GError **error)
 {
   g_autofree char *procedure = NULL;
   const GOptionEntry entries[] = {
-    { "clp", 0, 0, G_OPTION_ARG_INT, &largest_clp, "Run Clp up to this size (1800)",
-      "N" },
+    { "peers", 0, 0, G_OPTION_ARG_INT, &largest_peers,
+      "Run Clp and HiGHS up to this size (1800)", "N" },
     { "path", 0, 0, G_OPTION_ARG_INT, &largest_path,
       "Follow the path up to this size (10000)", "N" },
     { "procedure", 0, 0, G_OPTION_ARG_STRING, &procedure, "How the path is led", "P" },
     { "seconds", 0, 0, G_OPTION_ARG_DOUBLE, &limits.path,
-      "Time for a path or a method of Clp (300)", "N" },
+      "Time for a path or a method of a peer (300)", "N" },
     { "limit-seconds", 0, 0, G_OPTION_ARG_DOUBLE, &limits.limit,
       "Time for limit analysis (3600)", "N" },
     { "check", 0, 0, G_OPTION_ARG_NONE, &check, "Fail where a demand is not met", NULL },
@@ -180,7 +183,7 @@ parse (int *argc, char ***argv, GError **error)
   g_option_context_add_main_entries (context, entries, NULL);
   if (!g_option_context_parse (context, argc, argv, error))
     return FALSE;
-  limits.clp = limits.path;
+  limits.peers = limits.path;
   limits.procedure = g_strcmp0 (procedure, "work") == 0         ? QN_PROCEDURE_WORK
                      : g_strcmp0 (procedure, "arc-length") == 0 ? QN_PROCEDURE_ARC_LENGTH
                                                                 : QN_PROCEDURE_LOAD;

@@ -1,6 +1,7 @@
 #include "bench/scaling-case.h"
 
 #include "bench/bench.h"
+#include "bench/limit-program.h"
 #include "core/equilibrium/equilibrium.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
@@ -9,10 +10,6 @@
 
 #include <math.h>
 #include <string.h>
-
-#ifdef HAVE_CLP
-#include "bench/clp-limit.h"
-#endif
 
 static const ScalingPart not_run = {
   .outcome = "", .seconds = NAN, .kernels = NAN, .megabytes = NAN, .multiplier = NAN
@@ -32,7 +29,8 @@ scaling_case_init (ScalingCase *c, int blocks, gboolean facade)
                       .elastic = not_run,
                       .limit = not_run,
                       .path = not_run,
-                      .clp = not_run };
+                      .clp = not_run,
+                      .highs = not_run };
   qn_model_init (&c->model);
   g_assert_cmpint (qn_generate_wall (&c->model, &recipe, NULL), ==, QN_OK);
   g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
@@ -141,36 +139,27 @@ scaling_case_path (ScalingCase *c, const ScalingLimits *limits)
     c->first_limit = result.first_limit_multiplier;
 }
 
-#ifdef HAVE_CLP
 void
-scaling_case_clp (ScalingCase *c, const ScalingLimits *limits)
+scaling_case_peers (ScalingCase *c, const ScalingLimits *limits)
 {
-  static const ClpMethod order[] = { CLP_BARRIER, CLP_DUAL, CLP_PRIMAL };
   QnLimitProblem limit;
   g_assert_cmpint (qn_limit_problem_init (&limit, &c->model, &c->contacts, false, NULL),
                    ==, QN_OK);
-  for (size_t i = 0; i < G_N_ELEMENTS (order); i++) {
+  for (const LimitPeer *peer = limit_peers; peer->solver != NULL; peer++) {
+    ScalingPart *part = strcmp (peer->solver, "Clp") == 0 ? &c->clp : &c->highs;
     double spent;
     /* Nobody waits for a method that is slower than the best one already. */
     double budget =
-      c->clp.done ? fmin (limits->clp, 1.2 * c->clp.seconds + 1) : limits->clp;
-    double found = clp_limit_solve (&limit, order[i], budget, &spent);
+      part->done ? fmin (limits->peers, 1.2 * part->seconds + 1) : limits->peers;
+    double found = limit_peer_solve (peer, &limit, budget, &spent);
     if (isnan (found))
       continue;
     g_assert_cmpfloat_with_epsilon (found, c->limit.multiplier, 1e-6);
-    if (!c->clp.done || spent < c->clp.seconds) {
-      c->clp.seconds = spent;
-      c->clp.outcome = clp_method_name (order[i]);
+    if (!part->done || spent < part->seconds) {
+      part->seconds = spent;
+      part->outcome = peer->method;
     }
-    c->clp.done = TRUE;
+    part->done = TRUE;
   }
   qn_limit_problem_clear (&limit);
 }
-#else
-void
-scaling_case_clp (ScalingCase *c, const ScalingLimits *limits)
-{
-  (void) c;
-  (void) limits;
-}
-#endif

@@ -8,7 +8,7 @@
 
 /* Processor time that the parts may take, s, and how the path is led. */
 typedef struct ScalingLimits {
-  double path, limit, clp;
+  double path, limit, peers;
   QnProcedure procedure;
 } ScalingLimits;
 
@@ -27,7 +27,7 @@ typedef struct ScalingCase {
   size_t blocks, faces; /* without the base */
   double factorization; /* s, of the elastic stiffness matrix */
   double first_limit;   /* multiplier, of the path */
-  ScalingPart detection, elastic, limit, path, clp;
+  ScalingPart detection, elastic, limit, path, clp, highs;
 } ScalingCase;
 
 /* About `blocks` blocks, as wide as high; a façade has an opening for every 60 of them. */
@@ -44,6 +44,6 @@ void scaling_case_elastic (ScalingCase *c);
 void scaling_case_limit (ScalingCase *c, const ScalingLimits *limits);
 void scaling_case_path (ScalingCase *c, const ScalingLimits *limits);
 
-/* The best of Clp's methods on the linear program of limit analysis, whose optimum must be the same
- * to 1e-6; methods that do not end in time do not count. Without Clp nothing is done. */
-void scaling_case_clp (ScalingCase *c, const ScalingLimits *limits);
+/* The best methods of Clp and of HiGHS on the linear program of limit analysis, whose optimum must be
+ * the same to 1e-6; methods that do not end in time do not count. What is not there is not run. */
+void scaling_case_peers (ScalingCase *c, const ScalingLimits *limits);

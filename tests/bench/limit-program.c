@@ -1,25 +1,28 @@
-#include "bench/clp-limit.h"
+#include "bench/limit-program.h"
 
 #include "bench/bench.h"
 
-#include <coin/Clp_C_Interface.h>
-#include <float.h>
 #include <glib.h>
 #include <math.h>
 
-const char *
-clp_method_name (ClpMethod method)
-{
-  static const char *const names[CLP_METHOD_COUNT] = { "dual simplex", "primal simplex",
-                                                       "barrier" };
-  return names[method];
-}
+const LimitPeer limit_peers[] = {
+#ifdef HAVE_CLP
+  { "Clp", "barrier", clp_solve, 0 },
+  { "Clp", "dual simplex", clp_solve, 1 },
+  { "Clp", "primal simplex", clp_solve, 2 },
+#endif
+#ifdef HAVE_HIGHS
+  { "HiGHS", "interior point", highs_solve, 0 },
+  { "HiGHS", "simplex", highs_solve, 1 },
+#endif
+  { NULL, NULL, NULL, 0 },
+};
 
 /* Columns: for every cell n = -(a + b) / (2 mu), t = (a - b) / 2 with a, b >= 0, which is what
  * mu n +- t <= 0 says; then lambda. */
 typedef struct Columns {
   GArray *rows, *values, *starts;
-  GArray *lower, *cost;
+  GArray *lower, *upper, *cost;
 } Columns;
 
 static void
@@ -34,9 +37,11 @@ add_entry (Columns *columns, int row, double value)
 static void
 end_column (Columns *columns, double lower, double cost)
 {
-  CoinBigIndex end = (CoinBigIndex) columns->rows->len;
+  int end = (int) columns->rows->len;
   g_array_append_val (columns->starts, end);
+  double upper = INFINITY;
   g_array_append_val (columns->lower, lower);
+  g_array_append_val (columns->upper, upper);
   g_array_append_val (columns->cost, cost);
 }
 
@@ -59,10 +64,11 @@ add_cell (Columns *columns, const QnIpProblem *ip, const QnIpGroup *group, int32
 static Columns
 build (const QnIpProblem *ip)
 {
-  CoinBigIndex zero = 0;
+  int zero = 0;
   Columns columns = { g_array_new (FALSE, FALSE, sizeof (int)),
                       g_array_new (FALSE, FALSE, sizeof (double)),
-                      g_array_new (FALSE, FALSE, sizeof (CoinBigIndex)),
+                      g_array_new (FALSE, FALSE, sizeof (int)),
+                      g_array_new (FALSE, FALSE, sizeof (double)),
                       g_array_new (FALSE, FALSE, sizeof (double)),
                       g_array_new (FALSE, FALSE, sizeof (double)) };
   g_array_append_val (columns.starts, zero);
@@ -71,7 +77,7 @@ build (const QnIpProblem *ip)
       add_cell (&columns, ip, &ip->groups[g], ip->groups[g].first_cell + c);
   for (int32_t r = 0; r < ip->row_count; r++)
     add_entry (&columns, r, ip->load[r]);
-  end_column (&columns, -DBL_MAX, 1);
+  end_column (&columns, -INFINITY, 1);
   return columns;
 }
 
@@ -82,42 +88,31 @@ columns_free (Columns *columns)
   g_array_unref (columns->values);
   g_array_unref (columns->starts);
   g_array_unref (columns->lower);
+  g_array_unref (columns->upper);
   g_array_unref (columns->cost);
 }
 
 double
-clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double seconds,
-                 double *spent)
+limit_peer_solve (const LimitPeer *peer, const QnLimitProblem *limit, double seconds,
+                  double *spent)
 {
   const QnIpProblem *ip = &limit->ip;
   Columns columns = build (ip);
   g_autofree double *right = g_new (double, ip->row_count);
-  Clp_Simplex *model = Clp_newModel ();
-  double multiplier = NAN;
-
   for (int32_t r = 0; r < ip->row_count; r++)
     right[r] = -ip->constant[r];
-  Clp_setLogLevel (model, 0);
-  Clp_loadProblem (model, (int) columns.cost->len, ip->row_count,
-                   (CoinBigIndex *) columns.starts->data, (int *) columns.rows->data,
-                   (double *) columns.values->data, (double *) columns.lower->data, NULL,
-                   (double *) columns.cost->data, right, right);
-  Clp_setObjSense (model, -1);
-  /* The default 1e-7 stops short of the optimum where forces are large. */
-  Clp_setDualTolerance (model, 1e-9);
-  Clp_setPrimalTolerance (model, 1e-9);
-  Clp_setMaximumSeconds (model, seconds);
+  LimitProgram program = { .row_count = ip->row_count,
+                           .column_count = (int) columns.cost->len,
+                           .starts = (int *) columns.starts->data,
+                           .rows = (int *) columns.rows->data,
+                           .values = (double *) columns.values->data,
+                           .lower = (double *) columns.lower->data,
+                           .upper = (double *) columns.upper->data,
+                           .cost = (double *) columns.cost->data,
+                           .right = right };
   double start = bench_cpu_seconds ();
-  if (method == CLP_DUAL)
-    Clp_initialDualSolve (model);
-  else if (method == CLP_PRIMAL)
-    Clp_initialPrimalSolve (model);
-  else
-    Clp_initialBarrierNoCrossSolve (model);
+  double found = peer->solve (&program, peer->number, seconds);
   *spent = bench_cpu_seconds () - start;
-  if (Clp_status (model) == 0)
-    multiplier = qn_limit_problem_multiplier (limit, Clp_objectiveValue (model));
-  Clp_deleteModel (model);
   columns_free (&columns);
-  return multiplier;
+  return isnan (found) ? found : qn_limit_problem_multiplier (limit, found);
 }
