@@ -214,8 +214,9 @@ test_numbers (void)
              "-o", "c.png", NULL);
   cli_fails (2, "--length must be a finite number", "law", "m.quoin", "--length", "inf",
              NULL);
-  cli_fails (2, "--dpi must be positive", "render", "m.quoin", "--size", "9mmx9mm",
-             "--dpi", "nan", "-o", "a.png", NULL);
+  for (size_t i = 0; i < 3; i++)
+    cli_fails (2, "--dpi must be positive", "render", "m.quoin", "--size", "9mmx9mm",
+               "--dpi", ((const char *[]){ "nan", "0", "90x" })[i], "-o", "a.png", NULL);
 }
 
 QN_TESTS

@@ -70,12 +70,25 @@ __wrap_g_try_malloc (size_t size)
   return fails () ? NULL : __real_g_try_malloc (size);
 }
 
-void
-failing_memory_arm (long number, bool onwards)
+/* From version 6 on the functions are set by functions. */
+static void
+take_over_suitesparse (void)
 {
+#if SUITESPARSE_MAIN_VERSION >= 6
+  SuiteSparse_config_malloc_func_set (__wrap_malloc);
+  SuiteSparse_config_calloc_func_set (__wrap_calloc);
+  SuiteSparse_config_realloc_func_set (__wrap_realloc);
+#else
   SuiteSparse_config.malloc_func = __wrap_malloc;
   SuiteSparse_config.calloc_func = __wrap_calloc;
   SuiteSparse_config.realloc_func = __wrap_realloc;
+#endif
+}
+
+void
+failing_memory_arm (long number, bool onwards)
+{
+  take_over_suitesparse ();
   cJSON_InitHooks (&(cJSON_Hooks){ .malloc_fn = __wrap_malloc, .free_fn = free });
   next_failure = number;
   all_after = onwards;

@@ -94,6 +94,11 @@ test_series_formula (void)
   g_assert_cmpfloat_with_epsilon (r.memory.qb[0], -2, 1e-12);
   g_assert_cmpfloat_with_epsilon (r.tangent[0][0], 2, 1e-11);
   g_assert_cmpfloat_with_epsilon (r.tangent[1][1], 1, 1e-11);
+
+  double k[2];
+  qn_pair_elastic_stiffness (&springs, k);
+  g_assert_cmpfloat_with_epsilon (k[0], 2, 1e-12);
+  g_assert_cmpfloat_with_epsilon (k[1], 1, 1e-12);
 }
 
 /* One stone of two lengths: a column of their joint length, whatever the law. */
