@@ -338,7 +338,9 @@ add_rank (Importer *importer, Rank rank)
     if (repeat)
       continue;
     const QnDxfPoint *p = points_of (importer, entity);
-    if (rank == FACES && memcmp (&p[2], &p[3], sizeof *p) == 0)
+    if (rank == FACES
+        && (entity->point_count == 3
+            || (entity->point_count == 4 && memcmp (&p[2], &p[3], sizeof *p) == 0)))
       qn_drawing_note (importer->drawing,
                        _ ("triangles of meshes, each of which becomes a block"),
                        entity->line, qn_vec2 (NAN, NAN));

@@ -320,6 +320,14 @@ test_views (void)
   g_autofree char *told = dup_notes (&turned);
   g_assert_nonnull (
     strstr (told, "triangles of meshes, each of which becomes a block: 2"));
+  /* Three corners, the fourth not repeated. */
+  g_auto (QnDrawing) three;
+  parse (HEAD "0\n3DFACE\n10\n0\n20\n0\n30\n0\n11\n3\n21\n4\n31\n0\n"
+              "12\n3\n22\n4\n32\n5\n" TAIL,
+         &three);
+  g_autofree char *one = dup_notes (&three);
+  g_assert_nonnull (
+    strstr (one, "triangles of meshes, each of which becomes a block: 1"));
   g_assert_nonnull (strstr (told, "seen square to it; shapes: 2"));
 }
 
