@@ -233,8 +233,8 @@ test_curve_runs (Solved *solved, gconstpointer data)
     "loads.live=[{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [100, 0]}]",
     "loads.live=[{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [200, 0]}]",
     "loads.live=[{\"kind\": \"force\", \"block\": \"block 4\", \"value\": [100, 0]}]",
-    "loads.live=[{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [40, 0]}, "
-    "{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [60, 0]}]",
+    ("loads.live=[{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [40, 0]}, "
+     "{\"kind\": \"force\", \"block\": \"block 5\", \"value\": [60, 0]}]"),
     "loads.live=[{\"kind\": \"weight\", \"direction\": [-1, 0]}]",
   };
   char *runs[G_N_ELEMENTS (forces)];
