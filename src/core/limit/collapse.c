@@ -162,11 +162,12 @@ find_residuals (QnCollapse *c)
 
 /* Without dilatancy the flows of both directions in which an open joint may slip cancel: they may grow
  * together without end. A proximal term holds them: of a step it leaves itself times the change of a
- * flow in the strength of its row, G y + s - term z = h, and that vanishes as steps do. */
+ * flow in the strength of its row, G y + s - term z = h, and that vanishes as steps do. The end of a path
+ * is found without: of 12 ends of seeded walls one had a state then that its forces do not have. */
 static double
 flow_term (const QnCollapse *c)
 {
-  return c->own_flow ? tuning.flow : 0;
+  return c->own_flow && c->holds_flows ? tuning.flow : 0;
 }
 
 static double

@@ -50,6 +50,7 @@ typedef struct QnCollapse {
   double least_coupling;
   double least_multiplier; /* one that is smaller is found as well as this */
   bool own_flow;           /* some strength row is not associative */
+  bool holds_flows; /* set by who starts: whether such flows have a proximal term */
 
   QnIpVector step, trial;
   double *w;            /* z / s, less where a flow is large */

@@ -300,7 +300,9 @@ search_init (Search *search, const double *forces, double multiplier, QnDiag *di
   for (int32_t i = 0; i < 2 * limit->ip.cell_count; i++)
     search->forces[i] = forces[2 * limit->cell_pairs[i / 2] + i % 2] / limit->force_unit;
   search->multiplier = multiplier / qn_limit_problem_multiplier (limit, 1);
-  return qn_collapse_init (&search->collapse, &limit->ip, diag);
+  status = qn_collapse_init (&search->collapse, &limit->ip, diag);
+  search->collapse.holds_flows = !search->elastic;
+  return status;
 }
 
 void
