@@ -14,7 +14,8 @@ build=build-coverage
 if command -v ld.gold >/dev/null; then
   export CC_LD=gold CXX_LD=gold
 fi
-[ -d $build ] || meson setup $build -Db_coverage=true -Dbuildtype=debug -Dapp=disabled >/dev/null
+[ -d $build ] || meson setup $build -Db_coverage=true -Dbuildtype=debug \
+  -Dc_args=-fprofile-update=atomic -Dapp=disabled >/dev/null
 ninja -C $build >/dev/null
 find $build -name '*.gcda' -delete
 [ $# -gt 0 ] || set -- --no-suite slow --no-suite all
