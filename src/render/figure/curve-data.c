@@ -109,7 +109,7 @@ describe_loads (QnCurve *curve, const QnModel *model, uint32_t sets)
                 g_strdup_printf ("%d %d %.6g %.6g %.6g %.6g %.6g %.6g %.6g", l->kind,
                                  l->side, f * l->vector.x, f * l->vector.y, f * q[0],
                                  f * q[1], f * l->pressure, f * l->unit_weight,
-                                 l->coefficient + l->friction_angle));
+                                 qn_load_earth_coefficient (l)));
   }
   for (int k = 0; k < QN_LOAD_KIND_COUNT; k++)
     if (sums_up ((QnLoadKind) k))

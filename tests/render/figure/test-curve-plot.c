@@ -41,6 +41,36 @@ test_curve_of_result (void)
   fixture_clear (&f);
 }
 
+/* Earth pressures are the same load where their coefficient is, wherever that comes from. */
+static void
+test_earth_pressures (void)
+{
+  static const struct {
+    QnEarth earth;
+    double coefficient;
+  } soils[] = { { QN_EARTH_AT_REST, 0 },
+                { QN_EARTH_ACTIVE, 0 },
+                { QN_EARTH_GIVEN, 0.5 } };
+  Fixture f;
+  QnCurve curves[G_N_ELEMENTS (soils)];
+  fixture_init_wall (&f, 4, 4);
+  QnLoad *load = &f.model.live_loads[0];
+  load->kind = QN_LOAD_BACKFILL;
+  load->unit_weight = 18e3;
+  for (size_t i = 0; i < G_N_ELEMENTS (soils); i++) {
+    load->earth = soils[i].earth;
+    load->coefficient = soils[i].coefficient;
+    load->friction_angle = soils[i].earth == QN_EARTH_GIVEN ? 0 : QN_PI / 6;
+    g_assert_true (qn_curve_from_result (&curves[i], &f.model, &f.result,
+                                         qn_result_curve_motion (&f.model, &f.result)));
+  }
+  g_assert_false (qn_curve_shares_axes (&curves[0], &curves[1]));
+  g_assert_true (qn_curve_shares_axes (&curves[0], &curves[2])); /* 1 - sin 30° */
+  for (size_t i = 0; i < G_N_ELEMENTS (soils); i++)
+    qn_curve_clear (&curves[i]);
+  fixture_clear (&f);
+}
+
 /* Where the dead load has moved the body, the curve begins at 0 and says so. */
 static void
 test_since_dead_load (void)
@@ -352,6 +382,7 @@ test_reference_line (void)
 QN_TESTS
 {
   g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
+  g_test_add_func ("/render/curve-plot/earth-pressures", test_earth_pressures);
   g_test_add_func ("/render/curve-plot/since-dead-load", test_since_dead_load);
   g_test_add_func ("/render/curve-plot/limit-of-descending-curve",
                    test_limit_of_descending_curve);
