@@ -38,8 +38,7 @@ describe_blocks (QnContactSearch *search)
 {
   const QnModel *model = search->model;
   for (size_t i = 0; i < model->block_count; i++) {
-    search->block_boxes[i] = qn_box_of_points (qn_model_block_vertices (model, (QnId) i),
-                                               (size_t) model->blocks[i].vertex_count);
+    search->block_boxes[i] = qn_model_block_box (model, (QnId) i);
     search->convex[i] = is_convex (&search->sides, i);
   }
 }

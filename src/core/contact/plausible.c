@@ -243,12 +243,8 @@ examine_blocks (Doubts *d)
   QnBox all = QN_BOX_EMPTY;
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
-    const QnVec2 *v = qn_model_block_vertices (model, (QnId) i);
-    QnBox box = QN_BOX_EMPTY;
-    for (QnId k = 0; k < block->vertex_count; k++)
-      qn_box_add_point (&box, v[k]);
-    qn_box_add_point (&all, box.min);
-    qn_box_add_point (&all, box.max);
+    QnBox box = qn_model_block_box (model, (QnId) i);
+    qn_box_add_box (&all, box);
     examine (d, block->density >= 0 ? DENSITY : UNIT_WEIGHT, i, (QnId) i,
              block->density >= 0 ? block->density : block->unit_weight);
     examine (d, THICKNESS, i, (QnId) i, block->thickness);

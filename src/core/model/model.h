@@ -7,6 +7,7 @@
  */
 #pragma once
 
+#include "core/base/box.h"
 #include "core/base/name-index.h"
 #include "core/base/status.h"
 #include "core/base/workers.h"
@@ -616,4 +617,12 @@ static inline const QnVec2 *
 qn_model_block_vertices (const QnModel *model, QnId block)
 {
   return model->vertices + model->blocks[block].first_vertex;
+}
+
+/* The box around a block. */
+static inline QnBox
+qn_model_block_box (const QnModel *model, QnId block)
+{
+  return qn_box_of_points (qn_model_block_vertices (model, block),
+                           (size_t) model->blocks[block].vertex_count);
 }

@@ -201,9 +201,7 @@ find_bodies (QnMechanism *m, const Field *field, const QnContacts *contacts, QnD
     body->velocity = qn_vec2_add_scaled (body->velocity, block->area,
                                          qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]));
     body->largest = fmax (body->largest, fastest_vertex (field, (QnId) b) / m->largest);
-    qn_box_add_box (&body->box,
-                    qn_box_of_points (qn_model_block_vertices (model, (QnId) b),
-                                      (size_t) block->vertex_count));
+    qn_box_add_box (&body->box, qn_model_block_box (model, (QnId) b));
   }
   for (size_t i = 0; ok && i < count; i++) {
     QnMechanismBody *body = &m->bodies[i];

@@ -47,13 +47,6 @@ qn_transform_apply (QnTransform t, QnVec2 p)
   return qn_vec2 (t.xx * p.x + t.xy * p.y + t.x0, t.yx * p.x + t.yy * p.y + t.y0);
 }
 
-QnBox
-qn_model_block_box (const QnModel *model, QnId block)
-{
-  return qn_box_of_points (qn_model_block_vertices (model, block),
-                           (gsize) model->blocks[block].vertex_count);
-}
-
 static gboolean
 refuse_nothing (GError **error)
 {

@@ -7,7 +7,6 @@
  */
 #pragma once
 
-#include "core/base/box.h"
 #include "core/model/model.h"
 #include "stereotomy/masonry.h"
 #include <glib.h>
@@ -168,9 +167,6 @@ gboolean qn_edit_no_memory (GError **error);
 gboolean qn_edit_refuse (GError **error, const char *format, ...) G_GNUC_PRINTF (2, 3);
 gboolean qn_edit_refuse_diag (GError **error, const QnModel *model, const QnDiag *diag);
 gboolean qn_edit_refuse_nothing (GError **error, const char *message);
-
-/* The box around a block. */
-QnBox qn_model_block_box (const QnModel *model, QnId block);
 
 /* Which blocks are in the set: one flag per block. The caller frees it. */
 gboolean *qn_block_set_to_flags (QnBlockSet set, const QnModel *model);

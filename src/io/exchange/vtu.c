@@ -211,8 +211,7 @@ write_forces (QnFileWriter *writer, const QnModel *model, const QnContacts *cont
   QnBox bounds = QN_BOX_EMPTY;
   double largest = 0;
   for (size_t i = 0; i < model->block_count; i++)
-    qn_box_add_box (&bounds, qn_box_of_points (qn_model_block_vertices (model, (QnId) i),
-                                               (size_t) model->blocks[i].vertex_count));
+    qn_box_add_box (&bounds, qn_model_block_box (model, (QnId) i));
   for (size_t i = 0; i < cells; i++)
     largest = fmax (largest, qn_vec2_length (force_on_b (contacts, result, i)));
   const double metres_per_newton =

@@ -165,8 +165,7 @@ qn_build_names (QnSceneBuilder *b)
     QnVec2 at = qn_builder_place (b, (QnId) i, block->centroid);
     QnCommand *command = qn_scene_text (b->scene, QN_LAYER_LABELS, at, QN_SIZE_LABEL,
                                         block->name, qn_builder_ink (b, QN_INK_LINE));
-    QnBox box = qn_box_of_points (qn_model_block_vertices (b->model, (QnId) i),
-                                  (size_t) block->vertex_count);
+    QnBox box = qn_model_block_box (b->model, (QnId) i);
     bool marked = !qn_support_is_full (block->support);
     bool beside = marked && fabs (arrow.y) > fabs (arrow.x);
     bool above = marked && !beside && arrow.x != 0;

@@ -441,12 +441,9 @@ measured_box (const QnSceneBuilder *b)
 {
   const QnModel *model = b->model;
   QnBox box = QN_BOX_EMPTY;
-  for (size_t i = 0; i < model->block_count; i++) {
-    const QnBlock *block = &model->blocks[i];
-    const QnVec2 *v = qn_model_block_vertices (model, (QnId) i);
-    if (!qn_support_is_full (block->support))
-      qn_box_add_box (&box, qn_box_of_points (v, (size_t) block->vertex_count));
-  }
+  for (size_t i = 0; i < model->block_count; i++)
+    if (!qn_support_is_full (model->blocks[i].support))
+      qn_box_add_box (&box, qn_model_block_box (model, (QnId) i));
   for (size_t i = 0; i < model->node_count; i++)
     qn_box_add_point (&box, model->nodes[i].at);
   return qn_box_is_empty (box) ? b->box : box;
