@@ -25,9 +25,6 @@
 /* The plot's text over that of the window. */
 #define TEXT_SHARE 0.9
 
-/* "g" of the field of the ground acceleration, m/s2. */
-#define STANDARD_GRAVITY 9.80665
-
 /* Where the window keeps its form. */
 #define FORM "capacity-form"
 
@@ -346,7 +343,7 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (form->control != NULL ? form->control : "");
     return TRUE;
   case AG:
-    value->number = form->spectrum.ground_acceleration / STANDARD_GRAVITY;
+    value->number = form->spectrum.ground_acceleration / QN_STANDARD_GRAVITY;
     return code;
   case SOIL:
   case DAMPING:
@@ -415,7 +412,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     take_selected (form);
     break;
   case AG:
-    form->spectrum.ground_acceleration = value->number * STANDARD_GRAVITY;
+    form->spectrum.ground_acceleration = value->number * QN_STANDARD_GRAVITY;
     break;
   case UNIT_OF_FILE:
     if (form->file != NULL) {
@@ -472,7 +469,8 @@ load (Form *form)
   const char *soil = kept.soil != NULL ? kept.soil : "B";
   gboolean is_soil = *soil >= 'A' && *soil <= 'E';
   form->spectrum =
-    (QnSpectrum){ .ground_acceleration = kept.ag > 0 ? kept.ag : 0.25 * STANDARD_GRAVITY,
+    (QnSpectrum){ .ground_acceleration =
+                    kept.ag > 0 ? kept.ag : 0.25 * QN_STANDARD_GRAVITY,
                   .soil = is_soil ? (QnSoil) (*soil - 'A') : QN_SOIL_B,
                   .damping = kept.damping > 0 && kept.damping < 1 ? kept.damping : 0.05 };
   form->answer.confidence = fmax (kept.confidence, 1);

@@ -128,7 +128,7 @@ print_ground (const QnModel *model)
                  "%.4g m/s, %.4g m; drift at the end %.3g m/s, %.3g m\n"),
               motion->point_count, every, facts.duration,
               motion->record == NULL ? "m/s2" : motion->record_unit, facts.peak,
-              facts.peak / 9.80665, facts.velocity, facts.displacement,
+              facts.peak / QN_STANDARD_GRAVITY, facts.velocity, facts.displacement,
               facts.end_velocity, facts.end_displacement);
   }
 }

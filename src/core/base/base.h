@@ -24,6 +24,9 @@ typedef int32_t QnId;
 
 #define QN_PI 3.14159265358979323846
 
+/* m/s2: what "g" means as a unit, whatever the gravity of a project. */
+#define QN_STANDARD_GRAVITY 9.80665
+
 /* Before a loop of a fixed, small number of turns: written out, so that what it works on stays in
  * registers. */
 #if defined __clang__

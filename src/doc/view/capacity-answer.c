@@ -125,7 +125,7 @@ tell_mechanism (GString *text, const QnCapacityAnswer *answer)
 }
 
 /* Very low seismicity, m/s2: EN 1998-1:2004, 3.2.1(5), 0.04 g. */
-#define LEAST_AG (0.04 * 9.80665)
+#define LEAST_AG (0.04 * QN_STANDARD_GRAVITY)
 
 static void
 tell_spectrum (GString *text, const QnSpectrum *spectrum)
@@ -140,7 +140,7 @@ tell_spectrum (GString *text, const QnSpectrum *spectrum)
                   : spectrum->kind == QN_SPECTRUM_EN_1
                     ? _ ("\nspectrum of EN 1998-1, type 1: ag %.4g m/s2 (%.3g g)")
                     : _ ("\nspectrum of EN 1998-1, type 2: ag %.4g m/s2 (%.3g g)"),
-                  largest, largest / 9.80665);
+                  largest, largest / QN_STANDARD_GRAVITY);
   if (spectrum->kind != QN_SPECTRUM_POINTS)
     g_string_append_printf (text, _ (", soil %c"), 'A' + (int) spectrum->soil);
   qn_text_append (text, _ (", damping %.3g"), spectrum->damping);

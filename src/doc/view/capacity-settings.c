@@ -10,9 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-/* What "g" is of an acceleration, m/s2. */
-#define STANDARD_GRAVITY 9.80665
-
 static const QnMember members[] = {
   QN_STRING ("control", OPTIONAL, QnCapacitySettings, control),
   QN_STRING ("spectrum", OPTIONAL, QnCapacitySettings, spectrum),
@@ -94,7 +91,7 @@ qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char 
            || refuse (_ ("mechanism is true or false"), error);
   }
   if (strcmp (option, "ag") == 0)
-    return parse_number (value, &s->ag, STANDARD_GRAVITY)
+    return parse_number (value, &s->ag, QN_STANDARD_GRAVITY)
            || refuse (_ ("ag is a positive acceleration in m/s2, or in g as 0.25g"),
                       error);
   if (strcmp (option, "damping") == 0)

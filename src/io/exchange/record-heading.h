@@ -3,10 +3,9 @@
  * COSMOS, CSMIP, K-NET, AFAD, or a person in a table's first line or a comment. */
 #pragma once
 
-#include <glib.h>
+#include "core/base/base.h"
 
-/* Standard gravity, m/s2: what AT2 files and "g" mean, whatever the project's gravity. */
-#define QN_STANDARD_GRAVITY 9.80665
+#include <glib.h>
 
 typedef enum {
   QN_RECORD_UNKNOWN,
