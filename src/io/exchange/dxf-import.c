@@ -349,24 +349,23 @@ add_rank (Importer *importer, Rank rank)
   }
 }
 
-/* Direction in plan of the upright plane that the points lie in; the zero vector where there is none. */
+/* Direction in plan of the upright plane that the points, in a box, lie in; the zero vector where there is
+ * none. */
 static QnVec2
-direction_of_plane (const Importer *importer, double size)
+direction_of_plane (const Importer *importer, const double least[3], const double most[3],
+                    double size)
 {
   guint count = importer->points->len;
   const Point *points = (const Point *) (const void *) importer->points->data;
-  QnVec2 mean = { 0 }, least = { INFINITY, INFINITY }, most = { -INFINITY, -INFINITY };
+  QnVec2 mean = { 0 };
   double xx = 0, yy = 0, xy = 0, aside = 0;
-  for (guint i = 0; i < count; i++) {
-    QnVec2 p = qn_vec2 (points[i].at[0], points[i].at[1]);
-    mean = qn_vec2_add (mean, qn_vec2_scale (1.0 / count, p));
-    least = qn_vec2 (fmin (least.x, p.x), fmin (least.y, p.y));
-    most = qn_vec2 (fmax (most.x, p.x), fmax (most.y, p.y));
-  }
-  if (!(most.y - least.y > FLAT * size))
+  if (!(most[1] - least[1] > FLAT * size))
     return qn_vec2 (1, 0);
-  if (!(most.x - least.x > FLAT * size))
+  if (!(most[0] - least[0] > FLAT * size))
     return qn_vec2 (0, 1);
+  for (guint i = 0; i < count; i++)
+    mean =
+      qn_vec2_add_scaled (mean, 1.0 / count, qn_vec2 (points[i].at[0], points[i].at[1]));
   for (guint i = 0; i < count; i++) {
     double x = points[i].at[0] - mean.x, y = points[i].at[1] - mean.y;
     xx += x * x;
@@ -398,7 +397,7 @@ choose_view (Importer *importer)
     size = fmax (size, most[k] - least[k]);
   if (!(most[2] - least[2] > FLAT * size))
     return TRUE;
-  QnVec2 right = direction_of_plane (importer, size);
+  QnVec2 right = direction_of_plane (importer, least, most, size);
   gboolean flat = right.x != 0 || right.y != 0;
   if (!flat && importer->faces)
     return FALSE;
@@ -442,17 +441,17 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
   for (int rank = 0; rank < RANK_COUNT; rank++)
     add_rank (&importer, (Rank) rank);
   gboolean full = is_full (&importer), done = !full && choose_view (&importer);
-  if (!done && !full)
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:1: faces of solids (3DFACE) that lie in no upright plane: write "
-                    "them as OBJ or COMPAS to read them as prisms, or draw their front"),
-                 name);
-  else if (full && importer.points->len >= MAX_POINTS)
+  if (full && importer.points->len >= MAX_POINTS)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: outlines of more than %d corners"), name, MAX_POINTS);
   else if (full)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: more than %d outlines"), name, MAX_PATHS);
+  else if (!done)
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:1: faces of solids (3DFACE) that lie in no upright plane: write "
+                    "them as OBJ or COMPAS to read them as prisms, or draw their front"),
+                 name);
   g_array_unref (importer.points);
   qn_dxf_scan_clear (&scan);
   if (!done)
