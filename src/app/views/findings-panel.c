@@ -30,7 +30,7 @@ typedef struct Fix {
 static void
 on_fix (GtkButton *button, Panel *panel)
 {
-  /* The edit makes the list anew, and with it this button goes. */
+  /* The end of the edit makes the list anew, and with it this button goes. */
   const Fix *fix = g_object_get_data (G_OBJECT (button), "qn-fix");
   QnDraft draft;
   if (qn_canvas_begin_edit (panel->canvas, &draft))

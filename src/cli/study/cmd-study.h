@@ -6,7 +6,8 @@
 
 /* Computes the cases of a study that are missing in its folder, as `settings` say but for the program, the
  * progress and, where `jobs` is 0, how many processes; shows on a terminal how far it has come, unless
- * `quiet`: it is the one with the number `part` of `parts` alike. On failure or at Ctrl+C the user has been told, of `name`. */
+ * `quiet`: it is the one with the number `part` of `parts` alike. On failure or at Ctrl+C the user has been
+ * told, of `name`. */
 QnExit qn_study_compute (const QnStudy *study, const char *folder, const char *name,
                          QnStudyRunSettings settings, gboolean quiet, gsize part,
                          gsize parts, QnStudyProgress *progress);

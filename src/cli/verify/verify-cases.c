@@ -77,8 +77,8 @@ static const QnVerifyCase stages[] = {
            QN_VERIFY_REACTION, .block = "right abutment", .dof = QN_DOF_UX),
 };
 
-/* Panel J4D of Raijmakers & Vermeltfoort, 0.3 MPa, at 1 mm, where its load is highest: a plot, read to 8 kN. Bricks
- * neither crack nor crush here, so beyond it the load does not fall. */
+/* Panel J4D of Raijmakers & Vermeltfoort, 0.3 MPa, at 1 mm, where its load is highest: a plot, read to
+ * 8 kN. Bricks neither crack nor crush here, so beyond it the load does not fall. */
 static const QnVerifyCase panel[] = {
   MEASURE (N_ ("Shear force at 1 mm (N)"), "48-shear-panel.quoin", 57e3, 8. / 57,
            QN_VERIFY_REACTION, .block = "beam", .dof = QN_DOF_UX),

@@ -1,11 +1,12 @@
 /* Is what a result says true?
  *
  * A result says more than its multiplier: displacements, forces and states of joints at every step,
- * events, reactions, an outcome, a mechanism, bounds. Each is recomputed from the model and from the
- * displacements, by the laws alone, and compared. Nothing is solved:
+ * reactions, an outcome, a mechanism, bounds. Each is recomputed from the model and from the
+ * displacements, by the laws alone, and compared. Nothing is solved, and events, which tell of the way
+ * between steps, are not compared but for the first snap:
  *
  *   numbers        all are finite
- *   steps          the first is the dead load; stages, events and times come in order
+ *   steps          the first is the dead load; stages and times come in order
  *   displacements  supports stay, or settle as they are told to; nodes on blocks ride with them
  *   forces         of every pair, tie and beam, as the laws answer the displacements. What a law remembers
  *                  is replayed from step to step. Once a structure has jumped, joints have slid on a
@@ -17,7 +18,6 @@
  *                  inertia and damping belong to it and equilibrium is that of a whole step, most of
  *                  which are not kept; there the energies are recomputed (history)
  *   reactions      as forces and loads leave them
- *   events         begin at steps, and come in order
  *   outcome        what the steps say, and the multipliers of collapse and first limit point
  *   mechanism      joints do not overlap; they slide and open where their strength is reached, in the
  *                  sense of their forces and with their dilatancy; the live load does work on it

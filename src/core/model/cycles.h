@@ -1,5 +1,6 @@
-/* Cyclic protocols: each amplitude a some times to a, to -a and back to 0, every way a stage (QnStage.leg). With an
- * ordinary stage they are the entries of a project's list of stages, each known by the first of its stages. */
+/* Cyclic protocols: each amplitude a some times to a, to -a and back to 0, every way a stage (QnStage.leg).
+ * Protocols and ordinary stages are the entries of a project's list of stages, each known by the first of its
+ * stages. */
 #pragma once
 
 #include "core/model/model.h"

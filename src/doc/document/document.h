@@ -91,8 +91,8 @@ gboolean qn_document_begin_edit (QnDocument *document, QnProject *draft, GError 
 gboolean qn_document_end_edit (QnDocument *document, QnProject *draft, const char *name,
                                const char *key, gboolean done, GError **error);
 
-/* The same by a function. Changes a copy of the model. Blocks may be appended behind the wall blocks; for removals and
- * changes of walls see edit.h. False with an error refuses the edit. */
+/* The same by a function. Changes a copy of the model. Blocks may be appended behind the wall blocks; for
+ * removals and changes of walls see edit.h. False with an error refuses the edit. */
 typedef gboolean (*QnEditFunc) (QnModel *model, gpointer user_data, GError **error);
 
 /* Makes one step of the history; an edit that changes nothing makes none. `name` and `key`

@@ -62,8 +62,8 @@ gboolean qn_edit_add_stage (QnModel *model, GError **error);
 gboolean qn_edit_delete_stage (QnModel *model, gsize stage, GError **error);
 
 /* Swaps a stage with the one before (by = -1) or behind it (1); of both, what would now lack an
- * end gets one. Returns where it is then; -1: nowhere. A cyclic protocol, known by its first stage, is deleted, moved, changed and named as a
- * whole (core/model/cycles.h). */
+ * end gets one. Returns where it is then; -1: nowhere. A cyclic protocol, known by its first stage, is
+ * deleted, moved, changed and named as a whole (core/model/cycles.h). */
 int qn_edit_move_stage (QnModel *model, gsize stage, int by, GError **error);
 
 /* Replaces the settings of a stage, all but its name, and with count above 0 makes a protocol of it, of so

@@ -12,7 +12,8 @@ char *qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
  * direction; NULL where they are of several kinds or directions, or grow in stages. The caller frees it. */
 char *qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units);
 
-/* "load on top: top to 2"; of a cyclic protocol at its first stage, and empty at the others. The caller frees it. */
+/* "load on top: top to 2"; of a cyclic protocol at its first stage, and empty at the others. The caller
+ * frees it. */
 char *qn_stage_dup_text (const QnModel *model, gsize stage, QnUnits units);
 
 /* "0.5 mm; 2 mm", the amplitudes of a protocol, empty of an ordinary stage, and how many cycles each has. The
