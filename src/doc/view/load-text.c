@@ -217,7 +217,8 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
   if (stage->leg == 1) {
     gsize cycles;
     target = qn_stage_dup_amplitudes (model, index, units, &cycles);
-    return g_strdup_printf (_ ("%s: %s to and fro by %s, %d cycles each"),
+    return g_strdup_printf (ngettext ("%s: %s to and fro by %s, %d cycle each",
+                                      "%s: %s to and fro by %s, %d cycles each", cycles),
                             stage->name != NULL ? stage->name : name, sets, target,
                             (int) cycles);
   }
