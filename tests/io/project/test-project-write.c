@@ -202,6 +202,8 @@ test_like (void)
     { "\"wet\"", "\"damp\"" },
     { "\"colour\": 1", "\"colour\": 2" },
     { "\"density\"", "\"unit_weight\"" },
+    { "\"unit_weight\": 1e4 }", "\"unit_weight\": 2e4 }" },
+    { "\"thickness\": 1,", "\"thickness\": 2," },
     { "\"courses\": [[1, 1, 1]]", "\"courses\": [[1, 1], [1, 1]]" },
     { "{ \"name\": \"c\", \"vertices\": [[1,1],[2,1],[2,2],[1,2]], \"thickness\": 1,"
       "      \"unit_weight\": 1e4 }",
