@@ -36,7 +36,7 @@ struct _QnCanvas {
   gboolean keyboard_cursor; /* the pointer was last moved by keys */
   QnMasonries masonry;      /* of the document, read when needed */
   gboolean has_masonry;
-  QnVec2 pan_from, zoom_center;
+  QnVec2 zoom_center;
   QnCamera gesture_camera;
 
   gboolean has_rested;     /* the pointer, long enough to be told what is there … */
