@@ -6,37 +6,62 @@
 #define SIMPSON_INTERVALS 256
 #define NEWTON_ROUNDS     12
 
-/* d(arc length)/d(phi) of the ellipse x = a (1 - cos phi), y = b sin phi. */
+/* d(arc length)/d(phi) of the ellipse x = a (1 - cos phi), y = b sin phi, or of the parabola
+ * x = a t, y = b t (2 - t) with t = 2 phi / pi. */
 static double
-ellipse_speed (const QnArch *arch, double phi)
+curve_speed (const QnArch *arch, double phi)
 {
-  return hypot (arch->span / 2 * sin (phi), arch->rise * cos (phi));
+  return arch->shape == QN_ARCH_PARABOLIC
+           ? M_2_PI * hypot (arch->span / 2, 2 * arch->rise * (1 - M_2_PI * phi))
+           : hypot (arch->span / 2 * sin (phi), arch->rise * cos (phi));
 }
 
 static double
-ellipse_length (const QnArch *arch, double phi)
+curve_length (const QnArch *arch, double phi)
 {
   double step = phi / SIMPSON_INTERVALS, sum = 0;
   for (int i = 0; i <= SIMPSON_INTERVALS; i++) {
     double weight = i == 0 || i == SIMPSON_INTERVALS ? 1 : i % 2 == 1 ? 4 : 2;
-    sum += weight * ellipse_speed (arch, i * step);
+    sum += weight * curve_speed (arch, i * step);
   }
   return sum * step / 3;
 }
 
-/* phi of the point at `share` of the quarter's length. */
+/* phi of the point at `share` of the half's length. */
 static double
-ellipse_angle (const QnArchRing *ring, double share)
+curve_angle (const QnArchRing *ring, double share)
 {
   double phi = share * M_PI_2, target = share * ring->half_length;
   for (int i = 0; i < NEWTON_ROUNDS; i++) {
     double step =
-      (ellipse_length (&ring->arch, phi) - target) / ellipse_speed (&ring->arch, phi);
+      (curve_length (&ring->arch, phi) - target) / curve_speed (&ring->arch, phi);
     phi = fmin (fmax (phi - step, 0), M_PI_2);
     if (fabs (step) < 1e-14)
       break;
   }
   return phi;
+}
+
+double
+qn_arch_haunch (const QnArch *arch)
+{
+  double least = (sqrt (3) - 1) / 2 * (arch->span / 2 - arch->rise);
+  return arch->haunch > 0 ? arch->haunch : arch->rise - least;
+}
+
+/* The circles touch where the line through their centres meets them: with a = half the span, r and R
+ * the radii, d the depth of the middle centre, (R - r)^2 = (a - r)^2 + d^2 and R = rise + d. */
+static void
+init_three_centred (QnArchRing *ring)
+{
+  const QnArch *arch = &ring->arch;
+  double r = qn_arch_haunch (arch), a = arch->span / 2 - r, b = arch->rise - r;
+  ring->radius = r;
+  ring->centre = -(a * a - b * b) / (2 * b);
+  ring->crown_radius = arch->rise - ring->centre;
+  ring->crown_opening = atan2 (a, -ring->centre);
+  ring->half_length =
+    r * (M_PI_2 - ring->crown_opening) + ring->crown_radius * ring->crown_opening;
 }
 
 void
@@ -58,9 +83,14 @@ qn_arch_ring_init (QnArchRing *ring, const QnArch *arch)
     ring->outer_opening = acos (ring->centre / (ring->radius + arch->ring));
     turn = 2 * ring->outer_opening;
     break;
+  case QN_ARCH_THREE_CENTRED:
+    init_three_centred (ring);
+    break;
+  case QN_ARCH_PARABOLIC:
+    turn = 2 * atan (4 * arch->rise / arch->span); /* fall through */
   case QN_ARCH_ELLIPTIC:
   case QN_ARCH_SHAPE_COUNT:
-    ring->half_length = ellipse_length (arch, M_PI_2);
+    ring->half_length = curve_length (arch, M_PI_2);
     break;
   }
   double chord = 2 * acos (1 - QN_ARCH_SAGITTA);
@@ -94,11 +124,32 @@ left_half (const QnArchRing *ring, double u, double offset)
       return qn_vec2 (half, sqrt (reach * reach - ring->centre * ring->centre));
     return qn_vec2 (half + ring->centre - reach * cos (angle), reach * sin (angle));
   }
+  case QN_ARCH_THREE_CENTRED: {
+    double s = 2 * u * ring->half_length,
+           haunch = ring->radius * (M_PI_2 - ring->crown_opening);
+    double reach = ring->crown_radius + offset;
+    double angle = (ring->half_length - s) / ring->crown_radius; /* from the vertical */
+    if (s >= haunch)
+      return u == 0.5
+               ? qn_vec2 (half, arch->rise + offset)
+               : qn_vec2 (half - reach * sin (angle), ring->centre + reach * cos (angle));
+    angle = s / ring->radius; /* from the horizontal */
+    reach = ring->radius + offset;
+    return u == 0 ? qn_vec2 (-offset, 0)
+                  : qn_vec2 (ring->radius - reach * cos (angle), reach * sin (angle));
+  }
+  case QN_ARCH_PARABOLIC: {
+    double t = u == 0.5 ? 1 : M_2_PI * curve_angle (ring, 2 * u);
+    QnVec2 normal = { -2 * arch->rise * (1 - t), half };
+    normal = qn_vec2_scale (1 / qn_vec2_length (normal), normal);
+    return qn_vec2_add_scaled (qn_vec2 (half * t, arch->rise * t * (2 - t)), offset,
+                               normal);
+  }
   case QN_ARCH_ELLIPTIC:
   case QN_ARCH_SHAPE_COUNT:
     break;
   }
-  double phi = ellipse_angle (ring, 2 * u);
+  double phi = curve_angle (ring, 2 * u);
   double c = u == 0.5 ? 0 : cos (phi), s = u == 0.5 ? 1 : sin (phi);
   /* Gradient of (x/a)^2 + (y/b)^2. */
   QnVec2 normal = { -c / half, s / arch->rise };
@@ -178,14 +229,24 @@ outer_position (const QnArchRing *ring, double u)
   return u == 0.5 ? 0.5 : u < 0.5 ? u * scale : 1 - (1 - u) * scale;
 }
 
+/* Point k of n of the upper side of a voussoir between two joints, at an offset. */
+static QnVec2
+upper_point (const QnArchRing *ring, double u0, double u1, int32_t k, int32_t n,
+             double offset)
+{
+  return ring->arch.shape == QN_ARCH_POINTED && k > 0 && k < n
+           ? pointed_extrados (ring, position_between (outer_position (ring, u0),
+                                                       outer_position (ring, u1), k, n))
+           : point_at (ring, position_between (u0, u1, k, n), offset);
+}
+
 bool
-qn_arch_ring_voussoir (const QnArchRing *ring, int32_t index, QnRing *voussoir)
+qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index,
+                       QnRing *voussoir)
 {
   double u0 = joint_at (ring, index), u1 = joint_at (ring, index + 1);
+  double thickness = ring->arch.ring / qn_arch_rings (&ring->arch);
   int32_t n = chords_between (ring, u0, u1);
-  bool pointed = ring->arch.shape == QN_ARCH_POINTED;
-  double v0 = pointed ? outer_position (ring, u0) : u0;
-  double v1 = pointed ? outer_position (ring, u1) : u1;
   voussoir->points = qn_alloc (2 * (size_t) n + 2, sizeof *voussoir->points);
   voussoir->count = 0;
   if (voussoir->points == NULL)
@@ -193,20 +254,38 @@ qn_arch_ring_voussoir (const QnArchRing *ring, int32_t index, QnRing *voussoir)
 
   for (int32_t k = n; k >= 0; k--)
     voussoir->points[voussoir->count++] =
-      qn_arch_ring_intrados (ring, position_between (u0, u1, k, n));
-  for (int32_t k = 0; k <= n; k++) {
-    QnVec2 p;
-    if (k == 0)
-      p = qn_arch_ring_extrados (ring, u0);
-    else if (k == n)
-      p = qn_arch_ring_extrados (ring, u1);
-    else if (pointed)
-      p = pointed_extrados (ring, position_between (v0, v1, k, n));
-    else
-      p = qn_arch_ring_extrados (ring, position_between (u0, u1, k, n));
-    voussoir->points[voussoir->count++] = p;
-  }
+      point_at (ring, position_between (u0, u1, k, n), course * thickness);
+  for (int32_t k = 0; k <= n; k++)
+    voussoir->points[voussoir->count++] =
+      upper_point (ring, u0, u1, k, n, (course + 1) * thickness);
   qn_ring_orient (voussoir);
+  return true;
+}
+
+bool
+qn_arch_ring_haunch (const QnArchRing *ring, double level, QnRing *line)
+{
+  size_t most = (size_t) ring->arch.voussoirs * ((size_t) ring->chords + 1) + 1;
+  line->points = qn_alloc (most, sizeof *line->points);
+  line->count = 0;
+  if (line->points == NULL)
+    return false;
+  line->points[line->count++] = qn_arch_ring_extrados (ring, 0);
+  for (int32_t i = 0; i < ring->arch.voussoirs; i++) {
+    double u0 = joint_at (ring, i), u1 = joint_at (ring, i + 1);
+    int32_t n = chords_between (ring, u0, u1);
+    for (int32_t k = 1; k <= n; k++) {
+      QnVec2 last = line->points[line->count - 1];
+      QnVec2 p = upper_point (ring, u0, u1, k, n, ring->arch.ring);
+      bool above = p.y >= level;
+      if (above && p.y > level)
+        p = qn_vec2_lerp (last, p, (level - last.y) / (p.y - last.y));
+      p.y = above ? level : p.y;
+      line->points[line->count++] = p;
+      if (above)
+        return true;
+    }
+  }
   return true;
 }
 

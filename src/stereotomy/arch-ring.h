@@ -1,7 +1,7 @@
 /* The geometry of arches: intrados, extrados and voussoirs. Private to this layer.
  *
  * Positions along the arch are given by u, 0 at the left springing and 1 at the right one: the
- * part of the intrados' length (circular, elliptic) or of the length of its two arcs (pointed).
+ * part of the intrados' length, of the length of its two arcs (pointed).
  * The extrados is the parallel curve at the ring's thickness, so joints are normal to both;
  * only at the crown of a pointed arch, where the two halves meet, the joint is the vertical.
  *
@@ -23,7 +23,9 @@ typedef struct QnArchRing {
                      the span (pointed), m */
   double opening; /* rad: from springing to crown, as seen from the centre */
   double outer_opening; /* pointed: the same on the extrados */
-  double half_length;   /* m, elliptic: half the intrados */
+  double half_length;   /* m, the other shapes: half the intrados */
+  double crown_radius;  /* m, three-centred: of the circle in the middle, */
+  double crown_opening; /* half of the angle it turns by, rad */
   int32_t chords;       /* per voussoir */
 } QnArchRing;
 
@@ -36,8 +38,23 @@ QnVec2 qn_arch_ring_intrados (const QnArchRing *ring, double u);
 /* End on the extrados of the joint at u. */
 QnVec2 qn_arch_ring_extrados (const QnArchRing *ring, double u);
 
-/* Voussoir `index` from the left, counter-clockwise. False when memory runs out. */
-bool qn_arch_ring_voussoir (const QnArchRing *ring, int32_t index, QnRing *voussoir);
+/* Voussoir `index` from the left of a ring, counted from 0 inside; counter-clockwise. False when
+ * memory runs out. */
+bool qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index,
+                            QnRing *voussoir);
+
+/* The extrados of the left half from the springing up to a level, as the voussoirs have it, as an
+ * open line. */
+bool qn_arch_ring_haunch (const QnArchRing *ring, double level, QnRing *line);
+
+/* How many rings there are; the smaller radius of a three-centred arch, m. */
+static inline int32_t
+qn_arch_rings (const QnArch *arch)
+{
+  return arch->rings == 0 ? 1 : arch->rings;
+}
+
+double qn_arch_haunch (const QnArch *arch);
 
 /* The whole intrados from left to right as the voussoirs have it (for the hole below it), as an
  * open line. */

@@ -8,7 +8,9 @@ qn_arch_check (const QnArch *arch, QnDiag *diag)
   double half = arch->span / 2;
   bool fits = arch->shape == QN_ARCH_CIRCULAR  ? arch->rise <= half * (1 + 1e-12)
               : arch->shape == QN_ARCH_POINTED ? arch->rise > half * (1 + 1e-12)
-                                               : true;
+              : arch->shape == QN_ARCH_THREE_CENTRED
+                ? arch->rise < half && qn_arch_haunch (arch) > 0
+                : true;
   /* Flatter or steeper than this, the curve is a straight line in double precision. */
   fits = fits && arch->rise >= 1e-6 * arch->span && arch->rise <= 1e6 * arch->span
          && arch->ring <= 1e6 * arch->span;
@@ -17,6 +19,14 @@ qn_arch_check (const QnArch *arch, QnDiag *diag)
     && qn_require_length (of, "rise", arch->rise, QN_RANGE_POSITIVE)
     && qn_require_length (of, "ring", arch->ring, QN_RANGE_POSITIVE)
     && qn_require_pieces (of, "voussoirs", arch->voussoirs, 2)
+    && qn_require_pieces (of, "rings", qn_arch_rings (arch), 1)
+    && qn_require (of, arch->shape != QN_ARCH_POINTED || qn_arch_rings (arch) == 1,
+                   QN_PROBLEM_POINTED_RINGS, "rings", arch->rings)
+    && qn_require (of, (double) arch->voussoirs * qn_arch_rings (arch) <= QN_MAX_PIECES,
+                   QN_PROBLEM_TOO_MANY_BLOCKS, "rings", arch->rings)
+    && qn_require_length (of, "haunch", arch->haunch, QN_RANGE_NOT_NEGATIVE)
+    && qn_require (of, arch->shape != QN_ARCH_THREE_CENTRED || arch->haunch < arch->rise,
+                   QN_PROBLEM_ARCH_SHAPE, "haunch", arch->haunch)
     && qn_require_length (of, "springer", arch->springer, QN_RANGE_NOT_NEGATIVE)
     && qn_require (of, fits, QN_PROBLEM_ARCH_SHAPE, "rise", arch->rise));
 }
@@ -27,18 +37,23 @@ qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix, QnPieces *p
 {
   QnArchRing ring;
   qn_arch_ring_init (&ring, arch);
-  for (int32_t i = 0; i < arch->voussoirs; i++) {
-    QnRing voussoir;
-    if (!qn_arch_ring_voussoir (&ring, i, &voussoir))
-      return qn_diag_no_memory (diag);
-    for (size_t k = 0; k < voussoir.count; k++)
-      voussoir.points[k] = qn_vec2_add (at, voussoir.points[k]);
-    QnPiece *piece =
-      qn_pieces_add (pieces, voussoir.points, voussoir.count, "%s.v%d", prefix, i + 1);
-    qn_ring_clear (&voussoir);
-    if (piece == NULL)
-      return qn_diag_no_memory (diag);
-  }
+  int32_t rings = qn_arch_rings (arch);
+  for (int32_t r = 0; r < rings; r++)
+    for (int32_t i = 0; i < arch->voussoirs; i++) {
+      QnRing voussoir;
+      if (!qn_arch_ring_voussoir (&ring, r, i, &voussoir))
+        return qn_diag_no_memory (diag);
+      for (size_t k = 0; k < voussoir.count; k++)
+        voussoir.points[k] = qn_vec2_add (at, voussoir.points[k]);
+      QnPiece *piece = r == 0 ? qn_pieces_add (pieces, voussoir.points, voussoir.count,
+                                               "%s.v%d", prefix, i + 1)
+                              : qn_pieces_add (pieces, voussoir.points, voussoir.count,
+                                               "%s.r%d.v%d", prefix, r + 1, i + 1);
+      qn_ring_clear (&voussoir);
+      if (piece == NULL)
+        return qn_diag_no_memory (diag);
+      piece->ring_number = rings > 1 ? r + 1 : 0;
+    }
   return QN_OK;
 }
 

@@ -45,7 +45,7 @@ qn_masonry_subject (QnDiag *diag)
 bool qn_require_length (QnSubject of, const char *field, double value, QnRange range);
 bool qn_require_pieces (QnSubject of, const char *field, int32_t value, int32_t least);
 
-/* Pieces of a straight-sided or curved ring of voussoirs named <prefix>.v1 …, its left springing
+/* Pieces of straight-sided or curved rings of voussoirs named as masonry.h says, the left springing
  * at `at`; see arch-ring.h. */
 QnStatus qn_arch_check (const QnArch *arch, QnDiag *diag);
 QnStatus qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix,

@@ -7,13 +7,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+static bool
+check_backing (const QnPortal *portal, QnSubject of)
+{
+  QnArchRing ring;
+  qn_arch_ring_init (&ring, &portal->arch);
+  return qn_require_length (of, "backing", portal->backing, QN_RANGE_NOT_NEGATIVE)
+         && qn_require (of,
+                        portal->backing == 0
+                          || (portal->backing > qn_arch_ring_extrados (&ring, 0).y
+                              && portal->backing < qn_arch_ring_extrados (&ring, 0.5).y),
+                        QN_PROBLEM_BACKING_TOO_HIGH, "backing", portal->backing);
+}
+
 static QnStatus
 check_portal (const QnPortal *portal, QnDiag *diag)
 {
   const QnSubject of = qn_masonry_subject (diag);
   const QnArch *arch = &portal->arch;
   const double bays = portal->bays,
-               pieces = (bays + 1) * portal->courses + bays * arch->voussoirs;
+               pieces = (bays + 1) * (portal->courses + 2.0)
+                        + bays * arch->voussoirs * qn_arch_rings (arch);
   return qn_required (
     qn_require_pieces (of, "bays", portal->bays, 1)
     && qn_require_pieces (of, "courses", portal->courses, 1)
@@ -25,7 +39,8 @@ check_portal (const QnPortal *portal, QnDiag *diag)
     && (portal->lintel_height > 0
         || (qn_arch_check (arch, diag) == QN_OK
             && qn_require (of, 2 * arch->ring <= portal->pier_width * (1 + 1e-12),
-                           QN_PROBLEM_PIER_TOO_NARROW, "pier", portal->pier_width))));
+                           QN_PROBLEM_PIER_TOO_NARROW, "pier", portal->pier_width)
+            && check_backing (portal, of))));
 }
 
 static double
@@ -101,6 +116,39 @@ lay_skewback (const QnMasonry *masonry, const QnArchRing *ring, int32_t pier,
   return piece != NULL ? QN_OK : qn_diag_no_memory (diag);
 }
 
+/* What fills the space between the arches above a pier, up to a level. */
+static QnStatus
+lay_backing (const QnMasonry *masonry, const QnArchRing *ring, int32_t pier,
+             QnPieces *pieces, QnDiag *diag)
+{
+  const QnPortal *portal = &masonry->portal;
+  double x[] = { pier_left (portal, pier),
+                 pier_left (portal, pier) + portal->pier_width };
+  QnRing line, block;
+  if (!qn_arch_ring_haunch (ring, portal->backing, &line))
+    return qn_diag_no_memory (diag);
+  size_t count = line.count;
+  block.points = qn_alloc (2 * count + 2, sizeof *block.points);
+  block.count = 0;
+  /* Right of the pier from below, then left of it from above; an end is upright. */
+  for (size_t k = 0; k < 2 * count && block.points != NULL; k++) {
+    bool right = k < count;
+    QnVec2 p = line.points[right ? k : 2 * count - 1 - k];
+    if (right ? pier == portal->bays : pier == 0)
+      p.x = 0;
+    block.points[block.count++] =
+      qn_vec2 (right ? x[1] + p.x : x[0] - p.x, portal->pier_height + p.y);
+  }
+  qn_ring_clear (&line);
+  if (block.points == NULL)
+    return qn_diag_no_memory (diag);
+  qn_ring_simplify (&block, 1e-9 * portal->pier_width);
+  QnPiece *piece = qn_pieces_add (pieces, block.points, block.count, "%s.backing%d",
+                                  masonry->name, pier + 1);
+  qn_ring_clear (&block);
+  return piece != NULL ? QN_OK : qn_diag_no_memory (diag);
+}
+
 static QnStatus
 lay_arch (const QnMasonry *masonry, int32_t bay, QnPieces *pieces, QnDiag *diag)
 {
@@ -134,8 +182,11 @@ qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   QnArchRing ring;
   if (arches)
     qn_arch_ring_init (&ring, &portal->arch);
-  for (int32_t i = 0; arches && i <= portal->bays && status == QN_OK; i++)
+  for (int32_t i = 0; arches && i <= portal->bays && status == QN_OK; i++) {
     status = lay_skewback (&own, &ring, i, pieces, diag);
+    if (status == QN_OK && portal->backing > 0)
+      status = lay_backing (&own, &ring, i, pieces, diag);
+  }
   for (int32_t i = 0; i < portal->bays && status == QN_OK; i++)
     status =
       arches ? lay_arch (&own, i, pieces, diag) : lay_lintel (&own, i, pieces, diag);

@@ -16,6 +16,7 @@ qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name, QnDia
                           .thickness = 1,
                           .density = -1,
                           .law = QN_NONE,
+                          .ring_law = QN_NONE,
                           .perturbation_seed = 1,
                           .wall.minimum_piece = DEFAULT_MINIMUM_PIECE };
   if ((name != NULL && masonry->name == NULL) || qn_masonry_add_leaf (masonry) == NULL) {
@@ -186,6 +187,8 @@ add_blocks (const QnMasonry *masonry, const QnPieces *pieces, QnModel *model,
     block->unit_weight = masonry->unit_weight;
     block->density = masonry->density;
     block->law = masonry->law;
+    block->ring = piece->ring_number;
+    block->ring_law = piece->ring_number > 0 ? masonry->ring_law : QN_NONE;
     block->rigid = piece->fixed;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = piece->fixed;
@@ -226,5 +229,5 @@ const char *const qn_edge_names[QN_EDGE_COUNT] = { "straight", "toothed" };
 const char *const qn_head_names[QN_HEAD_COUNT] = { "flat", "segmental", "semicircular" };
 const char *const qn_span_names[QN_SPAN_COUNT] = { "none", "lintel", "flat-arch", "voussoirs" };
 const char *const qn_sides_names[QN_SIDES_COUNT] = { "curved", "straight" };
-const char *const qn_arch_shape_names[QN_ARCH_SHAPE_COUNT] = { "circular", "pointed", "elliptic" };
+const char *const qn_arch_shape_names[QN_ARCH_SHAPE_COUNT] = { "circular", "pointed", "elliptic", "parabolic", "three-centred" };
 /* clang-format on */

@@ -12,10 +12,12 @@
  *             opening parts gets a, b, c … from left to right. With several leaves,
  *             <name>.<leaf>.<course>.<position>, leaves lettered a, b, c …
  *   opening   <name>.<opening>.lintel, .sill, .v1 … .vn (voussoirs from left to right)
- *   arch      <name>.v1 … .vn from the left, <name>.springer.left and .right
+ *   arch      <name>.v1 … .vn from the left, of ring k > 1 <name>.r<k>.v1 …;
+ *             <name>.springer.left and .right
  *   column    <name>.plinth, <name>.1 … <name>.n from the bottom, <name>.capital
  *   buttress  <name>.1 … <name>.n
- *   portal    <name>.pier<i>.<course>, <name>.lintel<i>, <name>.arch<i>.v1 …
+ *   portal    <name>.pier<i>.<course>, <name>.lintel<i>, <name>.arch<i>.v1 …,
+ *             <name>.skewback<i>, <name>.backing<i>
  *   rubble    <name>.<row>.<column>
  *   foundations, which are the fixed blocks: <name>.base, or .base.left, .base.right,
  *             <name>.base<i> under piers
@@ -103,9 +105,11 @@ typedef enum {
 typedef enum { QN_SIDES_CURVED, QN_SIDES_STRAIGHT, QN_SIDES_COUNT } QnSides;
 
 typedef enum {
-  QN_ARCH_CIRCULAR, /* segment of a circle: 0 < rise <= span / 2 */
-  QN_ARCH_POINTED,  /* two circles: rise > span / 2 */
-  QN_ARCH_ELLIPTIC, /* half an ellipse: any rise */
+  QN_ARCH_CIRCULAR,      /* segment of a circle: 0 < rise <= span / 2 */
+  QN_ARCH_POINTED,       /* two circles: rise > span / 2 */
+  QN_ARCH_ELLIPTIC,      /* half an ellipse: any rise */
+  QN_ARCH_PARABOLIC,     /* any rise */
+  QN_ARCH_THREE_CENTRED, /* arcs of a smaller circle at both ends: rise < span / 2 */
   QN_ARCH_SHAPE_COUNT
 } QnArchShape;
 
@@ -158,6 +162,9 @@ typedef struct QnMasonryWall {
 typedef struct QnArch {
   double span, rise; /* m, > 0 */
   double ring;       /* m, > 0: thickness, radial */
+  int32_t rings;     /* that it consists of, alike; 0: 1. More than 1 not of POINTED */
+  double haunch;     /* m, THREE_CENTRED: radius of the smaller circle, 0 < haunch < rise;
+                        0: all three arcs turn by 60 degrees */
   QnArchShape shape;
   int32_t voussoirs; /* >= 2, evenly along the intrados */
   QnSides sides;
@@ -192,6 +199,8 @@ typedef struct QnPortal {
     lintel_height; /* m, > 0: lintels from middle to middle of the piers; 0: arches */
   QnArch arch;     /* with lintel_height 0; its span is the portal's; no springers;
                            the rings of two bays must fit on a pier: 2 ring <= pier_width */
+  double backing;  /* m above the piers, up to which blocks fill the space between the
+                     arches; 0: none; below the crown of the extrados */
 } QnPortal;
 
 /* Irregular stones: cells around seeded points, within a trapezium on y = 0. */
@@ -212,6 +221,7 @@ typedef struct QnMasonry {
   double unit_weight; /* N/m3; see QnBlock */
   double density;
   QnId law;
+  QnId ring_law; /* of the joints between the rings of arches; QN_NONE: as the others */
   double foundation; /* m: depth of fixed blocks below; 0: none */
   double
     perturbation; /* how far corners are moved at random, 0 … QN_MAX_PERTURBATION; see
@@ -231,6 +241,14 @@ typedef struct QnMasonries {
   QnMasonry *items;
   size_t count, capacity;
 } QnMasonries;
+
+/* A circular arch that has become too high is pointed, and the other way round. */
+static inline void
+qn_arch_fit_shape (QnArch *arch)
+{
+  if (arch->shape == QN_ARCH_CIRCULAR || arch->shape == QN_ARCH_POINTED)
+    arch->shape = arch->rise > 0.5 * arch->span ? QN_ARCH_POINTED : QN_ARCH_CIRCULAR;
+}
 
 /* An object with the defaults of the project file: one leaf, running bond, lap 1/2, minimum
  * piece 0.2, thickness 1, law QN_NONE. `masonry` is overwritten without being cleared. */

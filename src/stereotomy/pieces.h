@@ -7,7 +7,8 @@
 typedef struct QnPiece {
   char *name; /* owned, full name of the block */
   QnRing ring;
-  bool fixed;  /* a foundation */
+  bool fixed;          /* a foundation */
+  int32_t ring_number; /* of an arch in several rings, from 1 on inside; 0: none */
   bool fabric; /* laid by a bond: may be cut by openings, merged with neighbours */
   bool cut;    /* no longer the whole unit */
   bool lone;   /* a sliver that no neighbour can take */

@@ -12,7 +12,7 @@ ring_area (const QnArch *arch)
   double area = 0;
   for (int i = 0; i < arch->voussoirs; i++) {
     g_auto (QnRing) voussoir;
-    g_assert_true (qn_arch_ring_voussoir (&ring, i, &voussoir));
+    g_assert_true (qn_arch_ring_voussoir (&ring, 0, i, &voussoir));
     g_assert_cmpfloat (qn_ring_area (&voussoir), >, 0);
     area += qn_ring_area (&voussoir);
   }
@@ -45,7 +45,13 @@ test_shared_joints (void)
     { .span = 3, .rise = 0.7, .ring = 0.3, .voussoirs = 8 },
     { .span = 3, .rise = 2.5, .ring = 0.3, .voussoirs = 7, .shape = QN_ARCH_POINTED },
     { .span = 3, .rise = 2.5, .ring = 0.3, .voussoirs = 8, .shape = QN_ARCH_POINTED },
-    { .span = 3, .rise = 0.7, .ring = 0.3, .voussoirs = 8, .shape = QN_ARCH_ELLIPTIC }
+    { .span = 3, .rise = 0.7, .ring = 0.3, .voussoirs = 8, .shape = QN_ARCH_ELLIPTIC },
+    { .span = 3, .rise = 0.7, .ring = 0.3, .voussoirs = 7, .shape = QN_ARCH_PARABOLIC },
+    { .span = 3,
+      .rise = 0.9,
+      .ring = 0.3,
+      .voussoirs = 8,
+      .shape = QN_ARCH_THREE_CENTRED }
   };
   for (size_t k = 0; k < G_N_ELEMENTS (arches); k++) {
     QnArchRing ring;
@@ -66,8 +72,8 @@ test_shared_joints (void)
     /* Neighbours share both ends of their joint exactly. */
     for (int i = 0; i + 1 < arches[k].voussoirs; i++) {
       g_auto (QnRing) a, b;
-      g_assert_true (qn_arch_ring_voussoir (&ring, i, &a));
-      g_assert_true (qn_arch_ring_voussoir (&ring, i + 1, &b));
+      g_assert_true (qn_arch_ring_voussoir (&ring, 0, i, &a));
+      g_assert_true (qn_arch_ring_voussoir (&ring, 0, i + 1, &b));
       int shared = 0;
       for (size_t m = 0; m < a.count; m++)
         for (size_t n = 0; n < b.count; n++)
@@ -128,10 +134,60 @@ test_ellipse_even (void)
     g_assert_cmpfloat_with_epsilon (lengths[i], mean, 2e-5 * mean);
 }
 
+/* The usual three-centred arch of 10 by 3 m: three arcs of 60 degrees, by hand. */
+static void
+test_three_centred (void)
+{
+  QnArch arch = {
+    .span = 10, .rise = 3, .ring = 0.6, .voussoirs = 24, .shape = QN_ARCH_THREE_CENTRED
+  };
+  QnArchRing ring;
+  qn_arch_ring_init (&ring, &arch);
+  double r = 3 - (sqrt (3) - 1), depth = sqrt (3) * (5 - r);
+  g_assert_cmpfloat_with_epsilon (ring.radius, r, 1e-12);
+  g_assert_cmpfloat_with_epsilon (ring.crown_radius, 3 + depth, 1e-12);
+  g_assert_cmpfloat_with_epsilon (ring.crown_opening, G_PI / 6, 1e-12);
+  for (int i = 0; i <= 100; i++) {
+    QnVec2 p = qn_arch_ring_intrados (&ring, i / 100.), q;
+    q = qn_vec2_sub (qn_arch_ring_extrados (&ring, i / 100.), p);
+    g_assert_cmpfloat_with_epsilon (qn_vec2_length (q), 0.6, 1e-12);
+    double crown = hypot (p.x - 5, p.y + depth);
+    double end = hypot (fmin (p.x, 10 - p.x) - r, p.y);
+    g_assert_true (fabs (crown - 3 - depth) < 1e-12 || fabs (end - r) < 1e-12);
+  }
+  /* Another radius: the circles still touch. */
+  arch.haunch = 1;
+  qn_arch_ring_init (&ring, &arch);
+  g_assert_cmpfloat_with_epsilon (hypot (4, ring.centre), ring.crown_radius - 1, 1e-12);
+}
+
+static void
+test_parabola (void)
+{
+  QnArch arch = {
+    .span = 6, .rise = 2, .ring = 0.3, .voussoirs = 10, .shape = QN_ARCH_PARABOLIC
+  };
+  QnArchRing ring;
+  qn_arch_ring_init (&ring, &arch);
+  /* Half its length, with k = 4 rise / span: span / 4 (sqrt (1 + k^2) + asinh (k) / k). */
+  double k = 4. * 2 / 6, half = 6. / 4 * (sqrt (1 + k * k) + asinh (k) / k);
+  g_assert_cmpfloat_with_epsilon (ring.half_length, half, 1e-9);
+  for (int i = 0; i <= 20; i++) {
+    QnVec2 p = qn_arch_ring_intrados (&ring, i / 20.);
+    g_assert_cmpfloat_with_epsilon (p.y, 2. / 9 * p.x * (6 - p.x), 1e-12);
+    /* The joint is normal to the curve, whose slope is 2/9 (6 - 2 x). */
+    QnVec2 joint = qn_vec2_sub (qn_arch_ring_extrados (&ring, i / 20.), p);
+    g_assert_cmpfloat_with_epsilon (joint.x + joint.y * 2. / 9 * (6 - 2 * p.x), 0, 1e-12);
+    g_assert_cmpfloat_with_epsilon (qn_vec2_length (joint), 0.3, 1e-12);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/arch-ring/semicircle", test_semicircle);
   g_test_add_func ("/arch-ring/shared-joints", test_shared_joints);
   g_test_add_func ("/arch-ring/pointed-crown", test_pointed_crown);
   g_test_add_func ("/arch-ring/ellipse-even", test_ellipse_even);
+  g_test_add_func ("/arch-ring/three-centred", test_three_centred);
+  g_test_add_func ("/arch-ring/parabola", test_parabola);
 }

@@ -150,6 +150,73 @@ test_portal (void)
   qn_model_clear (&model);
 }
 
+/* Rings divide the ring radially: their blocks cover the same, and a law of their own lies between
+ * them alone. Backing fills the space above the piers without a gap. */
+static void
+test_bridge (void)
+{
+  static const QnArchShape shapes[] = { QN_ARCH_CIRCULAR, QN_ARCH_ELLIPTIC,
+                                        QN_ARCH_PARABOLIC, QN_ARCH_THREE_CENTRED };
+  for (size_t s = 0; s < G_N_ELEMENTS (shapes); s++) {
+    g_auto (QnMasonry) masonry;
+    double areas[2], joints[2];
+    init (&masonry, QN_MASONRY_PORTAL);
+    masonry.portal = a_portal;
+    masonry.portal.arch.shape = shapes[s];
+    masonry.portal.backing = 0.55;
+    for (int rings = 1; rings <= 3; rings += 2) {
+      g_auto (QnModel) model;
+      g_auto (QnContacts) contacts;
+      masonry.portal.arch.rings = rings;
+      joints[rings / 2] = expand_sound (&masonry, &model, &areas[rings / 2]);
+      g_assert_cmpint (qn_model_find_block (&model, "m.backing4"), !=, QN_NONE);
+      for (size_t b = 0; b < model.block_count; b++)
+        model.blocks[b].ring_law = model.blocks[b].ring > 0 ? 7 : QN_NONE;
+      g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+      size_t between = 0;
+      for (size_t f = 0; f < contacts.face_count; f++) {
+        const QnContactFace *face = &contacts.faces[f];
+        int a = model.blocks[face->a].ring, b = model.blocks[face->b].ring;
+        bool radial = a > 0 && b > 0 && a != b;
+        g_assert_cmpint (qn_model_side_law (&model, face->a, face->b), ==,
+                         radial ? 7 : model.contact.law);
+        between += radial;
+      }
+      g_assert_cmpint (between > 0, ==, rings > 1);
+    }
+    g_assert_cmpfloat_with_epsilon (areas[0], areas[1], 1e-9);
+    g_assert_cmpfloat (joints[1], >, joints[0]);
+  }
+}
+
+/* What no arch of several rings, and no backing, can be. */
+static void
+test_bridge_refused (void)
+{
+  g_auto (QnMasonry) masonry;
+  g_auto (QnModel) model = { 0 };
+  QnDiag diag;
+  init (&masonry, QN_MASONRY_PORTAL);
+  masonry.portal = a_portal;
+  const double backings[] = { 0.05, 0.95, NAN };
+  for (size_t i = 0; i < G_N_ELEMENTS (backings); i++) {
+    masonry.portal.backing = backings[i];
+    g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, &diag), ==,
+                     QN_ERROR_INVALID);
+    g_assert_cmpstr (diag.field, ==, "backing");
+  }
+  masonry.portal.backing = 0;
+  masonry.portal.arch.shape = QN_ARCH_POINTED;
+  masonry.portal.arch.rise = 1.5;
+  masonry.portal.arch.rings = 2;
+  g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_POINTED_RINGS);
+  masonry.portal.arch.shape = QN_ARCH_THREE_CENTRED;
+  masonry.portal.arch.rise = 0.2;
+  g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_ARCH_SHAPE);
+}
+
 static void
 test_rubble (void)
 {
@@ -290,6 +357,8 @@ QN_TESTS
   g_test_add_func ("/masonry/column", test_column);
   g_test_add_func ("/masonry/buttress", test_buttress);
   g_test_add_func ("/masonry/portal", test_portal);
+  g_test_add_func ("/masonry/bridge", test_bridge);
+  g_test_add_func ("/masonry/bridge-refused", test_bridge_refused);
   g_test_add_func ("/masonry/rubble", test_rubble);
   g_test_add_func ("/masonry/nonsense", test_nonsense);
   g_test_add_func ("/masonry/refuses", test_refuses);

@@ -16,6 +16,7 @@ typedef struct Form {
   FIELD (SHAPE, "shape", N_ ("Change Arch"))                                             \
   FIELD (SIDES, "sides", N_ ("Change Arch"))                                             \
   FIELD (LAW, "law", N_ ("Set Law"))                                                     \
+  FIELD (RING_LAW, "ring_law", N_ ("Set Law"))                                           \
   FIELD (OPENINGS, "openings", NULL)
 QN_FORM_FIELDS;
 
@@ -74,6 +75,7 @@ show (gpointer data, guint field, QnValue *value)
   const Form *form = data;
   const QnMasonry *masonry =
     &qn_canvas_get_masonry (form->base.canvas)->items[form->object];
+  const QnArch *arch = qn_masonry_get_arch (masonry);
   const QnLeaf *leaf = &masonry->wall.leaves[0];
   QnMasonryField number = (QnMasonryField) (field - FIELD_COUNT);
   gboolean wall = masonry->kind == QN_MASONRY_WALL;
@@ -92,11 +94,15 @@ show (gpointer data, guint field, QnValue *value)
     value->number = leaf->closer;
     return TRUE;
   case SHAPE:
-    value->number = masonry->arch.shape;
-    return masonry->kind == QN_MASONRY_ARCH;
+    value->number = arch != NULL ? arch->shape : 0;
+    return arch != NULL;
   case SIDES:
-    value->number = masonry->arch.sides;
-    return masonry->kind == QN_MASONRY_ARCH;
+    value->number = arch != NULL ? arch->sides : 0;
+    return arch != NULL;
+  case RING_LAW:
+    qn_value_set_laws (value, qn_canvas_get_model (form->base.canvas),
+                       _ ("As all contacts"), masonry->ring_law);
+    return arch != NULL && arch->rings > 1;
   case LAW:
     qn_value_set_laws (value, qn_canvas_get_model (form->base.canvas),
                        _ ("As all contacts"), masonry->law);
@@ -131,10 +137,13 @@ change_masonry (QnMasonry *masonry, gpointer data, GError **error)
     leaf->closer = (QnCloser) number;
     break;
   case SHAPE:
-    masonry->arch.shape = (QnArchShape) number;
+    qn_masonry_get_arch (masonry)->shape = (QnArchShape) number;
     break;
   case SIDES:
-    masonry->arch.sides = (QnSides) number;
+    qn_masonry_get_arch (masonry)->sides = (QnSides) number;
+    break;
+  case RING_LAW:
+    masonry->ring_law = qn_value_get_law (change->value);
     break;
   case LAW:
     masonry->law = qn_value_get_law (change->value);

@@ -152,6 +152,8 @@
   X (OPENINGS_OVERLAP, "openings overlap") \
   X (FLAT_ARCH_SKEW, "skew must be an acute angle") \
   X (ARCH_SHAPE, "rise does not fit the span and the shape of the arch") \
+  X (POINTED_RINGS, "a pointed arch has one ring") \
+  X (BACKING_TOO_HIGH, "backing must end above the skewbacks and below the crown of the arches") \
   X (PIER_TOO_NARROW, "pier is too narrow for the arches on it") \
   X (OVERRIDE_UNUSED, "exception names two blocks without a common face") \
   X (DOUBT_TANGENT, "friction is a tangent: is this an angle in degrees?") \

@@ -478,13 +478,6 @@ qn_contact_follow_activate (QnContactFollow *follow, const double *displacements
 
 /* --- As faces and pairs ------------------------------------------------------------------ */
 
-static QnId
-law_of (const QnModel *model, QnId block)
-{
-  return model->blocks[block].law != QN_NONE ? model->blocks[block].law
-                                             : model->contact.law;
-}
-
 /* Length of the longer side at a corner. */
 static double
 longer_side (const QnSides *sides, QnId block, QnId corner)
@@ -549,8 +542,8 @@ qn_contacts_with_found (const QnModel *model, const QnContacts *drawn,
       .tangent = side->direction,
       .length = side->length,
       .thickness = fmin (blocks[c->block].thickness, blocks[c->other].thickness),
-      .law_a = law_of (model, c->block),
-      .law_b = law_of (model, c->other),
+      .law_a = qn_model_side_law (model, c->block, c->other),
+      .law_b = qn_model_side_law (model, c->other, c->block),
       .first_pair = (QnId) contacts->pair_count,
       .pair_count = 1,
     };

@@ -58,12 +58,12 @@ find_exceptions (const QnModel *model, QnContacts *contacts, const QnFaceOverrid
 }
 
 static QnId
-law_of_side (const QnModel *model, QnId block, const QnFaceOverride *exception)
+law_of_side (const QnModel *model, QnId block, QnId other,
+             const QnFaceOverride *exception)
 {
-  if (exception != NULL && exception->law != QN_NONE)
-    return exception->law;
-  QnId own = model->blocks[block].law;
-  return own != QN_NONE ? own : model->contact.law;
+  return exception != NULL && exception->law != QN_NONE
+           ? exception->law
+           : qn_model_side_law (model, block, other);
 }
 
 static QnStatus
@@ -299,8 +299,8 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   QnContactFace *face = &contacts->faces[index];
   bool own_pairs = exception != NULL && exception->has_pairs;
 
-  face->law_a = law_of_side (model, face->a, exception);
-  face->law_b = law_of_side (model, face->b, exception);
+  face->law_a = law_of_side (model, face->a, face->b, exception);
+  face->law_b = law_of_side (model, face->b, face->a, exception);
   const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
   QnPairRule rule =
     qn_pair_rule_by_law (own_pairs ? &exception->pairs : &model->contact.pairs,

@@ -53,7 +53,8 @@ qn_model_check_block (const QnModel *model, QnId index, QnDiag *diag)
     && (block->density >= 0
         || qn_require_number (of, "unit_weight", block->unit_weight,
                               QN_RANGE_NOT_NEGATIVE))
-    && check_law_reference (model, block->law, of));
+    && check_law_reference (model, block->law, of)
+    && check_law_reference (model, block->ring_law, of));
 }
 
 static bool

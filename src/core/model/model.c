@@ -230,7 +230,7 @@ qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
   if (block == NULL)
     return NULL;
   block->density = -1;
-  block->law = block->wall = block->masonry = QN_NONE;
+  block->law = block->ring_law = block->wall = block->masonry = QN_NONE;
   block->first_vertex = (QnId) model->vertex_count;
   block->vertex_count = (QnId) vertex_count;
   model->vertex_count += vertex_count;

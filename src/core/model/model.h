@@ -62,8 +62,10 @@ typedef struct QnBlock {
   double density;     /* kg/m3 as given in the file, or < 0 where unit_weight was given */
   bool support[QN_DOF_COUNT]; /* fixed degrees of freedom */
   bool rigid;                 /* its side of a joint by material does not deform */
-  QnId law;  /* law of the springs on this block's side, or QN_NONE: contact law */
-  QnId wall; /* wall that this block came from, or QN_NONE */
+  QnId law;      /* law of the springs on this block's side, or QN_NONE: contact law */
+  int32_t ring;  /* of an arch in several rings, from 1 on inside; 0: none */
+  QnId ring_law; /* in place of `law` towards blocks of other rings, or QN_NONE */
+  QnId wall;     /* wall that this block came from, or QN_NONE */
   int32_t wall_entry; /* which of the wall's lengths it is */
   QnId masonry; /* parametric object of the layers above that it came from, or QN_NONE */
   int32_t note;
@@ -611,6 +613,32 @@ QnVec2 qn_model_load_arm (const QnModel *model, const QnLoad *load);
  * undeformed length. Loads of all sets, each times its own factor; or the dead loads where
  * `factors` is NULL. */
 void qn_model_element_loads (const QnModel *model, const double *factors, QnVec2 *loads);
+
+/* Law of the springs on a block's side of its joints with another block. */
+static inline QnId
+qn_model_side_law (const QnModel *model, QnId block, QnId other)
+{
+  const QnBlock *b = &model->blocks[block], *o = &model->blocks[other];
+  bool rings = b->ring > 0 && o->ring > 0 && b->ring != o->ring;
+  QnId own = rings && b->ring_law != QN_NONE ? b->ring_law : b->law;
+
+  return own != QN_NONE ? own : model->contact.law;
+}
+
+/* Everything of a block but name, shape, origin and note. */
+static inline void
+qn_block_inherit (QnBlock *block, const QnBlock *from)
+{
+  block->thickness = from->thickness;
+  block->unit_weight = from->unit_weight;
+  block->density = from->density;
+  block->law = from->law;
+  block->ring = from->ring;
+  block->ring_law = from->ring_law;
+  block->rigid = from->rigid;
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    block->support[dof] = from->support[dof];
+}
 
 /* Vertices of a block. */
 static inline const QnVec2 *

@@ -267,9 +267,11 @@ each_law (QnModel *model, void (*visit) (QnId *law, gpointer data), gpointer dat
   visit (&model->contact.law, data);
   for (gsize i = 0; i < model->bar_count; i++)
     visit (&model->bars[i].law, data);
-  for (gsize i = 0; i < model->block_count; i++)
+  for (gsize i = 0; i < model->block_count; i++) {
     if (model->blocks[i].wall == QN_NONE)
       visit (&model->blocks[i].law, data);
+    visit (&model->blocks[i].ring_law, data);
+  }
   for (gsize i = 0; i < model->wall_count; i++)
     visit (&model->walls[i].law, data);
   for (gsize i = 0; i < model->override_count; i++)

@@ -84,15 +84,9 @@ copy_blocks (Rebuild *r, gboolean laid, const gboolean *drop)
                           (gsize) old->vertex_count);
     if (block == NULL)
       return FALSE;
-    block->thickness = old->thickness;
-    block->unit_weight = old->unit_weight;
-    block->density = old->density;
-    block->law = old->law;
-    block->rigid = old->rigid;
+    qn_block_inherit (block, old);
     block->masonry = old->masonry;
     block->note = old->note;
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-      block->support[dof] = old->support[dof];
     r->blocks[i] = (QnId) r->to->block_count - 1;
   }
   return TRUE;

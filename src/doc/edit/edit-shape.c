@@ -129,14 +129,8 @@ qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
       qn_model_add_block (model, name, rings->items[i].points, rings->items[i].count);
     if (block == NULL)
       return qn_edit_no_memory (error);
-    block->thickness = old.thickness;
-    block->unit_weight = old.unit_weight;
-    block->density = old.density;
-    block->law = old.law;
-    block->rigid = old.rigid;
+    qn_block_inherit (block, &old);
     block->note = i == keeper ? old.note : 0;
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-      block->support[dof] = old.support[dof];
   }
   for (guint i = 0; i < count; i++) {
     redirect (model, gone[i], first, first + (QnId) keeper);

@@ -62,6 +62,8 @@ static const Field fields[QN_MASONRY_FIELD_COUNT] = {
   [QN_MASONRY_ARCH_RING] = SIZE (N_ ("Ring thickness"), "ring", QN_MASONRY_ARCH, arch.ring),
   [QN_MASONRY_ARCH_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), "voussoirs", QN_MASONRY_ARCH, arch.voussoirs, 2.0),
   [QN_MASONRY_ARCH_SPRINGER] = EXTRA (N_ ("Springer height"), "springer", QN_MASONRY_ARCH, arch.springer),
+  [QN_MASONRY_ARCH_RINGS] = NUMBER (N_ ("Rings"), "rings", QN_MASONRY_ARCH, arch.rings, 1.0),
+  [QN_MASONRY_ARCH_HAUNCH] = EXTRA (N_ ("Radius at the ends (0: usual)"), "haunch", QN_MASONRY_ARCH, arch.haunch),
   [QN_MASONRY_COLUMN_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_COLUMN, column.height),
   [QN_MASONRY_COLUMN_BOTTOM] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_COLUMN, column.bottom),
   [QN_MASONRY_COLUMN_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_COLUMN, column.top),
@@ -79,6 +81,13 @@ static const Field fields[QN_MASONRY_FIELD_COUNT] = {
   [QN_MASONRY_PORTAL_PIER_WIDTH] = SIZE (N_ ("Pier width"), "pier[0]", QN_MASONRY_PORTAL, portal.pier_width),
   [QN_MASONRY_PORTAL_PIER_HEIGHT] = SIZE (N_ ("Pier height"), "pier[1]", QN_MASONRY_PORTAL, portal.pier_height),
   [QN_MASONRY_PORTAL_COURSES] = NUMBER (N_ ("Courses per pier"), "courses", QN_MASONRY_PORTAL, portal.courses, 1.0),
+  [QN_MASONRY_PORTAL_LINTEL] = EXTRA (N_ ("Lintel height (0: arches)"), "lintel", QN_MASONRY_PORTAL, portal.lintel_height),
+  [QN_MASONRY_PORTAL_RISE] = SIZE (N_ ("Rise"), "arch.rise", QN_MASONRY_PORTAL, portal.arch.rise),
+  [QN_MASONRY_PORTAL_RING] = SIZE (N_ ("Ring thickness"), "arch.ring", QN_MASONRY_PORTAL, portal.arch.ring),
+  [QN_MASONRY_PORTAL_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), "arch.voussoirs", QN_MASONRY_PORTAL, portal.arch.voussoirs, 2.0),
+  [QN_MASONRY_PORTAL_RINGS] = NUMBER (N_ ("Rings"), "arch.rings", QN_MASONRY_PORTAL, portal.arch.rings, 1.0),
+  [QN_MASONRY_PORTAL_HAUNCH] = EXTRA (N_ ("Radius at the ends (0: usual)"), "arch.haunch", QN_MASONRY_PORTAL, portal.arch.haunch),
+  [QN_MASONRY_PORTAL_BACKING] = EXTRA (N_ ("Height of the backing"), "backing", QN_MASONRY_PORTAL, portal.backing),
   [QN_MASONRY_RUBBLE_WIDTH] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_RUBBLE, rubble.width),
   [QN_MASONRY_RUBBLE_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_RUBBLE, rubble.top),
   [QN_MASONRY_RUBBLE_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_RUBBLE, rubble.height),
@@ -114,6 +123,12 @@ qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field)
   if (masonry->rubble.relaxed
       && (field == QN_MASONRY_RUBBLE_TOP || field == QN_MASONRY_RUBBLE_IRREGULARITY))
     return FALSE;
+  if (field == QN_MASONRY_ARCH_HAUNCH || field == QN_MASONRY_PORTAL_HAUNCH)
+    return (int) masonry->kind == f->kind && qn_masonry_get_arch (masonry) != NULL
+           && qn_masonry_get_arch (masonry)->shape == QN_ARCH_THREE_CENTRED;
+  if (masonry->kind == QN_MASONRY_PORTAL && field >= QN_MASONRY_PORTAL_RISE
+      && field <= QN_MASONRY_PORTAL_BACKING)
+    return !(masonry->portal.lintel_height > 0.0);
   if (masonry->kind != QN_MASONRY_WALL)
     return TRUE;
   QnBond bond = masonry->wall.leaves[0].bond;
@@ -163,6 +178,14 @@ set_number (gpointer at, Type type, double value)
   }
 }
 
+QnArch *
+qn_masonry_get_arch (const QnMasonry *masonry)
+{
+  if (masonry->kind == QN_MASONRY_PORTAL && !(masonry->portal.lintel_height > 0.0))
+    return (QnArch *) &masonry->portal.arch;
+  return masonry->kind == QN_MASONRY_ARCH ? (QnArch *) &masonry->arch : NULL;
+}
+
 double
 qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
 {
@@ -179,10 +202,18 @@ qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
       *(double *) ((char *) &masonry->wall.leaves[i] + fields[field].offset) = value;
   }
   /* Numbers that others depend on take them along. */
-  QnArch *arch = &masonry->arch;
+  QnArch *arch = qn_masonry_get_arch (masonry);
   QnColumn *column = &masonry->column;
-  if (masonry->kind == QN_MASONRY_ARCH && arch->shape != QN_ARCH_ELLIPTIC)
-    arch->shape = arch->rise > 0.5 * arch->span ? QN_ARCH_POINTED : QN_ARCH_CIRCULAR;
+  if (arch != NULL && masonry->kind == QN_MASONRY_PORTAL) {
+    const QnPortal *portal = &masonry->portal;
+    if (arch->voussoirs == 0)
+      *arch = (QnArch){ .rise = 0.25 * portal->span,
+                        .ring = fmin (0.4 * portal->pier_width, 0.1 * portal->span),
+                        .voussoirs = 21 };
+    arch->span = portal->span;
+  }
+  if (arch != NULL)
+    qn_arch_fit_shape (arch);
   if (masonry->rubble.relaxed)
     masonry->rubble.top = masonry->rubble.width;
   if (field == QN_MASONRY_PLINTH_HEIGHT && column->plinth_width <= 0.0)

@@ -21,6 +21,8 @@ typedef enum {
   QN_MASONRY_ARCH_RING,
   QN_MASONRY_ARCH_VOUSSOIRS,
   QN_MASONRY_ARCH_SPRINGER,
+  QN_MASONRY_ARCH_RINGS,
+  QN_MASONRY_ARCH_HAUNCH,
   QN_MASONRY_COLUMN_HEIGHT,
   QN_MASONRY_COLUMN_BOTTOM,
   QN_MASONRY_COLUMN_TOP,
@@ -38,6 +40,13 @@ typedef enum {
   QN_MASONRY_PORTAL_PIER_WIDTH,
   QN_MASONRY_PORTAL_PIER_HEIGHT,
   QN_MASONRY_PORTAL_COURSES,
+  QN_MASONRY_PORTAL_LINTEL,
+  QN_MASONRY_PORTAL_RISE, /* up to the backing: of arches */
+  QN_MASONRY_PORTAL_RING,
+  QN_MASONRY_PORTAL_VOUSSOIRS,
+  QN_MASONRY_PORTAL_RINGS,
+  QN_MASONRY_PORTAL_HAUNCH,
+  QN_MASONRY_PORTAL_BACKING,
   QN_MASONRY_RUBBLE_WIDTH,
   QN_MASONRY_RUBBLE_TOP,
   QN_MASONRY_RUBBLE_HEIGHT,
@@ -81,6 +90,9 @@ const QnFieldInfo *qn_masonry_field_info (QnMasonryField field);
 gboolean qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field);
 double qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field);
 void qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value);
+
+/* The arch, or those of a portal (borrowed); NULL where there are none. */
+QnArch *qn_masonry_get_arch (const QnMasonry *masonry);
 
 /* The same of openings. */
 const QnFieldInfo *qn_opening_field_info (QnOpeningField field);

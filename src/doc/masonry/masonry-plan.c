@@ -74,10 +74,7 @@ qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left, QnVe
   arch->ring = style->ring;
   arch->voussoirs = style->voussoirs;
   arch->shape = style->shape;
-  if (arch->shape == QN_ARCH_CIRCULAR && arch->rise > 0.5 * arch->span)
-    arch->shape = QN_ARCH_POINTED;
-  else if (arch->shape == QN_ARCH_POINTED && arch->rise <= 0.5 * arch->span)
-    arch->shape = QN_ARCH_CIRCULAR;
+  qn_arch_fit_shape (arch);
   masonry->origin = left;
   masonry->rotation = atan2 (chord.y, chord.x);
   return TRUE;
@@ -157,14 +154,15 @@ qn_masonry_estimate_blocks (const QnMasonry *masonry)
     return size.x / unit.x * size.y / unit.y;
   }
   case QN_MASONRY_ARCH:
-    return masonry->arch.voussoirs;
+    return masonry->arch.voussoirs * MAX (masonry->arch.rings, 1);
   case QN_MASONRY_COLUMN:
     return masonry->column.drums;
   case QN_MASONRY_BUTTRESS:
     return masonry->buttress.courses;
   case QN_MASONRY_PORTAL:
     return (masonry->portal.bays + 1) * masonry->portal.courses
-           + masonry->portal.bays * masonry->portal.arch.voussoirs;
+           + masonry->portal.bays * masonry->portal.arch.voussoirs
+               * MAX (masonry->portal.arch.rings, 1);
   case QN_MASONRY_RUBBLE:
     return masonry->rubble.width * masonry->rubble.height
            / (masonry->rubble.stone * masonry->rubble.stone);

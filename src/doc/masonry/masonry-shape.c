@@ -277,10 +277,7 @@ drag_arch (QnMasonry *masonry, QnHandleKind handle, QnVec2 to, QnVec2 p)
     masonry->origin = left;
     masonry->rotation = atan2 (chord.y, chord.x);
   }
-  if (arch->shape == QN_ARCH_CIRCULAR && arch->rise > 0.5 * arch->span)
-    arch->shape = QN_ARCH_POINTED;
-  else if (arch->shape == QN_ARCH_POINTED && arch->rise <= 0.5 * arch->span)
-    arch->shape = QN_ARCH_CIRCULAR;
+  qn_arch_fit_shape (arch);
 }
 
 static void

@@ -25,6 +25,7 @@ static const QnMember common_members[] = {
   QN_KNOWN ("density"),
   QN_KNOWN ("law"),
   QN_KNOWN ("material"),
+  QN_ENTITY ("ring_law", OPTIONAL, LAW, QnMasonry, ring_law),
   QN_NUMBER ("foundation", READ, NOT_NEGATIVE, QnMasonry, foundation),
   QN_NUMBER ("perturbation", READ, NOT_NEGATIVE, QnMasonry, perturbation),
   QN_KNOWN ("perturbation_seed"),
@@ -77,6 +78,8 @@ static const QnMember arch_members[] = {
   QN_NUMBER ("ring", REQUIRED, POSITIVE, QnMasonry, arch.ring),
   QN_COUNT ("voussoirs", REQUIRED, MAX_COUNT, QnMasonry, arch.voussoirs),
   QN_CHOICE ("sides", WRITTEN, qn_sides_names, QnMasonry, arch.sides),
+  QN_COUNT ("rings", OPTIONAL, MAX_COUNT, QnMasonry, arch.rings),
+  QN_NUMBER ("haunch", OPTIONAL, NOT_NEGATIVE, QnMasonry, arch.haunch),
   QN_NUMBER ("springer", OPTIONAL, NOT_NEGATIVE, QnMasonry, arch.springer),
   { 0 },
 };
@@ -88,6 +91,8 @@ static const QnMember inner_arch_members[] = {
   QN_NUMBER ("ring", REQUIRED, POSITIVE, QnArch, ring),
   QN_COUNT ("voussoirs", REQUIRED, MAX_COUNT, QnArch, voussoirs),
   QN_CHOICE ("sides", WRITTEN, qn_sides_names, QnArch, sides),
+  QN_COUNT ("rings", OPTIONAL, MAX_COUNT, QnArch, rings),
+  QN_NUMBER ("haunch", OPTIONAL, NOT_NEGATIVE, QnArch, haunch),
   { 0 },
 };
 
@@ -114,6 +119,7 @@ static const QnMember portal_members[] = {
   QN_TWO ("pier", REQUIRED, QnMasonry, portal.pier_width),
   QN_COUNT ("courses", REQUIRED, MAX_COUNT, QnMasonry, portal.courses),
   QN_NUMBER ("lintel", OPTIONAL, POSITIVE, QnMasonry, portal.lintel_height),
+  QN_NUMBER ("backing", OPTIONAL, NOT_NEGATIVE, QnMasonry, portal.backing),
   QN_KNOWN ("arch"),
   { 0 },
 };
@@ -513,13 +519,14 @@ put_kind (GString *json, const QnMasonry *masonry)
   if (masonry->kind == QN_MASONRY_RUBBLE)
     qn_json_put_number (json, "seed", masonry->rubble.seed);
   if (masonry->kind == QN_MASONRY_PORTAL && !(masonry->portal.lintel_height > 0))
-    qn_members_put (json, "arch", inner_arch_members, NULL, &masonry->portal.arch, NULL);
+    qn_members_put (json, "arch", inner_arch_members, NULL, &masonry->portal.arch,
+                    &usual.portal.arch);
 }
 
 void
 qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *model)
 {
-  const QnMasonry usual = { 0 };
+  const QnMasonry usual = { .ring_law = QN_NONE };
   g_string_append_c (json, '{');
   qn_json_put_string (json, "kind", qn_masonry_kind_names[name_index (masonry)]);
   qn_json_put_string (json, "name", masonry->name);

@@ -96,15 +96,18 @@ read_block_properties (const QnJsonValue *place, const QnModel *model, QnBlock *
          && qn_read_weight (place, model, &block->unit_weight, &block->density)
          && qn_read_support (place, block->support)
          && qn_member_bool (place, "rigid", QN_OPTIONAL, &block->rigid)
-         && qn_read_own_law (place, model, &block->law);
+         && qn_read_own_law (place, model, &block->law)
+         && qn_member_count (place, "ring", QN_OPTIONAL, INT32_MAX, &block->ring)
+         && qn_read_name (place, "ring_law", QN_OPTIONAL, model, QN_NAMED_LAW,
+                          &block->ring_law);
 }
 
 static gboolean
 read_block (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = { "name",        "vertices", "thickness",
-                                      "unit_weight", "density",  "support",
-                                      "rigid",       "law",      "material" };
+  static const char *const keys[] = { "name",     "vertices", "thickness", "unit_weight",
+                                      "density",  "support",  "rigid",     "law",
+                                      "material", "ring",     "ring_law" };
   char text[QN_NAME_TEXT_SIZE];
   const char *name;
   if (!qn_json_value_object (place) || !qn_read_own_name (place, "b", text, &name)
@@ -222,6 +225,9 @@ qn_project_append_block (GString *json, const QnModel *model, size_t index)
     g_string_append (json, "true");
   }
   qn_json_put_law (json, model, block->law);
+  qn_json_put_unusual (json, "ring", block->ring, 0);
+  if (block->ring_law != QN_NONE)
+    qn_json_put_string (json, "ring_law", model->laws[block->ring_law].name);
   return block->note;
 }
 

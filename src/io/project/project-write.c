@@ -96,7 +96,8 @@ same_block (const QnModel *a, QnId id_a, const QnModel *b, QnId id_b)
          && x->density == y->density
          && (x->density >= 0 || x->unit_weight == y->unit_weight)
          && memcmp (x->support, y->support, sizeof x->support) == 0
-         && same_law (a, x->law, b, y->law)
+         && same_law (a, x->law, b, y->law) && x->ring == y->ring
+         && same_law (a, x->ring_law, b, y->ring_law)
          && memcmp (qn_model_block_vertices (a, id_a), qn_model_block_vertices (b, id_b),
                     (gsize) x->vertex_count * sizeof (QnVec2))
               == 0;
