@@ -33,6 +33,7 @@
   X (DILATANCY_ABOVE_FRICTION, "dilatancy exceeds friction") \
   X (HARDENING_TOO_LARGE, "hardening must be less than 1") \
   X (STRENGTH_BELOW_YIELD, "strength is below yield") \
+  X (CRUSHING_DILATES, "a joint that crushing takes its strength has no dilatancy") \
   X (ULTIMATE_STRAIN_TOO_SMALL, "ultimate strain is not beyond the strain at the strength") \
   X (FRACTURE_ENERGY_MISSING, "a law that softens needs an energy here") \
   X (FRACTURE_ENERGY_TOO_SMALL, "fracture energy is too small for blocks of this size") \

@@ -239,6 +239,9 @@ take_damage (QnCheck *check, size_t step, size_t p)
     return;
   bool moved =
     check->result->steps[step].relaxed || check->lost || check->result->history.width > 0;
+  bool bond = qn_spring_has_bond (&springs->a) || qn_spring_has_bond (&springs->b);
+  if (moved && !bond) /* cracks of a member are as its forces are: any */
+    return;
   if (at.damage > found && at.damage <= 1 && moved) {
     bool in_a =
       qn_spring_has_bond (&springs->a)
@@ -413,7 +416,8 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
                                   : state == QN_PAIR_OPEN || !is_apart (check, p);
   if (state == QN_PAIR_YIELD)
     return is_near_strength (springs, memory, force, little);
-  if (damage > 0 && damage < 1 && springs->equal) { /* the rest is elastic */
+  if (qn_spring_has_bond (&springs->a) && damage > 0 && damage < 1
+      && springs->equal) { /* the rest is elastic */
     const QnPairSprings dry = qn_pair_springs_broken (springs);
     double friction[2];
     take_friction (springs, &check->assembly.committed[p], damage,

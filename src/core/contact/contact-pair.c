@@ -149,6 +149,8 @@ qn_spring_bond_strain (const QnSpring *spring, const double force[2])
   int count = qn_spring_has_bond (spring) ? qn_spring_strength (spring, rows) : 0;
   double strain = NAN;
 
+  if (spring->kind == QN_LAW_CONCRETE && spring->cap > 0)
+    return force[0] / spring->cap;
   for (int i = 0; i < count; i++) {
     double limit = fmax (rows[i].limit, QN_BOND_ROUNDING * spring->cohesion);
     if (rows[i].normal >= 0 && limit > 0)

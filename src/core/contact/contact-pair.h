@@ -76,7 +76,7 @@ qn_pair_keep_damage (const QnPairSprings *springs, const QnPairMemory *from,
 static inline bool
 qn_pair_is_plastic (const QnPairSprings *springs, const QnPairMemory *memory)
 {
-  return springs->equal && qn_law_is_plastic (springs->a.kind)
+  return springs->equal && qn_spring_is_plastic (&springs->a)
          && (!qn_spring_has_bond (&springs->a) || memory->a.extreme >= 1);
 }
 

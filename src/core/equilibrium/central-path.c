@@ -75,7 +75,7 @@ bool
 qn_central_path_has_joints (const QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
-    if (as->springs[p].equal && qn_law_is_plastic (as->springs[p].a.kind)
+    if (as->springs[p].equal && qn_spring_is_plastic (&as->springs[p].a)
         && !as->inactive[p])
       return true;
   return false;

@@ -281,7 +281,7 @@ note_fall (const QnEquilibrium *eq, QnFall *fall, double far)
 static bool
 remembers_way (const QnSpring *spring)
 {
-  if (!qn_law_is_plastic (spring->kind))
+  if (!qn_spring_is_plastic (spring))
     return spring->kind != QN_LAW_ELASTIC;
   return spring->dilatancy > 0 || qn_spring_has_bond (spring);
 }

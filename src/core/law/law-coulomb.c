@@ -25,7 +25,12 @@
  * tangent symmetric; psi = 0 is the law of the paper on HybriDFEM in two dimensions (equations 1
  * and 2). The shortening of a crushed joint stays, without hardening, softening or an end, as in
  * limit analysis with a rectangular block of stress at the toe (Orduña & Lourenço, J. Struct.
- * Eng. 129 (2003) 1367-1375).
+ * Eng. 129 (2003) 1367-1375). With an ultimate shortening eu and a crushing energy Gc, and without
+ * dilation, fc falls in a straight line with k,
+ *
+ *   fc (k) = fc (kc - k) / (kc - ku),   ku = eu - fc / kn <= k <= kc = ku + 2 Gc / fc
+ *
+ * which dissipates Gc beyond the end of the bilinear diagram of EN 1992-1-1, 3.1.7 (2).
  *
  * BOND. Cohesion c and tension ft are those of a bond that is whole. It is elastic, of the same stiffness:
  *
@@ -113,23 +118,43 @@ slide (const QnSpring *s, const double q[2], double sign, QnSpringResponse *r)
   }
 }
 
+/* What is left of it where the joint has been shortened by e in all, and by which derivative. */
+static double
+compression_at (const QnSpring *s, double e, double *slope)
+{
+  double length = s->crushing - s->compression / s->kn; /* of the descent */
+
+  *slope = 0;
+  if (s->crushing == 0 || e <= s->ultimate)
+    return s->compression;
+  if (e >= s->ultimate + length)
+    return 0;
+  *slope = -s->compression / length;
+  return -*slope * (s->ultimate + length - e);
+}
+
 /* False where the joint is not crushed. */
 static bool
 crush (const QnSpring *s, const double q[2], double t_trial, QnSpringResponse *r)
 {
-  double sign = t_trial < 0 ? -1 : 1, left = s->residual * s->compression;
+  double slope, force = compression_at (s, -q[0], &slope);
+  double sign = t_trial < 0 ? -1 : 1, left = s->residual * force;
   double g = qn_larger ((fabs (t_trial) - left) / s->ks, 0);
   double slip = r->memory.slip + sign * g;
-  double crushed = q[0] + s->compression / s->kn;
+  double crushed = q[0] + force / s->kn;
 
   if (s->compression <= 0 || crushed >= qn_spring_risen (s, &r->memory, slip))
     return false;
-  r->force[0] = -s->compression;
+  r->force[0] = -force;
   r->force[1] = g > 0 ? sign * left : t_trial;
-  r->tangent[1][1] = g > 0 ? 0 : s->ks;
+  r->tangent[0][0] = slope;
+  r->tangent[1][0] = g > 0 ? -sign * s->residual * slope : 0;
+  r->tangent[1][1] = g > 0 || force == 0 ? 0 : s->ks;
+  r->varies = s->crushing > 0;
   r->memory.opening = crushed;
   r->memory.slip = slip;
-  r->phase = g == 0     ? QN_PHASE_CRUSH
+  r->phase = force == 0 ? QN_PHASE_OPEN
+             : g == 0   ? QN_PHASE_CRUSH
              : sign > 0 ? QN_PHASE_CRUSH_SLIP_POSITIVE
                         : QN_PHASE_CRUSH_SLIP_NEGATIVE;
   return true;
@@ -237,11 +262,15 @@ static void
 add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
           QnSpringResponse *r)
 {
-  double n = s->kn * (q[0] - qn_spring_crushed (s, committed));
-  bool crushed = s->compression > 0 && n < -s->compression;
-  const double bond[2] = { crushed ? -s->compression : n, s->ks * q[1] };
-  const double stiffness[2] = { crushed ? 0 : s->kn, s->ks };
+  double n = s->kn * (q[0] - qn_spring_crushed (s, committed)), slope;
+  double most = compression_at (s, -q[0], &slope);
+  bool crushed = s->compression > 0 && n < -most;
+  const double bond[2] = { crushed ? -most : n, s->ks * q[1] };
+  const double stiffness[2] = { crushed ? slope : s->kn, s->ks };
   Strain at = strain_bond (s, bond, stiffness);
+  if (crushed && most < at.whole * s->compression) /* no bond outlasts what it joins */
+    at =
+      (Strain){ .whole = most / s->compression, .whole_q = { -slope / s->compression } };
   double before = qn_spring_damage (s, committed);
   bool holds = committed->extreme < 0 && at.whole <= 0 && (before == 0 || at.brittle);
   bool further = !holds && 1 - at.whole > before;
@@ -252,7 +281,7 @@ add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
     *r = (QnSpringResponse){ .memory = *committed,
                              .phase = crushed ? QN_PHASE_CRUSH : QN_PHASE_STICK };
     if (crushed)
-      r->memory.opening = q[0] + s->compression / s->kn;
+      r->memory.opening = q[0] + most / s->kn;
     r->memory.extreme = holds ? QN_BOND_BREAKS : 0;
   }
   if (lost == 1)
@@ -264,7 +293,7 @@ add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
                          + (further ? beyond * at.whole_q[j] : 0);
     r->force[i] = whole * bond[i] + lost * r->force[i];
   }
-  r->varies = lost > 0;
+  r->varies = lost > 0 || (crushed && s->crushing > 0);
 }
 
 void
@@ -351,22 +380,54 @@ const QnLawOps qn_law_ops_coulomb = { QN_LAW_PARAMETERS (coulomb),
                                       .softening = softening_coulomb,
                                       .plastic = true };
 
+static bool
+check_crushing (const QnLaw *law, QnSubject of)
+{
+  bool ends = law->ultimate_strain > 0;
+
+  return qn_law_coulomb_check (law, of)
+         && qn_require (of, !(ends && law->kn * law->ultimate_strain < law->compression),
+                        QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL, "ultimate_strain",
+                        law->ultimate_strain)
+         && qn_require (of, !(ends && law->crushing_energy == 0),
+                        QN_PROBLEM_FRACTURE_ENERGY_MISSING, "crushing_energy", 0)
+         && qn_require (of, !(!ends && law->crushing_energy > 0), QN_PROBLEM_NOT_POSITIVE,
+                        "ultimate_strain", 0)
+         && qn_require (of, !(ends && law->dilatancy > 0), QN_PROBLEM_CRUSHING_DILATES,
+                        "dilatancy", law->dilatancy);
+}
+
 static void
 resolve_crushing (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   qn_law_coulomb_resolve (law, scale, spring);
   spring->compression = law->compression * scale.force;
+  spring->ultimate = law->ultimate_strain * scale.strain;
+  if (law->ultimate_strain > 0)
+    spring->crushing = 2 * law->crushing_energy / law->compression;
+}
+
+static double
+softening_crushing (const QnSpring *s)
+{
+  double length = s->crushing - s->compression / s->kn;
+
+  if (s->crushing == 0)
+    return softening_coulomb (s);
+  return length > 0 ? s->compression / length : INFINITY;
 }
 
 static const QnLawParameter mohr_coulomb[] = {
   QN_LAW_PARAMETER ("friction", friction, true, false),
-  QN_LAW_PARAMETER ("compression", compression, true, true), JOINT_PARAMETERS
+  QN_LAW_PARAMETER ("compression", compression, true, true), JOINT_PARAMETERS,
+  QN_LAW_PARAMETER ("ultimate_strain", ultimate_strain, false, true),
+  QN_LAW_PARAMETER ("crushing_energy", crushing_energy, false, true)
 };
 
 const QnLawOps qn_law_ops_mohr_coulomb = { QN_LAW_PARAMETERS (mohr_coulomb),
-                                           .check = qn_law_coulomb_check,
+                                           .check = check_crushing,
                                            .resolve = resolve_crushing,
                                            .evaluate = qn_law_coulomb_evaluate,
                                            .strength = qn_law_coulomb_strength,
-                                           .softening = softening_coulomb,
+                                           .softening = softening_crushing,
                                            .plastic = true };

@@ -161,10 +161,23 @@ qn_bond_held (double damage)
 /* What such a bond answers where it is to break. */
 #define QN_BOND_BREAKS 2.0
 
-/* How much of the bond is lost: 0 whole, 1 broken; 0 of springs without. */
+/* How much of the stiffness of concrete in tension a crack has taken, whose widest opening was `extreme`. */
+static inline double
+qn_spring_crack_damage (const QnSpring *spring, double extreme)
+{
+  double crack = spring->cap / spring->kn, open = spring->fracture;
+
+  return extreme <= crack ? 0
+         : extreme < open ? 1 - crack / extreme * (open - extreme) / (open - crack)
+                          : 1;
+}
+
+/* How much of the bond, or of concrete in tension, is lost: 0 whole, 1 broken; 0 of springs without. */
 static inline double
 qn_spring_damage (const QnSpring *spring, const QnSpringMemory *memory)
 {
+  if (spring->kind == QN_LAW_CONCRETE && spring->cap > 0)
+    return qn_spring_crack_damage (spring, memory->extreme);
   double damage = qn_spring_has_bond (spring) ? memory->extreme : 0;
 
   return damage < 0 ? qn_bond_held (damage) : fmin (damage, 1);
@@ -204,6 +217,13 @@ bool qn_law_has_strength (QnLawKind kind);
 
 /* Whether the law is elastic and perfectly plastic within its strengths. */
 bool qn_law_is_plastic (QnLawKind kind);
+
+/* The same of a spring: not one that crushing takes its strength. */
+static inline bool
+qn_spring_is_plastic (const QnSpring *spring)
+{
+  return qn_law_is_plastic (spring->kind) && spring->crushing == 0;
+}
 
 /* Whether a kind of law limits compression otherwise than by its stiffness. */
 bool qn_law_yields (QnLawKind kind);

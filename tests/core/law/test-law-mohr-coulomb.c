@@ -111,6 +111,95 @@ test_bond (void)
   probe_assert_force (&r, 0, 0);
 }
 
+/* kn = 2, fc = 8 down to nothing between the shortenings 5 and 5 - 8/2 + 2 x 20/8 = 6. */
+static QnLaw
+that_ends (void)
+{
+  QnLaw law = joint;
+  law.ultimate_strain = 5;
+  law.crushing_energy = 20;
+  return law;
+}
+
+static void
+test_crushing_ends (void)
+{
+  QnLaw law = that_ends ();
+  Probe p = probe_of_law (&law);
+  static const double history[][2] = {
+    { -3, -6 },    { -4.5, -8 }, { -2, -3 },     { -5, -8 },
+    { -5.5, -4 },  { -4.5, -2 }, { -3.6, -0.2 }, { -5.25, -3.5 },
+    { -5.75, -2 }, { -7, 0 },    { -5, 0 },      { -7, 0 },
+  };
+  probe_assert_history (&p, history, G_N_ELEMENTS (history));
+}
+
+/* Friction and bond go with it: at -5.5 half of fc is left, 4. */
+static void
+test_crushing_takes_shear (void)
+{
+  QnLaw law = that_ends ();
+  Probe p = probe_of_law (&law);
+  probe_assert_tangent (&p, -5.5, 9);
+  probe_assert_tangent (&p, -5.5, 1);
+  QnSpringResponse r = probe_look (&p, -5.5, 9);
+  probe_assert_force (&r, -4, 2);
+
+  law.cohesion = 4;
+  law.tension = 1;
+  law.fracture_energy_tension = 20;
+  p = probe_of_law (&law);
+  probe_assert_tangent (&p, -5.5, 1);
+  probe_assert_tangent (&p, -5.5, 3);
+  probe_assert_tangent (&p, -5.5, 7);
+  r = probe_go (&p, -5.5, 0);
+  probe_assert_force (&r, -4, 0);
+  g_assert_cmpfloat_with_epsilon (r.memory.extreme, 0.5, 1e-12);
+}
+
+/* What crushing takes from 5 on, its energy, however it goes there. */
+static void
+test_crushing_energy (void)
+{
+  QnLaw law = that_ends ();
+  Probe p = probe_of_law (&law);
+  double work = 0, before = -8, last = -5;
+  probe_go (&p, last, 0);
+  for (int i = 1; i <= 4000; i++) {
+    double q = -5 - i / 4000.0 * 1.5 + 0.3 * sin (i * 0.01);
+    QnSpringResponse r = probe_go (&p, q, 0);
+    work += 0.5 * (before + r.force[0]) * (q - last);
+    before = r.force[0];
+    last = q;
+  }
+  g_assert_cmpfloat (last, <, -6);
+  /* Less what was stored elastically at -5: 8 x 8 / (2 kn). */
+  g_assert_cmpfloat_with_epsilon (work, 20 - 16, 2e-3);
+}
+
+static void
+test_crushing_refused (void)
+{
+  static const struct {
+    double strain, energy, dilatancy;
+    QnProblem problem;
+  } cases[] = {
+    { 3.9, 20, 0, QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL },
+    { 5, 0, 0, QN_PROBLEM_FRACTURE_ENERGY_MISSING },
+    { 0, 20, 0, QN_PROBLEM_NOT_POSITIVE },
+    { 5, 20, 0.1, QN_PROBLEM_CRUSHING_DILATES },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnLaw law = joint;
+    QnDiag diag;
+    law.ultimate_strain = cases[i].strain;
+    law.crushing_energy = cases[i].energy;
+    law.dilatancy = cases[i].dilatancy;
+    g_assert_cmpint (qn_law_check (&law, 0, &diag), ==, QN_ERROR_INVALID);
+    g_assert_cmpint (diag.problem, ==, cases[i].problem);
+  }
+}
+
 /* No jump between the mappings: responses on either side of a boundary agree. */
 static void
 test_continuous (void)
@@ -138,5 +227,9 @@ QN_TESTS
   g_test_add_func ("/law-mohr-coulomb/corner", test_corner);
   g_test_add_func ("/law-mohr-coulomb/dilatancy-crushes", test_dilatancy_crushes);
   g_test_add_func ("/law-mohr-coulomb/bond", test_bond);
+  g_test_add_func ("/law-mohr-coulomb/crushing-ends", test_crushing_ends);
+  g_test_add_func ("/law-mohr-coulomb/crushing-takes-shear", test_crushing_takes_shear);
+  g_test_add_func ("/law-mohr-coulomb/crushing-energy", test_crushing_energy);
+  g_test_add_func ("/law-mohr-coulomb/crushing-refused", test_crushing_refused);
   g_test_add_func ("/law-mohr-coulomb/continuous", test_continuous);
 }

@@ -15,7 +15,7 @@ sound_law (QnLawKind kind)
                 .kn = 30e9,
                 .ks = 12.5e9,
                 .friction = 0.6,
-                .dilatancy = 0.6,
+                .dilatancy = kind == QN_LAW_MOHR_COULOMB ? 0 : 0.6,
                 .yield = 20e6,
                 .compression = 30e6,
                 .strength = 30e6,
