@@ -580,6 +580,46 @@ test_record (void)
   driver_discard (window);
 }
 
+/* Damping as a part of the critical one needs the modes: of the first and the last it is what was
+ * entered, one step of the history; their periods stand in the spectrum of the ground. */
+static void
+test_damping (void)
+{
+  QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  const QnDynamicSettings before = qn_document_get_model (document)->analysis.dynamic;
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *ratio = driver_find_widget (GTK_WIDGET (window), driver_has_id, "ratio");
+  g_assert_false (gtk_widget_is_sensitive (ratio));
+  driver_activate (window, "win.run-modes::dead");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.show-panel::analysis");
+  g_assert_true (gtk_widget_is_sensitive (ratio));
+  gtk_widget_grab_focus (ratio);
+  driver_key ("ctrl+a");
+  driver_type ("0.05");
+  driver_key ("Return");
+  const GPtrArray *runs = qn_document_get_runs (document);
+  const QnRun *ends[] = { runs->pdata[0], runs->pdata[runs->len - 1] };
+  const QnDynamicSettings *after = &qn_document_get_model (document)->analysis.dynamic;
+  for (guint i = 0; i < G_N_ELEMENTS (ends); i++)
+    g_assert_cmpfloat_with_epsilon (
+      0.5
+        * (after->mass_damping / ends[i]->omega + after->joint_damping * ends[i]->omega),
+      0.05, 1e-9);
+  g_assert_cmpfloat_with_epsilon (qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (ratio)),
+                                  0.05, 1e-9);
+  GtkWidget *preview = driver_find_widget (GTK_WIDGET (window), is_preview, NULL);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (preview), 3);
+  driver_settle ();
+  driver_screenshot (GTK_WIDGET (window), "damping");
+  driver_activate (window, "win.undo");
+  after = &qn_document_get_model (document)->analysis.dynamic;
+  g_assert_cmpfloat (after->mass_damping, ==, before.mass_damping);
+  g_assert_cmpfloat (after->joint_damping, ==, before.joint_damping);
+  driver_discard (window);
+}
+
 static gboolean
 rests (const QnModel *model)
 {
@@ -632,6 +672,7 @@ QN_TESTS
   g_test_add_func ("/app/earthquakes/live-history", test_live_history);
   g_test_add_func ("/app/earthquakes/end", test_end_of_history);
   g_test_add_func ("/app/earthquakes/record", test_record);
+  g_test_add_func ("/app/earthquakes/damping", test_damping);
   g_test_add_func ("/app/earthquakes/buttons", test_buttons);
   g_test_add_func ("/app/earthquakes/energies", test_energies);
   g_test_add_func ("/app/earthquakes/playback", test_playback);

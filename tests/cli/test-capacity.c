@@ -71,7 +71,7 @@ test_block (void)
   g_autofree char *json = g_build_filename (folder, "c.json", NULL);
   g_autofree char *csv = g_build_filename (folder, "c.csv", NULL);
   g_autofree char *svg = g_build_filename (folder, "c.svg", NULL);
-  cli_says ("m/s2 (0.25 g), soil C, damping 0.05\nState", "capacity", model, "--spectrum",
+  cli_says ("m/s2 (0.25 g), soil C, damping 0.05\nstanding", "capacity", model, "--spectrum",
             "type1", "--ag", "2.4525", "--soil", "C", "--json", json, "--csv", csv, "-o",
             svg, NULL);
   /* In g by Italian habit: ten times too little. */
@@ -86,6 +86,21 @@ test_block (void)
   g_assert_cmpfloat_with_epsilon (number_after (slv, "\"demand\": "), 0.18172, 1e-4);
   g_assert_cmpfloat_with_epsilon (number_after (slv, "\"ratio\": "), 0.660, 1e-3);
   g_assert_nonnull (strstr (slv, "\"met\": false"));
+  /* About its foot, sliding by u and turning by t on two pairs, each of two springs in series:
+   * k u and 0.3^2 k t, k = 1e10, against m (u + 1.5 t) and 1.5 m u + (I + 1.5^2 m) t; the lower root. */
+  const double m = 0.6 * 3 * 2000, inertia = m * (0.36 + 9) / 12;
+  const double slides = 1e10, turns = 0.09 * 1e10;
+  const double a = m * (inertia + 2.25 * m) - 2.25 * m * m,
+               b = slides * (inertia + 2.25 * m) + turns * m, c = slides * turns;
+  const double omega = sqrt ((b - sqrt (b * b - 4 * a * c)) / (2 * a));
+  const char *elastic = strstr (text, "\"elastic\"");
+  g_assert_nonnull (elastic);
+  g_assert_cmpfloat_with_epsilon (number_after (elastic, "\"period\": ") * omega,
+                                  2 * G_PI, 2e-3);
+  /* On the way up to the plateau of type 1, soil C, TB = 0.2 s. */
+  g_assert_cmpfloat_with_epsilon (number_after (elastic, "\"acceleration\": "),
+                                  2.4525 * 1.15 * (1 + 1.5 * 2 * G_PI / omega / 0.2),
+                                  0.01);
   /* The joints were chosen stiff: what EN 1998-3 makes of them says nothing. */
   g_assert_nonnull (strstr (strstr (text, "\"NC\""), "\"ratio\": null, \"met\": null"));
   g_assert_null (strstr (picture, "NC: demand"));

@@ -3,6 +3,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/plot-view.h"
+#include "core/modal/modal.h"
 #include "doc/edit/edit-dynamic.h"
 #include "doc/view/ground-preview.h"
 #include "io/exchange/record.h"
@@ -29,6 +30,7 @@ typedef struct Form {
   MEMBER (RHO, "rho", CHANGE, QnDynamicSettings, rho)                                    \
   MEMBER (MASS_DAMPING, "mass_damping", CHANGE, QnDynamicSettings, mass_damping)         \
   MEMBER (JOINT_DAMPING, "joint_damping", CHANGE, QnDynamicSettings, joint_damping)      \
+  FIELD (RATIO, "ratio", N_ ("Change Damping"))                                          \
   MEMBER (OF, "of", CHANGE, QnDynamicSettings, of)                                       \
   MEMBER (FOLLOW, "follow", CHANGE, QnDynamicSettings, follow)                           \
   MEMBER (FALL, "fall", CHANGE, QnDynamicSettings, fall)                                 \
@@ -167,6 +169,40 @@ take_initial (const Form *form, QnModel *model, guint field, double number,
   return TRUE;
 }
 
+/* ---- damping by modes ---- */
+
+/* That of the first mode that is no rigid motion. */
+static void
+show_ratio (const Form *form, const QnDynamicSettings *settings, QnValue *value)
+{
+  gsize count;
+  g_autofree double *omegas =
+    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &count);
+  gsize first = 0;
+  while (first < count && omegas[first] == 0)
+    first++;
+  value->disabled = first == count;
+  if (first < count)
+    value->number = 0.5
+                    * (settings->mass_damping / omegas[first]
+                       + settings->joint_damping * omegas[first]);
+}
+
+static gboolean
+take_ratio (const Form *form, QnDynamicSettings *settings, double ratio)
+{
+  gsize count;
+  g_autofree double *omegas =
+    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &count);
+  if (count == 0)
+    return FALSE;
+  QnModesDamping damping =
+    qn_modes_damping (&(QnModes){ .omega = omegas, .count = count }, ratio);
+  settings->mass_damping = damping.mass;
+  settings->joint_damping = damping.stiffness;
+  return TRUE;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -178,6 +214,9 @@ show (gpointer data, guint field, QnValue *value)
   if (field >= INITIAL_TITLE && field < MOTIONS)
     return show_initial (form, model, field, value);
   switch (field) {
+  case RATIO:
+    show_ratio (form, &model->analysis.dynamic, value);
+    return TRUE;
   case FOLLOW:
     return model->analysis.geometry == QN_GEOMETRY_NONLINEAR;
   case MOTIONS:
@@ -259,6 +298,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   if (field >= INITIAL && field < MOTIONS)
     return take_initial (form, &draft->model, field, value->number, error);
   switch (field) {
+  case RATIO:
+    return take_ratio (form, &draft->model.analysis.dynamic, value->number);
   case MOTIONS:
     form->selected = (int) value->number;
     return TRUE;
@@ -287,8 +328,15 @@ static QnPlot *
 make_plot (gpointer data, gboolean zoomed, char **message)
 {
   const Form *form = data;
-  return form->sampled.count > 0 ? qn_ground_preview_plot (&form->sampled, form->preview)
-                                 : NULL;
+  if (form->sampled.count == 0)
+    return NULL;
+  gsize count;
+  g_autofree double *omegas =
+    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &count);
+  QnPlot *plot = qn_ground_preview_plot (&form->sampled, form->preview);
+  if (form->preview == QN_GROUND_SPECTRUM)
+    qn_ground_preview_add_periods (plot, &form->sampled, omegas, count);
+  return plot;
 }
 
 static void
@@ -313,4 +361,4 @@ init (gpointer data)
 
 const QnFormKind qn_dynamic_form =
   QN_FORM_KIND ("dynamic-form", Form, .subject = subject, .look = look,
-                .follows = QN_FOLLOW_SELECTION, .init = init);
+                .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS, .init = init);

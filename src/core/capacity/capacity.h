@@ -54,6 +54,10 @@ typedef struct QnCapacity {
   struct QnCapacity
     *softer; /* owned: the same with half the stiffness of all joints, for what
                                 periods rest on; NULL: not known */
+  double
+    elastic_period, /* of small vibrations about the dead load, s, of the mode with the
+                             most mass along x, */
+    elastic_mass;   /* so much, kg; 0: not known */
 } QnCapacity;
 
 /* From a result of displacement control. Refuses live loads that are no horizontal weights, beams,

@@ -274,6 +274,19 @@ qn_modes_damping (const QnModes *modes, double ratio)
   return damping;
 }
 
+size_t
+qn_modes_main (const QnModes *modes)
+{
+  size_t main = modes->count;
+  double most = 0;
+  for (size_t i = 0; i < modes->count; i++)
+    if (modes->omega[i] > 0 && modes->masses[3 * i + 1] > most) {
+      main = i;
+      most = modes->masses[3 * i + 1];
+    }
+  return main;
+}
+
 QnStatus
 qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model, QnResult *result,
                QnDiag *diag)

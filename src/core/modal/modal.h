@@ -54,6 +54,10 @@ typedef struct QnModesDamping {
 
 QnModesDamping qn_modes_damping (const QnModes *modes, double ratio);
 
+/* The mode with the largest effective mass along x, counted from 0, that is no rigid motion; modes->count
+ * where there is none. */
+size_t qn_modes_main (const QnModes *modes);
+
 /* Makes one of the modes, counted from 0, the mechanism of a result of their state. */
 QnStatus qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model,
                         QnResult *result, QnDiag *diag);

@@ -245,6 +245,31 @@ qn_document_get_run_age (QnDocument *self, const QnRun *run)
            : QN_RUN_OTHER_MODEL;
 }
 
+static QnRun *
+base_of (QnRun *run)
+{
+  return run->base != NULL ? run->base : run;
+}
+
+double *
+qn_document_dup_omegas (QnDocument *self, gsize *count)
+{
+  g_autoptr (GArray) omegas = g_array_new (FALSE, FALSE, sizeof (double));
+  const QnRun *found = NULL;
+  for (guint i = self->runs->len; i-- > 0;) {
+    QnRun *run = g_ptr_array_index (self->runs, i);
+    if (run->kind != QN_RUN_MODE || run->loaded
+        || (found != NULL && base_of (run) != found)
+        || qn_document_get_run_age (self, run) > QN_RUN_OTHER_SETTINGS)
+      continue;
+    found = base_of (run);
+    g_array_prepend_val (omegas, run->omega);
+  }
+  *count = omegas->len;
+  return omegas->len > 0 ? (double *) g_array_free (g_steal_pointer (&omegas), FALSE)
+                         : NULL;
+}
+
 gboolean
 qn_document_is_stale (QnDocument *self, const QnRun *run)
 {

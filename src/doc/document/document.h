@@ -181,6 +181,10 @@ typedef enum {
 
 QnRunAge qn_document_get_run_age (QnDocument *document, const QnRun *run);
 
+/* The angular frequencies, rad/s, ascending, of the modes about the dead load that were found last, while
+ * blocks, laws and loads are as they were; NULL: there are none. Free with g_free(). */
+double *qn_document_dup_omegas (QnDocument *document, gsize *count);
+
 /* A sentence about it; empty for a current run. Static. */
 const char *qn_run_age_text (QnRunAge age);
 

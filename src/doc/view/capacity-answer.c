@@ -1,5 +1,6 @@
 #include "doc/view/capacity-answer.h"
 
+#include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "doc/document/job.h"
 #include "doc/text/explain.h"
@@ -193,6 +194,12 @@ qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
       1 / c->share);
   if (answer->has_spectrum)
     tell_spectrum (text, &answer->spectrum);
+  if (answer->has_spectrum && c->elastic_period > 0)
+    qn_text_append (text,
+                    _ ("\nstanding on elastic joints: period %.4g s of the mode with the "
+                       "most mass along x, %.6g kg; spectrum there %.4g m/s2"),
+                    c->elastic_period, c->elastic_mass,
+                    qn_spectrum_acceleration (&answer->spectrum, c->elastic_period));
   return g_string_free (text, FALSE);
 }
 
@@ -401,6 +408,32 @@ find_path (const Search *search, QnCapacityAnswer *answer)
   return end;
 }
 
+/* How many modes the main one is looked for in. */
+#define MODES 10
+
+/* The period of the structure that stands. Where it has none, as with blocks without mass, that is not
+ * known. */
+static QnCapacityEnd
+find_elastic (const Search *search, QnCapacity *capacity)
+{
+  QnModes modes;
+  QnResult result;
+  QnDiag diag = { 0 };
+  QnStatus status =
+    qn_modal_run (search->model, search->contacts, QN_MODAL_DEAD_LOAD, MODES,
+                  search->report, search->report_data, &modes, &result, &diag);
+  gboolean cancelled = status == QN_ERROR_CANCELLED
+                       || (status == QN_OK && result.outcome == QN_OUTCOME_CANCELLED);
+  gsize main = status == QN_OK ? qn_modes_main (&modes) : 0;
+  if (status == QN_OK && main < modes.count) {
+    capacity->elastic_period = 2 * G_PI / modes.omega[main];
+    capacity->elastic_mass = modes.masses[3 * main + 1];
+  }
+  qn_modes_clear (&modes);
+  qn_result_clear (&result);
+  return cancelled ? QN_CAPACITY_CANCELLED : QN_CAPACITY_FOUND;
+}
+
 QnCapacityEnd
 qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                          const QnContacts *contacts, QnProgressFunc report,
@@ -413,8 +446,14 @@ qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
     *reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
     return QN_CAPACITY_STAGES;
   }
-  return answer->kinematic ? find_mechanism (&search, answer)
-                           : find_path (&search, answer);
+  QnCapacityEnd end =
+    answer->kinematic ? find_mechanism (&search, answer) : find_path (&search, answer);
+  if (end != QN_CAPACITY_FOUND || !answer->has_spectrum)
+    return end;
+  end = find_elastic (&search, &answer->capacity);
+  if (end != QN_CAPACITY_FOUND)
+    qn_capacity_clear (&answer->capacity);
+  return end;
 }
 
 void
@@ -667,6 +706,11 @@ qn_capacity_answer_dup_json (const QnCapacityAnswer *answer, const QnProject *pr
                          c->works[QN_WORK_TIES], c->works[QN_WORK_LIVE]);
   if (answer->has_spectrum) {
     qn_file_writer_json (out, ",\n  \"confidence\": %g", answer->confidence);
+    if (c->elastic_period > 0)
+      qn_file_writer_json (
+        out, ",\n  \"elastic\": { \"period\": %f, \"mass\": %f, \"acceleration\": %f }",
+        c->elastic_period, c->elastic_mass,
+        qn_spectrum_acceleration (&answer->spectrum, c->elastic_period));
     if (c->kinematic)
       qn_file_writer_json (out,
                            ",\n  \"linear\": { \"acceleration\": %f, \"demand\": %f, "

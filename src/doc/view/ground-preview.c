@@ -105,3 +105,25 @@ qn_ground_preview_plot (const QnGroundPreview *preview, QnGroundPreviewKind kind
   qn_plot_mark (plot, QN_MARKS_LINE, NULL, 0, preview->x, preview->y, preview->count);
   return plot;
 }
+
+void
+qn_ground_preview_add_periods (QnPlot *plot, const QnGroundPreview *spectrum,
+                               const double *omegas, gsize count)
+{
+  double *x = qn_plot_keep (plot, g_new (double, count + 1));
+  double *y = qn_plot_keep (plot, g_new (double, count + 1));
+  gsize inside = 0;
+  for (gsize i = 0; i < count; i++) {
+    double period = omegas[i] > 0 ? 2 * G_PI / omegas[i] : INFINITY;
+    gsize k = 1;
+    while (k < spectrum->count && spectrum->x[k] < period)
+      k++;
+    if (k >= spectrum->count || period < spectrum->x[0])
+      continue;
+    double part = (period - spectrum->x[k - 1]) / (spectrum->x[k] - spectrum->x[k - 1]);
+    x[inside] = period;
+    y[inside++] = spectrum->y[k - 1] + part * (spectrum->y[k] - spectrum->y[k - 1]);
+  }
+  if (inside > 0)
+    qn_plot_mark (plot, QN_MARKS_POINTS, _ ("modes"), 1, x, y, inside);
+}

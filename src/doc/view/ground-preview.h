@@ -30,3 +30,7 @@ void qn_ground_preview_clear (QnGroundPreview *preview);
 
 /* A plot of it, which borrows its numbers. */
 QnPlot *qn_ground_preview_plot (const QnGroundPreview *preview, QnGroundPreviewKind kind);
+
+/* Adds to that of a spectrum points where the periods of modes lie on it: of angular frequencies, rad/s. */
+void qn_ground_preview_add_periods (QnPlot *plot, const QnGroundPreview *spectrum,
+                                    const double *omegas, gsize count);
