@@ -255,12 +255,24 @@ test_buckled_before (void)
   }
 }
 
+/* Twelve stages may take twelve times as many factorisations as an analysis without: 468. */
+static void
+test_budget (void)
+{
+  g_autofree char *panel = example ("46-cyclic-panel.quoin");
+  cli_says ("stage 12,", "solve", panel, "--set", "analysis.max_factorizations=100",
+            NULL);
+  cli_fails (4, "Stage 1 of 12, “cycles 1+”. Stopped at a load multiplier of", "solve",
+             panel, "--set", "analysis.max_factorizations=10", NULL);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/cli/stages/refused", test_refused);
   g_test_add_func ("/cli/stages/wrong-sign", test_wrong_sign);
   g_test_add_func ("/cli/stages/tables", test_tables);
   g_test_add_func ("/cli/stages/cycles", test_cycles);
+  g_test_add_func ("/cli/stages/budget", test_budget);
   g_test_add_func ("/cli/stages/reasons", test_reasons);
   g_test_add_func ("/cli/stages/stability", test_stability);
   g_test_add_func ("/cli/stages/stability-linear", test_stability_linear);

@@ -222,7 +222,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
               size_t wanted, QnProgressFunc progress, void *user_data, QnModes *modes,
               QnResult *result, QnDiag *diag)
 {
-  QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
+  QnBudget budget = qn_budget_start (model, progress, user_data);
   bool loaded = (state & QN_MODAL_LOADED) != 0, sliding = (state & QN_MODAL_SLIDING) != 0;
   QnPath path;
   bool reached = false;

@@ -432,3 +432,11 @@ qn_model_followed (const QnModel *model, size_t *body, QnDof *dof)
             || model->blocks[b].centroid.y > model->blocks[*body].centroid.y))
       *body = b;
 }
+
+int64_t
+qn_model_most_factorizations (const QnModel *model)
+{
+  int64_t stages = model->stage_count > 0 ? (int64_t) model->stage_count : 1;
+
+  return stages * model->analysis.max_factorizations;
+}

@@ -260,7 +260,8 @@ typedef struct QnAnalysisSettings {
   double max_multiplier; /* >= 0; 0: the dead load alone; INFINITY by default */
   double multiplier_tolerance; /* relative to the multiplier; default 1e-4 */
   double residual_tolerance;   /* relative to the forces in the model; default 1e-8 */
-  int32_t max_factorizations;  /* >= 1; beyond, the analysis ends as not converged */
+  int32_t max_factorizations;  /* >= 1, of a stage in the mean; beyond, the analysis ends as not
+                                  converged */
   double max_seconds;          /* > 0; likewise; INFINITY by default */
   QnBoundChoice bound;         /* whether a path's collapse gets its associative bound */
   QnId control_block;          /* or QN_NONE */
@@ -494,6 +495,9 @@ qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
 /* The displacement that is shown of an analysis in time: the first track, else the controlled one,
  * else ux of the highest block that moves. *body: SIZE_MAX where nothing moves. */
 void qn_model_followed (const QnModel *model, size_t *body, QnDof *dof);
+
+/* Factorisations that an analysis may take. */
+int64_t qn_model_most_factorizations (const QnModel *model);
 
 /* Where a point of a block as drawn lies after displacements (rows ux, uy, rz of all bodies), with
  * finite rotation; and the point of the block as drawn that lies at a place. */

@@ -3,10 +3,9 @@
 #include "core/base/clock.h"
 
 QnBudget
-qn_budget_start (const QnAnalysisSettings *settings, QnProgressFunc progress,
-                 void *user_data)
+qn_budget_start (const QnModel *model, QnProgressFunc progress, void *user_data)
 {
-  return (QnBudget){ .settings = settings,
+  return (QnBudget){ .model = model,
                      .start = qn_clock_seconds (),
                      .progress = progress,
                      .user_data = user_data,
@@ -17,11 +16,10 @@ bool
 qn_budget_go_on (const QnProgress *progress, void *data)
 {
   QnBudget *budget = data;
-  const QnAnalysisSettings *settings = budget->settings;
 
-  if (progress->factorizations >= settings->max_factorizations)
+  if (progress->factorizations >= qn_model_most_factorizations (budget->model))
     budget->spent = QN_STOP_FACTORIZATIONS;
-  else if (qn_clock_seconds () - budget->start > settings->max_seconds)
+  else if (qn_clock_seconds () - budget->start > budget->model->analysis.max_seconds)
     budget->spent = QN_STOP_TIME;
   return budget->spent == QN_STOP_UNKNOWN
          && (budget->progress == NULL || budget->progress (progress, budget->user_data));

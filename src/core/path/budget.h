@@ -9,7 +9,7 @@
 #include "core/result/result.h"
 
 typedef struct QnBudget {
-  const QnAnalysisSettings *settings;
+  const QnModel *model;
   double start;            /* s, qn_clock_seconds() */
   QnProgressFunc progress; /* the caller's; may be NULL */
   void *user_data;
@@ -17,8 +17,7 @@ typedef struct QnBudget {
 } QnBudget;
 
 /* Time counts from now on. */
-QnBudget qn_budget_start (const QnAnalysisSettings *settings, QnProgressFunc progress,
-                          void *user_data);
+QnBudget qn_budget_start (const QnModel *model, QnProgressFunc progress, void *user_data);
 
 /* A QnProgressFunc whose user data is the budget. */
 bool qn_budget_go_on (const QnProgress *progress, void *budget);

@@ -176,7 +176,7 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
                   QnProgressFunc progress, void *user_data, QnResult *result,
                   QnDiag *diag)
 {
-  QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
+  QnBudget budget = qn_budget_start (model, progress, user_data);
   Search search = { .unstable = INFINITY };
 
   *result = (QnResult){ 0 };

@@ -607,7 +607,7 @@ stop_of (const QnModel *model, const QnResult *result)
     return result->stop;
   if (result->refused_count > 0)
     return QN_STOP_CHECK;
-  if (result->statistics.factorizations >= model->analysis.max_factorizations)
+  if (result->statistics.factorizations >= qn_model_most_factorizations (model))
     return QN_STOP_FACTORIZATIONS;
   return result->statistics.seconds > model->analysis.max_seconds ? QN_STOP_TIME
                                                                   : QN_STOP_UNKNOWN;
