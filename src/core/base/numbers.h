@@ -66,3 +66,14 @@ qn_largest (const double *values, size_t count)
     largest = fmax (largest, fabs (values[i]));
   return largest;
 }
+
+/* Sum of a[i] b[i]. */
+static inline double
+qn_dot (const double *a, const double *b, size_t count)
+{
+  double sum = 0;
+
+  for (size_t i = 0; i < count; i++)
+    sum += a[i] * b[i];
+  return sum;
+}

@@ -102,16 +102,6 @@ tie_dissipation (const QnCheck *check)
   return sum;
 }
 
-static double
-power_of (const QnAssembly *as, const double *loads, const double *v)
-{
-  double power = 0;
-
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    power += loads[i] * v[i];
-  return power;
-}
-
 /* The kinematic multiplier of the mechanism; NAN where it is none of associative flow. */
 static double
 kinematic_multiplier (QnCheck *check)
@@ -134,8 +124,9 @@ kinematic_multiplier (QnCheck *check)
     dissipated += away * hypot (pair->normal_force, pair->shear_force);
   }
   dissipated += tie_dissipation (check);
-  double unit = power_of (as, as->live, check->velocity);
-  return unit > 0 ? (dissipated - power_of (as, as->dead, check->velocity)) / unit : NAN;
+  size_t n = (size_t) as->unknown_count;
+  double unit = qn_dot (as->live, check->velocity, n);
+  return unit > 0 ? (dissipated - qn_dot (as->dead, check->velocity, n)) / unit : NAN;
 }
 
 static bool
@@ -287,7 +278,7 @@ check_fall (QnCheck *check)
   memset (check->u, 0, (size_t) as->unknown_count * sizeof *check->u);
   qn_check_gather (as, r->mechanism, check->velocity);
   qn_assembly_update_kinematics (as, check->u);
-  double power = power_of (as, as->dead, check->velocity);
+  double power = qn_dot (as->dead, check->velocity, (size_t) as->unknown_count);
   qn_check_bodies (check);
   if (check->model->analysis.procedure == QN_PROCEDURE_LIMIT && !(power > 0))
     qn_check_tell_model (check, QN_CLAIM_WORK, QN_NONE, power, 0);

@@ -100,12 +100,9 @@ static double
 kinetic_energy (QnCheck *check)
 {
   const QnAssembly *as = &check->assembly;
-  double sum = 0;
 
   qn_assembly_multiply (as, check->mass, check->velocity, check->residual);
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    sum += 0.5 * check->velocity[i] * check->residual[i];
-  return sum;
+  return 0.5 * qn_dot (check->velocity, check->residual, (size_t) as->unknown_count);
 }
 
 static double

@@ -1,4 +1,5 @@
 /* Modes of vibration, and where stability is lost. */
+#include "core/base/numbers.h"
 #include "core/check/check-parts.h"
 #include "core/check/mode-proof.h"
 
@@ -41,12 +42,9 @@ static double
 find_stiffness (const QnCheck *check)
 {
   const QnAssembly *as = &check->assembly;
-  double sum = 0;
 
   qn_assembly_multiply (as, as->ax, check->velocity, check->residual);
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    sum += check->residual[i] * check->velocity[i];
-  return sum;
+  return qn_dot (check->residual, check->velocity, (size_t) as->unknown_count);
 }
 
 /* Every step is stable; where stability is lost, beyond the last one there is next to no stiffness left

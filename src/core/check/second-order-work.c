@@ -1,5 +1,7 @@
 #include "core/check/second-order-work.h"
 
+#include "core/base/numbers.h"
+
 #include <math.h>
 
 /* Ways, in characteristic lengths, each longer by GROWTH: from far below the elastic displacement of a
@@ -13,16 +15,12 @@ static double
 find_power (QnAssembly *as, const double *u, double multiplier, double way,
             const double *velocity, double *moved, double *residual)
 {
-  double power = 0;
-
   for (int32_t i = 0; i < as->unknown_count; i++)
     moved[i] = u[i] + way * velocity[i];
   if (!qn_assembly_evaluate (as, moved))
     return NAN;
   qn_assembly_residual (as, multiplier, residual);
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    power += residual[i] * velocity[i];
-  return power;
+  return qn_dot (residual, velocity, (size_t) as->unknown_count);
 }
 
 bool
@@ -32,10 +30,9 @@ qn_moves_on (QnAssembly *as, const double *u, double multiplier, double driven,
   double length = as->length / qn_assembly_largest (as, velocity, NULL);
 
   for (double way = FIRST_WAY; way <= LAST_WAY; way *= GROWTH) {
-    double load = 0, power = find_power (as, u, multiplier, way * length, velocity, moved,
-                                         residual);
-    for (int32_t i = 0; i < as->unknown_count; i++)
-      load += driven * as->live[i] * velocity[i];
+    double power =
+      find_power (as, u, multiplier, way * length, velocity, moved, residual);
+    double load = driven * qn_dot (as->live, velocity, (size_t) as->unknown_count);
     double gain = load > 0 ? power / load : -INFINITY;
     if (!(gain >= -QN_PUSH))
       return false;

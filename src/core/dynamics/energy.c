@@ -1,5 +1,7 @@
 #include "core/dynamics/energy.h"
 
+#include "core/base/numbers.h"
+
 static QnPairInstant
 pair_at (const QnInstant *instant, size_t p)
 {
@@ -28,12 +30,9 @@ static double
 product (const QnTimeStep *step, const double *ax, const double *x, const double *y)
 {
   QnEquilibrium *eq = step->equation.eq;
-  double sum = 0;
 
   qn_assembly_multiply (&eq->assembly, ax, y, eq->trial);
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    sum += x[i] * eq->trial[i];
-  return sum;
+  return qn_dot (x, eq->trial, (size_t) eq->assembly.unknown_count);
 }
 
 QnEnergy

@@ -419,8 +419,7 @@ solve_for_step (QnStepEquation *equation)
   memcpy (eq->step, eq->residual, (size_t) as->unknown_count * sizeof *eq->step);
   step->kept = is_factored (step);
   if (step->kept) {
-    qn_linsys_solve (eq->linsys, eq->step);
-    eq->statistics.factor_seconds += qn_clock_seconds () - begun;
+    qn_equilibrium_solve (eq, eq->step);
     return QN_SOLVE_CONVERGED;
   }
   double mass = (1 - s->alpha_m) / (s->beta * h * h * (1 - s->alpha_f))
@@ -429,15 +428,11 @@ solve_for_step (QnStepEquation *equation)
   for (int32_t k = 0; k < as->ap[as->unknown_count]; k++)
     as->ax[k] +=
       mass * step->mass[k] + step->settings->joint_damping * gain * step->beam_damping[k];
-  double assembled = qn_clock_seconds ();
-  QnSolveStatus status =
-    qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_REPEATED, eq->step);
+  eq->statistics.assembly_seconds += qn_clock_seconds () - begun;
+  QnSolveStatus status = qn_equilibrium_factor (eq, QN_LINSYS_REPEATED, eq->step);
   memcpy (step->factored, step->branches,
           QN_BRANCH * as->pair_count * sizeof *step->factored);
   step->factored_length = status == QN_SOLVE_CONVERGED ? h : 0;
-  qn_equilibrium_count_factorization (eq);
-  eq->statistics.assembly_seconds += assembled - begun;
-  eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
   return status;
 }
 

@@ -195,14 +195,9 @@ factorize_path (QnCentralPath *path, double *b)
   qn_assembly_tangent_of (&eq->assembly, eq->multiplier,
                           fmax (HOLDING_VISCOSITY, path->viscosity), path->pairs.tangents,
                           4);
-  double assembled = qn_clock_seconds ();
-  QnSolveStatus status =
-    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, b);
-  eq->statistics.assembly_seconds += assembled - start;
-  eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
-  qn_equilibrium_count_factorization (eq);
+  eq->statistics.assembly_seconds += qn_clock_seconds () - start;
   eq->factored = false; /* by Newton's method */
-  return status;
+  return qn_equilibrium_factor (eq, QN_LINSYS_ONCE, b);
 }
 
 /* The direction that belongs to eq->step, a solution for what the pairs aim at: eq->step,
@@ -224,15 +219,6 @@ complete_direction (Increment *increment, double part)
   increment->reach = qn_central_pairs_complete (&path->pairs, eq->step);
 }
 
-static void
-solve (QnEquilibrium *eq, double *b)
-{
-  double start = qn_clock_seconds ();
-
-  qn_linsys_solve (eq->linsys, b);
-  eq->statistics.factor_seconds += qn_clock_seconds () - start;
-}
-
 /* The direction that brings every s z to what is aimed at, and takes that part off all residuals. */
 static void
 find_path_direction (Increment *increment, const QnCentralAim *aim)
@@ -245,7 +231,7 @@ find_path_direction (Increment *increment, const QnCentralAim *aim)
   if (aim->part < 1)
     for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
       eq->step[i] -= (1 - aim->part) * path->lack[i];
-  solve (eq, eq->step);
+  qn_equilibrium_solve (eq, eq->step);
   complete_direction (increment, aim->part);
 }
 
@@ -267,7 +253,7 @@ find_predictor (Increment *increment)
   if (status != QN_SOLVE_CONVERGED)
     return status;
   if (bordered)
-    solve (eq, eq->step);
+    qn_equilibrium_solve (eq, eq->step);
   complete_direction (increment, 1);
   return QN_SOLVE_CONVERGED;
 }
@@ -377,8 +363,7 @@ has_converged (Increment *increment)
 {
   const QnEquilibrium *eq = increment->path->eq;
 
-  increment->target_gap =
-    qn_equilibrium_target_lack (eq, increment->target, eq->u, eq->multiplier);
+  increment->target_gap = qn_equilibrium_target_lack (eq, increment->target, eq->u);
   keep_near (increment);
   return is_within (increment, increment->complementarity, BALANCE);
 }

@@ -26,16 +26,14 @@ typedef struct QnEquilibriumState {
 } QnEquilibriumState;
 
 /* What closes the system of equations besides equilibrium: a prescribed multiplier, or a linear
- * combination of displacements and multiplier that has advanced by a given amount since the
- * committed state:
+ * combination of displacements that has advanced by a given amount since the committed state:
  *
- *   direction . (u - committed.u) + weight (lambda - committed lambda) = advance
+ *   direction . (u - committed.u) = advance
  *
  * A unit direction prescribes one displacement, the live load prescribes its work, the tangent
  * of the path a length along it. */
 typedef struct QnTarget {
   const double *direction; /* NULL: `multiplier` is prescribed */
-  double weight;
   double advance;
   double multiplier;
 } QnTarget;
@@ -141,18 +139,17 @@ QnSolveStatus qn_equilibrium_iterate (QnStepEquation *equation, int budget);
 QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
                                      double viscosity, int budget);
 
-/* What the target lacks at displacements u and a multiplier; 0 where the multiplier itself is
- * prescribed. */
+/* What the target lacks at displacements u; 0 where the multiplier is prescribed. */
 double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
-                                   const double *u, double multiplier);
+                                   const double *u);
 
 /* The second half of the bordered system of a target other than the multiplier,
  *
  *   K step - F_live multiplier_step             = residual
- *   direction . step + weight multiplier_step   = lack
+ *   direction . step                            = lack
  *
  * from eq->step = K \\ residual and eq->live_step = K \\ F_live: completes eq->step and returns
- * multiplier_step, 0 where *along_live = direction . live_step + weight vanishes. */
+ * multiplier_step, 0 where *along_live = direction . live_step vanishes. */
 double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
                                      double lack, double *along_live);
 
@@ -167,8 +164,11 @@ double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
  * at rest; QN_RUNAWAY until then, and where there is no dead load. False when memory runs out. */
 bool qn_equilibrium_set_runaway (QnEquilibrium *eq);
 
-/* Counts the factorisation just done. */
-void qn_equilibrium_count_factorization (QnEquilibrium *eq);
+/* Factorises the tangent of the assembly, overwrites b with its solution, and counts both. */
+QnSolveStatus qn_equilibrium_factor (QnEquilibrium *eq, QnLinsysReuse reuse, double *b);
+
+/* Overwrites b with the solution of what was factorised last. */
+void qn_equilibrium_solve (QnEquilibrium *eq, double *b);
 
 /* Counts an iteration and reports it; false when the analysis is to be cancelled. */
 bool qn_equilibrium_go_on (QnEquilibrium *eq);
@@ -178,7 +178,7 @@ bool qn_equilibrium_go_on (QnEquilibrium *eq);
  * NO_MEMORY. */
 QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
-/* Brings eq->slope, over a measure without weight, to the current state where joints have changed their state
+/* Brings eq->slope to the current state where joints have changed their state
  * since the last factorisation. False when memory runs out. */
 bool qn_equilibrium_update_slope (QnEquilibrium *eq, const double *direction);
 

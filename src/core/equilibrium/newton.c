@@ -1,5 +1,6 @@
 /* Semismooth Newton iteration with a backtracking line search on the out-of-balance forces. */
 #include "core/base/clock.h"
+#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
 #include "core/equilibrium/equilibrium.h"
 
@@ -35,10 +36,9 @@ typedef struct {
 
 double
 qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
-                            const double *u, double multiplier)
+                            const double *u)
 {
-  double lack =
-    target->advance - target->weight * (multiplier - eq->committed.multiplier);
+  double lack = target->advance;
 
   if (target->direction == NULL)
     return 0;
@@ -49,12 +49,11 @@ qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
 
 /* The same, but nothing where it is no more than rounding. */
 static double
-target_gap (const Newton *newton, const double *u, double multiplier)
+target_gap (const Newton *newton, const double *u)
 {
   const QnEquilibrium *eq = newton->eq;
   const QnTarget *target = newton->target;
-  double gap = qn_equilibrium_target_lack (eq, target, u, multiplier);
-  double size = fabs (target->weight * multiplier);
+  double gap = qn_equilibrium_target_lack (eq, target, u), size = 0;
 
   if (target->direction == NULL)
     return 0;
@@ -73,7 +72,7 @@ measure (Newton *newton, const double *u, double multiplier)
   QnAssembly *as = &eq->assembly;
   double start = qn_clock_seconds ();
   double scale = qn_assembly_residual (as, multiplier, eq->residual);
-  double gap = newton->stiffness * target_gap (newton, u, multiplier);
+  double gap = newton->stiffness * target_gap (newton, u);
   double sum = gap * gap, largest = qn_assembly_largest (as, eq->residual, NULL);
 
   eq->out_of_balance = scale > 0 ? largest / scale : 0;
@@ -118,6 +117,29 @@ is_factored (const QnEquilibrium *eq, double viscosity)
   return same;
 }
 
+QnSolveStatus
+qn_equilibrium_factor (QnEquilibrium *eq, QnLinsysReuse reuse, double *b)
+{
+  double start = qn_clock_seconds ();
+  QnSolveStatus status =
+    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, reuse, b);
+  double work = qn_linsys_work (eq->linsys);
+
+  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+  eq->statistics.factorizations += work > 0;
+  eq->statistics.factorization_work += work;
+  return status;
+}
+
+void
+qn_equilibrium_solve (QnEquilibrium *eq, double *b)
+{
+  double start = qn_clock_seconds ();
+
+  qn_linsys_solve (eq->linsys, b);
+  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+}
+
 /* b = K \ b. Factorises the tangent unless it is the one that is factorised already. */
 static QnSolveStatus
 apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
@@ -127,32 +149,18 @@ apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
 
   for (size_t p = 0; p < as->pair_count; p++)
     eq->factored_phases[p] = as->responses[p].phase;
-  double start = qn_clock_seconds ();
   if (same) {
-    qn_linsys_solve (eq->linsys, b);
-    eq->statistics.factor_seconds += qn_clock_seconds () - start;
+    qn_equilibrium_solve (eq, b);
     return QN_SOLVE_CONVERGED;
   }
 
+  double start = qn_clock_seconds ();
   qn_assembly_tangent (as, eq->multiplier, viscosity);
-  double assembled = qn_clock_seconds ();
-  QnSolveStatus status =
-    qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_REPEATED, b);
-  eq->statistics.assembly_seconds += assembled - start;
-  eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
-  qn_equilibrium_count_factorization (eq);
+  eq->statistics.assembly_seconds += qn_clock_seconds () - start;
+  QnSolveStatus status = qn_equilibrium_factor (eq, QN_LINSYS_REPEATED, b);
   eq->factored = status == QN_SOLVE_CONVERGED;
   eq->factored_viscosity = viscosity;
   return status;
-}
-
-void
-qn_equilibrium_count_factorization (QnEquilibrium *eq)
-{
-  double work = qn_linsys_work (eq->linsys);
-
-  eq->statistics.factorizations += work > 0;
-  eq->statistics.factorization_work += work;
 }
 
 bool
@@ -171,13 +179,9 @@ qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target, double 
                               double *along_live)
 {
   int32_t n = eq->assembly.unknown_count;
-  double along_step = 0;
+  double along_step = qn_dot (target->direction, eq->step, (size_t) n);
 
-  *along_live = target->weight;
-  for (int32_t i = 0; i < n; i++) {
-    along_step += target->direction[i] * eq->step[i];
-    *along_live += target->direction[i] * eq->live_step[i];
-  }
+  *along_live = qn_dot (target->direction, eq->live_step, (size_t) n);
   double multiplier_step = *along_live != 0 ? (lack - along_step) / *along_live : 0;
   for (int32_t i = 0; i < n; i++)
     eq->step[i] += multiplier_step * eq->live_step[i];
@@ -211,17 +215,16 @@ solve_direction (QnStepEquation *equation)
   QnSolveStatus status = apply_inverse (eq, viscosity, eq->step);
   newton->multiplier_step = 0;
   if (status == QN_SOLVE_CONVERGED && target->direction != NULL) {
-    double along_live, start = qn_clock_seconds ();
+    double along_live;
     double load = qn_assembly_largest (&eq->assembly, eq->assembly.live, NULL);
     memcpy (eq->live_step, eq->assembly.live, bytes);
-    qn_linsys_solve (eq->linsys, eq->live_step);
-    double gap = target_gap (newton, eq->u, eq->multiplier);
+    qn_equilibrium_solve (eq, eq->live_step);
+    double gap = target_gap (newton, eq->u);
     newton->multiplier_step = qn_equilibrium_complete_step (eq, target, gap, &along_live);
     eq->slope = along_live != 0 ? 1 / along_live : 0;
     newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
     eq->orientation =
       along_live < 0 ? -qn_linsys_sign (eq->linsys) : qn_linsys_sign (eq->linsys);
-    eq->statistics.factor_seconds += qn_clock_seconds () - start;
   }
   return status;
 }
@@ -392,8 +395,8 @@ qn_equilibrium_update_slope (QnEquilibrium *eq, const double *direction)
   if (same)
     return true;
   QnSolveStatus status = qn_equilibrium_rate (eq, eq->live_step);
-  for (int32_t i = 0; i < as->unknown_count && status == QN_SOLVE_CONVERGED; i++)
-    along_live += direction[i] * eq->live_step[i];
+  if (status == QN_SOLVE_CONVERGED)
+    along_live = qn_dot (direction, eq->live_step, (size_t) as->unknown_count);
   eq->slope = along_live != 0 ? 1 / along_live : 0;
   return status != QN_SOLVE_NO_MEMORY;
 }

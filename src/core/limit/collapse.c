@@ -155,9 +155,9 @@ find_residuals (QnCollapse *c)
   qn_ip_apply_bounds (p, c->at.y, c->rz);
   for (int32_t i = 0; i < p->bound_count; i++)
     c->rz[i] = p->bounds[i].limit - c->at.s[i] - c->rz[i];
-  c->power = qn_ip_dot (c->at.s, c->at.z, p->bound_count);
+  c->power = qn_dot (c->at.s, c->at.z, (size_t) p->bound_count);
   c->r_lambda =
-    p->load != NULL ? p->load_gain - qn_ip_dot (p->load, c->at.v, p->row_count) : 0;
+    p->load != NULL ? p->load_gain - qn_dot (p->load, c->at.v, (size_t) p->row_count) : 0;
 }
 
 /* Without dilatancy the flows of both directions in which an open joint may slip cancel: they may grow
@@ -214,7 +214,7 @@ way_to_boundary (const QnCollapse *c, const QnIpVector *step)
 bool
 qn_collapse_proves_infeasible (const QnCollapse *c, const QnIpProblem *p)
 {
-  double power = qn_ip_dot (p->constant, c->at.v, p->row_count);
+  double power = qn_dot (p->constant, c->at.v, (size_t) p->row_count);
   double proof = power - qn_ip_limit_term (p, c->at.z), worst = 0;
 
   if (c->problem->load != NULL)

@@ -195,7 +195,7 @@ qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w)
   if (kkt->bordered) {
     memcpy (kkt->border, p->load, (size_t) p->row_count * sizeof *kkt->border);
     schur_solve (&kkt->schur, kkt->border);
-    kkt->border_power = qn_ip_dot (p->load, kkt->border, p->row_count);
+    kkt->border_power = qn_dot (p->load, kkt->border, (size_t) p->row_count);
   }
   return true;
 }
@@ -241,7 +241,8 @@ relative_error (QnIpKkt *kkt, const QnIpKktRight *right, const QnIpKktVector *ou
   if (scale > 0.0)
     error = qn_ip_largest (kkt->residual_v, p->row_count) / scale;
   if (kkt->bordered) {
-    kkt->residual_lambda = right->lambda - qn_ip_dot (p->load, out->v, p->row_count);
+    kkt->residual_lambda =
+      right->lambda - qn_dot (p->load, out->v, (size_t) p->row_count);
     scale = fmax (fabs (right->lambda), qn_ip_largest (out->v, p->row_count));
     if (scale > 0.0)
       error = qn_worse (error, fabs (kkt->residual_lambda) / scale);
@@ -324,8 +325,9 @@ correct (QnIpKkt *kkt, QnIpKktVector *out)
   schur_solve (&kkt->schur, step);
   kkt->step_lambda = 0.0;
   if (kkt->bordered && kkt->border_power != 0.0) {
-    kkt->step_lambda = (kkt->residual_lambda - qn_ip_dot (p->load, step, p->row_count))
-                       / kkt->border_power;
+    kkt->step_lambda =
+      (kkt->residual_lambda - qn_dot (p->load, step, (size_t) p->row_count))
+      / kkt->border_power;
     qn_ip_add_multiple (step, kkt->step_lambda, kkt->border, p->row_count);
   }
   qn_ip_add_multiple (out->v, 1, step, p->row_count);

@@ -97,15 +97,6 @@ qn_ip_limit_term (const QnIpProblem *p, const double *z)
 }
 
 double
-qn_ip_dot (const double *a, const double *b, int32_t count)
-{
-  double sum = 0.0;
-  for (int32_t i = 0; i < count; i++)
-    sum += a[i] * b[i];
-  return sum;
-}
-
-double
 qn_ip_largest (const double *values, int32_t count)
 {
   double most = 0.0;

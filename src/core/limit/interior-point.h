@@ -105,5 +105,4 @@ void qn_ip_add_multiple (double *values, double factor, const double *step,
 
 double qn_ip_quadratic_term (const QnIpProblem *problem, const double *y); /* y'Qy */
 double qn_ip_limit_term (const QnIpProblem *problem, const double *z);     /* h'z */
-double qn_ip_dot (const double *a, const double *b, int32_t count);
 double qn_ip_largest (const double *values, int32_t count); /* largest |value|, or NaN */

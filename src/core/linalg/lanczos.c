@@ -1,6 +1,7 @@
 #include "core/linalg/lanczos.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 
 #include <float.h>
 #include <math.h>
@@ -55,15 +56,6 @@ column (const Lanczos *l, size_t j)
   return l->basis + j * l->n;
 }
 
-static double
-dot (size_t n, const double *x, const double *y)
-{
-  double sum = 0;
-  for (size_t i = 0; i < n; i++)
-    sum += x[i] * y[i];
-  return sum;
-}
-
 static bool
 lanczos_init (Lanczos *l, const QnLanczosProblem *problem, size_t wanted)
 {
@@ -91,7 +83,7 @@ orthogonalize (Lanczos *l, size_t count, double *w, double *parts)
   for (int pass = 0; pass < 2; pass++) {
     l->problem->multiply (l->problem->data, w, l->mass);
     for (size_t j = 0; j < count; j++) {
-      double part = dot (l->n, column (l, j), l->mass);
+      double part = qn_dot (column (l, j), l->mass, l->n);
       for (size_t i = 0; i < l->n; i++)
         w[i] -= part * column (l, j)[i];
       if (parts != NULL)
@@ -99,7 +91,7 @@ orthogonalize (Lanczos *l, size_t count, double *w, double *parts)
     }
   }
   l->problem->multiply (l->problem->data, w, l->mass);
-  return sqrt (fmax (0, dot (l->n, w, l->mass)));
+  return sqrt (fmax (0, qn_dot (w, l->mass, l->n)));
 }
 
 /* w := (K - sigma M)^-1 M v */
@@ -123,7 +115,7 @@ start_anew (Lanczos *l, size_t count)
   }
   apply (l, l->other, w);
   l->problem->multiply (l->problem->data, w, l->mass);
-  double before = sqrt (fmax (0, dot (l->n, w, l->mass)));
+  double before = sqrt (fmax (0, qn_dot (w, l->mass, l->n)));
   double left = orthogonalize (l, count, w, NULL);
   if (!(left > NOTHING * before))
     return false;
@@ -150,7 +142,7 @@ grow (Lanczos *l)
   l->beta = orthogonalize (l, j + 1, w, parts);
   for (size_t i = 0; i <= j; i++)
     l->matrix[i * l->most + j] = l->matrix[j * l->most + i] = parts[i];
-  double size = sqrt (dot (j + 1, parts, parts));
+  double size = sqrt (qn_dot (parts, parts, j + 1));
   l->count++;
   if (l->beta > NOTHING * size) {
     for (size_t i = 0; i < l->n; i++)

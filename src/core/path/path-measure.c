@@ -1,21 +1,12 @@
 #include "core/path/path-measure.h"
 
+#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
 
 #include <string.h>
 
 /* Elastic displacements in the first step, at most: next to collapse the tangent knows no end. */
 #define FARTHEST_FIRST 1e3
-
-static double
-dot (const double *a, const double *b, int32_t n)
-{
-  double sum = 0;
-
-  for (int32_t i = 0; i < n; i++)
-    sum += a[i] * b[i];
-  return sum;
-}
 
 /* direction = K \ F_live, of unit length. A singular tangent leaves it zero. */
 static QnSolveStatus
@@ -28,7 +19,7 @@ take_tangent (QnPathMeasure *measure, double *rate_length)
   QnSolveStatus status = qn_equilibrium_rate (eq, rate);
   if (status != QN_SOLVE_CONVERGED)
     return status;
-  *rate_length = sqrt (dot (rate, rate, n));
+  *rate_length = sqrt (qn_dot (rate, rate, (size_t) n));
   for (int32_t i = 0; i<n && * rate_length> 0; i++)
     measure->direction[i] = rate[i] / *rate_length;
   return QN_SOLVE_CONVERGED;
@@ -40,7 +31,7 @@ static void
 take_load_direction (QnPathMeasure *measure, double *rate_length)
 {
   const QnAssembly *as = &measure->path->equilibrium.assembly;
-  double length = sqrt (dot (as->live, as->live, as->unknown_count));
+  double length = sqrt (qn_dot (as->live, as->live, (size_t) as->unknown_count));
 
   *rate_length = length / as->stiffness;
   for (int32_t i = 0; i < as->unknown_count && length > 0; i++)
@@ -67,7 +58,7 @@ take_motion (QnPathMeasure *measure, double increment, QnDiag *diag)
     increment *= FARTHEST_FIRST / far;
   double advance = rate_length; /* of the measure, per multiplier */
   if (measure->procedure == QN_PROCEDURE_WORK) {
-    advance *= dot (measure->direction, eq->assembly.live_at_rest, n);
+    advance *= qn_dot (measure->direction, eq->assembly.live_at_rest, (size_t) n);
     memcpy (measure->direction, eq->assembly.live_at_rest, (size_t) n * sizeof (double));
   }
   measure->first = fabs (advance) * increment;

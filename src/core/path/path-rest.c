@@ -102,16 +102,13 @@ count_with_measure (QnEquilibrium *eq, const double *held, double *scratch,
                     int32_t *negative)
 {
   int32_t n = eq->assembly.unknown_count;
-  double along = 0;
 
   memcpy (scratch, held, (size_t) n * sizeof *scratch);
   QnSolveStatus status =
     qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, scratch);
   if (status != QN_SOLVE_CONVERGED)
     return status;
-  for (int32_t i = 0; i < n; i++)
-    along += held[i] * scratch[i];
-  *negative -= along < 0;
+  *negative -= qn_dot (held, scratch, (size_t) n) < 0;
   return QN_SOLVE_CONVERGED;
 }
 

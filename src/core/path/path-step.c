@@ -6,6 +6,7 @@
  * comes last because under damping joints slide that would not otherwise: it rests below the path,
  * and Newton's method fails from there again.
  */
+#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
 #include "core/path/path-trace.h"
 
@@ -232,14 +233,12 @@ static bool
 is_across (const QnPathTrace *trace)
 {
   const QnAssembly *as = &trace->path->equilibrium.assembly;
-  double work = 0, force = 0, motion = 0;
+  const double *live = as->live, *motion = trace->buckling;
+  size_t n = (size_t) as->unknown_count;
 
-  for (int32_t i = 0; i < as->unknown_count; i++) {
-    work += as->live[i] * trace->buckling[i];
-    force += as->live[i] * as->live[i];
-    motion += trace->buckling[i] * trace->buckling[i];
-  }
-  return fabs (work) <= qn_path_tuning.same_branch * sqrt (force * motion);
+  return fabs (qn_dot (live, motion, n))
+         <= qn_path_tuning.same_branch
+              * sqrt (qn_dot (live, live, n) * qn_dot (motion, motion, n));
 }
 
 /* Whether the structure can stay at the equilibrium just solved under its loads; or MECHANISM, with
