@@ -61,8 +61,8 @@ applies (const QnPathTrace *trace)
   return known;
 }
 
-static QnStatus
-seek (QnPathTrace *trace, QnDiag *diag)
+static bool
+seek (QnPathTrace *trace)
 {
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
@@ -71,7 +71,7 @@ seek (QnPathTrace *trace, QnDiag *diag)
   double *forces = qn_alloc (2 * as->pair_count, sizeof *forces);
 
   if (forces == NULL)
-    return qn_diag_no_memory (diag);
+    return false;
   for (size_t p = 0; p < as->pair_count; p++)
     memcpy (forces + 2 * p, eq->committed.responses[p].force, 2 * sizeof *forces);
   trace->sought = true;
@@ -81,16 +81,14 @@ seek (QnPathTrace *trace, QnDiag *diag)
     qn_limit_go_on (path->model, as->contacts, forces, eq->committed.multiplier,
                     eq->report, eq->report_data, direct, NULL);
   free (forces);
-  if (status == QN_ERROR_NO_MEMORY)
-    return qn_diag_no_memory (diag);
-  if (status != QN_OK)
-    return QN_OK; /* nothing is known of joints or loads like these */
+  if (status != QN_OK) /* else nothing is known of joints or loads like these */
+    return status != QN_ERROR_NO_MEMORY;
   direct->effort.factorization_work +=
     direct->effort.factorizations - eq->statistics.factorizations;
   eq->statistics = direct->effort;
   if (direct->outcome == QN_OUTCOME_CANCELLED)
     qn_path_end_give_up (trace, QN_SOLVE_CANCELLED);
-  return QN_OK;
+  return true;
 }
 
 /* A pair at the elongation last evaluated, with the force that it has at collapse: slip and opening are
@@ -160,8 +158,8 @@ is_ahead (const QnPathTrace *trace, bool far)
 }
 
 /* The path ends at what was found. Where that is no equilibrium nothing has changed. */
-static QnStatus
-end_there (QnPathTrace *trace, QnDiag *diag)
+static bool
+end_there (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
 
@@ -169,34 +167,33 @@ end_there (QnPathTrace *trace, QnDiag *diag)
   if (!eq->keeps_forces) {
     qn_limit_solution_clear (&trace->direct);
     qn_equilibrium_restore (eq);
-    return QN_OK;
+    return true;
   }
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
   trace->jumped = false;
   if (!qn_path_trace_accept (trace))
-    return qn_diag_no_memory (diag);
+    return false;
   /* Its mechanism is the whole motion, not that from where the path has come. */
   memset (trace->measure.last_u, 0,
           (size_t) eq->assembly.unknown_count * sizeof (double));
   qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
-  return QN_OK;
+  return true;
 }
 
-QnStatus
-qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag)
+bool
+qn_path_end_direct (QnPathTrace *trace, bool last)
 {
   bool far = last || has_taken (trace, qn_path_tuning.patience);
-  QnStatus status = QN_OK;
+  bool ok = true;
 
   if (!applies (trace))
-    return QN_OK;
+    return true;
   if (last ? !is_ahead (trace, true)
            : !trace->sought
                && (far
                    || (taken (trace) > qn_path_tuning.direct
                        && qn_path_end_creeps (trace, qn_path_tuning.creep))))
-    status = seek (trace, diag);
-  return status == QN_OK && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far)
-           ? end_there (trace, diag)
-           : status;
+    ok = seek (trace);
+  return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far) ? end_there (trace)
+                                                                       : ok;
 }

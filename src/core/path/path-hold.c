@@ -71,8 +71,8 @@ let_go (QnPathTrace *trace, double multiplier)
 }
 
 /* The structure falls under the load `high`: it is loaded from its highest equilibrium as far as it rests. */
-static QnStatus
-find_fall (QnPathTrace *trace, double high, QnDiag *diag)
+static bool
+find_fall (QnPathTrace *trace, double high)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   QnSolveStatus status = QN_SOLVE_MECHANISM;
@@ -87,11 +87,10 @@ find_fall (QnPathTrace *trace, double high, QnDiag *diag)
       high = middle;
     trace->means = QN_FOUND_BY_RELAXATION;
     trace->jumped = false;
-    if (status == QN_SOLVE_CONVERGED && !qn_path_trace_accept (trace))
-      return qn_diag_no_memory (diag);
+    if (status == QN_SOLVE_NO_MEMORY
+        || (status == QN_SOLVE_CONVERGED && !qn_path_trace_accept (trace)))
+      return false;
   }
-  if (status == QN_SOLVE_NO_MEMORY)
-    return qn_diag_no_memory (diag);
   trace->events.below = false;
   trace->lower.multiplier = INFINITY;
   qn_path_end_give_up (trace, status == QN_SOLVE_CANCELLED ? status : QN_SOLVE_MECHANISM);
@@ -99,11 +98,11 @@ find_fall (QnPathTrace *trace, double high, QnDiag *diag)
     trace->path->result->stop = QN_STOP_FALL;
   memcpy (eq->motion, trace->buckling,
           (size_t) eq->assembly.unknown_count * sizeof (double));
-  return QN_OK;
+  return true;
 }
 
-QnStatus
-qn_path_hold (QnPathTrace *trace, QnDiag *diag)
+bool
+qn_path_hold (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   double multiplier = eq->multiplier;
@@ -111,25 +110,18 @@ qn_path_hold (QnPathTrace *trace, QnDiag *diag)
   if (!trace->load_control || !qn_path_trace_is_linear (trace) || !trace->may_jump
       || trace->may_soften || trace->events.highest <= trace->events.least
       || !qn_path_events_climbs (&trace->events))
-    return QN_OK;
+    return true;
   trace->doubt = trace->doubt || is_doubtful (trace);
   if (!trace->doubt
       || multiplier - trace->sure.multiplier <= qn_path_tuning.in_doubt * multiplier)
-    return QN_OK;
+    return true;
   qn_equilibrium_save (eq, &trace->ahead);
   trace->doubt = false;
-  switch (let_go (trace, multiplier)) {
-  case QN_SOLVE_NO_MEMORY:
-    return qn_diag_no_memory (diag);
-  case QN_SOLVE_CANCELLED:
-    qn_path_end_give_up (trace, QN_SOLVE_CANCELLED);
-    return QN_OK;
-  case QN_SOLVE_MECHANISM:
-    return find_fall (trace, multiplier, diag);
-  case QN_SOLVE_CONVERGED:
-  case QN_SOLVE_FAILED:
-    break;
-  }
+  QnSolveStatus status = let_go (trace, multiplier);
+  if (status == QN_SOLVE_NO_MEMORY || status == QN_SOLVE_CANCELLED)
+    return qn_path_end_give_up (trace, status);
+  if (status == QN_SOLVE_MECHANISM)
+    return find_fall (trace, multiplier);
   qn_equilibrium_set_state (eq, &trace->ahead);
-  return QN_OK;
+  return true;
 }

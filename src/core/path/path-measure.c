@@ -40,15 +40,15 @@ take_load_direction (QnPathMeasure *measure, double *rate_length)
 
 /* Work or arc length, with a first step that moves the structure as far as an increment of the
  * multiplier would. */
-static QnStatus
-take_motion (QnPathMeasure *measure, double increment, QnDiag *diag)
+static bool
+take_motion (QnPathMeasure *measure, double increment)
 {
   QnEquilibrium *eq = &measure->path->equilibrium;
   int32_t n = eq->assembly.unknown_count;
   double rate_length = 0;
 
   if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
-    return qn_diag_no_memory (diag);
+    return false;
   if (rate_length == 0)
     take_load_direction (measure, &rate_length);
   double far =
@@ -63,22 +63,22 @@ take_motion (QnPathMeasure *measure, double increment, QnDiag *diag)
   }
   measure->first = fabs (advance) * increment;
   measure->slope = advance != 0 ? 1 / advance : 0;
-  return QN_OK;
+  return true;
 }
 
-static QnStatus
-choose (QnPathMeasure *measure, QnDiag *diag)
+static bool
+choose (QnPathMeasure *measure)
 {
   double increment = 1.0 / measure->path->settings->increments;
 
   switch (measure->procedure) {
   case QN_PROCEDURE_LOAD:
     measure->first = increment;
-    return QN_OK;
+    return true;
   case QN_PROCEDURE_DISPLACEMENT:
     measure->direction[measure->unknown] = 1;
     measure->first = (measure->end - measure->start) * increment;
-    return QN_OK;
+    return true;
   case QN_PROCEDURE_WORK:
   case QN_PROCEDURE_ARC_LENGTH:
   case QN_PROCEDURE_LIMIT:
@@ -86,21 +86,18 @@ choose (QnPathMeasure *measure, QnDiag *diag)
   case QN_PROCEDURE_COUNT:
     break;
   }
-  return take_motion (measure, increment, diag);
+  return take_motion (measure, increment);
 }
 
-QnStatus
-qn_path_measure_take_work (QnPathMeasure *measure, double increment, double *step,
-                           QnDiag *diag)
+bool
+qn_path_measure_take_work (QnPathMeasure *measure, double increment)
 {
   measure->procedure = QN_PROCEDURE_WORK;
-  QnStatus status = take_motion (measure, increment, diag);
-  *step = measure->first;
-  return status;
+  return take_motion (measure, increment);
 }
 
-QnStatus
-qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
+bool
+qn_path_measure_setup (QnPathMeasure *measure, QnPath *path)
 {
   const QnAssembly *as = &path->equilibrium.assembly;
   const QnAnalysisSettings *settings = path->settings;
@@ -117,7 +114,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
                               .unit = qn_pool_alloc (pool, n, sizeof (double)),
                               .last_u = qn_pool_alloc (pool, n, sizeof (double)) };
   if (pool->failed)
-    return qn_diag_no_memory (diag);
+    return false;
   qn_path_measure_keep_last (measure);
   if (body != SIZE_MAX && settings->procedure != QN_PROCEDURE_LOAD) {
     bool turns = settings->control_dof == QN_DOF_RZ;
@@ -127,7 +124,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
     if (path->stage > 0)
       measure->start = path->equilibrium.committed.u[measure->unknown];
   }
-  return choose (measure, diag);
+  return choose (measure);
 }
 
 void

@@ -21,13 +21,12 @@ typedef struct QnPathMeasure {
 } QnPathMeasure;
 
 /* Chooses direction and first step at the committed state. `measure` is overwritten without
- * being cleared; its arrays are the trace's. */
-QnStatus qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag);
+ * being cleared; its arrays are the trace's. False when memory runs out. */
+bool qn_path_measure_setup (QnPathMeasure *measure, QnPath *path);
 
-/* From now on the work of the live load is prescribed instead of the multiplier. *step: the work that
- * belongs to an increment of the multiplier by the tangent of the committed state. */
-QnStatus qn_path_measure_take_work (QnPathMeasure *measure, double increment,
-                                    double *step, QnDiag *diag);
+/* From now on the work of the live load is prescribed instead of the multiplier: `first` is what belongs to
+ * an increment of the multiplier by the tangent of the committed state. False when memory runs out. */
+bool qn_path_measure_take_work (QnPathMeasure *measure, double increment);
 
 /* To be called with a new equilibrium just before it is accepted: remembers the one that it
  * starts from. */

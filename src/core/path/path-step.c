@@ -44,9 +44,8 @@ refuse_unstable (QnPathTrace *trace, QnSolveStatus status)
   return QN_SOLVE_FAILED;
 }
 
-/* How far the last step advanced the measure; 0 before the first. */
-static double
-last_advance (const QnPathTrace *trace)
+double
+qn_path_last_advance (const QnPathTrace *trace)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
   const QnPathMeasure *measure = &trace->measure;
@@ -66,7 +65,7 @@ go_straight_on (QnPathTrace *trace, const QnTarget *target)
   QnEquilibrium *eq = &trace->path->equilibrium;
   const double *last = trace->measure.last_u, *now = eq->committed.u;
   QnSolveStatus status = QN_SOLVE_FAILED;
-  double advanced = qn_path_trace_is_linear (trace) ? last_advance (trace) : 0;
+  double advanced = qn_path_trace_is_linear (trace) ? qn_path_last_advance (trace) : 0;
 
   if (advanced == 0)
     return QN_SOLVE_FAILED;
@@ -346,7 +345,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       ? INFINITY
       : pow (qn_path_tuning.cut, qn_path_tuning.most_cuts) * trace->largest;
   bool is_smooth = !trace->jumped && trace->means != QN_FOUND_BY_RELAXATION;
-  double last = is_smooth ? last_advance (trace) : 0;
+  double last = is_smooth ? qn_path_last_advance (trace) : 0;
   double before = 0, far = eq->assembly.length;
   bool relaxes = false;
   bool looks = trace->looks > 0 && !trace->events.below;

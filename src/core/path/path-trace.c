@@ -173,25 +173,16 @@ cut_first_increment (QnPathTrace *trace)
 
 /* From now on the work of the live load is prescribed: first as much as the last increment of the
  * multiplier has done. */
-static QnStatus
-take_work (QnPathTrace *trace, QnDiag *diag)
+static bool
+take_work (QnPathTrace *trace)
 {
-  const QnEquilibrium *eq = &trace->path->equilibrium;
-  double work = 0;
-
-  QnStatus status =
-    qn_path_measure_take_work (&trace->measure, trace->step, &trace->step, diag);
-  if (status == QN_OK) {
-    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-      work +=
-        trace->measure.direction[i] * (eq->committed.u[i] - trace->measure.last_u[i]);
-    if (work != 0)
-      trace->step = fabs (work);
-  }
-  trace->largest = trace->step;
+  if (!qn_path_measure_take_work (&trace->measure, trace->step))
+    return false;
+  double work = qn_path_last_advance (trace);
+  trace->step = trace->largest = work != 0 ? fabs (work) : trace->measure.first;
   trace->pace = 0;
   trace->slope = trace->measure.slope;
-  return status;
+  return true;
 }
 
 /* --- One step ---------------------------------------------------------------------------- */
@@ -239,8 +230,8 @@ qn_path_trace_accept (QnPathTrace *trace)
 
 /* One increment of the multiplier. Where Newton's method does not get through easily, the work of the
  * live load is prescribed from here on. */
-static QnStatus
-advance_by_load (QnPathTrace *trace, QnDiag *diag)
+static bool
+advance_by_load (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   double from = eq->committed.multiplier;
@@ -248,21 +239,17 @@ advance_by_load (QnPathTrace *trace, QnDiag *diag)
   bool easy;
   QnSolveStatus status = qn_path_step_solve_load (trace, target, &easy);
 
-  if (status == QN_SOLVE_NO_MEMORY)
-    return qn_diag_no_memory (diag);
-  if (status == QN_SOLVE_CANCELLED) {
-    qn_path_end_give_up (trace, status);
-    return QN_OK;
-  }
+  if (status == QN_SOLVE_NO_MEMORY || status == QN_SOLVE_CANCELLED)
+    return qn_path_end_give_up (trace, status);
   if (!easy) {
     qn_equilibrium_restore (eq);
-    return cut_first_increment (trace) ? QN_OK : take_work (trace, diag);
+    return cut_first_increment (trace) || take_work (trace);
   }
   choose_next_step (trace, target - from, true);
   if (!qn_path_trace_accept (trace))
-    return qn_diag_no_memory (diag);
+    return false;
   qn_path_end_check (trace);
-  return QN_OK;
+  return true;
 }
 
 /* Solves the step, *step on entry, and ends it at the end of the path where it passes that.
@@ -337,20 +324,17 @@ goes_back (const QnPathTrace *trace)
 }
 
 /* The path leads no farther by steps: what it leads to may be found directly. */
-static QnStatus
-give_up (QnPathTrace *trace, QnSolveStatus solve, QnDiag *diag)
+static bool
+give_up (QnPathTrace *trace, QnSolveStatus solve)
 {
-  QnStatus status =
-    solve == QN_SOLVE_FAILED ? qn_path_end_direct (trace, true, diag) : QN_OK;
-
-  if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
-    qn_path_end_give_up (trace, solve);
-  return status;
+  if (solve == QN_SOLVE_FAILED && !qn_path_end_direct (trace, true))
+    return false;
+  return trace->stop != QN_STOP_UNKNOWN || qn_path_end_give_up (trace, solve);
 }
 
 /* One step of another measure than the multiplier. */
-static QnStatus
-advance (QnPathTrace *trace, QnDiag *diag)
+static bool
+advance (QnPathTrace *trace)
 {
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
@@ -361,38 +345,37 @@ advance (QnPathTrace *trace, QnDiag *diag)
   if (share < 1 + QN_TOLERANCE_TARGET)
     step *= share;
   QnSolveStatus status = solve_to_end (trace, &step, &easy, &again);
-  if (status == QN_SOLVE_NO_MEMORY)
-    return qn_diag_no_memory (diag);
   if (again)
-    return QN_OK;
+    return true;
   if (status == QN_SOLVE_MECHANISM && falls_too_far (trace, step)) {
     trace->step = step * (isfinite (trace->to_fall) ? 0.5 : qn_path_tuning.cut);
     trace->to_fall = fabs (step);
     qn_equilibrium_restore (eq);
-    return QN_OK;
+    return true;
   }
   if (status != QN_SOLVE_CONVERGED || (trace->jumped && stops))
-    return give_up (trace, status, diag);
+    return give_up (trace, status);
 
   if (trace->reverses != NULL) {
     *trace->reverses = goes_back (trace);
     if (*trace->reverses) {
       qn_equilibrium_restore (eq);
       trace->stop = QN_STOP_DISPLACEMENT;
-      return QN_OK;
+      return true;
     }
     trace->reverses = NULL;
   }
   if (ends_at_peak (trace) && !trace->events.below
       && !qn_equilibrium_update_slope (eq, trace->measure.direction))
-    return qn_diag_no_memory (diag);
+    return false;
   if (passes_peak (trace, step)) {
     qn_equilibrium_restore (eq);
-    return QN_OK;
+    return true;
   }
-  QnStatus held = qn_path_hold (trace, diag);
-  if (held != QN_OK || trace->stop != QN_STOP_UNKNOWN)
-    return held;
+  if (!qn_path_hold (trace))
+    return false;
+  if (trace->stop != QN_STOP_UNKNOWN)
+    return true;
   bool smooth = trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped
                 && (trace->means == QN_FOUND_BY_NEWTON || linear);
   if (trace->orientation == 0)
@@ -402,12 +385,12 @@ advance (QnPathTrace *trace, QnDiag *diag)
     qn_path_predictor_note (&trace->predictor, eq, step,
                             trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped);
   if (!qn_path_trace_accept (trace) || !leave_branch (trace))
-    return qn_diag_no_memory (diag);
+    return false;
   if (trace->stop == QN_STOP_UNKNOWN)
     qn_path_end_check (trace);
   if (smooth)
     qn_path_measure_follow (&trace->measure);
-  return QN_OK;
+  return true;
 }
 
 /* --- The whole path --------------------------------------------------------------------- */
@@ -415,8 +398,8 @@ advance (QnPathTrace *trace, QnDiag *diag)
 /* The mechanism is the motion of a later state, in which other joints may stand open than in the committed
  * one. It is that of this one too if no joint closes before the structure has moved as far again as it
  * has so far, and by a part of a block, but those that yield: whose normal force hardly grows. */
-static QnStatus
-judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
+static bool
+judge_mechanism (QnPathTrace *trace, const double *velocity)
 {
   const QnAssembly *as = &trace->path->equilibrium.assembly;
   double speed = qn_assembly_largest (as, velocity, NULL);
@@ -425,7 +408,7 @@ judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
   double *rates = qn_alloc (2 * as->pair_count, sizeof *rates);
 
   if (rates == NULL)
-    return qn_diag_no_memory (diag);
+    return false;
   qn_assembly_elongation_rates (as, velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)
     if (rates[2 * p] < -qn_path_tuning.steady * speed
@@ -433,7 +416,7 @@ judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
         && qn_assembly_gap (as, p) * speed < -rates[2 * p] * far)
       trace->path->result->mechanism_uncertain = true;
   free (rates);
-  return QN_OK;
+  return true;
 }
 
 /* How the structure moves on at its highest multiplier: as in the last step, where geometry is linear and
@@ -519,17 +502,14 @@ take_last_state (QnPathTrace *trace)
 }
 
 /* What the path as a whole says of the structure. */
-static QnStatus
-conclude (QnPathTrace *trace, QnDiag *diag)
+static bool
+conclude (QnPathTrace *trace)
 {
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
   QnResult *result = path->result;
   double *velocity = eq->motion;
-  QnStatus status = qn_path_end_at_bound (trace, diag);
 
-  if (status != QN_OK)
-    return status;
   find_velocity (trace, velocity);
   /* A stage that has only taken its loads back, against which they have worked, has no highest multiplier of
    * its own. */
@@ -541,40 +521,41 @@ conclude (QnPathTrace *trace, QnDiag *diag)
                        && result->outcome != QN_OUTCOME_CANCELLED && trace->events.below
                        && !only_back && !trace->load_control);
   if (collapses && !qn_path_events_collapse (&trace->events))
-    return qn_diag_no_memory (diag);
+    return false;
   if (result->outcome == QN_OUTCOME_SNAP)
     qn_result_set_first_limit (result,
                                path->origin + path->scale * trace->events.highest);
   if (!trace->load_control)
     result->stop = trace->stop;
   else if (!take_last_state (trace))
-    return qn_diag_no_memory (diag);
+    return false;
   if (result->outcome == QN_OUTCOME_SNAP)
     result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
   if (result->outcome == QN_OUTCOME_COLLAPSE)
     result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
   if (!collapses)
-    return QN_OK;
+    return true;
   double multiplier = moves_on (trace) ? eq->committed.multiplier : trace->events.highest;
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = multiplier;
   qn_path_add_solution (path, trace->measure.procedure,
                         path->origin + path->scale * multiplier);
+  bool ok = true;
   if (trace->load_control && qn_path_trace_is_linear (trace))
-    status = judge_mechanism (trace, velocity, diag);
+    ok = judge_mechanism (trace, velocity);
   else if (trace->load_control && trace->stop == QN_STOP_FALL)
     settle_velocity (trace);
   if (trace->load_control)
     qn_path_events_take_mechanism (&trace->events, velocity);
-  return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
+  return ok && qn_path_record_mechanism (path, velocity, NULL) == QN_OK;
 }
 
 /* Load control in large displacements: where the path turns down, or leads no farther, the structure moves
  * on under a load that is held, a little above the highest multiplier. It comes to rest near by, as a
  * block does that rocks on its own while the others stand: then load control goes on from there. Or it
  * falls: that is its collapse. Where neither is certain the path is followed to its end. */
-static QnStatus
-hold_load (QnPathTrace *trace, QnDiag *diag)
+static bool
+hold_load (QnPathTrace *trace)
 {
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
@@ -594,57 +575,46 @@ hold_load (QnPathTrace *trace, QnDiag *diag)
     status = qn_path_stay (path, far);
   if (status == QN_SOLVE_CONVERGED && !qn_path_events_climbs (&trace->events))
     status = QN_SOLVE_FAILED;
-  switch (status) {
-  case QN_SOLVE_NO_MEMORY:
-    return qn_diag_no_memory (diag);
-  case QN_SOLVE_CANCELLED:
-  case QN_SOLVE_MECHANISM:
-    qn_path_end_give_up (trace, status);
-    return QN_OK;
-  case QN_SOLVE_FAILED:
+  if (status == QN_SOLVE_FAILED) {
     qn_equilibrium_set_state (eq, &trace->lower);
     qn_equilibrium_commit (eq);
-    return QN_OK;
-  case QN_SOLVE_CONVERGED:
-    break;
+    return true;
   }
-  if (path->settings->snap == QN_SNAP_THROUGH_STOP
-      && qn_path_events_has_snapped (&trace->events)) {
-    qn_path_end_give_up (trace, status);
-    return QN_OK;
-  }
+  if (status != QN_SOLVE_CONVERGED
+      || (path->settings->snap == QN_SNAP_THROUGH_STOP
+          && qn_path_events_has_snapped (&trace->events)))
+    return qn_path_end_give_up (trace, status);
   trace->stop = QN_STOP_UNKNOWN;
   trace->means = QN_FOUND_BY_RELAXATION;
   trace->jumped = true;
   trace->above = fmin (2 * trace->above, qn_path_tuning.most_above);
   if (!qn_path_trace_accept (trace))
-    return qn_diag_no_memory (diag);
+    return false;
   qn_path_measure_keep_last (&trace->measure);
   trace->measure.procedure = QN_PROCEDURE_LOAD;
   trace->step = trace->largest = more;
   trace->to_fall = INFINITY;
   trace->pace = 0;
   qn_path_end_check (trace);
-  return QN_OK;
+  return true;
 }
 
 /* One step of the path, by what leads on from where it has come. The load is held once at each highest
  * multiplier. */
-static QnStatus
-go_on (QnPathTrace *trace, QnDiag *diag)
+static bool
+go_on (QnPathTrace *trace)
 {
   bool holds =
     trace->load_control && !qn_path_trace_is_linear (trace) && !trace->events.below;
-  QnStatus status = trace->measure.procedure == QN_PROCEDURE_LOAD
-                      ? advance_by_load (trace, diag)
-                      : advance (trace, diag);
+  bool ok = trace->measure.procedure == QN_PROCEDURE_LOAD ? advance_by_load (trace)
+                                                          : advance (trace);
   bool goes_on = trace->stop == QN_STOP_UNKNOWN;
   bool turns = (goes_on && trace->events.below) || trace->stop == QN_STOP_ZERO
                || trace->stop == QN_STOP_FALL;
 
-  return status == QN_OK && holds && (turns || trace->stop == QN_STOP_STEP_TOO_SMALL)
-           ? hold_load (trace, diag)
-           : status;
+  return ok && holds && (turns || trace->stop == QN_STOP_STEP_TOO_SMALL)
+           ? hold_load (trace)
+           : ok;
 }
 
 /* A workspace for central paths of the pairs that carry now. False when memory runs out. */
@@ -685,26 +655,26 @@ renew_highest (QnPathTrace *trace)
 /* Contacts follow the blocks before the first step and after each. Load control, which comes back
  * to its highest multiplier, stays with the contacts that it had there while it looks whether the
  * path climbs again. */
-static QnStatus
-follow_contacts (QnPathTrace *trace, QnDiag *diag)
+static bool
+follow_contacts (QnPathTrace *trace)
 {
   bool changed;
 
   if (!trace->path->follows || (trace->load_control && trace->events.below))
-    return QN_OK;
-  QnStatus status = qn_path_follow_contacts (trace->path, &changed, diag);
-  if (status != QN_OK || !changed)
-    return status;
+    return true;
+  if (qn_path_follow_contacts (trace->path, &changed, NULL) != QN_OK)
+    return false;
+  if (!changed)
+    return true;
   trace->predictor.count = 0;
-  return renew_central_path (trace) && (!trace->load_control || renew_highest (trace))
-           ? QN_OK
-           : qn_diag_no_memory (diag);
+  return renew_central_path (trace) && (!trace->load_control || renew_highest (trace));
 }
 
-static QnStatus
-run (QnPathTrace *trace, QnDiag *diag)
+static bool
+run (QnPathTrace *trace)
 {
-  QnStatus status = QN_OK;
+  const QnResult *result = trace->path->result;
+  bool ok = true;
   size_t known = 0;
 
   trace->step = trace->measure.first;
@@ -712,24 +682,20 @@ run (QnPathTrace *trace, QnDiag *diag)
   trace->largest = fabs (trace->step);
   if (trace->step == 0)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
-  for (int step = 0; status == QN_OK && trace->stop == QN_STOP_UNKNOWN
-                     && step < qn_path_tuning.most_steps;
-       step++) {
-    if (trace->path->result->step_count > known)
-      status = follow_contacts (trace, diag);
-    known = trace->path->result->step_count;
-    if (status == QN_OK)
-      status = go_on (trace, diag);
-    if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN
-        && trace->path->result->step_count > known)
-      status = qn_path_end_direct (trace, false, diag);
-    if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN && qn_path_end_is_spent (trace))
-      status = give_up (trace, QN_SOLVE_FAILED, diag);
+  for (int step = 0;
+       ok && trace->stop == QN_STOP_UNKNOWN && step < qn_path_tuning.most_steps; step++) {
+    ok = result->step_count == known || follow_contacts (trace);
+    known = result->step_count;
+    ok = ok && go_on (trace);
+    if (ok && trace->stop == QN_STOP_UNKNOWN && result->step_count > known)
+      ok = qn_path_end_direct (trace, false);
+    if (ok && trace->stop == QN_STOP_UNKNOWN && qn_path_end_is_spent (trace))
+      ok = give_up (trace, QN_SOLVE_FAILED);
   }
-  if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
+  if (ok && trace->stop == QN_STOP_UNKNOWN)
     qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEPS);
   bool reverses = trace->reverses != NULL && *trace->reverses;
-  return status == QN_OK && !reverses ? conclude (trace, diag) : status;
+  return ok && (reverses || conclude (trace));
 }
 
 static double
@@ -778,20 +744,19 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
     return QN_OK;
   }
   QnStatus status = see_limits (&trace, diag);
-  if (status == QN_OK)
-    status = qn_path_measure_setup (&trace.measure, path, diag);
   if (status != QN_OK)
     return status;
-  bool ready = renew_central_path (&trace);
+  bool ready =
+    qn_path_measure_setup (&trace.measure, path) && renew_central_path (&trace);
   trace.buckling =
     qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof *trace.buckling);
   qn_path_predictor_init (&trace.predictor, as, pool);
   qn_fall_init (&trace.fall, as, pool);
-  ready = qn_path_events_init (&trace.events, path, trace.unit) && ready
+  ready = ready && qn_path_events_init (&trace.events, path, trace.unit)
           && (!trace.load_control || renew_highest (&trace));
   if (ready && trace.load_control && trace.central != NULL && dead > 0)
     trace.measure.first = qn_path_tuning.start * trace.unit;
-  status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
+  status = ready && run (&trace) ? QN_OK : qn_diag_no_memory (diag);
   qn_central_path_free (trace.central);
   qn_limit_solution_clear (&trace.direct);
   qn_pool_clear (&trace.states);

@@ -158,6 +158,9 @@ qn_path_trace_is_linear (const QnPathTrace *trace)
   return !trace->path->equilibrium.assembly.nonlinear;
 }
 
+/* How far the last step advanced the measure; 0 before the first. */
+double qn_path_last_advance (const QnPathTrace *trace);
+
 /* --- One step (path-step.c) -------------------------------------------------------------- */
 
 /* Solves the next step of a measure of motion, *step on entry, and leaves the outcome as the current state:
@@ -182,8 +185,8 @@ QnSolveStatus qn_path_step_land (QnPathTrace *trace, double *share);
 
 /* Under load control in linear geometry: whether a structure under the load of the state just solved comes to rest,
  * where that is doubtful (path-hold.c). Where it falls the path ends, at the highest multiplier at which it
- * rests. */
-QnStatus qn_path_hold (QnPathTrace *trace, QnDiag *diag);
+ * rests. False when memory runs out. */
+bool qn_path_hold (QnPathTrace *trace);
 
 /* --- Where the path ends (path-end.c) ----------------------------------------------------- */
 
@@ -191,13 +194,9 @@ QnStatus qn_path_hold (QnPathTrace *trace, QnDiag *diag);
  * go: to be called after a step was accepted. */
 void qn_path_end_check (QnPathTrace *trace);
 
-/* The same where the next step was not solved, or jumps where the path is to stop at jumps. */
-void qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
-
-/* A path that led nowhere has come to collapse all the same where its highest multiplier is the
- * associative bound, to multiplier_tolerance, for none is larger. How the structure moves on is not known
- * then. */
-QnStatus qn_path_end_at_bound (QnPathTrace *trace, QnDiag *diag);
+/* The same where the next step was not solved, or jumps where the path is to stop at jumps. False where
+ * memory has run out, as in all that follows. */
+bool qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
 
 /* Whether the multiplier has climbed by no more than this part while the motion doubled last:
  * where it goes like collapse - constant / motion, as much is left to gain. The structure then
@@ -206,7 +205,7 @@ bool qn_path_end_creeps (const QnPathTrace *trace, double part);
 
 /* Where the path creeps in linear geometry, or is at its last: ends it at a collapse found directly
  * (path-direct.c), if that is where it leads. */
-QnStatus qn_path_end_direct (QnPathTrace *trace, bool last, QnDiag *diag);
+bool qn_path_end_direct (QnPathTrace *trace, bool last);
 
 /* Whether a path that settles in one place after the other has taken more than it may. */
 bool qn_path_end_is_spent (const QnPathTrace *trace);
