@@ -351,6 +351,20 @@ test_cases (void)
   const QnModel *model = qn_document_get_model (document);
   g_assert_cmpstr (model->load_cases[0].name, ==, "wind");
   g_assert_cmpstr (model->load_cases[1].name, ==, "snow");
+
+  /* "none" and the codes, "the same in all" and the actions; the second one is selected. */
+  gtk_drop_down_set_selected (
+    GTK_DROP_DOWN (driver_find_widget (cases, is_called, "action")), 2);
+  driver_settle ();
+  gtk_drop_down_set_selected (
+    GTK_DROP_DOWN (driver_find_widget (cases, is_called, "code")), 3);
+  driver_settle ();
+  g_assert_cmpstr (model_of (window)->load_cases[1].action, ==, "non-structural");
+  g_assert_cmpstr (model_of (window)->combinations.code, ==, "ntc2018");
+  g_assert_true (qn_document_undo (document));
+  g_assert_true (qn_document_undo (document));
+  g_assert_cmpstr (model_of (window)->load_cases[1].action, ==, "");
+  g_assert_cmpstr (model_of (window)->combinations.code, ==, "");
   gtk_list_box_select_row (GTK_LIST_BOX (list), GTK_LIST_BOX_ROW (row_at (list, 0)));
   gtk_widget_grab_focus (row_at (list, 0));
   driver_key ("KP_Delete");

@@ -296,6 +296,27 @@ test_mechanism (void)
   assert_words (pdf, WORDS ("Not checked: ", "joints slide"), NULL);
 }
 
+/* Every combination of load cases with its multiplier: (42.4 x 0.3 + 0.3 x 8 x 0.15)/8.58 of the seismic one. A
+ * project whose cases have no code has no such page; one whose cases have no action says so. */
+static void
+test_combinations (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *wall = cli_example ("50-wall-in-combinations.quoin");
+  g_autofree char *arch = cli_example ("28-arch-under-fill.quoin");
+  g_autofree char *pdf = g_build_filename (folder, "r.pdf", NULL);
+  cli_do ("report", wall, "--sections", "combinations", "-o", pdf, NULL);
+  assert_words (pdf,
+                WORDS ("65 combinations by en1990", "The worst: seismic 6.12b", "1.524",
+                       "EQU 6.10: 0.9 self + 0.9 floor", "stands"),
+                WORDS ("no equilibrium"));
+  cli_do ("report", arch, "-o", pdf, NULL);
+  assert_words (pdf, WORDS ("Result:"), WORDS ("combinations by"));
+  cli_do ("report", arch, "--set", "loads.combinations={\"code\":\"ntc2018\"}", "-o", pdf,
+          NULL);
+  assert_words (pdf, WORDS ("Not checked: ", "nothing to combine"), NULL);
+}
+
 /* A project that is shaken is solved with its record, and tells what has moved. */
 static void
 test_record (void)
@@ -372,6 +393,7 @@ QN_TESTS
   g_test_add_func ("/cli/report/demand", test_demand);
   g_test_add_func ("/cli/report/settlement", test_settlement);
   g_test_add_func ("/cli/report/mechanism", test_mechanism);
+  g_test_add_func ("/cli/report/combinations", test_combinations);
   g_test_add_func ("/cli/report/record", test_record);
   g_test_add_func ("/cli/report/template", test_template);
   g_test_add_func ("/cli/report/refused", test_refused);

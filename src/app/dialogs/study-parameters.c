@@ -163,8 +163,7 @@ add_row (QnStudyWindow *self, guint index)
                  limits ? _ ("Greatest") : _ ("Deviation"), parameter.second);
     show_number (GET (GTK_LABEL, "levels_label"), row->levels, _ ("Values"),
                  parameter.levels);
-    gboolean levels = parameter.kind == QN_DRAFT_RANGE || plan == QN_PLAN_GRID
-                      || plan == QN_PLAN_ONE_AT_A_TIME;
+    gboolean levels = parameter.kind == QN_DRAFT_RANGE || qn_plan_is_by_levels (plan);
     gtk_widget_set_visible (GTK_WIDGET (row->levels), levels);
     gtk_widget_set_visible (GET (GTK_WIDGET, "levels_label"), levels);
     g_autofree char *meaning = dup_meaning (self, &parameter);

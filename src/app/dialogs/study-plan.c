@@ -43,7 +43,7 @@ qn_study_window_show_plan (QnStudyWindow *self)
   QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
   gtk_drop_down_set_selected (self->plan, plan);
   gtk_drop_down_set_selected (self->analysis, qn_draft_get_run (self->draft));
-  gboolean by_levels = plan == QN_PLAN_GRID || plan == QN_PLAN_ONE_AT_A_TIME;
+  gboolean by_levels = qn_plan_is_by_levels (plan);
   gtk_widget_set_visible (self->cases, !by_levels);
   gtk_widget_set_visible (GTK_WIDGET (self->count), !by_levels);
   gtk_spin_button_set_value (self->count, count);

@@ -28,6 +28,8 @@ show_failed (QnStudyWindow *self)
   }
   g_autofree char *why = g_strdup (reason != NULL ? reason : "");
   for (guint i = 0; i < self->study.parameters->len; i++) {
+    if (qn_study_parameter (&self->study, i)->paths[0] == NULL)
+      continue;
     char *shorter =
       qn_path_dup_reason (why, qn_study_parameter (&self->study, i)->paths[0]);
     g_free (why);

@@ -23,10 +23,13 @@ qn_study_window_tell (QnStudyWindow *self, const char *text)
 void
 qn_study_window_update_actions (QnStudyWindow *self)
 {
+  int count;
+  gboolean varied = qn_draft_count (self->draft) > 0
+                    || qn_draft_get_plan (self->draft, &count) == QN_PLAN_COMBINATIONS;
   const struct {
     const char *name;
     gboolean enabled;
-  } actions[] = { { "run", self->job == NULL && qn_draft_count (self->draft) > 0 },
+  } actions[] = { { "run", self->job == NULL && varied },
                   { "cancel", self->job != NULL },
                   { "undo", qn_draft_can_undo (self->draft) && self->job == NULL },
                   { "redo", qn_draft_can_redo (self->draft) && self->job == NULL },

@@ -1,17 +1,27 @@
-/* Load cases and their factors. */
+/* Load cases, their factors, and by which code they are combined. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "doc/edit/edit-stage.h"
 #include "doc/text/units.h"
+#include "io/project/combinations.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
+#define PARTIAL(number, id, MEMBER, member)                                              \
+  MEMBER (number, id, N_ ("Change Partial Factor"), QnCombinationRules, member)
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (CASES, "cases", NULL)                                                           \
   FIELD (EMPTY, "empty", NULL)                                                           \
   FIELD (NAME, "name", N_ ("Rename Load Case"))                                          \
   MEMBER (FACTOR, "factor", N_ ("Change Factor"), QnLoadCase, factor)                    \
+  FIELD (ACTION, "action", N_ ("Change Action"))                                         \
   FIELD (ADD, "add", N_ ("Add Load Case"))                                               \
-  FIELD (REMOVE, "remove", N_ ("Remove Load Case"))
+  FIELD (REMOVE, "remove", N_ ("Remove Load Case"))                                      \
+  FIELD (CODE, "code", N_ ("Change Code of Combinations"))                               \
+  PARTIAL (FRICTION, "friction", MEMBER, friction)                                       \
+  PARTIAL (STRENGTH, "strength", MEMBER, strength)                                       \
+  PARTIAL (SEISMIC_FRICTION, "seismic_friction", MEMBER, seismic_friction)               \
+  PARTIAL (SEISMIC_STRENGTH, "seismic_strength", MEMBER, seismic_strength)
 QN_FORM_FIELDS;
 
 static guint
@@ -34,15 +44,50 @@ dup_row (const QnModel *model, gsize index)
     model->load_cases[index].name, factor, loads);
 }
 
+/* Rows of names with one for none before them; the row of `chosen`. */
+static void
+set_names (QnValue *value, const char *none, char **names, const char *chosen)
+{
+  g_auto (GStrv) owned = names;
+  qn_value_add_row (value, none);
+  for (guint i = 0; owned[i] != NULL; i++) {
+    qn_value_add_row (value, owned[i]);
+    value->number = strcmp (owned[i], chosen) == 0 ? i + 1 : value->number;
+  }
+}
+
+static void
+take_name (const QnValue *value, char **names, char *target)
+{
+  g_auto (GStrv) owned = names;
+  const int row = qn_value_int (value);
+  g_strlcpy (target, row > 0 ? owned[row - 1] : "", QN_ACTION_SIZE);
+}
+
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  return field >= CODE ? (gpointer) &model->combinations
+                       : (gpointer) qn_bound_form_item (form, model);
+}
+
 static gboolean
 show (gpointer form, guint field, QnValue *value)
 {
-  const QnLoadCase *shown =
-    qn_bound_form_item (form, qn_canvas_get_model (((QnBoundForm *) form)->canvas));
+  const QnModel *model = qn_canvas_get_model (((QnBoundForm *) form)->canvas);
+  const QnLoadCase *shown = qn_bound_form_item (form, model);
   if (field == NAME && shown != NULL)
     value->text = g_strdup (shown->name);
+  if (field == ACTION && shown != NULL)
+    set_names (value, _ ("the same in all"), qn_combinations_dup_actions (),
+               shown->action);
+  if (field == CODE)
+    set_names (value, _ ("none"), qn_combinations_dup_codes (), model->combinations.code);
   value->disabled = field == REMOVE && shown == NULL;
-  return shown != NULL || field >= ADD;
+  if (field == CODE)
+    return model->load_case_count > 0;
+  return field > CODE ? *model->combinations.code != '\0'
+                      : shown != NULL || field == ADD || field == REMOVE;
 }
 
 static gboolean
@@ -53,17 +98,25 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   switch (field) {
   case NAME:
     return qn_edit_rename_load_case (model, form->selected + 1, value->text, error);
-  case FACTOR:
+  case ACTION:
+    take_name (value, qn_combinations_dup_actions (),
+               model->load_cases[form->selected].action);
+    return TRUE;
+  case CODE:
+    take_name (value, qn_combinations_dup_codes (), model->combinations.code);
     return TRUE;
   case ADD:
     form->wanted = (int) model->load_case_count;
     return qn_edit_add_load_case (model, error);
-  default:
+  case REMOVE:
     return qn_edit_delete_load_case (model, form->selected + 1, error);
+  default:
+    return TRUE;
   }
 }
 
 static const QnFormList list =
   QN_FORM_LIST (CASES, EMPTY, load_cases, load_case_count, dup_row, FALSE, 0);
 
-const QnFormKind qn_case_form = QN_FORM_KIND ("case-form", QnBoundForm, .list = &list);
+const QnFormKind qn_case_form =
+  QN_FORM_KIND ("case-form", QnBoundForm, .list = &list, .subject = subject);

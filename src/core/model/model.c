@@ -13,6 +13,7 @@ qn_model_init (QnModel *model)
   *model = (QnModel){
     .gravity = 9.81,
     .contact = { .law = QN_NONE, .tolerance = 1e-6 },
+    .combinations = { "", 1, 1, 1, 1 },
     .analysis = { .procedure = QN_PROCEDURE_LOAD,
                   .geometry = QN_GEOMETRY_LINEAR,
                   .snap = QN_SNAP_THROUGH_JUMP,

@@ -40,6 +40,7 @@
 
 /* Most load cases, and most stretches of edges that the loads on them are resolved into. */
 #define QN_MAX_LOAD_CASES  1000
+#define QN_ACTION_SIZE     24
 #define QN_MAX_EDGE_FORCES 500000
 
 /* Most stages of one analysis. */
@@ -198,9 +199,18 @@ typedef struct QnLoad {
 
 /* Loads of one origin, which a factor multiplies: permanent, traffic, … */
 typedef struct QnLoadCase {
-  char *name;    /* owned, unique among cases */
-  double factor; /* >= 0 */
+  char *name;                  /* owned, unique among cases */
+  double factor;               /* >= 0 */
+  char action[QN_ACTION_SIZE]; /* what a code combines it as; "": the same in all
+                                  combinations. The layers above know the names */
 } QnLoadCase;
+
+/* By which code load cases are combined, and what strengths are divided by. */
+typedef struct QnCombinationRules {
+  char code[QN_ACTION_SIZE]; /* "": none */
+  double friction, strength; /* > 0: of coefficients of friction, of bonds and crushing */
+  double seismic_friction, seismic_strength; /* the same with seismic actions */
+} QnCombinationRules;
 
 /* A stretch of an edge that carries a load of one direction, linear along it and nowhere of the
  * other sign. Its resultant acts at one point of the rigid block: Q = L (q0 + q1) / 2 at the part
@@ -347,6 +357,7 @@ typedef struct QnModel {
   size_t load_set_count, load_set_capacity;
   QnLoadCase *load_cases;
   size_t load_case_count, load_case_capacity;
+  QnCombinationRules combinations;
   QnEdgeForce *edge_forces; /* derived, load by load */
   size_t edge_force_count, edge_force_capacity;
   QnStage *stages; /* none: the live loads in one go */

@@ -50,6 +50,11 @@ bool qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits uni
 void qn_report_write_certificate (QnPages *pages, const QnReport *report);
 bool qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **error);
 
+/* ---- report-combinations.c ---- */
+
+/* Every combination of load cases, analysed; nothing where the project has no code for them. */
+void qn_report_write_combinations (QnPages *pages, const QnReport *report);
+
 /* ---- report-mechanism.c ---- */
 
 /* The kinematic check of a result's mechanism; nothing where the project does not ask for it. */

@@ -1,5 +1,6 @@
 /* The loads: constant, growing, and of sets with names. */
 #include "core/base/integer.h"
+#include "io/project/combinations.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-names.h"
@@ -260,6 +261,58 @@ read_load_sets (const QnJsonValue *loads, QnModel *model)
   return TRUE;
 }
 
+/* One of some names, into an array of QN_ACTION_SIZE. */
+static gboolean
+read_choice (const QnJsonValue *object, const char *key, char **names, char *target)
+{
+  const char *name = NULL;
+  QnJsonValue place = qn_json_value_member (object, key);
+  g_auto (GStrv) known = names;
+  if (!qn_member_string (object, key, QN_OPTIONAL, &name))
+    return FALSE;
+  if (name != NULL && !g_strv_contains ((const char *const *) known, name)) {
+    g_autofree char *all = g_strjoinv (", ", known);
+    return qn_json_value_failf (&place, _ ("is none of %s"), all);
+  }
+  g_strlcpy (target, name != NULL ? name : "", QN_ACTION_SIZE);
+  return TRUE;
+}
+
+/* A factor, or an object with a factor and an action. */
+static gboolean
+read_load_case (const QnJsonValue *place, QnLoadCase *target)
+{
+  static const QnMember members[] = {
+    QN_NUMBER ("factor", OPTIONAL, NOT_NEGATIVE, QnLoadCase, factor),
+    QN_KNOWN ("action"),
+    { 0 },
+  };
+  if (!cJSON_IsObject (place->json))
+    return qn_json_value_number (place, QN_RANGE_NOT_NEGATIVE, &target->factor);
+  return qn_members_read (place, members, NULL, target)
+         && read_choice (place, "action", qn_combinations_dup_actions (), target->action);
+}
+
+static const QnMember combination_members[] = {
+  QN_KNOWN ("code"),
+  QN_NUMBER ("friction", OPTIONAL, POSITIVE, QnCombinationRules, friction),
+  QN_NUMBER ("strength", OPTIONAL, POSITIVE, QnCombinationRules, strength),
+  QN_NUMBER ("seismic_friction", OPTIONAL, POSITIVE, QnCombinationRules,
+             seismic_friction),
+  QN_NUMBER ("seismic_strength", OPTIONAL, POSITIVE, QnCombinationRules,
+             seismic_strength),
+  { 0 },
+};
+
+static gboolean
+read_combinations (const QnJsonValue *loads, QnCombinationRules *rules)
+{
+  QnJsonValue place = qn_json_value_member (loads, "combinations");
+  return place.json == NULL
+         || (qn_members_read (&place, combination_members, NULL, rules)
+             && read_choice (&place, "code", qn_combinations_dup_codes (), rules->code));
+}
+
 /* Factors by the names of the cases. */
 static gboolean
 read_load_cases (const QnJsonValue *loads, QnModel *model)
@@ -277,8 +330,7 @@ read_load_cases (const QnJsonValue *loads, QnModel *model)
     int32_t added = qn_model_add_load_case (model, item->string);
     if (added == QN_NONE)
       return qn_json_value_no_memory (&place);
-    if (!qn_json_value_number (&place, QN_RANGE_NOT_NEGATIVE,
-                               &model->load_cases[added - 1].factor))
+    if (!read_load_case (&place, &model->load_cases[added - 1]))
       return FALSE;
   }
   return TRUE;
@@ -287,13 +339,14 @@ read_load_cases (const QnJsonValue *loads, QnModel *model)
 gboolean
 qn_read_loads (const QnJsonValue *root, QnModel *model)
 {
-  static const char *const keys[] = { "cases", "dead", "live", "sets" };
+  static const char *const keys[] = { "cases", "combinations", "dead", "live", "sets" };
   QnJsonValue loads = qn_json_value_member (root, "loads");
   if (loads.json == NULL)
     return TRUE;
   return qn_json_value_object (&loads)
          && qn_json_value_check_keys (&loads, keys, G_N_ELEMENTS (keys))
          && read_load_cases (&loads, model)
+         && read_combinations (&loads, &model->combinations)
          && read_load_list (&loads, "dead", 0, model, qn_model_add_dead_load)
          && read_load_list (&loads, "live", 0, model, qn_model_add_live_load)
          && read_load_sets (&loads, model);
@@ -367,6 +420,33 @@ append_load_list (GString *json, const QnModel *model, const char *key,
   g_string_append (json, any ? " ]" : "]");
 }
 
+static void
+append_load_case (GString *json, const QnLoadCase *load_case)
+{
+  if (*load_case->action == '\0') {
+    qn_json_put_number (json, load_case->name, load_case->factor);
+    return;
+  }
+  qn_json_begin_member (json, load_case->name);
+  g_string_append_c (json, '{');
+  qn_json_put_unusual (json, "factor", load_case->factor, 1);
+  qn_json_put_string (json, "action", load_case->action);
+  g_string_append (json, " }");
+}
+
+static void
+append_combinations (GString *json, const QnCombinationRules *rules)
+{
+  const QnCombinationRules usual = { "", 1, 1, 1, 1 };
+  if (memcmp (rules, &usual, sizeof usual) == 0)
+    return;
+  g_string_append (json, "    \"combinations\": {");
+  if (*rules->code != '\0')
+    qn_json_put_string (json, "code", rules->code);
+  qn_members_write (json, combination_members, NULL, rules, &usual);
+  g_string_append (json, " },\n");
+}
+
 void
 qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner)
 {
@@ -374,10 +454,11 @@ qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner)
   for (size_t i = 0; i < model->load_case_count; i++) {
     if (i == 0)
       g_string_append (json, "    \"cases\": {");
-    qn_json_put_number (json, model->load_cases[i].name, model->load_cases[i].factor);
+    append_load_case (json, &model->load_cases[i]);
     if (i + 1 == model->load_case_count)
       g_string_append (json, " },\n");
   }
+  append_combinations (json, &model->combinations);
   append_load_list (json, model, "dead", model->dead_loads, model->dead_load_count, 0,
                     "    ", inner);
   g_string_append (json, ",\n");

@@ -43,7 +43,7 @@ qn_case_result_fail (QnCaseResult *result, const char *reason)
 }
 
 /* "path=value" for every path of every parameter, NULL-terminated. Moving loads find their
- * blocks in `model` (nullable: they stay where the project has them). */
+ * blocks, and combinations what they multiply, in `model` (nullable: they are left out). */
 static char **
 dup_overrides (const QnStudy *study, const double *values, const QnModel *model)
 {
@@ -65,21 +65,28 @@ dup_overrides (const QnStudy *study, const double *values, const QnModel *model)
     for (char **path = parameter->paths; *path != NULL; path++)
       g_ptr_array_add (overrides, g_strconcat (*path, "=", number, NULL));
   }
+  if (study->combinations != NULL && model != NULL) {
+    gsize index = (gsize) values[study->parameters->len - 1] - 1;
+    qn_combination_add_overrides (study->combinations->pdata[index], model, overrides);
+  }
   g_ptr_array_add (overrides, NULL);
   return (char **) g_ptr_array_free (overrides, FALSE);
 }
 
+/* Whether what a case overrides depends on its other parameters. */
 static gboolean
-has_moving_load (const QnStudy *study)
+is_read_twice (const QnStudy *study)
 {
+  if (study->combinations != NULL)
+    return TRUE;
   for (guint i = 0; i < study->parameters->len; i++)
     if (qn_study_parameter (study, i)->line != NULL)
       return TRUE;
   return FALSE;
 }
 
-/* The project with the values of a case. Where a load moves it is read twice: which block the load
- * stands on depends on the other parameters. */
+/* The project with the values of a case: which block a moving load stands on, and what a combination
+ * multiplies, depends on the other parameters. */
 static gboolean
 parse (const QnStudy *study, const double *values, QnProject *project, GError **error)
 {
@@ -88,7 +95,7 @@ parse (const QnStudy *study, const double *values, QnProject *project, GError **
   if (!qn_project_parse (base->text, base->text_length, base->name,
                          (const char *const *) overrides, project, error))
     return FALSE;
-  if (!has_moving_load (study))
+  if (!is_read_twice (study))
     return TRUE;
   g_auto (GStrv) moved = dup_overrides (study, values, &project->model);
   qn_project_clear (project);

@@ -432,19 +432,13 @@ qn_draft_set_kind (QnDraft *draft, guint index, QnDraftKind kind)
   qn_draft_set_values (draft, index, kind, first, second, old.levels);
 }
 
-static gboolean
-is_by_levels (QnPlanKind kind)
-{
-  return kind == QN_PLAN_GRID || kind == QN_PLAN_ONE_AT_A_TIME;
-}
-
 void
 qn_draft_set_values (QnDraft *draft, guint index, QnDraftKind kind, double first,
                      double second, int levels)
 {
   cJSON *item = parameter (draft, index);
   int count;
-  gboolean needed = is_by_levels (qn_draft_get_plan (draft, &count));
+  gboolean needed = qn_plan_is_by_levels (qn_draft_get_plan (draft, &count));
   static const char *const given[] = { "distribution", "values",  "range", "along",
                                        "steps",        "offsets", "levels" };
   for (gsize i = 0; i < G_N_ELEMENTS (given); i++)
@@ -490,11 +484,11 @@ qn_draft_set_plan (QnDraft *draft, QnPlanKind kind, int count)
 {
   cJSON *plan = member (draft, "plan");
   set (plan, "kind", cJSON_CreateString (qn_plan_kind_names[kind]));
-  if (is_by_levels (kind))
+  if (qn_plan_is_by_levels (kind))
     cJSON_DeleteItemFromObjectCaseSensitive (plan, "count");
   else
     set (plan, "count", cJSON_CreateNumber (count > 0 ? count : USUAL_COUNT));
-  for (guint i = 0; is_by_levels (kind) && i < qn_draft_count (draft); i++) {
+  for (guint i = 0; qn_plan_is_by_levels (kind) && i < qn_draft_count (draft); i++) {
     cJSON *item = parameter (draft, i);
     if (cJSON_HasObjectItem (item, "distribution")
         && !cJSON_HasObjectItem (item, "levels"))

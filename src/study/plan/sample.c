@@ -134,6 +134,7 @@ qn_sample_init (QnSample *sample, const QnStudy *study)
   sample->values = g_new (double, sample->count * sample->width);
   switch (study->plan) {
   case QN_PLAN_GRID:
+  case QN_PLAN_COMBINATIONS:
     fill_grid (sample, study);
     return;
   case QN_PLAN_ONE_AT_A_TIME:

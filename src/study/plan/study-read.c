@@ -417,10 +417,38 @@ read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
          && (parameter->line == NULL || check_axles (place, study, parameter));
 }
 
+/* The last parameter of a plan of combinations: their numbers, from 1. */
+static gboolean
+add_combinations (const QnJsonValue *root, QnStudy *study)
+{
+  GError *error = NULL;
+  QnParameter parameter = { .name = g_strdup ("combination"),
+                            .paths = g_new0 (char *, 1),
+                            .base = NAN };
+  study->combinations = qn_combinations_make (&study->project, &error);
+  if (study->combinations == NULL) {
+    QnJsonValue plan = qn_json_value_member (root, "plan");
+    qn_json_value_fail (&plan, error->message);
+    g_error_free (error);
+  }
+  gsize count = study->combinations != NULL ? study->combinations->len : 1;
+  g_autofree double *numbers = g_new (double, count);
+  for (gsize i = 0; i < count; i++)
+    numbers[i] = (double) i + 1;
+  qn_distribution_set_values (&parameter.distribution, numbers, NULL, count);
+  g_array_append_val (study->parameters, parameter);
+  return study->combinations != NULL && check_name (root, parameter.name, study);
+}
+
 static gboolean
 read_parameters (const QnJsonValue *root, QnStudy *study)
 {
   QnJsonValue list = qn_json_value_member (root, "parameters");
+  const cJSON *plan = qn_json_value_member (root, "plan").json;
+  const char *kind = cJSON_GetStringValue (cJSON_GetObjectItem (plan, "kind"));
+  gboolean combined = g_strcmp0 (kind, qn_plan_kind_names[QN_PLAN_COMBINATIONS]) == 0;
+  if (combined && (list.json == NULL || cJSON_GetArraySize (list.json) == 0))
+    return add_combinations (root, study);
   if (!qn_json_value_array (&list))
     return FALSE;
   if (cJSON_GetArraySize (list.json) < 1
@@ -438,7 +466,7 @@ read_parameters (const QnJsonValue *root, QnStudy *study)
     ok = read_parameter (&element, study, document);
   }
   cJSON_Delete (document);
-  return ok;
+  return ok && (!combined || add_combinations (root, study));
 }
 
 static gboolean
@@ -511,7 +539,7 @@ static gboolean
 check_levels (const QnJsonValue *root, const QnStudy *study)
 {
   QnJsonValue list = qn_json_value_member (root, "parameters");
-  for (guint i = 0; i < study->parameters->len; i++) {
+  for (guint i = 0; i < study->parameters->len - (study->combinations != NULL); i++) {
     const QnParameter *parameter = qn_study_parameter (study, i);
     QnJsonValue element =
       qn_json_value_element (&list, i, cJSON_GetArrayItem (list.json, (int) i));
@@ -542,7 +570,7 @@ read_plan (const QnJsonValue *root, QnStudy *study)
                             &kind))
     return FALSE;
   qn_json_value_check_keys (&plan, keys, G_N_ELEMENTS (keys));
-  gboolean levels = kind == QN_PLAN_GRID || kind == QN_PLAN_ONE_AT_A_TIME;
+  gboolean levels = qn_plan_is_by_levels (kind);
   study->plan = kind;
   if (!qn_member_count (&plan, "count", levels ? QN_OPTIONAL : QN_REQUIRED,
                         QN_STUDY_MAX_CASES, &count)

@@ -21,7 +21,15 @@ const char *const qn_plan_kind_names[QN_PLAN_COUNT] = {
   [QN_PLAN_MONTE_CARLO] = "monte-carlo",
   [QN_PLAN_LATIN_HYPERCUBE] = "latin-hypercube",
   [QN_PLAN_SOBOL] = "sobol",
+  [QN_PLAN_COMBINATIONS] = "combinations",
 };
+
+gboolean
+qn_plan_is_by_levels (QnPlanKind kind)
+{
+  return kind == QN_PLAN_GRID || kind == QN_PLAN_ONE_AT_A_TIME
+         || kind == QN_PLAN_COMBINATIONS;
+}
 
 const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
   [QN_STUDY_COLLAPSE_MULTIPLIER] = "collapse_multiplier",
@@ -106,14 +114,14 @@ qn_parameter_level (const QnParameter *parameter, gsize level)
 gsize
 qn_study_case_count (const QnStudy *study)
 {
-  gsize count = study->plan == QN_PLAN_GRID, width = study->parameters->len;
+  gsize count = 1, width = study->parameters->len;
   switch (study->plan) {
   case QN_PLAN_GRID:
+  case QN_PLAN_COMBINATIONS:
     for (gsize i = 0; i < width && count <= QN_STUDY_MAX_CASES; i++)
       count *= qn_parameter_level_count (qn_study_parameter (study, i));
     break;
   case QN_PLAN_ONE_AT_A_TIME:
-    count = 1;
     for (gsize i = 0; i < width; i++)
       count += qn_parameter_level_count (qn_study_parameter (study, i));
     break;
@@ -128,6 +136,15 @@ qn_study_case_count (const QnStudy *study)
     g_assert_not_reached ();
   }
   return MIN (count, QN_STUDY_MAX_CASES + 1);
+}
+
+const char *
+qn_study_combination_name (const QnStudy *study, gsize parameter, double value)
+{
+  if (study->combinations == NULL || parameter + 1 != study->parameters->len
+      || !(value >= 1 && value <= study->combinations->len))
+    return NULL;
+  return ((QnCombination *) study->combinations->pdata[(gsize) value - 1])->name;
 }
 
 static void
@@ -164,6 +181,7 @@ qn_study_clear (QnStudy *study)
   qn_project_clear (&study->project);
   g_clear_pointer (&study->parameters, g_array_unref);
   g_clear_pointer (&study->outputs, g_array_unref);
+  g_clear_pointer (&study->combinations, g_ptr_array_unref);
   g_clear_pointer (&study->warnings, g_ptr_array_unref);
   *study = (QnStudy){ 0 };
 }

@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "io/project/project.h"
+#include "io/project/combinations.h"
 #include "study/plan/distribution.h"
 
 /* Most cases of a plan, most parameters, and most values of one parameter. */
@@ -31,6 +31,7 @@ typedef enum {
   QN_PLAN_MONTE_CARLO,     /* independent points */
   QN_PLAN_LATIN_HYPERCUBE, /* one point in each of `count` layers of every parameter */
   QN_PLAN_SOBOL,           /* Saltelli's plan on a Sobol sequence, for Sobol indices */
+  QN_PLAN_COMBINATIONS, /* a grid with the combinations of load cases as its last parameter */
   QN_PLAN_COUNT
 } QnPlanKind;
 
@@ -68,7 +69,8 @@ typedef enum {
  * other at their offsets; those that are not on the line carry nothing. */
 typedef struct QnParameter {
   char *name;   /* owned */
-  char **paths; /* owned: what is set in the project, all to the same value */
+  char **paths; /* owned: what is set in the project, all to the same value; none of
+                   that of the combinations */
   QnVec2 *line; /* owned; NULL: a plain number */
   guint line_count;
   double *offsets; /* owned, of a line: how far each path is behind the first, m */
@@ -90,7 +92,8 @@ typedef struct QnStudy {
   char *folder;      /* where it lies, with the records of ground motions that it names */
 
   QnStudyRun run;
-  GArray *parameters;  /* of QnParameter */
+  GArray *parameters;      /* of QnParameter */
+  GPtrArray *combinations; /* of QnCombination, of that plan; NULL: none */
   double *correlation; /* of ranks: square matrix of the parameters; NULL: independent */
   QnPlanKind plan;
   guint count; /* of random plans: points; sobol: of the base sample */
@@ -104,6 +107,9 @@ typedef struct QnStudy {
 extern const char *const qn_study_run_names[QN_STUDY_RUN_COUNT];
 extern const char *const qn_plan_kind_names[QN_PLAN_COUNT];
 extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
+
+/* Whether a plan is made of the levels of its parameters, not of random points. */
+gboolean qn_plan_is_by_levels (QnPlanKind kind);
 
 /* What a kind of run overrides in the project; NULL: nothing. */
 const char *qn_study_run_override (QnStudyRun run);
@@ -141,6 +147,10 @@ gsize qn_study_case_count (const QnStudy *study);
  * equal shares. */
 gsize qn_parameter_level_count (const QnParameter *parameter);
 double qn_parameter_level (const QnParameter *parameter, gsize level);
+
+/* The name of the combination that a value of a parameter stands for; NULL: it is a number. */
+const char *qn_study_combination_name (const QnStudy *study, gsize parameter,
+                                       double value);
 
 static inline const QnParameter *
 qn_study_parameter (const QnStudy *study, gsize index)

@@ -9,8 +9,7 @@
 gboolean
 qn_table_is_sample (const QnTable *table)
 {
-  return table->study->plan != QN_PLAN_GRID
-         && table->study->plan != QN_PLAN_ONE_AT_A_TIME;
+  return !qn_plan_is_by_levels (table->study->plan);
 }
 
 /* Of a plan "sobol" the points a and b are independent, the others are mixed from them. */

@@ -380,7 +380,7 @@ draw_surface (const Page *page)
     count += isfinite (z[count]) != 0;
   }
   plot->bar_title = output_name (page, page->figure->column);
-  if (table->study->plan == QN_PLAN_GRID && count > 0)
+  if (qn_plan_is_by_levels (table->study->plan) && count > 0)
     add_cells (plot, x, y, z, count);
   else
     qn_plot_mark (plot, QN_MARKS_POINTS, NULL, 0, x, y, count)->values = z;
@@ -424,9 +424,10 @@ draw_envelope (const Page *page)
   char number[QN_NUMBER_TEXT_SIZE], place[QN_NUMBER_TEXT_SIZE];
   g_ascii_formatd (number, sizeof number, "%.5g", low[least]);
   g_ascii_formatd (place, sizeof place, "%.4g", at[least]);
-  char *label =
-    qn_plot_keep (plot, g_strdup_printf (_ ("least: %s at %s"), number, place));
-  QnMarks line = { .kind = QN_MARKS_LINE,
+  const char *name = qn_study_combination_name (table->study, parameter, at[least]);
+  char *label = qn_plot_keep (
+    plot, g_strdup_printf (_ ("least: %s at %s"), number, name != NULL ? name : place));
+  QnMarks line = { .kind = name != NULL ? QN_MARKS_POINTS : QN_MARKS_LINE,
                    .label = wide ? _ ("least value") : NULL,
                    .x = at,
                    .y = low,

@@ -105,6 +105,45 @@ append_effects (GString *text, const QnTable *table, gsize column)
   }
 }
 
+/* The least of all at every combination, and of these the worst. One whose dead load does not stand is
+ * worse than any with a value. */
+static void
+append_combinations (GString *text, const QnTable *table, gsize column)
+{
+  const gsize parameter = table->parameters - 1;
+  const guint count = table->study->combinations->len;
+  g_autofree double *least = g_new (double, count);
+  g_autofree const QnRow **rows = g_new0 (const QnRow *, count);
+  gsize worst = 0;
+  for (guint i = 0; i < count; i++)
+    least[i] = INFINITY;
+  for (gsize i = 0; i < table->rows->len; i++) {
+    const QnRow *row = &g_array_index (table->rows, QnRow, i);
+    gsize at = (gsize) qn_table_number (table, i, parameter) - 1;
+    double value = qn_table_number (table, i, column);
+    value = row->failed || g_strcmp0 (row->outcome, "dead-load-unstable") == 0 ? -INFINITY
+            : isnan (value)                                                    ? INFINITY
+                                                                               : value;
+    if (rows[at] == NULL || value < least[at]) {
+      least[at] = value;
+      rows[at] = row;
+    }
+    worst = least[at] < least[worst] ? at : worst;
+  }
+  for (guint i = 0; i < count; i++) {
+    const char *name = qn_study_combination_name (table->study, parameter, i + 1);
+    char number[32] = "–";
+    if (isfinite (least[i]))
+      g_snprintf (number, sizeof number, "%.6g", least[i]);
+    qn_text_append (text, "  %4u  %10s  %s%s%s\n", i + 1,
+                    rows[i] == NULL || isfinite (least[i]) ? number
+                    : rows[i]->failed                      ? "failed"
+                                                           : rows[i]->outcome,
+                    name, i == worst && least[i] < INFINITY ? "  " : "",
+                    i == worst && least[i] < INFINITY ? _ ("← least") : "");
+  }
+}
+
 static void
 append_output (GString *text, const QnTable *table, gsize column)
 {
@@ -116,6 +155,9 @@ append_output (GString *text, const QnTable *table, gsize column)
   qn_text_append (
     text, g_dngettext (GETTEXT_PACKAGE, "%s: %zu value\n", "%s: %zu values\n", count),
     name, count);
+  if (table->study->combinations != NULL
+      && qn_table_fragility_text (table, column) != NULL)
+    append_combinations (text, table, column);
   if (count == 0)
     return;
   if (!qn_table_is_sample (table)) {

@@ -196,6 +196,9 @@ qn_table_write (const QnTable *table, const char *path, GError **error)
           && qn_study_output (table->study, k - table->parameters)
                == QN_STUDY_MECHANISM_KIND)
         write_text (writer, row->mechanism);
+      else if (k < table->parameters
+               && qn_study_combination_name (table->study, k, number) != NULL)
+        write_text (writer, qn_study_combination_name (table->study, k, number));
       else if (!isnan (number))
         qn_file_writer_number (writer, number);
     }

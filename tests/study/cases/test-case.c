@@ -170,8 +170,69 @@ test_work (void)
   g_assert_nonnull (strstr (result.reason, "factorizations"));
 }
 
+/* A study of the combinations of an example, with more keys of the project file varied. */
+static void
+read_combinations (QnStudy *study, const char *folder, const char *parameters)
+{
+  g_autoptr (GError) error = NULL;
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": "
+    "\"%s/50-wall-in-combinations.quoin\", \"run\": \"solve\", \"parameters\": [%s], "
+    "\"plan\": { \"kind\": \"combinations\" }, \"outputs\": "
+    "[\"collapse_multiplier\"] }",
+    g_getenv ("QUOIN_EXAMPLES"), parameters);
+  fixture_read (folder, text, study, &error);
+  g_assert_no_error (error);
+}
+
+/* The wall overturns about the corner that the live load pushes it to, or slides: moments and forces by
+ * hand, of every combination. Without live load it stands. */
+static double
+by_hand (const QnCombination *combination, double friction)
+{
+  const double *f = combination->factors; /* self, floor, people, left, right, quake */
+  double weight = f[0] * 18000 * 0.6 * 3 + f[1] * 10000 + f[2] * 8000;
+  double push = f[3] * 2400 - f[4] * 2400 + f[5] * (3240 + 1240);
+  double moment = f[3] * 3600 - f[4] * 3600 + f[5] * (3240 * 1.5 + 1240 * 3);
+  double arm = push > 0 ? 0.15 : 0.45;
+  double resisting = (weight - f[2] * 8000) * 0.3 + f[2] * 8000 * arm;
+  double sliding = friction / combination->friction * weight / fabs (push);
+  return fmin (resisting / fabs (moment), sliding);
+}
+
+static void
+test_combinations (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_auto (QnStudy) study;
+  guint standing = 0, sliding = 0;
+  read_combinations (
+    &study, folder,
+    "{ \"name\": \"mu\", \"path\": \"laws[0].friction\", \"values\": [0.6, 0.2] }");
+  g_assert_cmpuint (study.combinations->len, ==, 65);
+  g_assert_cmpuint (qn_study_case_count (&study), ==, 130);
+  for (gsize i = 0; i < 130; i++) {
+    const double values[] = { i % 2 == 0 ? 0.6 : 0.2, 1 + (double) (i / 2) };
+    const QnCombination *combination = study.combinations->pdata[i / 2];
+    double hand = by_hand (combination, values[0]);
+    g_auto (QnCaseResult) result;
+    qn_case_solve (&study, values, NULL, NULL, &result);
+    g_assert_cmpstr (result.reason, ==, NULL);
+    standing += isinf (hand);
+    sliding += hand < by_hand (combination, 0.6) - 1e-6;
+    if (isinf (hand))
+      g_assert_cmpstr (result.outcome, ==, "target-reached");
+    else
+      g_assert_cmpfloat_with_epsilon (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] / hand,
+                                      1, 1e-4);
+  }
+  g_assert_cmpuint (standing, ==, 32);
+  g_assert_cmpuint (sliding, >, 10);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/study/case/combinations", test_combinations);
   g_test_add_func ("/study/case/outputs", test_outputs);
   g_test_add_func ("/study/case/failed", test_failed);
   for (gsize i = 0; i < G_N_ELEMENTS (geometries); i++) {

@@ -1,0 +1,112 @@
+/* A page of a report on the combinations of load cases, where the project has a code for them. */
+#include "doc/view/report-parts.h"
+
+#include "core/path/analysis.h"
+#include "doc/text/explain.h"
+#include "io/project/combinations.h"
+#include "render/drawing/text.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+/* The project as one combination, analysed as it says. The multiplier of its live loads, INFINITY where
+ * the combination has none, -INFINITY where there is no equilibrium or no answer: then *why is set. */
+static double
+solve (const QnProject *project, const QnCombination *combination, char **why)
+{
+  g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
+  g_autoptr (GError) error = NULL;
+  QnProject combined;
+  QnContacts contacts = { 0 };
+  QnResult result = { 0 };
+  QnDiag diag = { 0 };
+  double multiplier = -INFINITY;
+  for (char **given = project->overrides; given != NULL && *given != NULL; given++)
+    g_ptr_array_add (overrides, g_strdup (*given));
+  qn_combination_add_overrides (combination, &project->model, overrides);
+  g_ptr_array_add (overrides, NULL);
+  if (!qn_project_parse (project->text, project->text_length, project->name,
+                         (const char *const *) overrides->pdata, &combined, &error)) {
+    *why = g_strdup (error->message);
+    return multiplier;
+  }
+  QnModel *model = &combined.model;
+  model->analysis.bound = QN_BOUND_NEVER;
+  if (qn_contacts_detect (model, &contacts, &diag) != QN_OK
+      || qn_contacts_require_sound (model, &contacts, &diag) != QN_OK
+      || qn_analysis_run (model, &contacts, NULL, NULL, &result, &diag) != QN_OK)
+    *why = qn_explain_diag (model, &diag);
+  else if (result.has_collapse_multiplier)
+    multiplier = result.collapse_multiplier;
+  else if (result.outcome == QN_OUTCOME_TARGET_REACHED
+           && model->analysis.max_multiplier == 0)
+    multiplier = INFINITY;
+  else
+    *why = g_strdup (qn_outcome_names[result.outcome]);
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_project_clear (&combined);
+  return multiplier;
+}
+
+/* The multiplier over the number of the combination. */
+static void
+plot_multipliers (QnPages *pages, const double *multipliers, gsize count)
+{
+  g_autoptr (QnPlot) plot = qn_plot_new (_ ("Combination"), _ ("Collapse multiplier λ"));
+  double *x = qn_plot_keep (plot, g_new (double, 2 * count)), *y = x + count;
+  gsize shown = 0;
+  for (gsize i = 0; i < count; i++) {
+    x[shown] = (double) i + 1;
+    y[shown] = multipliers[i];
+    shown += isfinite (multipliers[i]);
+  }
+  plot->y.from_zero = true;
+  qn_plot_mark (plot, QN_MARKS_POINTS, NULL, 1, x, y, shown);
+  if (shown > 0)
+    qn_pages_plot (pages, plot, 0.25);
+}
+
+void
+qn_report_write_combinations (QnPages *pages, const QnReport *report)
+{
+  enum { COLUMNS = 4 };
+  const QnProject *project = report->project;
+  g_autoptr (GError) error = NULL;
+  if (*project->model.combinations.code == '\0')
+    return;
+  g_autoptr (GPtrArray) list = qn_combinations_make (project, &error);
+  qn_pages_break (pages);
+  qn_pages_heading (pages, _ ("Combinations"));
+  if (list == NULL) {
+    qn_report_say (pages, _ ("Not checked: %s."), error->message);
+    return;
+  }
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  g_autofree double *multipliers = g_new (double, list->len);
+  guint worst = 0;
+  qn_report_row (cells, report->units, "wwww", _ ("No."), _ ("Combination"), _ ("λ"),
+                 _ ("met"));
+  for (guint i = 0; i < list->len; i++) {
+    const QnCombination *combination = list->pdata[i];
+    g_autofree char *why = NULL;
+    multipliers[i] = solve (project, combination, &why);
+    worst = multipliers[i] < multipliers[worst] ? i : worst;
+    qn_report_row (cells, report->units, "zwow", (gsize) i + 1, combination->name,
+                   why != NULL                 ? g_steal_pointer (&why)
+                   : isfinite (multipliers[i]) ? qn_label_number ("%.4g", multipliers[i])
+                                               : g_strdup (_ ("stands")),
+                   multipliers[i] >= 1 ? _ ("yes") : _ ("no"));
+  }
+  g_autofree char *least = isfinite (multipliers[worst])
+                             ? qn_label_number ("%.4g", multipliers[worst])
+                             : g_strdup ("–");
+  qn_report_say (
+    pages,
+    _ ("%u combinations by %s. The multiplier is that of the live loads with "
+       "their factors; a combination is met from 1 on. The worst: %s, λ = %s."),
+    list->len, project->model.combinations.code,
+    ((const QnCombination *) list->pdata[worst])->name, least);
+  plot_multipliers (pages, multipliers, list->len);
+  qn_report_table (pages, cells, COLUMNS);
+}
