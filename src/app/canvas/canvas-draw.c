@@ -3,6 +3,7 @@
 #include "app/canvas/gesture.h"
 #include "app/widgets/settings.h"
 #include "core/base/integer.h"
+#include "core/model/bar.h"
 #include "doc/edit/edit-dynamic.h"
 #include "render/backend/draw-cairo.h"
 #include "render/drawing/paint.h"
@@ -234,8 +235,13 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr)
     trace_line (self, cr, model->nodes[ends[0]].at, model->nodes[ends[1]].at);
   }
   QnId bar = qn_selection_get_item (selection, QN_ITEM_BAR);
-  if (bar != QN_NONE && (gsize) bar < model->bar_count)
-    trace_line (self, cr, model->bars[bar].start, model->bars[bar].end);
+  for (gsize i = 0; bar != QN_NONE && (gsize) bar < model->bar_count
+                    && i < qn_bar_line_count (&model->bars[bar]);
+       i++) {
+    QnVec2 line_ends[2];
+    qn_bar_line (&model->bars[bar], i, line_ends);
+    trace_line (self, cr, line_ends[0], line_ends[1]);
+  }
   QnId tie = qn_selection_get_item (selection, QN_ITEM_TIE);
   if (tie != QN_NONE && (gsize) tie < model->tie_count)
     trace_line (self, cr, model->ties[tie].ends[0].at, model->ties[tie].ends[1].at);

@@ -4,8 +4,10 @@
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-bar.h"
+#include "doc/text/law-points.h"
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 /* Diameters are shown in whole micrometres: areas are given, not they. */
 #define SHOWN 1e6
@@ -21,6 +23,9 @@
   MEMBER (START_Y, "start_y", CHANGE, QnBar, start.y)                                    \
   MEMBER (END_X, "end_x", CHANGE, QnBar, end.x)                                          \
   MEMBER (END_Y, "end_y", CHANGE, QnBar, end.y)                                          \
+  MEMBER (SPACING_X, "spacing_x", CHANGE, QnBar, spacing.x)                              \
+  MEMBER (SPACING_Y, "spacing_y", CHANGE, QnBar, spacing.y)                              \
+  FIELD (VIA, "via", CHANGE)                                                             \
   FIELD (ADD, "add", N_ ("Add Bar"))                                                     \
   FIELD (DUPLICATE, "duplicate", N_ ("Duplicate Bar"))                                   \
   FIELD (REMOVE, "remove", N_ ("Remove Bar"))
@@ -46,6 +51,24 @@ show (gpointer data, guint field, QnValue *value)
     qn_value_set_laws (value, model, NULL, bar->law);
   else if (field == DIAMETER)
     value->number = round (qn_bar_get_diameter (bar->area) * SHOWN) / SHOWN;
+  else if (field == VIA)
+    value->text = qn_law_points_dup_text (bar->via, bar->via_count);
+  return TRUE;
+}
+
+/* Corners between start and end; none where the text is empty. */
+static gboolean
+take_corners (QnBar *bar, const char *text, GError **error)
+{
+  QnVec2 points[QN_MAX_CURVE_POINTS];
+  int32_t count = 0;
+  if (text != NULL && *text != '\0'
+      && (!qn_law_points_parse (text, points, &count) || count > QN_MAX_BAR_CORNERS))
+    return qn_edit_refuse_nothing (error,
+                                   _ ("Corners are pairs of numbers, x and y in m, "
+                                      "a space between them, up to 30"));
+  memcpy (bar->via, points, (gsize) count * sizeof points[0]);
+  bar->via_count = count;
   return TRUE;
 }
 
@@ -61,6 +84,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case DIAMETER:
     model->bars[form->selected].area = qn_bar_get_area (value->number);
     return TRUE;
+  case VIA:
+    return take_corners (&model->bars[form->selected], value->text, error);
   case ADD:
     if (!qn_edit_add_bar (model, qn_canvas_get_selected (form->canvas), error))
       return FALSE;

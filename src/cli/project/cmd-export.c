@@ -43,6 +43,8 @@ write_table (const ExportOptions *options, const QnInput *input, const QnResult 
                                   error);
   if (g_strcmp0 (options->table, "beams") == 0)
     return qn_beams_csv_write (options->output, project, result, error);
+  if (g_strcmp0 (options->table, "bars") == 0)
+    return qn_bars_csv_write (options->output, project, &input->contacts, result, error);
   if (g_strcmp0 (options->table, "ties") == 0)
     return qn_ties_csv_write (options->output, project, result, error);
   return qn_curve_csv_write (options->output, project, result, error);
@@ -108,8 +110,8 @@ load_and_export (const ExportOptions *options, Format format, const char *path)
 static QnExit
 check_options (const QnSubcommand *self, const ExportOptions *options, Format *format)
 {
-  static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
-                                        "ties" };
+  static const char *const tables[] = { "curve", "displacements", "contacts",
+                                        "beams", "bars",          "ties" };
   const char *problem = NULL;
   gsize table = 0;
   while (options->table != NULL && table < G_N_ELEMENTS (tables)
@@ -145,7 +147,8 @@ run_export (const QnSubcommand *self, int argc, char **argv)
     { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &options.scale,
       N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
     { "table", 0, 0, G_OPTION_ARG_STRING, &options.table,
-      N_ ("Table of the CSV file (curve)"), "curve|displacements|contacts|beams|ties" },
+      N_ ("Table of the CSV file (curve)"),
+      "curve|displacements|contacts|beams|bars|ties" },
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };

@@ -49,7 +49,9 @@
   X (LAW_GRID, "law of a grid joins blocks in one direction only: its shear stiffness is twice the right one") \
   X (BAR_BASIS, "a bar needs a law by area: basis surface or material") \
   X (BAR_SHORT, "bar has no length") \
-  X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \
+  X (BAR_END, "bar ends in no block") \
+  X (BAR_TOO_MANY, "a mesh has at most 10,000 bars") \
+  X (BAR_MESH, "a mesh has a rectangle between its corners, and no corners on the way") \
   X (BAR_UNUSED, "bar crosses no contact face") \
   X (TIE_SHORT, "tie has no length") \
   X (TIE_ON_GROUND, "both ends of the tie are on the ground") \

@@ -21,13 +21,10 @@
 
 /* Overlaps up to so many contact tolerances are reported, deeper ones refused. */
 #define QN_NEAR_MISS_OVERLAP 10.0
+
 /* Two springs in series carry the same force to this part of it: four digits above the
  * rounding of double precision, six below the default residual tolerance. */
 #define QN_TOLERANCE_SERIES 1e-12
-
-/* Cosine of the angle between a bar and a face beyond which the bar is no fibre across it any
- * more: one degree, whose square is far below what a section is known to. */
-#define QN_TOLERANCE_OBLIQUE_BAR 0.0175
 
 /* A moment exceeds the plastic one when it does so by this part of it: rounding of a few products. */
 #define QN_TOLERANCE_YIELD 1e-12

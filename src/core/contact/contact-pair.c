@@ -27,8 +27,12 @@ qn_pair_springs (QnSpring a, QnSpring b)
 void
 qn_pair_elastic_stiffness (const QnPairSprings *s, double k[2])
 {
-  k[0] = s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn);
-  k[1] = s->equal ? s->a.ks : 1 / (1 / s->a.ks + 1 / s->b.ks);
+  double kn = s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn);
+  double ks = s->equal ? s->a.ks : 1 / (1 / s->a.ks + 1 / s->b.ks);
+  double part = s->slant * s->slant;
+
+  k[0] = (1 - part) * kn + part * ks;
+  k[1] = (1 - part) * ks + part * kn;
 }
 
 /* Joints touch, slide and open; what else is elastic does not stand in the way of that. */
@@ -113,9 +117,10 @@ take_series (const QnPairSeries *series, QnPairResponse *r)
   r->varies = a->varies || b->varies;
 }
 
-bool
-qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
-                  const double q[2], QnPairResponse *r)
+/* In the frame of the springs. */
+static bool
+evaluate_straight (const QnPairSprings *springs, const QnPairMemory *committed,
+                   const double q[2], QnPairResponse *r)
 {
   if (springs->equal) {
     evaluate_joined (springs, committed, q, r);
@@ -132,6 +137,32 @@ qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
   }
   take_series (&series, r);
   return series.size <= QN_TOLERANCE_SERIES;
+}
+
+bool
+qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
+                  const double q[2], QnPairResponse *r)
+{
+  if (springs->slant == 0)
+    return evaluate_straight (springs, committed, q, r);
+
+  double s = springs->slant, c = sqrt (1 - s * s);
+  const double own[2] = { c * q[0] + s * q[1], c * q[1] - s * q[0] };
+  bool solved = evaluate_straight (springs, committed, own, r);
+  double n = r->force[0], t = r->force[1];
+  double (*k)[2] = r->tangent, rows[2][2];
+
+  r->force[0] = c * n - s * t;
+  r->force[1] = s * n + c * t;
+  for (int j = 0; j < 2; j++) {
+    rows[0][j] = c * k[0][j] - s * k[1][j];
+    rows[1][j] = s * k[0][j] + c * k[1][j];
+  }
+  for (int i = 0; i < 2; i++) {
+    k[i][0] = c * rows[i][0] - s * rows[i][1];
+    k[i][1] = s * rows[i][0] + c * rows[i][1];
+  }
+  return solved;
 }
 
 QnPairSprings

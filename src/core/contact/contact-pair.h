@@ -13,6 +13,9 @@
 typedef struct QnPairSprings {
   QnSpring a, b; /* side of block a, side of block b */
   bool equal;    /* `a` then stands for the whole pair; `b` is as it was given */
+  double
+    slant; /* sine of the angle by which the springs are turned from the pair's frame, from
+                    its normal towards its tangent: of bars; their elongations are along them */
 } QnPairSprings;
 
 /* State of a pair between steps. */

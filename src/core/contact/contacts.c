@@ -1,5 +1,6 @@
 #include "core/contact/contacts.h"
 
+#include "core/contact/contact-bars.h"
 #include "core/contact/contact-loose.h"
 #include "core/contact/contact-neighbours.h"
 #include "core/contact/pair-placement.h"
@@ -133,19 +134,23 @@ qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts, size
   for (int side = 0; side < 2; side++) {
     const QnLaw *law = &model->laws[qn_contacts_pair_law (model, contacts, pair, side)];
     bool by_length = law->basis == QN_BASIS_MATERIAL;
-    double length = by_length ? side_length (model, face, side) : 0;
+    double length =
+      by_length ? side_length (model, face, side) / sqrt (1 - p->slant * p->slant) : 0;
     rigid[side] = by_length && model->blocks[blocks[side]].rigid;
     springs[side] = qn_spring_from_law (law, area, length);
     if (p->found)
       qn_spring_lose_bond (&springs[side]);
+    if (p->bar != QN_NONE)
+      springs[side].ks = QN_BAR_DOWEL * springs[side].kn;
   }
-  if (rigid[0] == rigid[1])
-    return qn_pair_springs (springs[0], springs[1]);
   /* The spring of the side that deforms stands for the whole pair. */
   QnSpring soft = springs[rigid[0] ? 1 : 0];
   QnPairSprings pair_springs = { .a = soft, .b = soft, .equal = true };
-  if (rigid[1])
+  if (rigid[0] == rigid[1])
+    pair_springs = qn_pair_springs (springs[0], springs[1]);
+  else if (rigid[1])
     pair_springs.b.kn = INFINITY;
+  pair_springs.slant = p->slant;
   return pair_springs;
 }
 

@@ -27,8 +27,10 @@ typedef struct QnContactFace {
 
 typedef struct QnContactPair {
   QnId face;
-  QnId bar;         /* into QnModel.bars, or QN_NONE: part of the joint itself */
-  QnVec2 point;     /* where A, B and C coincide in the undeformed state, m */
+  QnId bar;     /* into QnModel.bars, or QN_NONE: part of the joint itself */
+  int32_t line; /* which of the bar's lines, */
+  double slant; /* and the sine of its angle to the face's normal, towards the tangent */
+  QnVec2 point; /* where A, B and C coincide in the undeformed state, m */
   double abscissa;  /* distance of the point from face.start, m */
   double tributary; /* length of the face that the pair stands for, m; times the face's
                        thickness its area, also that of a bar */

@@ -1,8 +1,7 @@
 #include "core/contact/pair-placement.h"
 
-#include "core/base/box-tree.h"
 #include "core/base/memory.h"
-#include "core/base/tolerance.h"
+#include "core/contact/contact-bars.h"
 #include "core/contact/pair-abscissae.h"
 #include "core/model/support.h"
 
@@ -117,108 +116,6 @@ place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag 
   return QN_OK;
 }
 
-/* Where the bar crosses the line of the face, as parts of the bar and of the face. */
-static bool
-crossing (const QnBar *bar, const QnContactFace *face, double *on_bar, double *on_face)
-{
-  QnVec2 along = qn_vec2_sub (bar->end, bar->start);
-  QnVec2 to = qn_vec2_sub (face->start, bar->start);
-  double climb = qn_vec2_dot (along, face->normal);
-
-  if (climb == 0)
-    return false;
-  *on_bar = qn_vec2_dot (to, face->normal) / climb;
-  QnVec2 met = qn_vec2_add_scaled (bar->start, *on_bar, along);
-  *on_face = qn_vec2_dot (qn_vec2_sub (met, face->start), face->tangent) / face->length;
-  return *on_bar > 0 && *on_bar < 1 && *on_face >= 0 && *on_face <= 1;
-}
-
-/* The bars of a model: found by their boxes, since each crosses few of many faces. */
-typedef struct Bars {
-  QnBoxTree tree;
-  QnId *near; /* those at one face, in their own order */
-  bool *used;
-} Bars;
-
-static bool
-bars_init (Bars *bars, const QnModel *model)
-{
-  QnBox *boxes = qn_alloc (model->bar_count, sizeof *boxes);
-  *bars = (Bars){ .near = qn_alloc (model->bar_count, sizeof *bars->near),
-                  .used = qn_alloc (model->bar_count, sizeof *bars->used) };
-  bool room = boxes != NULL && bars->near != NULL && bars->used != NULL;
-
-  for (size_t i = 0; room && i < model->bar_count; i++)
-    boxes[i] = qn_box_of_segment (model->bars[i].start, model->bars[i].end);
-  room = room && qn_box_tree_init (&bars->tree, boxes, model->bar_count);
-  free (boxes);
-  return room;
-}
-
-static void
-bars_clear (Bars *bars)
-{
-  qn_box_tree_clear (&bars->tree);
-  free (bars->near);
-  free (bars->used);
-}
-
-static int
-compare_ids (const void *a, const void *b)
-{
-  return *(const QnId *) a - *(const QnId *) b;
-}
-
-/* How many bars lie near a face. The margin is rounding where one crosses an end of it. */
-static size_t
-find_near (Bars *bars, const QnContactFace *face)
-{
-  QnBox box = qn_box_grow (qn_box_of_segment (face->start, face->end),
-                           QN_TOLERANCE_CONVEX * face->length);
-  QnBoxQuery query = qn_box_tree_query (&bars->tree, box);
-  size_t count = 0;
-
-  for (QnId bar = qn_box_query_next (&query); bar != QN_NONE;
-       bar = qn_box_query_next (&query))
-    bars->near[count++] = bar;
-  qsort (bars->near, count, sizeof *bars->near, compare_ids);
-  return count;
-}
-
-/* Adds the pairs of the bars that cross a face, and marks the bars. */
-static QnStatus
-add_bars (const QnModel *model, QnContacts *contacts, QnId index, Bars *bars,
-          QnDiag *diag)
-{
-  QnContactFace *face = &contacts->faces[index];
-  size_t count = find_near (bars, face);
-
-  for (size_t k = 0; k < count; k++) {
-    const QnId i = bars->near[k];
-    const QnBar *bar = &model->bars[i];
-    QnVec2 along = qn_vec2_sub (bar->end, bar->start);
-    double on_bar, on_face;
-    if (!crossing (bar, face, &on_bar, &on_face))
-      continue;
-    if (fabs (qn_vec2_dot (along, face->tangent))
-        > QN_TOLERANCE_OBLIQUE_BAR * qn_vec2_length (along))
-      return qn_diag_set_field (diag, QN_PROBLEM_BAR_OBLIQUE, QN_ENTITY_BAR, i, NULL, 0);
-    QnStatus status = reserve (contacts, 1, diag);
-    if (status != QN_OK)
-      return status;
-    contacts->pairs[contacts->pair_count++] = (QnContactPair){
-      .face = index,
-      .point = qn_vec2_lerp (face->start, face->end, on_face),
-      .abscissa = on_face * face->length,
-      .tributary = bar->area / face->thickness,
-      .bar = i,
-    };
-    face->pair_count++;
-    bars->used[i] = true;
-  }
-  return QN_OK;
-}
-
 /* Whether the kinds of law of both springs of a pair may soften. */
 static bool
 may_soften (const QnModel *model, const QnContacts *contacts, QnId pair)
@@ -293,7 +190,7 @@ judge_pairs (const QnModel *model, const QnContactFace *face, const QnPairRule *
 /* Everything about the pairs of one face. */
 static QnStatus
 furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
-              const QnFaceOverride *exception, Bars *bars, QnFinding judged[2],
+              const QnFaceOverride *exception, QnBarSearch *bars, QnFinding judged[2],
               QnDiag *diag)
 {
   QnContactFace *face = &contacts->faces[index];
@@ -309,7 +206,7 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   if (status == QN_OK)
     judge_pairs (model, face, &rule, &judged[0], &judged[1]);
   if (status == QN_OK)
-    status = add_bars (model, contacts, (QnId) index, bars, diag);
+    status = qn_bar_search_cross (bars, model, contacts, (QnId) index, diag);
   return status == QN_OK ? check_springs (model, contacts, (QnId) index, diag) : status;
 }
 
@@ -358,28 +255,26 @@ QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   const QnFaceOverride **own = qn_alloc (contacts->face_count, sizeof *own);
-  Bars bars;
+  QnBarSearch bars;
   QnFinding judged[2] = {
     { .problem = QN_PROBLEM_PAIRS_BENDING, .block_a = QN_NONE, .block_b = QN_NONE },
     { .problem = QN_PROBLEM_PAIRS_CRUSHING, .block_a = QN_NONE, .block_b = QN_NONE },
   };
-  bool room =
-    bars_init (&bars, model) && own != NULL && find_exceptions (model, contacts, own);
-  QnStatus status = room ? QN_OK : qn_diag_no_memory (diag);
+  QnStatus status = qn_bar_search_init (&bars, model, diag);
+  if (status == QN_OK && (own == NULL || !find_exceptions (model, contacts, own)))
+    status = qn_diag_no_memory (diag);
 
   contacts->pair_count = 0;
   for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
     status = furnish_face (model, contacts, i, own[i], &bars, judged, diag);
-  for (size_t i = 0; status == QN_OK && i < model->bar_count; i++)
-    if (!bars.used[i])
-      status =
-        qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i, NULL, 0);
+  if (status == QN_OK)
+    status = qn_bar_search_finish (&bars, model, contacts, diag);
   for (size_t i = 0; status == QN_OK && i < QN_N_ELEMENTS (judged); i++)
     if (judged[i].block_a != QN_NONE && !qn_findings_add (&contacts->findings, judged[i]))
       status = qn_diag_no_memory (diag);
   if (status == QN_OK)
     status = judge_arrangements (model, contacts, diag);
   free (own);
-  bars_clear (&bars);
+  qn_bar_search_clear (&bars);
   return status;
 }

@@ -3,6 +3,7 @@
 #include "core/base/polygon.h"
 #include "core/base/require.h"
 #include "core/base/tolerance.h"
+#include "core/model/bar.h"
 
 /* A law by index; QN_NONE is left to the caller. */
 static bool
@@ -106,6 +107,35 @@ check_pairs (const QnPairRule *rule, QnSubject of)
 }
 
 static bool
+check_mesh (const QnBar *bar, QnSubject of)
+{
+  return qn_require (of,
+                     bar->start.x != bar->end.x && bar->start.y != bar->end.y
+                       && bar->via_count == 0,
+                     QN_PROBLEM_BAR_MESH, "end", 0)
+         && qn_require (of, qn_bar_line_count (bar) <= QN_MAX_MESH_BARS,
+                        QN_PROBLEM_BAR_TOO_MANY, "spacing",
+                        fmin (bar->spacing.x, bar->spacing.y));
+}
+
+/* No two of its corners are one. */
+static bool
+check_line (const QnBar *bar, QnSubject of)
+{
+  bool holds = true;
+
+  for (int32_t i = 0; i < bar->via_count && holds; i++)
+    holds = qn_require_vector (of, "via", bar->via[i]);
+  for (size_t i = 0; holds && i < qn_bar_line_count (bar); i++) {
+    QnVec2 ends[2];
+    qn_bar_line (bar, i, ends);
+    holds = qn_require (of, ends[0].x != ends[1].x || ends[0].y != ends[1].y,
+                        QN_PROBLEM_BAR_SHORT, i > 0 ? "via" : "end", 0);
+  }
+  return holds;
+}
+
+static bool
 check_bar (const QnModel *model, QnId index, QnDiag *diag)
 {
   const QnSubject of = { QN_ENTITY_BAR, index, diag };
@@ -118,8 +148,9 @@ check_bar (const QnModel *model, QnId index, QnDiag *diag)
          && qn_require_number (of, "area", bar->area, QN_RANGE_POSITIVE)
          && qn_require_vector (of, "start", bar->start)
          && qn_require_vector (of, "end", bar->end)
-         && qn_require (of, bar->start.x != bar->end.x || bar->start.y != bar->end.y,
-                        QN_PROBLEM_BAR_SHORT, "end", 0);
+         && qn_require_number (of, "spacing", bar->spacing.x, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "spacing", bar->spacing.y, QN_RANGE_NOT_NEGATIVE)
+         && (qn_bar_is_mesh (bar) ? check_mesh (bar, of) : check_line (bar, of));
 }
 
 static bool

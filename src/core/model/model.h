@@ -117,12 +117,21 @@ typedef struct QnPairRule {
   double weights[QN_MAX_EXPLICIT_PAIRS]; /* of it, what each pair stands for; sum 1 */
 } QnPairRule;
 
-/* A reinforcing bar: a straight line that makes a pair of its own, with its own law and
- * section, on every contact face that it crosses. */
+/* Most corners of a bar between its ends, and most bars of a mesh. */
+#define QN_MAX_BAR_CORNERS 30
+#define QN_MAX_MESH_BARS   10000
+
+/* A reinforcing bar: a line that makes a pair of its own, with its own law and section, on every
+ * contact face that it crosses; or a mesh of them (core/model/bar.h). */
 typedef struct QnBar {
   QnId law;
-  double area; /* m2, > 0 */
-  QnVec2 start, end;
+  double area;                    /* of each bar, m2, > 0 */
+  QnVec2 start, end;              /* of a mesh: two opposite corners of its rectangle */
+  QnVec2 via[QN_MAX_BAR_CORNERS]; /* corners on the way; not of a mesh */
+  int32_t via_count;
+  QnVec2
+    spacing; /* of a mesh: of its upright bars and of its level ones, m, >= 0; 0: none
+                     of these, both 0: no mesh */
   int32_t note;
 } QnBar;
 

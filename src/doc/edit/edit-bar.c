@@ -118,6 +118,8 @@ qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error)
   QnVec2 aside =
     qn_vec2_scale (4.0 * qn_bar_get_diameter (added->area) / qn_vec2_length (along),
                    qn_vec2 (-along.y, along.x));
+  for (int32_t i = 0; i < added->via_count; i++)
+    added->via[i] = qn_vec2_add (added->via[i], aside);
   added->start = qn_vec2_add (added->start, aside);
   added->end = qn_vec2_add (added->end, aside);
   return TRUE;
@@ -128,11 +130,15 @@ qn_model_find_bar (const QnModel *model, QnVec2 at, double reach)
 {
   QnId nearest = QN_NONE;
   for (gsize i = 0; i < model->bar_count; i++) {
-    double distance = qn_segment_distance (model->bars[i].start, model->bars[i].end, at);
-    if (distance > reach)
-      continue;
-    reach = distance;
-    nearest = (QnId) i;
+    for (gsize k = 0; k < qn_bar_line_count (&model->bars[i]); k++) {
+      QnVec2 ends[2];
+      qn_bar_line (&model->bars[i], k, ends);
+      double distance = qn_segment_distance (ends[0], ends[1], at);
+      if (distance > reach)
+        continue;
+      reach = distance;
+      nearest = (QnId) i;
+    }
   }
   return nearest;
 }

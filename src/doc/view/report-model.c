@@ -160,7 +160,7 @@ write_bars (QnPages *pages, const QnReport *report)
                  QN_QUANTITY_LENGTH, _ ("Law"));
   for (size_t i = 0; i < model->bar_count; i++) {
     const QnBar *bar = &model->bars[i];
-    double length = qn_vec2_length (qn_vec2_sub (bar->end, bar->start));
+    double length = qn_bar_length (bar);
     qn_report_row (cells, report->units, "znnqw", i + 1, "%.4g",
                    1e3 * qn_bar_get_diameter (bar->area), "%.5g", 1e6 * bar->area,
                    QN_QUANTITY_LENGTH, length, 5, model->laws[bar->law].name);

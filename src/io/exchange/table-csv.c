@@ -1,5 +1,7 @@
 #include "io/exchange/table-csv.h"
 
+#include "core/contact/contact-bars.h"
+#include "core/model/bar.h"
 #include "core/result/curve-motion.h"
 #include "core/result/first-limit.h"
 #include "core/result/result-contact.h"
@@ -318,6 +320,73 @@ qn_ties_csv_write (const char *path, const QnProject *project, const QnResult *r
       write_numbers (writer, tie, G_N_ELEMENTS (tie));
       qn_file_writer_printf (writer, ",%s\n", qn_tie_state_names[ties[i].state]);
     }
+  }
+  return qn_file_writer_commit (writer, error);
+}
+
+/* A crossing of a bar, with how far it is from the bar's start, of a mesh from the start of the line. */
+typedef struct {
+  size_t pair;
+  double along; /* m */
+} Crossing;
+
+static int
+compare_crossings (gconstpointer first, gconstpointer second, gpointer data)
+{
+  const Crossing *a = first, *b = second;
+  const QnContacts *contacts = data;
+  const QnContactPair *x = &contacts->pairs[a->pair], *y = &contacts->pairs[b->pair];
+  if (x->bar != y->bar)
+    return x->bar < y->bar ? -1 : 1;
+  if (x->line != y->line)
+    return x->line < y->line ? -1 : 1;
+  return (a->along > b->along) - (a->along < b->along);
+}
+
+static double
+find_along (const QnBar *bar, const QnContactPair *pair)
+{
+  double along = 0;
+  QnVec2 ends[2];
+  for (int32_t i = 0; i < pair->line && !qn_bar_is_mesh (bar); i++) {
+    qn_bar_line (bar, (size_t) i, ends);
+    along += qn_vec2_length (qn_vec2_sub (ends[1], ends[0]));
+  }
+  qn_bar_line (bar, (size_t) pair->line, ends);
+  return along + qn_vec2_length (qn_vec2_sub (pair->point, ends[0]));
+}
+
+gboolean
+qn_bars_csv_write (const char *path, const QnProject *project, const QnContacts *contacts,
+                   const QnResult *result, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  const QnModel *model = &project->model;
+  g_autoptr (GArray) crossings = g_array_new (FALSE, FALSE, sizeof (Crossing));
+  size_t count = result->step_count > 0 ? contacts->pair_count : 0;
+  for (size_t i = 0; i < count; i++) {
+    const QnContactPair *pair = &contacts->pairs[i];
+    if (pair->bar == QN_NONE)
+      continue;
+    Crossing crossing = { i, find_along (&model->bars[pair->bar], pair) };
+    g_array_append_val (crossings, crossing);
+  }
+  g_array_sort_with_data (crossings, compare_crossings, (gpointer) contacts);
+  qn_file_writer_puts (
+    writer, "bar,line,s [m],x [m],y [m],area [m2],force [N],stress [Pa],state\n");
+  for (guint i = 0; i < crossings->len; i++) {
+    const Crossing *c = &g_array_index (crossings, Crossing, i);
+    const QnContactPair *pair = &contacts->pairs[c->pair];
+    const QnPairResult *forces = &result->pairs[c->pair];
+    double area = pair->tributary * contacts->faces[pair->face].thickness;
+    double force = qn_bar_axial (pair, forces->normal_force, forces->shear_force);
+    const double numbers[] = { c->along, pair->point.x, pair->point.y,
+                               area,     force,         force / area };
+    qn_file_writer_printf (writer, "%d,%d", pair->bar, pair->line);
+    write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
+    qn_file_writer_printf (writer, ",%s\n", qn_pair_state_names[forces->state]);
   }
   return qn_file_writer_commit (writer, error);
 }

@@ -22,6 +22,11 @@ gboolean qn_contacts_csv_write (const char *path, const QnProject *project,
                                 const QnContacts *contacts, const QnResult *result,
                                 GError **error);
 
+/* The crossings of all bars at the last equilibrium, along each: force, stress, state. */
+gboolean qn_bars_csv_write (const char *path, const QnProject *project,
+                            const QnContacts *contacts, const QnResult *result,
+                            GError **error);
+
 /* Ties at every step that tells them. */
 gboolean qn_ties_csv_write (const char *path, const QnProject *project,
                             const QnResult *result, GError **error);

@@ -36,6 +36,8 @@ static const QnMember bar_members[] = {
   QN_NUMBER ("area", REQUIRED, POSITIVE, QnBar, area),
   QN_TWO ("start", REQUIRED, QnBar, start),
   QN_TWO ("end", REQUIRED, QnBar, end),
+  QN_KNOWN ("via"),
+  QN_TWO ("spacing", OPTIONAL, QnBar, spacing),
   { 0 },
 };
 
@@ -167,8 +169,18 @@ static gboolean
 read_bar (const QnJsonValue *place, QnModel *model)
 {
   QnBar *bar = qn_model_add_bar (model);
-  return bar != NULL ? qn_members_read (place, bar_members, model, bar)
-                     : qn_json_value_no_memory (place);
+  if (bar == NULL)
+    return qn_json_value_no_memory (place);
+  QnJsonValue via, corner = { 0 };
+  if (!qn_members_read (place, bar_members, model, bar)
+      || !qn_member_array (place, "via", QN_OPTIONAL, &via))
+    return FALSE;
+  if (via.json != NULL && cJSON_GetArraySize (via.json) > QN_MAX_BAR_CORNERS)
+    return qn_json_value_fail (&via, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
+  while (via.json != NULL && qn_json_value_next (&via, &corner))
+    if (!qn_json_value_vec2 (&corner, &bar->via[bar->via_count++]))
+      return FALSE;
+  return TRUE;
 }
 
 gboolean
@@ -231,8 +243,12 @@ qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inne
 static int32_t
 append_bar (GString *json, const QnModel *model, size_t index)
 {
-  qn_members_write (json, bar_members, model, &model->bars[index], NULL);
-  return model->bars[index].note;
+  static const QnBar usual = { 0 };
+  const QnBar *bar = &model->bars[index];
+  qn_members_write (json, bar_members, model, bar, &usual);
+  if (bar->via_count > 0)
+    qn_json_put_points (json, "via", bar->via, (gsize) bar->via_count);
+  return bar->note;
 }
 
 void

@@ -128,6 +128,7 @@ const QnMember qn_contact_members[] = {
   QN_TWO ("normal", REQUIRED, QnContactMembers, contact.normal),
   QN_NUMBER ("area", WRITTEN, FINITE, QnContactMembers, contact.area),
   QN_WHOLE ("bar", OPTIONAL, 0, QnContactMembers, contact.bar),
+  QN_NUMBER ("stress", OPTIONAL, FINITE, QnContactMembers, stress),
   QN_CHOICE ("state", REQUIRED, qn_pair_state_names, QnContactMembers, pair.state),
   QN_NUMBER ("normal_force", REQUIRED, FINITE, QnContactMembers, pair.normal_force),
   QN_NUMBER ("shear_force", REQUIRED, FINITE, QnContactMembers, pair.shear_force),

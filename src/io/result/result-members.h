@@ -31,6 +31,7 @@ typedef struct QnContactMembers {
   QnResultContact contact;
   QnPairResult pair;
   QnId blocks[2];
+  double stress; /* Pa, along a bar */
 } QnContactMembers;
 
 typedef struct QnEventMembers {

@@ -1,3 +1,4 @@
+#include "core/contact/contact-bars.h"
 #include "core/result/result-contact.h"
 #include "io/project/project-names.h"
 #include "io/result/result-file.h"
@@ -301,6 +302,9 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
                                .pair = *forces,
                                .blocks = { face->a, face->b } };
   const QnContactMembers usual = { .contact.bar = QN_NONE };
+  if (pair->bar != QN_NONE)
+    members.stress = qn_bar_axial (pair, forces->normal_force, forces->shear_force)
+                     / members.contact.area;
   qn_result_contact_place (model, contacts, index, qn_result_deformation (model, result),
                            &members.contact.point, &members.contact.normal);
   qn_result_members_write (writer, "{ ", qn_contact_members, &members, &usual, "");

@@ -1,5 +1,7 @@
 /* Reinforcing bars: lines from end to end that follow the blocks they lie in. Under a field of
- * stresses each piece has the colour of the stress where it crosses the nearest joint. */
+ * stresses each piece has the colour of the stress where it crosses the nearest joint. A dot is where one
+ * has yielded. */
+#include "core/contact/contact-bars.h"
 #include "core/model/bar.h"
 #include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
@@ -11,10 +13,13 @@
 
 /* Where a bar goes over from one block to the next. */
 typedef struct Crossing {
-  QnId bar, from, to; /* blocks */
-  double along;       /* part of the bar's length */
-  QnVec2 point;       /* undeformed, m */
-  double stress;      /* Pa, tension positive; 0 where forces are not known */
+  QnId bar;
+  int32_t line;
+  QnId from, to; /* blocks */
+  double along;  /* part of the line's length */
+  QnVec2 point;  /* undeformed, m */
+  double stress; /* Pa, tension positive; 0 where forces are not known */
+  bool yields;
 } Crossing;
 
 static int
@@ -23,6 +28,8 @@ compare_crossings (gconstpointer first, gconstpointer second)
   const Crossing *a = first, *b = second;
   if (a->bar != b->bar)
     return a->bar < b->bar ? -1 : 1;
+  if (a->line != b->line)
+    return a->line < b->line ? -1 : 1;
   return (a->along > b->along) - (a->along < b->along);
 }
 
@@ -37,21 +44,35 @@ find_crossings (const QnSceneBuilder *b)
       continue;
     const QnContactFace *face = &b->contacts->faces[pair->face];
     const QnBar *bar = &b->model->bars[pair->bar];
-    QnVec2 axis = qn_vec2_sub (bar->end, bar->start);
+    QnVec2 ends[2];
+    qn_bar_line (bar, (size_t) pair->line, ends);
+    QnVec2 axis = qn_vec2_sub (ends[1], ends[0]);
+    double area = pair->tributary * face->thickness;
     bool forth = qn_vec2_dot (axis, face->normal) > 0;
     Crossing crossing = {
       .bar = pair->bar,
+      .line = pair->line,
       .from = forth ? face->a : face->b,
       .to = forth ? face->b : face->a,
-      .along = qn_vec2_dot (qn_vec2_sub (pair->point, bar->start), axis)
-               / qn_vec2_dot (axis, axis),
+      .along =
+        qn_vec2_dot (qn_vec2_sub (pair->point, ends[0]), axis) / qn_vec2_dot (axis, axis),
       .point = pair->point,
-      .stress = b->pairs != NULL ? b->pairs[i].normal_force / bar->area : 0,
     };
+    if (b->pairs != NULL) {
+      crossing.stress =
+        qn_bar_axial (pair, b->pairs[i].normal_force, b->pairs[i].shear_force) / area;
+      crossing.yields = b->pairs[i].state == QN_PAIR_YIELD;
+    }
     g_array_append_val (crossings, crossing);
   }
   g_array_sort (crossings, compare_crossings);
   return crossings;
+}
+
+static bool
+same_line (const Crossing *a, const Crossing *b)
+{
+  return a->bar == b->bar && a->line == b->line;
 }
 
 /* The part of a bar about `count` crossings: to the middle of the way to the next crossing on either
@@ -62,11 +83,12 @@ add_part (QnSceneBuilder *b, const GArray *crossings, guint first, guint count,
 {
   const Crossing *all = (const Crossing *) (const void *) crossings->data;
   const Crossing *head = &all[first], *tail = &all[first + count - 1];
-  const QnBar *bar = &b->model->bars[head->bar];
-  bool begins = first == 0 || head[-1].bar != head->bar;
-  bool ends = first + count == crossings->len || tail[1].bar != tail->bar;
-  QnVec2 start = begins ? bar->start : qn_vec2_lerp (head[-1].point, head->point, 0.5);
-  QnVec2 end = ends ? bar->end : qn_vec2_lerp (tail->point, tail[1].point, 0.5);
+  QnVec2 line_ends[2];
+  qn_bar_line (&b->model->bars[head->bar], (size_t) head->line, line_ends);
+  bool begins = first == 0 || !same_line (&head[-1], head);
+  bool ends = first + count == crossings->len || !same_line (&tail[1], tail);
+  QnVec2 start = begins ? line_ends[0] : qn_vec2_lerp (head[-1].point, head->point, 0.5);
+  QnVec2 end = ends ? line_ends[1] : qn_vec2_lerp (tail->point, tail[1].point, 0.5);
   g_autofree QnVec2 *line = g_new (QnVec2, 2 * count + 2);
   guint n = 0;
   line[n++] = qn_builder_place (b, head->from, start);
@@ -82,12 +104,30 @@ static void
 add_bars (QnSceneBuilder *b, const GArray *crossings, double width, QnColor color)
 {
   for (guint first = 0, next; first < crossings->len; first = next) {
-    QnId bar = g_array_index (crossings, Crossing, first).bar;
+    const Crossing *all = (const Crossing *) (const void *) crossings->data;
     for (next = first + 1; next < crossings->len; next++)
-      if (g_array_index (crossings, Crossing, next).bar != bar)
+      if (!same_line (&all[next], &all[first]))
         break;
     add_part (b, crossings, first, next - first, width, color);
   }
+}
+
+/* A dot where a bar has yielded, at the end of the step; one line in the legend. */
+static void
+add_yield_marks (QnSceneBuilder *b, const GArray *crossings)
+{
+  QnColor ink = qn_builder_ink (b, QN_INK_HINGE);
+  bool any = false;
+  for (guint i = 0; i < crossings->len; i++) {
+    const Crossing *c = &g_array_index (crossings, Crossing, i);
+    if (!c->yields)
+      continue;
+    qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
+                     qn_builder_place (b, c->from, c->point), 4, 0, ink);
+    any = true;
+  }
+  if (any)
+    qn_scene_legend_marker (b->scene, QN_MARKER_DOT, 4, ink, "%s", _ ("bar yields"));
 }
 
 /* One bar, or many from the thinnest to the thickest. */
@@ -122,6 +162,8 @@ qn_build_bars (QnSceneBuilder *b)
             range.shown ? ink : qn_builder_ink (b, QN_INK_GROUND));
   if (!range.shown)
     add_bars (b, crossings, WIDTH_BAR, ink);
+  if (b->options->symbols)
+    add_yield_marks (b, crossings);
   for (guint i = 0; i < crossings->len; i++) {
     double stress = g_array_index (crossings, Crossing, i).stress;
     range.min = fmin (range.min, stress);

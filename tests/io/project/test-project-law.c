@@ -249,7 +249,10 @@ test_bars_and_pairs (void)
   g_autofree char *full = test_replace (
     text, "\"contact\": { \"law\": \"joint\" }",
     "\"bars\": [ { \"law\": \"joint\", \"area\": 3e-4, \"start\": [0.5, -0.5], \"end\": "
-    "[0.5, 0.5] } ], \"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": "
+    "[0.5, 0.5], \"via\": [[0.4, 0], [0.5, 0.25]] }, { \"law\": \"joint\", \"area\": "
+    "1e-4, "
+    "\"start\": [0.25, -0.5], \"end\": [0.75, 0.5], \"spacing\": [0.25, 0] } ], "
+    "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": "
     "\"explicit\", \"positions\": [0, 0.5, 1], \"weights\": [0.25, 0.5, 0.25] } }");
   test_parse (full, &project);
   g_assert_cmpuint (project.warnings->len, ==, 0);
@@ -258,7 +261,10 @@ test_bars_and_pairs (void)
   const QnModel *models[] = { &project.model, &again.model };
   for (int i = 0; i < 2; i++) {
     const QnPairRule *rule = &models[i]->contact.pairs;
-    g_assert_cmpuint (models[i]->bar_count, ==, 1);
+    g_assert_cmpuint (models[i]->bar_count, ==, 2);
+    g_assert_cmpint (models[i]->bars[0].via_count, ==, 2);
+    g_assert_cmpfloat (models[i]->bars[0].via[1].y, ==, 0.25);
+    g_assert_cmpfloat (models[i]->bars[1].spacing.x, ==, 0.25);
     g_assert_cmpfloat (models[i]->bars[0].area, ==, 3e-4);
     g_assert_cmpint (models[i]->bars[0].law, ==, 0);
     g_assert_cmpfloat (models[i]->bars[0].end.y, ==, 0.5);
@@ -274,7 +280,9 @@ test_bars_and_pairs (void)
     const char *what, *by, *message;
   } cases[] = {
     { "\"area\": 3e-4, ", "", "bars[0].area: required key is missing" },
-    { "[0.5, 0.5] } ]", "[0.5, -0.5] } ]", "bars[0].end: bar has no length" },
+    { "[0.5, 0.5], \"via\"", "[0.5, 0.5], \"via\": [[0.5]], \"w\"",
+      "bars[0].via[0]: expected two numbers" },
+    { "[0.4, 0]", "[0.5, -0.5]", "bars[0].end: bar has no length" },
     { "[0.25, 0.5, 0.25]", "[0.25, 0.75]",
       "contact.pairs.weights: there must be as many weights as positions" },
     { "[0.25, 0.5, 0.25]", "[0.25, 0.5, 0.5]",

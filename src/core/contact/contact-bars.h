@@ -1,0 +1,37 @@
+/* Reinforcing bars: where they cross contact faces, and the pairs that they make there.
+ *
+ * A bar may cross a face at any angle. Its pair carries force along the bar alone: there is no dowel
+ * action. A bar that goes through an end of a face, as one between two rows of cells does, has half of
+ * its section in the faces on either side of it, or all in those on one side where there are no others. */
+#pragma once
+
+#include "core/base/box-tree.h"
+#include "core/contact/contacts.h"
+
+/* Stiffness across a bar over that along it: next to nothing, but for arithmetic. */
+#define QN_BAR_DOWEL 1e-6
+
+/* The bars of a model, line by line: found by their boxes, since each crosses few of many faces. */
+typedef struct QnBarSearch {
+  QnBoxTree tree;
+  QnId *near;     /* lines at one face, in their own order */
+  QnId *bars;     /* of each line, */
+  int32_t *lines; /* and which of its lines it is */
+  bool *used;     /* bars */
+} QnBarSearch;
+
+/* Fails for lack of memory alone; to be cleared then too. */
+QnStatus qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnDiag *diag);
+void qn_bar_search_clear (QnBarSearch *search);
+
+/* Adds the pairs of the bars that cross a face; its other pairs are there already. */
+QnStatus qn_bar_search_cross (QnBarSearch *search, const QnModel *model,
+                              QnContacts *contacts, QnId face, QnDiag *diag);
+
+/* Once all faces are done: shares bars that go through ends of faces, and refuses those that cross no
+ * face, and those that end outside of all blocks. */
+QnStatus qn_bar_search_finish (const QnBarSearch *search, const QnModel *model,
+                               QnContacts *contacts, QnDiag *diag);
+
+/* The force along a bar, N, from that of its pair. */
+double qn_bar_axial (const QnContactPair *pair, double normal, double shear);
