@@ -214,6 +214,10 @@ show (gpointer data, guint field, QnValue *value)
   if (field >= INITIAL_TITLE && field < MOTIONS)
     return show_initial (form, model, field, value);
   switch (field) {
+  case JOINT_DAMPING:
+    value->disabled =
+      model->analysis.dynamic.of == QN_DAMPING_IMPACT && model->beam_count == 0;
+    return TRUE;
   case RATIO:
     show_ratio (form, &model->analysis.dynamic, value);
     return TRUE;
@@ -298,6 +302,11 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   if (field >= INITIAL && field < MOTIONS)
     return take_initial (form, &draft->model, field, value->number, error);
   switch (field) {
+  case OF:
+    if (draft->model.analysis.dynamic.of == QN_DAMPING_IMPACT
+        && draft->model.beam_count == 0)
+      draft->model.analysis.dynamic.joint_damping = 0;
+    return TRUE;
   case RATIO:
     return take_ratio (form, &draft->model.analysis.dynamic, value->number);
   case MOTIONS:

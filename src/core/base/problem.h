@@ -110,6 +110,7 @@
   X (CONTROL_DOF_FIXED, "controlled degree of freedom is fixed") \
   X (CONTROL_TARGET_ZERO, "control target is zero") \
   X (CONTROL_MISSING, "procedure needs a control block and target") \
+  X (DAMPING_UNUSED, "joints are damped by impact; damping by stiffness is of beams, and there are none") \
   X (CONTROL_WRONG_SIGN, "target is opposite to the motion under the live load") \
   X (SETTLEMENT_FREE, "only a supported degree of freedom can settle") \
   X (SETTLEMENT_WORK, "work control needs loads: settlements do no work") \

@@ -197,14 +197,34 @@ elastic_share (const QnPairElasticity *pair, const QnPairInstant *start,
   return force / sum;
 }
 
+/* The normal dashpot does not pull a joint that opens: where it would, no force is left. That of a bond it
+ * leaves as it is, with the tangent `own_tangent`. */
+static void
+keep_pressed (const QnPairElasticity *pair, const QnPairStep *step,
+              const QnPairInstant *start, const QnPairInstant *end,
+              const double own_tangent[2], QnPairForces *out)
+{
+  double weight = 1 - step->alpha_f;
+  double own = weight * end->response->force[0]
+               + step->alpha_f * start->response->force[0] + out->correction[0];
+  bool bonded = pair->bond && own > 0;
+
+  if (!pair->opens || own + out->dashpot[0] <= (bonded ? own : 0))
+    return;
+  out->dashpot[0] = bonded ? 0 : -own;
+  for (int j = 0; j < 2; j++)
+    out->tangent[0][j] = bonded ? own_tangent[j] : -weight * end->response->tangent[0][j];
+}
+
 static void
 add_dashpot (const QnPairElasticity *pair, const QnPairStep *step,
              const QnPairInstant *start, const QnPairInstant *end, QnPairForces *out)
 {
   const QnPairResponse *now = end->response;
   double gain = (1 - step->alpha_f) * step->rate_gain, slopes[2] = { 0 }, share = 1;
-  bool follows = step->of == QN_DAMPING_CURRENT;
+  bool follows = step->of != QN_DAMPING_INITIAL;
   const QnPairMemory *before = &start->response->memory, *after = &now->memory;
+  const double undamped[2] = { out->tangent[0][0], out->tangent[0][1] };
 
   if (pair->bond
       && (after->a.extreme > before->a.extreme || after->b.extreme > before->b.extreme))
@@ -225,6 +245,8 @@ add_dashpot (const QnPairElasticity *pair, const QnPairStep *step,
       out->tangent[i][j] += step->damping * now->tangent[i][j] / step->length
                             + ak * slopes[j] * (rate - mean);
   }
+  if (step->of == QN_DAMPING_IMPACT)
+    keep_pressed (pair, step, start, end, undamped, out);
 }
 
 QnPairForces

@@ -29,6 +29,16 @@
  * deforms elastically: e = F/(F + k (|slipped| + |opened|)), F = |n0| + |n1|. In a joint that stays
  * closed and sticks this is a k q'. An open joint has no dashpot; one that slides has that of the
  * friction which its normal dashpot makes.
+ *
+ * Damping by impact is that of the current stiffness, with a of each pair and a normal dashpot that
+ * never pulls: F_n <= 0. The two blocks meet on the spring of the pair with the mass
+ *
+ *   m = 1/(g' M^-1 g),  g the gradient of q_n,  M of both blocks
+ *
+ * and half of its critical damping, a = sqrt (m/k), leaves about as much energy as an impact without
+ * rebound does: of a block that rocks on its two corners (1 - 1.5 sin^2 alpha)^2 (Housner 1963). More or
+ * less of it changes little, but for a dashpot that pulled: it would take a W v more, W the load that
+ * leaves one corner for the other with the speed v.
  */
 #pragma once
 
@@ -57,7 +67,7 @@ typedef struct QnPairStep {
   double alpha_f;   /* weight of the start */
   double rate_gain; /* d rate / dq at the end of the step, 1/s */
   double length;    /* of the step, s */
-  double damping;   /* a, s */
+  double damping;   /* a of this pair, s */
   QnDampingStiffness of;
 } QnPairStep;
 

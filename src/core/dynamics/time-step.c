@@ -73,6 +73,7 @@ allocate (QnTimeStep *step)
   step->branches = qn_pool_alloc (pool, QN_BRANCH * pairs, sizeof (double));
   step->factored = qn_pool_alloc (pool, QN_BRANCH * pairs, sizeof (double));
   step->elasticity = qn_pool_alloc (pool, pairs, sizeof *step->elasticity);
+  step->damping = qn_pool_alloc (pool, pairs, sizeof *step->damping);
   step->forces = qn_pool_alloc (pool, pairs, sizeof *step->forces);
   return !pool->failed;
 }
@@ -145,6 +146,36 @@ add_initial_motion (QnTimeStep *step)
   }
 }
 
+/* 1/m of the mass that meets the spring of a pair along its normal, 1/kg; 0 where nothing moves. */
+static double
+compliance_of_mass (const QnTimeStep *step, size_t pair)
+{
+  const QnAssembly *as = &step->equation.eq->assembly;
+  const double *g = as->gradients[pair].factors[0];
+  const double factors[QN_FACE_UNKNOWNS] = { g[1], g[2], g[0], g[1], g[2], g[3] };
+  const int32_t *unknown =
+    as->face_unknowns + QN_FACE_UNKNOWNS * (size_t) as->contacts->pairs[pair].face;
+  double sum = 0;
+
+  for (int i = 0; i < QN_FACE_UNKNOWNS; i++) {
+    double mass = unknown[i] != QN_NONE ? step->mass[as->diagonal[unknown[i]]] : 0;
+    if (mass > 0)
+      sum += factors[i] * factors[i] / mass;
+  }
+  return sum;
+}
+
+/* The dashpot of a pair: see pair-motion.h. */
+static double
+damping_of (const QnTimeStep *step, size_t pair)
+{
+  if (step->settings->of != QN_DAMPING_IMPACT)
+    return step->settings->joint_damping;
+  double sum = compliance_of_mass (step, pair);
+
+  return sum > 0 ? 1 / sqrt (sum * step->elasticity[pair].k[0]) : 0;
+}
+
 /* What depends on the assembly and not on the state. */
 static QnStatus
 prepare (QnTimeStep *step, QnDiag *diag)
@@ -158,8 +189,10 @@ prepare (QnTimeStep *step, QnDiag *diag)
     return status;
   qn_assembly_add_inertia (as, qn_vec2 (1, 0), step->inertia[0]);
   qn_assembly_add_inertia (as, qn_vec2 (0, 1), step->inertia[1]);
-  for (size_t p = 0; p < as->pair_count; p++)
+  for (size_t p = 0; p < as->pair_count; p++) {
     step->elasticity[p] = qn_pair_elasticity (&as->springs[p]);
+    step->damping[p] = damping_of (step, p);
+  }
   return QN_OK;
 }
 
@@ -297,15 +330,14 @@ evaluate_pairs (QnTimeStep *step)
 {
   const QnAssembly *as = &step->equation.eq->assembly;
   const QnTimeScheme *s = &step->scheme;
-  const QnPairStep pair_step = { .alpha_f = s->alpha_f,
-                                 .rate_gain = s->gamma / (s->beta * step->h),
-                                 .length = step->h,
-                                 .damping = step->settings->joint_damping,
-                                 .of = step->settings->of };
+  QnPairStep pair_step = { .alpha_f = s->alpha_f,
+                           .rate_gain = s->gamma / (s->beta * step->h),
+                           .length = step->h,
+                           .of = step->settings->of };
 
   memcpy (step->end.elongations, as->elongations,
           2 * as->pair_count * sizeof *as->elongations);
-  if (pair_step.damping > 0)
+  if (step->settings->joint_damping > 0 || pair_step.of == QN_DAMPING_IMPACT)
     qn_assembly_elongation_rates (as, step->end.v, step->end.rates);
   for (size_t p = 0; p < as->pair_count; p++) {
     QnPairInstant start = pair_instant (&step->start, step->start.at.responses, p);
@@ -318,6 +350,7 @@ evaluate_pairs (QnTimeStep *step)
       memset (step->branches + QN_BRANCH * p, 0, QN_BRANCH * sizeof *step->branches);
       continue;
     }
+    pair_step.damping = step->damping[p];
     *forces = qn_pair_motion (&step->elasticity[p], &pair_step, &start, &end);
     for (int i = 0; i < 2; i++)
       step->sums[2 * p + i] =

@@ -67,6 +67,7 @@ typedef struct QnTimeStep {
   double *beam_damping; /* of beams, over the damping's factor: K, in the pattern of K */
   double *inertia[2];   /* M i for the ground's acceleration in x, y: unknown_count, kg */
   QnPairElasticity *elasticity;
+  double *damping;      /* a of every pair's dashpot, s */
   QnInstant start, end; /* the state that was accepted, and the one tried */
 
   double

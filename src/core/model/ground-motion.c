@@ -9,6 +9,7 @@ const char *const qn_pulse_kind_names[QN_PULSE_KIND_COUNT] = {
 const char *const qn_damping_stiffness_names[QN_DAMPING_STIFFNESS_COUNT] = {
   [QN_DAMPING_INITIAL] = "initial",
   [QN_DAMPING_CURRENT] = "current",
+  [QN_DAMPING_IMPACT] = "impact",
 };
 
 double

@@ -74,10 +74,11 @@ typedef struct QnTrack {
   int32_t note;
 } QnTrack;
 
-/* Which stiffness stiffness-proportional damping goes with. */
+/* What dashpots of joints go with: a stiffness, or the inertia of the blocks. */
 typedef enum {
   QN_DAMPING_CURRENT, /* of what carries: an open or sliding joint is not damped by it */
   QN_DAMPING_INITIAL, /* of the joints as if they all were closed */
+  QN_DAMPING_IMPACT, /* of what carries, as much as an impact loses; joint_damping is of beams */
   QN_DAMPING_STIFFNESS_COUNT
 } QnDampingStiffness;
 
@@ -97,7 +98,7 @@ typedef struct QnDynamicSettings {
   bool fall; /* the motion is followed on after something has overturned */
 } QnDynamicSettings;
 
-/* "half-sine", "sine", …; "current", "initial". */
+/* "half-sine", "sine", …; "current", "initial", "impact". */
 extern const char *const qn_pulse_kind_names[QN_PULSE_KIND_COUNT];
 extern const char *const qn_damping_stiffness_names[QN_DAMPING_STIFFNESS_COUNT];
 

@@ -115,6 +115,10 @@ check_integration (const QnModel *model, QnSubject of)
                                QN_RANGE_NOT_NEGATIVE)
          && qn_require_number (of, "dynamic.damping.stiffness", s->joint_damping,
                                QN_RANGE_NOT_NEGATIVE)
+         && qn_require (
+           of,
+           s->of != QN_DAMPING_IMPACT || s->joint_damping == 0 || model->beam_count > 0,
+           QN_PROBLEM_DAMPING_UNUSED, "dynamic.damping.stiffness", s->joint_damping)
          && qn_require_number (of, "dynamic.tolerance", s->tolerance, QN_RANGE_POSITIVE)
          && qn_require_number (of, "dynamic.output_interval", s->output_interval,
                                QN_RANGE_NOT_NEGATIVE)

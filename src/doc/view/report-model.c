@@ -324,6 +324,9 @@ write_dynamic (QnPages *pages, const QnReport *report)
   g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
   qn_report_say (pages, _ ("Damping: %s 1/s times the mass, %s s times the stiffness"),
                  mass, joints);
+  if (dynamic->of == QN_DAMPING_IMPACT)
+    qn_report_say (pages, "%s",
+                   _ ("Joints lose what the impact of a rocking block does"));
 }
 
 /* "Live load, traffic × 1.5: Backfill on the left: …" */

@@ -130,7 +130,7 @@ test_no_leap (void)
     if (i % 2 == 0) /* close to where the joint opens */
       q0[0] = 1e-6 * q0[0] + spring->cap / 1e6;
     init (&s, spring, other, i % 4 < 2 ? 0 : 1e-4, q0);
-    s.step.of = QN_DAMPING_INITIAL;
+    s.step.of = i % 3 == 0 ? QN_DAMPING_IMPACT : QN_DAMPING_INITIAL;
     for (int k = 0; k <= PARTS; k++) {
       double part = (double) k / PARTS, q[2], now[2];
       for (int j = 0; j < 2; j++)
@@ -172,7 +172,7 @@ test_tangent (void)
     if (spring->dilatancy > 0) /* an open joint does not go on to dilate in its tangent */
       q0[0] = -fabs (q0[0]), q1[0] = -fabs (q1[0]) - 1e-3;
     init (&s, spring, spring, i % 2 == 0 ? 0 : 1e-3, q0);
-    s.step.of = i % 4 < 2 ? QN_DAMPING_INITIAL : QN_DAMPING_CURRENT;
+    s.step.of = (QnDampingStiffness) (i / 2 % QN_DAMPING_STIFFNESS_COUNT);
     evaluate (&s, q1);
     int16_t phase = s.after.phase;
     QnPairForces forces = qn_pair_motion (&s.elasticity, &s.step, &s.start, &s.end);
@@ -218,8 +218,36 @@ test_dashpot (void)
   g_assert_cmpfloat (fabs (forces.dashpot[1]), <, 0.7 * sticks);
 }
 
+/* Damping by impact never pulls, however fast a joint opens, and is that of the current stiffness where it
+ * presses. */
+static void
+test_pressed (void)
+{
+  gboolean pulled = FALSE;
+  for (int i = 0; i < 1000; i++) {
+    double q0[2], q1[2];
+    Step s;
+    random_elongation (q0);
+    random_elongation (q1);
+    init (&s, &springs[0], &springs[0], 1e-2, q0);
+    evaluate (&s, q1);
+    QnPairForces usual = qn_pair_motion (&s.elasticity, &s.step, &s.start, &s.end);
+    s.step.of = QN_DAMPING_IMPACT;
+    QnPairForces forces = qn_pair_motion (&s.elasticity, &s.step, &s.start, &s.end);
+    double own = (1 - s.step.alpha_f) * s.after.force[0]
+                 + s.step.alpha_f * s.before.force[0] + usual.correction[0];
+    g_assert_cmpfloat (own + forces.dashpot[0], <=, 1e-9);
+    if (own + usual.dashpot[0] <= 0)
+      g_assert_cmpfloat (forces.dashpot[0], ==, usual.dashpot[0]);
+    else
+      pulled = TRUE;
+  }
+  g_assert_true (pulled);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/pair-motion/pressed", test_pressed);
   g_test_add_func ("/pair-motion/mean", test_mean);
   g_test_add_func ("/pair-motion/no-leap", test_no_leap);
   g_test_add_func ("/pair-motion/impact", test_impact);
