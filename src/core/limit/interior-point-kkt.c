@@ -118,6 +118,7 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem)
   *kkt = (QnIpKkt){ .problem = problem, .coupling = 1, .error = INFINITY };
   kkt->compliance = qn_pool_alloc (pool, 4 * cells, sizeof (double));
   kkt->axes = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  kkt->rates = qn_pool_alloc (pool, 2 * cells, sizeof (double));
   kkt->turns = qn_pool_alloc (pool, (size_t) problem->bound_count, sizeof (double));
   kkt->residual_v = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->border = qn_pool_alloc (pool, rows, sizeof (double));
@@ -257,33 +258,17 @@ follow_rates (QnIpKkt *kkt, const QnIpKktRight *right, const double *ry, double 
               QnIpKktVector *out)
 {
   const QnIpProblem *p = kkt->problem;
-  double *e = kkt->residual_v;
+  double *e = kkt->residual_v, *rates = kkt->rates;
 
+  for (int32_t i = 0; i < 2 * p->cell_count; i++)
+    rates[i] = ry != NULL && !(p->cells[i / 2].no_shear && i % 2 == 1) ? ry[i] : 0.0;
+  qn_ip_add_rates (p, kkt->step_v, -sign, rates);
+  for (int32_t c = 0; c < p->cell_count; c++)
+    answer_cell (kkt, c, rates[2 * c], rates[2 * c + 1], out);
   for (int32_t r = 0; r < p->row_count; r++)
     e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0)
            + kkt->regularization * out->v[r];
-  for (int32_t g = 0; g < p->group_count; g++) {
-    const QnIpGroup *group = &p->groups[g];
-    double local[QN_IP_GROUP_ROWS], sum[QN_IP_GROUP_ROWS] = { 0 };
-
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-      local[i] = group->rows[i] >= 0 ? sign * kkt->step_v[group->rows[i]] : 0.0;
-    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
-      const double (*map)[2] = p->cells[c].map;
-      double normal = ry ? ry[2 * c] : 0.0;
-      double shear = ry && !p->cells[c].no_shear ? ry[2 * c + 1] : 0.0;
-      for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
-        normal -= map[i][0] * local[i];
-        shear -= map[i][1] * local[i];
-      }
-      answer_cell (kkt, c, normal, shear, out);
-      for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-        sum[i] += map[i][0] * out->y[2 * c] + map[i][1] * out->y[2 * c + 1];
-    }
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-      if (group->rows[i] >= 0)
-        e[group->rows[i]] -= sum[i];
-  }
+  qn_ip_add_forces (p, out->y, -1, e);
   return relative_error (kkt, right, out);
 }
 
@@ -295,22 +280,13 @@ condense (QnIpKkt *kkt, const QnIpKktRight *right)
 
   memcpy (kkt->residual_v, right->v, (size_t) p->row_count * sizeof (double));
   kkt->residual_lambda = right->lambda;
-  for (int32_t g = 0; g < p->group_count; g++) {
-    const QnIpGroup *group = &p->groups[g];
-    double sum[QN_IP_GROUP_ROWS] = { 0 };
-
-    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
-      const QnIpCell *cell = &p->cells[c];
-      const double *h = kkt->compliance + 4 * (size_t) c, *ry = right->y + 2 * (size_t) c;
-      double shear = cell->no_shear ? 0.0 : ry[1];
-      double yn = h[0] * ry[0] + h[1] * shear, yt = h[2] * ry[0] + h[3] * shear;
-      for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-        sum[i] += cell->map[i][0] * yn + cell->map[i][1] * yt;
-    }
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-      if (group->rows[i] >= 0)
-        kkt->residual_v[group->rows[i]] -= sum[i];
+  for (int32_t c = 0; c < p->cell_count; c++) {
+    const double *h = kkt->compliance + 4 * (size_t) c, *ry = right->y + 2 * (size_t) c;
+    double shear = p->cells[c].no_shear ? 0.0 : ry[1];
+    kkt->rates[2 * c] = h[0] * ry[0] + h[1] * shear;
+    kkt->rates[2 * c + 1] = h[2] * ry[0] + h[3] * shear;
   }
+  qn_ip_add_forces (p, kkt->rates, -1, kkt->residual_v);
 }
 
 /* The change of v and lambda that removes the residuals. */

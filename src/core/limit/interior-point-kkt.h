@@ -50,6 +50,7 @@ typedef struct QnIpKkt {
   double *axes;       /* cell_count x 2 and … */
   double *turns;      /* bound_count: factors of the same inverse as a sum without
                          cancellation, (H+r)^-1 = diag (axes) + sum of turn g^ f^' */
+  double *rates;      /* scratch, cell_count x 2 */
   double *residual_v;
   double residual_lambda;
   double *step_v; /* the last correction */

@@ -109,11 +109,8 @@ qn_ip_largest (const double *values, int32_t count)
 }
 
 void
-qn_ip_balance (const QnIpProblem *p, const double *y, double lambda, double *out)
+qn_ip_add_forces (const QnIpProblem *p, const double *y, double scale, double *out)
 {
-  for (int32_t r = 0; r < p->row_count; r++)
-    out[r] = p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);
-  /* out (row_count) += B y */
   for (int32_t g = 0; g < p->group_count; g++) {
     const QnIpGroup *group = &p->groups[g];
     double sum[QN_IP_GROUP_ROWS] = { 0 };
@@ -125,6 +122,14 @@ qn_ip_balance (const QnIpProblem *p, const double *y, double lambda, double *out
     }
     for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
       if (group->rows[i] >= 0)
-        out[group->rows[i]] += sum[i];
+        out[group->rows[i]] += scale * sum[i];
   }
+}
+
+void
+qn_ip_balance (const QnIpProblem *p, const double *y, double lambda, double *out)
+{
+  for (int32_t r = 0; r < p->row_count; r++)
+    out[r] = p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);
+  qn_ip_add_forces (p, y, 1, out);
 }

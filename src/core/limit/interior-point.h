@@ -88,6 +88,10 @@ void qn_ip_vector_add (QnIpVector *to, double part, const QnIpVector *step,
 void qn_ip_balance (const QnIpProblem *problem, const double *y, double lambda,
                     double *out);
 
+/* out (row_count) += scale * B y */
+void qn_ip_add_forces (const QnIpProblem *problem, const double *y, double scale,
+                       double *out);
+
 /* out (cell_count x 2) += scale * B'v */
 void qn_ip_add_rates (const QnIpProblem *problem, const double *v, double scale,
                       double *out);
