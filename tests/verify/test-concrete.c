@@ -193,9 +193,110 @@ test_steps (void)
   }
 }
 
+/* --- A reinforced section -------------------------------------------------------------------- */
+
+#define WIDTH   0.3
+#define HEIGHT  0.5
+#define COVER   0.05
+#define STEEL   1.5e-3 /* m2 on either side */
+#define FC      30e6
+#define FY      500e6
+#define CRUSHED 0.0035
+
+/* Normal force (tension positive) and moment of plane strains: compression `top` at one edge, none at the
+ * depth x below it. Parabola and rectangle, elastic-plastic steel. */
+static void
+section (double top, double x, double *normal, double *moment)
+{
+  const int fibres = 4000;
+
+  *normal = *moment = 0;
+  for (int i = 0; i < fibres + 2; i++) {
+    bool steel = i >= fibres;
+    double depth = i == fibres       ? COVER
+                   : i == fibres + 1 ? HEIGHT - COVER
+                                     : (i + 0.5) / fibres * HEIGHT;
+    double e = top * (1 - depth / x), r = fmin (e / 0.002, 1);
+    double force = steel   ? STEEL * fmin (fmax (200e9 * e, -FY), FY)
+                   : e > 0 ? FC * r * (2 - r) * WIDTH * HEIGHT / fibres
+                           : 0;
+    *normal -= force;
+    *moment += force * (HEIGHT / 2 - depth);
+  }
+}
+
+/* The moment at which the edge reaches its ultimate strain, under a normal force. */
+static double
+hand_moment (double normal)
+{
+  double low = 0.02, high = 20 * HEIGHT, n, m;
+
+  for (int i = 0; i < 100; i++) {
+    double x = 0.5 * (low + high);
+    section (CRUSHED, x, &n, &m);
+    if (n > normal)
+      low = x;
+    else
+      high = x;
+  }
+  return m;
+}
+
+/* Under twelve normal forces, from tension to far beyond the balanced one. */
+static void
+test_interaction (void)
+{
+  for (int i = 0; i < 12; i++) {
+    const double normal = 0.4e6 - 0.4e6 * i, hand = hand_moment (normal);
+    g_auto (TestRun) run;
+    init (&run, QN_LAW_CONCRETE);
+    QnModel *model = &run.model;
+    QnLaw *law = &model->laws[0];
+    law->arrangement = QN_ARRANGEMENT_CHAIN;
+    law->tension = law->fracture_energy = 0;
+    law->strength = FC;
+    law->ultimate_strain = CRUSHED;
+    law->crushing_energy = 3000;
+    law = qn_model_add_law (model, "steel");
+    law->kind = QN_LAW_ELASTIC_PLASTIC;
+    law->basis = QN_BASIS_MATERIAL;
+    law->kn = law->ks = 200e9;
+    law->yield = FY;
+    add_plate (model, "base", qn_vec2 (0, -0.1), qn_vec2 (HEIGHT, 0.1), 7);
+    add_cell (model, "block", qn_vec2 (0, 0), qn_vec2 (HEIGHT, 0.2));
+    for (size_t b = 0; b < model->block_count; b++)
+      model->blocks[b].thickness = WIDTH;
+    for (int side = 0; side < 2; side++) {
+      const double x = side == 0 ? COVER : HEIGHT - COVER;
+      QnBar *bar = qn_model_add_bar (model);
+      *bar = (QnBar){ .law = 1, .area = STEEL, .start = { x, -0.05 }, .end = { x, 0.1 } };
+    }
+    model->contact.pairs =
+      (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 100 };
+    QnLoad *load = qn_model_add_dead_load (model);
+    load->kind = QN_LOAD_FORCE;
+    load->block = 1;
+    load->vector = qn_vec2 (0, normal);
+    load = qn_model_add_live_load (model);
+    load->kind = QN_LOAD_FORCE;
+    load->block = 1;
+    load->moment = 1e3;
+    test_control (model, QN_PROCEDURE_DISPLACEMENT, "block", QN_DOF_RZ, 3e-3);
+    model->analysis.increments = 40;
+    test_run_solve (&run);
+    double peak = 0;
+    for (size_t s = 0; s < run.result.step_count; s++)
+      peak = fmax (peak, run.result.steps[s].multiplier * 1e3);
+    g_test_message ("N %.1f MN: %.2f kN m, by hand %.2f, %.2f %%", normal / 1e6,
+                    peak / 1e3, hand / 1e3, 100 * (peak / hand - 1));
+    g_assert_cmpfloat_with_epsilon (peak / hand, 1, 0.01);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/verify/concrete/energy", test_energy);
   g_test_add_func ("/verify/concrete/cells", test_cells);
   g_test_add_func ("/verify/concrete/steps", test_steps);
+  g_test_add_func ("/verify/concrete/interaction", test_interaction);
 }

@@ -279,12 +279,13 @@ typedef struct QnAnalysisSettings {
   double max_multiplier; /* >= 0; 0: the dead load alone; INFINITY by default */
   double multiplier_tolerance; /* relative to the multiplier; default 1e-4 */
   double residual_tolerance;   /* relative to the forces in the model; default 1e-8 */
-  int32_t max_factorizations;  /* >= 1, of a stage in the mean; beyond, the analysis ends as not
+  int32_t
+    max_factorizations; /* >= 1, of a stage in the mean; beyond, the analysis ends as not
                                   converged */
-  double max_seconds;          /* > 0; likewise; INFINITY by default */
-  QnBoundChoice bound;         /* whether a path's collapse gets its associative bound */
-  QnId control_block;          /* or QN_NONE */
-  QnId control_node; /* the same for a node that stands free; at most one of both */
+  double max_seconds;   /* > 0; likewise; INFINITY by default */
+  QnBoundChoice bound;  /* whether a path's collapse gets its associative bound */
+  QnId control_block;   /* or QN_NONE */
+  QnId control_node;    /* the same for a node that stands free; at most one of both */
   QnDof control_dof;
   double control_target; /* m or rad */
   bool
