@@ -9,6 +9,7 @@
 #include "io/result/result-file.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
+#include "render/scene/motion.h"
 #include "study/cases/moving-load.h"
 #include "study/cases/shape.h"
 #include "study/plan/sample.h"
@@ -151,6 +152,48 @@ largest_displacement (const QnResult *result)
   return largest;
 }
 
+/* The widest crack at the last step, between two blocks or, where `blocks` is NULL, anywhere, m; NaN
+ * where nothing was computed or the blocks have no joint. */
+static double
+crack_width (const QnCaseModel *model, char *const *blocks)
+{
+  const QnModel *core = &model->project.model;
+  const QnResult *result = &model->result;
+  double widest = blocks != NULL ? NAN : 0;
+  if (result->step_count == 0)
+    return NAN;
+  const QnMotion motion = { .model = core,
+                            .displacements = qn_result_step_displacements (
+                              result, result->step_count - 1),
+                            .linear = core->analysis.geometry == QN_GEOMETRY_LINEAR,
+                            .scale = 1 };
+  QnId a = blocks != NULL ? qn_model_find_block (core, blocks[0]) : QN_NONE;
+  QnId b = blocks != NULL ? qn_model_find_block (core, blocks[1]) : QN_NONE;
+  for (size_t f = 0; f < model->contacts.face_count; f++) {
+    const QnContactFace *face = &model->contacts.faces[f];
+    if (blocks != NULL
+        && !((face->a == a && face->b == b) || (face->a == b && face->b == a)))
+      continue;
+    const QnJoint joint = qn_motion_joint (&motion, face);
+    widest = fmax (widest, fmax (0, fmax (joint.opening_start, joint.opening_end)));
+  }
+  return widest;
+}
+
+static double
+crack_misfit (const QnStudy *study, const QnCaseModel *model)
+{
+  double sum = 0;
+  if (model->result.outcome != QN_OUTCOME_TARGET_REACHED)
+    return NAN;
+  for (guint i = 0; i < study->cracks->len; i++) {
+    const QnMeasuredCrack *crack = &g_array_index (study->cracks, QnMeasuredCrack, i);
+    double error = crack_width (model, crack->blocks) - crack->width;
+    sum += error * error;
+  }
+  return sqrt (sum / study->cracks->len);
+}
+
 static double
 known (gboolean is_known, double value)
 {
@@ -168,7 +211,7 @@ last_energy (const QnResult *result, QnEnergyKind kind)
 }
 
 static double
-number_of (const QnCaseModel *model, QnStudyOutput output)
+number_of (const QnStudy *study, const QnCaseModel *model, QnStudyOutput output)
 {
   const QnResult *result = &model->result;
   const QnLimitFigures *figures = &result->limit;
@@ -192,6 +235,10 @@ number_of (const QnCaseModel *model, QnStudyOutput output)
     return (double) result->step_count;
   case QN_STUDY_ITERATIONS:
     return result->statistics.iterations;
+  case QN_STUDY_WIDEST_CRACK:
+    return crack_width (model, NULL);
+  case QN_STUDY_CRACK_MISFIT:
+    return crack_misfit (study, model);
   case QN_STUDY_COLLAPSED:
     return result->outcome == QN_OUTCOME_COLLAPSE;
   case QN_STUDY_TIME_OF_COLLAPSE:
@@ -280,7 +327,7 @@ qn_case_solve (const QnStudy *study, const double *values, const char *keep,
               ? qn_shape_dup (&current->project.model, current->result.mechanism)
               : NULL;
         else if (output < QN_STUDY_FREQUENCY_1)
-          result->numbers[output] = number_of (current, output);
+          result->numbers[output] = number_of (study, current, output);
       }
     }
   }

@@ -24,7 +24,7 @@ check_format (const QnJsonValue *root)
 {
   static const char *const keys[] = { "format",      "version",    "title", "model",
                                       "run",         "parameters", "plan",  "outputs",
-                                      "correlation", "limits" };
+                                      "correlation", "limits",     "cracks" };
   const char *format;
   double version;
   if (!qn_json_value_object (root)
@@ -591,6 +591,39 @@ read_plan (const QnJsonValue *root, QnStudy *study)
                                  QN_STUDY_MAX_CASES);
 }
 
+/* Widths of cracks between two blocks. */
+static gboolean
+read_cracks (const QnJsonValue *root, QnStudy *study)
+{
+  static const char *const keys[] = { "blocks", "width" };
+  const QnModel *model = &study->project.model;
+  QnJsonValue list, item = { 0 }, names;
+  if (!qn_member_array (root, "cracks", QN_OPTIONAL, &list) || list.json == NULL)
+    return root->reader->error == NULL;
+  while (qn_json_value_next (&list, &item)) {
+    QnMeasuredCrack crack = { 0 };
+    QnId blocks[2] = { QN_NONE, QN_NONE };
+    if (!qn_json_value_object (&item)
+        || !qn_json_value_check_keys (&item, keys, G_N_ELEMENTS (keys))
+        || !qn_member_number (&item, "width", QN_REQUIRED, QN_RANGE_NOT_NEGATIVE,
+                              &crack.width)
+        || !qn_member_array (&item, "blocks", QN_REQUIRED, &names))
+      return FALSE;
+    if (cJSON_GetArraySize (names.json) != 2)
+      return qn_json_value_fail (&names, _ ("expected the names of two blocks"));
+    for (int i = 0; i < 2; i++) {
+      const cJSON *name = cJSON_GetArrayItem (names.json, i);
+      QnJsonValue place = qn_json_value_element (&names, (gsize) i, name);
+      if (!qn_read_name_of (&place, model, QN_NAMED_BLOCK, &blocks[i]))
+        return FALSE;
+    }
+    for (int i = 0; i < 2; i++)
+      crack.blocks[i] = g_strdup (model->blocks[blocks[i]].name);
+    g_array_append_val (study->cracks, crack);
+  }
+  return TRUE;
+}
+
 static gboolean
 read_outputs (const QnJsonValue *root, QnStudy *study)
 {
@@ -622,6 +655,8 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
       return qn_json_value_failf (&element, _ ("a run \"%s\" has no such output"),
                                   qn_study_run_names[study->run]);
     QnStudyOutput value = (QnStudyOutput) output;
+    if (value == QN_STUDY_CRACK_MISFIT && study->cracks->len == 0)
+      return qn_json_value_fail (&element, _ ("no cracks are given"));
     guint same = 0;
     while (same < study->outputs->len && qn_study_output (study, same) != value)
       same++;
@@ -700,8 +735,8 @@ read_document (const QnJsonValue *root, const char *path, const char *model_path
   study->title = g_strdup (title);
   return read_model (root, path, model_path, study) && check_run (root, study)
          && read_parameters (root, study) && read_plan (root, study)
-         && read_correlation (root, study) && read_outputs (root, study)
-         && read_limits (root, study);
+         && read_correlation (root, study) && read_cracks (root, study)
+         && read_outputs (root, study) && read_limits (root, study);
 }
 
 /* What the ground does belongs to a study in time. */

@@ -43,6 +43,8 @@ const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
   [QN_STUDY_LARGEST_DISPLACEMENT] = "largest_displacement",
   [QN_STUDY_STEPS] = "steps",
   [QN_STUDY_ITERATIONS] = "iterations",
+  [QN_STUDY_WIDEST_CRACK] = "widest_crack",
+  [QN_STUDY_CRACK_MISFIT] = "crack_misfit",
   [QN_STUDY_COLLAPSED] = "collapsed",
   [QN_STUDY_TIME_OF_COLLAPSE] = "time_of_collapse",
   [QN_STUDY_PEAK_DISPLACEMENT] = "peak_displacement",
@@ -74,8 +76,11 @@ qn_study_run_gives (QnStudyRun run, const QnAnalysisSettings *analysis,
   gboolean neutral =
     output == QN_STUDY_MECHANISM_KIND || output == QN_STUDY_MECHANISM_SHAPE
     || output == QN_STUDY_LARGEST_DISPLACEMENT || output == QN_STUDY_ITERATIONS;
+  gboolean crack = output == QN_STUDY_WIDEST_CRACK || output == QN_STUDY_CRACK_MISFIT;
   if (run == QN_STUDY_MODAL)
     return modal;
+  if (crack)
+    return run == QN_STUDY_SOLVE && analysis->procedure != QN_PROCEDURE_LIMIT;
   if (output == QN_STUDY_COLLAPSE_MULTIPLIER && qn_study_run_bounds (run, analysis))
     return FALSE;
   return !modal && (neutral || timed == (run == QN_STUDY_DYNAMIC));
@@ -158,12 +163,22 @@ clear_parameter (gpointer data)
   qn_distribution_clear (&parameter->distribution);
 }
 
+static void
+clear_crack (gpointer data)
+{
+  QnMeasuredCrack *crack = data;
+  g_free (crack->blocks[0]);
+  g_free (crack->blocks[1]);
+}
+
 void
 qn_study_init (QnStudy *study)
 {
   *study = (QnStudy){ .seed = 1, .seconds = QN_STUDY_SECONDS };
   study->parameters = g_array_new (FALSE, TRUE, sizeof (QnParameter));
   g_array_set_clear_func (study->parameters, clear_parameter);
+  study->cracks = g_array_new (FALSE, TRUE, sizeof (QnMeasuredCrack));
+  g_array_set_clear_func (study->cracks, clear_crack);
   study->outputs = g_array_new (FALSE, FALSE, sizeof (QnStudyOutput));
   study->warnings = g_ptr_array_new_with_free_func (g_free);
 }
@@ -180,6 +195,7 @@ qn_study_clear (QnStudy *study)
   g_free (study->correlation);
   qn_project_clear (&study->project);
   g_clear_pointer (&study->parameters, g_array_unref);
+  g_clear_pointer (&study->cracks, g_array_unref);
   g_clear_pointer (&study->outputs, g_array_unref);
   g_clear_pointer (&study->combinations, g_ptr_array_unref);
   g_clear_pointer (&study->warnings, g_ptr_array_unref);

@@ -49,7 +49,10 @@ typedef enum {
   QN_STUDY_LARGEST_DISPLACEMENT, /* m, of any block at the last step */
   QN_STUDY_STEPS,
   QN_STUDY_ITERATIONS,
-  QN_STUDY_COLLAPSED,         /* what follows is of a dynamic run: 1 or 0 */
+  QN_STUDY_WIDEST_CRACK, /* m, opening of any joint at the last step */
+  QN_STUDY_CRACK_MISFIT, /* m, root mean square of computed less measured widths, where the
+                            path has reached its target */
+  QN_STUDY_COLLAPSED,    /* what follows is of a dynamic run: 1 or 0 */
   QN_STUDY_TIME_OF_COLLAPSE,  /* s */
   QN_STUDY_PEAK_DISPLACEMENT, /* m, of any block at any time, from the dead load on */
   QN_STUDY_FRICTION_ENERGY,   /* J, lost by slip */
@@ -80,6 +83,12 @@ typedef struct QnParameter {
   double base;    /* the project's own value at the first path; NaN where it has none */
 } QnParameter;
 
+/* What was measured between two blocks. */
+typedef struct QnMeasuredCrack {
+  char *blocks[2]; /* names, owned */
+  double width;    /* m, >= 0 */
+} QnMeasuredCrack;
+
 typedef struct QnStudy {
   char *name;  /* what messages call the file */
   char *title; /* nullable */
@@ -98,6 +107,7 @@ typedef struct QnStudy {
   QnPlanKind plan;
   guint count; /* of random plans: points; sobol: of the base sample */
   guint seed;
+  GArray *cracks;         /* of QnMeasuredCrack */
   GArray *outputs;        /* of QnStudyOutput, each once */
   double seconds;         /* that a case may take */
   int32_t factorizations; /* likewise; 0: as the project says */

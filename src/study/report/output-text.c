@@ -20,6 +20,8 @@ qn_study_output_text (QnStudyOutput output)
     [QN_STUDY_LARGEST_DISPLACEMENT] = N_ ("Largest displacement (m)"),
     [QN_STUDY_STEPS] = N_ ("Number of steps"),
     [QN_STUDY_ITERATIONS] = N_ ("Number of iterations"),
+    [QN_STUDY_WIDEST_CRACK] = N_ ("Widest crack (m)"),
+    [QN_STUDY_CRACK_MISFIT] = N_ ("Misfit of measured cracks (m)"),
     [QN_STUDY_COLLAPSED] = N_ ("Collapsed (1: yes, 0: no)"),
     [QN_STUDY_TIME_OF_COLLAPSE] = N_ ("Time of collapse (s)"),
     [QN_STUDY_PEAK_DISPLACEMENT] = N_ ("Peak displacement (m)"),

@@ -144,6 +144,21 @@ append_combinations (GString *text, const QnTable *table, gsize column)
   }
 }
 
+/* The parameters of the case with the least misfit: what fits best among those computed. */
+static void
+append_fit (GString *text, const QnTable *table, gsize column)
+{
+  gsize best = 0;
+  for (gsize i = 0; i < table->rows->len; i++)
+    if (!(qn_table_number (table, i, column) >= qn_table_number (table, best, column)))
+      best = isnan (qn_table_number (table, i, column)) ? best : i;
+  qn_text_append (text, _ ("  least in case %zu\n"),
+                  g_array_index (table->rows, QnRow, best).index + 1);
+  for (gsize k = 0; k < table->parameters; k++)
+    qn_text_append (text, "    %-24s %10.6g\n", qn_table_column_name (table, k),
+                    qn_table_number (table, best, k));
+}
+
 static void
 append_output (GString *text, const QnTable *table, gsize column)
 {
@@ -160,6 +175,10 @@ append_output (GString *text, const QnTable *table, gsize column)
     append_combinations (text, table, column);
   if (count == 0)
     return;
+  if (strcmp (qn_table_column_name (table, column),
+              qn_study_output_names[QN_STUDY_CRACK_MISFIT])
+      == 0)
+    append_fit (text, table, column);
   if (!qn_table_is_sample (table)) {
     qn_text_append (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
                     sorted[count - 1]);

@@ -230,8 +230,39 @@ test_combinations (void)
   g_assert_cmpuint (sliding, >, 10);
 }
 
+/* A foundation that moves out by s and tilts outwards by t opens the joints of the walls on it, at their tops, by
+ * s + t (y + 0.15): y 1 and 2 m, from its centroid. The measured widths are any. */
+static void
+test_cracks (void)
+{
+  static const double outwards = 0.0042, tilt = 0.0031;
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autoptr (GError) error = NULL;
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": "
+    "\"%s/51-parting-walls.quoin\", \"run\": \"solve\", \"cracks\": [ "
+    "{ \"blocks\": [\"r1\", \"l1\"], \"width\": 0.006 }, "
+    "{ \"blocks\": [\"l2\", \"r2\"], \"width\": 0.013 } ], \"parameters\": [ "
+    "{ \"name\": \"s\", \"path\": \"loads.live[0].value\", \"values\": [0.001] }, "
+    "{ \"name\": \"t\", \"path\": \"loads.live[1].value\", \"values\": [-0.001] } ], "
+    "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"crack_misfit\", "
+    "\"widest_crack\"] }",
+    g_getenv ("QUOIN_EXAMPLES"));
+  g_auto (QnStudy) study;
+  g_auto (QnCaseResult) result;
+  fixture_read (folder, text, &study, &error);
+  g_assert_no_error (error);
+  qn_case_solve (&study, (const double[]){ outwards, -tilt }, NULL, NULL, &result);
+  g_assert_cmpstr (result.outcome, ==, "target-reached");
+  double low = outwards + 1.15 * tilt, high = outwards + 2.15 * tilt;
+  g_assert_cmpfloat_with_epsilon (result.numbers[QN_STUDY_WIDEST_CRACK], high, 1e-9);
+  g_assert_cmpfloat_with_epsilon (result.numbers[QN_STUDY_CRACK_MISFIT],
+                                  hypot (low - 0.006, high - 0.013) / G_SQRT2, 1e-9);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/study/case/cracks", test_cracks);
   g_test_add_func ("/study/case/combinations", test_combinations);
   g_test_add_func ("/study/case/outputs", test_outputs);
   g_test_add_func ("/study/case/failed", test_failed);
