@@ -71,9 +71,9 @@ test_block (void)
   g_autofree char *json = g_build_filename (folder, "c.json", NULL);
   g_autofree char *csv = g_build_filename (folder, "c.csv", NULL);
   g_autofree char *svg = g_build_filename (folder, "c.svg", NULL);
-  cli_says ("m/s2 (0.25 g), soil C, damping 0.05\nstanding", "capacity", model, "--spectrum",
-            "type1", "--ag", "2.4525", "--soil", "C", "--json", json, "--csv", csv, "-o",
-            svg, NULL);
+  cli_says ("m/s2 (0.25 g), soil C, damping 0.05\nstanding", "capacity", model,
+            "--spectrum", "type1", "--ag", "2.4525", "--soil", "C", "--json", json,
+            "--csv", csv, "-o", svg, NULL);
   /* In g by Italian habit: ten times too little. */
   cli_says ("is this number in g?", "capacity", model, "--spectrum", "type2", "--ag",
             "0.25", "--soil", "C", NULL);
