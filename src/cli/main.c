@@ -9,10 +9,10 @@
 #include <string.h>
 
 static const QnSubcommand *const subcommands[] = {
-  &qn_cmd_check,   &qn_cmd_solve,  &qn_cmd_limit,     &qn_cmd_render,   &qn_cmd_animate,
-  &qn_cmd_compare, &qn_cmd_curve,  &qn_cmd_generate,  &qn_cmd_import,   &qn_cmd_export,
-  &qn_cmd_law,     &qn_cmd_modal,  &qn_cmd_stability, &qn_cmd_capacity, &qn_cmd_ida,
-  &qn_cmd_figures, &qn_cmd_report, &qn_cmd_study,     &qn_cmd_verify,
+  &qn_cmd_check,   &qn_cmd_solve,   &qn_cmd_limit,  &qn_cmd_envelope,  &qn_cmd_render,
+  &qn_cmd_animate, &qn_cmd_compare, &qn_cmd_curve,  &qn_cmd_generate,  &qn_cmd_import,
+  &qn_cmd_export,  &qn_cmd_law,     &qn_cmd_modal,  &qn_cmd_stability, &qn_cmd_capacity,
+  &qn_cmd_ida,     &qn_cmd_figures, &qn_cmd_report, &qn_cmd_study,     &qn_cmd_verify,
 };
 
 static const QnSubcommand *

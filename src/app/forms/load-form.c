@@ -7,6 +7,7 @@
 #include "core/model/edge-load.h"
 #include "doc/edit/edit-stage.h"
 #include "doc/view/load-text.h"
+#include "io/project/project-vehicle.h"
 #include <glib/gi18n.h>
 
 /* Lines of a list; of more loads the rest is only counted. */
@@ -58,6 +59,17 @@ typedef struct Form {
   FIELD (EARTH, "earth", CHANGE)                                                         \
   MEMBER (COEFFICIENT, "coefficient", CHANGE, QnLoad, coefficient)                       \
   MEMBER (FRICTION_ANGLE, "friction_angle", CHANGE, QnLoad, friction_angle)              \
+  FIELD (SURFACE, "surface", CHANGE)                                                     \
+  MEMBER (MOBILISATION, "mobilisation", CHANGE, QnLoad, mobilisation)                    \
+  MEMBER (SOIL_STIFFNESS, "soil_stiffness", CHANGE, QnLoad, stiffness)                   \
+  FIELD (VEHICLE, "vehicle", CHANGE)                                                     \
+  MEMBER (POSITION, "position", CHANGE, QnLoad, position)                                \
+  MEMBER (REVERSED, "reversed", CHANGE, QnLoad, reversed)                                \
+  MEMBER (CONVOY, "convoy", CHANGE, QnLoad, convoy)                                      \
+  MEMBER (HEADWAY, "headway", CHANGE, QnLoad, headway)                                   \
+  MEMBER (DISPERSAL, "dispersal", CHANGE, QnLoad, dispersal)                             \
+  MEMBER (WIDTH, "width", CHANGE, QnLoad, width)                                         \
+  MEMBER (EFFECTIVE, "effective_width", CHANGE, QnLoad, effective)                       \
   FIELD (ADD_WEIGHT, "add_weight", CHANGE)                                               \
   FIELD (ADD_FORCE, "add_force", CHANGE)                                                 \
   FIELD (ADD_LINE, "add_line", CHANGE)                                                   \
@@ -65,6 +77,8 @@ typedef struct Form {
   FIELD (ADD_EDGE, "add_edge", CHANGE)                                                   \
   FIELD (ADD_SURCHARGE, "add_surcharge", CHANGE)                                         \
   FIELD (ADD_BACKFILL, "add_backfill", CHANGE)                                           \
+  FIELD (ADD_FILL, "add_fill", CHANGE)                                                   \
+  FIELD (ADD_VEHICLE, "add_vehicle", CHANGE)                                             \
   FIELD (DUPLICATE, "duplicate", N_ ("Duplicate Load"))                                  \
   FIELD (UP, "up", N_ ("Move Load"))                                                     \
   FIELD (DOWN, "down", N_ ("Move Load"))                                                 \
@@ -185,18 +199,79 @@ has_number (const QnLoad *load, guint field)
   case FROM:
   case TO:
   case PRESSURE:
-  case UNIT_WEIGHT:
     return fill;
+  case UNIT_WEIGHT:
+    return fill || load->kind == QN_LOAD_FILL;
+  case SURFACE:
+  case MOBILISATION:
+  case SOIL_STIFFNESS:
+    return load->kind == QN_LOAD_FILL;
+  case VEHICLE:
+  case POSITION:
+  case REVERSED:
+  case CONVOY:
+  case HEADWAY:
+  case DISPERSAL:
+  case WIDTH:
+  case EFFECTIVE:
+    return load->kind == QN_LOAD_VEHICLE;
+  case FRICTION_ANGLE:
+    return (soil && load->earth != QN_EARTH_GIVEN) || load->kind == QN_LOAD_FILL;
   case LEVEL:
     return fill && !soil;
   case SOIL_SIDE:
   case EARTH:
     return soil;
-  case COEFFICIENT:
-    return soil && load->earth == QN_EARTH_GIVEN;
   default:
-    return soil && load->earth != QN_EARTH_GIVEN;
+    return soil && load->earth == QN_EARTH_GIVEN;
   }
+}
+
+/* "x; y, x; y …", m. */
+static char *
+dup_surface (const QnLoad *load)
+{
+  GString *text = g_string_new (NULL);
+  for (int32_t i = 0; i < load->surface_count; i++) {
+    g_autofree char *x =
+      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, load->surface[i].x, 6);
+    g_autofree char *y =
+      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, load->surface[i].y, 6);
+    g_string_append_printf (text, "%s%s; %s", i > 0 ? " | " : "", x, y);
+  }
+  return g_string_free (text, FALSE);
+}
+
+static gboolean
+parse_surface (const char *text, QnLoad *load, GError **error)
+{
+  g_auto (GStrv) points = g_strsplit (text, "|", -1);
+  load->surface_count = 0;
+  for (guint i = 0; points[i] != NULL && i < QN_MAX_SURFACE_POINTS; i++) {
+    g_auto (GStrv) parts = g_strsplit (points[i], ";", -1);
+    QnVec2 *p = &load->surface[i];
+    if (g_strv_length (parts) != 2)
+      return qn_edit_refuse (error, _ ("Write points as x; y | x; y"));
+    if (!qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[0], &p->x, error)
+        || !qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[1], &p->y, error))
+      return FALSE;
+    load->surface_count++;
+  }
+  return TRUE;
+}
+
+/* The vehicles of the project, then those that are built in. */
+static GPtrArray *
+list_vehicles (const QnModel *model)
+{
+  GPtrArray *list = g_ptr_array_new_with_free_func (g_free);
+  g_auto (GStrv) known = qn_dup_vehicle_names ();
+  for (gsize i = 0; i < model->vehicle_count; i++)
+    g_ptr_array_add (list, g_strdup (model->vehicles[i].name));
+  for (guint i = 0; known[i] != NULL; i++)
+    if (qn_model_find_vehicle (model, known[i]) == QN_NONE)
+      g_ptr_array_add (list, g_strdup (known[i]));
+  return list;
 }
 
 static gboolean
@@ -216,6 +291,16 @@ show_load (const Form *form, guint field, QnValue *value)
   case WHERE:
     value->number = load->has_side ? load->side : QN_BLOCK_SIDE_COUNT;
     break;
+  case SURFACE:
+    value->text = dup_surface (load);
+    break;
+  case VEHICLE: {
+    g_autoptr (GPtrArray) list = list_vehicles (model);
+    for (guint i = 0; i < list->len; i++)
+      qn_value_add_row (value, list->pdata[i]);
+    value->number = load->vehicle;
+    break;
+  }
   case EARTH:
     value->number = load->earth;
     break;
@@ -290,6 +375,8 @@ show (gpointer data, guint field, QnValue *value)
   case ADD_EDGE:
   case ADD_SURCHARGE:
   case ADD_BACKFILL:
+  case ADD_FILL:
+  case ADD_VEHICLE:
     return TRUE;
   default:
     return show_load (form, field, value);
@@ -401,6 +488,15 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
     else
       qn_load_chain (model, &before, &load.edge, &load.edge_count);
     break;
+  case SURFACE:
+    if (!parse_surface (value->text, &load, error))
+      return FALSE;
+    break;
+  case VEHICLE: {
+    g_autoptr (GPtrArray) list = list_vehicles (model);
+    load.vehicle = qn_model_take_vehicle (model, list->pdata[qn_value_int (value)]);
+    break;
+  }
   case NORMAL:
     if (!load.normal && load.vector.x == 0.0 && load.vector.y == 0.0)
       load.vector = qn_vec2 (0.0, -1.0);
@@ -467,6 +563,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case ADD_EDGE:
   case ADD_SURCHARGE:
   case ADD_BACKFILL:
+  case ADD_FILL:
+  case ADD_VEHICLE:
     return add (form, model, field, error);
   default:
     return change (form, model, field, value, error);

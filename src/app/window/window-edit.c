@@ -361,7 +361,7 @@ align (QnWindow *self, GVariant *parameter)
 static void
 distribute (QnWindow *self, GVariant *parameter)
 {
-  QnSpread spread;
+  QnSpreadMode spread;
   QnDraft draft;
   if (qn_spread_parse (g_variant_get_string (parameter, NULL), &spread)
       && qn_canvas_begin_edit (self->canvas, &draft))

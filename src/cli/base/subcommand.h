@@ -25,6 +25,7 @@ struct QnSubcommand {
 extern const QnSubcommand qn_cmd_capacity;
 extern const QnSubcommand qn_cmd_check;
 extern const QnSubcommand qn_cmd_solve;
+extern const QnSubcommand qn_cmd_envelope;
 extern const QnSubcommand qn_cmd_limit;
 extern const QnSubcommand qn_cmd_render;
 extern const QnSubcommand qn_cmd_animate;

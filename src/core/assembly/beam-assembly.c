@@ -56,7 +56,7 @@ place (QnBeamAssembly *as, size_t index, const int32_t *unknowns)
 {
   const QnModel *model = as->model;
   const size_t elements = model->element_count;
-  const QnTie *tie = index < elements ? NULL : &model->ties[index - elements];
+  const QnTie *tie = index < elements ? NULL : qn_model_tie (model, index - elements);
   QnAssembledBeam *beam = &as->beams[index];
 
   beam->properties =
@@ -131,7 +131,7 @@ qn_beam_assembly_stiffness (const QnBeamAssembly *as)
 bool
 qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t *unknowns)
 {
-  size_t count = model->element_count + model->tie_count;
+  size_t count = model->element_count + qn_model_tie_count (model);
   QnPool *pool = &as->pool;
 
   *as = (QnBeamAssembly){ .model = model,

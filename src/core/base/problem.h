@@ -156,6 +156,10 @@
   X (OPENINGS_OVERLAP, "openings overlap") \
   X (FLAT_ARCH_SKEW, "skew must be an acute angle") \
   X (ARCH_SHAPE, "rise does not fit the span and the shape of the arch") \
+  X (SURFACE, "the surface of a fill has two or more points, from left to right") \
+  X (FILL_LIVE, "fill is a dead load") \
+  X (VEHICLE_UNKNOWN, "no vehicle has this name") \
+  X (VEHICLE_EMPTY, "a vehicle needs axles or lines") \
   X (POINTED_RINGS, "a pointed arch has one ring") \
   X (BACKING_TOO_HIGH, "backing must end above the skewbacks and below the crown of the arches") \
   X (PIER_TOO_NARROW, "pier is too narrow for the arches on it") \

@@ -312,8 +312,8 @@ static QnStatus
 stretch_ties (const Chain *c, double *work, QnDiag *diag)
 {
   *work = 0;
-  for (size_t i = 0; i < c->model->tie_count; i++) {
-    const QnTie *tie = &c->model->ties[i];
+  for (size_t i = 0; i < qn_model_tie_count (c->model); i++) {
+    const QnTie *tie = qn_model_tie (c->model, i);
     QnVec2 ends[2];
     for (int e = 0; e < 2; e++) {
       QnId body = body_of (c, tie->ends[e].block);

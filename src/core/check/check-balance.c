@@ -270,8 +270,8 @@ qn_check_balance (QnCheck *check, size_t step)
       last->index = (QnId) e;
     }
   }
-  for (size_t i = 0; i < model->tie_count; i++)
-    add_tie (&sum, &model->ties[i],
+  for (size_t i = 0; i < qn_model_tie_count (model); i++)
+    add_tie (&sum, qn_model_tie (model, i),
              as->beams.responses[model->element_count + i].force[0]);
   for (size_t i = 0; i < qn_model_body_count (model) * QN_DOF_COUNT; i++) {
     size_t body = i / QN_DOF_COUNT;

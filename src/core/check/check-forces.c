@@ -607,15 +607,16 @@ check_ties (QnCheck *check, size_t step)
   const QnModel *model = check->model;
   QnBeamAssembly *members = &check->assembly.beams;
   bool rigid = result->limit.given, last = step + 1 == result->step_count;
-  const QnTieResult *stated =
-    result->tie_count == model->tie_count ? qn_result_step_ties (result, step) : NULL;
+  const QnTieResult *stated = result->tie_count == qn_model_tie_count (model)
+                                ? qn_result_step_ties (result, step)
+                                : NULL;
 
-  if (model->tie_count == 0 || (rigid && !last))
+  if (qn_model_tie_count (model) == 0 || (rigid && !last))
     return;
   if (stated == NULL)
     qn_check_tell (check, QN_CLAIM_TIES, (QnId) step, QN_ENTITY_TIE, QN_NONE, NAN, NAN);
-  for (size_t i = 0; stated != NULL && i < model->tie_count; i++) {
-    const QnTie *tie = &model->ties[i];
+  for (size_t i = 0; stated != NULL && i < qn_model_tie_count (model); i++) {
+    const QnTie *tie = qn_model_tie (model, i);
     const size_t member = model->element_count + i;
     const QnAssembledBeam *at = &members->beams[member];
     QnBeamResponse *response = &members->responses[member];

@@ -149,7 +149,7 @@ check_tie_rates (QnCheck *check, double none, double little)
   const QnBeamAssembly *members = &check->assembly.beams;
   const size_t elements = check->model->element_count;
 
-  for (size_t i = 0; i < check->model->tie_count; i++) {
+  for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
     const QnBeamResponse *response = &members->responses[elements + i];
     const QnAssembledBeam *at = &members->beams[elements + i];
     double rate = qn_beam_assembly_tie_rate (members, i, check->velocity);

@@ -52,7 +52,7 @@ qn_check_unlimited (const QnModel *model, const QnContacts *contacts, bool *unli
 {
   *unlimited = false;
   if (model->analysis.follow || model->node_count > 0 || model->bar_count > 0
-      || model->tie_count > 0 || !has_only_forces (model))
+      || qn_model_tie_count (model) > 0 || !has_only_forces (model))
     return QN_OK;
   for (size_t f = 0; f < contacts->face_count; f++)
     if (!is_unlimited (&model->laws[contacts->faces[f].law_a])

@@ -178,7 +178,8 @@ report_loads (const QnModel *model, QnFindings *findings)
 {
   for (size_t i = 0; i < qn_model_load_count (model); i++) {
     const QnLoad *load = qn_model_load (model, i);
-    bool any = load->pressure > 0 || load->unit_weight > 0;
+    bool any =
+      load->pressure > 0 || load->unit_weight > 0 || load->kind == QN_LOAD_VEHICLE;
     size_t count;
     if (load->kind == QN_LOAD_BACKFILL)
       any = any && qn_load_earth_coefficient (load) > 0;

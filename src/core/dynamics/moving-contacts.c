@@ -381,7 +381,7 @@ qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
   double *rows =
     qn_pool_alloc (&pool, qn_model_body_count (model) * QN_DOF_COUNT, sizeof *rows);
   QnBeamForces *forces = qn_pool_alloc (&pool, model->element_count, sizeof *forces);
-  QnTieResult *ties = qn_pool_alloc (&pool, model->tie_count, sizeof *ties);
+  QnTieResult *ties = qn_pool_alloc (&pool, qn_model_tie_count (model), sizeof *ties);
   bool ok = !pool.failed;
 
   if (ok) {

@@ -228,8 +228,8 @@ fill_ties (QnLimitProblem *limit, const QnModel *model, const QnContacts *contac
 {
   QnIpProblem *ip = &limit->ip;
 
-  for (size_t i = 0; i < model->tie_count; i++) {
-    const QnTie *tie = &model->ties[i];
+  for (size_t i = 0; i < qn_model_tie_count (model); i++) {
+    const QnTie *tie = qn_model_tie (model, i);
     QnIpGroup group = { .first_cell = ip->cell_count, .cell_count = 1 };
     QnIpCell cell = { .first_bound = ip->bound_count, .no_shear = true };
     QnVec2 axis = qn_vec2_scale (1 / qn_tie_length (tie),
@@ -288,7 +288,7 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     return status;
   *limit = (QnLimitProblem){
     .block_count = model->block_count,
-    .pair_count = contacts->pair_count + model->tie_count,
+    .pair_count = contacts->pair_count + qn_model_tie_count (model),
     .length_unit = model->characteristic_length,
     .own_flow = own_flow,
   };
@@ -298,8 +298,8 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
   limit->mass = qn_pool_alloc (pool, dofs, sizeof *limit->mass);
   limit->constant = qn_pool_alloc (pool, dofs, sizeof *limit->constant);
   limit->load = qn_pool_alloc (pool, dofs, sizeof *limit->load);
-  limit->groups =
-    qn_pool_alloc (pool, contacts->face_count + model->tie_count, sizeof *limit->groups);
+  limit->groups = qn_pool_alloc (pool, contacts->face_count + qn_model_tie_count (model),
+                                 sizeof *limit->groups);
   limit->cells = qn_pool_alloc (pool, limit->pair_count, sizeof *limit->cells);
   limit->cell_pairs = qn_pool_alloc (pool, limit->pair_count, sizeof *limit->cell_pairs);
   limit->bounds =

@@ -58,15 +58,15 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
     }
     /* Rigid blocks have not moved when they collapse: both steps have no displacements. */
     double *none = qn_alloc (result->block_count * QN_DOF_COUNT, sizeof *none);
-    QnTieResult *ties = qn_alloc (model->tie_count, sizeof *ties);
-    for (size_t i = 0; ties != NULL && i < model->tie_count; i++) {
+    QnTieResult *ties = qn_alloc (qn_model_tie_count (model), sizeof *ties);
+    for (size_t i = 0; ties != NULL && i < qn_model_tie_count (model); i++) {
       double force = solution->forces[2 * (contacts->pair_count + i)];
       ties[i] = (QnTieResult){
         .force = force,
-        .state = qn_tie_state (&model->ties[i], force, STATE_TOLERANCE * largest),
+        .state = qn_tie_state (qn_model_tie (model, i), force, STATE_TOLERANCE * largest),
       };
     }
-    result->tie_count = model->tie_count;
+    result->tie_count = qn_model_tie_count (model);
     QnStep collapse = { .multiplier = solution->lower_bound,
                         .iterations = solution->effort.iterations,
                         .residual = solution->check.static_residual,

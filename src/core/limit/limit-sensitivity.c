@@ -128,7 +128,7 @@ area_power (const QnModel *model, const QnContacts *contacts, const QnResult *re
 static bool
 is_pressure (QnLoadKind kind)
 {
-  return kind == QN_LOAD_SURCHARGE || kind == QN_LOAD_BACKFILL;
+  return kind != QN_LOAD_EDGE && qn_load_is_on_edges (kind);
 }
 
 /* What of a load acts at collapse. */

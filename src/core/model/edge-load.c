@@ -3,8 +3,9 @@
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
+#include "core/model/disperse.h"
 #include "core/model/model-check.h"
-#include "core/model/outline.h"
+#include "core/model/soil.h"
 
 #include <stdlib.h>
 
@@ -23,6 +24,17 @@ qn_load_earth_coefficient (const QnLoad *load)
     break;
   }
   return load->coefficient;
+}
+
+double
+qn_load_surface_at (const QnLoad *load, double x)
+{
+  const QnVec2 *p = load->surface;
+
+  for (int32_t i = 0; i + 1 < load->surface_count; i++)
+    if (x >= p[i].x && x <= p[i + 1].x)
+      return p[i].y + (p[i + 1].y - p[i].y) * ((x - p[i].x) / (p[i + 1].x - p[i].x));
+  return NAN;
 }
 
 void
@@ -263,6 +275,197 @@ resolve_seen (Resolver *r)
   return status;
 }
 
+/* --- Fill and vehicles -------------------------------------------------------------------- */
+
+/* Fill between two corners of its surface on an edge: weight on the level projection, active pressure on
+ * the upright one, both in proportion to the depth. `beside`: the edge is upright, with the soil on this
+ * side of it. */
+static QnStatus
+add_fill (Resolver *r, const QnSeenEdge *seen, const QnVec2 surface[2], double beside)
+{
+  const QnLoad *load = r->load;
+  const double span[2] = { beside != 0 ? load->span[0] : surface[0].x,
+                           beside != 0 ? INFINITY : surface[1].x };
+  QnVec2 ends[2], edge = qn_vec2_sub (seen->ends[1], seen->ends[0]);
+  double thickness = r->model->blocks[seen->block].thickness, depth[2];
+  double active = qn_fill_active (load),
+         slope = (surface[1].y - surface[0].y) / (surface[1].x - surface[0].x);
+
+  if (!clip (seen, beside != 0, span, ends))
+    return QN_OK;
+  for (int end = 0; end < 2; end++)
+    depth[end] = surface[0].y + slope * (ends[end].x - surface[0].x) - ends[end].y;
+  for (int end = 0; end < 2; end++)
+    if (depth[end] < 0 && depth[1 - end] > 0) { /* comes out of the fill */
+      ends[end] = qn_vec2_lerp (ends[end], ends[1 - end],
+                                depth[end] / (depth[end] - depth[1 - end]));
+      depth[end] = 0;
+    }
+  double per_depth = load->unit_weight * thickness / qn_vec2_length (edge);
+  return add_stretch (r, seen->block, ends[0], ends[1], per_depth * fmax (depth[0], 0),
+                      per_depth * fmax (depth[1], 0), qn_vec2 (-active * edge.y, edge.x));
+}
+
+/* Treads and slopes from above; upright faces from their side, where the surface goes on beside them. */
+static QnStatus
+resolve_fill (Resolver *r)
+{
+  static const QnBlockSide sides[] = { QN_BLOCK_SIDE_TOP, QN_BLOCK_SIDE_LEFT,
+                                       QN_BLOCK_SIDE_RIGHT };
+  const QnLoad *load = r->load;
+  const int count = load->friction_angle > 0 ? 3 : 1;
+  QnStatus status = QN_OK;
+
+  for (int s = 0; s < count && status == QN_OK; s++) {
+    double beside = s == 0 ? 0 : s == 1 ? -1 : 1;
+    if (!look_from (r, sides[s]))
+      return qn_diag_no_memory (r->diag);
+    for (size_t i = 0; i < r->seen[sides[s]].count; i++) {
+      const QnSeenEdge *seen = &r->seen[sides[s]].items[i];
+      QnVec2 edge = qn_vec2_sub (seen->ends[1], seen->ends[0]);
+      double x = seen->ends[0].x;
+      if (s > 0 && fabs (edge.x) > QN_TOLERANCE_CONVEX * fabs (edge.y))
+        continue;
+      for (int32_t k = 0; k + 1 < load->surface_count && status == QN_OK; k++) {
+        const QnVec2 *surface = &load->surface[k];
+        if (s == 0
+            || (beside < 0 ? surface[0].x < x && surface[1].x >= x
+                           : surface[0].x <= x && surface[1].x > x))
+          status = add_fill (r, seen, surface, beside);
+      }
+    }
+  }
+  return status == QN_OK ? qn_model_add_soil (r->model, r->source, r->diag) : status;
+}
+
+/* The fill that lies at x, NULL for none, and the height at which a load stands there; NAN beside
+ * everything. */
+static const QnLoad *
+find_surface (const Resolver *r, double x, double *height)
+{
+  const QnSeenEdges *top = &r->seen[QN_BLOCK_SIDE_TOP];
+
+  *height = NAN;
+  for (size_t i = 0; i < r->model->dead_load_count; i++) {
+    const QnLoad *load = &r->model->dead_loads[i];
+    *height = load->kind == QN_LOAD_FILL ? qn_load_surface_at (load, x) : NAN;
+    if (!isnan (*height))
+      return load;
+  }
+  for (size_t i = 0; i < top->count; i++) {
+    QnVec2 left = top->items[i].ends[1], right = top->items[i].ends[0];
+    if (x >= left.x && x <= right.x)
+      *height = left.y + (right.y - left.y) * ((x - left.x) / (right.x - left.x));
+  }
+  return NULL;
+}
+
+/* A load between two x: the middle of what is spread; `along` is how long it is at the surface. */
+static void
+add_source (Resolver *r, double x, double force, double along, QnShare *shares)
+{
+  const QnLoad *load = r->load;
+  double height;
+  const QnLoad *fill = find_surface (r, x, &height);
+  QnSource source = {
+    .x = x,
+    .surface = height,
+    .load = force,
+    .spread = qn_dispersal_spread (load->dispersal, &r->model->vehicles[load->vehicle]),
+    .boussinesq = load->dispersal == QN_DISPERSAL_BOUSSINESQ,
+    .width = load->width,
+    .effective = load->effective,
+    .profile = fill != NULL ? fill->surface : NULL,
+    .profile_count = fill != NULL ? fill->surface_count : 0,
+  };
+
+  if (along > 0)
+    source.spread.along = along;
+  if (!isnan (height))
+    qn_disperse (r->model, &r->seen[QN_BLOCK_SIDE_TOP], &source, shares);
+}
+
+/* The shares of all edges as forces on them: linear loads with their resultants, and clears them. */
+static QnStatus
+add_shares (Resolver *r, QnShare *shares)
+{
+  const QnSeenEdges *top = &r->seen[QN_BLOCK_SIDE_TOP];
+  QnStatus status = QN_OK;
+
+  for (size_t i = 0; i < top->count; i++) {
+    const QnShare share = shares[i];
+    QnVec2 left = top->items[i].ends[1], right = top->items[i].ends[0];
+    QnVec2 along = qn_vec2_sub (right, left);
+    double whole = qn_vec2_length (along), length = share.to - share.from;
+    shares[i] = (QnShare){ .from = INFINITY, .to = -INFINITY };
+    if (!(share.force > 0) || !(length > 0) || status != QN_OK)
+      continue;
+    /* The centroid of a linear load lies in the middle third. */
+    double centre = (share.moment / share.force - share.from) / length;
+    centre = fmin (fmax (centre, 1.0 / 3), 2.0 / 3);
+    double q = 2 * share.force / length, at = share.moment / share.force;
+    status =
+      add_stretch (r, top->items[i].block, qn_vec2_lerp (left, right, share.from / whole),
+                   qn_vec2_lerp (left, right, share.to / whole), q * (2 - 3 * centre),
+                   q * (3 * centre - 1), qn_vec2 (0, -1));
+    if (status == QN_OK)
+      r->model->edge_forces[r->model->edge_force_count - 1].at =
+        qn_vec2_lerp (left, right, at / whole);
+  }
+  return status;
+}
+
+#define LINE_PART                                                                        \
+  0.5 /* m: stretches of uniform load are spread in parts of this length */
+
+static QnStatus
+resolve_vehicle (Resolver *r)
+{
+  const QnLoad *load = r->load;
+  const QnVehicle *vehicle = &r->model->vehicles[load->vehicle];
+  const double way = load->reversed ? 1 : -1; /* from the front to the rear */
+
+  if (!look_from (r, QN_BLOCK_SIDE_TOP))
+    return qn_diag_no_memory (r->diag);
+  QnStatus status = QN_OK;
+  size_t count = r->seen[QN_BLOCK_SIDE_TOP].count;
+  QnShare *shares = qn_alloc (count, sizeof *shares);
+  if (shares == NULL)
+    return qn_diag_no_memory (r->diag);
+  QnBox box = QN_BOX_EMPTY;
+  for (size_t i = 0; i < count; i++) {
+    shares[i] = (QnShare){ .from = INFINITY, .to = -INFINITY };
+    for (int end = 0; end < 2; end++)
+      qn_box_add_point (&box, r->seen[QN_BLOCK_SIDE_TOP].items[i].ends[end]);
+  }
+  /* What stands farther beside the structure does not press on it. */
+  const double margin = qn_box_diagonal (box),
+               near[2] = { box.min.x - margin, box.max.x + margin };
+  for (int32_t n = 0; n < load->convoy && status == QN_OK; n++) {
+    double front =
+      load->position + way * n * (qn_vehicle_length (vehicle) + load->headway);
+    for (int32_t i = 0; i < vehicle->axle_count && status == QN_OK; i++) {
+      double x = front + way * vehicle->axles[i].at;
+      if (x > near[0] && x < near[1])
+        add_source (r, x, vehicle->axles[i].load, 0, shares);
+      status = add_shares (r, shares);
+    }
+    for (int32_t i = 0; i < vehicle->line_count && status == QN_OK; i++) {
+      const QnLineLoad *line = &vehicle->lines[i];
+      int parts = (int) fmax (ceil ((line->to - line->from) / LINE_PART), 1);
+      double part = (line->to - line->from) / parts;
+      for (int k = 0; k < parts; k++) {
+        double x = front + way * (line->from + (k + 0.5) * part);
+        if (x > near[0] && x < near[1])
+          add_source (r, x, line->intensity * part, part, shares);
+      }
+      status = add_shares (r, shares);
+    }
+  }
+  free (shares);
+  return status;
+}
+
 QnStatus
 qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag)
 {
@@ -270,12 +473,17 @@ qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag)
   QnStatus status = QN_OK;
 
   model->edge_force_count = 0;
+  qn_model_drop_soil (model);
   for (; r.source < qn_model_load_count (model) && status == QN_OK; r.source++) {
     r.load = qn_model_load (model, r.source);
     if (r.load->kind == QN_LOAD_EDGE)
       status = resolve_edge (&r);
     else if (r.load->kind == QN_LOAD_SURCHARGE || r.load->kind == QN_LOAD_BACKFILL)
       status = resolve_seen (&r);
+    else if (r.load->kind == QN_LOAD_FILL)
+      status = resolve_fill (&r);
+    else if (r.load->kind == QN_LOAD_VEHICLE)
+      status = resolve_vehicle (&r);
   }
   for (int side = 0; side < QN_BLOCK_SIDE_COUNT; side++)
     free (r.seen[side].items);

@@ -120,6 +120,8 @@ sum_forces (const QnModel *model, const double *factors, double *forces)
       case QN_LOAD_EDGE: /* their forces come behind the loads */
       case QN_LOAD_SURCHARGE:
       case QN_LOAD_BACKFILL:
+      case QN_LOAD_FILL:
+      case QN_LOAD_VEHICLE:
       case QN_LOAD_KIND_COUNT:
         break;
       }

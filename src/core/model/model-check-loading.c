@@ -85,6 +85,76 @@ check_fill (const QnLoad *load, QnSubject of)
                             "friction_angle", angle));
 }
 
+/* The points of a fill's surface, from left to right. */
+static bool
+check_surface (const QnLoad *load, QnSubject of)
+{
+  bool holds = qn_require (of, load->surface_count >= 2, QN_PROBLEM_SURFACE, "surface", 0)
+               && qn_require (of, load->surface_count <= QN_MAX_SURFACE_POINTS,
+                              QN_PROBLEM_TOO_LARGE, "surface", load->surface_count);
+
+  for (int32_t i = 0; i < load->surface_count && holds; i++)
+    holds = qn_require_vector (of, "surface", load->surface[i])
+            && qn_require (of, i == 0 || load->surface[i - 1].x < load->surface[i].x,
+                           QN_PROBLEM_SURFACE, "surface", 0);
+  return holds;
+}
+
+static bool
+check_soil (const QnLoad *load, QnSubject of)
+{
+  const double angle = load->friction_angle, part = load->mobilisation;
+
+  return check_surface (load, of)
+         && qn_require_number (of, "unit_weight", load->unit_weight,
+                               QN_RANGE_NOT_NEGATIVE)
+         && qn_require (of, angle >= 0 && angle < RIGHT_ANGLE, QN_PROBLEM_EARTH_ANGLE,
+                        "friction_angle", angle)
+         && qn_require (of, part >= 0 && part <= 1, QN_PROBLEM_FRACTION, "mobilisation",
+                        part)
+         && qn_require_number (of, "stiffness", load->stiffness, QN_RANGE_POSITIVE)
+         && qn_require (of, !isnan (load->span[0]), QN_PROBLEM_NOT_FINITE, "bottom", 0);
+}
+
+static bool
+check_vehicle_load (const QnModel *model, const QnLoad *load, QnSubject of)
+{
+  return qn_require_index (of, "vehicle", load->vehicle, model->vehicle_count,
+                           QN_PROBLEM_VEHICLE_UNKNOWN)
+         && qn_require_number (of, "position", load->position, QN_RANGE_FINITE)
+         && qn_require_number (of, "convoy", load->convoy, QN_RANGE_POSITIVE)
+         && qn_require (of, load->convoy <= QN_MAX_CONVOY, QN_PROBLEM_TOO_LARGE, "convoy",
+                        load->convoy)
+         && qn_require_number (of, "headway", load->headway, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "width", load->width, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "effective_width", load->effective,
+                               QN_RANGE_NOT_NEGATIVE);
+}
+
+static bool
+check_vehicle (const QnVehicle *vehicle, QnSubject of)
+{
+  bool holds = qn_require_number (of, "patch", vehicle->patch[0], QN_RANGE_POSITIVE)
+               && qn_require_number (of, "patch", vehicle->patch[1], QN_RANGE_POSITIVE)
+               && qn_require_number (of, "track", vehicle->track, QN_RANGE_NOT_NEGATIVE)
+               && qn_require (of, vehicle->axle_count + vehicle->line_count > 0,
+                              QN_PROBLEM_VEHICLE_EMPTY, "axles", 0);
+
+  for (int32_t i = 0; i < vehicle->axle_count && holds; i++)
+    holds =
+      qn_require_number (of, "axles", vehicle->axles[i].at, QN_RANGE_FINITE)
+      && qn_require_number (of, "axles", vehicle->axles[i].load, QN_RANGE_NOT_NEGATIVE);
+  for (int32_t i = 0; i < vehicle->line_count && holds; i++) {
+    const QnLineLoad *line = &vehicle->lines[i];
+    holds =
+      qn_require (of, line->from < line->to, QN_PROBLEM_LOADED_PART, "lines", line->from)
+      && qn_require (of, fmax (fabs (line->from), fabs (line->to)) <= 1e4,
+                     QN_PROBLEM_TOO_LARGE, "lines", line->to)
+      && qn_require_number (of, "lines", line->intensity, QN_RANGE_NOT_NEGATIVE);
+  }
+  return holds;
+}
+
 static bool
 check_load (const QnModel *model, const QnLoad *load, QnSubject of)
 {
@@ -97,6 +167,10 @@ check_load (const QnModel *model, const QnLoad *load, QnSubject of)
     return check_edge_load (model, load, of);
   if (load->kind == QN_LOAD_SURCHARGE || load->kind == QN_LOAD_BACKFILL)
     return check_fill (load, of);
+  if (load->kind == QN_LOAD_FILL)
+    return check_soil (load, of);
+  if (load->kind == QN_LOAD_VEHICLE)
+    return check_vehicle_load (model, load, of);
   if (!check_loaded (model, load, of))
     return false;
   if (load->kind == QN_LOAD_SETTLEMENT)
@@ -120,6 +194,13 @@ qn_model_check_loads (const QnModel *model, QnDiag *diag)
             && qn_require (of, factor <= QN_LARGEST_DIRECTION, QN_PROBLEM_TOO_LARGE, NULL,
                            factor);
   }
+  for (size_t i = 0; i < model->vehicle_count && holds; i++)
+    holds = check_vehicle (&model->vehicles[i],
+                           (QnSubject){ QN_ENTITY_VEHICLE, (QnId) i, diag });
+  for (size_t i = 0; i < model->live_load_count && holds; i++)
+    holds = qn_require (qn_load_subject (model, model->dead_load_count + i, diag),
+                        model->live_loads[i].kind != QN_LOAD_FILL, QN_PROBLEM_FILL_LIVE,
+                        "kind", 0);
   for (size_t i = 0; i < qn_model_load_count (model) && holds; i++)
     holds =
       check_load (model, qn_model_load (model, i), qn_load_subject (model, i, diag));

@@ -51,6 +51,8 @@ static const List lists[] = {
   { LIST (sections, section), offsetof (QnModel, section_names), true },
   { LIST (beams, beam), offsetof (QnModel, beam_names), true },
   { LIST (ties, tie), offsetof (QnModel, tie_names), true },
+  { LIST (soil_ties, soil_tie), 0, true },
+  { LIST (vehicles, vehicle), 0, true },
   { LIST (walls, wall), 0, true },
   { LIST (load_sets, load_set), 0, true },
   { LIST (load_cases, load_case), 0, true },
@@ -92,6 +94,8 @@ qn_model_clear (QnModel *model)
 {
   for (size_t i = 0; i < model->law_count; i++)
     free (model->laws[i].source);
+  for (size_t i = 0; i < model->vehicle_count; i++)
+    free (model->vehicles[i].source);
   for (size_t i = 0; i < model->wall_count; i++) {
     free (model->walls[i].lengths);
     free (model->walls[i].course_ends);
@@ -174,6 +178,8 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
     copy_list (copy, &lists[i], &failed);
   for (size_t i = 0; i < copy->law_count; i++)
     copy->laws[i].source = duplicate_name (copy->laws[i].source, &failed);
+  for (size_t i = 0; i < copy->vehicle_count; i++)
+    copy->vehicles[i].source = duplicate_name (copy->vehicles[i].source, &failed);
   for (size_t i = 0; i < copy->ground_count; i++) {
     QnGroundMotion *motion = &copy->ground[i];
     motion->record = duplicate_name (motion->record, &failed);
@@ -270,6 +276,21 @@ qn_model_add_bar (QnModel *model)
   return bar;
 }
 
+QnVehicle *
+qn_model_add_vehicle (QnModel *model, const char *name)
+{
+  return QN_MODEL_ADD_NAMED (model, vehicles, vehicle, NULL, name);
+}
+
+QnId
+qn_model_find_vehicle (const QnModel *model, const char *name)
+{
+  for (size_t i = 0; i < model->vehicle_count; i++)
+    if (strcmp (model->vehicles[i].name, name) == 0)
+      return (QnId) i;
+  return QN_NONE;
+}
+
 QnTie *
 qn_model_add_tie (QnModel *model, const char *name)
 {
@@ -290,6 +311,9 @@ of_nothing (QnLoad *load)
   load->part[1] = 1;
   load->span[0] = -INFINITY;
   load->span[1] = INFINITY;
+  load->stiffness = QN_USUAL_SOIL_STIFFNESS;
+  load->vehicle = QN_NONE;
+  load->convoy = 1;
   return load;
 }
 

@@ -15,6 +15,7 @@
 #include "core/model/beam.h"
 #include "core/model/ground-motion.h"
 #include "core/model/tie.h"
+#include "core/model/vehicle.h"
 
 /* Most blocks that one model may have; far above what a plane masonry structure needs, far
  * below what would exhaust a machine. */
@@ -42,6 +43,13 @@
 #define QN_MAX_LOAD_CASES  1000
 #define QN_ACTION_SIZE     24
 #define QN_MAX_EDGE_FORCES 500000
+
+/* Most corners of the surface of fill, and most vehicles in a convoy. */
+#define QN_MAX_SURFACE_POINTS 24
+#define QN_MAX_CONVOY         20
+
+/* Of fill, Pa/m, where nothing else is said. */
+#define QN_USUAL_SOIL_STIFFNESS 1e7
 
 /* Most stages of one analysis. */
 #define QN_MAX_STAGES 1000
@@ -158,6 +166,8 @@ typedef enum {
   QN_LOAD_EDGE,       /* on a chain of edges of one block: force per length */
   QN_LOAD_SURCHARGE,  /* downwards on what is seen from above: pressure, weight of fill */
   QN_LOAD_BACKFILL,   /* earth pressure on what is seen from one side */
+  QN_LOAD_FILL,       /* weight and pressure of soil below a surface */
+  QN_LOAD_VEHICLE,    /* what arrives of a vehicle through the fill below it */
   QN_LOAD_NODE,       /* force and moment on one node */
   QN_LOAD_KIND_COUNT
 } QnLoadKind;
@@ -198,11 +208,31 @@ typedef struct QnLoad {
   QnBlockSide side; /* EDGE; BACKFILL: left or right, where the soil is */
   double span[2];  /* SURCHARGE: from x to x; BACKFILL: from y to y, m; may be infinite */
   double pressure; /* SURCHARGE, BACKFILL: on the fill's surface, Pa, >= 0 */
-  double unit_weight;    /* of the fill, N/m3, >= 0 */
-  double level;          /* SURCHARGE: of the fill's surface, m */
-  QnEarth earth;         /* BACKFILL: where K comes from: */
-  double coefficient;    /* GIVEN: K, >= 0 */
-  double friction_angle; /* of the soil, rad, 0 to pi/2 */
+  double unit_weight; /* of the fill, N/m3, >= 0 */
+  double level;       /* SURCHARGE: of the fill's surface, m */
+  QnEarth earth;      /* BACKFILL: where K comes from: */
+  double coefficient; /* GIVEN: K, >= 0 */
+  double
+    friction_angle; /* of the soil, rad, 0 to pi/2; FILL: 0: it presses downwards alone */
+
+  /* FILL: below the surface that these points give from left to right, on what is seen from above. With
+   * a friction angle also active pressure on the upright projection of its edges, and soil ties
+   * (core/model/soil.h) where it is mobilised. span[0]: its lower end on upright faces. */
+  QnVec2 surface[QN_MAX_SURFACE_POINTS];
+  int32_t surface_count; /* >= 2 */
+  double mobilisation;   /* part of the passive coefficient that is reached, 0 to 1 */
+  double stiffness;      /* of the soil against what moves into it, Pa/m, > 0 */
+
+  /* VEHICLE: on the first fill among the dead loads that lies below, or on the blocks. */
+  QnId vehicle;
+  double position; /* x of its front, m */
+  bool reversed;   /* it goes to the left, its axles stand to the right of the front */
+  int32_t convoy;  /* so many behind each other, >= 1; */
+  double headway;  /* m from the end of one to the front of the next */
+  QnDispersal dispersal;
+  double width; /* of the structure, m: no load spreads over more; 0: not limited */
+  double
+    effective; /* m: width across that carries an axle at any depth; 0: by `dispersal` */
   int32_t note;
 } QnLoad;
 
@@ -358,6 +388,10 @@ typedef struct QnModel {
   size_t bar_count, bar_capacity;
   QnTie *ties;
   size_t tie_count, tie_capacity;
+  QnTie *soil_ties; /* derived; see core/model/soil.h */
+  size_t soil_tie_count, soil_tie_capacity;
+  QnVehicle *vehicles;
+  size_t vehicle_count, vehicle_capacity;
   QnNameIndex tie_names;
   QnLoad *dead_loads;
   size_t dead_load_count, dead_load_capacity;
@@ -409,6 +443,7 @@ QnSection *qn_model_add_section (QnModel *model, const char *name);
 QnBeam *qn_model_add_beam (QnModel *model, const char *name);
 QnBar *qn_model_add_bar (QnModel *model);
 QnTie *qn_model_add_tie (QnModel *model, const char *name);
+QnVehicle *qn_model_add_vehicle (QnModel *model, const char *name);
 QnLoad *qn_model_add_dead_load (QnModel *model);
 QnLoad *qn_model_add_live_load (QnModel *model);
 QnStage *qn_model_add_stage (QnModel *model, const char *name);
@@ -447,6 +482,9 @@ int32_t qn_model_add_load_case (QnModel *model, const char *name);
 /* The same without adding: QN_NONE where there is none. */
 int32_t qn_model_find_load_case (const QnModel *model, const char *name);
 
+/* The height of a FILL's surface at x; NAN where it has none. */
+double qn_load_surface_at (const QnLoad *load, double x);
+
 /* K of a BACKFILL. */
 double qn_load_earth_coefficient (const QnLoad *load);
 
@@ -472,12 +510,27 @@ QnId qn_model_find_node (const QnModel *model, const char *name);
 QnId qn_model_find_section (const QnModel *model, const char *name);
 QnId qn_model_find_beam (const QnModel *model, const char *name);
 QnId qn_model_find_tie (const QnModel *model, const char *name);
+QnId qn_model_find_vehicle (const QnModel *model, const char *name);
 
 /* Expands walls, orients polygons counter-clockwise, computes areas, centroids and weights,
  * and checks every number and reference that can be checked without contacts. The first
  * problem found is reported; the model may only be cleared then. A model without blocks and beams
  * is legal; qn_contacts_require_sound() refuses to analyse it. */
 QnStatus qn_model_prepare (QnModel *model, QnDiag *diag);
+
+/* Ties as analyses take them: those of the project, then those of soil. */
+static inline size_t
+qn_model_tie_count (const QnModel *model)
+{
+  return model->tie_count + model->soil_tie_count;
+}
+
+static inline const QnTie *
+qn_model_tie (const QnModel *model, size_t index)
+{
+  return index < model->tie_count ? &model->ties[index]
+                                  : &model->soil_ties[index - model->tie_count];
+}
 
 /* Bodies are what has degrees of freedom: the blocks, then the nodes. A node on a block has no
  * unknowns; its row of displacements is the motion that the block gives it. */
@@ -605,7 +658,8 @@ double qn_model_load_factor (const QnModel *model, const QnLoad *load);
 static inline bool
 qn_load_is_on_edges (QnLoadKind kind)
 {
-  return kind == QN_LOAD_EDGE || kind == QN_LOAD_SURCHARGE || kind == QN_LOAD_BACKFILL;
+  return kind == QN_LOAD_EDGE || kind == QN_LOAD_SURCHARGE || kind == QN_LOAD_BACKFILL
+         || kind == QN_LOAD_FILL || kind == QN_LOAD_VEHICLE;
 }
 
 /* The force that one load (counted likewise) exerts on the structure as a whole, its factor

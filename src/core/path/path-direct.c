@@ -52,7 +52,7 @@ applies (const QnPathTrace *trace)
   const QnModel *model = trace->path->model;
   const QnAssembly *as = &trace->path->equilibrium.assembly;
   bool known = may_settle (trace) && model->stage_count == 0 && model->element_count == 0
-               && model->node_count == 0 && model->tie_count == 0
+               && model->node_count == 0 && qn_model_tie_count (model) == 0
                && as->settling_count == 0;
 
   for (size_t p = 0; known && p < as->pair_count; p++)

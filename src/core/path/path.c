@@ -24,7 +24,7 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
     qn_result_init (result, model->block_count, contacts->pair_count, diag);
   result->node_count = model->node_count;
   result->element_count = model->element_count;
-  result->tie_count = model->tie_count;
+  result->tie_count = qn_model_tie_count (model);
   if (status == QN_OK)
     status = qn_equilibrium_setup (&path->equilibrium, model, contacts, report,
                                    report_data, diag);

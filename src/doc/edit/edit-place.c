@@ -291,13 +291,13 @@ qn_edit_align (QnProject *draft, QnPartSet set, QnAlign align, GError **error)
 /* ---- at equal distances ---- */
 
 gboolean
-qn_spread_parse (const char *name, QnSpread *spread)
+qn_spread_parse (const char *name, QnSpreadMode *spread)
 {
   static const char *const names[QN_SPREAD_COUNT] = { "centers-x", "centers-y", "gaps-x",
                                                       "gaps-y" };
   int found = 0;
   gboolean known = find_name (names, QN_SPREAD_COUNT, name, &found);
-  *spread = (QnSpread) found;
+  *spread = (QnSpreadMode) found;
   return known;
 }
 
@@ -324,7 +324,7 @@ compare_middles (gconstpointer a, gconstpointer b, gpointer upward)
 }
 
 gboolean
-qn_edit_spread (QnProject *draft, QnPartSet set, QnSpread spread, GError **error)
+qn_edit_spread (QnProject *draft, QnPartSet set, QnSpreadMode spread, GError **error)
 {
   g_autoptr (GArray) things = find_things (&draft->model, set);
   gboolean upward = spread == QN_SPREAD_CENTERS_Y || spread == QN_SPREAD_GAPS_Y;

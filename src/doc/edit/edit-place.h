@@ -61,11 +61,11 @@ typedef enum {
   QN_SPREAD_GAPS_X, /* equal gaps between neighbours */
   QN_SPREAD_GAPS_Y,
   QN_SPREAD_COUNT
-} QnSpread;
+} QnSpreadMode;
 
 /* "centers-x", "centers-y", "gaps-x", "gaps-y". */
-gboolean qn_spread_parse (const char *name, QnSpread *spread);
+gboolean qn_spread_parse (const char *name, QnSpreadMode *spread);
 
 /* The first and the last thing stay where they are. Refused for fewer than three. */
-gboolean qn_edit_spread (QnProject *draft, QnPartSet set, QnSpread spread,
+gboolean qn_edit_spread (QnProject *draft, QnPartSet set, QnSpreadMode spread,
                          GError **error);

@@ -195,6 +195,8 @@ follow_load (const Rebuild *r, QnLoad *load)
   case QN_LOAD_WEIGHT:
   case QN_LOAD_SURCHARGE:
   case QN_LOAD_BACKFILL:
+  case QN_LOAD_FILL:
+  case QN_LOAD_VEHICLE:
   case QN_LOAD_KIND_COUNT:
     return TRUE;
   case QN_LOAD_NODE:
@@ -327,7 +329,7 @@ copy_rest (const QnModel *model, QnModel *copy)
   QnModel rest = *model;
   rest.vertex_count = rest.block_count = rest.wall_count = rest.expanded_wall_count = 0;
   rest.node_count = rest.beam_count = rest.element_count = rest.expanded_beam_count = 0;
-  rest.edge_force_count = 0;
+  rest.edge_force_count = rest.soil_tie_count = 0;
   rest.law_names = rest.block_names = rest.node_names = rest.section_names =
     rest.beam_names = rest.tie_names = none;
   return qn_model_copy (&rest, copy, NULL) == QN_OK;

@@ -2,6 +2,7 @@
 
 #include "core/model/cycles.h"
 #include "core/model/support.h"
+#include "io/project/project-vehicle.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -119,8 +120,8 @@ box_of (const QnModel *model, QnBlockSet set)
 
 /* Stone and soil as they are usual: 10 kN/m, 10 kPa, 18 kN/m3 with an angle of friction of 30 degrees. */
 gboolean
-qn_edit_make_edge_load (const QnModel *model, QnLoadKind kind, QnBlockSet set,
-                        QnLoad *load, GError **error)
+qn_edit_make_edge_load (QnModel *model, QnLoadKind kind, QnBlockSet set, QnLoad *load,
+                        GError **error)
 {
   *load = (QnLoad){ .kind = kind,
                     .block = QN_NONE,
@@ -130,6 +131,8 @@ qn_edit_make_edge_load (const QnModel *model, QnLoadKind kind, QnBlockSet set,
                     .part = { 0.0, 1.0 },
                     .intensity = { 1e4, 1e4 },
                     .normal = true,
+                    .convoy = 1,
+                    .stiffness = QN_USUAL_SOIL_STIFFNESS,
                     .has_side = true,
                     .side = QN_BLOCK_SIDE_TOP };
   if (kind == QN_LOAD_EDGE && set.count == 0)
@@ -145,6 +148,21 @@ qn_edit_make_edge_load (const QnModel *model, QnLoadKind kind, QnBlockSet set,
     load->pressure = 1e4;
     load->span[0] = box.min.x;
     load->span[1] = box.max.x;
+    break;
+  case QN_LOAD_FILL:
+    load->unit_weight = 18e3;
+    load->friction_angle = G_PI / 6.0;
+    load->span[0] = box.min.y;
+    load->span[1] = box.max.y;
+    load->surface_count = 2;
+    for (int end = 0; end < 2; end++)
+      load->surface[end] = qn_vec2 (end == 0 ? box.min.x : box.max.x, box.max.y + 0.3);
+    break;
+  case QN_LOAD_VEHICLE:
+    load->vehicle = qn_model_take_vehicle (model, "LM1 tandem");
+    load->position = 0.5 * (box.min.x + box.max.x);
+    if (load->vehicle == QN_NONE)
+      return qn_edit_no_memory (error);
     break;
   default:
     load->side = QN_BLOCK_SIDE_LEFT;

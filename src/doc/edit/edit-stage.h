@@ -28,7 +28,7 @@ gboolean qn_edit_delete_load_case (QnModel *model, int32_t number, GError **erro
 
 /* A new load of a kind on edges: on the top of the first of the blocks, or above or beside all of them;
  * of the structure, where the set is empty. */
-gboolean qn_edit_make_edge_load (const QnModel *model, QnLoadKind kind, QnBlockSet set,
+gboolean qn_edit_make_edge_load (QnModel *model, QnLoadKind kind, QnBlockSet set,
                                  QnLoad *load, GError **error);
 
 /* How many loads a list has, and its k-th; NULL behind the last. */

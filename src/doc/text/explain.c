@@ -22,6 +22,7 @@ entity_word (QnEntity entity)
     [QN_ENTITY_FACE_OVERRIDE] = N_ ("Contact face"),
     [QN_ENTITY_BAR] = N_ ("Reinforcing bar"),
     [QN_ENTITY_TIE] = N_ ("Tie"),
+    [QN_ENTITY_VEHICLE] = N_ ("Vehicle"),
     [QN_ENTITY_NODE] = N_ ("Node"),
     [QN_ENTITY_SECTION] = N_ ("Section"),
     [QN_ENTITY_BEAM] = N_ ("Beam"),
@@ -57,8 +58,10 @@ entity_name (const QnModel *model, QnEntity entity, QnId index)
     return model->sections[i].name;
   if (entity == QN_ENTITY_BEAM && i < model->beam_count)
     return model->beams[i].name;
-  if (entity == QN_ENTITY_TIE && i < model->tie_count)
-    return model->ties[i].name;
+  if (entity == QN_ENTITY_TIE && i < qn_model_tie_count (model))
+    return qn_model_tie (model, i)->name;
+  if (entity == QN_ENTITY_VEHICLE && i < model->vehicle_count)
+    return model->vehicles[i].name;
   return NULL;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/model/cycles.h"
 #include "doc/edit/edit-stage.h"
+#include "io/project/project-names.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n-lib.h>
 
@@ -115,6 +116,43 @@ dup_backfill_text (const QnLoad *load, QnUnits units)
   return g_string_free (text, FALSE);
 }
 
+static char *
+dup_fill_text (const QnLoad *load, QnUnits units)
+{
+  g_autofree char *weight =
+    qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
+  g_autofree char *from =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, load->surface[0].x, 4);
+  g_autofree char *to = qn_units_format_full (
+    units, QN_QUANTITY_LENGTH, load->surface[load->surface_count - 1].x, 4);
+  g_autofree char *angle =
+    qn_units_format_full (units, QN_QUANTITY_ANGLE, load->friction_angle, 4);
+  g_autofree char *part =
+    qn_units_format (units, QN_QUANTITY_NUMBER, load->mobilisation, 3);
+  GString *text = g_string_new (NULL);
+  g_string_append_printf (text, _ ("Fill of %s from x = %s to %s"), weight, from, to);
+  if (load->friction_angle > 0)
+    g_string_append_printf (text, _ ("; friction angle %s, %s of Kp mobilised"), angle,
+                            part);
+  return g_string_free (text, FALSE);
+}
+
+static char *
+dup_vehicle_text (const QnModel *model, const QnLoad *load, QnUnits units)
+{
+  g_autofree char *at =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, load->position, 4);
+  GString *text = g_string_new (NULL);
+  g_string_append_printf (
+    text,
+    load->reversed ? _ ("%s to the left, front at x = %s, spread by %s")
+                   : _ ("%s to the right, front at x = %s, spread by %s"),
+    model->vehicles[load->vehicle].name, at, qn_dispersal_names[load->dispersal]);
+  if (load->convoy > 1)
+    g_string_append_printf (text, _ ("; convoy of %d"), (int) load->convoy);
+  return g_string_free (text, FALSE);
+}
+
 char *
 qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
 {
@@ -147,6 +185,10 @@ qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
     return dup_surcharge_text (load, units);
   case QN_LOAD_BACKFILL:
     return dup_backfill_text (load, units);
+  case QN_LOAD_FILL:
+    return dup_fill_text (load, units);
+  case QN_LOAD_VEHICLE:
+    return dup_vehicle_text (model, load, units);
   case QN_LOAD_KIND_COUNT:
     break;
   }

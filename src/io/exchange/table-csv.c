@@ -307,16 +307,16 @@ qn_ties_csv_write (const char *path, const QnProject *project, const QnResult *r
     return FALSE;
   qn_file_writer_puts (writer,
                        "step,multiplier,time [s],tie,force [N],elongation [m],state\n");
-  for (size_t s = 0; s < result->step_count && result->tie_count == model->tie_count;
-       s++) {
+  for (size_t s = 0;
+       s < result->step_count && result->tie_count == qn_model_tie_count (model); s++) {
     const QnTieResult *ties = qn_result_step_ties (result, s);
-    for (size_t i = 0; ties != NULL && i < model->tie_count; i++) {
+    for (size_t i = 0; ties != NULL && i < qn_model_tie_count (model); i++) {
       const double step[] = { result->steps[s].multiplier, result->steps[s].time };
       const double tie[] = { ties[i].force, ties[i].elongation };
       qn_file_writer_printf (writer, "%zu", s);
       write_numbers (writer, step, G_N_ELEMENTS (step));
       qn_file_writer_puts (writer, ",");
-      write_text (writer, model->ties[i].name, "");
+      write_text (writer, qn_model_tie (model, i)->name, "");
       write_numbers (writer, tie, G_N_ELEMENTS (tie));
       qn_file_writer_printf (writer, ",%s\n", qn_tie_state_names[ties[i].state]);
     }

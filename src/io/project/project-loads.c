@@ -5,6 +5,7 @@
 #include "io/project/project-members.h"
 #include "io/project/project-names.h"
 #include "io/project/project-parts.h"
+#include "io/project/project-vehicle.h"
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
@@ -88,6 +89,30 @@ static const QnMember backfill_members[] = {
   { 0 },
 };
 
+static const QnMember fill_members[] = {
+  COMMON,
+  QN_KNOWN ("surface"),
+  QN_NUMBER ("unit_weight", REQUIRED, NOT_NEGATIVE, QnLoad, unit_weight),
+  QN_NUMBER ("friction_angle", OPTIONAL, NOT_NEGATIVE, QnLoad, friction_angle),
+  QN_NUMBER ("mobilisation", OPTIONAL, NOT_NEGATIVE, QnLoad, mobilisation),
+  QN_NUMBER ("stiffness", OPTIONAL, POSITIVE, QnLoad, stiffness),
+  QN_NUMBER ("bottom", OPTIONAL, FINITE, QnLoad, span[0]),
+  { 0 },
+};
+
+static const QnMember vehicle_members[] = {
+  COMMON,
+  QN_KNOWN ("vehicle"),
+  QN_NUMBER ("position", REQUIRED, FINITE, QnLoad, position),
+  QN_BOOL ("reversed", OPTIONAL, QnLoad, reversed),
+  QN_COUNT ("convoy", OPTIONAL, QN_MAX_CONVOY, QnLoad, convoy),
+  QN_NUMBER ("headway", OPTIONAL, NOT_NEGATIVE, QnLoad, headway),
+  QN_CHOICE ("dispersal", WRITTEN, qn_dispersal_names, QnLoad, dispersal),
+  QN_NUMBER ("width", OPTIONAL, NOT_NEGATIVE, QnLoad, width),
+  QN_NUMBER ("effective_width", OPTIONAL, NOT_NEGATIVE, QnLoad, effective),
+  { 0 },
+};
+
 static const QnMember *const load_members[QN_LOAD_KIND_COUNT] = {
   [QN_LOAD_WEIGHT] = weight_members,
   [QN_LOAD_FORCE] = force_members,
@@ -96,6 +121,8 @@ static const QnMember *const load_members[QN_LOAD_KIND_COUNT] = {
   [QN_LOAD_EDGE] = edge_members,
   [QN_LOAD_SURCHARGE] = surcharge_members,
   [QN_LOAD_BACKFILL] = backfill_members,
+  [QN_LOAD_FILL] = fill_members,
+  [QN_LOAD_VEHICLE] = vehicle_members,
   [QN_LOAD_NODE] = node_members,
 };
 
@@ -194,8 +221,38 @@ read_case (const QnJsonValue *place, const QnModel *model, int32_t *load_case)
   return name == NULL || qn_read_name_of (&member, model, QN_NAMED_LOAD_CASE, load_case);
 }
 
+/* Corners of the surface, from left to right. */
 static gboolean
-read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
+read_surface (const QnJsonValue *place, QnLoad *load)
+{
+  QnJsonValue list, point = { 0 };
+  if (!qn_member_array (place, "surface", QN_REQUIRED, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &point)) {
+    if (load->surface_count == QN_MAX_SURFACE_POINTS)
+      return qn_json_value_failf (&point, _ ("expected up to %d points"),
+                                  QN_MAX_SURFACE_POINTS);
+    if (!qn_json_value_vec2 (&point, &load->surface[load->surface_count++]))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_vehicle_name (const QnJsonValue *place, QnModel *model, QnLoad *load)
+{
+  const char *name;
+  QnJsonValue member = qn_json_value_member (place, "vehicle");
+  if (!qn_member_string (place, "vehicle", QN_REQUIRED, &name))
+    return FALSE;
+  load->vehicle = qn_model_take_vehicle (model, name);
+  return load->vehicle != QN_NONE
+         || qn_json_value_failf (&member, "%s: \"%s\"",
+                                 _ (qn_problem_text (QN_PROBLEM_VEHICLE_UNKNOWN)), name);
+}
+
+static gboolean
+read_load (const QnJsonValue *place, QnModel *model, QnLoad *load)
 {
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_load_kind_names, QN_LOAD_NODE,
@@ -215,7 +272,9 @@ read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
              || (read_chain (place, model, load)
                  && read_intensity (place, load->intensity)))
          && (load->kind != QN_LOAD_SURCHARGE || read_surcharge (place))
-         && (load->kind != QN_LOAD_BACKFILL || read_earth (place, load));
+         && (load->kind != QN_LOAD_BACKFILL || read_earth (place, load))
+         && (load->kind != QN_LOAD_FILL || read_surface (place, load))
+         && (load->kind != QN_LOAD_VEHICLE || read_vehicle_name (place, model, load));
 }
 
 static gboolean
@@ -376,11 +435,17 @@ put_edge_load (GString *json, const QnLoad *load)
 static void
 append_load (GString *json, const QnModel *model, const QnLoad *load)
 {
-  const QnLoad usual = { .span = { -INFINITY, INFINITY } };
+  const QnLoad usual = { .span = { -INFINITY, INFINITY },
+                         .stiffness = QN_USUAL_SOIL_STIFFNESS,
+                         .convoy = 1 };
   g_string_append_c (json, '{');
   qn_json_put_string (json, "kind", qn_load_kind_names[load->kind]);
   if (load->load_case > 0)
     qn_json_put_string (json, "case", model->load_cases[load->load_case - 1].name);
+  if (load->kind == QN_LOAD_FILL)
+    qn_json_put_points (json, "surface", load->surface, (gsize) load->surface_count);
+  if (load->kind == QN_LOAD_VEHICLE)
+    qn_json_put_string (json, "vehicle", model->vehicles[load->vehicle].name);
   qn_members_write (json, load_members[load->kind], model, load, &usual);
   if (load->kind == QN_LOAD_EDGE)
     put_edge_load (json, load);

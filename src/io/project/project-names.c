@@ -17,6 +17,16 @@ const char *const qn_load_kind_names[QN_LOAD_KIND_COUNT] = {
   [QN_LOAD_EDGE] = "edge",
   [QN_LOAD_SURCHARGE] = "surcharge",
   [QN_LOAD_BACKFILL] = "backfill",
+  [QN_LOAD_FILL] = "fill",
+  [QN_LOAD_VEHICLE] = "vehicle",
+};
+
+const char *const qn_dispersal_names[QN_DISPERSAL_COUNT] = {
+  [QN_DISPERSAL_HALF] = "1:2",
+  [QN_DISPERSAL_CS_454] = "cs-454",
+  [QN_DISPERSAL_NR_025] = "nr-gn-civ-025",
+  [QN_DISPERSAL_EN_1991] = "en-1991-2",
+  [QN_DISPERSAL_BOUSSINESQ] = "boussinesq",
 };
 
 const char *const qn_earth_names[QN_EARTH_COUNT] = {

@@ -6,6 +6,7 @@
 
 extern const char *const qn_placement_names[QN_PLACEMENT_COUNT];
 extern const char *const qn_load_kind_names[QN_LOAD_KIND_COUNT];
+extern const char *const qn_dispersal_names[QN_DISPERSAL_COUNT];
 extern const char *const qn_earth_names[QN_EARTH_COUNT];
 extern const char *const qn_procedure_names[QN_PROCEDURE_COUNT];
 extern const char *const qn_bound_choice_names[QN_BOUND_CHOICE_COUNT];

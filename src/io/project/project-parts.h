@@ -26,6 +26,10 @@ void qn_project_append_beams (GString *json, const QnModel *model, GHashTable *i
 gboolean qn_read_ties (const QnJsonValue *root, QnModel *model);
 void qn_project_append_ties (GString *json, const QnModel *model, GHashTable *inner);
 
+/* In project-vehicle.c: without those that are built in. */
+gboolean qn_read_vehicles (const QnJsonValue *root, QnModel *model);
+void qn_project_append_vehicles (GString *json, const QnModel *model, GHashTable *inner);
+
 /* In project-contact.c; the walls must be expanded, so that their blocks have names. */
 gboolean qn_read_contact (const QnJsonValue *root, QnModel *model);
 void qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inner);

@@ -163,8 +163,8 @@ read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
          && qn_read_beams (root, model)
          && take_status (root, project, qn_model_expand_beams (model, &diag), &diag)
          && qn_read_bars (root, model) && qn_read_ties (root, model)
-         && qn_read_contact (root, model) && qn_read_loads (root, model)
-         && qn_read_analysis (root, model)
+         && qn_read_vehicles (root, model) && qn_read_contact (root, model)
+         && qn_read_loads (root, model) && qn_read_analysis (root, model)
          && take_status (root, project, qn_model_prepare (model, &diag), &diag);
 }
 

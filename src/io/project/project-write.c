@@ -176,6 +176,7 @@ qn_project_write (const QnProject *project, const QnProject *like,
   g_string_append (json, ",\n");
   qn_project_append_bars (json, model, inner);
   qn_project_append_ties (json, model, inner);
+  qn_project_append_vehicles (json, model, inner);
   qn_project_append_loads (json, model, inner);
   qn_json_append_inner (json, inner, "loads");
   g_string_append (json, ",\n");

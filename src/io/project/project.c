@@ -124,6 +124,7 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     [QN_ENTITY_FACE_OVERRIDE] = "contact.faces",
     [QN_ENTITY_BAR] = "bars",
     [QN_ENTITY_TIE] = "ties",
+    [QN_ENTITY_VEHICLE] = "vehicles",
     [QN_ENTITY_NODE] = "nodes",
     [QN_ENTITY_SECTION] = "sections",
     [QN_ENTITY_BEAM] = "beams",

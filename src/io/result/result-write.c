@@ -417,9 +417,11 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
   write_names (writer, "blocks", model->blocks, model->block_count,
                offsetof (QnBlock, name), sizeof *model->blocks);
   write_beams (writer, model);
-  if (model->tie_count > 0)
-    write_names (writer, "ties", model->ties, model->tie_count, offsetof (QnTie, name),
-                 sizeof *model->ties);
+  for (size_t i = 0, count = qn_model_tie_count (model); i < count; i++) {
+    qn_file_writer_json (writer, i > 0 ? ", %s" : "  \"ties\": [%s",
+                         qn_model_tie (model, i)->name);
+    qn_file_writer_puts (writer, i + 1 == count ? "],\n" : "");
+  }
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
   /* What the mechanism is where it is no collapse. */

@@ -91,7 +91,7 @@ dup_place (const QnModel *model, const QnContacts *contacts, const QnFault *faul
     return qn_text_printf (_ ("node “%s”"), model->nodes[at].name);
   if (fault->entity == QN_ENTITY_BEAM && at < model->beam_count)
     return qn_text_printf (_ ("beam “%s”"), model->beams[at].name);
-  if (fault->entity == QN_ENTITY_TIE && at < model->tie_count)
+  if (fault->entity == QN_ENTITY_TIE && at < qn_model_tie_count (model))
     return qn_text_printf (_ ("tie “%s”"), model->ties[at].name);
   return qn_text_printf (_ ("number %d"), fault->index);
 }

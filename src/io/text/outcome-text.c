@@ -116,6 +116,8 @@ acts_on_something (const QnModel *model, const QnLoad *load)
   case QN_LOAD_EDGE: /* as the forces that it comes to */
   case QN_LOAD_SURCHARGE:
   case QN_LOAD_BACKFILL:
+  case QN_LOAD_FILL:
+  case QN_LOAD_VEHICLE:
   case QN_LOAD_KIND_COUNT:
     break;
   }

@@ -67,25 +67,46 @@ append_worst (GString *text, const Worst *worst)
     g_string_append_printf (text, " (%s)", qn_tie_state_text (worst->at.state));
 }
 
+/* How much of the soil has its mobilised strength at the last step; NULL where that is not known. */
+static char *
+dup_soil_text (const QnModel *model, const QnResult *result)
+{
+  const QnTieResult *ties =
+    result->step_count > 0 && result->tie_count == qn_model_tie_count (model)
+      ? qn_result_step_ties (result, result->step_count - 1)
+      : NULL;
+  guint full = 0;
+  for (gsize i = 0; ties != NULL && i < model->soil_tie_count; i++)
+    full += ties[model->tie_count + i].state == QN_TIE_YIELDS;
+  return ties != NULL && model->soil_tie_count > 0
+           ? g_strdup_printf (_ ("The soil presses %u of %u blocks with all of its "
+                                 "mobilised pressure."),
+                              full, (guint) model->soil_tie_count)
+           : NULL;
+}
+
 char *
 qn_ties_dup_text (const QnModel *model, const QnResult *result)
 {
   g_autoptr (GArray) all = g_array_new (FALSE, FALSE, sizeof (Worst));
-  for (gsize i = 0; result->tie_count == model->tie_count && i < model->tie_count; i++) {
+  for (gsize i = 0;
+       result->tie_count == qn_model_tie_count (model) && i < model->tie_count; i++) {
     gssize step = qn_tie_worst_step (result, i);
     if (step < 0)
       break;
     Worst worst = { &model->ties[i], qn_result_step_ties (result, (gsize) step)[i] };
     g_array_append_val (all, worst);
   }
+  g_autofree char *soil = dup_soil_text (model, result);
   if (all->len == 0)
-    return NULL;
+    return g_steal_pointer (&soil);
   g_array_sort (all, compare_worst);
   g_autoptr (GString) text = g_string_new (NULL);
   for (guint i = 0; i < MIN (all->len, TIES_IN_WORDS); i++)
     append_worst (text, &g_array_index (all, Worst, i));
   if (all->len > TIES_IN_WORDS)
     g_string_append (text, "…");
-  return g_strdup_printf (
+  g_autofree char *largest = g_strdup_printf (
     ngettext ("Largest force of the tie: %s.", "Ties at most: %s.", all->len), text->str);
+  return g_strjoin (soil != NULL ? " " : NULL, largest, soil, NULL);
 }

@@ -19,9 +19,10 @@ qn_rgb (uint32_t hex)
 
 /* What a colour is for; the palette answers in colour or in greys. */
 typedef enum {
-  QN_INK_LINE,    /* outlines, text, axes */
-  QN_INK_FAINT,   /* ghost outlines, grid lines, secondary text */
-  QN_INK_BLOCK,   /* free blocks */
+  QN_INK_LINE,  /* outlines, text, axes */
+  QN_INK_FAINT, /* ghost outlines, grid lines, secondary text */
+  QN_INK_BLOCK, /* free blocks */
+  QN_INK_SOIL,
   QN_INK_SUPPORT, /* supported blocks */
   QN_INK_FACE,    /* contact faces */
   QN_INK_PAIR,    /* contact pairs */

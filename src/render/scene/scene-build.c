@@ -218,6 +218,7 @@ build_view (QnSceneBuilder *b)
   bool moving = b->motion.displacements != NULL && options->view != QN_VIEW_FORCES;
 
   qn_build_underlay (b);
+  qn_build_soil (b);
   if (options->view == QN_VIEW_DEFORMED && !options->titles)
     tell_scale (b);
   if (moving && options->ghost)
@@ -273,6 +274,9 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
     qn_box_add_point (&b.box, model->nodes[i].at);
   for (size_t i = 0; i < 2 * model->tie_count; i++)
     qn_box_add_point (&b.box, model->ties[i / 2].ends[i % 2].at);
+  for (size_t i = 0; i < model->dead_load_count; i++)
+    for (int32_t k = 0; k < model->dead_loads[i].surface_count; k++)
+      qn_box_add_point (&b.box, model->dead_loads[i].surface[k]);
   b.block_size = model->characteristic_length;
   if (model->block_count == 0) /* what follows beams' lengths is no size for symbols */
     b.block_size = 0.08 * qn_box_diagonal (b.box);

@@ -72,6 +72,10 @@ void qn_build_numbers (QnSceneBuilder *builder);
 /* scene-supports.c */
 void qn_build_supports (QnSceneBuilder *builder);
 
+/* scene-soil.c; and what the soil presses beyond its active pressure, of all ties of a step. */
+void qn_build_soil (QnSceneBuilder *builder);
+void qn_build_soil_forces (QnSceneBuilder *builder, const QnTieResult *ties);
+
 /* scene-loads.c */
 void qn_build_loads (QnSceneBuilder *builder);
 void qn_build_dimensions (QnSceneBuilder *builder);

@@ -203,7 +203,8 @@ static double
 loaded_width (const QnModel *model, const QnEdgeForce *force)
 {
   QnVec2 edge = qn_vec2_sub (force->ends[1], force->ends[0]);
-  bool down = qn_model_load (model, force->source)->kind == QN_LOAD_SURCHARGE;
+  QnLoadKind kind = qn_model_load (model, force->source)->kind;
+  bool down = kind == QN_LOAD_SURCHARGE || kind == QN_LOAD_VEHICLE;
   return model->blocks[force->block].thickness
          * (down ? fabs (edge.x) / qn_vec2_length (edge) : 1);
 }
@@ -291,6 +292,38 @@ add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId ind
   label->align_y = along.y < 0 ? 1.2f : along.y > 0 ? -0.2f : 0.5f;
 }
 
+/* The axles of a vehicle where they stand, as wheels on the surface. */
+static void
+add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
+           QnColor color)
+{
+  const QnModel *model = b->model;
+  const QnVehicle *vehicle = &model->vehicles[load->vehicle];
+  const double way = load->reversed ? 1 : -1, r = 0.25 * b->block_size;
+  for (int32_t n = 0; n < load->convoy; n++)
+    for (int32_t i = 0; i < vehicle->axle_count; i++) {
+      double back =
+        vehicle->axles[i].at + n * (qn_vehicle_length (vehicle) + load->headway);
+      double x = load->position + way * back, y = (double) NAN;
+      for (size_t k = 0; k < model->dead_load_count && isnan (y); k++)
+        if (model->dead_loads[k].kind == QN_LOAD_FILL)
+          y = qn_load_surface_at (&model->dead_loads[k], x);
+      if (isnan (y))
+        continue;
+      QnVec2 wheel[24];
+      for (size_t k = 0; k < G_N_ELEMENTS (wheel); k++) {
+        double a = 2 * G_PI * (double) k / G_N_ELEMENTS (wheel);
+        wheel[k] = qn_vec2 (x + r * cos (a), y + r + r * sin (a));
+      }
+      QnCommand *circle = qn_scene_stroke (b->scene, QN_LAYER_LOADS, wheel,
+                                           G_N_ELEMENTS (wheel), true, 1.2F, color);
+      qn_command_set_pick (circle, pick, index);
+      add_size (b, load, qn_vec2 (x, y + 2 * r), vehicle->axles[i].load / 1000, " kN",
+                color)
+        ->align_y = -0.2F;
+    }
+}
+
 static void
 add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick,
            QnInk ink, const char *name)
@@ -304,6 +337,10 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
     /* Loads of sets are called by the name of their set. */
     const char *called =
       load->set > 0 ? qn_model_load_set_name (b->model, load->set) : name;
+    if (load->kind == QN_LOAD_FILL) /* drawn as soil */
+      continue;
+    if (load->kind == QN_LOAD_VEHICLE)
+      add_axles (b, load, pick, (QnId) i, color);
     if (qn_load_is_on_edges (load->kind)) {
       size_t source = i + (loads == b->model->live_loads ? b->model->dead_load_count : 0);
       add_edge_load (b, source, intensity, pick, (QnId) i, color);

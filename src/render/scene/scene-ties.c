@@ -84,6 +84,8 @@ qn_build_ties (QnSceneBuilder *b)
     add_tie (b, &b->model->ties[i], result);
     met[result != NULL ? result->state : QN_TIE_ELASTIC] = true;
   }
+  if (results != NULL && b->options->symbols)
+    qn_build_soil_forces (b, results);
   for (int state = 0; state < QN_TIE_STATE_COUNT; state++) {
     if (!met[state])
       continue;

@@ -44,7 +44,7 @@ static gboolean
 spread (QnProject *draft, gpointer data, GError **error)
 {
   const Place *p = data;
-  return qn_edit_spread (draft, p->set, (QnSpread) p->how, error);
+  return qn_edit_spread (draft, p->set, (QnSpreadMode) p->how, error);
 }
 
 static void
@@ -228,7 +228,7 @@ static void
 test_names (void)
 {
   QnAlign how;
-  QnSpread spread_how;
+  QnSpreadMode spread_how;
   g_assert_true (qn_align_parse ("bottom", &how));
   g_assert_cmpint (how, ==, QN_ALIGN_BOTTOM);
   g_assert_false (qn_align_parse ("nonsense", &how));

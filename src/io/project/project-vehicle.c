@@ -1,0 +1,181 @@
+#include "io/project/project-vehicle.h"
+
+#include "io/json/json-parse.h"
+#include "io/project/project-members.h"
+#include "io/project/project-parts.h"
+#include "io/text/file-read.h"
+#include "io/text/json-text.h"
+#include "vehicle-resources.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+static const QnMember vehicle_members[] = {
+  QN_KNOWN ("name"),
+  QN_STRING ("source", OPTIONAL, QnVehicle, source),
+  QN_TWO ("patch", REQUIRED, QnVehicle, patch),
+  QN_NUMBER ("track", REQUIRED, NOT_NEGATIVE, QnVehicle, track),
+  QN_KNOWN ("axles"),
+  QN_KNOWN ("lines"),
+  { 0 },
+};
+
+/* A list of rows of so many numbers. */
+static gboolean
+read_rows (const QnJsonValue *place, const char *key, int width, int most, double *rows,
+           int32_t *count)
+{
+  QnJsonValue list, row = { 0 };
+  *count = 0;
+  if (!qn_member_array (place, key, QN_OPTIONAL, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &row)) {
+    QnJsonValue number = { 0 };
+    if (!qn_json_value_array (&row))
+      return FALSE;
+    if (cJSON_GetArraySize (row.json) != width || *count == most)
+      return qn_json_value_failf (&row, _ ("expected up to %d rows of %d numbers"), most,
+                                  width);
+    while (qn_json_value_next (&row, &number))
+      if (!qn_json_value_number (&number, QN_RANGE_FINITE,
+                                 &rows[*count * width + (int) number.index]))
+        return FALSE;
+    (*count)++;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_vehicle (const QnJsonValue *place, QnModel *model)
+{
+  const char *name;
+  double axles[2 * QN_MAX_AXLES], lines[3 * QN_MAX_LINES];
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_REQUIRED, &name))
+    return FALSE;
+  if (qn_model_find_vehicle (model, name) != QN_NONE)
+    return qn_json_value_fail (place, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
+  QnVehicle *vehicle = qn_model_add_vehicle (model, name);
+  if (vehicle == NULL)
+    return qn_json_value_no_memory (place);
+  if (!qn_members_read (place, vehicle_members, NULL, vehicle)
+      || !read_rows (place, "axles", 2, QN_MAX_AXLES, axles, &vehicle->axle_count)
+      || !read_rows (place, "lines", 3, QN_MAX_LINES, lines, &vehicle->line_count))
+    return FALSE;
+  for (int i = 0; i < vehicle->axle_count; i++)
+    vehicle->axles[i] = (QnAxle){ axles[2 * i], axles[2 * i + 1] };
+  for (int i = 0; i < vehicle->line_count; i++)
+    vehicle->lines[i] = (QnLineLoad){ lines[3 * i], lines[3 * i + 1], lines[3 * i + 2] };
+  return TRUE;
+}
+
+gboolean
+qn_read_vehicles (const QnJsonValue *root, QnModel *model)
+{
+  return qn_read_each (root, "vehicles", QN_OPTIONAL, read_vehicle, model);
+}
+
+static gboolean
+read_text (const char *name, const char *text, gsize length, QnModel *model,
+           GError **error)
+{
+  QnReader reader = { .name = name, .text = text, .length = length };
+  cJSON *document = qn_json_parse (text, length, name, &reader.error);
+  QnJsonValue root = qn_json_value_root (&reader, document);
+  gboolean done = document != NULL
+                  && qn_read_each (&root, "vehicles", QN_REQUIRED, read_vehicle, model);
+  cJSON_Delete (document);
+  if (reader.warnings != NULL)
+    g_ptr_array_unref (reader.warnings);
+  if (!done)
+    g_propagate_error (error, reader.error);
+  return done;
+}
+
+/* The built-in vehicles in a model of their own. */
+static gboolean
+read_built_in (QnModel *model)
+{
+  g_autoptr (GBytes) bytes = g_resource_lookup_data (
+    quoin_vehicles_get_resource (), "/io/github/quoin/io/vehicles.json", 0, NULL);
+  gsize length;
+  const char *text = g_bytes_get_data (bytes, &length);
+  qn_model_init (model);
+  return read_text ("vehicles.json", text, length, model, NULL);
+}
+
+char **
+qn_dup_vehicle_names (void)
+{
+  QnModel list;
+  GPtrArray *names = g_ptr_array_new ();
+  if (read_built_in (&list))
+    for (gsize i = 0; i < list.vehicle_count; i++)
+      g_ptr_array_add (names, g_strdup (list.vehicles[i].name));
+  g_ptr_array_add (names, NULL);
+  qn_model_clear (&list);
+  return (char **) g_ptr_array_free (names, FALSE);
+}
+
+QnId
+qn_model_take_vehicle (QnModel *model, const char *name)
+{
+  QnModel list;
+  QnId found = qn_model_find_vehicle (model, name);
+  if (found != QN_NONE)
+    return found;
+  QnId known = read_built_in (&list) ? qn_model_find_vehicle (&list, name) : QN_NONE;
+  QnVehicle *added = known != QN_NONE ? qn_model_add_vehicle (model, name) : NULL;
+  if (added != NULL) {
+    QnVehicle swapped = *added;
+    *added = list.vehicles[known];
+    list.vehicles[known] = swapped;
+    added->built_in = true;
+    found = (QnId) model->vehicle_count - 1;
+  }
+  qn_model_clear (&list);
+  return found;
+}
+
+gboolean
+qn_read_vehicle_file (const char *path, QnModel *model, GError **error)
+{
+  gsize length;
+  g_autofree char *text = qn_file_read (path, &length, error);
+  return text != NULL && read_text (path, text, length, model, error);
+}
+
+static void
+put_rows (GString *json, const char *key, const double *rows, gsize width, gsize count)
+{
+  if (count == 0)
+    return;
+  qn_json_begin_member (json, key);
+  for (gsize i = 0; i < count; i++) {
+    g_string_append (json, i == 0 ? "[" : ", ");
+    qn_json_append_numbers (json, rows + i * width, width);
+  }
+  g_string_append_c (json, ']');
+}
+
+static int32_t
+append_vehicle (GString *json, const QnModel *model, size_t index)
+{
+  const QnVehicle *vehicle = &model->vehicles[index];
+  const QnVehicle usual = { .track = -1 };
+  qn_json_put_string (json, "name", vehicle->name);
+  qn_members_write (json, vehicle_members, NULL, vehicle, &usual);
+  put_rows (json, "axles", &vehicle->axles[0].at, 2, (gsize) vehicle->axle_count);
+  put_rows (json, "lines", &vehicle->lines[0].from, 3, (gsize) vehicle->line_count);
+  return vehicle->note;
+}
+
+void
+qn_project_append_vehicles (GString *json, const QnModel *model, GHashTable *inner)
+{
+  gsize own = 0;
+  while (own < model->vehicle_count && !model->vehicles[own].built_in)
+    own++;
+  qn_json_append_list (json, model, inner, "  \"vehicles\": [", 4, own, append_vehicle,
+                       "],\n");
+}
