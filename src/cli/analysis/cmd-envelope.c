@@ -151,7 +151,7 @@ print_worst (const QnInput *input, const Envelope *e)
   if (sum > 0)
     qn_print (_ ("axles of %.5g kN in all carry %.5g kN, the heaviest %.5g kN\n"),
               sum / 1000, factor * sum / 1000, factor * largest / 1000);
-  qn_print (_ ("that position: --set loads.live[%d].position=%.17g --set "
+  qn_print (_ ("that position: --set loads.live[%d].position=%.15g --set "
                "loads.live[%d].reversed=%s\n"),
             (int) e->load, e->x[e->worst], (int) e->load,
             e->worst_way == 1 ? "true" : "false");

@@ -1,5 +1,6 @@
 #include "core/model/edge-load.h"
 
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
@@ -452,10 +453,11 @@ resolve_vehicle (Resolver *r)
     }
     for (int32_t i = 0; i < vehicle->line_count && status == QN_OK; i++) {
       const QnLineLoad *line = &vehicle->lines[i];
-      int parts = (int) fmax (ceil ((line->to - line->from) / LINE_PART), 1);
-      double part = (line->to - line->from) / parts;
-      for (int k = 0; k < parts; k++) {
-        double x = front + way * (line->from + (k + 0.5) * part);
+      int64_t parts =
+        qn_to_integer (ceil ((line->to - line->from) / LINE_PART), 1, 1000000);
+      double part = (line->to - line->from) / (double) parts;
+      for (int64_t k = 0; k < parts; k++) {
+        double x = front + way * (line->from + ((double) k + 0.5) * part);
         if (x > near[0] && x < near[1])
           add_source (r, x, line->intensity * part, part, shares);
       }

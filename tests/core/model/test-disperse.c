@@ -12,9 +12,7 @@ static void
 add_block (QnModel *model, const char *name, double from, double to, double top,
            double thickness)
 {
-  const QnVec2 v[] = {
-    { from, top - 1 }, { to, top - 1 }, { to, top }, { from, top }
-  };
+  const QnVec2 v[] = { { from, top - 1 }, { to, top - 1 }, { to, top }, { from, top } };
   QnBlock *block = qn_model_add_block (model, name, v, 4);
   block->thickness = thickness;
   block->unit_weight = 1e4;
@@ -106,8 +104,8 @@ test_widths (void)
     g_assert_cmpuint (count, ==, 1);
     double low = fmin (forces->ends[0].x, forces->ends[1].x);
     g_assert_cmpfloat_with_epsilon (low, 2 - rules[i].along / 2, 1e-9);
-    g_assert_cmpfloat_with_epsilon (
-      fabs (forces->ends[1].x - forces->ends[0].x), rules[i].along, 1e-9);
+    g_assert_cmpfloat_with_epsilon (fabs (forces->ends[1].x - forces->ends[0].x),
+                                    rules[i].along, 1e-9);
     g_assert_cmpfloat_with_epsilon (forces->at.x, 2, 1e-9);
     for (int end = 0; end < 2; end++)
       g_assert_cmpfloat_with_epsilon (forces->intensity[end].y,

@@ -69,7 +69,7 @@ test_loads (void)
   static const Case cases[] = {
     { "{ \"kind\": \"wind\" }",
       "9:34: loads.dead[0].kind: \"wind\" is not one of weight, "
-      "force, settlement, line, edge, surcharge, backfill" },
+      "force, settlement, line, edge, surcharge, backfill, fill, vehicle" },
     { "{ \"kind\": \"weight\" }",
       "9:24: loads.dead[0].direction: required key is missing" },
     { "{ \"kind\": \"weight\", \"direction\": [0] }",
@@ -174,6 +174,17 @@ test_edge_loads (void)
     { SOIL ", \"top\": 1, \"friction_angle\": 0.5, \"earth\": \"given\"",
       "loads.live[0].earth: " },
     { "\"kind\": \"backfill\", \"side\": \"top\"", "loads.live[0].side: " },
+    { "\"kind\": \"fill\", \"unit_weight\": 1", "loads.live[0].surface: required" },
+    { "\"kind\": \"fill\", \"unit_weight\": 1, \"surface\": [[0, 1], [1, 1]]",
+      "loads.live[0].kind: fill is a dead load" },
+    { "\"kind\": \"vehicle\", \"vehicle\": \"tram\", \"position\": 1",
+      "loads.live[0].vehicle: no vehicle has this name" },
+    { "\"kind\": \"vehicle\", \"vehicle\": \"LM71\"", "loads.live[0].position: " },
+    { "\"kind\": \"vehicle\", \"vehicle\": \"LM71\", \"position\": 1, \"convoy\": 21",
+      "loads.live[0].convoy: " },
+    { "\"kind\": \"vehicle\", \"vehicle\": \"LM71\", \"position\": 1, "
+      "\"dispersal\": \"3:1\"",
+      "loads.live[0].dispersal: " },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
     g_autofree char *load = g_strdup_printf ("\"live\": [ { %s },", wrong[i].load);

@@ -1,0 +1,149 @@
+/* quoin-cli envelope: mirror images, refined positions, vehicles, and the faults of early bridge programs. */
+#include "cli-run.h"
+
+#include "support/room.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Multipliers by position: rows of position, to the right, to the left; what is empty is not a number. */
+typedef struct Row {
+  double x, m[2];
+} Row;
+
+static GArray *
+read_rows (const char *path)
+{
+  g_autofree char *text = cli_read (path);
+  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+  GArray *rows = g_array_new (FALSE, FALSE, sizeof (Row));
+  for (int i = 1; lines[i] != NULL && lines[i][0] != '\0'; i++) {
+    g_auto (GStrv) cells = g_strsplit (lines[i], ",", -1);
+    Row row = { g_ascii_strtod (cells[0], NULL), { NAN, NAN } };
+    g_assert_cmpuint (g_strv_length (cells), ==, 3);
+    for (int way = 0; way < 2; way++)
+      if (cells[way + 1][0] != '\0')
+        row.m[way] = g_ascii_strtod (cells[way + 1], NULL);
+    g_array_append_val (rows, row);
+  }
+  return rows;
+}
+
+static double
+least (const GArray *rows)
+{
+  double found = INFINITY;
+  for (guint i = 0; i < rows->len; i++)
+    for (int way = 0; way < 2; way++)
+      found = fmin (found, g_array_index (rows, Row, i).m[way]);
+  return found;
+}
+
+/* The least multiplier of the example with one key set, over a few positions. */
+static double
+least_with (const char *set)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *csv = g_build_filename (folder, "e.csv", NULL);
+  cli_do ("envelope", bridge, "--from", "3", "--to", "5", "--step", "1", "-q", "--csv",
+          csv, "--set", set, NULL);
+  g_autoptr (GArray) rows = read_rows (csv);
+  return least (rows);
+}
+
+/* The bridge is symmetric about x = 5: what goes to the right there goes to the left here. Positions
+ * half as far apart hold the same multipliers, and a least one that is not larger. */
+static void
+test_mirror (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *coarse = g_build_filename (folder, "c.csv", NULL);
+  g_autofree char *fine = g_build_filename (folder, "f.csv", NULL);
+  g_autofree char *svg = g_build_filename (folder, "e.svg", NULL);
+  cli_do ("envelope", bridge, "--from", "2", "--to", "8", "--step", "1", "-q", "--csv",
+          coarse, NULL);
+  cli_says ("adequacy factor 4.7", "envelope", bridge, "--from", "2", "--to", "8",
+            "--step", "0.5", "--csv", fine, "-o", svg, NULL);
+  g_autoptr (GArray) a = read_rows (coarse);
+  g_autoptr (GArray) b = read_rows (fine);
+  g_assert_cmpuint (a->len, ==, 7);
+  g_assert_cmpuint (b->len, ==, 13);
+  for (guint i = 0; i < a->len; i++) {
+    Row row = g_array_index (a, Row, i), mirror = g_array_index (a, Row, a->len - 1 - i);
+    g_assert_cmpfloat_with_epsilon (row.m[0], mirror.m[1], 1e-6 * row.m[0]);
+    g_assert_cmpfloat (row.m[0], ==, g_array_index (b, Row, 2 * i).m[0]);
+  }
+  g_assert_cmpfloat (least (b), <=, least (a));
+  g_assert_cmpfloat (least (b), >, 0.95 * least (a));
+  g_autofree char *picture = cli_read (svg);
+  g_assert_nonnull (strstr (picture, "</svg>"));
+}
+
+/* What early programs had wrong: an arch of rings that do not hang together is weaker, soil that resists
+ * helps and is not there where nothing is mobilised, wider axles weigh less on a strip. */
+static void
+test_monotone (void)
+{
+  const double usual = least_with ("title=\"as it is\"");
+  g_assert_cmpfloat (least_with ("masonry[0].arch.rings=1"), >, 1.05 * usual);
+  g_assert_cmpfloat (least_with ("laws[1].friction=0.1"), <, usual);
+  g_assert_cmpfloat (least_with ("loads.dead[1].mobilisation=1"), >, usual);
+  g_assert_cmpfloat (least_with ("loads.dead[1].mobilisation=0"), <, usual);
+  g_assert_cmpfloat (least_with ("loads.live[0].convoy=2"), <=, usual * (1 + 1e-9));
+}
+
+/* Beside the bridge a vehicle loads nothing, and part of it is not made up for. */
+static void
+test_beside (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *csv = g_build_filename (folder, "e.csv", NULL);
+  cli_do ("envelope", bridge, "--vehicle", "CS 454 single axle", "--from", "-4", "--to",
+          "4", "--step", "2", "--one-way", "-q", "--csv", csv, NULL);
+  g_autoptr (GArray) rows = read_rows (csv);
+  g_assert_true (isnan (g_array_index (rows, Row, 0).m[0]));
+  g_assert_true (isnan (g_array_index (rows, Row, 1).m[0]));
+  g_assert_cmpfloat (g_array_index (rows, Row, 4).m[0], >, 1);
+  g_assert_true (isnan (g_array_index (rows, Row, 4).m[1]));
+}
+
+static void
+test_vehicles (void)
+{
+  static const char fleet[] =
+    "{ \"format\": \"quoin-vehicles\", \"version\": 1, \"vehicles\": [ { \"name\": "
+    "\"cart\", \"axles\": [[0, 20000], [2, 30000]], \"patch\": [0.2, 0.2], \"track\": "
+    "1.2 "
+    "} ] }";
+  static const char *const built_in[] = {
+    "LM1 tandem", "LM1 lane", "LM71", "SW/0", "CS 454 bogie 1.8 m", "CS 454 triple 2.6 m"
+  };
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *file = cli_write (folder, "fleet.json", fleet);
+  g_autofree char *bad = cli_write (folder, "bad.json", "{ \"vehicles\": [ { } ] }");
+  cli_says ("cart: adequacy factor", "envelope", bridge, "--vehicles", file, "--vehicle",
+            "cart", "--from", "4", "--to", "5", NULL);
+  for (size_t i = 0; i < G_N_ELEMENTS (built_in); i++)
+    cli_says ("adequacy factor", "envelope", bridge, "--vehicle", built_in[i], "--from",
+              "5", "--to", "5", "--one-way", NULL);
+  cli_fails (3, "name", "envelope", bridge, "--vehicles", bad, NULL);
+  cli_fails (2, "no such vehicle; built in are LM1 tandem", "envelope", bridge,
+             "--vehicle", "?", NULL);
+  cli_fails (2, "no positions", "envelope", bridge, "--from", "2", "--to", "1", NULL);
+  g_autofree char *none = cli_example ("28-arch-under-fill.quoin");
+  cli_fails (2, "no vehicle", "envelope", none, NULL);
+  cli_fails (3, "no vehicle has this name", "check", bridge, "--set",
+             "loads.live[0].vehicle=tram", NULL);
+}
+
+QN_TESTS
+{
+  g_test_add_func ("/cli/envelope/mirror", test_mirror);
+  g_test_add_func ("/cli/envelope/monotone", test_monotone);
+  g_test_add_func ("/cli/envelope/beside", test_beside);
+  g_test_add_func ("/cli/envelope/vehicles", test_vehicles);
+}
