@@ -128,7 +128,7 @@ area_power (const QnModel *model, const QnContacts *contacts, const QnResult *re
 static bool
 is_pressure (QnLoadKind kind)
 {
-  return kind != QN_LOAD_EDGE && qn_load_is_on_edges (kind);
+  return kind != QN_LOAD_EDGE && kind != QN_LOAD_VEHICLE && qn_load_is_on_edges (kind);
 }
 
 /* What of a load acts at collapse. */
@@ -164,6 +164,9 @@ add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *re
   }
   out->weight = -power;
   out->thickness = -power - pressure + area_power (model, contacts, result, v, grows);
+  for (size_t i = 0; i < qn_model_load_count (model); i++)
+    if (model->soil_tie_count > 0 || qn_model_load (model, i)->kind == QN_LOAD_VEHICLE)
+      out->thickness = NAN;
 }
 
 QnStatus
@@ -217,6 +220,10 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
     *(source < dead ? &out->dead_loads[source] : &out->live_loads[source - dead]) +=
       change;
   }
+  /* The strength of soil grows with its weight. */
+  for (size_t i = 0; i < model->dead_load_count && model->soil_tie_count > 0; i++)
+    if (model->dead_loads[i].kind == QN_LOAD_FILL)
+      out->dead_loads[i] = NAN;
   free (v);
   free (grows);
   return QN_OK;

@@ -21,11 +21,13 @@
 /* Derivatives by the numbers of one law, and by factors 1 on weight and thickness of the blocks
  * that have it (that of the contacts where a block names none). */
 typedef struct QnLawSensitivity {
-  double friction;  /* per 1 */
-  double cohesion;  /* per N or Pa, in the law's basis */
-  double tension;   /* per N or Pa */
-  double weight;    /* per factor: of 1 % more weight, a hundredth of it */
-  double thickness; /* per factor: weight, and areas of joints between two such blocks */
+  double friction; /* per 1 */
+  double cohesion; /* per N or Pa, in the law's basis */
+  double tension;  /* per N or Pa */
+  double weight;   /* per factor: of 1 % more weight, a hundredth of it */
+  double
+    thickness; /* per factor: weight, and areas of joints between two such blocks; NAN with
+                       vehicles and soil that resists, whose share of a block depends on it */
 } QnLawSensitivity;
 
 typedef struct QnLimitSensitivity {
