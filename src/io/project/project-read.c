@@ -16,10 +16,11 @@
  * not hold, which are kept and written back as they are. */
 #define MODEL_KEYS 15
 static const char *const project_keys[] = {
-  "format",   "version", "title",    "gravity", "laws",      "blocks",
-  "walls",    "contact", "loads",    "bars",    "ties",      "analysis",
-  "sections", "nodes",   "beams",    "view",    "figures",   "guides",
-  "underlay", "history", "capacity", "report",  "run_names", QN_MASONRY_MEMBER
+  "format",  "version",  "title",    "gravity",   "laws",
+  "blocks",  "walls",    "contact",  "loads",     "bars",
+  "ties",    "vehicles", "analysis", "sections",  "nodes",
+  "beams",   "view",     "figures",  "guides",    "underlay",
+  "history", "capacity", "report",   "run_names", QN_MASONRY_MEMBER
 };
 
 /* Keys of those that the layers above read, where their values are checked when they are needed. */
