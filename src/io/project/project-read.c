@@ -14,7 +14,7 @@
 
 /* Members of the document: those that become part of the model, and behind them those that it does
  * not hold, which are kept and written back as they are. */
-#define MODEL_KEYS 15
+#define MODEL_KEYS 16
 static const char *const project_keys[] = {
   "format",  "version",  "title",    "gravity",   "laws",
   "blocks",  "walls",    "contact",  "loads",     "bars",
