@@ -2,6 +2,7 @@
 
 #include "core/base/memory.h"
 #include "core/model/model-list.h"
+#include "core/model/support.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -101,7 +102,8 @@ qn_model_add_soil (QnModel *model, size_t source, QnDiag *diag)
   for (size_t b = 0; b < model->block_count; b++)
     qn_box_add_box (&box, qn_model_block_box (model, (QnId) b));
   for (size_t i = 0; i < 2 * model->block_count && status == QN_OK; i++)
-    if (pushes[i].stress > 0 && pushes[i].area > 0)
+    if (pushes[i].stress > 0 && pushes[i].area > 0
+        && !qn_support_is_full (model->blocks[i / 2].support))
       status = add_tie (model, fill, (QnId) (i / 2), &pushes[i], i % 2 == 0 ? -1 : 1,
                         REACH * qn_box_diagonal (box), diag);
   free (pushes);
