@@ -44,7 +44,7 @@ static double
 least_with (const char *set)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *bridge = cli_example ("53-arch-bridge.quoin");
   g_autofree char *csv = g_build_filename (folder, "e.csv", NULL);
   cli_do ("envelope", bridge, "--from", "3", "--to", "5", "--step", "1", "-q", "--csv",
           csv, "--set", set, NULL);
@@ -58,7 +58,7 @@ static void
 test_mirror (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *bridge = cli_example ("53-arch-bridge.quoin");
   g_autofree char *coarse = g_build_filename (folder, "c.csv", NULL);
   g_autofree char *fine = g_build_filename (folder, "f.csv", NULL);
   g_autofree char *svg = g_build_filename (folder, "e.svg", NULL);
@@ -99,7 +99,7 @@ static void
 test_beside (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *bridge = cli_example ("53-arch-bridge.quoin");
   g_autofree char *csv = g_build_filename (folder, "e.csv", NULL);
   cli_do ("envelope", bridge, "--vehicle", "CS 454 single axle", "--from", "-4", "--to",
           "4", "--step", "2", "--one-way", "-q", "--csv", csv, NULL);
@@ -122,7 +122,7 @@ test_vehicles (void)
     "LM1 tandem", "LM1 lane", "LM71", "SW/0", "CS 454 bogie 1.8 m", "CS 454 triple 2.6 m"
   };
   test_autoscratch char *folder = test_scratch_new ();
-  g_autofree char *bridge = cli_example ("50-arch-bridge.quoin");
+  g_autofree char *bridge = cli_example ("53-arch-bridge.quoin");
   g_autofree char *file = cli_write (folder, "fleet.json", fleet);
   g_autofree char *bad = cli_write (folder, "bad.json", "{ \"vehicles\": [ { } ] }");
   cli_says ("cart: adequacy factor", "envelope", bridge, "--vehicles", file, "--vehicle",
