@@ -5,10 +5,13 @@
 #include "io/project/project-parts.h"
 #include "io/text/file-read.h"
 #include "io/text/json-text.h"
-#include "vehicle-resources.h"
 
+#include <gio/gio.h>
 #include <glib/gi18n-lib.h>
 #include <string.h>
+
+/* Made by Meson of data/vehicles.json. */
+GResource *quoin_vehicles_get_resource (void);
 
 static const QnMember vehicle_members[] = {
   QN_KNOWN ("name"),
