@@ -414,6 +414,23 @@ driver_find_dialog (const char *title)
 }
 
 GtkWidget *
+driver_find_page (const char *title)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    GtkWidget *page =
+      QN_IS_WINDOW (toplevel) ? qn_window_get_page (QN_WINDOW (toplevel)) : NULL;
+    if (page != NULL
+        && g_str_has_prefix (gtk_stack_page_get_title (
+                               gtk_stack_get_page (QN_WINDOW (toplevel)->pages, page)),
+                             title))
+      return page;
+  }
+  return NULL;
+}
+
+GtkWidget *
 driver_find_message (void)
 {
   GListModel *toplevels = gtk_window_get_toplevels ();
@@ -496,8 +513,13 @@ driver_is_check (GtkWidget *widget, gconstpointer label)
 gboolean
 driver_is_expander (GtkWidget *widget, gconstpointer label)
 {
-  return GTK_IS_EXPANDER (widget)
-         && g_strcmp0 (gtk_expander_get_label (GTK_EXPANDER (widget)), label) == 0;
+  if (!GTK_IS_EXPANDER (widget))
+    return FALSE;
+  GtkWidget *title = gtk_expander_get_label_widget (GTK_EXPANDER (widget));
+  if (GTK_IS_BOX (title)) /* of a card */
+    title = gtk_widget_get_first_child (title);
+  return GTK_IS_LABEL (title)
+         && g_strcmp0 (gtk_label_get_label (GTK_LABEL (title)), label) == 0;
 }
 
 gboolean
@@ -550,6 +572,14 @@ driver_click_on (GtkWidget *root, DriverMatch match, const char *label)
   driver_point_at (item, 0.5 * gtk_widget_get_width (item),
                    0.5 * gtk_widget_get_height (item));
   driver_press_button ("1");
+}
+
+void
+driver_open_analysis (QnWindow *window)
+{
+  driver_activate (window, "win.show-panel::analysis");
+  driver_unfold (gtk_stack_get_visible_child (window->side_stack));
+  driver_settle ();
 }
 
 void
@@ -701,12 +731,13 @@ driver_picture (GtkWidget *window)
 }
 
 void
-driver_screenshot (GtkWidget *window, const char *name)
+driver_screenshot (GtkWidget *widget, const char *name)
 {
   const char *folder = g_getenv ("QUOIN_SCREENSHOTS");
   if (folder == NULL)
     return;
-  g_autoptr (GdkTexture) texture = take_texture (window);
+  g_autoptr (GdkTexture) texture =
+    take_texture (GTK_WIDGET (gtk_widget_get_root (widget)));
   g_autofree char *file = g_strdup_printf ("%s.png", name);
   g_autofree char *path = g_build_filename (folder, file, NULL);
   g_mkdir_with_parents (folder, 0755);

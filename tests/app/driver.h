@@ -108,14 +108,17 @@ void driver_lay_large_wall (QnWindow *window);
 /* Picture of a window in device pixels; the caller frees it. */
 cairo_surface_t *driver_picture (GtkWidget *window);
 
-/* Picture of a window as <name>.png in the folder QUOIN_SCREENSHOTS. */
-void driver_screenshot (GtkWidget *window, const char *name);
+/* Picture of the window of a widget as <name>.png in the folder QUOIN_SCREENSHOTS. */
+void driver_screenshot (GtkWidget *widget, const char *name);
 
 /* The same with a parameter, taken over. */
 void driver_activate_target (QnWindow *window, const char *action, GVariant *target);
 
 /* The window on the screen, other than a main one, whose title starts so; or NULL. */
 GtkWidget *driver_find_dialog (const char *title);
+
+/* The page in sight under the drawing of a window, whose title starts so; or NULL. */
+GtkWidget *driver_find_page (const char *title);
 
 /* The question that is on the screen, or NULL. */
 GtkWidget *driver_find_message (void);
@@ -125,7 +128,7 @@ typedef gboolean (*DriverMatch) (GtkWidget *widget, gconstpointer data);
 GtkWidget *driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer data);
 
 /* Matches: by the id in a .ui file; by name; labels in sight that hold some words; by label; menus that are
- * open; a run in the window of comparisons. */
+ * open; a run in the page of comparisons. */
 gboolean driver_has_id (GtkWidget *widget, gconstpointer id);
 gboolean driver_has_name (GtkWidget *widget, gconstpointer name);
 gboolean driver_says (GtkWidget *widget, gconstpointer text);
@@ -149,6 +152,9 @@ const char *driver_last_step (QnWindow *window);
 
 /* Clicks with the pointer on the first widget that matches; there must be one. */
 void driver_click_on (GtkWidget *root, DriverMatch match, const char *label);
+
+/* Shows the panel of the analysis with all of its cards open. */
+void driver_open_analysis (QnWindow *window);
 
 /* Unfolds all that is folded below a widget, which is no part of the tree before. */
 void driver_unfold (GtkWidget *widget);

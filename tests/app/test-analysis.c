@@ -136,7 +136,7 @@ test_procedures (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   QnDocument *document = qn_window_get_document (window);
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), is_procedure_choice,
                                           "Load control (HybriDFEM)");
   g_assert_nonnull (choice);
@@ -167,7 +167,7 @@ test_procedures (void)
     if (i == 0)
       first = largest;
     g_assert_cmpfloat_with_epsilon (largest, first, 0.02 * first);
-    driver_activate (window, "win.show-panel::analysis");
+    driver_open_analysis (window);
   }
   driver_discard (window);
 }
@@ -179,7 +179,7 @@ test_in_time (void)
 {
   QnWindow *window = driver_open_example ("41-column-impulse.quoin");
   QnDocument *document = qn_window_get_document (window);
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), is_procedure_choice,
                                           "Load control (HybriDFEM)");
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, 6);
@@ -235,7 +235,7 @@ test_bounds (void)
   g_assert_nonnull (verdict);
   driver_screenshot (GTK_WIDGET (window), "bounds");
   driver_activate (window, "win.compare");
-  GtkWidget *compare = driver_find_dialog ("Compare");
+  GtkWidget *compare = driver_find_page ("Comparison");
   g_assert_nonnull (compare);
   driver_screenshot (compare, "compare");
 
@@ -291,7 +291,7 @@ test_compare_files (void)
                                        "ferris-tin-loi/wall1.quoin", "README.md" };
   QnWindow *window = driver_open_window (1280, 800);
   driver_activate (window, "win.compare");
-  GtkWidget *dialog = driver_find_dialog ("Compare");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   g_assert_nonnull (dialog);
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     g_autofree char *path = driver_example_path (names[i]);
@@ -339,7 +339,7 @@ test_compare_own_file (void)
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
-  GtkWidget *dialog = driver_find_dialog ("Compare");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     g_autofree char *path = driver_example_path (names[i]);
     gtk_widget_activate_action (dialog, "compare.add-path", "s", path);
@@ -396,7 +396,7 @@ static void
 test_ground_preview (void)
 {
   QnWindow *window = driver_open_example ("42-arch-pulse.quoin");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *choice =
     driver_find_widget (GTK_WIDGET (window), is_procedure_choice, "Acceleration");
   g_assert_nonnull (choice);

@@ -205,7 +205,7 @@ test_laws (void)
     g_settings_set_string (qn_settings_get (), "style", dark ? "dark" : "light");
     QnWindow *window = open_blank ();
     driver_drag (window, 0.0, 0.0, 2.0, 1.05);
-    driver_activate (window, "win.show-panel::analysis");
+    driver_open_analysis (window);
     for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++) {
       g_autoptr (GError) error = NULL;
       qn_document_edit (qn_window_get_document (window), "Kind", NULL, change_kind, &kind,

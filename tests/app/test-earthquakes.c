@@ -308,7 +308,7 @@ test_initial (void)
   driver_screenshot (GTK_WIDGET (window), "initial-turn");
 
   /* The same by fields, and what becomes of it. */
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   driver_settle ();
   g_assert_nonnull (
     driver_find_widget (GTK_WIDGET (window), driver_says, "Start of Block"));
@@ -370,7 +370,7 @@ test_capacity (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   driver_activate (window, "win.capacity");
-  GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
+  GtkWidget *dialog = driver_find_page ("Capacity Curve");
   g_assert_nonnull (dialog);
   driver_press (dialog, "Compute Curve");
   driver_wait (has_ratio, dialog);
@@ -425,8 +425,6 @@ test_capacity (void)
   driver_press (dialog, "Compute Curve");
   driver_wait (has_ratio, dialog);
   g_assert_false (has_note (dialog));
-  gtk_window_destroy (GTK_WINDOW (dialog));
-  driver_settle ();
   driver_discard (window);
 }
 
@@ -451,13 +449,13 @@ kept (QnWindow *window)
                                QN_CAPACITY_MEMBER);
 }
 
-/* What is entered for the spectrum is kept in the project, undone and done again; the window follows. */
+/* What is entered for the spectrum is kept in the project, undone and done again; the page follows. */
 static void
 test_capacity_undo (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   driver_activate (window, "win.capacity");
-  GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
+  GtkWidget *dialog = driver_find_page ("Capacity Curve");
   g_assert_null (kept (window));
   double first = entered (dialog, "ag");
   GtkWidget *ag = driver_find_widget (dialog, driver_has_id, "ag");
@@ -490,18 +488,17 @@ test_capacity_undo (void)
   g_assert_cmpstr (redone, ==, after_soil);
   g_assert_cmpfloat (entered (dialog, "ag"), ==, 0.4);
   g_assert_cmpuint (chosen (dialog, "soil"), ==, soil + 2);
-  gtk_window_destroy (GTK_WINDOW (dialog));
   driver_discard (window);
 }
 
-/* The window of the curve, or the project's, is closed while the curve is searched: the search ends and
- * nothing outlives its window. */
+/* The page of the curve, or the project's, is closed while the curve is searched: the search ends and
+ * nothing outlives it. */
 static void
 close_while_searching (gboolean project)
 {
   QnWindow *window = driver_open_example ("12-facade.quoin");
   driver_activate (window, "win.capacity");
-  GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
+  GtkWidget *dialog = driver_find_page ("Capacity Curve");
   g_assert_nonnull (dialog);
   driver_press (dialog, "Compute Curve");
   GtkWidget *cancel = driver_find_widget (dialog, driver_has_id, "cancel");
@@ -509,7 +506,7 @@ close_while_searching (gboolean project)
   gpointer gone = dialog;
   g_object_add_weak_pointer (G_OBJECT (dialog), &gone);
   if (!project) {
-    gtk_window_close (GTK_WINDOW (dialog));
+    driver_activate (window, "win.close-page");
     driver_wait (is_gone, &gone);
   }
   driver_discard (window);
@@ -547,7 +544,7 @@ test_record (void)
 {
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
   QnDocument *document = qn_window_get_document (window);
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *root = GTK_WIDGET (window);
   GtkWidget *plot = driver_find_widget (root, driver_has_id, "plot");
   GtkWidget *fault = driver_find_widget (root, driver_has_id, "fault");
@@ -588,12 +585,12 @@ test_damping (void)
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
   QnDocument *document = qn_window_get_document (window);
   const QnDynamicSettings before = qn_document_get_model (document)->analysis.dynamic;
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *ratio = driver_find_widget (GTK_WIDGET (window), driver_has_id, "ratio");
   g_assert_false (gtk_widget_is_sensitive (ratio));
   driver_activate (window, "win.run-modes::dead");
   driver_wait_for_job (window);
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   g_assert_true (gtk_widget_is_sensitive (ratio));
   gtk_widget_grab_focus (ratio);
   driver_key ("ctrl+a");
@@ -648,7 +645,7 @@ test_buttons (void)
     gboolean (*holds) (const QnModel *model);
   } buttons[] = { { "rests", rests }, { "follow", follows }, { "fall", falls } };
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   /* Paths of equilibria have a button "follow" as well. */
   GtkWidget *last = driver_find_widget (GTK_WIDGET (window), driver_has_id, "fall");
   GtkWidget *form = gtk_widget_get_parent (last);

@@ -2,7 +2,7 @@
  * again, comparison sheets, printed pages. */
 #include "driver.h"
 
-#include "app/dialogs/dialogs.h"
+#include "app/pages/pages.h"
 #include "app/window/window-private.h"
 #include "doc/view/figures.h"
 #include "doc/view/report-template.h"
@@ -84,7 +84,7 @@ test_figures (void)
   g_assert_true (qn_window_open_path (window, project));
   document = qn_window_get_document (window);
   driver_activate (window, "win.figures");
-  dialog = driver_find_dialog ("Figures");
+  dialog = driver_find_page ("Figures");
   g_assert_nonnull (dialog);
   driver_screenshot (dialog, "figures");
   driver_press (dialog, "Make All Again");

@@ -187,21 +187,21 @@ test_state (gconstpointer data)
   driver_discard (window);
 }
 
-/* Windows beside the main one, and what opens them; "app." those of the program. */
+/* Windows beside the main one and pages in it, and what opens them; "app." those of the program. */
 static const struct {
   const char *what, *action, *target, *title;
 } dialogs[] = {
   { "export", "win.export", NULL, "Export Figure" },
-  { "figures", "win.figures", NULL, "Figures" },
+  { "figures", "win.figures", NULL, NULL },
   { "import", "win.take-path", "dxf/wall-clutter.dxf", "Import" },
   { "preferences", "app.preferences", NULL, "Preferences" },
   { "help", "app.help", NULL, "Help" },
   { "shortcuts", "win.show-help-overlay", NULL, NULL },
   { "about", "app.about", NULL, NULL },
-  { "compare", "win.compare", NULL, "Compare" },
+  { "compare", "win.compare", NULL, NULL },
   { "animation", "win.export-result", "animation", "Export Animation" },
   { "report", "win.export-result", "report", "Export Report" },
-  { "capacity", "win.capacity", NULL, "Capacity Curve" },
+  { "capacity", "win.capacity", NULL, NULL },
 };
 
 static void
@@ -222,7 +222,8 @@ test_dialogs (void)
     else
       driver_activate (window, dialogs[i].action);
     driver_settle ();
-    GtkWidget *dialog = driver_find_other ();
+    GtkWidget *page = qn_window_get_page (window);
+    GtkWidget *dialog = page != NULL ? page : driver_find_other ();
     if (dialog == NULL)
       g_error ("no window %s", dialogs[i].what);
     if (dialogs[i].title != NULL)
@@ -230,7 +231,10 @@ test_dialogs (void)
         g_str_has_prefix (gtk_window_get_title (GTK_WINDOW (dialog)), dialogs[i].title));
     driver_unfold (dialog);
     look_at (dialog, dialogs[i].what);
-    gtk_window_destroy (GTK_WINDOW (dialog));
+    if (page != NULL)
+      driver_activate (window, "win.close-page");
+    else
+      gtk_window_destroy (GTK_WINDOW (dialog));
     driver_settle ();
   }
   driver_discard (window);
@@ -251,7 +255,7 @@ test_study (void)
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
   driver_settle ();
-  GtkWidget *dialog = driver_find_dialog ("Study");
+  GtkWidget *dialog = driver_find_page ("Study");
   g_assert_nonnull (dialog);
   look_at (dialog, "study");
   driver_discard (window);
@@ -271,7 +275,7 @@ test_joint (void)
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   QnDocument *document = qn_window_get_document (window);
   g_autofree char *before = g_strdup (qn_document_get_text (document));
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *joint = driver_find_widget (GTK_WIDGET (window), is_called, "joint");
   gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 1 + QN_JOINT_LIME_MORTAR);
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (joint)), ==, 0);
@@ -313,8 +317,8 @@ test_cases (void)
 {
   QnWindow *window = driver_open_example ("05-stack.quoin");
   QnDocument *document = qn_window_get_document (window);
-  driver_activate (window, "win.show-panel::analysis");
-  GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "loads_box");
+  driver_open_analysis (window);
+  GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "loads_card");
   driver_unfold (box);
   driver_settle ();
   GtkWidget *list = driver_find_widget (box, is_called, "cases");
@@ -383,8 +387,8 @@ test_laws (void)
   QnSelection *selection = qn_document_get_selection (document);
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   guint steps = 0, count = 0;
-  driver_activate (window, "win.show-panel::analysis");
-  GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "laws_box");
+  driver_open_analysis (window);
+  GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "materials");
   GtkWidget *list = driver_find_widget (box, is_called, "law");
   GtkWidget *add = driver_find_widget (box, is_called, "add");
   GtkWidget *joint = driver_find_widget (box, is_called, "joint");
@@ -451,7 +455,7 @@ test_softening (void)
 {
   QnWindow *window = driver_open_example ("05-stack.quoin");
   QnDocument *document = qn_window_get_document (window);
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *softening = driver_find_widget (GTK_WIDGET (window), is_called, "softening");
   g_assert_nonnull (softening);
   g_assert_false (gtk_widget_get_visible (gtk_widget_get_parent (softening)));
@@ -475,7 +479,7 @@ static void
 test_law_plot (void)
 {
   QnWindow *window = driver_open_example ("05-stack.quoin");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *softening = driver_find_widget (GTK_WIDGET (window), is_called, "softening");
   g_assert_nonnull (softening);
   GtkWidget *form = gtk_widget_get_parent (gtk_widget_get_parent (softening));
@@ -511,7 +515,7 @@ test_project (void)
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   double weight = qn_document_get_model (document)->blocks[1].weight;
   double gravity = qn_document_get_model (document)->gravity;
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   enter (GTK_WIDGET (window), "title", "A stack on the Moon");
   enter (GTK_WIDGET (window), "gravity", "1.62");
   const QnModel *model = qn_document_get_model (document);

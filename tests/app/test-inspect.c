@@ -207,9 +207,7 @@ static gboolean
 is_contact_expander (GtkWidget *widget, gconstpointer data)
 {
   (void) data;
-  return GTK_IS_EXPANDER (widget)
-         && g_str_has_prefix (gtk_expander_get_label (GTK_EXPANDER (widget)),
-                              "_Contacts");
+  return driver_is_expander (widget, "_Contacts at the end");
 }
 
 /* Where a widget is in its window. */

@@ -251,7 +251,7 @@ test_large_text (void)
     g_assert_cmpfloat (foot.y - head.y, >, 0.3 * gtk_widget_get_height (canvas));
 
     /* The panel takes the place of the drawing where both have no room, and gives it back. */
-    driver_activate (window, "win.show-panel::analysis");
+    driver_open_analysis (window);
     g_autofree char *panel = g_strdup_printf ("large-text-%d-panel", sizes[i][0]);
     driver_screenshot (GTK_WIDGET (window), panel);
     g_assert_true (!gtk_widget_get_mapped (canvas)

@@ -37,7 +37,7 @@ test_both_ways (void)
 {
   QnWindow *window = open_panel ("27-retaining-wall.quoin");
   GtkWidget *root = GTK_WIDGET (window);
-  GtkExpander *expander = find_expander (window, "Loads One by _One");
+  GtkExpander *expander = find_expander (window, "_Loads");
   g_assert_false (gtk_expander_get_expanded (expander));
 
   /* An arrow of the soil's pressure on the wall's left side. */
@@ -46,15 +46,15 @@ test_both_ways (void)
   driver_settle ();
   g_assert_true (gtk_expander_get_expanded (expander));
   int first = qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD);
-  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, first);
+  g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, first);
   driver_screenshot (root, "load-selected");
   driver_activate (window, "win.show-panel::properties");
   g_assert_nonnull (driver_find_widget (
     root, driver_says, "Numbers of loads, bars and ties are under Analysis."));
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
 
   GtkListBox *rows =
-    GTK_LIST_BOX (driver_find_id (driver_find_id (root, "loads_box"), "loads"));
+    GTK_LIST_BOX (driver_find_id (driver_find_id (root, "loads_card"), "loads"));
   gtk_list_box_select_row (rows, gtk_list_box_get_row_at_index (rows, 1 - first));
   g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD), ==,
                    1 - first);
@@ -65,25 +65,25 @@ test_both_ways (void)
   g_assert_cmpfloat (surcharge, >, 0.0);
   driver_press (root, "Move Up");
   g_assert_cmpfloat (model_of (window)->live_loads[0].pressure, ==, surcharge);
-  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 0);
+  g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, 0);
   g_assert_cmpstr (driver_last_step (window), ==, "Move Load");
   driver_press (root, "Move Down");
   g_assert_cmpfloat (model_of (window)->live_loads[1].pressure, ==, surcharge);
   driver_press (root, "Duplicate Load");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 3);
   g_assert_cmpfloat (model_of (window)->live_loads[2].pressure, ==, surcharge);
-  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 2);
+  g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, 2);
 
   /* The drawing's own commands mean the load that is selected. */
   driver_activate (window, "win.delete");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
   g_assert_cmpstr (driver_last_step (window), ==, "Remove Load");
   g_assert_true (qn_selection_is_empty (selection_of (window)));
-  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, -1);
+  g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, -1);
   qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
   driver_activate (window, "win.duplicate");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 3);
-  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 1);
+  g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, 1);
   while (qn_document_undo (qn_window_get_document (window)))
     driver_settle ();
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
@@ -92,8 +92,8 @@ test_both_ways (void)
   /* An empty list says so. */
   driver_press (root, "Add Set");
   driver_settle ();
-  g_assert_true (
-    gtk_widget_get_mapped (driver_find_id (driver_find_id (root, "loads_box"), "empty")));
+  g_assert_true (gtk_widget_get_mapped (
+    driver_find_id (driver_find_id (root, "loads_card"), "empty")));
   driver_screenshot (root, "loads-empty");
   driver_discard (window);
 }
@@ -167,7 +167,7 @@ test_draw_edge_load (void)
   g_assert_cmpint (load->edge, ==, 2);
   g_assert_true (load->normal);
   g_assert_cmpfloat (load->intensity[0], ==, 1e4);
-  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, (int) live);
+  g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, (int) live);
   g_assert_cmpstr (driver_last_step (window), ==, "Add Edge Load");
   driver_screenshot (root, "edge-load-drawn");
 
@@ -223,11 +223,11 @@ test_draw_bar (void)
   driver_drag (window, 0.2, 0.1, 0.2, 0.9);
   g_assert_cmpuint (model_of (window)->bar_count, ==, 1);
   g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
-  g_assert_cmpint (selected_row (window, "laws_box", "bars"), ==, 0);
+  g_assert_cmpint (selected_row (window, "ties_card", "bars"), ==, 0);
   driver_click (window, 0.3, 0.1);
   driver_click (window, 0.3, 0.9);
   g_assert_cmpuint (model_of (window)->bar_count, ==, 2);
-  g_assert_cmpint (selected_row (window, "laws_box", "bars"), ==, 1);
+  g_assert_cmpint (selected_row (window, "ties_card", "bars"), ==, 1);
   driver_screenshot (root, "bars-drawn");
   /* Diameters are in mm, whatever lengths are in. */
   GtkWidget *diameter = driver_find_id (root, "diameter");
@@ -263,7 +263,7 @@ test_draw_tie (void)
   g_assert_cmpint (tie->ends[0].block, !=, QN_NONE);
   g_assert_cmpint (tie->ends[1].block, ==, QN_NONE);
   g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 0);
-  g_assert_cmpint (selected_row (window, "laws_box", "ties"), ==, 0);
+  g_assert_cmpint (selected_row (window, "ties_card", "ties"), ==, 0);
   driver_screenshot (root, "tie-drawn");
   driver_activate (window, "win.tool::select");
   driver_drag (window, 1.5, 0.9, 1.4, 0.6);

@@ -141,7 +141,7 @@ test_window (void)
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   expect_to_fit (GTK_WIDGET (window), "result");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   expect_to_fit (GTK_WIDGET (window), "analysis");
   driver_activate (window, "win.view::contacts");
   driver_activate (window, "win.select-all");
@@ -177,7 +177,7 @@ test_dialogs (void)
   driver_activate (window, "win.export");
   expect_dialog_to_fit ("export");
   driver_activate (window, "win.figures");
-  expect_dialog_to_fit ("figures");
+  expect_to_fit (GTK_WIDGET (window), "figures");
   g_autofree char *drawing = driver_example_path ("dxf/wall-clutter.dxf");
   driver_activate_target (window, "win.take-path", g_variant_new_string (drawing));
   expect_dialog_to_fit ("import");
@@ -186,11 +186,11 @@ test_dialogs (void)
   g_action_group_activate_action (program, "help", NULL);
   expect_dialog_to_fit ("help");
   driver_activate (window, "win.study");
-  expect_dialog_to_fit ("study");
+  expect_to_fit (GTK_WIDGET (window), "study");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
-  expect_dialog_to_fit ("compare");
+  expect_to_fit (GTK_WIDGET (window), "compare");
   driver_activate (window, "win.export-result::animation");
   expect_dialog_to_fit ("animation");
   driver_activate (window, "win.select-all");
@@ -278,6 +278,8 @@ test_manual_results (void)
   manual_picture (GTK_WIDGET (window), "contacts");
   qn_selection_clear (qn_document_get_selection (qn_window_get_document (window)));
   driver_activate (window, "win.show-panel::analysis");
+  gtk_expander_set_expanded (
+    GTK_EXPANDER (driver_find_id (GTK_WIDGET (window), "method")), TRUE);
   driver_activate (window, "win.view::model");
   manual_picture (GTK_WIDGET (window), "analysis");
   solve_and_show_mechanism (window);
@@ -287,7 +289,7 @@ test_manual_results (void)
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
-  manual_dialog ("compare");
+  manual_picture (GTK_WIDGET (window), "compare");
   discard_copy (window);
 }
 

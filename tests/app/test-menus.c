@@ -111,8 +111,8 @@ test_stages (void)
   QnWindow *window = open_panel ("16-load-stages.quoin", "analysis");
   g_assert_cmpuint (model_of (window)->stage_count, ==, 2);
   g_autofree char *second = g_strdup (model_of (window)->stages[1].name);
-  GtkWidget *row = row_of (
-    driver_find_id (driver_find_id (GTK_WIDGET (window), "stages_box"), "stages"), 1);
+  GtkWidget *row =
+    row_of (driver_find_id (driver_find_id (GTK_WIDGET (window), "method"), "stages"), 1);
   check_keys (row, "Remove Stage");
   right_click (row);
   choose (row, "Earlier");
@@ -124,7 +124,7 @@ static void
 test_loads (void)
 {
   QnWindow *window = open_panel ("16-load-stages.quoin", "analysis");
-  GtkWidget *form = driver_find_id (GTK_WIDGET (window), "loads_box");
+  GtkWidget *form = driver_find_id (GTK_WIDGET (window), "loads_card");
   GtkDropDown *list = GTK_DROP_DOWN (driver_find_id (form, "list"));
   gtk_drop_down_set_selected (list, 0);
   driver_settle ();
@@ -138,13 +138,52 @@ test_loads (void)
   driver_discard (window);
 }
 
+static gboolean
+is_add_popover (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_POPOVER (widget) && gtk_widget_get_mapped (widget)
+         && driver_find_widget (widget, driver_has_id, "add_weight") != NULL;
+}
+
+/* The list of kinds under Add closes by Escape, by a click beside it, by what is chosen and with its window;
+ * keys are heard behind it. */
+static void
+test_add_load (void)
+{
+  QnWindow *window = open_panel ("01-sliding-block.quoin", "analysis");
+  GtkWidget *root = GTK_WIDGET (window);
+  GtkWidget *add = driver_find_id (driver_find_id (root, "loads_card"), "add");
+  gsize count = qn_model_count_loads (model_of (window), -1);
+  for (int way = 0; way < 4; way++) {
+    gtk_widget_grab_focus (add);
+    driver_settle ();
+    driver_point_at (add, 0.5 * gtk_widget_get_width (add), 8.0);
+    driver_press_button ("1");
+    GtkWidget *popover = driver_find_widget (root, is_add_popover, NULL);
+    g_assert_nonnull (popover);
+    if (way == 0) {
+      driver_screenshot (popover, "menu-add-load");
+      driver_key ("Escape");
+    } else if (way == 1)
+      driver_click (window, 0.0, -1.0);
+    else if (way == 2)
+      driver_press (popover, "Weight");
+    else
+      break; /* open when the window goes */
+    g_assert_null (driver_find_widget (root, is_add_popover, NULL));
+  }
+  g_assert_cmpuint (qn_model_count_loads (model_of (window), -1), ==, count + 1);
+  driver_discard (window);
+}
+
 static void
 test_laws (void)
 {
   QnWindow *window = open_panel ("ferris-tin-loi/wall3.quoin", "analysis");
   gsize count = model_of (window)->law_count;
   GtkWidget *law =
-    driver_find_id (driver_find_id (GTK_WIDGET (window), "laws_box"), "law");
+    driver_find_id (driver_find_id (GTK_WIDGET (window), "materials"), "law");
   gtk_widget_grab_focus (law);
   driver_settle ();
   check_keys (law, "Duplicate Law");
@@ -295,7 +334,7 @@ test_comparison (void)
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
-  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   g_assert_cmpuint (count_pictures (dialog), ==, 2);
   GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
   g_autofree char *words = dup_words (first);
@@ -339,7 +378,7 @@ is_row (GtkWidget *widget, gconstpointer name)
 static void
 set_friction (QnWindow *window, const char *number)
 {
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *row = driver_find_widget (GTK_WIDGET (window), is_row, "Friction");
   GtkWidget *friction = qn_row_get_field (QN_ROW (row));
   gtk_widget_grab_focus (friction);
@@ -364,7 +403,7 @@ test_variants (void)
     driver_wait_for_job (window);
   }
   driver_activate (window, "win.compare");
-  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   g_assert_cmpuint (count_pictures (dialog), ==, 3);
   g_assert_nonnull (driver_find_widget (dialog, driver_says, "friction 0.3"));
   GtkWidget *name = driver_find_widget (dialog, is_name, "friction 0.8");
@@ -383,7 +422,7 @@ test_variants (void)
   g_assert_cmpstr (driver_last_step (window), ==, "Rename Run");
   g_assert_nonnull (driver_find_widget (dialog, driver_says, "rough joints"));
   driver_key ("Escape");
-  g_assert_null (driver_find_dialog ("Compare Runs"));
+  g_assert_null (driver_find_page ("Comparison"));
   driver_key ("ctrl+z");
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));
   g_assert_cmpstr (run->label, ==, "friction 0.8");
@@ -447,7 +486,7 @@ test_words (void)
   driver_pass_over_gtk ();
   g_assert_true (g_file_set_contents (path, text, -1, NULL));
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *row = driver_find_widget (GTK_WIDGET (window), is_row, "Increments");
   GtkWidget *entry = qn_row_get_field (QN_ROW (row));
   right_click (entry);
@@ -519,7 +558,7 @@ test_drag_caption (void)
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
-  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
   GtkWidget *second = gtk_widget_get_next_sibling (first);
   g_autofree char *words = dup_words (second);
@@ -614,7 +653,7 @@ test_drop_files (void)
   g_assert_true (g_str_has_suffix (qn_document_get_path (qn_window_get_document (window)),
                                    "06-arch.quoin"));
   driver_activate (window, "win.compare");
-  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   drag_files (two, dialog);
   driver_wait (has_two_pictures, dialog);
   driver_discard (window);
@@ -660,9 +699,8 @@ test_study (void)
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
   driver_settle ();
-  GtkWidget *dialog = driver_find_dialog ("Study");
+  GtkWidget *dialog = driver_find_page ("Study");
   g_assert_nonnull (dialog);
-  gtk_window_present (GTK_WINDOW (dialog));
   gtk_spin_button_set_value (GTK_SPIN_BUTTON (driver_find_id (dialog, "count")), 8);
   driver_settle ();
   gtk_widget_activate_action (dialog, "study.run", NULL);
@@ -685,6 +723,9 @@ test_study (void)
   expect_menu (plot);
   choose (plot, "Open Case in the Drawing");
   driver_wait (has_case, window);
+  g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (window->canvas)));
+  g_assert_null (qn_window_get_page (window));
+  driver_activate (window, "win.study");
 
   GtkWidget *parameters = driver_find_id (dialog, "parameters");
   GtkWidget *row =
@@ -701,6 +742,7 @@ QN_TESTS
   g_test_add_func ("/app/menus/bars", test_bars);
   g_test_add_func ("/app/menus/stages", test_stages);
   g_test_add_func ("/app/menus/loads", test_loads);
+  g_test_add_func ("/app/menus/add-load", test_add_load);
   g_test_add_func ("/app/menus/laws", test_laws);
   g_test_add_func ("/app/menus/tables", test_tables);
   g_test_add_func ("/app/menus/open-at-end", test_open_at_end);

@@ -48,11 +48,11 @@ test_settle_and_push (void)
   GtkWidget *root = GTK_WIDGET (window);
   QnDocument *document = qn_window_get_document (window);
   gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
-  driver_activate (window, "win.show-panel::analysis");
-  open_expander (root, "Loads One by _One");
+  driver_open_analysis (window);
+  open_expander (root, "_Loads");
   driver_press (root, "Add Set");
   g_assert_cmpuint (model_of (window)->load_set_count, ==, 1);
-  driver_press (root, "+ Weight");
+  driver_press (root, "Weight");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
   g_assert_cmpint (model_of (window)->live_loads[1].set, ==, 1);
   driver_screenshot (root, "load-form");
@@ -69,7 +69,7 @@ test_settle_and_push (void)
                            gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 0));
   gtk_list_box_select_row (GTK_LIST_BOX (list),
                            gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 1));
-  GtkWidget *loads = driver_find_widget (root, driver_is_expander, "Loads One by _One");
+  GtkWidget *loads = driver_find_widget (root, driver_is_expander, "_Loads");
   gtk_expander_set_expanded (GTK_EXPANDER (loads), FALSE);
   gtk_widget_grab_focus (driver_find_widget (root, driver_is_button, "_Earlier"));
   driver_screenshot (root, "stage-form");
@@ -121,26 +121,26 @@ test_edge_loads (void)
   QnDocument *document = qn_window_get_document (window);
   const gsize dead = model_of (window)->dead_load_count;
   gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   open_expander (root, "Load C_ases");
   driver_press (root, "Add Case");
   g_assert_cmpuint (model_of (window)->load_case_count, ==, 1);
   g_assert_cmpfloat (model_of (window)->load_cases[0].factor, ==, 1.0);
-  open_expander (root, "Loads One by _One");
+  open_expander (root, "_Loads");
 
   /* Of all blocks that are free where none is selected. */
-  driver_press (root, "+ Backfill");
+  driver_press (root, "Backfill");
   g_assert_cmpuint (model_of (window)->dead_load_count, ==, dead + 1);
   const QnLoad *load = &model_of (window)->dead_loads[dead];
   g_assert_cmpint (load->kind, ==, QN_LOAD_BACKFILL);
   g_assert_cmpuint (model_of (window)->edge_force_count, ==, 5);
-  driver_press (root, "+ Surcharge");
+  driver_press (root, "Surcharge");
   g_assert_cmpint (model_of (window)->dead_loads[dead + 1].kind, ==, QN_LOAD_SURCHARGE);
 
   /* An edge load needs a block, and is on its top. */
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, (QnId[]){ 2 },
                     1);
-  driver_press (root, "+ Edge Load");
+  driver_press (root, "Edge Load");
   load = &model_of (window)->dead_loads[dead + 2];
   g_assert_cmpint (load->kind, ==, QN_LOAD_EDGE);
   g_assert_cmpint (load->block, ==, 2);
@@ -164,9 +164,9 @@ test_close_with_selected (void)
     QnWindow *window = driver_open_example ("16-load-stages.quoin");
     GtkWidget *root = GTK_WIDGET (window);
     gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
-    driver_activate (window, "win.show-panel::analysis");
+    driver_open_analysis (window);
     open_expander (root, "Loading in _Stages");
-    open_expander (root, "Loads One by _One");
+    open_expander (root, "_Loads");
     GtkListBox *list = GTK_LIST_BOX (driver_find_widget (root, is_list_of_stages, NULL));
     gtk_list_box_select_row (list, gtk_list_box_get_row_at_index (list, 1));
     gtk_widget_grab_focus (GTK_WIDGET (gtk_list_box_get_row_at_index (list, 1)));
@@ -190,7 +190,7 @@ static void
 test_close_while_typing (void)
 {
   QnWindow *window = driver_open_example ("16-load-stages.quoin");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   double increments = model_of (window)->analysis.increments;
   GtkWidget *entry = driver_find_widget (GTK_WIDGET (window), is_number, &increments);
   g_assert_nonnull (entry);
@@ -229,7 +229,7 @@ test_cycles (void)
   open_expander (root, "Stages and c_ycles");
   g_assert_nonnull (driver_find_widget (root, driver_says, "cycle 4: load multiplier"));
   driver_screenshot (root, "cycles-curve");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   open_expander (root, "Loading in _Stages");
   GtkWidget *form = driver_find_widget (root, driver_is_expander, "Loading in _Stages");
   GtkListBox *list = GTK_LIST_BOX (driver_find_widget (root, is_list_of_stages, NULL));

@@ -3,7 +3,7 @@
  * that is drawn. */
 #include "driver.h"
 
-#include "app/dialogs/study-private.h"
+#include "app/pages/study-private.h"
 #include "app/widgets/quantity-entry.h"
 #include "study/plan/study.h"
 #include "support/room.h"
@@ -74,7 +74,7 @@ static gboolean
 has_study (gpointer data)
 {
   (void) data;
-  return driver_find_dialog ("Study") != NULL;
+  return driver_find_page ("Study") != NULL;
 }
 
 static gsize
@@ -112,9 +112,9 @@ static void
 click_points (GtkWidget *dialog, QnWindow *window)
 {
   GtkWidget *plot = driver_find_widget (dialog, is_area, NULL);
-  QnStudyWindow *study = g_object_get_data (G_OBJECT (dialog), "qn-study");
+  QnStudyPage *study = g_object_get_data (G_OBJECT (dialog), "qn-study");
   Opened opened = { window, count_runs (window) };
-  gtk_window_present (GTK_WINDOW (dialog));
+  driver_activate (window, "win.study");
   driver_settle ();
   study->chosen = -1;
   for (int y = 60; y < gtk_widget_get_height (plot) && study->chosen < 0; y += 15) {
@@ -137,7 +137,7 @@ test_vary (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
   QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   GtkWidget *friction = driver_find_widget (GTK_WIDGET (window), shows, "0.65");
   g_assert_nonnull (friction);
   gtk_widget_grab_focus (friction);
@@ -147,7 +147,7 @@ test_vary (void)
   driver_key ("Up");
   driver_key ("Return");
   driver_wait (has_study, NULL);
-  GtkWidget *dialog = driver_find_dialog ("Study: wall.quoin-study");
+  GtkWidget *dialog = driver_find_page ("Study");
   g_assert_nonnull (dialog);
   driver_settle ();
 
@@ -155,7 +155,7 @@ test_vary (void)
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
   driver_settle ();
-  gtk_window_present (GTK_WINDOW (dialog));
+  driver_activate (window, "win.study");
   driver_settle ();
   driver_key ("F5");
   driver_wait (is_idle, dialog);
@@ -202,7 +202,7 @@ test_vary (void)
   window = driver_open_window (1280, 800);
   g_assert_true (qn_window_open_path (window, path));
   driver_wait (has_study, NULL);
-  dialog = driver_find_dialog ("Study");
+  dialog = driver_find_page ("Study");
   g_autofree char *again = g_build_filename (folder, "again.csv", NULL);
   export_to (dialog, "table", again);
   g_assert_cmpuint (count_lines (again), ==, 201);
@@ -391,6 +391,8 @@ test_every_number (void)
       qn_selection_set_opening (selection, 0, 0);
     g_autofree char *panel = g_strconcat ("win.show-panel::", cases[i].panel, NULL);
     driver_activate (window, panel);
+    driver_unfold (gtk_stack_get_visible_child (window->side_stack));
+    driver_settle ();
     if (cases[i].selected == A_STAGE)
       select_stage (window);
     g_autoptr (GPtrArray) entries = g_ptr_array_new ();
@@ -436,7 +438,7 @@ test_edit (void)
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
   driver_wait (has_study, NULL);
-  GtkWidget *dialog = driver_find_dialog ("Study");
+  GtkWidget *dialog = driver_find_page ("Study");
   driver_settle ();
   GtkWidget *least = driver_find_widget (dialog, shows, "0.585");
   g_assert_nonnull (least);
@@ -495,7 +497,7 @@ test_distribution (void)
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.5);
   driver_wait (has_study, NULL);
-  GtkWidget *dialog = driver_find_dialog ("Study");
+  GtkWidget *dialog = driver_find_page ("Study");
   driver_settle ();
   g_assert_nonnull (driver_find_widget (dialog, driver_says, "Least"));
   gtk_widget_grab_focus (driver_find_id (dialog, "kind"));
@@ -524,16 +526,14 @@ test_distribution (void)
   driver_discard (window);
 }
 
-/* The folder of results beside the project. */
+/* The results, in a folder beside the project that is named after it. */
 static char *
 find_results (const char *folder)
 {
-  g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
-  const char *name;
-  while ((name = g_dir_read_name (dir)) != NULL)
-    if (g_str_has_prefix (name, "wall-study-"))
-      return g_build_filename (folder, name, NULL);
-  return NULL;
+  g_autofree char *all = g_build_filename (folder, "wall-study", NULL);
+  g_autoptr (GDir) dir = g_dir_open (all, 0, NULL);
+  const char *name = g_dir_read_name (dir);
+  return name != NULL ? g_build_filename (all, name, NULL) : NULL;
 }
 
 /* An output over two parameters, on the screen and as a file. */
@@ -546,7 +546,7 @@ test_surface (void)
                               0.65);
   driver_wait (has_study, NULL);
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].kn", 1e8);
-  GtkWidget *dialog = driver_find_dialog ("Study");
+  GtkWidget *dialog = driver_find_page ("Study");
   GtkWidget *figure = driver_find_widget (dialog, is_drop_down, "Cumulative curve");
   driver_settle ();
   gtk_drop_down_set_selected (GTK_DROP_DOWN (figure), 5);
@@ -612,7 +612,7 @@ test_moving_load (void)
   driver_screenshot (GTK_WIDGET (window), "study-path");
   driver_key ("Return");
   driver_wait (has_study, NULL);
-  GtkWidget *dialog = driver_find_dialog ("Study");
+  GtkWidget *dialog = driver_find_page ("Study");
   driver_settle ();
   gtk_widget_activate_action (dialog, "study.run", NULL);
   driver_settle ();

@@ -109,7 +109,7 @@ test_comparison (void)
   gint64 begun = g_get_monotonic_time ();
   driver_key ("F10");
   driver_click_on (GTK_WIDGET (window), is_labelled, "Compare…");
-  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   g_assert_nonnull (dialog);
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     g_autofree char *path = driver_example_path (names[i]);
@@ -178,7 +178,7 @@ test_dropped_files (void)
 
   QnWindow *window = driver_open_window (1280, 800);
   driver_activate (window, "win.compare");
-  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  GtkWidget *dialog = driver_find_page ("Comparison");
   g_assert_nonnull (dialog);
   drop_files (dialog, (const char *const[]){ folder, single, NULL });
   driver_wait (has_two_pictures, dialog);

@@ -673,7 +673,7 @@ test_appearance (void)
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
   driver_screenshot (GTK_WIDGET (window), "dark");
-  driver_activate (window, "win.show-panel::analysis");
+  driver_open_analysis (window);
   driver_screenshot (GTK_WIDGET (window), "dark-analysis");
   driver_discard (window);
   g_settings_set_string (settings, "style", "light");

@@ -49,7 +49,7 @@ static const Layer layers[] = {
     { "core/", "stereotomy/", "io/", "render/", "doc/", "study/", "cli/", "config.h" },
     { "glib", "gio/" } },
   { "app",
-    { "widgets", "canvas", "tools", "forms", "views", "dialogs", "window" },
+    { "widgets", "canvas", "tools", "forms", "views", "dialogs", "pages", "window" },
     { "core/", "stereotomy/", "io/", "render/", "doc/", "study/", "app/", "config.h" },
     { "glib", "gio/", "gmodule.h", "cairo", "gtk/", "gdk/", "gsk/", "graphene", "pango",
       "dlfcn.h" } },

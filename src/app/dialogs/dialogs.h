@@ -28,23 +28,8 @@ void qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFun
 void qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                                const char *path);
 
-/* The capacity curve of the model, and what it is held against. */
-void qn_capacity_window_show (GtkWindow *parent, QnDocument *document);
-
-/* The figures that the project keeps. */
-void qn_figures_window_show (GtkWindow *parent, QnDocument *document);
-
 /* What the drawing of another program becomes. Hands over the project for the window to take in;
  * it remains the dialog's. */
 typedef void (*QnImportFunc) (GtkWindow *window, const QnProject *project);
 void qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                             QnImportFunc import);
-
-/* Runs beside each other: those of `document` first, then of the others (borrowed, freed by the
- * caller) that `list_others` finds whenever the choice is listed anew. */
-typedef GPtrArray *(*QnDocumentsFunc) (GtkWindow *window);
-void qn_compare_window_show (GtkWindow *parent, QnDocument *document,
-                             QnDocumentsFunc list_others);
-/* Writes runs (of QnRun) as one sheet; `titles`: one for each, or NULL for the names of the runs. */
-gboolean qn_compare_export (const GPtrArray *runs, const char *const *titles,
-                            const char *path, GError **error);

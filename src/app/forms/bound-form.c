@@ -327,6 +327,8 @@ void
 qn_bound_form_reveal (gpointer data)
 {
   QnBoundForm *form = data;
+  if (form->card != NULL)
+    gtk_expander_set_expanded (form->card, TRUE);
   GtkRoot *window = gtk_widget_get_root (form->root);
   GtkWidget *focus = window != NULL ? gtk_root_get_focus (window) : NULL;
   if (GTK_IS_EXPANDER (form->root))
@@ -480,6 +482,9 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   Entered entered = { .form = form,
                       .field = field_of (form, widget),
                       .value = take_value (widget) };
+  GtkWidget *popover = gtk_widget_get_ancestor (widget, GTK_TYPE_POPOVER);
+  if (popover != NULL && GTK_IS_BUTTON (widget))
+    gtk_popover_popdown (GTK_POPOVER (popover));
   const QnFormKind *kind = form->kind;
   gboolean is_row = entered.field >= kind->field_count;
   const char *name = step_of (form, entered.field);

@@ -102,8 +102,9 @@ typedef struct QnFormKind {
 
 struct QnBoundForm {
   const QnFormKind *kind;
-  QnCanvas *canvas; /* NULL in dialogs */
-  GtkWidget *root;  /* "form" of the .ui file */
+  QnCanvas *canvas;  /* NULL in dialogs */
+  GtkWidget *root;   /* "form" of the .ui file */
+  GtkExpander *card; /* that the form lies in, or NULL */
   GtkWidget **widgets;
   void (*clear) (gpointer form); /* NULL, or frees what the struct holds */
   int selected;                  /* item of the list; -1: none */

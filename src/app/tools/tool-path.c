@@ -11,9 +11,9 @@ complete (QnCanvas *canvas)
   GVariant *line = g_variant_ref_sink (g_variant_new_fixed_array (
     G_VARIANT_TYPE_DOUBLE, points->data, 2 * (gsize) points->len, sizeof (double)));
   qn_canvas_set_in_gesture (canvas, FALSE);
+  gtk_widget_activate_action (GTK_WIDGET (canvas), "win.tool", "s", "select");
   gtk_widget_activate_action_variant (GTK_WIDGET (canvas), "win.move-load", line);
   g_variant_unref (line);
-  gtk_widget_activate_action (GTK_WIDGET (canvas), "win.tool", "s", "select");
 }
 
 static void

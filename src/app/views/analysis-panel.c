@@ -14,7 +14,7 @@
   MEMBER (GRAVITY, "gravity", N_ ("Change Gravity"), QnModel, gravity)                   \
   FIELD (PROCEDURE, "procedure", CHANGE)                                                 \
   FIELD (EXPLANATION, "explanation", NULL)                                               \
-  FIELD (STAGES, "stages", NULL)                                                         \
+  FIELD (STAGES, "staged", NULL)                                                         \
   MEMBER (GEOMETRY, "geometry", CHANGE, QnModel, analysis.geometry)                      \
   MEMBER (FOLLOW, "follow", CHANGE, QnModel, analysis.follow)                            \
   MEMBER (SNAP, "snap", CHANGE, QnModel, analysis.snap)                                  \
@@ -38,10 +38,17 @@
   FIELD (POSITIONS, "positions", CHANGE)                                                 \
   FIELD (WEIGHTS, "weights", CHANGE)                                                     \
   MEMBER (TOLERANCE, "tolerance", CHANGE, QnModel, contact.tolerance)                    \
-  FIELD (DYNAMIC_BOX, "dynamic_box", NULL)                                               \
-  FIELD (LOADS_BOX, "loads_box", NULL)                                                   \
-  FIELD (STAGES_BOX, "stages_box", NULL)                                                 \
-  FIELD (LAWS_BOX, "laws_box", NULL)
+  FIELD (METHOD_TEXT, "method_text", NULL) /* beside the names of the cards */           \
+  FIELD (MATERIALS_TEXT, "materials_text", NULL)                                         \
+  FIELD (LOADS_TEXT, "loads_text", NULL)                                                 \
+  FIELD (TIES_TEXT, "ties_text", NULL)                                                   \
+  FIELD (GROUND_TEXT, "ground_text", NULL)                                               \
+  FIELD (GROUND_HINT, "ground_hint", NULL)                                               \
+  FIELD (METHOD, "method", NULL) /* cards */                                             \
+  FIELD (MATERIALS, "materials", NULL)                                                   \
+  FIELD (LOADS, "loads_card", NULL)                                                      \
+  FIELD (TIES, "ties_card", NULL)                                                        \
+  FIELD (GROUND, "ground", NULL)
 QN_FORM_FIELDS;
 
 /* Rows of the choice of procedure. */
@@ -152,6 +159,50 @@ has_density (const QnModel *model)
   return FALSE;
 }
 
+/* What a card holds. */
+static char *
+dup_card_text (const QnModel *model, guint field)
+{
+  gsize loads[2];
+  switch (field) {
+  case METHOD_TEXT:
+    return model->stage_count > 0
+             ? g_strdup (_ ("in stages"))
+             : g_strdup (_ (procedures[procedure_row (&model->analysis)].label));
+  case MATERIALS_TEXT:
+    return model->law_count == 1 ? g_strdup (model->laws[0].name)
+                                 : g_strdup_printf (ngettext ("%zu law", "%zu laws",
+                                                              (gulong) model->law_count),
+                                                    model->law_count);
+  case LOADS_TEXT:
+    qn_model_loads (model, 0, &loads[0]);
+    qn_model_loads (model, 1, &loads[1]);
+    return g_strdup_printf (_ ("%zu constant, %zu growing"), loads[0], loads[1]);
+  case TIES_TEXT:
+    return model->tie_count + model->bar_count > 0
+             ? g_strdup_printf ("%zu", model->tie_count + model->bar_count)
+             : NULL;
+  default:
+    return model->analysis.procedure != QN_PROCEDURE_DYNAMIC
+             ? g_strdup (_ ("not used by the method"))
+             : g_strdup_printf ("%zu", model->ground_count);
+  }
+}
+
+/* What the method ignores is grey; why stands under its name. */
+static char *
+dup_explanation (const QnAnalysisSettings *a)
+{
+  const char *own = _ (procedures[procedure_row (a)].explanation);
+  const char *ignored =
+    a->procedure == QN_PROCEDURE_LIMIT
+      ? _ ("It follows no path: what is grey plays no part.")
+    : a->procedure == QN_PROCEDURE_DYNAMIC
+      ? _ ("It follows time, not the load: what is grey plays no part.")
+      : NULL;
+  return ignored != NULL ? g_strdup_printf ("%s %s", own, ignored) : g_strdup (own);
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -175,30 +226,34 @@ show (gpointer data, guint field, QnValue *value)
     value->number = procedure_row (&a);
     return !staged;
   case EXPLANATION:
-    value->text = g_strdup (_ (procedures[procedure_row (&a)].explanation));
+    value->text = dup_explanation (&a);
     return !staged;
   case STAGES:
     value->text = g_strdup (_ ("Loaded in stages: each has its own procedure, increments "
                                "and end; the rest holds for all of them."));
     return staged;
   case GEOMETRY:
-    return path || timed;
+  case RESIDUAL_TOLERANCE:
+    value->disabled = !path && !timed;
+    return TRUE;
   case FOLLOW:
-    return path && a.geometry == QN_GEOMETRY_NONLINEAR;
+    value->disabled = !path || a.geometry != QN_GEOMETRY_NONLINEAR;
+    return TRUE;
   case SNAP:
   case INCREMENTS:
   case MULTIPLIER_TOLERANCE:
-    return path;
+    value->disabled = !path;
+    return TRUE;
   case MAX_MULTIPLIER:
-    return path && !staged;
-  case RESIDUAL_TOLERANCE:
-    return path || timed;
+    value->disabled = !path || staged;
+    return TRUE;
   case CONTROL_BLOCK:
     qn_value_add_row (value, C_ ("block", "None"));
     for (gsize i = 0; i < model->block_count; i++)
       qn_value_add_row (value, model->blocks[i].name);
     value->number = a.control_block + 1;
-    return path;
+    value->disabled = !path;
+    return TRUE;
   case COMPONENT:
     return controlled;
   case TARGET:
@@ -216,8 +271,14 @@ show (gpointer data, guint field, QnValue *value)
     load = weight_load (model->live_loads, model->live_load_count);
     value->number = field == LOAD + 2 ? load.x : load.y;
     return TRUE;
+  case GROUND_HINT:
+    return !timed;
   default:
-    return show_contact (model, field, value);
+    if (field < METHOD_TEXT)
+      return show_contact (model, field, value);
+    if (field < METHOD)
+      value->text = dup_card_text (model, field);
+    return TRUE;
   }
 }
 
@@ -329,16 +390,22 @@ qn_analysis_panel_new (QnCanvas *canvas)
 {
   static const QnFormKind kind =
     QN_FORM_KIND ("analysis-panel", QnBoundForm, .subject = subject);
-  QnBoundForm *form = qn_bound_form_new (&kind, canvas);
-  const struct {
-    guint box;
+  static const struct {
     const QnFormKind *part;
-  } parts[] = { { DYNAMIC_BOX, &qn_dynamic_form }, { LOADS_BOX, &qn_load_form },
-                { LOADS_BOX, &qn_case_form },      { STAGES_BOX, &qn_stage_form },
-                { LAWS_BOX, &qn_law_form },        { LAWS_BOX, &qn_bar_form },
-                { LAWS_BOX, &qn_tie_form } };
-  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
-    gtk_box_append (GTK_BOX (form->widgets[parts[i].box]),
-                    qn_form_new (parts[i].part, canvas));
+    guint card;
+    gboolean first; /* before what the card has by itself */
+  } parts[] = {
+    { &qn_stage_form, METHOD, FALSE },  { &qn_law_form, MATERIALS, TRUE },
+    { &qn_load_form, LOADS, TRUE },     { &qn_case_form, LOADS, FALSE },
+    { &qn_bar_form, TIES, FALSE },      { &qn_tie_form, TIES, FALSE },
+    { &qn_dynamic_form, GROUND, TRUE },
+  };
+  QnBoundForm *form = qn_bound_form_new (&kind, canvas);
+  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++) {
+    QnBoundForm *part = qn_bound_form_new (parts[i].part, canvas);
+    part->card = GTK_EXPANDER (form->widgets[parts[i].card]);
+    GtkBox *box = GTK_BOX (gtk_expander_get_child (part->card));
+    (parts[i].first ? gtk_box_prepend : gtk_box_append) (box, qn_bound_form_show (part));
+  }
   return qn_bound_form_show (form);
 }

@@ -1,10 +1,10 @@
-/* The answer of the current run: its multiplier, every value found for the model on one line, the
- * mechanism in a sentence; what happened on the path and how values were found behind expanders. */
+/* The answer of the current run: its multiplier, what that means, the mechanism in a sentence; what happened
+ * on the path, every value that was found for the model, and how, behind expanders. */
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
-#include "app/views/bounds-bar.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/settings.h"
+#include "doc/document/bounds.h"
 #include "doc/document/run-text.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
@@ -16,7 +16,7 @@
 
 typedef struct Card {
   QnDocument *document;
-  GtkWidget *box, *bar, *stages, *events, *others;
+  GtkWidget *box, *stages, *events, *others;
   GtkLabel *stale, *number, *outcome, *verdict, *mechanism, *explanation, *led, *happened,
     *values;
 } Card;
@@ -129,7 +129,6 @@ update (Card *card)
   g_autoptr (GArray) bounds = qn_bounds_collect (card->document);
   if (run->kind != QN_RUN_ANALYSIS)
     g_array_set_size (bounds, 0);
-  qn_bounds_bar_set (QN_BOUNDS_BAR (card->bar), bounds);
   g_autofree char *verdict = qn_bounds_dup_verdict (bounds);
   set_text (card->verdict, verdict);
   g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
@@ -156,7 +155,6 @@ update (Card *card)
 GtkWidget *
 qn_answer_card_new (QnDocument *document)
 {
-  g_type_ensure (QN_TYPE_BOUNDS_BAR);
   g_autoptr (GtkBuilder) builder = qn_builder_new ("answer-card");
 #define LABEL(id) GTK_LABEL (qn_builder_get_widget (builder, id))
   Card *card = g_new (Card, 1);
@@ -164,7 +162,6 @@ qn_answer_card_new (QnDocument *document)
     .document = document,
     .box = qn_builder_take_widget (builder, "card"),
     .stale = LABEL ("stale"),
-    .bar = qn_builder_get_widget (builder, "bar"),
     .stages = qn_builder_get_widget (builder, "stages"),
     .events = qn_builder_get_widget (builder, "events"),
     .others = qn_builder_get_widget (builder, "others"),

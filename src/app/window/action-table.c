@@ -90,7 +90,9 @@ const QnActionRow qn_action_rows[] = {
   KEYED (TOOLS, "win.join", QN_NEEDS_TWO_BLOCKS, NO_ENTRY, "j", N_ ("Join blocks")),
 
   /* Analysis. */
-  KEYED (ANALYSIS, "win.run", SOLVABLE, ALL, "F5", N_ ("Solve")),
+  KEYED (ANALYSIS, "win.run-shown", SOLVABLE | QN_NEEDS_READY, ALL, "F5",
+         N_ ("Solve, or run the study")),
+  ACTION ("win.run", SOLVABLE),
   ACTION ("win.run-limit", SOLVABLE),
   ACTION ("win.remove-run", QN_NEEDS_RUN),
   ACTION ("win.run-all", SOLVABLE),
@@ -99,6 +101,8 @@ const QnActionRow qn_action_rows[] = {
          N_ ("Study of uncertain parameters")),
   KEYED (ANALYSIS, "win.capacity", SOLVABLE, ALL, "<Control><Shift>k",
          N_ ("Capacity curve against a spectrum")),
+  ACTION ("win.close-page", 0),
+  ACTION ("win.show-drawing", 0),
   ACTION ("win.vary", DRAWN),
   ACTION ("win.move-load", DRAWN),
   ACTION ("win.run-stability", SOLVABLE),

@@ -24,6 +24,7 @@ typedef enum {
   QN_NEEDS_FACE = 1 << 13,       /* a contact face is selected */
   QN_NEEDS_EXPORTED = 1 << 14,   /* a figure has been exported */
   QN_NEEDS_THING = 1 << 15,      /* what can be copied, or an opening, is selected */
+  QN_NEEDS_READY = 1 << 16, /* a page in sight that has something to run can run it */
 } QnNeeds;
 
 /* Where the keys of an action work: wherever the focus is, not in entries, in the drawing alone. */

@@ -123,6 +123,7 @@ on_tool (GSimpleAction *action, GVariant *value, gpointer data)
       && tool != &qn_tool_select)
     qn_view_state_set_view (self->state, QN_VIEW_MODEL);
   qn_canvas_set_tool (self->canvas, tool);
+  qn_window_show_drawing (self, FALSE);
   gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
 }
 
@@ -146,7 +147,7 @@ on_side_panel (GSimpleAction *action, GVariant *value, gpointer data)
   QnWindow *self = data;
   g_simple_action_set_state (action, value);
   gtk_widget_set_visible (self->side_panel, g_variant_get_boolean (value));
-  qn_window_update_palette (self);
+  qn_window_arrange (self);
 }
 
 static void
@@ -260,6 +261,7 @@ find_facts (QnWindow *self)
   const QnRun *run = qn_document_get_run (document);
   QnJob *job = qn_document_get_job (document);
   gboolean busy = job != NULL && !qn_job_is_live (job);
+  gboolean own = qn_window_page_has (self, "undo");
   guint blocks = 0, beams = 0;
   QnId object;
   int number;
@@ -276,11 +278,13 @@ find_facts (QnWindow *self)
     { !qn_window_is_blank (self), QN_NEEDS_WORK },
     { model->block_count > 0 || model->beam_count > 0, QN_NEEDS_MODEL },
     { !busy, QN_NEEDS_IDLE },
-    { busy, QN_NEEDS_JOB },
+    { busy || qn_window_page_can (self, "cancel"), QN_NEEDS_JOB },
     { run != NULL, QN_NEEDS_RUN },
     { run != NULL && run->result.beam_forces != NULL, QN_NEEDS_BEAM_FORCES },
-    { qn_history_can_undo (history), QN_NEEDS_UNDO },
-    { qn_history_can_redo (history), QN_NEEDS_REDO },
+    { own ? qn_window_page_can (self, "undo") : qn_history_can_undo (history),
+      QN_NEEDS_UNDO },
+    { own ? qn_window_page_can (self, "redo") : qn_history_can_redo (history),
+      QN_NEEDS_REDO },
     { blocks > 0, QN_NEEDS_BLOCKS },
     { blocks > 1, QN_NEEDS_TWO_BLOCKS },
     { blocks + beams > 0, QN_NEEDS_PARTS },
@@ -289,6 +293,8 @@ find_facts (QnWindow *self)
     { blocks + beams > 0 || opening || item, QN_NEEDS_THING },
     { qn_selection_get_face (selection) != QN_NONE, QN_NEEDS_FACE },
     { self->last_export != NULL, QN_NEEDS_EXPORTED },
+    { !qn_window_page_has (self, "run") || qn_window_page_can (self, "run"),
+      QN_NEEDS_READY },
   };
   QnNeeds all = QN_NEEDS_NOTHING;
   for (gsize i = 0; i < G_N_ELEMENTS (facts); i++)
@@ -328,6 +334,12 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
 {
   GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (self));
   gboolean on_drawing = focus == NULL || focus == GTK_WIDGET (self->canvas);
+  if (keyval == GDK_KEY_Escape && qn_window_get_page (self) != NULL
+      && (!gtk_widget_get_mapped (GTK_WIDGET (self->canvas))
+          || (focus != NULL && gtk_widget_is_ancestor (focus, self->page_box)))) {
+    qn_window_show_drawing (self, TRUE);
+    return TRUE;
+  }
   if (qn_window_is_blank (self) || GTK_IS_EDITABLE (focus) || GTK_IS_TEXT_VIEW (focus))
     return FALSE;
   gboolean shift = (modifiers & GDK_SHIFT_MASK) != 0;

@@ -245,10 +245,20 @@ run (QnWindow *self, GVariant *parameter)
     qn_window_show_error (self, error->message);
 }
 
+/* What is in sight: the study, or the drawing. */
+static void
+run_shown (QnWindow *self, GVariant *parameter)
+{
+  qn_window_commit_entry (self);
+  if (!qn_window_page_does (self, "run"))
+    run (self, NULL);
+}
+
 static void
 cancel (QnWindow *self, GVariant *parameter)
 {
-  qn_document_cancel (self->document);
+  if (!qn_window_page_can (self, "cancel") || !qn_window_page_does (self, "cancel"))
+    qn_document_cancel (self->document);
 }
 
 static void
@@ -340,6 +350,7 @@ qn_window_add_analysis_actions (QnWindow *self)
 {
   static const QnWindowAction actions[] = {
     { "run", NULL, run },
+    { "run-shown", NULL, run_shown },
     { "cancel", NULL, cancel },
     { "pause", NULL, pause_or_resume },
     { "run-limit", "s", run_limit },

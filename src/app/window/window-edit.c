@@ -278,13 +278,15 @@ nudge (QnWindow *self, GVariant *parameter)
 static void
 undo (QnWindow *self, GVariant *parameter)
 {
-  qn_document_undo (self->document);
+  if (!qn_window_page_does (self, "undo"))
+    qn_document_undo (self->document);
 }
 
 static void
 redo (QnWindow *self, GVariant *parameter)
 {
-  qn_document_redo (self->document);
+  if (!qn_window_page_does (self, "redo"))
+    qn_document_redo (self->document);
 }
 
 static void

@@ -194,36 +194,6 @@ export_figure (QnWindow *self, GVariant *parameter)
 }
 
 static void
-show_capacity (QnWindow *self, GVariant *parameter)
-{
-  qn_window_commit_entry (self);
-  qn_capacity_window_show (GTK_WINDOW (self), self->document);
-}
-
-static void
-show_figures (QnWindow *self, GVariant *parameter)
-{
-  qn_figures_window_show (GTK_WINDOW (self), self->document);
-}
-
-static GPtrArray *
-list_others (GtkWindow *self)
-{
-  GPtrArray *documents = g_ptr_array_new ();
-  GtkApplication *application = gtk_window_get_application (self);
-  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
-    if (QN_IS_WINDOW (l->data) && l->data != self)
-      g_ptr_array_add (documents, qn_window_get_document (l->data));
-  return documents;
-}
-
-static void
-compare (QnWindow *self, GVariant *parameter)
-{
-  qn_compare_window_show (GTK_WINDOW (self), self->document, list_others);
-}
-
-static void
 choose_report (GtkWindow *window)
 {
   for (gsize i = 0; i < DRAWING; i++)
@@ -309,9 +279,6 @@ qn_window_add_export_actions (QnWindow *self)
   static const QnWindowAction actions[] = {
     { "export", NULL, export_figure },
     { "repeat-export", NULL, repeat_export },
-    { "compare", NULL, compare },
-    { "figures", NULL, show_figures },
-    { "capacity", NULL, show_capacity },
     { "export-result", "s", export_result },
     { "export-drawing", NULL, export_drawing },
     { "export-path", "(ss)", export_path },

@@ -55,6 +55,10 @@ typedef enum QnClosing {
   CHILD (GtkScrolledWindow, analysis_scroller)                                           \
   CHILD (GtkScrolledWindow, result_scroller)                                             \
   CHILD (GtkScrolledWindow, findings_scroller)                                           \
+  CHILD (GtkPaned, middle)                                                               \
+  CHILD (GtkWidget, page_box)                                                            \
+  CHILD (GtkToggleButton, fill_button)                                                   \
+  CHILD (GtkStack, pages)                                                                \
   CHILD (QnCanvas, canvas)                                                               \
   CHILD (GtkWidget, side_panel)                                                          \
   CHILD (GtkWidget, open_button)                                                         \
@@ -98,8 +102,8 @@ void qn_window_add_keys (QnWindow *window);
  * 4.8), and settings would tell them of changes. */
 void qn_window_forget_settings (QnWindow *window);
 
-/* Tools make room for the side panel of a narrow window. */
-void qn_window_update_palette (QnWindow *window);
+/* Drawing, tools, side panel and page share the room that there is. */
+void qn_window_arrange (QnWindow *window);
 
 /* window-menu.c: the context menu of the drawing. */
 void qn_window_add_context_menu (QnWindow *window);
@@ -141,8 +145,18 @@ void qn_window_open_result (QnWindow *window, const char *path);
 /* Shows the drawing instead of the start page. */
 void qn_window_show_work (QnWindow *window);
 
-/* window-study.c: the study of the project. */
-void qn_window_add_study_actions (QnWindow *window);
+/* window-pages.c: pages under the drawing. */
+void qn_window_add_page_actions (QnWindow *window);
+void qn_window_remove_pages (QnWindow *window);
+/* The one in sight, or NULL. */
+GtkWidget *qn_window_get_page (QnWindow *window);
+/* Whether it has an action of its own (undo, redo, run, cancel), whether that can be used, and that carried out
+ * where it has it. */
+gboolean qn_window_page_has (QnWindow *window, const char *action);
+gboolean qn_window_page_can (QnWindow *window, const char *action);
+gboolean qn_window_page_does (QnWindow *window, const char *action);
+/* Where a page has its place; `alone`: without any page. */
+void qn_window_show_drawing (QnWindow *window, gboolean alone);
 /* Opens the project that a study file names, and shows the study. */
 gboolean qn_window_open_study (QnWindow *window, const char *path);
 

@@ -76,12 +76,15 @@ update_history (QnWindow *self)
 {
   QnEditHistory *history = qn_document_get_history (self->document);
   guint position = qn_history_get_position (history);
+  gboolean own = qn_window_page_has (self, "undo");
   g_autofree char *undo =
-    qn_history_can_undo (history)
+    own ? g_strdup (_ ("Undo"))
+    : qn_history_can_undo (history)
       ? g_strdup_printf (_ ("Undo %s"), qn_history_get_name (history, position - 1))
       : g_strdup (_ ("Nothing to undo"));
   g_autofree char *redo =
-    qn_history_can_redo (history)
+    own ? g_strdup (_ ("Redo"))
+    : qn_history_can_redo (history)
       ? g_strdup_printf (_ ("Redo %s"), qn_history_get_name (history, position))
       : g_strdup (_ ("Nothing to redo"));
   g_autofree char *undo_tooltip = qn_action_dup_tooltip (undo, "win.undo");
@@ -226,6 +229,15 @@ on_info_button (QnWindow *self)
 {
   if (self->has_info_place)
     qn_canvas_show_place (self->canvas, self->info_place);
+}
+
+/* Undo, Solve and Cancel act on what is in sight. */
+static void
+on_page_changed (QnWindow *self)
+{
+  gtk_button_set_label (
+    self->run_button, qn_window_page_has (self, "run") ? _ ("_Run Study") : _ ("So_lve"));
+  update_history (self);
 }
 
 static void
@@ -457,7 +469,7 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
   }
   if (tight != self->is_tight) {
     self->is_tight = tight;
-    qn_window_update_palette (self);
+    qn_window_arrange (self);
   }
   if (narrow == self->is_narrow)
     return;
@@ -465,17 +477,22 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
   gtk_widget_set_visible (self->export_button, !narrow); /* the menu has it too */
   g_action_group_change_action_state (G_ACTION_GROUP (self), "side-panel",
                                       g_variant_new_boolean (!narrow));
-  qn_window_update_palette (self);
+  qn_window_arrange (self);
 }
 
 void
-qn_window_update_palette (QnWindow *self)
+qn_window_arrange (QnWindow *self)
 {
   gboolean panel = gtk_widget_get_visible (self->side_panel);
-  gtk_widget_set_visible (GTK_WIDGET (self->tool_box), !self->is_narrow || !panel);
+  gboolean covered = gtk_widget_get_visible (self->page_box)
+                     && gtk_toggle_button_get_active (self->fill_button);
+  gtk_widget_set_visible (GTK_WIDGET (self->canvas_box), !covered);
+  gtk_widget_set_visible (GTK_WIDGET (self->tool_box),
+                          !covered && (!self->is_narrow || !panel));
   /* Where there is no room for both, the panel is there instead of the drawing. */
-  gtk_widget_set_visible (GTK_WIDGET (self->canvas_box), !self->is_tight || !panel);
+  gtk_widget_set_visible (GTK_WIDGET (self->middle), !self->is_tight || !panel);
   gtk_widget_set_hexpand (self->side_panel, self->is_tight);
+  on_page_changed (self);
 }
 
 /* A window that begins narrow must not grow by its side panel first. */
@@ -528,7 +545,7 @@ qn_window_init (QnWindow *self)
   qn_window_add_analysis_actions (self);
   qn_window_add_export_actions (self);
   qn_window_add_print_actions (self);
-  qn_window_add_study_actions (self);
+  qn_window_add_page_actions (self);
   qn_window_add_keys (self);
   build_tools (self);
   build_panels (self);
@@ -553,8 +570,9 @@ qn_window_init (QnWindow *self)
 void
 qn_window_commit_entry (QnWindow *self)
 {
+  gboolean drawing = gtk_widget_get_mapped (GTK_WIDGET (self->canvas));
   if (GTK_IS_EDITABLE (gtk_window_get_focus (GTK_WINDOW (self))))
-    gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
+    gtk_window_set_focus (GTK_WINDOW (self), drawing ? GTK_WIDGET (self->canvas) : NULL);
 }
 
 /* Forms act on the canvas, also while they lose focus and rows: they go before it does. */
@@ -589,6 +607,8 @@ qn_window_dispose (GObject *object)
   if (self->document != NULL)
     qn_document_cancel (self->document);
   qn_window_forget_settings (self);
+  if (self->pages != NULL)
+    qn_window_remove_pages (self);
   remove_panels (self);
   gtk_widget_dispose_template (GTK_WIDGET (self), QN_TYPE_WINDOW);
   G_OBJECT_CLASS (qn_window_parent_class)->dispose (object);
@@ -624,6 +644,9 @@ qn_window_class_init (QnWindowClass *klass)
 #undef BIND
   gtk_widget_class_bind_template_callback (widget_class, place_message);
   gtk_widget_class_bind_template_callback (widget_class, on_info_button);
+  gtk_widget_class_bind_template_callback (widget_class, on_page_changed);
+  gtk_widget_class_bind_template_callback_full (widget_class, "qn_window_arrange_pages",
+                                                G_CALLBACK (qn_window_arrange));
   gtk_widget_class_bind_template_callback (widget_class, on_info_response);
 }
 

@@ -1,10 +1,9 @@
 /* The figures of the project: which there are, whether the model has changed since they were
  * stored, and all of them made again. */
-#include "app/dialogs/dialogs.h"
+#include "app/pages/pages.h"
 
 #include "app/forms/form.h"
 #include "app/widgets/builder.h"
-#include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "doc/view/figures.h"
 #include "io/text/io-error.h"
@@ -12,7 +11,7 @@
 
 typedef struct Figures {
   QnDocument *document;
-  GtkWidget *dialog, *list, *export_all;
+  GtkWidget *list, *export_all;
   GtkLabel *message;
   gboolean waiting; /* for an analysis, before the figures are made */
 } Figures;
@@ -52,9 +51,9 @@ static void
 ask_to_allow (Figures *figures, const QnRecipe *recipe, const char *what)
 {
   GtkWidget *dialog = gtk_message_dialog_new (
-    GTK_WINDOW (figures->dialog), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
-    GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s",
-    _ ("Use files outside the project's folder?"));
+    GTK_WINDOW (gtk_widget_get_root (figures->list)),
+    GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT, GTK_MESSAGE_WARNING,
+    GTK_BUTTONS_NONE, "%s", _ ("Use files outside the project's folder?"));
   gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s", what);
   gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
   gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Allow for This Figure"),
@@ -184,28 +183,24 @@ update (Figures *figures)
                           "figures."));
 }
 
-void
-qn_figures_window_show (GtkWindow *parent, QnDocument *document)
+GtkWidget *
+qn_figures_page_new (QnDocument *document)
 {
-  Figures *figures = g_new0 (Figures, 1);
-  figures->document = document;
-  figures->dialog = qn_dialog_new (parent, _ ("Figures of the Project"), 520, 420);
-  qn_help_set_page (figures->dialog, "export");
-  gtk_window_set_modal (GTK_WINDOW (figures->dialog), FALSE);
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("figures-window");
-  GtkWidget *form = qn_builder_get_widget (builder, "form");
-  figures->message = GTK_LABEL (qn_builder_get_widget (builder, "message"));
-  figures->list = qn_builder_get_widget (builder, "list");
-  figures->export_all = qn_builder_get_widget (builder, "export_all");
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("figures-page");
+  GtkWidget *page = qn_builder_take_widget (builder, "content");
+  Figures *figures = g_new (Figures, 1);
+  *figures = (Figures){
+    .document = document,
+    .message = GTK_LABEL (qn_builder_get_widget (builder, "message")),
+    .list = qn_builder_get_widget (builder, "list"),
+    .export_all = qn_builder_get_widget (builder, "export_all"),
+  };
   g_signal_connect_swapped (figures->export_all, "clicked", G_CALLBACK (on_export_all),
                             figures);
-  gtk_window_set_titlebar (GTK_WINDOW (figures->dialog),
-                           qn_builder_get_widget (builder, "header"));
-  gtk_window_set_child (GTK_WINDOW (figures->dialog),
-                        qn_builder_get_widget (builder, "content"));
-  qn_own (form, figures);
-  qn_watch (form, document, "changed", G_CALLBACK (update), figures);
-  qn_watch (form, document, "job-changed", G_CALLBACK (on_job_changed), figures);
+  qn_help_set_page (page, "export");
+  qn_own (page, figures);
+  qn_watch (page, document, "changed", G_CALLBACK (update), figures);
+  qn_watch (page, document, "job-changed", G_CALLBACK (on_job_changed), figures);
   update (figures);
-  gtk_window_present (GTK_WINDOW (figures->dialog));
+  return page;
 }

@@ -1,13 +1,11 @@
 /* Compare: runs of the open drawings and of files side by side, at one scale, with linked zoom and
  * phase of motion; the first as an outline over the others on request; their numbers as a table and
  * their curves over each other. Files are opened and solved where they have no result. */
-#include "app/dialogs/compare-private.h"
-#include "app/dialogs/dialogs.h"
 #include "app/forms/form.h"
+#include "app/pages/compare-private.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/context-menu.h"
-#include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include "doc/document/run-name.h"
@@ -15,8 +13,7 @@
 #include "render/figure/compare-sheet.h"
 #include <glib/gi18n.h>
 
-#define MOST_RUNS   12
-#define ZOOM_FACTOR 1.25
+#define MOST_RUNS 12
 
 static void
 compare_free (gpointer data, GObject *where)
@@ -35,7 +32,7 @@ compare_free (gpointer data, GObject *where)
 GPtrArray *
 qn_compare_list_documents (Compare *compare)
 {
-  GPtrArray *documents = compare->list_others (compare->parent);
+  GPtrArray *documents = compare->list_others (compare->document);
   const GPtrArray *files = qn_batch_get_documents (compare->batch);
   g_ptr_array_insert (documents, 0, compare->document);
   for (guint i = 0; i < files->len; i++)
@@ -222,7 +219,7 @@ copy_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
     return;
   g_autofree char *title = qn_compare_dup_title (compare, compare->shown->pdata[at]);
   g_autofree char *text = qn_compare_cell_dup_caption (compare->shown->pdata[at], title);
-  gdk_clipboard_set_text (gtk_widget_get_clipboard (compare->dialog), text);
+  gdk_clipboard_set_text (gtk_widget_get_clipboard (compare->page), text);
 }
 
 /* The words beneath a picture are dragged onto another one; Alt and the arrows do the same. */
@@ -401,7 +398,7 @@ tell (Compare *compare, const char *text)
 static gboolean
 is_solved_in_window (Compare *compare, QnDocument *file)
 {
-  g_autoptr (GPtrArray) documents = compare->list_others (compare->parent);
+  g_autoptr (GPtrArray) documents = compare->list_others (compare->document);
   g_ptr_array_add (documents, compare->document);
   for (guint i = 0; i < documents->len; i++) {
     QnDocument *open = documents->pdata[i];
@@ -471,8 +468,9 @@ choose (Compare *compare, GtkFileChooserAction action, const char *title)
   static const char *const suffixes[] = { "quoin", "json", NULL };
   static const QnFileKind kind = { .name = N_ ("Projects and results"),
                                    .suffixes = suffixes };
-  GtkFileChooserNative *chooser = qn_chooser_begin (
-    GTK_WINDOW (compare->dialog), &compare->chooser, action, title, _ ("_Open"));
+  GtkFileChooserNative *chooser =
+    qn_chooser_begin (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
+                      action, title, _ ("_Open"));
   gtk_file_chooser_set_select_multiple (GTK_FILE_CHOOSER (chooser), TRUE);
   if (action == GTK_FILE_CHOOSER_ACTION_OPEN)
     qn_chooser_add_kind (chooser, &kind);
@@ -481,15 +479,15 @@ choose (Compare *compare, GtkFileChooserAction action, const char *title)
 }
 
 static void
-on_add_files (Compare *compare)
+add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  choose (compare, GTK_FILE_CHOOSER_ACTION_OPEN, _ ("Add Files"));
+  choose (data, GTK_FILE_CHOOSER_ACTION_OPEN, _ ("Add Files"));
 }
 
 static void
-on_add_folders (Compare *compare)
+add_folders (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  choose (compare, GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER, _ ("Add Folders"));
+  choose (data, GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER, _ ("Add Folders"));
 }
 
 static void
@@ -537,31 +535,17 @@ on_outline (GtkToggleButton *button, Compare *compare)
   redraw (compare);
 }
 
+/* By a factor; 0 shows all. */
 static void
-zoom (Compare *compare, double factor)
+zoom (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  compare->view.zoom = CLAMP (compare->view.zoom * factor, 0.2, 200.0);
+  Compare *compare = data;
+  double factor = g_variant_get_double (parameter);
+  compare->view.zoom =
+    factor > 0.0 ? CLAMP (compare->view.zoom * factor, 0.2, 200.0) : 1.0;
+  if (!(factor > 0.0))
+    compare->view.pan = qn_vec2 (0.0, 0.0);
   redraw (compare);
-}
-
-static void
-on_fit (Compare *compare)
-{
-  compare->view.zoom = 1.0;
-  compare->view.pan = qn_vec2 (0.0, 0.0);
-  redraw (compare);
-}
-
-static void
-on_zoom_in (Compare *compare)
-{
-  zoom (compare, ZOOM_FACTOR);
-}
-
-static void
-on_zoom_out (Compare *compare)
-{
-  zoom (compare, 1.0 / ZOOM_FACTOR);
 }
 
 /* ---- the sheet as a file ---- */
@@ -604,98 +588,73 @@ on_file_chosen (gpointer data, const char *path, const GError *refused)
 }
 
 static void
-on_export (Compare *compare)
+export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
   const QnFileQuestion question = { _ ("Export Sheet"), _ ("_Export"),
                                     _ ("comparison.png"), endings, on_file_chosen };
-  qn_chooser_ask (GTK_WINDOW (compare->dialog), &compare->chooser, &question, compare);
+  Compare *compare = data;
+  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
+                  &question, compare);
 }
 
 /* ---- building ---- */
 
 static void
-add_commands (Compare *compare, GActionMap *map)
+add_actions (Compare *compare)
 {
-  static const struct {
-    const char *name;
-    void (*carry_out) (Compare *compare);
-  } commands[] = {
-    { "add-files", on_add_files },
-    { "add-folders", on_add_folders },
-    { "export", on_export },
-    { "zoom-in", on_zoom_in },
-    { "fit", on_fit },
-    { "zoom-out", on_zoom_out },
-  };
-  static const GActionEntry others[] = {
+  static const GActionEntry entries[] = {
+    { .name = "add-files", .activate = add_files },
+    { .name = "add-folders", .activate = add_folders },
     { .name = "add-path", .activate = add_path, .parameter_type = "s" },
+    { .name = "export", .activate = export_sheet },
+    { .name = "zoom", .activate = zoom, .parameter_type = "d" },
     { .name = "move", .activate = move_by_menu, .parameter_type = "(uu)" },
     { .name = "copy", .activate = copy_by_menu, .parameter_type = "u" },
     { .name = "remove", .activate = remove_by_menu, .parameter_type = "u" },
   };
-  for (gsize i = 0; i < G_N_ELEMENTS (commands); i++) {
-    g_autoptr (GSimpleAction) action = g_simple_action_new (commands[i].name, NULL);
-    g_signal_connect_swapped (action, "activate", G_CALLBACK (commands[i].carry_out),
-                              compare);
-    g_action_map_add_action (map, G_ACTION (action));
-  }
-  g_action_map_add_action_entries (map, others, G_N_ELEMENTS (others), compare);
+  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
+  g_action_map_add_action_entries (G_ACTION_MAP (group), entries, G_N_ELEMENTS (entries),
+                                   compare);
+  gtk_widget_insert_action_group (compare->page, "compare", G_ACTION_GROUP (group));
 }
 
-static void
-build (Compare *compare)
+GtkWidget *
+qn_compare_page_new (QnDocument *document, QnDocumentsFunc list_others)
 {
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("compare-window");
-  compare->list = qn_builder_get_widget (builder, "list");
-  compare->hint = qn_builder_get_widget (builder, "hint");
-  compare->grid = qn_builder_get_widget (builder, "grid");
-  compare->curves = qn_builder_get_widget (builder, "curves");
-  compare->table = qn_builder_get_widget (builder, "table");
-  compare->message = GTK_LABEL (qn_builder_get_widget (builder, "message"));
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("compare-page");
+  Compare *compare = g_new0 (Compare, 1);
+  *compare = (Compare){
+    .document = document,
+    .list_others = list_others,
+    .shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref),
+    .batch = qn_batch_new (),
+    .known = g_hash_table_new_full (NULL, NULL, (GDestroyNotify) qn_run_unref, NULL),
+    .view = { .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare },
+    .page = qn_builder_take_widget (builder, "page"),
+    .list = qn_builder_get_widget (builder, "list"),
+    .hint = qn_builder_get_widget (builder, "hint"),
+    .grid = qn_builder_get_widget (builder, "grid"),
+    .curves = qn_builder_get_widget (builder, "curves"),
+    .table = qn_builder_get_widget (builder, "table"),
+    .message = GTK_LABEL (qn_builder_get_widget (builder, "message")),
+  };
   g_signal_connect (qn_builder_get_widget (builder, "play"), "toggled",
                     G_CALLBACK (on_play), compare);
   g_signal_connect (qn_builder_get_widget (builder, "outline"), "toggled",
                     G_CALLBACK (on_outline), compare);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (compare->curves),
                                   qn_compare_draw_curves, compare, NULL);
-  gtk_window_set_titlebar (GTK_WINDOW (compare->dialog),
-                           qn_builder_get_widget (builder, "header"));
-  gtk_window_set_child (GTK_WINDOW (compare->dialog),
-                        qn_builder_get_widget (builder, "content"));
-}
-
-void
-qn_compare_window_show (GtkWindow *parent, QnDocument *document,
-                        QnDocumentsFunc list_others)
-{
-  Compare *compare = g_new0 (Compare, 1);
-  compare->parent = parent;
-  compare->document = document;
-  compare->list_others = list_others;
-  compare->shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
-  compare->batch = qn_batch_new ();
-  compare->known =
-    g_hash_table_new_full (NULL, NULL, (GDestroyNotify) qn_run_unref, NULL);
   g_signal_connect_swapped (compare->batch, "changed", G_CALLBACK (on_batch_changed),
                             compare);
-  compare->view = (QnCompareView){
-    .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare
-  };
-  compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1160, 720);
-  qn_help_set_page (compare->dialog, "results");
-  gtk_window_set_modal (GTK_WINDOW (compare->dialog), FALSE);
-  build (compare);
   g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
-  qn_accept_files (compare->dialog, add_file, compare);
-  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
-  add_commands (compare, G_ACTION_MAP (group));
-  gtk_widget_insert_action_group (compare->dialog, "compare", G_ACTION_GROUP (group));
+  qn_help_set_page (compare->page, "results");
+  qn_accept_files (compare->page, add_file, compare);
+  add_actions (compare);
   qn_watch (compare->grid, document, "runs-changed", G_CALLBACK (on_runs_changed),
             compare);
   choose_first (compare);
   list_runs (compare);
   fill (compare);
-  gtk_window_present (GTK_WINDOW (compare->dialog));
-  focus_cell (compare, 0);
+  return compare->page;
 }

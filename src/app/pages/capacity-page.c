@@ -1,11 +1,10 @@
 /* The capacity curve of the model beside a spectrum: which block is controlled, which earthquake; the
  * plot, the checks of both codes, pictures and tables of them. */
-#include "app/dialogs/dialogs.h"
+#include "app/pages/pages.h"
 
 #include "app/forms/bound-form.h"
 #include "app/forms/form.h"
 #include "app/widgets/chooser.h"
-#include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
@@ -25,7 +24,7 @@
 /* The plot's text over that of the window. */
 #define TEXT_SHARE 0.9
 
-/* Where the window keeps its form. */
+/* Where the page keeps its form. */
 #define FORM "capacity-form"
 
 enum { TYPE_1, TYPE_2, FROM_FILE, NONE };
@@ -157,7 +156,7 @@ on_found (GObject *source, GAsyncResult *result, gpointer data)
   g_autofree char *block = NULL, *reason = NULL;
   g_autofree QnCapacity *curve =
     qn_capacity_find_finish (result, &block, &reason, &error);
-  /* The window may have been closed meanwhile. */
+  /* The page may have been closed meanwhile. */
   g_autoptr (GObject) root = g_weak_ref_get (data);
   Form *form = root != NULL ? g_object_get_data (root, FORM) : NULL;
   g_weak_ref_clear (data);
@@ -259,7 +258,8 @@ ask (Form *form, guint field)
                           pictures, on_export_chosen }
       : (QnFileQuestion){ _ ("Export Capacity Curve"), _ ("_Export"), _ ("capacity.csv"),
                           tables, on_export_chosen };
-  qn_chooser_ask (GTK_WINDOW (form->base.root), &form->chooser, &question, form);
+  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
+                  &question, form);
 }
 
 /* ---- fields ---- */
@@ -530,11 +530,10 @@ clear (gpointer data)
   g_object_unref (form->document);
 }
 
-void
-qn_capacity_window_show (GtkWindow *parent, QnDocument *document)
+GtkWidget *
+qn_capacity_page_new (QnDocument *document)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("capacity-window", Form, .subject = subject);
+  static const QnFormKind kind = QN_FORM_KIND ("capacity-page", Form, .subject = subject);
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;
@@ -542,9 +541,7 @@ qn_capacity_window_show (GtkWindow *parent, QnDocument *document)
   g_object_set_data (G_OBJECT (form->base.root), FORM, form);
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_watch (form->base.root, document, "changed", G_CALLBACK (on_model_changed), form);
-  gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
   qn_help_set_page (form->base.root, "earthquakes");
   load (form);
-  qn_bound_form_show (form);
-  gtk_window_present (GTK_WINDOW (form->base.root));
+  return qn_bound_form_show (form);
 }

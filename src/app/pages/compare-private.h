@@ -1,17 +1,16 @@
-/* The inside of the window of comparisons, shared by the files that make it up. */
+/* The inside of the page of comparisons, shared by the files that make it up. */
 #pragma once
 
-#include "app/dialogs/compare-cell.h"
-#include "app/dialogs/dialogs.h"
+#include "app/pages/compare-cell.h"
+#include "app/pages/pages.h"
 #include "doc/document/batch.h"
 
 typedef struct Compare {
-  GtkWindow *parent;
   QnDocument *document;
   QnDocumentsFunc list_others;
   QnBatch *batch;    /* files that were opened here */
   GHashTable *known; /* runs of these files that were put on show, of QnRun */
-  GtkWidget *dialog, *grid, *list, *hint, *table, *curves;
+  GtkWidget *page, *grid, *list, *hint, *table, *curves;
   GtkLabel *message;
   GPtrArray *shown; /* of QnRun, in the order chosen */
   QnCompareView view;

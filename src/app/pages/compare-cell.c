@@ -1,4 +1,4 @@
-#include "app/dialogs/compare-cell.h"
+#include "app/pages/compare-cell.h"
 
 #include "doc/document/run-text.h"
 #include "doc/text/explain.h"

@@ -1,5 +1,5 @@
-/* The figure of the study window: which one, how it is drawn, and the case under the pointer. */
-#include "app/dialogs/study-private.h"
+/* The figure of the study: which one, how it is drawn, and the case under the pointer. */
+#include "app/pages/study-private.h"
 
 #include "app/widgets/context-menu.h"
 #include "app/widgets/plot-view.h"
@@ -11,7 +11,7 @@
 #define NEAR 12.0
 
 static int
-column_of (QnStudyWindow *self, GtkDropDown *choice)
+column_of (QnStudyPage *self, GtkDropDown *choice)
 {
   GtkStringObject *item = gtk_drop_down_get_selected_item (choice);
   for (gsize i = 0; item != NULL && i < self->table.width; i++)
@@ -23,7 +23,7 @@ column_of (QnStudyWindow *self, GtkDropDown *choice)
 }
 
 gboolean
-qn_study_window_chosen_figure (QnStudyWindow *self, QnStudyFigure *figure)
+qn_study_page_chosen_figure (QnStudyPage *self, QnStudyFigure *figure)
 {
   static const QnStudyFigureKind kinds[] = {
     [QN_STUDY_ROW_CUMULATIVE] = QN_STUDY_FIGURE_CUMULATIVE,
@@ -46,10 +46,10 @@ qn_study_window_chosen_figure (QnStudyWindow *self, QnStudyFigure *figure)
 static QnPlot *
 make_plot (gpointer data, gboolean zoomed, char **message)
 {
-  QnStudyWindow *self = data;
+  QnStudyPage *self = data;
   QnStudyFigure figure;
   self->points = FALSE;
-  if (!qn_study_window_chosen_figure (self, &figure)) {
+  if (!qn_study_page_chosen_figure (self, &figure)) {
     *message =
       g_strdup (_ ("Choose what varies, then run the study: its cases appear here."));
     return NULL;
@@ -73,10 +73,10 @@ make_plot (gpointer data, gboolean zoomed, char **message)
 }
 
 static void
-choose (QnStudyWindow *self, gint64 row)
+choose (QnStudyPage *self, gint64 row)
 {
   QnStudyFigure figure;
-  if (!qn_study_window_chosen_figure (self, &figure) || row < 0
+  if (!qn_study_page_chosen_figure (self, &figure) || row < 0
       || row >= (gint64) self->table.rows->len)
     return;
   const QnRow *found = &g_array_index (self->table.rows, QnRow, (guint) row);
@@ -94,19 +94,19 @@ choose (QnStudyWindow *self, gint64 row)
       qn_table_number (&self->table, (gsize) row, (gsize) figure.column),
       found->mechanism != NULL ? " · " : "",
       found->mechanism != NULL ? qn_study_mechanism_text (found->mechanism) : "");
-  qn_study_window_tell (self, text->str);
+  qn_study_page_tell (self, text->str);
   gtk_widget_queue_draw (self->plot);
 }
 
 /* The case whose point is nearest to a place of the plot, or -1 where none is near. */
 static gint64
-find_point (QnStudyWindow *self, double x, double y)
+find_point (QnStudyPage *self, double x, double y)
 {
   QnStudyFigure figure;
   const QnPlotPlace *place = qn_plot_view_get_place (self->plot);
   double best = NEAR;
   gint64 nearest = -1;
-  if (!self->points || !qn_study_window_chosen_figure (self, &figure))
+  if (!self->points || !qn_study_page_chosen_figure (self, &figure))
     return -1;
   for (guint i = 0; i < self->table.rows->len; i++) {
     double px =
@@ -125,21 +125,21 @@ find_point (QnStudyWindow *self, double x, double y)
 }
 
 static void
-on_click (GtkGestureClick *gesture, int count, double x, double y, QnStudyWindow *self)
+on_click (GtkGestureClick *gesture, int count, double x, double y, QnStudyPage *self)
 {
   gtk_widget_grab_focus (self->plot);
   gint64 nearest = find_point (self, x, y);
   if (nearest < 0)
     return;
   choose (self, nearest);
-  qn_study_window_open_case (self);
+  qn_study_page_open_case (self);
 }
 
 /* The case under the pointer, or the one that the keys have chosen; and what can be written. */
 static GMenuModel *
 make_menu (GtkWidget *plot, QnMenuPlace *place, gpointer data)
 {
-  QnStudyWindow *self = data;
+  QnStudyPage *self = data;
   GMenu *menu = g_menu_new (), *one = g_menu_new (), *all = g_menu_new ();
   gtk_widget_grab_focus (plot);
   gint64 nearest = place->by_key ? self->chosen : find_point (self, place->x, place->y);
@@ -159,7 +159,7 @@ make_menu (GtkWidget *plot, QnMenuPlace *place, gpointer data)
 
 static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
-        GdkModifierType modifiers, QnStudyWindow *self)
+        GdkModifierType modifiers, QnStudyPage *self)
 {
   switch (keyval) {
   case GDK_KEY_Right:
@@ -170,7 +170,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
     return TRUE;
   case GDK_KEY_Return:
   case GDK_KEY_KP_Enter:
-    qn_study_window_open_case (self);
+    gtk_widget_activate_action (self->page, "study.open-case", NULL);
     return TRUE;
   default:
     return FALSE;
@@ -178,7 +178,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
 }
 
 static void
-on_figure (QnStudyWindow *self)
+on_figure (QnStudyPage *self)
 {
   guint row = gtk_drop_down_get_selected (self->figure);
   gboolean surface = row == QN_STUDY_ROW_SURFACE;
@@ -187,11 +187,12 @@ on_figure (QnStudyWindow *self)
   gtk_widget_set_visible (self->over, by);
   gtk_widget_set_visible (GTK_WIDGET (self->by_second), surface);
   gtk_widget_set_visible (self->and, surface);
+  qn_study_page_show_statistics (self);
   qn_plot_view_fit (self->plot);
 }
 
 void
-qn_study_window_connect_plot (QnStudyWindow *self)
+qn_study_page_connect_plot (QnStudyPage *self)
 {
   static const QnPlotHand hand = { .make = make_plot };
   GtkDropDown *const shown[] = { self->figure, self->of, self->by, self->by_second };

@@ -1,5 +1,5 @@
 /* The list of what varies: each parameter with its distribution. */
-#include "app/dialogs/study-private.h"
+#include "app/pages/study-private.h"
 
 #include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
@@ -25,7 +25,7 @@ index_of (GtkWidget *row_part)
 }
 
 static void
-on_values (GtkWidget *part, QnStudyWindow *self)
+on_values (GtkWidget *part, QnStudyPage *self)
 {
   Row *row = g_object_get_data (
     G_OBJECT (gtk_widget_get_ancestor (part, GTK_TYPE_LIST_BOX_ROW)), "qn-row");
@@ -36,34 +36,34 @@ on_values (GtkWidget *part, QnStudyWindow *self)
     qn_quantity_entry_get_value (row->first), qn_quantity_entry_get_value (row->second),
     (int) qn_to_integer (qn_quantity_entry_get_value (row->levels), 0,
                          QN_STUDY_MAX_VALUES));
-  qn_study_window_show_draft (self);
+  qn_study_page_show_draft (self);
 }
 
 static void
-on_kind (GtkDropDown *choice, GParamSpec *pspec, QnStudyWindow *self)
+on_kind (GtkDropDown *choice, GParamSpec *pspec, QnStudyPage *self)
 {
   guint kind = gtk_drop_down_get_selected (choice);
   if (self->showing || kind >= QN_DRAFT_OTHER)
     return;
   qn_draft_set_kind (self->draft, index_of (GTK_WIDGET (choice)), (QnDraftKind) kind);
-  qn_study_window_show_draft (self);
+  qn_study_page_show_draft (self);
 }
 
 static void
-on_name (GtkEntry *entry, QnStudyWindow *self)
+on_name (GtkEntry *entry, QnStudyPage *self)
 {
   if (self->showing)
     return;
   g_autofree char *name = g_strdup (gtk_editable_get_text (GTK_EDITABLE (entry)));
   qn_draft_set_name (self->draft, index_of (GTK_WIDGET (entry)), name);
-  qn_study_window_show_draft (self);
+  qn_study_page_show_draft (self);
 }
 
 static void
-on_remove (GtkButton *button, QnStudyWindow *self)
+on_remove (GtkButton *button, QnStudyPage *self)
 {
   qn_draft_remove (self->draft, index_of (GTK_WIDGET (button)));
-  qn_study_window_show_draft (self);
+  qn_study_page_show_draft (self);
 }
 
 static void
@@ -76,10 +76,10 @@ show_number (GtkLabel *label, QnQuantityEntry *entry, const char *what, double v
 }
 
 gboolean
-qn_study_window_takes_value (QnStudyWindow *self, const char *path, double value,
-                             GError **error)
+qn_study_page_takes_value (QnStudyPage *self, const char *path, double value,
+                           GError **error)
 {
-  const char *text = qn_document_get_text (self->parent.document);
+  const char *text = qn_document_get_text (self->document);
   char number[QN_NUMBER_TEXT_SIZE];
   g_autofree char *override =
     g_strconcat (path, "=", qn_number_text (value, number), NULL);
@@ -93,7 +93,7 @@ qn_study_window_takes_value (QnStudyWindow *self, const char *path, double value
 
 /* What a distribution means, and whether values that are likely cannot be computed. */
 static char *
-dup_meaning (QnStudyWindow *self, const QnDraftParameter *parameter)
+dup_meaning (QnStudyPage *self, const QnDraftParameter *parameter)
 {
   double low, high;
   gboolean spread =
@@ -106,7 +106,7 @@ dup_meaning (QnStudyWindow *self, const QnDraftParameter *parameter)
   const double ends[] = { low, high };
   for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
     g_autoptr (GError) error = NULL;
-    if (qn_study_window_takes_value (self, parameter->path, ends[i], &error))
+    if (qn_study_page_takes_value (self, parameter->path, ends[i], &error))
       continue;
     g_autofree char *reason = qn_path_dup_reason (error->message, parameter->path);
     if (text->len > 0)
@@ -126,7 +126,7 @@ make_menu (GtkWidget *row, QnMenuPlace *place, gpointer data)
 }
 
 static void
-add_row (QnStudyWindow *self, guint index)
+add_row (QnStudyPage *self, guint index)
 {
   g_autoptr (GtkBuilder) builder = qn_builder_new ("study-parameter");
 #define GET(type, name) type (gtk_builder_get_object (builder, name))
@@ -143,7 +143,7 @@ add_row (QnStudyWindow *self, guint index)
   g_object_set_data_full (G_OBJECT (line), "qn-row", row, g_free);
   gtk_editable_set_text (GTK_EDITABLE (row->name), parameter.name);
   g_autofree char *words =
-    qn_path_dup_text (qn_document_get_model (self->parent.document), path);
+    qn_path_dup_text (qn_document_get_model (self->document), path);
   gtk_label_set_text (GTK_LABEL (place), words);
   gtk_widget_set_tooltip_text (place, words);
   if (parameter.kind == QN_DRAFT_OTHER) {
@@ -182,7 +182,7 @@ add_row (QnStudyWindow *self, guint index)
 }
 
 void
-qn_study_window_show_parameters (QnStudyWindow *self)
+qn_study_page_show_parameters (QnStudyPage *self)
 {
   GtkListBoxRow *row;
   guint count = qn_draft_count (self->draft);

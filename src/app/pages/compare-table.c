@@ -1,5 +1,5 @@
 /* What runs that are compared are called, their numbers as a table, their curves over each other. */
-#include "app/dialogs/compare-private.h"
+#include "app/pages/compare-private.h"
 
 #include "app/widgets/shortened.h"
 #include "app/widgets/text-unit.h"

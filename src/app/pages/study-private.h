@@ -1,0 +1,76 @@
+/* The inside of the page of studies, shared by the files that make it up. */
+#pragma once
+
+#include "app/pages/pages.h"
+#include "study/cases/study-job.h"
+#include "study/plan/draft.h"
+#include "study/report/figures.h"
+
+typedef struct QnStudyPage {
+  QnDocument *document;
+  QnViewState *state;
+  GtkWidget *page;
+  GSimpleActionGroup *actions;
+  GObject *chooser;     /* file chooser on the screen */
+  const char *exported; /* what it asks for a file for */
+
+  QnDraft *draft;
+  gboolean showing; /* the draft is being shown: nobody has entered anything */
+  QnStudyJob *job;  /* while it runs */
+  guint timeout;
+
+  char *running; /* folder of the results that are computed now, or last */
+  char *folder;  /* of the results shown, or NULL */
+  QnStudy study; /* that they belong to */
+  QnTable table;
+  gint64 chosen;   /* row, or -1 */
+  gboolean points; /* were drawn, one for each row */
+
+  /* from study-page.ui */
+  GtkListBox *parameters;
+  GtkDropDown *analysis, *plan, *figure, *of, *by, *by_second;
+  GtkSpinButton *count;
+  GtkWidget *cases, *outputs, *plot, *over, *and;
+  GtkProgressBar *progress;
+  GtkLabel *status, *statistics, *failed;
+} QnStudyPage;
+
+/* Figures that can be chosen, as in the list of study-page.ui. */
+enum {
+  QN_STUDY_ROW_CUMULATIVE,
+  QN_STUDY_ROW_SCATTER,
+  QN_STUDY_ROW_HISTOGRAM,
+  QN_STUDY_ROW_TORNADO,
+  QN_STUDY_ROW_ENVELOPE,
+  QN_STUDY_ROW_SURFACE
+};
+
+/* study-page.c: the line under the figure; which actions can be used; the draft shown anew, soon:
+ * rows are made anew outside of the signals of their own widgets. */
+void qn_study_page_tell (QnStudyPage *self, const char *text);
+void qn_study_page_update_actions (QnStudyPage *self);
+void qn_study_page_show_draft (QnStudyPage *self);
+
+/* study-parameters.c: the list of what varies. */
+void qn_study_page_show_parameters (QnStudyPage *self);
+/* Whether the project reads with this value there. */
+gboolean qn_study_page_takes_value (QnStudyPage *self, const char *path, double value,
+                                    GError **error);
+
+/* study-results.c: what has been computed. */
+void qn_study_page_forget_results (QnStudyPage *self);
+/* Reads those of the study as its file is now; none is no error. */
+void qn_study_page_read_results (QnStudyPage *self);
+/* Moments and fractiles of the output that is shown. */
+void qn_study_page_show_statistics (QnStudyPage *self);
+/* Computes what is missing. The job is looked at now and then. */
+void qn_study_page_run (QnStudyPage *self);
+/* The chosen case, analysed again, in the drawing. */
+void qn_study_page_open_case (QnStudyPage *self);
+/* "table", "figure" or "mechanisms", to a file that is asked for, or to `path`. */
+void qn_study_page_export (QnStudyPage *self, const char *what);
+void qn_study_page_export_to (QnStudyPage *self, const char *what, const char *path);
+
+/* study-plot.c: the figure, and its points under the pointer. FALSE: nothing to draw. */
+void qn_study_page_connect_plot (QnStudyPage *self);
+gboolean qn_study_page_chosen_figure (QnStudyPage *self, QnStudyFigure *figure);

@@ -1,0 +1,428 @@
+/* What has been computed of a study and what is being computed: quoin-cli computes the cases, this page looks at
+ * them; a case in the drawing; tables and figures as files. */
+#include "app/pages/study-private.h"
+
+#include "app/widgets/build-tree.h"
+#include "app/widgets/chooser.h"
+#include "core/base/integer.h"
+#include "doc/text/path-text.h"
+#include "io/text/io-error.h"
+#include "study/report/output-text.h"
+#include "study/report/statistics.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* ms between two looks at a study that runs. */
+#define INTERVAL 250
+
+/* ---- results ---- */
+
+/* Folder of the results of a study as it is now, in that of all its states, which is named after it. */
+static char *
+dup_folder (const QnStudy *study, const char *path)
+{
+  g_autofree char *sum = g_strndup (study->sha256, 8);
+  g_autofree char *stem = g_str_has_suffix (path, ".quoin-study")
+                            ? g_strndup (path, strlen (path) - strlen (".quoin-study"))
+                            : g_strdup (path);
+  return g_strdup_printf ("%s-study/%s", stem, sum);
+}
+
+/* What the figures leave out is said above them. */
+static void
+show_failed (QnStudyPage *self)
+{
+  guint failed = 0;
+  const char *reason = NULL;
+  for (guint i = 0; i < self->table.rows->len; i++) {
+    const QnRow *row = &g_array_index (self->table.rows, QnRow, i);
+    failed += row->failed ? 1 : 0;
+    reason = row->failed && reason == NULL ? row->reason : reason;
+  }
+  g_autofree char *why = g_strdup (reason != NULL ? reason : "");
+  for (guint i = 0; i < self->study.parameters->len; i++) {
+    if (qn_study_parameter (&self->study, i)->paths[0] == NULL)
+      continue;
+    char *shorter =
+      qn_path_dup_reason (why, qn_study_parameter (&self->study, i)->paths[0]);
+    g_free (why);
+    why = shorter;
+  }
+  g_autofree char *text = g_strdup_printf (
+    _ ("%u of %u cases have no answer; the figures are of the others. First reason: %s"),
+    failed, self->table.rows->len, why);
+  gtk_label_set_text (self->failed, text);
+  gtk_widget_set_visible (GTK_WIDGET (self->failed), failed > 0);
+  qn_study_page_show_statistics (self);
+  gtk_widget_queue_draw (self->plot);
+}
+
+static int
+compare_values (gconstpointer a, gconstpointer b)
+{
+  double x = *(const double *) a, y = *(const double *) b;
+  return (x > y) - (x < y);
+}
+
+void
+qn_study_page_show_statistics (QnStudyPage *self)
+{
+  QnStudyFigure figure;
+  g_autoptr (GArray) values = g_array_new (FALSE, FALSE, sizeof (double));
+  if (qn_study_page_chosen_figure (self, &figure))
+    for (guint i = 0; i < self->table.rows->len; i++) {
+      double value = qn_table_number (&self->table, i, (gsize) figure.column);
+      if (isfinite (value))
+        g_array_append_val (values, value);
+    }
+  g_array_sort (values, compare_values);
+  const double *sorted = (const double *) (const void *) values->data;
+  QnMoments moments = qn_moments (sorted, values->len);
+  g_autofree char *text =
+    values->len == 0
+      ? g_strdup ("")
+      : g_strdup_printf (_ ("%u cases: mean %.4g, deviation %.3g; 5 %% lie below %.4g, "
+                            "half below %.4g, 95 %% below %.4g"),
+                         values->len, moments.mean, moments.deviation,
+                         qn_quantile (sorted, values->len, 0.05),
+                         qn_quantile (sorted, values->len, 0.5),
+                         qn_quantile (sorted, values->len, 0.95));
+  gtk_label_set_text (self->statistics, text);
+  gtk_widget_set_visible (GTK_WIDGET (self->statistics), values->len > 1);
+}
+
+void
+qn_study_page_forget_results (QnStudyPage *self)
+{
+  if (self->folder == NULL)
+    return;
+  qn_table_clear (&self->table);
+  qn_study_clear (&self->study);
+  g_clear_pointer (&self->folder, g_free);
+  self->chosen = -1;
+}
+
+static void
+fill (GtkDropDown *choice, const QnStudy *study, gboolean outputs)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  for (guint i = 0; !outputs && i < study->parameters->len; i++)
+    g_strv_builder_add (names, qn_study_parameter (study, i)->name);
+  for (guint i = 0; outputs && i < study->outputs->len; i++)
+    if (qn_study_output_is_number (qn_study_output (study, i)))
+      g_strv_builder_add (names, qn_study_output_text (qn_study_output (study, i)));
+  g_auto (GStrv) strings = g_strv_builder_end (names);
+  g_autoptr (GtkStringList) list = gtk_string_list_new ((const char *const *) strings);
+  gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
+}
+
+void
+qn_study_page_read_results (QnStudyPage *self)
+{
+  QnStudy study;
+  QnTable table;
+  if (!qn_study_read (qn_draft_get_path (self->draft), NULL, &study, NULL))
+    return;
+  g_autofree char *folder = dup_folder (&study, qn_draft_get_path (self->draft));
+  gboolean same = g_strcmp0 (folder, self->folder) == 0;
+  qn_study_page_forget_results (self);
+  gtk_widget_set_visible (GTK_WIDGET (self->failed), FALSE);
+  self->study = study;
+  if (!qn_table_read (&table, &self->study, folder, NULL)) {
+    qn_study_clear (&self->study);
+    return;
+  }
+  self->table = table;
+  self->folder = g_steal_pointer (&folder);
+  if (!same) {
+    fill (self->of, &self->study, TRUE);
+    fill (self->by, &self->study, FALSE);
+    fill (self->by_second, &self->study, FALSE);
+    if (self->study.parameters->len > 1)
+      gtk_drop_down_set_selected (self->by_second, 1);
+  }
+  show_failed (self);
+}
+
+/* What has come in since, of the study that runs. */
+static void
+read_more (QnStudyPage *self)
+{
+  QnTable table;
+  if (g_strcmp0 (self->folder, self->running) != 0) {
+    qn_study_page_read_results (self);
+    return;
+  }
+  if (!qn_table_read (&table, &self->study, self->folder, NULL))
+    return;
+  qn_table_clear (&self->table);
+  self->table = table;
+  show_failed (self);
+}
+
+/* ---- cases that are being computed ---- */
+
+/* The name of the page has the share that is there while it runs. */
+static void
+show_in_tab (QnStudyPage *self, const QnStudyProgress *progress)
+{
+  GtkStack *pages = GTK_STACK (gtk_widget_get_ancestor (self->page, GTK_TYPE_STACK));
+  g_autofree char *title =
+    self->job != NULL && progress->wanted > 0
+      ? g_strdup_printf (_ ("Study: %zu %%"), 100 * progress->present / progress->wanted)
+      : g_strdup (_ ("Study"));
+  gtk_stack_page_set_title (gtk_stack_get_page (pages, self->page), title);
+}
+
+static void
+show_progress (QnStudyPage *self, const QnStudyProgress *progress)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  g_string_printf (text, _ ("%zu of %zu cases, %zu failed"), progress->present,
+                   progress->wanted, progress->failed);
+  if (self->job != NULL && !isnan (progress->to_go) && progress->present > 0) {
+    guint seconds = (guint) qn_to_integer (progress->to_go, 0, G_MAXINT32);
+    g_string_append_printf (text, _ (", %u:%02u:%02u left"), seconds / 3600,
+                            seconds / 60 % 60, seconds % 60);
+  }
+  qn_study_page_tell (self, text->str);
+  show_in_tab (self, progress);
+  if (progress->wanted > 0)
+    gtk_progress_bar_set_fraction (self->progress, (double) progress->present
+                                                     / (double) progress->wanted);
+}
+
+static gboolean
+on_timeout (gpointer data)
+{
+  QnStudyPage *self = data;
+  QnStudyProgress progress;
+  g_autoptr (GError) error = NULL;
+  QnStudyJobState state = qn_study_job_look (self->job, &progress, &error);
+  read_more (self);
+  if (state == QN_STUDY_JOB_RUNS) {
+    show_progress (self, &progress);
+    return G_SOURCE_CONTINUE;
+  }
+  g_clear_pointer (&self->job, qn_study_job_free);
+  self->timeout = 0;
+  gtk_widget_set_visible (GTK_WIDGET (self->progress), FALSE);
+  if (error != NULL)
+    qn_study_page_tell (self, error->message);
+  else
+    show_progress (self, &progress);
+  qn_study_page_update_actions (self);
+  return G_SOURCE_REMOVE;
+}
+
+/* quoin-cli, which computes the cases: beside this program, in the build tree, or in the path. */
+static char *
+dup_program (void)
+{
+  g_autofree char *own = g_file_read_link ("/proc/self/exe", NULL);
+  g_autofree char *folder = g_path_get_dirname (own != NULL ? own : "");
+  char *beside = g_build_filename (folder, "quoin-cli", NULL);
+  if (g_file_test (beside, G_FILE_TEST_IS_EXECUTABLE))
+    return beside;
+  g_free (beside);
+  g_autofree char *sources = qn_build_tree_dup_folder ("src");
+  if (sources != NULL)
+    return g_build_filename (sources, "cli", "quoin-cli", NULL);
+  return g_find_program_in_path ("quoin-cli");
+}
+
+static gboolean
+start (QnStudyPage *self, GError **error)
+{
+  QnStudy study;
+  g_autofree char *program = dup_program ();
+  const char *path = qn_draft_get_path (self->draft);
+  if (qn_document_is_modified (self->document)) {
+    g_set_error_literal (
+      error, QN_IO_ERROR, QN_IO_ERROR_FILE,
+      _ ("Save the project first: a study computes what its file says."));
+    return FALSE;
+  }
+  if (program == NULL) {
+    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_FILE,
+                         _ ("quoin-cli, which computes the cases, is not installed."));
+    return FALSE;
+  }
+  if (!qn_draft_save (self->draft, error) || !qn_study_read (path, NULL, &study, error))
+    return FALSE;
+  g_free (self->running);
+  self->running = dup_folder (&study, path);
+  qn_study_clear (&study);
+  self->job =
+    qn_study_job_start (path, self->running, program, g_get_num_processors (), error);
+  return self->job != NULL;
+}
+
+void
+qn_study_page_run (QnStudyPage *self)
+{
+  g_autoptr (GError) error = NULL;
+  if (!start (self, &error)) {
+    qn_study_page_tell (self, error->message);
+    return;
+  }
+  qn_study_page_tell (self, "");
+  gtk_progress_bar_set_fraction (self->progress, 0);
+  gtk_widget_set_visible (GTK_WIDGET (self->progress), TRUE);
+  self->timeout = g_timeout_add (INTERVAL, on_timeout, self);
+  qn_study_page_update_actions (self);
+}
+
+/* ---- a case in the drawing, analysed again from the copies in its folder ---- */
+
+typedef struct Opening {
+  char *folder;
+  gsize index;
+  double *values;
+  char *name;
+  QnRun *run;
+} Opening;
+
+static void
+free_opening (gpointer data)
+{
+  Opening *opening = data;
+  g_clear_pointer (&opening->run, qn_run_unref);
+  g_free (opening->folder);
+  g_free (opening->values);
+  g_free (opening->name);
+  g_free (opening);
+}
+
+/* In a thread of its own. */
+static void
+solve_case (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
+{
+  Opening *opening = data;
+  QnStudy study;
+  QnCaseModel model;
+  QnCaseResult result;
+  GError *error = NULL;
+  if (!qn_folder_read_study (opening->folder, &study, &error)) {
+    g_task_return_error (task, error);
+    return;
+  }
+  qn_case_solve (&study, opening->values, NULL, &model, &result);
+  if (result.failed) {
+    error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, result.reason);
+  } else {
+    opening->run = qn_run_new (opening->name, "");
+    opening->run->of_study = TRUE;
+    opening->run->model = model.project.model;
+    opening->run->contacts = model.contacts;
+    opening->run->result = model.result;
+    model.project.model = (QnModel){ 0 };
+    model.contacts = (QnContacts){ 0 };
+    model.result = (QnResult){ 0 };
+    qn_case_model_clear (&model);
+  }
+  qn_case_result_clear (&result);
+  qn_study_clear (&study);
+  if (error != NULL)
+    g_task_return_error (task, error);
+  else
+    g_task_return_boolean (task, TRUE);
+}
+
+static void
+on_solved (GObject *source, GAsyncResult *task, gpointer data)
+{
+  QnViewState *state = QN_VIEW_STATE (source);
+  g_autoptr (GtkLabel) status = data;
+  Opening *opening = g_task_get_task_data (G_TASK (task));
+  g_autoptr (GError) error = NULL;
+  if (!g_task_propagate_boolean (G_TASK (task), &error)) {
+    gtk_label_set_text (status, error->message);
+    return;
+  }
+  QnRun *run = opening->run;
+  qn_document_add_run (qn_view_state_get_document (state), run);
+  qn_view_state_set_view (state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM
+                                 : run->result.step_count > 0  ? QN_VIEW_DEFORMED
+                                                               : QN_VIEW_MODEL);
+  g_autofree char *text = g_strdup_printf (_ ("%s is shown in the drawing."), run->name);
+  gtk_label_set_text (status, text);
+}
+
+void
+qn_study_page_open_case (QnStudyPage *self)
+{
+  if (self->folder == NULL || self->chosen < 0)
+    return;
+  gsize row = (gsize) self->chosen;
+  Opening *opening = g_new0 (Opening, 1);
+  opening->index = g_array_index (self->table.rows, QnRow, row).index;
+  opening->folder = g_strdup (self->folder);
+  opening->values = g_memdup2 (self->table.numbers + row * self->table.width,
+                               self->table.parameters * sizeof (double));
+  g_autoptr (GString) name = g_string_new (NULL);
+  g_string_printf (name, _ ("Case %zu"), opening->index + 1);
+  for (gsize k = 0; k < self->table.parameters; k++)
+    g_string_append_printf (name, ", %s %.4g", qn_table_column_name (&self->table, k),
+                            opening->values[k]);
+  opening->name = g_string_free (g_steal_pointer (&name), FALSE);
+  g_autoptr (GTask) task =
+    g_task_new (self->state, NULL, on_solved, g_object_ref (self->status));
+  g_task_set_task_data (task, opening, free_opening);
+  g_task_run_in_thread (task, solve_case);
+}
+
+/* ---- files ---- */
+
+static gboolean
+write_to (QnStudyPage *self, const char *what, const char *path, GError **error)
+{
+  QnOutput output;
+  QnStudyFigure figure = { .kind = QN_STUDY_FIGURE_MECHANISMS };
+  if (g_str_equal (what, "table"))
+    return qn_table_write (&self->table, path, error);
+  qn_output_init (&output);
+  if (g_str_equal (what, "figure") && !qn_study_page_chosen_figure (self, &figure)) {
+    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                         _ ("No case has this output yet."));
+    return FALSE;
+  }
+  return qn_study_figure_export (&figure, &self->table, path, &output, error);
+}
+
+void
+qn_study_page_export_to (QnStudyPage *self, const char *what, const char *path)
+{
+  g_autoptr (GError) error = NULL;
+  g_autofree char *text = NULL;
+  if (self->folder == NULL)
+    return;
+  if (write_to (self, what, path, &error))
+    text = g_strdup_printf (_ ("Written to %s"), path);
+  qn_study_page_tell (self, text != NULL ? text : error->message);
+}
+
+static void
+on_chosen (gpointer data, const char *path, const GError *error)
+{
+  QnStudyPage *self = data;
+  if (path != NULL)
+    qn_study_page_export_to (self, self->exported, path);
+  else
+    qn_study_page_tell (self, error->message);
+}
+
+void
+qn_study_page_export (QnStudyPage *self, const char *what)
+{
+  static const char *const tables[] = { ".csv", NULL };
+  static const char *const figures[] = { ".png", ".svg", ".pdf", NULL };
+  gboolean table = g_str_equal (what, "table");
+  const QnFileQuestion question = { table ? _ ("Export Table of the Study")
+                                          : _ ("Export Figure of the Study"),
+                                    _ ("_Export"), table ? "study.csv" : "study.png",
+                                    table ? tables : figures, on_chosen };
+  self->exported = g_intern_string (what);
+  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->page)), &self->chooser,
+                  &question, self);
+}

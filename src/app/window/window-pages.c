@@ -1,0 +1,279 @@
+/* The pages under the drawing: runs beside each other, capacity curve, study, figures. Each is made when it is asked
+ * for, and stays until it is closed; Escape goes back to the drawing. */
+#include "app/pages/pages.h"
+#include "app/widgets/text-unit.h"
+#include "app/window/window-private.h"
+#include "doc/edit/edit-stage.h"
+#include "study/plan/study.h"
+#include <glib/gi18n.h>
+
+/* The list of growing loads (edit-stage.h). */
+#define LIVE_LOADS 0
+
+/* px of the window below which a page has the place of the drawing, with text of usual size. */
+#define SHARED_HEIGHT 900
+
+/* ---- what is in sight ---- */
+
+GtkWidget *
+qn_window_get_page (QnWindow *self)
+{
+  return gtk_widget_get_visible (self->page_box)
+           ? gtk_stack_get_visible_child (self->pages)
+           : NULL;
+}
+
+void
+qn_window_show_drawing (QnWindow *self, gboolean alone)
+{
+  if (!alone && !gtk_toggle_button_get_active (self->fill_button))
+    return;
+  gtk_widget_set_visible (self->page_box, FALSE);
+  qn_window_arrange (self);
+  gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
+}
+
+static void
+show_drawing (QnWindow *self, GVariant *parameter)
+{
+  qn_window_show_drawing (self, FALSE);
+}
+
+static void
+show (QnWindow *self, GtkWidget *page)
+{
+  int height = gtk_widget_get_height (GTK_WIDGET (self));
+  if (qn_window_is_blank (self))
+    qn_window_show_work (self);
+  if (!gtk_widget_get_visible (self->page_box)) {
+    double text = qn_text_unit (GTK_WIDGET (self)) / QN_TEXT_UNIT;
+    gtk_toggle_button_set_active (self->fill_button, height < SHARED_HEIGHT * text);
+    gtk_paned_set_position (self->middle, height / 2);
+    gtk_widget_set_visible (self->page_box, TRUE);
+  }
+  gtk_stack_set_visible_child (self->pages, page);
+  if (self->is_narrow)
+    g_action_group_change_action_state (G_ACTION_GROUP (self), "side-panel",
+                                        g_variant_new_boolean (FALSE));
+  qn_window_arrange (self);
+  gtk_widget_child_focus (page, GTK_DIR_TAB_FORWARD);
+}
+
+/* In place of the page of that name, if there is one. */
+static void
+add (QnWindow *self, const char *name, const char *title, GtkWidget *page)
+{
+  GtkWidget *before = gtk_stack_get_child_by_name (self->pages, name);
+  GActionGroup *actions = g_object_get_data (G_OBJECT (page), QN_PAGE_ACTIONS);
+  if (before != NULL)
+    gtk_stack_remove (self->pages, before);
+  gtk_stack_add_titled (self->pages, page, name, title);
+  if (actions != NULL)
+    g_signal_connect_object (actions, "action-enabled-changed",
+                             G_CALLBACK (qn_window_update_actions), self,
+                             G_CONNECT_SWAPPED);
+  show (self, page);
+}
+
+void
+qn_window_remove_pages (QnWindow *self)
+{
+  GtkWidget *page;
+  while ((page = gtk_widget_get_first_child (GTK_WIDGET (self->pages))) != NULL)
+    gtk_stack_remove (self->pages, page);
+}
+
+/* Another one comes into sight, or the drawing alone. */
+static void
+close_page (QnWindow *self, GVariant *parameter)
+{
+  GtkWidget *page = gtk_stack_get_visible_child (self->pages), *other;
+  if (page != NULL)
+    gtk_stack_remove (self->pages, page);
+  other = gtk_widget_get_first_child (GTK_WIDGET (self->pages));
+  if (other != NULL)
+    gtk_stack_set_visible_child (self->pages, other);
+  else
+    qn_window_show_drawing (self, TRUE);
+}
+
+/* ---- their own actions, in place of those of the window ---- */
+
+static GActionGroup *
+actions_of_page (QnWindow *self)
+{
+  GtkWidget *page = qn_window_get_page (self);
+  return page != NULL ? g_object_get_data (G_OBJECT (page), QN_PAGE_ACTIONS) : NULL;
+}
+
+gboolean
+qn_window_page_has (QnWindow *self, const char *action)
+{
+  GActionGroup *actions = actions_of_page (self);
+  return actions != NULL && g_action_group_has_action (actions, action);
+}
+
+gboolean
+qn_window_page_can (QnWindow *self, const char *action)
+{
+  GActionGroup *actions = actions_of_page (self);
+  return actions != NULL && g_action_group_get_action_enabled (actions, action);
+}
+
+gboolean
+qn_window_page_does (QnWindow *self, const char *action)
+{
+  if (!qn_window_page_has (self, action))
+    return FALSE;
+  g_action_group_activate_action (actions_of_page (self), action, NULL);
+  return TRUE;
+}
+
+/* ---- comparison, capacity, figures ---- */
+
+static GPtrArray *
+list_others (QnDocument *document)
+{
+  GPtrArray *documents = g_ptr_array_new ();
+  GtkApplication *application = GTK_APPLICATION (g_application_get_default ());
+  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data) && qn_window_get_document (l->data) != document)
+      g_ptr_array_add (documents, qn_window_get_document (l->data));
+  return documents;
+}
+
+static GtkWidget *
+new_compare (QnDocument *document)
+{
+  return qn_compare_page_new (document, list_others);
+}
+
+/* The page of that name, made where it is not there. */
+static void
+show_or_add (QnWindow *self, const char *name, const char *title,
+             GtkWidget *(*make) (QnDocument *document))
+{
+  GtkWidget *page = gtk_stack_get_child_by_name (self->pages, name);
+  qn_window_commit_entry (self);
+  if (page != NULL)
+    show (self, page);
+  else
+    add (self, name, title, make (self->document));
+}
+
+static void
+compare (QnWindow *self, GVariant *parameter)
+{
+  show_or_add (self, "compare", _ ("Comparison"), new_compare);
+}
+
+static void
+capacity (QnWindow *self, GVariant *parameter)
+{
+  show_or_add (self, "capacity", _ ("Capacity Curve"), qn_capacity_page_new);
+}
+
+static void
+figures (QnWindow *self, GVariant *parameter)
+{
+  show_or_add (self, "figures", _ ("Figures of the Project"), qn_figures_page_new);
+}
+
+/* ---- the study: numbers that vary, loads that move ---- */
+
+/* Its page, or NULL where the window says why not. */
+static GtkWidget *
+show_study (QnWindow *self, const char *path)
+{
+  GtkWidget *page = gtk_stack_get_child_by_name (self->pages, "study");
+  g_autoptr (GError) error = NULL;
+  if (page != NULL
+      && (path == NULL || g_str_equal (qn_study_page_get_path (page), path))) {
+    show (self, page);
+    return page;
+  }
+  page = qn_study_page_new (self->state, path, &error);
+  if (page != NULL)
+    add (self, "study", _ ("Study"), page);
+  else
+    qn_window_show_error (self, error->message);
+  return page;
+}
+
+static void
+study (QnWindow *self, GVariant *parameter)
+{
+  show_study (self, NULL);
+}
+
+/* (path in the project, its number) */
+static void
+vary (QnWindow *self, GVariant *parameter)
+{
+  const char *path;
+  double number;
+  g_variant_get (parameter, "(&sd)", &path, &number);
+  GtkWidget *page = show_study (self, NULL);
+  if (page != NULL)
+    qn_study_page_vary (page, path, number);
+}
+
+/* The place of the first growing force on a block; -1 where there is none. */
+static int
+find_force (const QnModel *model)
+{
+  for (gsize i = 0; i < qn_model_count_loads (model, LIVE_LOADS); i++)
+    if (qn_model_get_load (model, LIVE_LOADS, i)->kind == QN_LOAD_FORCE)
+      return (int) i;
+  return -1;
+}
+
+/* The corners of the line: x, y after each other. */
+static void
+move_load (QnWindow *self, GVariant *parameter)
+{
+  gsize count;
+  const double *numbers = g_variant_get_fixed_array (parameter, &count, sizeof *numbers);
+  int force = find_force (qn_document_get_model (self->document));
+  if (force < 0) {
+    qn_window_show_error (self,
+                          _ ("No force grows with the multiplier: draw one with the "
+                             "force tool first."));
+    return;
+  }
+  g_autofree char *path = g_strdup_printf ("loads.live[%d]", force);
+  g_autoptr (GArray) line = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  g_array_append_vals (line, numbers, (guint) count / 2);
+  GtkWidget *page = show_study (self, NULL);
+  if (page != NULL)
+    qn_study_page_move_load (page, path, line);
+}
+
+gboolean
+qn_window_open_study (QnWindow *self, const char *path)
+{
+  QnStudy opened;
+  g_autoptr (GError) error = NULL;
+  if (!qn_study_read (path, NULL, &opened, &error)) {
+    qn_window_show_error (self, error->message);
+    return FALSE;
+  }
+  g_autofree char *project = g_strdup (opened.project.path);
+  qn_study_clear (&opened);
+  if (project == NULL || !qn_window_open_path (self, project))
+    return FALSE;
+  qn_window_remember_recent (path);
+  return show_study (self, path) != NULL;
+}
+
+void
+qn_window_add_page_actions (QnWindow *self)
+{
+  static const QnWindowAction actions[] = {
+    { "compare", NULL, compare },       { "capacity", NULL, capacity },
+    { "figures", NULL, figures },       { "study", NULL, study },
+    { "vary", "(sd)", vary },           { "move-load", "ad", move_load },
+    { "close-page", NULL, close_page }, { "show-drawing", NULL, show_drawing },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+}
