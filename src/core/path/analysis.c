@@ -149,7 +149,8 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
   if (status == QN_OK && is_unbounded (model, result))
     result->outcome = QN_OUTCOME_UNBOUNDED;
   if (status == QN_OK && result->has_collapse_multiplier)
-    status = qn_path_add_bound (model, contacts, qn_budget_go_on, budget, result, diag);
+    status =
+      qn_path_add_bound (model, contacts, qn_budget_go_on, budget, result, NULL, diag);
   if (status == QN_OK && result->has_collapse_multiplier)
     status =
       qn_path_add_broken_bound (model, contacts, qn_budget_go_on, budget, result, diag);

@@ -25,7 +25,7 @@ wants_bound (const QnModel *model, const QnContacts *contacts, const QnResult *r
 QnStatus
 qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
                    QnProgressFunc report, void *report_data, QnResult *result,
-                   QnDiag *diag)
+                   bool *cancelled, QnDiag *diag)
 {
   QnLimitSolution solution;
   double start = qn_clock_seconds ();
@@ -38,6 +38,8 @@ qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
     result->has_associative_bound = true;
     result->associative_bound = solution.upper_bound;
   }
+  if (cancelled != NULL)
+    *cancelled = status == QN_OK && solution.outcome == QN_OUTCOME_CANCELLED;
   qn_limit_solution_clear (&solution);
   result->statistics.seconds += qn_clock_seconds () - start;
   return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;

@@ -9,10 +9,10 @@
  * strength of every joint are in balance, with whatever geometry, is that of rigid blocks that do not
  * move; so it bounds linear geometry alone. Nothing is added where analysis.bound asks for none, where
  * there is one already, or where limit analysis does not know the joints or does not get to its end.
- * NO_MEMORY is the only error. */
+ * *cancelled (nullable) says whether `report` refused to go on. NO_MEMORY is the only error. */
 QnStatus qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
                             QnProgressFunc report, void *report_data, QnResult *result,
-                            QnDiag *diag);
+                            bool *cancelled, QnDiag *diag);
 
 /* Where the associative bound is known and joints have a bond, which it takes as ductile: adds the same of
  * joints whose bonds are broken, unless analysis.bound asks for none. */

@@ -198,6 +198,11 @@ void qn_path_end_check (QnPathTrace *trace);
  * memory has run out, as in all that follows. */
 bool qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
 
+/* A path that led nowhere has come to collapse all the same where its highest multiplier is the
+ * associative bound, to multiplier_tolerance, for none is larger. How the structure moves on is not known
+ * then. */
+bool qn_path_end_at_bound (QnPathTrace *trace);
+
 /* Whether the multiplier has climbed by no more than this part while the motion doubled last:
  * where it goes like collapse - constant / motion, as much is left to gain. The structure then
  * has a collapse multiplier, although no step shows how it moves on. */

@@ -47,15 +47,6 @@ add_axle (QnModel *model, double x)
   return load;
 }
 
-static void
-init (QnModel *model)
-{
-  test_model_init_block_on_plane (model, 1, 1);
-  model->block_count = 0;
-  model->vertex_count = 0;
-  qn_name_index_clear (&model->block_names);
-}
-
 /* What a block gets of the live loads, N downwards. */
 static double
 down (const QnModel *model, const char *name)
@@ -91,7 +82,7 @@ test_widths (void)
   };
   for (size_t i = 0; i < G_N_ELEMENTS (rules); i++) {
     g_auto (QnModel) model;
-    init (&model);
+    test_model_init (&model);
     add_block (&model, "b", -10, 10, 0, 1);
     add_fill (&model, surface, 2);
     QnLoad *load = add_axle (&model, 2);
@@ -127,7 +118,7 @@ test_across (void)
                 { 5, 0, 0, AXLE } };
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_auto (QnModel) model;
-    init (&model);
+    test_model_init (&model);
     add_block (&model, "b", -10, 10, 0, cases[i].thickness);
     add_fill (&model, surface, 2);
     QnLoad *load = add_axle (&model, 0);
@@ -145,7 +136,7 @@ test_boussinesq (void)
 {
   static const QnVec2 surface[] = { { -50, 1 }, { 50, 1 } };
   g_auto (QnModel) model;
-  init (&model);
+  test_model_init (&model);
   add_block (&model, "left", -50, -1, 0, 1);
   add_block (&model, "b", -1, 1, 0, 1);
   add_block (&model, "right", 1, 50, 0, 1);
@@ -173,7 +164,7 @@ test_beside (void)
   static const double parts[] = { 0.5, 0.15 / 1.3, 0, 0, 0 };
   for (size_t i = 0; i < G_N_ELEMENTS (places); i++) {
     g_auto (QnModel) model;
-    init (&model);
+    test_model_init (&model);
     add_block (&model, "b", -10, 10, 0, 1);
     add_fill (&model, surface, 2);
     QnLoad *load = add_axle (&model, places[i]);
@@ -190,7 +181,7 @@ test_line_of_sight (void)
 {
   static const QnVec2 level[] = { { -5, 3 }, { 5, 3 } };
   g_auto (QnModel) model, cut;
-  init (&model);
+  test_model_init (&model);
   add_block (&model, "high", 0, 1, 2, 1);
   add_block (&model, "low", 1, 4, 0, 1);
   add_fill (&model, level, 2);
@@ -206,7 +197,7 @@ test_line_of_sight (void)
   g_assert_cmpfloat_with_epsilon (from, 0.5 + 3.3 * 0.5 / 1.3, 1e-9);
 
   static const QnVec2 trench[] = { { -5, 3 }, { 0.5, 3 }, { 1, 0.5 }, { 5, 0.5 } };
-  init (&cut);
+  test_model_init (&cut);
   add_block (&cut, "b", -5, 5, 0, 1);
   add_fill (&cut, trench, 4);
   add_axle (&cut, 0)->effective = 1;
@@ -226,7 +217,7 @@ test_slopes (void)
       const QnVec2 roof[] = { { s * -200, -1 }, { s * 200, -1 }, { s * 200, 0 },
                               { s * 1, 2 },     { s * -3, 1.5 }, { s * -200, 0 } };
       const QnVec2 surface[] = { { -200, 2.6 }, { 200, 2.6 } };
-      init (&model);
+      test_model_init (&model);
       QnBlock *block = qn_model_add_block (&model, "roof", roof, 6);
       block->thickness = 1;
       block->unit_weight = 1e4;
@@ -258,7 +249,7 @@ test_lines (void)
 {
   static const QnVec2 surface[] = { { -50, 1 }, { 50, 1 } };
   g_auto (QnModel) model;
-  init (&model);
+  test_model_init (&model);
   add_block (&model, "b", -50, 50, 0, 1);
   add_fill (&model, surface, 2);
   QnLoad *load = add_axle (&model, 0);
@@ -279,13 +270,13 @@ test_refused (void)
   static const QnVec2 surface[] = { { 1, 1 }, { -1, 1 } };
   g_auto (QnModel) model, live, empty;
   QnDiag diag;
-  init (&model);
+  test_model_init (&model);
   add_block (&model, "b", -1, 1, 0, 1);
   add_fill (&model, surface, 2);
   g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_SURFACE);
 
-  init (&live);
+  test_model_init (&live);
   add_block (&live, "b", -1, 1, 0, 1);
   QnLoad *load = qn_model_add_live_load (&live);
   load->kind = QN_LOAD_FILL;
@@ -294,7 +285,7 @@ test_refused (void)
   g_assert_cmpint (qn_model_prepare (&live, &diag), ==, QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_FILL_LIVE);
 
-  init (&empty);
+  test_model_init (&empty);
   add_block (&empty, "b", -1, 1, 0, 1);
   add_axle (&empty, 0);
   empty.vehicles[0].axle_count = 0;
