@@ -6,7 +6,9 @@
 #include "cli/base/subcommand.h"
 #include "core/base/integer.h"
 #include "core/path/analysis.h"
+#include "doc/view/sheet.h"
 #include "io/project/project-vehicle.h"
+#include "io/text/file-writer.h"
 #include "render/figure/plot.h"
 
 #include <glib/gi18n.h>
@@ -73,7 +75,7 @@ choose_vehicle (const EnvelopeOptions *options, QnModel *model, QnLoad *load)
 /* The multiplier at one position. */
 static QnExit
 solve_at (const QnInput *input, const Envelope *e, gsize position, int way,
-          const EnvelopeOptions *options)
+          const EnvelopeOptions *options, QnTerminalProgress *progress)
 {
   const QnModel *model = &input->project.model;
   QnModel moved;
@@ -95,7 +97,8 @@ solve_at (const QnInput *input, const Envelope *e, gsize position, int way,
                   ? -qn_model_load_resultant (&moved, moved.dead_load_count + e->load).y
                   : 0;
   if (status == QN_OK && down > 0)
-    status = qn_analysis_run (&moved, &input->contacts, NULL, NULL, &result, &diag);
+    status = qn_analysis_run (&moved, &input->contacts, qn_terminal_progress_update,
+                              progress, &result, &diag);
   if (status != QN_OK) {
     code = qn_input_fail (input, QN_INPUT_PATH, &diag);
   } else if (down > 0 && result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE) {
@@ -115,12 +118,15 @@ find_envelope (const QnInput *input, const EnvelopeOptions *options, Envelope *e
 {
   const int ways = options->one_way ? 1 : 2;
   QnExit code = QN_EXIT_DONE;
+  QnTerminalProgress progress;
   e->worst = G_MAXSIZE;
   qn_interrupt_install ();
+  qn_terminal_progress_init (&progress, options->quiet);
   for (gsize i = 0; i < e->count && code == QN_EXIT_DONE; i++)
     for (int way = 0; way < ways && code == QN_EXIT_DONE; way++) {
-      code = qn_interrupt_seen () ? qn_cli_cancelled (input->project.name)
-                                  : solve_at (input, e, i, way, options);
+      code = solve_at (input, e, i, way, options, &progress);
+      if (code == QN_EXIT_DONE && qn_interrupt_seen ())
+        code = qn_cli_cancelled (input->project.name);
       double here = e->multiplier[way][i];
       if (!isnan (here)
           && (e->worst == G_MAXSIZE || here < e->multiplier[e->worst_way][e->worst])) {
@@ -128,6 +134,7 @@ find_envelope (const QnInput *input, const EnvelopeOptions *options, Envelope *e
         e->worst_way = way;
       }
     }
+  qn_terminal_progress_done (&progress);
   return code;
 }
 
@@ -160,20 +167,21 @@ print_worst (const QnInput *input, const Envelope *e)
 static QnExit
 write_table (const Envelope *e, const char *path)
 {
-  GString *text = g_string_new ("position [m],to the right,to the left\n");
   GError *error = NULL;
+  QnFileWriter *writer = qn_file_writer_open (path, &error);
+  if (writer == NULL)
+    return qn_cli_fail (error);
+  qn_file_writer_puts (writer, "position [m],to the right,to the left\n");
   for (gsize i = 0; i < e->count; i++) {
-    char x[G_ASCII_DTOSTR_BUF_SIZE], m[2][G_ASCII_DTOSTR_BUF_SIZE];
-    for (int way = 0; way < 2; way++)
-      if (isnan (e->multiplier[way][i]))
-        m[way][0] = '\0';
-      else
-        g_ascii_formatd (m[way], sizeof m[way], "%.10g", e->multiplier[way][i]);
-    g_string_append_printf (text, "%s,%s,%s\n",
-                            g_ascii_formatd (x, sizeof x, "%.10g", e->x[i]), m[0], m[1]);
+    qn_file_writer_rounded (writer, e->x[i], "%.10g");
+    for (int way = 0; way < 2; way++) {
+      qn_file_writer_puts (writer, ",");
+      if (!isnan (e->multiplier[way][i]))
+        qn_file_writer_rounded (writer, e->multiplier[way][i], "%.10g");
+    }
+    qn_file_writer_puts (writer, "\n");
   }
-  g_file_set_contents (path, text->str, (gssize) text->len, &error);
-  g_string_free (text, TRUE);
+  qn_file_writer_commit (writer, &error);
   return qn_cli_end (error);
 }
 
@@ -181,9 +189,7 @@ write_table (const Envelope *e, const char *path)
 static QnBox
 find_box (const QnModel *model)
 {
-  QnBox box = QN_BOX_EMPTY;
-  for (size_t i = 0; i < model->vertex_count; i++)
-    qn_box_add_point (&box, model->vertices[i]);
+  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
   for (size_t i = 0; i < model->dead_load_count; i++)
     for (int32_t k = 0; k < model->dead_loads[i].surface_count; k++)
       qn_box_add_point (&box, model->dead_loads[i].surface[k]);
@@ -209,10 +215,12 @@ draw_structure (cairo_t *cr, const Envelope *e, const QnPage *page,
                 const QnPlotPlace *place, double y0)
 {
   const QnModel *model = e->model;
-  const QnLoad *load = &model->live_loads[e->load];
-  const QnVehicle *vehicle = &model->vehicles[load->vehicle];
+  QnLoad load = model->live_loads[e->load];
+  const QnVehicle *vehicle = &model->vehicles[load.vehicle];
   const QnColor soil = qn_ink (QN_INK_DEAD_LOAD, 0), live = qn_ink (QN_INK_LIVE_LOAD, 0);
-  const double top = find_box (model).max.y, way = e->worst_way == 1 ? 1 : -1;
+  const double top = find_box (model).max.y;
+  load.position = e->x[e->worst];
+  load.reversed = e->worst_way == 1;
   cairo_save (cr);
   cairo_rectangle (cr, place->frame.min.x, y0 - MARGIN * page->unit,
                    place->frame.max.x - place->frame.min.x, page->height - y0);
@@ -229,12 +237,13 @@ draw_structure (cairo_t *cr, const Envelope *e, const QnPage *page,
                FALSE, place, top, y0);
   cairo_stroke (cr);
   cairo_set_source_rgb (cr, live.r / 255.0, live.g / 255.0, live.b / 255.0);
-  for (int32_t i = 0; i < vehicle->axle_count; i++) {
-    double x = e->x[e->worst] + way * vehicle->axles[i].at;
-    cairo_new_sub_path (cr);
-    cairo_arc (cr, place->x_zero + place->x_scale * x, y0 - 3 * page->unit,
-               3 * page->unit, 0, 2 * G_PI);
-  }
+  for (int32_t n = 0; n < load.convoy; n++)
+    for (int32_t i = 0; i < vehicle->axle_count; i++) {
+      double x = qn_load_behind_front (model, &load, n, vehicle->axles[i].at);
+      cairo_new_sub_path (cr);
+      cairo_arc (cr, place->x_zero + place->x_scale * x, y0 - 3 * page->unit,
+                 3 * page->unit, 0, 2 * G_PI);
+    }
   cairo_stroke (cr);
   cairo_restore (cr);
 }
@@ -269,11 +278,12 @@ draw_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
 }
 
 static QnExit
-write_picture (const EnvelopeOptions *options, const QnOutput *output, const Envelope *e)
+write_picture (const EnvelopeOptions *options, const QnOutput *output,
+               const QnInput *input, const Envelope *e)
 {
   QnMetadata metadata;
   GError *error = NULL;
-  qn_metadata_init (&metadata);
+  qn_project_get_metadata (&input->project, &metadata);
   metadata.title = e->model->title;
   qn_page_export (options->picture.path, output, &metadata, draw_page, (void *) e,
                   &error);
@@ -284,19 +294,15 @@ write_picture (const EnvelopeOptions *options, const QnOutput *output, const Env
 static QnExit
 place_positions (const EnvelopeOptions *options, const QnModel *model, Envelope *e)
 {
-  double low = (double) INFINITY, high = -(double) INFINITY, from = options->from,
-         to = options->to;
+  const QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
+  double from = options->from, to = options->to;
   const QnLoad *load = &model->live_loads[e->load];
   const QnVehicle *vehicle = &model->vehicles[load->vehicle];
   const double length = load->convoy * (qn_vehicle_length (vehicle) + load->headway);
-  for (size_t i = 0; i < model->vertex_count; i++) {
-    low = fmin (low, model->vertices[i].x);
-    high = fmax (high, model->vertices[i].x);
-  }
   if (from == G_MAXDOUBLE)
-    from = options->one_way ? low : low - length;
+    from = options->one_way ? box.min.x : box.min.x - length;
   if (to == G_MAXDOUBLE)
-    to = high + length;
+    to = box.max.x + length;
   double count = floor ((to - from) / options->step + 1e-9) + 1;
   if (!(options->step > 0) || !(count >= 1) || count > MOST_POSITIONS)
     return qn_cli_usage_error ("envelope",
@@ -330,12 +336,13 @@ make_envelope (const EnvelopeOptions *options, const QnOutput *output, QnInput *
     qn_cli_error (_ ("%s: no position gives a collapse"), input->project.name);
     code = QN_EXIT_NO_ANSWER;
   }
-  if (code == QN_EXIT_DONE && !options->quiet)
+  if (code == QN_EXIT_DONE && !options->quiet && g_strcmp0 (options->table, "-") != 0
+      && g_strcmp0 (options->picture.path, "-") != 0)
     print_worst (input, &e);
   if (code == QN_EXIT_DONE && options->table != NULL)
     code = write_table (&e, options->table);
   if (code == QN_EXIT_DONE && options->picture.path != NULL)
-    code = write_picture (options, output, &e);
+    code = write_picture (options, output, input, &e);
   g_free (e.x);
   for (int way = 0; way < 2; way++)
     g_free (e.multiplier[way]);

@@ -11,20 +11,41 @@
 #include <stdlib.h>
 
 double
+qn_earth_at_rest (double friction_angle)
+{
+  return 1 - sin (friction_angle);
+}
+
+double
+qn_earth_active (double friction_angle)
+{
+  double sine = sin (friction_angle);
+
+  return (1 - sine) / (1 + sine);
+}
+
+double
 qn_load_earth_coefficient (const QnLoad *load)
 {
-  double sine = sin (load->friction_angle);
-
   switch (load->earth) {
   case QN_EARTH_AT_REST:
-    return 1 - sine;
+    return qn_earth_at_rest (load->friction_angle);
   case QN_EARTH_ACTIVE:
-    return (1 - sine) / (1 + sine);
+    return qn_earth_active (load->friction_angle);
   case QN_EARTH_GIVEN:
   case QN_EARTH_COUNT:
     break;
   }
   return load->coefficient;
+}
+
+double
+qn_load_behind_front (const QnModel *model, const QnLoad *load, int32_t n, double behind)
+{
+  const QnVehicle *vehicle = &model->vehicles[load->vehicle];
+  double back = n * (qn_vehicle_length (vehicle) + load->headway) + behind;
+
+  return load->position + (load->reversed ? back : -back);
 }
 
 double
@@ -424,7 +445,6 @@ resolve_vehicle (Resolver *r)
 {
   const QnLoad *load = r->load;
   const QnVehicle *vehicle = &r->model->vehicles[load->vehicle];
-  const double way = load->reversed ? 1 : -1; /* from the front to the rear */
 
   if (!look_from (r, QN_BLOCK_SIDE_TOP))
     return qn_diag_no_memory (r->diag);
@@ -443,10 +463,8 @@ resolve_vehicle (Resolver *r)
   const double margin = qn_box_diagonal (box),
                near[2] = { box.min.x - margin, box.max.x + margin };
   for (int32_t n = 0; n < load->convoy && status == QN_OK; n++) {
-    double front =
-      load->position + way * n * (qn_vehicle_length (vehicle) + load->headway);
     for (int32_t i = 0; i < vehicle->axle_count && status == QN_OK; i++) {
-      double x = front + way * vehicle->axles[i].at;
+      double x = qn_load_behind_front (r->model, load, n, vehicle->axles[i].at);
       if (x > near[0] && x < near[1])
         add_source (r, x, vehicle->axles[i].load, 0, shares);
       status = add_shares (r, shares);
@@ -457,7 +475,8 @@ resolve_vehicle (Resolver *r)
         qn_to_integer (ceil ((line->to - line->from) / LINE_PART), 1, 1000000);
       double part = (line->to - line->from) / (double) parts;
       for (int64_t k = 0; k < parts; k++) {
-        double x = front + way * (line->from + ((double) k + 0.5) * part);
+        double x = qn_load_behind_front (r->model, load, n,
+                                         line->from + ((double) k + 0.5) * part);
         if (x > near[0] && x < near[1])
           add_source (r, x, line->intensity * part, part, shares);
       }

@@ -482,11 +482,17 @@ int32_t qn_model_add_load_case (QnModel *model, const char *name);
 /* The same without adding: QN_NONE where there is none. */
 int32_t qn_model_find_load_case (const QnModel *model, const char *name);
 
+/* x of what lies so far behind the front of vehicle n of a VEHICLE's convoy, counted from 0, m. */
+double qn_load_behind_front (const QnModel *model, const QnLoad *load, int32_t n,
+                             double behind);
 /* The height of a FILL's surface at x; NAN where it has none. */
 double qn_load_surface_at (const QnLoad *load, double x);
 
 /* K of a BACKFILL. */
 double qn_load_earth_coefficient (const QnLoad *load);
+/* K0 = 1 - sin phi (Jaky 1944); Ka = (1 - sin phi)/(1 + sin phi), level soil (Rankine 1857). */
+double qn_earth_at_rest (double friction_angle);
+double qn_earth_active (double friction_angle);
 
 /* Appends a course to a wall; false when memory runs out. */
 bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);

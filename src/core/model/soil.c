@@ -14,9 +14,7 @@
 double
 qn_fill_active (const QnLoad *fill)
 {
-  double sine = sin (fill->friction_angle);
-
-  return fill->friction_angle > 0 ? (1 - sine) / (1 + sine) : 0;
+  return fill->friction_angle > 0 ? qn_earth_active (fill->friction_angle) : 0;
 }
 
 double
@@ -30,7 +28,7 @@ qn_fill_mobilised (const QnLoad *fill)
 double
 qn_fill_at_rest (const QnLoad *fill)
 {
-  double above = 1 - sin (fill->friction_angle) - qn_fill_active (fill);
+  double above = qn_earth_at_rest (fill->friction_angle) - qn_fill_active (fill);
 
   return fmin (fmax (above, 0), qn_fill_mobilised (fill));
 }
@@ -83,7 +81,7 @@ qn_model_add_soil (QnModel *model, size_t source, QnDiag *diag)
   const double factor = qn_model_load_factor (model, fill);
   size_t count;
   const QnEdgeForce *forces = qn_model_edge_forces_of (model, source, &count);
-  QnBox box = QN_BOX_EMPTY;
+  const QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
   QnStatus status = QN_OK;
 
   if (!(qn_fill_mobilised (fill) > 0 && factor > 0))
@@ -99,8 +97,6 @@ qn_model_add_soil (QnModel *model, size_t source, QnDiag *diag)
     push->area += model->blocks[forces[i].block].thickness
                   * fabs (forces[i].ends[1].y - forces[i].ends[0].y);
   }
-  for (size_t b = 0; b < model->block_count; b++)
-    qn_box_add_box (&box, qn_model_block_box (model, (QnId) b));
   for (size_t i = 0; i < 2 * model->block_count && status == QN_OK; i++)
     if (pushes[i].stress > 0 && pushes[i].area > 0
         && !qn_support_is_full (model->blocks[i / 2].support))

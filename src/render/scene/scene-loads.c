@@ -299,12 +299,11 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
 {
   const QnModel *model = b->model;
   const QnVehicle *vehicle = &model->vehicles[load->vehicle];
-  const double way = load->reversed ? 1 : -1, r = 0.25 * b->block_size;
+  const double r = 0.25 * b->block_size;
   for (int32_t n = 0; n < load->convoy; n++)
     for (int32_t i = 0; i < vehicle->axle_count; i++) {
-      double back =
-        vehicle->axles[i].at + n * (qn_vehicle_length (vehicle) + load->headway);
-      double x = load->position + way * back, y = (double) NAN;
+      double x = qn_load_behind_front (model, load, n, vehicle->axles[i].at);
+      double y = (double) NAN;
       for (size_t k = 0; k < model->dead_load_count && isnan (y); k++)
         if (model->dead_loads[k].kind == QN_LOAD_FILL)
           y = qn_load_surface_at (&model->dead_loads[k], x);
