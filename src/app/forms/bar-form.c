@@ -4,7 +4,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-bar.h"
-#include "doc/text/law-points.h"
+#include "doc/text/points-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 #include <string.h>
@@ -52,7 +52,7 @@ show (gpointer data, guint field, QnValue *value)
   else if (field == DIAMETER)
     value->number = round (qn_bar_get_diameter (bar->area) * SHOWN) / SHOWN;
   else if (field == VIA)
-    value->text = qn_law_points_dup_text (bar->via, bar->via_count);
+    value->text = qn_points_dup_text (bar->via, bar->via_count);
   return TRUE;
 }
 
@@ -60,10 +60,10 @@ show (gpointer data, guint field, QnValue *value)
 static gboolean
 take_corners (QnBar *bar, const char *text, GError **error)
 {
-  QnVec2 points[QN_MAX_CURVE_POINTS];
+  QnVec2 points[QN_MAX_BAR_CORNERS];
   int32_t count = 0;
   if (text != NULL && *text != '\0'
-      && (!qn_law_points_parse (text, points, &count) || count > QN_MAX_BAR_CORNERS))
+      && !qn_points_parse (text, points, QN_MAX_BAR_CORNERS, &count))
     return qn_edit_refuse_nothing (error,
                                    _ ("Corners are pairs of numbers, x and y in m, "
                                       "a space between them, up to 30"));

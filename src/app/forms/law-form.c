@@ -4,9 +4,9 @@
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-face.h"
-#include "doc/text/law-points.h"
 #include "doc/text/law-preset.h"
 #include "doc/text/law-text.h"
+#include "doc/text/points-text.h"
 #include "io/project/typical-joint.h"
 #include <glib/gi18n.h>
 #include <stdlib.h>
@@ -169,7 +169,7 @@ show (gpointer data, guint field, QnValue *value)
     return qn_law_may_bond (law.kind)
            && (law.fracture_energy_tension > 0.0 || law.fracture_energy_shear > 0.0);
   case POINTS:
-    value->text = qn_law_points_dup_text (law.points, law.point_count);
+    value->text = qn_points_dup_text (law.points, law.point_count);
     return law.kind == QN_LAW_CURVE;
   case VIEW:
     qn_law_view_set_law (form->base.widgets[VIEW], &law);
@@ -342,7 +342,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     law->exponential = value->number > 0.0;
     return TRUE;
   case POINTS:
-    if (!qn_law_points_parse (value->text, points, &count))
+    if (!qn_points_parse (value->text, points, QN_MAX_CURVE_POINTS, &count))
       return qn_edit_refuse (
         error, _ ("Expected pairs of numbers with semicolons between them"));
     memcpy (law->points, points, (gsize) count * sizeof points[0]);

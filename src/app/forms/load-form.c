@@ -6,6 +6,7 @@
 #include "app/widgets/settings.h"
 #include "core/model/edge-load.h"
 #include "doc/edit/edit-stage.h"
+#include "doc/text/points-text.h"
 #include "doc/view/load-text.h"
 #include "io/project/project-vehicle.h"
 #include <glib/gi18n.h>
@@ -227,39 +228,6 @@ has_number (const QnLoad *load, guint field)
   }
 }
 
-/* "x; y, x; y …", m. */
-static char *
-dup_surface (const QnLoad *load)
-{
-  GString *text = g_string_new (NULL);
-  for (int32_t i = 0; i < load->surface_count; i++) {
-    g_autofree char *x =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, load->surface[i].x, 6);
-    g_autofree char *y =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, load->surface[i].y, 6);
-    g_string_append_printf (text, "%s%s; %s", i > 0 ? " | " : "", x, y);
-  }
-  return g_string_free (text, FALSE);
-}
-
-static gboolean
-parse_surface (const char *text, QnLoad *load, GError **error)
-{
-  g_auto (GStrv) points = g_strsplit (text, "|", -1);
-  load->surface_count = 0;
-  for (guint i = 0; points[i] != NULL && i < QN_MAX_SURFACE_POINTS; i++) {
-    g_auto (GStrv) parts = g_strsplit (points[i], ";", -1);
-    QnVec2 *p = &load->surface[i];
-    if (g_strv_length (parts) != 2)
-      return qn_edit_refuse (error, _ ("Write points as x; y | x; y"));
-    if (!qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[0], &p->x, error)
-        || !qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[1], &p->y, error))
-      return FALSE;
-    load->surface_count++;
-  }
-  return TRUE;
-}
-
 /* The vehicles of the project, then those that are built in. */
 static GPtrArray *
 list_vehicles (const QnModel *model)
@@ -292,7 +260,7 @@ show_load (const Form *form, guint field, QnValue *value)
     value->number = load->has_side ? load->side : QN_BLOCK_SIDE_COUNT;
     break;
   case SURFACE:
-    value->text = dup_surface (load);
+    value->text = qn_points_dup_text (load->surface, load->surface_count);
     break;
   case VEHICLE: {
     g_autoptr (GPtrArray) list = list_vehicles (model);
@@ -489,8 +457,10 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
       qn_load_chain (model, &before, &load.edge, &load.edge_count);
     break;
   case SURFACE:
-    if (!parse_surface (value->text, &load, error))
-      return FALSE;
+    if (!qn_points_parse (value->text, load.surface, QN_MAX_SURFACE_POINTS,
+                          &load.surface_count))
+      return qn_edit_refuse (
+        error, _ ("Expected pairs of numbers with semicolons between them"));
     break;
   case VEHICLE: {
     g_autoptr (GPtrArray) list = list_vehicles (model);

@@ -1,4 +1,4 @@
-#include "doc/text/law-points.h"
+#include "doc/text/points-text.h"
 
 #include "doc/text/units.h"
 
@@ -28,14 +28,14 @@ parse_point (const char *text, QnVec2 *point)
 }
 
 gboolean
-qn_law_points_parse (const char *text, QnVec2 *points, int32_t *count)
+qn_points_parse (const char *text, QnVec2 *points, int32_t most, int32_t *count)
 {
   g_auto (GStrv) parts = g_strsplit (text, ";", -1);
   *count = 0;
   for (gsize i = 0; parts[i] != NULL; i++) {
     if (*g_strstrip (parts[i]) == '\0')
       continue;
-    if (*count == QN_MAX_CURVE_POINTS || !parse_point (parts[i], &points[*count]))
+    if (*count == most || !parse_point (parts[i], &points[*count]))
       return FALSE;
     ++*count;
   }
@@ -43,7 +43,7 @@ qn_law_points_parse (const char *text, QnVec2 *points, int32_t *count)
 }
 
 char *
-qn_law_points_dup_text (const QnVec2 *points, int32_t count)
+qn_points_dup_text (const QnVec2 *points, int32_t count)
 {
   GString *text = g_string_new (NULL);
   for (int32_t i = 0; i < count; i++) {
