@@ -7,8 +7,8 @@
 #include "core/base/integer.h"
 #include "doc/text/path-text.h"
 #include "io/text/io-error.h"
+#include "study/report/column.h"
 #include "study/report/output-text.h"
-#include "study/report/statistics.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -57,38 +57,24 @@ show_failed (QnStudyPage *self)
   gtk_widget_queue_draw (self->plot);
 }
 
-static int
-compare_values (gconstpointer a, gconstpointer b)
-{
-  double x = *(const double *) a, y = *(const double *) b;
-  return (x > y) - (x < y);
-}
-
 void
 qn_study_page_show_statistics (QnStudyPage *self)
 {
   QnStudyFigure figure;
-  g_autoptr (GArray) values = g_array_new (FALSE, FALSE, sizeof (double));
+  gsize count = 0;
+  g_autofree double *sorted = NULL;
   if (qn_study_page_chosen_figure (self, &figure))
-    for (guint i = 0; i < self->table.rows->len; i++) {
-      double value = qn_table_number (&self->table, i, (gsize) figure.column);
-      if (isfinite (value))
-        g_array_append_val (values, value);
-    }
-  g_array_sort (values, compare_values);
-  const double *sorted = (const double *) (const void *) values->data;
-  QnMoments moments = qn_moments (sorted, values->len);
-  g_autofree char *text =
-    values->len == 0
-      ? g_strdup ("")
-      : g_strdup_printf (_ ("%u cases: mean %.4g, deviation %.3g; 5 %% lie below %.4g, "
-                            "half below %.4g, 95 %% below %.4g"),
-                         values->len, moments.mean, moments.deviation,
-                         qn_quantile (sorted, values->len, 0.05),
-                         qn_quantile (sorted, values->len, 0.5),
-                         qn_quantile (sorted, values->len, 0.95));
+    sorted = qn_table_dup_sorted (&self->table, (gsize) figure.column, &count);
+  gtk_widget_set_visible (GTK_WIDGET (self->statistics), count > 1);
+  if (count < 2)
+    return;
+  QnMoments moments = qn_moments (sorted, count);
+  g_autofree char *text = g_strdup_printf (
+    _ ("%u cases: mean %.4g, deviation %.3g; 5 %% lie below %.4g, "
+       "half below %.4g, 95 %% below %.4g"),
+    (guint) count, moments.mean, moments.deviation, qn_quantile (sorted, count, 0.05),
+    qn_quantile (sorted, count, 0.5), qn_quantile (sorted, count, 0.95));
   gtk_label_set_text (self->statistics, text);
-  gtk_widget_set_visible (GTK_WIDGET (self->statistics), values->len > 1);
 }
 
 void

@@ -148,15 +148,21 @@ append_combinations (GString *text, const QnTable *table, gsize column)
 static void
 append_fit (GString *text, const QnTable *table, gsize column)
 {
-  gsize best = 0;
-  for (gsize i = 0; i < table->rows->len; i++)
-    if (!(qn_table_number (table, i, column) >= qn_table_number (table, best, column)))
-      best = isnan (qn_table_number (table, i, column)) ? best : i;
+  const gsize count = table->rows->len;
+  gsize best = count;
+  for (gsize i = 0; i < count; i++) {
+    double misfit = qn_table_number (table, i, column);
+    if (!isnan (misfit)
+        && (best == count || misfit < qn_table_number (table, best, column)))
+      best = i;
+  }
+  if (best == count)
+    return;
   qn_text_append (text, _ ("  least in case %zu\n"),
                   g_array_index (table->rows, QnRow, best).index + 1);
-  for (gsize k = 0; k < table->parameters; k++)
-    qn_text_append (text, "    %-24s %10.6g\n", qn_table_column_name (table, k),
-                    qn_table_number (table, best, k));
+  for (gsize p = 0; p < table->parameters; p++)
+    qn_text_append (text, "    %-24s %10.6g\n", qn_table_column_name (table, p),
+                    qn_table_number (table, best, p));
 }
 
 static void
