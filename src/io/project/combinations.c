@@ -41,15 +41,20 @@ number_at (const cJSON *list, int index)
   return cJSON_GetNumberValue (cJSON_GetArrayItem (list, index));
 }
 
-/* The file of the codes; to be deleted. */
-static cJSON *
-read_codes (void)
+/* The file of the codes, which is read once. */
+static const cJSON *
+codes (void)
 {
-  g_autoptr (GBytes) bytes = g_resource_lookup_data (
-    qn_combinations_get_resource (), "/io/github/quoin/codes/combinations.json", 0, NULL);
-  gsize length;
-  const char *text = g_bytes_get_data (bytes, &length);
-  return cJSON_ParseWithLength (text, length);
+  static gsize file;
+  if (g_once_init_enter (&file)) {
+    g_autoptr (GBytes) bytes =
+      g_resource_lookup_data (qn_combinations_get_resource (),
+                              "/io/github/quoin/codes/combinations.json", 0, NULL);
+    gsize length;
+    const char *text = g_bytes_get_data (bytes, &length);
+    g_once_init_leave (&file, (gsize) cJSON_ParseWithLength (text, length));
+  }
+  return (const cJSON *) file;
 }
 
 static void
@@ -63,9 +68,7 @@ char **
 qn_combinations_dup_codes (void)
 {
   g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  cJSON *file = read_codes ();
-  add_keys (names, get (file, "codes"));
-  cJSON_Delete (file);
+  add_keys (names, get (codes (), "codes"));
   return g_strv_builder_end (names);
 }
 
@@ -73,11 +76,9 @@ char **
 qn_combinations_dup_actions (void)
 {
   g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  cJSON *file = read_codes ();
   g_strv_builder_add_many (names, "permanent", "non-structural", NULL);
-  add_keys (names, get (file, "psi"));
+  add_keys (names, get (codes (), "psi"));
   g_strv_builder_add (names, "seismic");
-  cJSON_Delete (file);
   return g_strv_builder_end (names);
 }
 
@@ -92,14 +93,14 @@ reduced (const cJSON *factor, const cJSON *psi)
 
 /* What a case may be in a situation. */
 static void
-place_case (Case *c, const cJSON *file, const cJSON *situation)
+place_case (Case *c, const cJSON *situation)
 {
-  const cJSON *psi = get (get (file, "psi"), c->action), *alone;
+  const cJSON *psi = get (get (codes (), "psi"), c->action), *alone;
   const cJSON *permanent = get (situation, c->action), *leading;
   c->seismic = strcmp (c->action, "seismic") == 0;
   c->variable = psi != NULL;
   c->exclusive = FALSE;
-  cJSON_ArrayForEach (alone, get (file, "exclusive")) c->exclusive |=
+  cJSON_ArrayForEach (alone, get (codes (), "exclusive")) c->exclusive |=
     strcmp (alone->valuestring, c->action) == 0;
   c->first = ABSENT;
   c->last = PRESENT;
@@ -199,12 +200,12 @@ add_combination (GPtrArray *list, guint first, const Case *cases, gsize count,
 
 static gboolean
 add_situation (GPtrArray *list, Case *cases, gsize count, const QnModel *model,
-               const cJSON *file, const cJSON *situation)
+               const cJSON *situation)
 {
   const guint first = list->len;
   double choices = 1;
   for (gsize i = 0; i < count; i++) {
-    place_case (&cases[i], file, situation);
+    place_case (&cases[i], situation);
     choices *= cases[i].last - cases[i].first + 1;
   }
   if (choices > MOST_CHOICES)
@@ -229,11 +230,10 @@ qn_combinations_make (const QnProject *project, GError **error)
     any |= *cases[i].action != '\0';
   }
   if (any && *model->combinations.code != '\0') {
-    cJSON *file = read_codes ();
-    const cJSON *code = get (get (file, "codes"), model->combinations.code), *situation;
+    const cJSON *code = get (get (codes (), "codes"), model->combinations.code),
+                *situation;
     cJSON_ArrayForEach (situation, get (code, "situations")) few =
-      few && add_situation (list, cases, model->load_case_count, model, file, situation);
-    cJSON_Delete (file);
+      few && add_situation (list, cases, model->load_case_count, model, situation);
   }
   if (list->len > 0 && few)
     return g_steal_pointer (&list);
