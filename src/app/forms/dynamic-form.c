@@ -171,35 +171,39 @@ take_initial (const Form *form, QnModel *model, guint field, double number,
 
 /* ---- damping by modes ---- */
 
+/* The frequencies of those that have been found; free omega with g_free(). */
+static QnModes
+found_modes (const Form *form)
+{
+  QnModes modes = { 0 };
+  modes.omega =
+    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &modes.count);
+  return modes;
+}
+
 /* That of the first mode that is no rigid motion. */
 static void
 show_ratio (const Form *form, const QnDynamicSettings *settings, QnValue *value)
 {
-  gsize count;
-  g_autofree double *omegas =
-    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &count);
-  gsize first = 0;
-  while (first < count && omegas[first] == 0)
-    first++;
-  value->disabled = first == count;
-  if (first < count)
-    value->number = 0.5
-                    * (settings->mass_damping / omegas[first]
-                       + settings->joint_damping * omegas[first]);
+  QnModes modes = found_modes (form);
+  double omega = modes.count > 0 ? modes.omega[qn_modes_damping (&modes, 0).first] : 0;
+  value->disabled = omega == 0;
+  if (omega > 0)
+    value->number =
+      0.5 * (settings->mass_damping / omega + settings->joint_damping * omega);
+  g_free (modes.omega);
 }
 
 static gboolean
 take_ratio (const Form *form, QnDynamicSettings *settings, double ratio)
 {
-  gsize count;
-  g_autofree double *omegas =
-    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &count);
-  if (count == 0)
+  QnModes modes = found_modes (form);
+  if (modes.count == 0)
     return FALSE;
-  QnModesDamping damping =
-    qn_modes_damping (&(QnModes){ .omega = omegas, .count = count }, ratio);
+  QnModesDamping damping = qn_modes_damping (&modes, ratio);
   settings->mass_damping = damping.mass;
   settings->joint_damping = damping.stiffness;
+  g_free (modes.omega);
   return TRUE;
 }
 
@@ -339,12 +343,12 @@ make_plot (gpointer data, gboolean zoomed, char **message)
   const Form *form = data;
   if (form->sampled.count == 0)
     return NULL;
-  gsize count;
-  g_autofree double *omegas =
-    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &count);
   QnPlot *plot = qn_ground_preview_plot (&form->sampled, form->preview);
-  if (form->preview == QN_GROUND_SPECTRUM)
-    qn_ground_preview_add_periods (plot, &form->sampled, omegas, count);
+  if (form->preview == QN_GROUND_SPECTRUM) {
+    QnModes modes = found_modes (form);
+    qn_ground_preview_add_periods (plot, &form->sampled, modes.omega, modes.count);
+    g_free (modes.omega);
+  }
   return plot;
 }
 
