@@ -725,64 +725,6 @@ test_escape (void)
   driver_discard (window);
 }
 
-static gboolean
-shows_page (GtkWidget *widget, gconstpointer page)
-{
-  return GTK_IS_STACK (widget)
-         && g_strcmp0 (gtk_stack_get_visible_child_name (GTK_STACK (widget)), page) == 0;
-}
-
-/* In every page under the drawing: F1 shows what the manual says of it, Ctrl+S saves, Escape goes back to
- * the drawing; Undo acts on the drawing but where the page has steps of its own. */
-static void
-test_pages (void)
-{
-  static const char *const pages[][3] = { { "win.capacity", "Capacity", "earthquakes" },
-                                          { "win.figures", "Figures", "export" },
-                                          { "win.compare", "Comparison", "results" },
-                                          { "win.study", "Study", "uncertainty" } };
-  driver_pass_over_gtk ();
-  test_autoscratch char *folder = test_scratch_new ();
-  g_autofree char *source = driver_example_path ("06-arch.quoin");
-  g_autofree char *path = g_build_filename (folder, "arch.quoin", NULL);
-  g_autofree char *text = NULL;
-  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
-  g_assert_true (g_file_set_contents (path, text, -1, NULL));
-  QnWindow *window = driver_open_window (1280, 800);
-  g_assert_true (qn_window_open_path (window, path));
-  QnDocument *document = qn_window_get_document (window);
-  for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
-    driver_activate (window, "win.select-all");
-    driver_activate (window, "win.nudge((0.0,1.0))");
-    g_assert_true (qn_document_is_modified (document));
-    driver_activate (window, pages[i][0]);
-    g_test_message ("%s", pages[i][0]);
-    g_assert_nonnull (driver_find_page (pages[i][1]));
-    driver_key ("F1");
-    GtkWidget *help = driver_find_dialog ("Help");
-    g_assert_nonnull (help);
-    g_assert_nonnull (driver_find_widget (help, shows_page, pages[i][2]));
-    driver_key ("Escape");
-    g_assert_null (driver_find_dialog ("Help"));
-    driver_key ("ctrl+s");
-    g_assert_false (qn_document_is_modified (document));
-    gboolean own = qn_window_page_has (window, "undo");
-    driver_key ("ctrl+z");
-    g_assert_true (qn_document_is_modified (document) == !own);
-    driver_key ("Escape");
-    g_assert_null (qn_window_get_page (window));
-    g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (window->canvas)));
-  }
-  /* All of them are still there; closed one after the other they leave the drawing. */
-  driver_activate (window, "win.compare");
-  for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
-    g_assert_nonnull (qn_window_get_page (window));
-    driver_activate (window, "win.close-page");
-  }
-  g_assert_null (qn_window_get_page (window));
-  driver_discard (window);
-}
-
 /* "~" stands for the user's folder, and for no other whose name begins like it. */
 static void
 test_folder (void)
@@ -819,6 +761,5 @@ QN_TESTS
   g_test_add_func ("/app/files/sizes", test_sizes);
   g_test_add_func ("/app/files/broken", test_broken);
   g_test_add_func ("/app/files/escape", test_escape);
-  g_test_add_func ("/app/files/pages", test_pages);
   g_test_add_func ("/app/files/folder", test_folder);
 }
