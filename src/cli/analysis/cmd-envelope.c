@@ -253,6 +253,7 @@ draw_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
 {
   const Envelope *e = data;
   QnFrame frame = qn_page_frame (page, MARGIN);
+  const QnBox blocks = qn_box_of_points (e->model->vertices, e->model->vertex_count);
   const QnBox box = find_box (e->model);
   const double least = e->multiplier[e->worst_way][e->worst];
   QnPlotPlace place;
@@ -261,6 +262,8 @@ draw_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
     qn_plot_new (_ ("position of the front (m)"), _ ("load multiplier"));
   plot->title = e->model->title;
   plot->x.from_zero = false;
+  plot->x.low = fmin (e->x[0], blocks.min.x); /* all that is drawn below */
+  plot->x.high = fmax (e->x[e->count - 1], blocks.max.x);
   plot->y.high = CURVE_TOP * least;
   qn_plot_mark (plot, QN_MARKS_LINE, _ ("to the right"), 0, e->x, e->multiplier[0],
                 e->count);
@@ -269,7 +272,7 @@ draw_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
     ->dash = QN_USUAL_DASH;
   qn_plot_points (plot, _ ("least"), QN_SERIES_REFERENCE, &e->x[e->worst],
                   &e->multiplier[e->worst_way][e->worst], 1, QN_MARKER_DOT, 5);
-  double scale = AXIS_SHARE * frame.width / (e->x[e->count - 1] - e->x[0] + 1e-9);
+  double scale = AXIS_SHARE * frame.width / (plot->x.high - plot->x.low);
   double below = scale * (box.max.y - box.min.y) + 3 * MARGIN * page->unit;
   frame.height = fmax (frame.height - below, CURVE_SHARE * frame.height);
   qn_plot_draw (plot, cr, page->unit, &frame, &place);
