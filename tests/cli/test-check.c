@@ -158,9 +158,19 @@ test_result (void)
   cli_fails (3, NULL, "check", other, "--result", result, NULL);
 }
 
+/* What Poisson's ratio 0.2 misses in a grid: nu/(1 - nu) and nu2. */
+static void
+test_poisson (void)
+{
+  g_autofree char *model = cli_example ("52-reinforced-wall.quoin");
+  cli_says ("both are 25 % too large, stiffness between rigid sides 4 % too low", "check",
+            model, NULL);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/cli/check/counts", test_counts);
+  g_test_add_func ("/cli/check/poisson", test_poisson);
   g_test_add_func ("/cli/check/json", test_json);
   g_test_add_func ("/cli/check/unsound", test_unsound);
   g_test_add_func ("/cli/check/gap", test_gap);

@@ -193,6 +193,60 @@ sheet_motion (const Sheet *sheet, int i, int j)
          + 3 * (j * sheet->nx + i);
 }
 
+/* Equal pressure on the edges that `sides` names: 1 those at the ends, 2 those above and below. */
+static void
+sheet_press (Sheet *sheet, double pressure, int sides)
+{
+  const double dx = 2 * sheet->l / sheet->nx, dy = 2 * sheet->c / sheet->ny;
+  for (int side = -1; side <= 1; side += 2) {
+    for (int j = 0; (sides & 1) != 0 && j < sheet->ny; j++)
+      sheet_push (sheet, side < 0 ? 0 : sheet->nx - 1, j, side * sheet->l,
+                  (j + 0.5) * dy - sheet->c, -side * pressure * dy, 0);
+    for (int i = 0; (sides & 2) != 0 && i < sheet->nx; i++)
+      sheet_push (sheet, i, side < 0 ? 0 : sheet->ny - 1, (i + 0.5) * dx - sheet->l,
+                  side * sheet->c, 0, -side * pressure * dx);
+  }
+}
+
+/* The strain between the middles of the outer cells, in both directions. */
+static QnVec2
+sheet_strain (const Sheet *sheet)
+{
+  const int nx = sheet->nx, ny = sheet->ny;
+  return qn_vec2 (
+    (sheet_motion (sheet, nx - 1, ny / 2)[0] - sheet_motion (sheet, 0, ny / 2)[0])
+      / (2 * sheet->l * (nx - 1) / nx),
+    (sheet_motion (sheet, nx / 2, ny - 1)[1] - sheet_motion (sheet, nx / 2, 0)[1])
+      / (2 * sheet->c * (ny - 1) / ny));
+}
+
+/* The error for want of Poisson's effect. A continuum in plane stress has the strain -p/E along one
+ * pressure and nu p/E across it, p (1 - nu)/E in both directions under two, and p (1 - nu2)/E between sides
+ * that do not move. A grid has -p/E, 0, -p/E, -p/E: nothing else errs, whatever the cells. */
+static void
+test_poisson (void)
+{
+  const double p = 1e5;
+  for (int i = 1; i <= 3; i++) {
+    const double nu = 0.1 * i;
+    for (int sides = 1; sides <= 3; sides++) {
+      Sheet sheet;
+      sheet_init (&sheet, 1.5, 1, 7, 5);
+      sheet.run.model.laws[0].ks = E / (1 + nu);
+      sheet_press (&sheet, p, sides);
+      test_run_solve (&sheet.run);
+      const QnVec2 strain = sheet_strain (&sheet);
+      g_assert_cmpfloat_with_epsilon (strain.x / (p / E), sides & 1 ? -1 : 0, 1e-9);
+      g_assert_cmpfloat_with_epsilon (strain.y / (p / E), sides & 2 ? -1 : 0, 1e-9);
+      if (sides == 3)
+        g_test_message ("nu %.1f: equal pressure %+.1f %%, confined %+.1f %% strain", nu,
+                        100 * (strain.x * E / (-p * (1 - nu)) - 1),
+                        100 * (strain.x * E / (-p * (1 - nu * nu)) - 1));
+      test_run_clear (&sheet.run);
+    }
+  }
+}
+
 /* Equal shear along all four edges: every joint slips by the same, and the strain is that of the
  * modulus of shear. */
 static void
@@ -448,10 +502,53 @@ test_arrangement (void)
   }
 }
 
+/* Laws of fibres are elastic in shear: a wall of them does not crack along a diagonal, a column does not
+ * need to, nor a frame but for its corners. The law of joints slides. */
+static void
+test_elastic_shear (void)
+{
+  static const struct {
+    const char *cells, *kind;
+    guint findings;
+  } cases[] = {
+    { GRID ("[1, 3]", "[2, 6]"), "\"concrete\", \"strength\": 3e7", 1 },
+    { GRID ("[1, 3]", "[1, 6]"), "\"concrete\", \"strength\": 3e7", 0 },
+    { GRID (
+        "[3, 3]",
+        "[6, 6], \"openings\": [ { \"at\": [0.5, 0], \"width\": 2, \"height\": 2.5 } ]"),
+      "\"concrete\", \"strength\": 3e7", 0 },
+    { GRID ("[1, 3]", "[2, 6]"), "\"elastic-plastic\", \"yield\": 3e8", 1 },
+    { GRID ("[1, 3]", "[2, 6]"),
+      "\"mohr-coulomb\", \"friction\": 1.4, \"cohesion\": 4e6, \"tension\": 2e6, "
+      "\"compression\": 3e7",
+      0 },
+    { GRID ("[1, 3]", "[2, 6]"), "\"elastic\"", 0 },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text = g_strdup_printf (
+      "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"c\", "
+      "\"basis\": "
+      "\"material\", \"kn\": 3e10, \"ks\": 3e10, \"kind\": %s } ], \"masonry\": [ { %s, "
+      "\"thickness\": 1, \"unit_weight\": 2e4, \"foundation\": 0.2 } ], \"contact\": { "
+      "\"law\": \"c\" } }",
+      cases[i].kind, cases[i].cells);
+    g_auto (QnProject) project;
+    g_auto (QnContacts) contacts;
+    QnDiag diag;
+    g_assert_true (qn_project_parse (text, strlen (text), "wall", NULL, &project, NULL));
+    g_assert_true (qn_project_prepare (&project, NULL));
+    g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, &diag), ==, QN_OK);
+    g_assert_cmpuint (contacts.findings.count, ==, cases[i].findings);
+    if (cases[i].findings > 0)
+      g_assert_cmpint (contacts.findings.items[0].problem, ==, QN_PROBLEM_LAW_SHEAR);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/verify/continuum/beam", test_beam);
   g_test_add_func ("/verify/continuum/compression", test_compression);
+  g_test_add_func ("/verify/continuum/poisson", test_poisson);
   g_test_add_func ("/verify/continuum/shear", test_shear);
   g_test_add_func ("/verify/continuum/bending", test_bending);
   g_test_add_func ("/verify/continuum/deep-beam", test_deep_beam);
@@ -459,4 +556,5 @@ QN_TESTS
   g_test_add_func ("/verify/continuum/buckling", test_buckling);
   g_test_add_func ("/verify/continuum/rigid-joint", test_rigid_joint);
   g_test_add_func ("/verify/continuum/arrangement", test_arrangement);
+  g_test_add_func ("/verify/continuum/elastic-shear", test_elastic_shear);
 }

@@ -105,6 +105,13 @@ print_elasticities (const QnModel *model)
                    "kn %.6g, ks %.6g Pa\n"),
                 law->name, law->elasticity, law->poisson,
                 qn_arrangement_names[law->arrangement], law->kn, law->ks);
+    if (law->elasticity > 0 && law->poisson > 0
+        && law->arrangement == QN_ARRANGEMENT_GRID)
+      qn_print (
+        _ ("  one direction does not strain the other: strains under equal stress in "
+           "both are %.3g %% too large, stiffness between rigid sides %.3g %% too "
+           "low\n"),
+        100 * law->poisson / (1 - law->poisson), 100 * law->poisson * law->poisson);
   }
 }
 

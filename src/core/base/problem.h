@@ -47,6 +47,7 @@
   X (RIGID_JOINT, "both sides of a joint by material are rigid: nothing can deform") \
   X (LAW_CHAIN, "law of a chain joins blocks that have neighbours in two directions: its shear stiffness is half the right one") \
   X (LAW_GRID, "law of a grid joins blocks in one direction only: its shear stiffness is twice the right one") \
+  X (LAW_SHEAR, "shear of this law stays elastic: between blocks that have neighbours in two directions neither diagonal cracks nor sliding are represented") \
   X (BAR_BASIS, "a bar needs a law by area: basis surface or material") \
   X (BAR_SHORT, "bar has no length") \
   X (BAR_END, "bar ends in no block") \

@@ -210,44 +210,60 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   return status == QN_OK ? check_springs (model, contacts, (QnId) index, diag) : status;
 }
 
-/* How the blocks lie that laws with an elasticity join: a law of a chain whose blocks have neighbours
- * in two directions, or of a grid where none has, is a finding of its first block. */
+/* What laws are used for: the sides of faces with each, and those that make its blocks have neighbours in
+ * two directions. */
+typedef struct LawUse {
+  QnId block; /* the first; of a chain the first with neighbours in two directions */
+  size_t sides, sideways;
+} LawUse;
+
+static bool
+report_use (QnFindings *findings, const QnLaw *law, QnId id, const LawUse *use)
+{
+  const bool chain = law->arrangement == QN_ARRANGEMENT_CHAIN;
+  QnFinding finding = {
+    .block_a = use->block, .block_b = QN_NONE, .subject = id, .problem = QN_PROBLEM_NONE
+  };
+
+  if (use->sides > 0 && law->elasticity > 0 && chain == (use->sideways > 0))
+    finding.problem = chain ? QN_PROBLEM_LAW_CHAIN : QN_PROBLEM_LAW_GRID;
+  if (finding.problem != QN_PROBLEM_NONE && !qn_findings_add (findings, finding))
+    return false;
+  finding.problem = QN_PROBLEM_LAW_SHEAR;
+  return !qn_law_yields (law->kind) || qn_law_may_bond (law->kind)
+         || 4 * use->sideways <= use->sides || qn_findings_add (findings, finding);
+}
+
+/* How the blocks lie that laws join. It is a finding of the first block where a law of a chain joins blocks
+ * that have neighbours in two directions, or one of a grid blocks where none has; and where many blocks of
+ * a law that is elastic in shear have, which is more than the corners of frames. */
 static QnStatus
 judge_arrangements (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   QnVec2 *first = qn_alloc (model->block_count, sizeof *first);
-  QnFinding *found = qn_alloc (model->law_count, sizeof *found);
-  bool room = first != NULL && found != NULL;
+  LawUse *uses = qn_alloc (model->law_count, sizeof *uses);
+  bool room = first != NULL && uses != NULL;
 
   for (size_t i = 0; room && i < 2 * contacts->face_count; i++) {
     const QnContactFace *face = &contacts->faces[i / 2];
     QnId block = i % 2 == 0 ? face->a : face->b;
     QnId id = i % 2 == 0 ? face->law_a : face->law_b;
-    if (!(model->laws[id].elasticity > 0) || model->blocks[block].rigid)
+    LawUse *use = &uses[id];
+    if (model->blocks[block].rigid)
       continue;
-    QnFinding *finding = &found[id];
-    bool chain = model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN;
-    if (finding->problem == QN_PROBLEM_NONE)
-      *finding =
-        (QnFinding){ .problem = chain ? QN_PROBLEM_LAW_CHAIN : QN_PROBLEM_LAW_GRID,
-                     .block_a = block,
-                     .block_b = QN_NONE,
-                     .subject = id };
+    if (use->sides++ == 0)
+      use->block = block;
     if (qn_vec2_length (first[block]) == 0)
       first[block] = face->normal;
     else if (fabs (qn_vec2_cross (first[block], face->normal)) > SIDEWAYS
-             && finding->value++ == 0 && chain)
-      finding->block_a = block;
+             && use->sideways++ == 0
+             && model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN)
+      use->block = block;
   }
-  for (size_t i = 0; room && i < model->law_count; i++) {
-    if (found[i].problem == QN_PROBLEM_NONE
-        || (found[i].problem == QN_PROBLEM_LAW_CHAIN) != (found[i].value > 0))
-      continue;
-    found[i].value = 0;
-    room = qn_findings_add (&contacts->findings, found[i]);
-  }
+  for (size_t i = 0; room && i < model->law_count; i++)
+    room = report_use (&contacts->findings, &model->laws[i], (QnId) i, &uses[i]);
   free (first);
-  free (found);
+  free (uses);
   return room ? QN_OK : qn_diag_no_memory (diag);
 }
 

@@ -395,8 +395,8 @@ examine_dead_load (Doubts *d)
   bool any = false;
   for (size_t i = 0; i < model->dead_load_count; i++)
     any |= qn_vec2_length (qn_model_load_resultant (model, i)) > 0;
-  if (any || model->live_load_count == 0 || model->block_count < 2
-      || !needs_pressure (model))
+  if (any || model->live_load_count == 0 || model->block_count < 2 || model->bar_count > 0
+      || model->tie_count > 0 || !needs_pressure (model))
     return;
   d->no_memory |= !qn_findings_add (
     d->findings, (QnFinding){ QN_PROBLEM_DOUBT_NO_DEAD_LOAD, QN_NONE, QN_NONE,

@@ -355,6 +355,8 @@ dup_finding_path (const QnProject *project, const QnFinding *finding)
   case QN_PROBLEM_LAW_CHAIN:
   case QN_PROBLEM_LAW_GRID:
     return g_strdup_printf ("laws[%d].arrangement", (int) finding->subject);
+  case QN_PROBLEM_LAW_SHEAR:
+    return g_strdup_printf ("laws[%d].kind", (int) finding->subject);
   case QN_PROBLEM_PAIRS_BENDING:
   case QN_PROBLEM_PAIRS_CRUSHING:
     return g_strdup ("contact.pairs");

@@ -318,11 +318,23 @@ static void
 test_no_dead_load (void)
 {
   double value;
-  for (int kind = 0; kind < 4; kind++) {
+  for (int kind = 0; kind < 5; kind++) {
     g_auto (QnModel) model;
     test_model_init_stack (&model, 2, 1, 0.5);
     test_model_add_weight_loads (&model, 1);
     model.dead_load_count = kind == 0 ? 1 : 0;
+    if (kind == 4) { /* which carries */
+      QnLaw *steel = qn_model_add_law (&model, "steel");
+      *steel = (QnLaw){ .name = steel->name,
+                        .kind = QN_LAW_ELASTIC,
+                        .basis = QN_BASIS_MATERIAL,
+                        .kn = 2e11,
+                        .ks = 2e11,
+                        .shear_factor = 1 };
+      QnBar *bar = qn_model_add_bar (&model);
+      *bar =
+        (QnBar){ .law = 1, .area = 1e-4, .start = { 0.5, -0.25 }, .end = { 0.5, 0.75 } };
+    }
     if (kind == 2)
       model.laws[0].kind = QN_LAW_ELASTIC;
     if (kind == 3)
