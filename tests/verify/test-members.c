@@ -313,8 +313,76 @@ test_soft_on_stiff (void)
   }
 }
 
+/* A block by contact on a column of cells by material: shortening under N, shear under V at the joint,
+ * rotation under M. The joint's two pairs are at its ends, so that the half cell behind it has three times
+ * its bending stiffness. */
+static void
+test_block_on_cells (void)
+{
+  enum { CELLS = 4 };
+  const double cell = 0.3, height = CELLS * cell, area = depth * width;
+  const double inertia = width * depth * depth * depth / 12, kn = 3e8, ks = 1e8;
+  const double N = 5e5, V = 2e5, M = 3e4, shear = young / 2 * 5 / 6;
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+  init_cantilever (&model, 0, QN_LAW_ELASTIC, (QnPairRule){ 0 });
+  model.contact.pairs.placement = QN_PLACEMENT_DEFAULT;
+  QnLaw *joint = qn_model_add_law (&model, "joint");
+  *joint = (QnLaw){ .name = joint->name,
+                    .kind = QN_LAW_COULOMB,
+                    .basis = QN_BASIS_CONTACT,
+                    .kn = kn,
+                    .ks = ks,
+                    .friction = 0.6 };
+  model.blocks[0].law = 0;
+  model.blocks[0].rigid = true;
+  for (int i = 0; i <= CELLS; i++) {
+    g_autofree char *name = g_strdup_printf ("c%d", i);
+    QnBlock *block =
+      test_model_add_rectangle (&model, name, i * cell, -depth / 2, cell, depth);
+    block->thickness = width;
+    block->unit_weight = 0;
+  }
+  const QnId top = (QnId) model.block_count - 1;
+  model.blocks[top].law = 2;
+  QnLoad *load = qn_model_add_dead_load (&model);
+  *load = (QnLoad){ .kind = QN_LOAD_FORCE, .block = top, .vector = { -N, 0 } };
+  load = qn_model_add_live_load (&model);
+  *load = (QnLoad){ .kind = QN_LOAD_FORCE,
+                    .block = top,
+                    .vector = { 0, V },
+                    .has_at = true,
+                    .at = { height, 0 } };
+  load = qn_model_add_live_load (&model);
+  *load = (QnLoad){ .kind = QN_LOAD_FORCE, .block = top, .moment = M };
+  model.analysis.increments = 1;
+  model.analysis.max_multiplier = 1;
+  solve (&model, &contacts, &result);
+
+  const double *dead = qn_result_step_displacements (&result, 0) + 3 * top;
+  const double *u = qn_result_step_displacements (&result, 1) + 3 * top;
+  const double shortening = N * (height / (young * area) + 1 / (2 * kn));
+  const double pair = 1 / (1 / kn + cell / (young * area));
+  double turn = M * 2 / (pair * depth * depth);
+  double sway = V * (height / (shear * area) + 1 / (2 * ks));
+  for (int i = 0; i < CELLS; i++) {
+    const double arm = height - i * cell, length = i == 0 ? cell / 2 : cell;
+    const double curvature = (M + V * arm) / (young * inertia);
+    turn += curvature * length;
+    sway += curvature * length * arm;
+  }
+  g_assert_cmpfloat_with_epsilon (-dead[0] / shortening, 1, 1e-12);
+  g_assert_cmpfloat_with_epsilon (u[2] / turn, 1, 1e-9);
+  g_assert_cmpfloat_with_epsilon ((u[1] - u[2] * cell / 2) / sway, 1, 1e-9);
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/verify/members/block-on-cells", test_block_on_cells);
   g_test_add_func ("/verify/members/cantilever", test_cantilever);
   g_test_add_func ("/verify/members/second-order", test_second_order);
   g_test_add_func ("/verify/members/uniform-pairs", test_uniform_pairs);

@@ -41,7 +41,6 @@
   X (CURVE_ORDER, "points of the curve must have growing elongations") \
   X (CURVE_SIGN, "force of the point acts against its elongation") \
   X (CURVE_TOO_STEEP, "curve rises more steeply than kn") \
-  X (BASES_DIFFER, "laws on the two sides of a face have different bases") \
   X (PAIR_POSITION, "positions must increase from 0 to 1") \
   X (PAIR_WEIGHTS, "weights must be positive and add up to 1") \
   X (RIGID_JOINT, "both sides of a joint by material are rigid: nothing can deform") \

@@ -63,14 +63,43 @@ qn_pair_vibration_tangent (const QnPairSprings *s, const QnPairResponse *r, doub
   tangent[1] = tangent[2] = 0;
 }
 
+/* The most that a spring carries, N, in tension and in compression. */
+static void
+find_strength (const QnSpring *s, double *tension, double *compression)
+{
+  bool concrete = s->kind == QN_LAW_CONCRETE;
+  bool opens = concrete || s->kind == QN_LAW_NO_TENSION || qn_law_may_bond (s->kind);
+
+  *tension = opens ? s->cap : INFINITY;
+  *compression = concrete ? s->strength : s->compression > 0 ? s->compression : INFINITY;
+}
+
+/* The steepest descent of a spring that the other one is strong enough to bring about. */
+static double
+reached_softening (const QnSpring *spring, const QnSpring *other)
+{
+  double own[2], most[2];
+  QnSpring reached = *spring;
+
+  find_strength (spring, &own[0], &own[1]);
+  find_strength (other, &most[0], &most[1]);
+  if (most[0] < own[0])
+    reached.cap = 0;
+  if (most[1] < own[1]) {
+    reached.ultimate = INFINITY;
+    reached.crushing = 0;
+  }
+  return qn_spring_softening (&reached);
+}
+
 bool
 qn_pair_springs_snap_back (const QnPairSprings *springs)
 {
-  double a = qn_spring_softening (&springs->a), b = qn_spring_softening (&springs->b);
+  const QnSpring *a = &springs->a, *b = &springs->b;
 
   if (springs->equal)
-    return !isfinite (a);
-  return a >= springs->b.kn || b >= springs->a.kn;
+    return !isfinite (qn_spring_softening (a));
+  return reached_softening (a, b) >= b->kn || reached_softening (b, a) >= a->kn;
 }
 
 static void

@@ -128,16 +128,22 @@ may_soften (const QnModel *model, const QnContacts *contacts, QnId pair)
   return false;
 }
 
-/* Refuses different bases on the two sides of a face, and springs that would snap back. */
+/* Whether a joint is all by contact, by area, or by material. */
+static bool
+is_of_one_basis (const QnModel *model, const QnContactFace *face)
+{
+  return model->laws[face->law_a].basis == model->laws[face->law_b].basis;
+}
+
+/* Refuses a joint by material whose two sides do not deform, and springs that would snap back. */
 static QnStatus
 check_springs (const QnModel *model, const QnContacts *contacts, QnId index, QnDiag *diag)
 {
   const QnContactFace *face = &contacts->faces[index];
-
-  if (model->laws[face->law_a].basis != model->laws[face->law_b].basis)
-    return refuse (face, QN_PROBLEM_BASES_DIFFER, diag);
   const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
-  if (a->rigid && b->rigid && model->laws[face->law_a].basis == QN_BASIS_MATERIAL
+
+  if (a->rigid && b->rigid && is_of_one_basis (model, face)
+      && model->laws[face->law_a].basis == QN_BASIS_MATERIAL
       && !(qn_support_is_full (a->support) && qn_support_is_full (b->support)))
     return refuse (face, QN_PROBLEM_RIGID_JOINT, diag);
   for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
@@ -172,7 +178,7 @@ judge_pairs (const QnModel *model, const QnContactFace *face, const QnPairRule *
              QnFinding *bending, QnFinding *crushing)
 {
   const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
-  bool per_pair = a->basis == QN_BASIS_CONTACT;
+  bool per_pair = a->basis == QN_BASIS_CONTACT || b->basis == QN_BASIS_CONTACT;
 
   if (!per_pair && model->analysis.geometry == QN_GEOMETRY_NONLINEAR
       && rule->placement != QN_PLACEMENT_LOBATTO) {
@@ -187,6 +193,18 @@ judge_pairs (const QnModel *model, const QnContactFace *face, const QnPairRule *
   }
 }
 
+/* The law that says how many pairs a face has where the rule does not: stiffness per pair is that of a
+ * pair at an end, and crushing needs more of them. */
+static const QnLaw *
+deciding_law (const QnModel *model, const QnContactFace *face)
+{
+  const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
+
+  if ((a->basis == QN_BASIS_CONTACT) != (b->basis == QN_BASIS_CONTACT))
+    return a->basis == QN_BASIS_CONTACT ? a : b;
+  return qn_law_yields (a->kind) ? a : b;
+}
+
 /* Everything about the pairs of one face. */
 static QnStatus
 furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
@@ -198,10 +216,8 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
 
   face->law_a = law_of_side (model, face->a, face->b, exception);
   face->law_b = law_of_side (model, face->b, face->a, exception);
-  const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
-  QnPairRule rule =
-    qn_pair_rule_by_law (own_pairs ? &exception->pairs : &model->contact.pairs,
-                         qn_law_yields (a->kind) ? a : b);
+  QnPairRule rule = qn_pair_rule_by_law (
+    own_pairs ? &exception->pairs : &model->contact.pairs, deciding_law (model, face));
   QnStatus status = place_pairs (contacts, index, &rule, diag);
   if (status == QN_OK)
     judge_pairs (model, face, &rule, &judged[0], &judged[1]);
@@ -249,7 +265,7 @@ judge_arrangements (const QnModel *model, QnContacts *contacts, QnDiag *diag)
     QnId block = i % 2 == 0 ? face->a : face->b;
     QnId id = i % 2 == 0 ? face->law_a : face->law_b;
     LawUse *use = &uses[id];
-    if (model->blocks[block].rigid)
+    if (model->blocks[block].rigid || !is_of_one_basis (model, face))
       continue;
     if (use->sides++ == 0)
       use->block = block;
