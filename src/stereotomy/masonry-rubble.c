@@ -38,14 +38,17 @@ check_rubble (const QnRubble *rubble, QnDiag *diag)
   /* There is one stone in a row and one row at least, however flat or narrow. */
   const double pieces = fmax (1, fmax (rubble->width, rubble->top) / rubble->stone)
                         * fmax (1, rubble->height / (FLATNESS * rubble->stone));
+  const bool cells = rubble->relaxed;
+  const char *stone = cells ? "cell" : "stone", *width = cells ? "size" : "width";
   return qn_required (
-    qn_require_length (of, "width", rubble->width, QN_RANGE_POSITIVE)
-    && qn_require_length (of, "width", rubble->top, QN_RANGE_POSITIVE)
-    && qn_require_length (of, "height", rubble->height, QN_RANGE_POSITIVE)
-    && qn_require_length (of, "stone", rubble->stone, QN_RANGE_POSITIVE)
+    qn_require_length (of, width, rubble->width, QN_RANGE_POSITIVE)
+    && qn_require_length (of, width, rubble->top, QN_RANGE_POSITIVE)
+    && qn_require_length (of, cells ? "size" : "height", rubble->height,
+                          QN_RANGE_POSITIVE)
+    && qn_require_length (of, stone, rubble->stone, QN_RANGE_POSITIVE)
     && qn_require (of, rubble->irregularity >= 0 && rubble->irregularity <= 1,
                    QN_PROBLEM_FRACTION, "irregularity", rubble->irregularity)
-    && qn_require (of, pieces <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS, "stone",
+    && qn_require (of, pieces <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS, stone,
                    rubble->stone));
 }
 

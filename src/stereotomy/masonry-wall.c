@@ -5,9 +5,10 @@ check_leaf (const QnMasonryWall *wall, const QnLeaf *leaf, QnDiag *diag)
 {
   bool listed = leaf->bond == QN_BOND_CUSTOM;
   const QnSubject of = qn_masonry_subject (diag);
+  const char *unit = wall->grid ? "size" : "unit";
   bool holds =
-    qn_require_length (of, "unit", leaf->unit.x, QN_RANGE_POSITIVE)
-    && qn_require_length (of, "unit", leaf->unit.y, QN_RANGE_POSITIVE)
+    qn_require_length (of, unit, leaf->unit.x, QN_RANGE_POSITIVE)
+    && qn_require_length (of, unit, leaf->unit.y, QN_RANGE_POSITIVE)
     && qn_require_length (of, "header", leaf->header, QN_RANGE_NOT_NEGATIVE)
     && (listed || qn_require_length (of, "length", leaf->length, QN_RANGE_POSITIVE))
     && qn_require (of, leaf->lap >= 0 && leaf->lap < 1, QN_PROBLEM_FRACTION, "lap",
@@ -37,7 +38,8 @@ check_wall (const QnMasonry *masonry, QnDiag *diag)
   QN_ASSERT (wall->leaf_count > 0);
   const QnSubject of = qn_masonry_subject (diag);
   bool holds = wall->leaves[0].bond == QN_BOND_CUSTOM
-               || qn_require_length (of, "height", wall->height, QN_RANGE_POSITIVE);
+               || qn_require_length (of, wall->grid ? "size" : "height", wall->height,
+                                     QN_RANGE_POSITIVE);
   for (size_t i = 0; holds && i < wall->course_height_count; i++)
     holds = qn_require_length (of, "course_heights", wall->course_heights[i],
                                QN_RANGE_POSITIVE);

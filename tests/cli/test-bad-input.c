@@ -98,6 +98,30 @@ test_bad_input (gconstpointer data)
   }
 }
 
+/* Walls of cells and their bars: one change of a sound one. */
+static void
+test_cells (void)
+{
+  static const char *const changes[][2] = {
+    { "laws[0].kn=1e10", "laws[0].kn: elasticity excludes" },
+    { "laws[0].poisson=0.5", "laws[0].poisson" },
+    { "laws[0].basis=surface", "laws[0].elasticity" },
+    { "bars[0].end=[0.06,6]", "bars[0].end: bar ends in no block" },
+    { "bars[0].end=[0.06,-0.1]", "bars[0]: bar crosses no contact face" },
+    { "masonry[0].cells=[0,5]", "masonry[0].cells" },
+    { "masonry[0].cells=[5000,2000]", "masonry[0].cells" },
+    { "masonry[0].size=[0,2]", "masonry[0].size: number must be positive" },
+    { "masonry[0].size=[1.2,-1]", "masonry[0].size: number must be positive" },
+  };
+  g_autofree char *model = cli_example ("52-reinforced-wall.quoin");
+  for (size_t i = 0; i < G_N_ELEMENTS (changes); i++)
+    cli_fails (3, changes[i][1], "check", model, "--set", changes[i][0], NULL);
+  cli_fails (3, "masonry[0].cell: more blocks", "generate", "voronoi", "size=3x1",
+             "cell=0.0001", "-o", "-", NULL);
+  cli_fails (3, "masonry[0].cell: number must be positive", "generate", "voronoi",
+             "size=3x1", "cell=0", "-o", "-", NULL);
+}
+
 /* Whole files that are wrong, not single keys. */
 static void
 file_fails (const char *text, const char *part)
@@ -215,6 +239,7 @@ QN_TESTS
     g_autofree char *path = g_strconcat ("/cli/bad-input/", bad_inputs[i].name, NULL);
     g_test_add_data_func (path, &bad_inputs[i], test_bad_input);
   }
+  g_test_add_func ("/cli/bad-input/cells", test_cells);
   g_test_add_func ("/cli/bad-input/empty", test_empty);
   g_test_add_func ("/cli/bad-input/truncated", test_truncated);
   g_test_add_func ("/cli/bad-input/nested-brackets", test_nested_brackets);

@@ -1,6 +1,7 @@
 /* generate, import and export: models in and out. */
 #include "cli-run.h"
 #include "support/room.h"
+#include "support/table.h"
 
 #include <string.h>
 
@@ -148,6 +149,58 @@ test_bad_import (void)
   cli_fails (2, "--unit", "import", bad, "--unit", "parsec", "-o", output, NULL);
 }
 
+/* Two bars hold a block, nothing else does: 100 kN on 400 mm2 are 250 MPa in both, and both yield. */
+static void
+test_export_bars (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (
+    folder, "tie.quoin",
+    "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"concrete\", "
+    "\"kind\": "
+    "\"no-tension\", \"basis\": \"material\", \"kn\": 3e10, \"ks\": 3e10 }, { \"name\": "
+    "\"steel\", \"kind\": \"elastic-plastic\", \"basis\": \"material\", \"kn\": 2e11, "
+    "\"ks\": 8e10, \"yield\": 5e8 } ], \"blocks\": [ { \"name\": \"held\", \"vertices\": "
+    "[[0, "
+    "0], [1, 0], [1, 0.2], [0, 0.2]], \"thickness\": 0.2, \"unit_weight\": 0, "
+    "\"support\": "
+    "[true, true, true] }, { \"name\": \"pulled\", \"vertices\": [[1, 0], [2, 0], [2, "
+    "0.2], "
+    "[1, 0.2]], \"thickness\": 0.2, \"unit_weight\": 0 } ], \"bars\": [ { \"law\": "
+    "\"steel\", "
+    "\"area\": 1e-4, \"start\": [0.5, 0.05], \"end\": [1.5, 0.05] }, { \"law\": "
+    "\"steel\", "
+    "\"area\": 3e-4, \"start\": [0.5, 0.15], \"end\": [1.5, 0.15] } ], \"contact\": { "
+    "\"law\": "
+    "\"concrete\" }, \"loads\": { \"live\": [ { \"kind\": \"force\", \"block\": "
+    "\"pulled\", "
+    "\"at\": [1.5, 0.125], \"value\": [1000, 0] } ] }, \"analysis\": { "
+    "\"max_multiplier\": 100 "
+    "} }");
+  g_autofree char *result = file_in (folder, "tie.json"),
+                  *csv = file_in (folder, "b.csv");
+  for (int yields = 0; yields < 2; yields++) {
+    cli_do ("solve", model, "-q", "-o", result, "--set",
+            yields ? "analysis.max_multiplier=300" : "analysis.max_multiplier=100", NULL);
+    cli_do ("export", model, "--result", result, "--table", "bars", "-o", csv,
+            yields ? "--set=analysis.max_multiplier=300"
+                   : "--set=analysis.max_multiplier=100",
+            NULL);
+    g_autofree char *text = cli_read (csv);
+    g_autoptr (GPtrArray) table = test_table_read (text);
+    g_assert_cmpuint (table->len, ==, 3);
+    for (guint bar = 0; bar < 2; bar++) {
+      const double stress = yields ? 5e8 : 2.5e8, area = bar == 0 ? 1e-4 : 3e-4;
+      g_assert_cmpfloat_with_epsilon (test_table_number (table, bar + 1, "stress [Pa]"),
+                                      stress, 1e-6 * stress);
+      g_assert_cmpfloat_with_epsilon (test_table_number (table, bar + 1, "force [N]"),
+                                      stress * area, 1e-6 * stress * area);
+      g_assert_cmpfloat (test_table_number (table, bar + 1, "x [m]"), ==, 1);
+    }
+    g_assert_true ((strstr (text, ",yield\n") != NULL) == (yields == 1));
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/cli/exchange/generate", test_generate);
@@ -155,6 +208,7 @@ QN_TESTS
   g_test_add_func ("/cli/exchange/round-trip", test_round_trip);
   g_test_add_func ("/cli/exchange/mortar", test_mortar);
   g_test_add_func ("/cli/exchange/export-results", test_export_results);
+  g_test_add_func ("/cli/exchange/export-bars", test_export_bars);
   g_test_add_func ("/cli/exchange/export-polygons", test_export_polygons);
   g_test_add_func ("/cli/exchange/bad-import", test_bad_import);
 }
