@@ -250,13 +250,19 @@ report_use (QnFindings *findings, const QnLaw *law, QnId id, const LawUse *use)
          || 4 * use->sideways <= use->sides || qn_findings_add (findings, finding);
 }
 
+/* A face of a block, the first one of those with its law. */
+typedef struct FirstFace {
+  QnVec2 normal;
+  QnId law;
+} FirstFace;
+
 /* How the blocks lie that laws join. It is a finding of the first block where a law of a chain joins blocks
  * that have neighbours in two directions, or one of a grid blocks where none has; and where many blocks of
  * a law that is elastic in shear have, which is more than the corners of frames. */
 static QnStatus
 judge_arrangements (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
-  QnVec2 *first = qn_alloc (model->block_count, sizeof *first);
+  FirstFace *first = qn_alloc (model->block_count, sizeof *first);
   LawUse *uses = qn_alloc (model->law_count, sizeof *uses);
   bool room = first != NULL && uses != NULL;
 
@@ -269,9 +275,10 @@ judge_arrangements (const QnModel *model, QnContacts *contacts, QnDiag *diag)
       continue;
     if (use->sides++ == 0)
       use->block = block;
-    if (qn_vec2_length (first[block]) == 0)
-      first[block] = face->normal;
-    else if (fabs (qn_vec2_cross (first[block], face->normal)) > SIDEWAYS
+    if (qn_vec2_length (first[block].normal) == 0)
+      first[block] = (FirstFace){ face->normal, id };
+    else if (first[block].law == id
+             && fabs (qn_vec2_cross (first[block].normal, face->normal)) > SIDEWAYS
              && use->sideways++ == 0
              && model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN)
       use->block = block;
