@@ -19,6 +19,7 @@ test_keys (void)
 {
   static const char *const pages[][3] = { { "win.capacity", "Capacity", "earthquakes" },
                                           { "win.figures", "Figures", "export" },
+                                          { "win.envelope", "Moving Load", "bridges" },
                                           { "win.compare", "Comparison", "results" },
                                           { "win.study", "Study", "uncertainty" } };
   driver_pass_over_gtk ();

@@ -228,20 +228,6 @@ has_number (const QnLoad *load, guint field)
   }
 }
 
-/* The vehicles of the project, then those that are built in. */
-static GPtrArray *
-list_vehicles (const QnModel *model)
-{
-  GPtrArray *list = g_ptr_array_new_with_free_func (g_free);
-  g_auto (GStrv) known = qn_dup_vehicle_names ();
-  for (gsize i = 0; i < model->vehicle_count; i++)
-    g_ptr_array_add (list, g_strdup (model->vehicles[i].name));
-  for (guint i = 0; known[i] != NULL; i++)
-    if (qn_model_find_vehicle (model, known[i]) == QN_NONE)
-      g_ptr_array_add (list, g_strdup (known[i]));
-  return list;
-}
-
 static gboolean
 show_load (const Form *form, guint field, QnValue *value)
 {
@@ -263,9 +249,9 @@ show_load (const Form *form, guint field, QnValue *value)
     value->text = qn_points_dup_text (load->surface, load->surface_count);
     break;
   case VEHICLE: {
-    g_autoptr (GPtrArray) list = list_vehicles (model);
-    for (guint i = 0; i < list->len; i++)
-      qn_value_add_row (value, list->pdata[i]);
+    g_auto (GStrv) list = qn_dup_vehicle_names (model);
+    for (gsize i = 0; list[i] != NULL; i++)
+      qn_value_add_row (value, list[i]);
     value->number = load->vehicle;
     break;
   }
@@ -463,8 +449,8 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
         error, _ ("Expected pairs of numbers with semicolons between them"));
     break;
   case VEHICLE: {
-    g_autoptr (GPtrArray) list = list_vehicles (model);
-    load.vehicle = qn_model_take_vehicle (model, list->pdata[qn_value_int (value)]);
+    g_auto (GStrv) list = qn_dup_vehicle_names (model);
+    load.vehicle = qn_model_take_vehicle (model, list[qn_value_int (value)]);
     break;
   }
   case NORMAL:

@@ -1,5 +1,5 @@
-/* Pages under the drawing, in its window: runs beside each other, the capacity curve, the study, the figures of
- * the project. Each is a floating widget that lives as long as its window shows it. */
+/* Pages under the drawing, in its window: runs beside each other, the capacity curve, the moving load, the
+ * study, the figures of the project. Each is a floating widget that lives as long as its window shows it. */
 #pragma once
 
 #include "doc/view/view-state.h"
@@ -11,6 +11,9 @@
 
 /* The capacity curve of the model, and what it is held against. */
 GtkWidget *qn_capacity_page_new (QnDocument *document);
+
+/* The vehicle among the growing loads, moved over the structure. */
+GtkWidget *qn_envelope_page_new (QnDocument *document);
 
 /* The figures that the project keeps. */
 GtkWidget *qn_figures_page_new (QnDocument *document);

@@ -101,6 +101,7 @@ const QnActionRow qn_action_rows[] = {
          N_ ("Study of uncertain parameters")),
   KEYED (ANALYSIS, "win.capacity", SOLVABLE, ALL, "<Control><Shift>k",
          N_ ("Capacity curve against a spectrum")),
+  ACTION ("win.envelope", DRAWN),
   ACTION ("win.close-page", 0),
   ACTION ("win.show-drawing", 0),
   ACTION ("win.vary", DRAWN),

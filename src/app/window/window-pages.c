@@ -174,6 +174,12 @@ capacity (QnWindow *self, GVariant *parameter)
 }
 
 static void
+envelope (QnWindow *self, GVariant *parameter)
+{
+  show_or_add (self, "envelope", _ ("Moving Load"), qn_envelope_page_new);
+}
+
+static void
 figures (QnWindow *self, GVariant *parameter)
 {
   show_or_add (self, "figures", _ ("Figures of the Project"), qn_figures_page_new);
@@ -270,10 +276,15 @@ void
 qn_window_add_page_actions (QnWindow *self)
 {
   static const QnWindowAction actions[] = {
-    { "compare", NULL, compare },       { "capacity", NULL, capacity },
-    { "figures", NULL, figures },       { "study", NULL, study },
-    { "vary", "(sd)", vary },           { "move-load", "ad", move_load },
-    { "close-page", NULL, close_page }, { "show-drawing", NULL, show_drawing },
+    { "compare", NULL, compare },
+    { "envelope", NULL, envelope },
+    { "capacity", NULL, capacity },
+    { "figures", NULL, figures },
+    { "study", NULL, study },
+    { "vary", "(sd)", vary },
+    { "move-load", "ad", move_load },
+    { "close-page", NULL, close_page },
+    { "show-drawing", NULL, show_drawing },
   };
   qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
 }

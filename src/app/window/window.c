@@ -235,8 +235,11 @@ on_info_button (QnWindow *self)
 static void
 on_page_changed (QnWindow *self)
 {
-  gtk_button_set_label (
-    self->run_button, qn_window_page_has (self, "run") ? _ ("_Run Study") : _ ("So_lve"));
+  const char *page = gtk_stack_get_visible_child_name (self->pages);
+  gtk_button_set_label (self->run_button, !qn_window_page_has (self, "run") ? _ ("So_lve")
+                                          : g_strcmp0 (page, "envelope") == 0
+                                            ? _ ("_Find Envelope")
+                                            : _ ("_Run Study"));
   update_history (self);
 }
 

@@ -16,11 +16,11 @@
  * not hold, which are kept and written back as they are. */
 #define MODEL_KEYS 16
 static const char *const project_keys[] = {
-  "format",  "version",  "title",    "gravity",   "laws",
-  "blocks",  "walls",    "contact",  "loads",     "bars",
-  "ties",    "vehicles", "analysis", "sections",  "nodes",
-  "beams",   "view",     "figures",  "guides",    "underlay",
-  "history", "capacity", "report",   "run_names", QN_MASONRY_MEMBER
+  "format",          "version",  "title",   "gravity",  "laws",   "blocks",
+  "walls",           "contact",  "loads",   "bars",     "ties",   "vehicles",
+  "analysis",        "sections", "nodes",   "beams",    "view",   "figures",
+  "guides",          "underlay", "history", "capacity", "report", "run_names",
+  QN_MASONRY_MEMBER, "envelope"
 };
 
 /* Keys of those that the layers above read, where their values are checked when they are needed. */
@@ -29,6 +29,8 @@ static const char *const capacity_keys[] = { "control",   "spectrum",  "ag",
                                              "mechanism", "confidence" };
 static const char *const report_keys[] = { "sections", "paper",  "every_joint",
                                            "demand",   "author", "text" };
+static const char *const envelope_keys[] = { "vehicles", "from", "to",
+                                             "step",     "ways", "path" };
 static const char *const underlay_keys[] = { "image", "origin",  "width",
                                              "angle", "opacity", "rectangle" };
 static const char *const figure_keys[] = {
@@ -84,6 +86,7 @@ check_extra (const QnJsonValue *place)
   } tables[] = { { "capacity", capacity_keys, G_N_ELEMENTS (capacity_keys) },
                  { "report", report_keys, G_N_ELEMENTS (report_keys) },
                  { "underlay", underlay_keys, G_N_ELEMENTS (underlay_keys) },
+                 { "envelope", envelope_keys, G_N_ELEMENTS (envelope_keys) },
                  { "figures", figure_keys, G_N_ELEMENTS (figure_keys) } };
   gsize t = 0;
   while (t < G_N_ELEMENTS (tables) && strcmp (place->key, tables[t].member) != 0)

@@ -108,12 +108,15 @@ read_built_in (QnModel *model)
 }
 
 char **
-qn_dup_vehicle_names (void)
+qn_dup_vehicle_names (const QnModel *model)
 {
   QnModel list;
   GPtrArray *names = g_ptr_array_new ();
-  if (read_built_in (&list))
-    for (gsize i = 0; i < list.vehicle_count; i++)
+  for (gsize i = 0; model != NULL && i < model->vehicle_count; i++)
+    g_ptr_array_add (names, g_strdup (model->vehicles[i].name));
+  gboolean known = read_built_in (&list);
+  for (gsize i = 0; known && i < list.vehicle_count; i++)
+    if (model == NULL || qn_model_find_vehicle (model, list.vehicles[i].name) == QN_NONE)
       g_ptr_array_add (names, g_strdup (list.vehicles[i].name));
   g_ptr_array_add (names, NULL);
   qn_model_clear (&list);

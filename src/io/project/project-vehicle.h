@@ -4,8 +4,9 @@
 #include "core/model/model.h"
 #include "io/json/json-value.h"
 
-/* Names of the vehicles that are built in, ended by NULL: g_strfreev(). */
-char **qn_dup_vehicle_names (void);
+/* Names of the vehicles of a model (nullable), and of those that are built in behind them, ended by NULL:
+ * g_strfreev(). */
+char **qn_dup_vehicle_names (const QnModel *model);
 
 /* The vehicle of a model with this name; a built-in one is added where the model has none. QN_NONE where
  * there is none, or without memory. */

@@ -79,7 +79,7 @@ test_round_trip (void)
 static void
 test_built_in (void)
 {
-  g_auto (GStrv) names = qn_dup_vehicle_names ();
+  g_auto (GStrv) names = qn_dup_vehicle_names (NULL);
   g_assert_cmpuint (g_strv_length (names), >, 10);
   for (guint i = 0; names[i] != NULL; i++) {
     g_auto (QnProject) project;

@@ -1,0 +1,87 @@
+/* A vehicle that moves over a structure: the load multiplier, and how it collapses, for every position of
+ * its front. */
+#pragma once
+
+#include "core/path/analysis.h"
+#include "io/project/project.h"
+
+/* Member of a project file that keeps the settings. */
+#define QN_ENVELOPE_MEMBER "envelope"
+
+typedef enum { QN_WAYS_BOTH, QN_WAYS_RIGHT, QN_WAYS_LEFT, QN_WAYS_COUNT } QnWays;
+
+typedef struct QnEnvelopeSettings {
+  char *
+    *vehicles; /* names, of the project's or built in; owned; NULL: that of the load */
+  double from,
+    to;        /* m, of the front; not-a-number: from before the structure to behind it */
+  double step; /* m between positions, > 0 */
+  QnWays ways;
+  bool path; /* the path by the project's procedure instead of limit analysis */
+} QnEnvelopeSettings;
+
+/* The project's settings, usual ones where it has none; FALSE with `error`. */
+gboolean qn_envelope_settings_read (const QnProject *project,
+                                    QnEnvelopeSettings *settings, GError **error);
+char *qn_envelope_settings_to_json (const QnEnvelopeSettings *settings);
+void qn_envelope_settings_clear (QnEnvelopeSettings *settings);
+
+/* One vehicle on one way: a result for every position, of which multiplier and mechanism are kept. Where
+ * the vehicle loads nothing, or nothing collapses, it has no multiplier. */
+typedef struct QnEnvelopeLine {
+  QnId vehicle;
+  bool reversed;
+  QnResult *results;
+  double *multipliers; /* not-a-number: none */
+} QnEnvelopeLine;
+
+typedef struct QnEnvelope {
+  QnModel model; /* a copy, prepared */
+  QnContacts contacts;
+  gsize load; /* of the model's live loads */
+  gsize count;
+  double *x; /* positions of the front, m, ascending */
+  QnEnvelopeLine *lines;
+  gsize line_count;
+  bool unstable; /* the dead load alone has no stable equilibrium: nothing was found */
+  gint done;     /* positions of all lines that are computed, line by line; atomic */
+} QnEnvelope;
+
+/* A position of a line. */
+typedef struct QnEnvelopePlace {
+  gsize line, position;
+} QnEnvelopePlace;
+
+/* The vehicle among the growing loads; G_MAXSIZE where there is none. */
+gsize qn_find_vehicle_load (const QnModel *model);
+
+/* An envelope of the project's model that is still to be computed. FALSE with `error`. */
+gboolean qn_envelope_init (QnEnvelope *envelope, const QnModel *model,
+                           const QnEnvelopeSettings *settings, GError **error);
+void qn_envelope_clear (QnEnvelope *envelope);
+
+/* Computes it; of lines being computed others may read what is done. QN_ERROR_CANCELLED where `progress`
+ * says so; QN_ERROR_INVALID with the reason in `diag` otherwise. */
+QnStatus qn_envelope_run (QnEnvelope *envelope, QnProgressFunc progress, void *data,
+                          QnDiag *diag);
+
+/* The structure with the vehicle there, prepared: qn_model_clear(). */
+QnStatus qn_envelope_move (const QnEnvelope *envelope, QnEnvelopePlace at, QnModel *moved,
+                           QnDiag *diag);
+
+/* What has been found there; not-a-number where nothing has. */
+double qn_envelope_multiplier (const QnEnvelope *envelope, QnEnvelopePlace at);
+
+/* The least of what is computed; FALSE where there is none. */
+gboolean qn_envelope_find_least (const QnEnvelope *envelope, QnEnvelopePlace *least);
+
+/* "CS 454 bogie 1.3 m, to the left" */
+char *qn_envelope_dup_line_name (const QnEnvelope *envelope, gsize line);
+/* The adequacy factor there as a sentence; what its axles carry, or NULL where it has none. */
+char *qn_envelope_dup_factor (const QnEnvelope *envelope, QnEnvelopePlace at);
+char *qn_envelope_dup_axles (const QnEnvelope *envelope, QnEnvelopePlace at);
+
+/* A row for each position: "position [m]", and the multiplier of each line, named by its way, and by
+ * its vehicle where there are several. */
+gboolean qn_envelope_write_table (const QnEnvelope *envelope, const char *path,
+                                  GError **error);
