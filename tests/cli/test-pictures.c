@@ -57,8 +57,9 @@ static const Kind kinds[] = {
 static const char *const views[] = { "model",     "contacts", "deformed",
                                      "mechanism", "forces",   "diagrams" };
 static const char *const fields[] = {
-  "none",   "displacement", "displacement-x", "displacement-y", "rotation",
-  "stress", "opening",      "sliding",        "bodies",
+  "none",    "displacement", "displacement-x", "displacement-y", "rotation",
+  "stress",  "stress-x",     "stress-y",       "stress-xy",      "principal",
+  "opening", "sliding",      "crack",          "bodies",
 };
 /* None, each alone, all; test_known() holds them to the program's own list, as the others. */
 #define ALL_DECORATIONS                                                                  \
@@ -83,7 +84,8 @@ needs (const char *view, const char *field)
     needed |= HAS_STEPS;
   if (g_str_equal (field, "bodies"))
     needed |= HAS_MECHANISM;
-  if (g_str_equal (view, "forces") || g_str_equal (field, "stress"))
+  if (g_str_equal (view, "forces") || g_str_has_prefix (field, "stress")
+      || g_str_equal (field, "principal") || g_str_equal (field, "crack"))
     needed |= HAS_FORCES;
   if (g_str_equal (view, "diagrams"))
     needed |= HAS_BEAMS;

@@ -140,8 +140,8 @@ run_render (const QnSubcommand *self, int argc, char **argv)
     { "diagram", 0, 0, G_OPTION_ARG_STRING, &options.diagram,
       N_ ("with --view diagrams: section force of the beams, N, V or M (M)"), "N|V|M" },
     { "field", 0, 0, G_OPTION_ARG_STRING, &options.field, N_ ("Quantity shown by colour"),
-      "none|displacement|displacement-x|displacement-y|rotation|stress|opening|sliding|"
-      "bodies" },
+      "none|displacement|displacement-x|displacement-y|rotation|stress|stress-x|"
+      "stress-y|stress-xy|principal|opening|sliding|crack|bodies" },
     { "onion", 0, 0, G_OPTION_ARG_FILENAME, &options.onion,
       N_ ("Second result of the same project, drawn over the first as outlines"),
       N_ ("RESULT.json") },

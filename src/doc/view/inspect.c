@@ -285,9 +285,12 @@ static void
 tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
   const QnBlock *block = &view->model->blocks[id];
+  double factors[QN_MAX_LOAD_SETS] = { 0 };
+  if (view->pairs != NULL)
+    qn_result_load_factors (view->model, view->result, view->step, factors);
   QnBlockReading reading = qn_block_reading (
     view->model, view->contacts, id, view->pairs, view->touches, view->touch_count,
-    view->motion.displacements != NULL ? &view->motion : NULL);
+    factors, view->motion.displacements != NULL ? &view->motion : NULL);
   quiet_block (view, block, &reading);
   if (reading.has_motion) {
     QnUnits mm = qn_units_of_motion (units);

@@ -42,13 +42,42 @@ take_curve (const QnReportRun *run, QnCurve *curve)
 }
 
 static bool
-write_figure (QnPages *pages, const QnReportRun *run, QnView view, const char *title,
-              GError **error)
+write_field (QnPages *pages, const QnReportRun *run, QnView view, QnField field,
+             const char *title, GError **error)
 {
   QnFigure figure;
   qn_figure_init (&figure, &run->project->model, run->contacts, &run->file->result, view);
+  figure.options.field = field;
   figure.title = title;
   return qn_pages_figure (pages, &figure, 0.42, error);
+}
+
+static bool
+write_figure (QnPages *pages, const QnReportRun *run, QnView view, const char *title,
+              GError **error)
+{
+  return write_field (pages, run, view, QN_FIELD_NONE, title, error);
+}
+
+/* Of members and walls of cells: stresses, and cracks where a law has them. */
+static bool
+write_cells (QnPages *pages, const QnReportRun *run, GError **error)
+{
+  const QnLaw *laws = run->project->model.laws;
+  bool cells = false, cracks = false;
+  for (size_t f = 0; f < run->contacts->face_count; f++) {
+    const QnContactFace *face = &run->contacts->faces[f];
+    const QnLaw *a = &laws[face->law_a], *b = &laws[face->law_b];
+    bool inside = a->basis == QN_BASIS_MATERIAL && b->basis == QN_BASIS_MATERIAL;
+    cells |= inside;
+    cracks |= inside && (qn_law_softens (a->kind) || qn_law_softens (b->kind));
+  }
+  return !cells
+         || (write_field (pages, run, QN_VIEW_DEFORMED, QN_FIELD_PRINCIPAL,
+                          _ ("Principal stresses"), error)
+             && (!cracks
+                 || write_field (pages, run, QN_VIEW_DEFORMED, QN_FIELD_CRACK,
+                                 _ ("Cracks"), error)));
 }
 
 typedef struct Crack {
@@ -317,7 +346,8 @@ qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
       && !write_figure (pages, run, QN_VIEW_DIAGRAMS, _ ("Section forces"), error))
     return false;
   return !qn_report_has_forces (run) || run->contacts->face_count == 0
-         || write_figure (pages, run, QN_VIEW_FORCES, _ ("Contact forces"), error);
+         || (write_figure (pages, run, QN_VIEW_FORCES, _ ("Contact forces"), error)
+             && (result->limit.given || write_cells (pages, run, error)));
 }
 
 void

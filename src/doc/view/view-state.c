@@ -170,7 +170,7 @@ shown_field (QnViewState *self, const QnRun *run)
                      ? run->result.mechanism != NULL
                      : run->result.step_count > 0 && !run->result.limit.given;
   gboolean known =
-    field == QN_FIELD_STRESS
+    qn_field_needs_forces (field)
       ? qn_result_has_forces (&run->result, step == QN_STEP_LAST ? last : (gsize) step)
       : moves;
   known &= field != QN_FIELD_BODIES || run->result.mechanism != NULL;

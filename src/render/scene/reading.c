@@ -6,6 +6,9 @@
  * rounding, and its centre is anywhere. */
 #define BENDING_SHARE 1e-3
 
+/* Part of an elongation that is no crack, but rounding. */
+#define ROUNDING 1e-6
+
 #define KERN_SHARE (1.0 / 6.0)
 #define EDGE_SHARE (0.5 - 1.0 / 50.0)
 #define BEYOND     (0.5 + 1.0 / 50.0)
@@ -70,20 +73,63 @@ qn_joint_reading (const QnContacts *contacts, QnId index, const QnPairResult *pa
   return reading;
 }
 
+double
+qn_joint_crack (const QnContacts *contacts, QnId id, const QnPairResult *pairs,
+                const QnMotion *motion)
+{
+  const QnContactFace *face = &contacts->faces[id];
+  const QnJoint joint = qn_motion_joint (motion, face);
+  double width = 0;
+  for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+    if (contacts->pairs[p].bar != QN_NONE)
+      continue;
+    const QnPairSprings springs =
+      qn_contacts_pair_springs (motion->model, contacts, (size_t) p);
+    double k[2], part = contacts->pairs[p].abscissa / face->length;
+    qn_pair_elastic_stiffness (&springs, k);
+    double whole = joint.opening_start + part * (joint.opening_end - joint.opening_start);
+    double elastic = pairs[p].normal_force / k[0];
+    if (whole - elastic > ROUNDING * (fabs (whole) + fabs (elastic)))
+      width = fmax (width, whole - elastic);
+  }
+  return width;
+}
+
 /* ---- blocks ---- */
 
 /* The mean stress of a block follows from the forces on its boundary,
  * sigma = (1/V) sum f (x) r (Love 1927, Weber 1966); its sums stand in `stress` until they are
  * divided by the volume. */
 static void
+add_stress (QnBlockReading *reading, QnVec2 r, QnVec2 f)
+{
+  reading->stress[0] += f.x * r.x;
+  reading->stress[1] += f.y * r.y;
+  reading->stress[2] += 0.5 * (f.x * r.y + f.y * r.x);
+}
+
+static void
 add_force (QnBlockReading *reading, const QnBlock *block, QnVec2 at, QnVec2 f)
 {
   QnVec2 r = qn_vec2_sub (at, block->centroid);
   reading->force = qn_vec2_add (reading->force, f);
   reading->moment += qn_vec2_cross (r, f);
-  reading->stress[0] += f.x * r.x;
-  reading->stress[1] += f.y * r.y;
-  reading->stress[2] += 0.5 * (f.x * r.y + f.y * r.x);
+  add_stress (reading, r, f);
+}
+
+/* The forces of loads on one block, or on that of each reading where it is QN_NONE. */
+static void
+add_loads (QnBlockReading *readings, const QnModel *model, QnId block,
+           const double *factors)
+{
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    if (load.kind != QN_LOAD_FORCE || (block != QN_NONE && load.block != block))
+      continue;
+    double factor = load.set == QN_NONE ? 1 : factors[load.set];
+    add_stress (block == QN_NONE ? &readings[load.block] : readings,
+                qn_model_load_arm (model, &load), qn_vec2_scale (factor, load.vector));
+  }
 }
 
 /* The forces of a face on the block on one of its sides. */
@@ -133,9 +179,11 @@ complete (QnBlockReading *reading, const QnModel *model, QnId block,
 QnBlockReading
 qn_block_reading (const QnModel *model, const QnContacts *contacts, QnId block,
                   const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
-                  const QnMotion *motion)
+                  const double *factors, const QnMotion *motion)
 {
   QnBlockReading reading = { 0 };
+  if (pairs != NULL && factors != NULL)
+    add_loads (&reading, model, block, factors);
   for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
     const QnContactFace *face = &contacts->faces[f];
     if (face->a == block || face->b == block)
@@ -151,9 +199,11 @@ qn_block_reading (const QnModel *model, const QnContacts *contacts, QnId block,
 QnBlockReading *
 qn_block_readings (const QnModel *model, const QnContacts *contacts,
                    const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
-                   const QnMotion *motion)
+                   const double *factors, const QnMotion *motion)
 {
   QnBlockReading *readings = g_new0 (QnBlockReading, MAX (model->block_count, 1));
+  if (pairs != NULL && factors != NULL)
+    add_loads (readings, model, QN_NONE, factors);
   for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
     const QnContactFace *face = &contacts->faces[f];
     add_face_reading (&readings[face->a], model, contacts, face, pairs, face->a);

@@ -48,9 +48,10 @@ QnJointReading qn_joint_reading (const QnContacts *contacts, QnId face,
 
 typedef struct QnBlockReading {
   bool has_forces;
-  QnVec2 force;        /* N: sum of what its joints put on it */
-  double moment;       /* N m, of these about its centroid, counter-clockwise */
-  double stress[3];    /* Pa, mean: xx, yy, xy; tension > 0 */
+  QnVec2 force;  /* N: sum of what its joints put on it */
+  double moment; /* N m, of these about its centroid, counter-clockwise */
+  double
+    stress[3]; /* Pa, mean: xx, yy, xy; tension > 0; of loads and joints, bars in them */
   double principal[2]; /* Pa, of these: least, greatest */
 
   bool has_motion;
@@ -74,16 +75,23 @@ typedef struct QnTouch {
 QnTouch *qn_step_touches (const QnModel *model, const QnResult *result, size_t step,
                           size_t *count);
 
-/* The joints of a block are found among all faces, and its contacts among all touches (nullable). */
+/* The widest crack along a joint, m: what its pairs have lengthened by beyond their elastic elongation. */
+double qn_joint_crack (const QnContacts *contacts, QnId face, const QnPairResult *pairs,
+                       const QnMotion *motion);
+
+/* The joints of a block are found among all faces, and its contacts among all touches (nullable). `factors`
+ * are those of the load sets (qn_result_load_factors()), nullable: forces that act away from the centroid are
+ * part of the stress. Reactions of supports are not. */
 QnBlockReading qn_block_reading (const QnModel *model, const QnContacts *contacts,
                                  QnId block, const QnPairResult *pairs,
                                  const QnTouch *touches, size_t touch_count,
-                                 const QnMotion *motion);
+                                 const double *factors, const QnMotion *motion);
 
 /* The same of all blocks at once: an array of block_count, newly allocated (g_free). */
 QnBlockReading *qn_block_readings (const QnModel *model, const QnContacts *contacts,
                                    const QnPairResult *pairs, const QnTouch *touches,
-                                   size_t touch_count, const QnMotion *motion);
+                                   size_t touch_count, const double *factors,
+                                   const QnMotion *motion);
 
 /* The contact forces of a step, newly allocated (g_free); NULL where the result does not have
  * them or is of other contacts. */

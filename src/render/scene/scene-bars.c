@@ -151,7 +151,8 @@ void
 qn_build_bars (QnSceneBuilder *b)
 {
   g_autoptr (GArray) crossings = find_crossings (b);
-  QnColorBar range = { .shown = b->options->field == QN_FIELD_STRESS && b->pairs != NULL,
+  QnColorBar range = { .shown =
+                         qn_field_is_stress (b->options->field) && b->pairs != NULL,
                        .diverging = true,
                        .factor = 1e-6 };
   QnColor ink = qn_builder_ink (b, QN_INK_BAR);

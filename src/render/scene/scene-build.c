@@ -34,7 +34,7 @@ static bool
 forces_fit (const QnSceneBuilder *b, GError **error)
 {
   bool wanted =
-    b->options->view == QN_VIEW_FORCES || b->options->field == QN_FIELD_STRESS;
+    b->options->view == QN_VIEW_FORCES || qn_field_needs_forces (b->options->field);
   if (!wanted)
     return true;
   if (b->contacts == NULL || b->result->pair_count == 0

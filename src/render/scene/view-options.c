@@ -23,8 +23,13 @@ const char *const qn_field_names[QN_FIELD_COUNT] = {
   [QN_FIELD_DISPLACEMENT_Y] = "displacement-y",
   [QN_FIELD_ROTATION] = "rotation",
   [QN_FIELD_STRESS] = "stress",
+  [QN_FIELD_STRESS_X] = "stress-x",
+  [QN_FIELD_STRESS_Y] = "stress-y",
+  [QN_FIELD_STRESS_XY] = "stress-xy",
+  [QN_FIELD_PRINCIPAL] = "principal",
   [QN_FIELD_OPENING] = "opening",
   [QN_FIELD_SLIDING] = "sliding",
+  [QN_FIELD_CRACK] = "crack",
   [QN_FIELD_BODIES] = "bodies",
 };
 

@@ -27,11 +27,29 @@ typedef enum {
   QN_FIELD_ROTATION,       /* rad */
   QN_FIELD_STRESS, /* least principal value of the block's mean stress, Pa: compression < 0;
                        from the contact forces */
-  QN_FIELD_OPENING, /* largest opening along the joint, m */
-  QN_FIELD_SLIDING, /* relative tangential motion of the joint, m */
-  QN_FIELD_BODIES,  /* which of the mechanism's bodies a block is part of */
+  QN_FIELD_STRESS_X,  /* of the mean stress: xx, */
+  QN_FIELD_STRESS_Y,  /* yy, */
+  QN_FIELD_STRESS_XY, /* xy, Pa */
+  QN_FIELD_PRINCIPAL, /* its principal values as crosses along their directions, Pa */
+  QN_FIELD_OPENING,   /* largest opening along the joint, m */
+  QN_FIELD_SLIDING,   /* relative tangential motion of the joint, m */
+  QN_FIELD_CRACK,     /* largest width of a crack along the joint, m */
+  QN_FIELD_BODIES,    /* which of the mechanism's bodies a block is part of */
   QN_FIELD_COUNT
 } QnField;
+
+static inline bool
+qn_field_is_stress (QnField field)
+{
+  return field >= QN_FIELD_STRESS && field <= QN_FIELD_PRINCIPAL;
+}
+
+/* Whether a field is read off contact forces. */
+static inline bool
+qn_field_needs_forces (QnField field)
+{
+  return qn_field_is_stress (field) || field == QN_FIELD_CRACK;
+}
 
 /* Section force that QN_VIEW_DIAGRAMS draws. */
 typedef enum {

@@ -5,6 +5,7 @@
 #include "render/scene/scene-build.h"
 #include "render/scene/thrust.h"
 #include "support/room.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <string.h>
@@ -125,12 +126,12 @@ test_blocks (void)
   g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
   QnMotion motion = qn_step_motion (s.model, &s.result, s.step);
   g_autofree QnBlockReading *all =
-    qn_block_readings (s.model, &s.contacts, pairs, NULL, 0, &motion);
+    qn_block_readings (s.model, &s.contacts, pairs, NULL, 0, NULL, &motion);
   g_autofree double *loads = dup_loads (&s);
   double least = 1e-6 * heaviest (s.model);
   for (size_t i = 0; i < s.model->block_count; i++) {
     QnBlockReading one =
-      qn_block_reading (s.model, &s.contacts, (QnId) i, pairs, NULL, 0, &motion);
+      qn_block_reading (s.model, &s.contacts, (QnId) i, pairs, NULL, 0, NULL, &motion);
     g_assert_true (one.has_forces && one.has_motion);
     g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
     g_assert_cmpfloat (one.principal[0], <=, one.principal[1]);
@@ -141,6 +142,114 @@ test_blocks (void)
     g_assert_cmpfloat (fabs (one.moment + loads[3 * i + 2]), <, least);
   }
   clear (&s);
+}
+
+/* A state of stress in the axes of a wall, Pa and Pa/m. */
+typedef struct State {
+  double middle[3];  /* xx, yy, xy at the origin */
+  double bending[2]; /* of xx per y, of yy per x */
+} State;
+
+enum { CELLS = 3 };
+#define TURNED 0.3 /* rad */
+
+/* The traction on a free edge of a cell, as forces at its two Gauss points: its middle and its outward
+ * normal, in the axes of the wall. */
+static void
+add_traction (QnModel *model, const State *state, QnId block, QnVec2 middle,
+              QnVec2 normal, double length)
+{
+  const double c = cos (TURNED), s = sin (TURNED), area = length * 0.2 / 2;
+  for (int side = -1; side <= 1; side += 2) {
+    const QnVec2 at =
+      qn_vec2_add_scaled (middle, side * length / sqrt (12), qn_vec2_perp (normal));
+    const double xx = state->middle[0] + state->bending[0] * at.y, xy = state->middle[2];
+    const double yy = state->middle[1] + state->bending[1] * at.x;
+    const QnVec2 force = { area * (xx * normal.x + xy * normal.y),
+                           area * (xy * normal.x + yy * normal.y) };
+    QnLoad *load = normal.x + normal.y > 0 ? qn_model_add_dead_load (model)
+                                           : qn_model_add_live_load (model);
+    load->kind = QN_LOAD_FORCE;
+    load->block = block;
+    load->vector = qn_vec2_rotate (force, c, s);
+    load->has_at = true;
+    load->at = qn_vec2_rotate (at, c, s);
+  }
+}
+
+/* Nine cells, turned, in this state. */
+static void
+init_cells (QnModel *model, const State *state)
+{
+  const double c = cos (TURNED), s = sin (TURNED), size[2] = { 0.4, 0.25 };
+  qn_model_init (model);
+  QnLaw *law = qn_model_add_law (model, "grid");
+  law->kind = QN_LAW_ELASTIC;
+  law->basis = QN_BASIS_MATERIAL;
+  law->kn = law->ks = 30e9;
+  model->contact.law = 0;
+  for (int i = 0; i < CELLS * CELLS; i++) {
+    const int cell[2] = { i % CELLS, i / CELLS };
+    const QnVec2 middle = { (cell[0] - 1) * size[0], (cell[1] - 1) * size[1] };
+    const double x = size[0] / 2, y = size[1] / 2;
+    QnVec2 corners[] = { { -x, -y }, { x, -y }, { x, y }, { -x, y } };
+    for (int k = 0; k < 4; k++)
+      corners[k] = qn_vec2_rotate (qn_vec2_add (middle, corners[k]), c, s);
+    g_autofree char *name = g_strdup_printf ("c%d", i);
+    QnBlock *block = qn_model_add_block (model, name, corners, 4);
+    block->thickness = 0.2;
+    for (int dof = 0; dof < 3; dof++)
+      block->support[dof] = i == CELLS * CELLS / 2;
+    for (int e = 0; e < 4; e++) {
+      const int axis = e / 2, sign = e % 2 == 0 ? -1 : 1;
+      const QnVec2 normal = axis == 0 ? qn_vec2 (sign, 0) : qn_vec2 (0, sign);
+      if (cell[axis] == (sign < 0 ? 0 : CELLS - 1))
+        add_traction (model, state, i,
+                      qn_vec2_add_scaled (middle, size[axis] / 2, normal), normal,
+                      size[1 - axis]);
+    }
+  }
+  model->analysis.increments = 1;
+  model->analysis.max_multiplier = 1;
+}
+
+/* The mean stress of each cell is that of the continuum at its centroid: of uniform states and of bending
+ * about either axis, at the edges too, where the loads are part of it. */
+static void
+test_stresses (void)
+{
+  static const State states[] = {
+    { { -2e6, 0, 0 }, { 0, 0 } },   { { 1e6, -3e6, 0 }, { 0, 0 } },
+    { { 0, 0, 1.5e6 }, { 0, 0 } },  { { 0, 0, 0 }, { 0, 4e6 } },
+    { { 0, 0, 0 }, { -4e6, 1e6 } }, { { 1e6, -2e6, 3e6 }, { 2e6, 2e6 } },
+  };
+  const double c = cos (TURNED), s = sin (TURNED);
+  for (size_t k = 0; k < G_N_ELEMENTS (states); k++) {
+    g_auto (TestRun) run = { 0 };
+    const State *state = &states[k];
+    init_cells (&run.model, state);
+    test_run_solve (&run);
+    const size_t last = run.result.step_count - 1;
+    double factors[QN_MAX_LOAD_SETS];
+    qn_result_load_factors (&run.model, &run.result, last, factors);
+    g_autofree QnPairResult *pairs = qn_step_pairs (&run.contacts, &run.result, last);
+    g_autofree QnBlockReading *all =
+      qn_block_readings (&run.model, &run.contacts, pairs, NULL, 0, factors, NULL);
+    for (size_t i = 0; i < run.model.block_count; i++) {
+      const QnBlockReading one = qn_block_reading (&run.model, &run.contacts, (QnId) i,
+                                                   pairs, NULL, 0, factors, NULL);
+      g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
+      const QnVec2 at = qn_vec2_rotate (run.model.blocks[i].centroid, c, -s);
+      const double xx = state->middle[0] + state->bending[0] * at.y;
+      const double yy = state->middle[1] + state->bending[1] * at.x;
+      const double xy = state->middle[2];
+      const double expected[] = { c * c * xx + s * s * yy - 2 * c * s * xy,
+                                  s * s * xx + c * c * yy + 2 * c * s * xy,
+                                  c * s * (xx - yy) + (c * c - s * s) * xy };
+      for (int j = 0; j < 3; j++)
+        g_assert_cmpfloat_with_epsilon (one.stress[j], expected[j], 1e-3);
+    }
+  }
 }
 
 /* A block of 1 x 1 m under its weight W in the middle of one with twice the width: e = 0, the
@@ -332,10 +441,10 @@ test_touch (void)
 
   g_autofree QnPairResult *none = g_new0 (QnPairResult, f.contacts.pair_count);
   g_autofree QnBlockReading *all =
-    qn_block_readings (&f.model, &f.contacts, none, touches, count, NULL);
+    qn_block_readings (&f.model, &f.contacts, none, touches, count, NULL, NULL);
   for (int i = 0; i < 2; i++) {
     QnBlockReading one =
-      qn_block_reading (&f.model, &f.contacts, i, none, touches, count, NULL);
+      qn_block_reading (&f.model, &f.contacts, i, none, touches, count, NULL, NULL);
     g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
     g_assert_cmpfloat_with_epsilon (one.force.x, touches->on[i].x, 1e-9);
     g_assert_cmpfloat_with_epsilon (one.force.y, touches->on[i].y, 1e-9);
@@ -384,6 +493,7 @@ QN_TESTS
 {
   g_test_add_func ("/render/reading/equilibrium", test_equilibrium);
   g_test_add_func ("/render/reading/blocks", test_blocks);
+  g_test_add_func ("/render/reading/stresses", test_stresses);
   g_test_add_func ("/render/reading/places", test_places);
   g_test_add_func ("/render/reading/touch", test_touch);
   g_test_add_func ("/render/reading/values", test_values);

@@ -146,8 +146,48 @@ test_stress (void)
   g_assert_false (has_legend (scene, "reinforcing bar"));
 }
 
+/* A joint that opens is a crack, as wide as the bar across it is long; one that is stretched elastically is
+ * none. */
+static void
+test_cracks (void)
+{
+  for (int opens = 0; opens <= 1; opens++) {
+    g_auto (TestRun) row = { 0 };
+    row_init (&row);
+    qn_result_clear (&row.result);
+    qn_contacts_clear (&row.contacts);
+    row.model.laws[0].kind = opens ? QN_LAW_NO_TENSION : QN_LAW_ELASTIC;
+    test_run_solve (&row);
+    g_autoptr (QnScene) scene = build (&row, QN_VIEW_DEFORMED, QN_FIELD_CRACK);
+    /* 1 m of bar at each of the two joints. */
+    const double width = opens ? 1e6 / (2e11 * AREA) : 0;
+    g_assert_cmpfloat_with_epsilon (scene->bar.max, width, 1e-9);
+    g_assert_true (has_legend (scene, "crack, up to 50 mm wide") == opens);
+    g_assert_true ((find_line (scene, qn_ink (QN_INK_OPEN, false), 1) != NULL) == opens);
+  }
+}
+
+/* A cross for each free block: the pull is along the row, 1e6 N on 1 m2, nothing across it. */
+static void
+test_principal (void)
+{
+  g_auto (TestRun) row = { 0 };
+  row_init (&row);
+  g_autoptr (QnScene) scene = build (&row, QN_VIEW_MODEL, QN_FIELD_PRINCIPAL);
+  const QnCommand *arm = find_line (scene, qn_ink (QN_INK_OPEN, false), 0);
+  g_assert_nonnull (arm);
+  g_assert_null (find_line (scene, qn_ink (QN_INK_OPEN, false), 2));
+  const QnVec2 *p = qn_scene_points (scene, arm);
+  g_assert_cmpfloat (fabs (p[1].x - p[0].x), >, 0.5);
+  g_assert_cmpfloat_with_epsilon (p[0].y, p[1].y, 1e-12);
+  g_assert_true (has_legend (scene, "principal tension, up to"));
+  g_assert_false (has_legend (scene, "principal compression"));
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/render/scene-bars/cracks", test_cracks);
+  g_test_add_func ("/render/scene-bars/principal", test_principal);
   g_test_add_func ("/render/scene-bars/follows", test_follows);
   g_test_add_func ("/render/scene-bars/diameters", test_diameters);
   g_test_add_func ("/render/scene-bars/stress", test_stress);
