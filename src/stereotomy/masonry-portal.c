@@ -3,21 +3,75 @@
 #include "stereotomy/arch-ring.h"
 #include "stereotomy/masonry-parts.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool
-check_backing (const QnPortal *portal, QnSubject of)
+/* A number of a bay or pier: its own, or the usual one. */
+static double
+own (const double *numbers, int32_t i, double usual)
 {
-  QnArchRing ring;
-  qn_arch_ring_init (&ring, &portal->arch);
-  return qn_require_length (of, "backing", portal->backing, QN_RANGE_NOT_NEGATIVE)
-         && qn_require (of,
-                        portal->backing == 0
-                          || (portal->backing > qn_arch_ring_extrados (&ring, 0).y
-                              && portal->backing < qn_arch_ring_extrados (&ring, 0.5).y),
-                        QN_PROBLEM_BACKING_TOO_HIGH, "backing", portal->backing);
+  return i < QN_MOST_UNEQUAL && numbers[i] > 0 ? numbers[i] : usual;
+}
+
+static double
+pier_width (const QnPortal *portal, int32_t pier)
+{
+  return own (portal->piers, pier, portal->pier_width);
+}
+
+static QnArch
+arch_of (const QnPortal *portal, int32_t bay)
+{
+  QnArch arch = portal->arch;
+  arch.span = own (portal->spans, bay, portal->span);
+  arch.rise = own (portal->rises, bay, arch.rise);
+  arch.ring = own (portal->rings, bay, arch.ring);
+  return arch;
+}
+
+/* The rings of the bays to the left and to the right of a pier; at an end the one that is there, twice. */
+static void
+rings_at (const QnPortal *portal, int32_t pier, QnArch arches[2], QnArchRing rings[2])
+{
+  for (int side = 0; side < 2; side++) {
+    int32_t bay = pier - 1 + side;
+    bay = bay < 0 ? 0 : bay < portal->bays ? bay : portal->bays - 1;
+    arches[side] = arch_of (portal, bay);
+    qn_arch_ring_init (&rings[side], &arches[side]);
+  }
+}
+
+static bool
+check_bays (const QnPortal *portal, QnSubject of, QnDiag *diag)
+{
+  for (int32_t i = 0; i < portal->bays; i++) {
+    const QnArch arch = arch_of (portal, i);
+    if (!qn_require_length (of, "spans", arch.span, QN_RANGE_POSITIVE)
+        || (portal->lintel_height == 0 && qn_arch_check (&arch, diag) != QN_OK))
+      return false;
+  }
+  for (int32_t i = 0; i <= portal->bays; i++) {
+    QnArch arches[2];
+    QnArchRing rings[2];
+    const double width = pier_width (portal, i);
+    if (!qn_require_length (of, "piers", width, QN_RANGE_POSITIVE))
+      return false;
+    if (portal->lintel_height > 0)
+      continue;
+    rings_at (portal, i, arches, rings);
+    if (!qn_require (of, arches[0].ring + arches[1].ring <= width * (1 + 1e-12),
+                     QN_PROBLEM_PIER_TOO_NARROW, "pier", width))
+      return false;
+    for (int side = 0; side < 2 && portal->backing > 0; side++)
+      if (!qn_require (of,
+                       portal->backing > qn_arch_ring_extrados (&rings[side], 0).y
+                         && portal->backing < qn_arch_ring_extrados (&rings[side], 0.5).y,
+                       QN_PROBLEM_BACKING_TOO_HIGH, "backing", portal->backing))
+        return false;
+  }
+  return true;
 }
 
 static QnStatus
@@ -35,25 +89,26 @@ check_portal (const QnPortal *portal, QnDiag *diag)
     && qn_require_length (of, "pier", portal->pier_width, QN_RANGE_POSITIVE)
     && qn_require_length (of, "pier", portal->pier_height, QN_RANGE_POSITIVE)
     && qn_require_length (of, "lintel", portal->lintel_height, QN_RANGE_NOT_NEGATIVE)
+    && qn_require_length (of, "backing", portal->backing, QN_RANGE_NOT_NEGATIVE)
     && qn_require (of, pieces <= QN_MAX_PIECES, QN_PROBLEM_TOO_MANY_BLOCKS, "bays", bays)
-    && (portal->lintel_height > 0
-        || (qn_arch_check (arch, diag) == QN_OK
-            && qn_require (of, 2 * arch->ring <= portal->pier_width * (1 + 1e-12),
-                           QN_PROBLEM_PIER_TOO_NARROW, "pier", portal->pier_width)
-            && check_backing (portal, of))));
+    && check_bays (portal, of, diag));
 }
 
 static double
 pier_left (const QnPortal *portal, int32_t pier)
 {
-  return pier * (portal->span + portal->pier_width);
+  double x = pier * (portal->span + portal->pier_width);
+  for (int32_t i = 0; i < pier && i < QN_MOST_UNEQUAL; i++)
+    x += own (portal->spans, i, portal->span) - portal->span + pier_width (portal, i)
+         - portal->pier_width;
+  return x;
 }
 
 static QnStatus
 lay_pier (const QnMasonry *masonry, int32_t pier, QnPieces *pieces, QnDiag *diag)
 {
   const QnPortal *portal = &masonry->portal;
-  double x0 = pier_left (portal, pier), x1 = x0 + portal->pier_width;
+  double x0 = pier_left (portal, pier), x1 = x0 + pier_width (portal, pier);
   QnVec2 corners[4];
   if (masonry->foundation > 0) {
     qn_rectangle (x0, -masonry->foundation, x1, 0, corners);
@@ -79,9 +134,8 @@ lay_lintel (const QnMasonry *masonry, int32_t bay, QnPieces *pieces, QnDiag *dia
 {
   const QnPortal *portal = &masonry->portal;
   double left = pier_left (portal, bay), right = pier_left (portal, bay + 1);
-  double x0 = bay == 0 ? left : left + portal->pier_width / 2;
-  double x1 =
-    bay + 1 == portal->bays ? right + portal->pier_width : right + portal->pier_width / 2;
+  double x0 = bay == 0 ? left : left + pier_width (portal, bay) / 2;
+  double x1 = right + pier_width (portal, bay + 1) / (bay + 1 == portal->bays ? 1 : 2);
   QnVec2 corners[4];
   qn_rectangle (x0, portal->pier_height, x1, portal->pier_height + portal->lintel_height,
                 corners);
@@ -92,20 +146,20 @@ lay_lintel (const QnMasonry *masonry, int32_t bay, QnPieces *pieces, QnDiag *dia
 
 /* Where joints at the springing lean, a block on the pier fills the wedge below them. */
 static QnStatus
-lay_skewback (const QnMasonry *masonry, const QnArchRing *ring, int32_t pier,
+lay_skewback (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
               QnPieces *pieces, QnDiag *diag)
 {
   const QnPortal *portal = &masonry->portal;
-  double x0 = pier_left (portal, pier), x1 = x0 + portal->pier_width;
+  double x0 = pier_left (portal, pier), x1 = x0 + pier_width (portal, pier);
   double y = portal->pier_height;
-  QnVec2 lean = qn_arch_ring_extrados (ring, 0);
-  if (lean.y <= 1e-9 * portal->arch.ring)
+  QnVec2 left = qn_arch_ring_extrados (&rings[0], 0);
+  QnVec2 right = qn_arch_ring_extrados (&rings[1], 0);
+  if (fmax (left.y, right.y) <= 1e-9 * portal->arch.ring)
     return QN_OK;
-  double top = y + lean.y;
   const QnVec2 corners[] = { { x0, y },
                              { x1, y },
-                             { pier < portal->bays ? x1 + lean.x : x1, top },
-                             { pier > 0 ? x0 - lean.x : x0, top } };
+                             { pier < portal->bays ? x1 + right.x : x1, y + right.y },
+                             { pier > 0 ? x0 - left.x : x0, y + left.y } };
   QnRing block;
   if (!qn_ring_init (&block, corners, 4))
     return qn_diag_no_memory (diag);
@@ -118,28 +172,29 @@ lay_skewback (const QnMasonry *masonry, const QnArchRing *ring, int32_t pier,
 
 /* What fills the space between the arches above a pier, up to a level. */
 static QnStatus
-lay_backing (const QnMasonry *masonry, const QnArchRing *ring, int32_t pier,
+lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
              QnPieces *pieces, QnDiag *diag)
 {
   const QnPortal *portal = &masonry->portal;
   double x[] = { pier_left (portal, pier),
-                 pier_left (portal, pier) + portal->pier_width };
-  QnRing line, block;
-  if (!qn_arch_ring_haunch (ring, portal->backing, &line))
-    return qn_diag_no_memory (diag);
-  size_t count = line.count;
-  block.points = qn_alloc (2 * count + 2, sizeof *block.points);
+                 pier_left (portal, pier) + pier_width (portal, pier) };
+  QnRing lines[2] = { { 0 } }, block;
+  bool made = qn_arch_ring_haunch (&rings[0], portal->backing, &lines[0])
+              && qn_arch_ring_haunch (&rings[1], portal->backing, &lines[1]);
+  const size_t count = lines[1].count, all = count + lines[0].count;
+  block.points = made ? qn_alloc (all + 2, sizeof *block.points) : NULL;
   block.count = 0;
   /* Right of the pier from below, then left of it from above; an end is upright. */
-  for (size_t k = 0; k < 2 * count && block.points != NULL; k++) {
+  for (size_t k = 0; k < all && block.points != NULL; k++) {
     bool right = k < count;
-    QnVec2 p = line.points[right ? k : 2 * count - 1 - k];
+    QnVec2 p = right ? lines[1].points[k] : lines[0].points[all - 1 - k];
     if (right ? pier == portal->bays : pier == 0)
       p.x = 0;
     block.points[block.count++] =
       qn_vec2 (right ? x[1] + p.x : x[0] - p.x, portal->pier_height + p.y);
   }
-  qn_ring_clear (&line);
+  for (int side = 0; side < 2; side++)
+    qn_ring_clear (&lines[side]);
   if (block.points == NULL)
     return qn_diag_no_memory (diag);
   qn_ring_simplify (&block, 1e-9 * portal->pier_width);
@@ -158,8 +213,9 @@ lay_arch (const QnMasonry *masonry, int32_t bay, QnPieces *pieces, QnDiag *diag)
   if (prefix == NULL)
     return qn_diag_no_memory (diag);
   snprintf (prefix, size, "%s.arch%d", masonry->name, bay + 1);
-  QnVec2 at = { pier_left (portal, bay) + portal->pier_width, portal->pier_height };
-  QnStatus status = qn_arch_lay_ring (&portal->arch, at, prefix, pieces, diag);
+  const QnArch arch = arch_of (portal, bay);
+  QnVec2 at = { pier_left (portal, bay) + pier_width (portal, bay), portal->pier_height };
+  QnStatus status = qn_arch_lay_ring (&arch, at, prefix, pieces, diag);
   free (prefix);
   return status;
 }
@@ -168,27 +224,27 @@ QnStatus
 qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
 {
   /* The arches' span is the portal's. */
-  QnMasonry own = *masonry;
-  QnPortal *portal = &own.portal;
+  QnMasonry laid = *masonry;
+  QnPortal *portal = &laid.portal;
   portal->arch.span = portal->span;
   portal->arch.springer = 0;
   QnStatus status = check_portal (portal, diag);
   for (int32_t i = 0; i <= portal->bays && status == QN_OK; i++)
-    status = lay_pier (&own, i, pieces, diag);
+    status = lay_pier (&laid, i, pieces, diag);
   if (status != QN_OK)
     return status;
 
   bool arches = portal->lintel_height == 0;
-  QnArchRing ring;
-  if (arches)
-    qn_arch_ring_init (&ring, &portal->arch);
   for (int32_t i = 0; arches && i <= portal->bays && status == QN_OK; i++) {
-    status = lay_skewback (&own, &ring, i, pieces, diag);
+    QnArch sides[2];
+    QnArchRing rings[2];
+    rings_at (portal, i, sides, rings);
+    status = lay_skewback (&laid, rings, i, pieces, diag);
     if (status == QN_OK && portal->backing > 0)
-      status = lay_backing (&own, &ring, i, pieces, diag);
+      status = lay_backing (&laid, rings, i, pieces, diag);
   }
   for (int32_t i = 0; i < portal->bays && status == QN_OK; i++)
     status =
-      arches ? lay_arch (&own, i, pieces, diag) : lay_lintel (&own, i, pieces, diag);
+      arches ? lay_arch (&laid, i, pieces, diag) : lay_lintel (&laid, i, pieces, diag);
   return status;
 }

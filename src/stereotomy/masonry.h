@@ -190,6 +190,9 @@ typedef struct QnButtress {
 
 /* Piers of `pier_width`, `bays` openings of `span` between them, lintels or arches on top. The
  * left edge of the first pier is x = 0. */
+/* So many bays and piers, counted from the left, may have numbers of their own. */
+#define QN_MOST_UNEQUAL 24
+
 typedef struct QnPortal {
   int32_t bays; /* >= 1 */
   double span;  /* m, > 0, clear */
@@ -198,9 +201,13 @@ typedef struct QnPortal {
   double
     lintel_height; /* m, > 0: lintels from middle to middle of the piers; 0: arches */
   QnArch arch;     /* with lintel_height 0; its span is the portal's; no springers;
-                           the rings of two bays must fit on a pier: 2 ring <= pier_width */
+                           the rings of two bays must fit on the pier between them */
   double backing;  /* m above the piers, up to which blocks fill the space between the
                      arches; 0: none; below the crown of the extrados */
+
+  /* m; 0: as above */
+  double spans[QN_MOST_UNEQUAL], rises[QN_MOST_UNEQUAL], rings[QN_MOST_UNEQUAL];
+  double piers[QN_MOST_UNEQUAL]; /* widths */
 } QnPortal;
 
 /* Irregular stones: cells around seeded points, within a trapezium on y = 0. */

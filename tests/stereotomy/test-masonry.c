@@ -189,6 +189,60 @@ test_bridge (void)
   }
 }
 
+/* Bays with numbers of their own: those that are not listed are as usual, the mirror image covers the same,
+ * and numbers that say what is so anyway change nothing. Piers of 1, 0.9, 1.3 and 1 m, spans of 1.5, 2 and
+ * 3 m: the last pier begins at 9.7 m. */
+static void
+test_unequal (void)
+{
+  double areas[2], area;
+  g_auto (QnModel) plain = { 0 };
+  g_auto (QnModel) same = { 0 };
+  g_auto (QnMasonry) masonry;
+  init (&masonry, QN_MASONRY_PORTAL);
+  masonry.portal = a_portal;
+  masonry.portal.backing = 0.5;
+  expand_sound (&masonry, &plain, &area);
+  for (int i = 0; i < 3; i++) {
+    masonry.portal.spans[i] = 2;
+    masonry.portal.rings[i] = 0.35;
+    masonry.portal.rises[i] = 0.6;
+    masonry.portal.piers[i] = 1;
+  }
+  expand_sound (&masonry, &same, &area);
+  g_assert_cmpuint (plain.vertex_count, ==, same.vertex_count);
+  for (size_t v = 0; v < plain.vertex_count; v++)
+    g_assert_cmpfloat_with_epsilon (plain.vertices[v].x, same.vertices[v].x, 1e-12);
+
+  for (int mirrored = 0; mirrored < 2; mirrored++) {
+    static const double spans[] = { 1.5, 2, 3 }, rises[] = { 0.7, 0.6, 0.9 },
+                        rings[] = { 0.3, 0.35, 0.45 };
+    static const double piers[] = { 1, 0.9, 1.3, 1 };
+    g_auto (QnModel) model = { 0 };
+    for (int i = 0; i < 4; i++) {
+      masonry.portal.piers[mirrored ? 3 - i : i] = piers[i];
+      if (i == 3)
+        continue;
+      masonry.portal.spans[mirrored ? 2 - i : i] = spans[i];
+      masonry.portal.rises[mirrored ? 2 - i : i] = rises[i];
+      masonry.portal.rings[mirrored ? 2 - i : i] = rings[i];
+    }
+    expand_sound (&masonry, &model, &areas[mirrored]);
+    const QnId last = qn_model_find_block (&model, "m.pier4.1");
+    g_assert_cmpfloat_with_epsilon (qn_model_block_vertices (&model, last)[0].x, 9.7,
+                                    1e-12);
+  }
+  g_assert_cmpfloat_with_epsilon (areas[0], areas[1], 1e-9);
+
+  QnDiag diag;
+  masonry.portal.piers[1] = 0.7; /* rings of 0.45 and 0.35 m on it */
+  g_assert_cmpint (qn_masonry_expand (&masonry, 0, &plain, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_PIER_TOO_NARROW);
+  masonry.portal.piers[1] = (double) INFINITY;
+  g_assert_cmpint (qn_masonry_expand (&masonry, 0, &plain, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpstr (diag.field, ==, "piers");
+}
+
 /* What no arch of several rings, and no backing, can be. */
 static void
 test_bridge_refused (void)
@@ -358,6 +412,7 @@ QN_TESTS
   g_test_add_func ("/masonry/buttress", test_buttress);
   g_test_add_func ("/masonry/portal", test_portal);
   g_test_add_func ("/masonry/bridge", test_bridge);
+  g_test_add_func ("/masonry/unequal", test_unequal);
   g_test_add_func ("/masonry/bridge-refused", test_bridge_refused);
   g_test_add_func ("/masonry/rubble", test_rubble);
   g_test_add_func ("/masonry/nonsense", test_nonsense);

@@ -121,7 +121,23 @@ static const QnMember portal_members[] = {
   QN_NUMBER ("lintel", OPTIONAL, POSITIVE, QnMasonry, portal.lintel_height),
   QN_NUMBER ("backing", OPTIONAL, NOT_NEGATIVE, QnMasonry, portal.backing),
   QN_KNOWN ("arch"),
+  QN_KNOWN ("spans"),
+  QN_KNOWN ("rises"),
+  QN_KNOWN ("ring_thicknesses"),
+  QN_KNOWN ("piers"),
   { 0 },
+};
+
+/* Lists of a portal: numbers of single bays, or of piers, from the left. */
+static const struct {
+  const char *key;
+  gsize offset;
+  int more; /* than there are bays */
+} portal_lists[] = {
+  { "spans", offsetof (QnPortal, spans), 0 },
+  { "rises", offsetof (QnPortal, rises), 0 },
+  { "ring_thicknesses", offsetof (QnPortal, rings), 0 },
+  { "piers", offsetof (QnPortal, piers), 1 },
 };
 
 static const QnMember rubble_members[] = {
@@ -291,9 +307,29 @@ read_masonry_wall (const QnJsonValue *place, QnMasonry *masonry)
 }
 
 static gboolean
+read_portal_lists (const QnJsonValue *place, QnPortal *portal)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (portal_lists); i++) {
+    QnJsonValue list = { 0 }, number = { 0 };
+    double *numbers = (double *) (void *) ((char *) portal + portal_lists[i].offset);
+    int most = MIN (portal->bays + portal_lists[i].more, QN_MOST_UNEQUAL);
+    if (!qn_member_array (place, portal_lists[i].key, QN_OPTIONAL, &list))
+      return FALSE;
+    if (list.json != NULL && cJSON_GetArraySize (list.json) > most)
+      return qn_json_value_failf (&list, _ ("expected up to %d numbers"), most);
+    while (list.json != NULL && qn_json_value_next (&list, &number))
+      if (!qn_json_value_number (&number, QN_RANGE_POSITIVE, &numbers[number.index]))
+        return FALSE;
+  }
+  return TRUE;
+}
+
+static gboolean
 read_portal (const QnJsonValue *place, QnPortal *portal)
 {
   QnJsonValue arch = qn_json_value_member (place, "arch");
+  if (!read_portal_lists (place, portal))
+    return FALSE;
   if (arch.json == NULL)
     return require (place, "lintel", TRUE);
   if (portal->lintel_height > 0)
@@ -518,6 +554,17 @@ put_kind (GString *json, const QnMasonry *masonry)
     qn_json_put_numbers (json, "capital", &column->capital_width, 2);
   if (masonry->kind == QN_MASONRY_RUBBLE)
     qn_json_put_number (json, "seed", masonry->rubble.seed);
+  for (gsize i = 0; masonry->kind == QN_MASONRY_PORTAL && i < G_N_ELEMENTS (portal_lists);
+       i++) {
+    const double *numbers =
+      (const double *) (const void *) ((const char *) &masonry->portal
+                                       + portal_lists[i].offset);
+    gsize count = 0;
+    while (count < QN_MOST_UNEQUAL && numbers[count] > 0)
+      count++;
+    if (count > 0)
+      qn_json_put_numbers (json, portal_lists[i].key, numbers, count);
+  }
   if (masonry->kind == QN_MASONRY_PORTAL && !(masonry->portal.lintel_height > 0))
     qn_members_put (json, "arch", inner_arch_members, NULL, &masonry->portal.arch,
                     &usual.portal.arch);

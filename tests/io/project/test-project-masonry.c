@@ -40,6 +40,10 @@ static const char *const objects[] = {
   "{ \"kind\": \"portal\", \"name\": \"p\", " COMMON
   "\"bays\": 2, \"span\": 2, \"pier\": [1, "
   "2], \"courses\": 4, \"arch\": { \"rise\": 1, \"ring\": 0.3, \"voussoirs\": 9 } }",
+  "{ \"kind\": \"portal\", \"name\": \"q\", " COMMON
+  "\"bays\": 2, \"span\": 2, \"pier\": [1, 2], \"courses\": 4, \"spans\": [2, 3], "
+  "\"rises\": [0.8], \"ring_thicknesses\": [0.4, 0.3], \"piers\": [1, 0.8, 1.2], "
+  "\"arch\": { \"rise\": 1, \"ring\": 0.3, \"voussoirs\": 9 } }",
   "{ \"kind\": \"rubble\", \"name\": \"r\", " COMMON
   "\"width\": [2, 1.5], \"height\": 2, "
   "\"stone\": 0.4, \"seed\": 3 }",
@@ -173,6 +177,10 @@ test_refuses (void)
                   "\"bays\": 2, \"span\": 2, \"pier\": [1, 2], \"courses\": 4, "
                   "\"arch\": 3 }",
                   "masonry[0].arch", "expected an object");
+  assert_refused ("{ \"kind\": \"portal\", " COMMON
+                  "\"bays\": 2, \"span\": 2, \"pier\": [1, 2], \"courses\": 4, "
+                  "\"lintel\": 0.3, \"spans\": [2, 2, 2] }",
+                  "masonry[0].spans", "up to 2 numbers");
   assert_refused ("{ \"kind\": \"grid\", " COMMON
                   "\"size\": [3, 2], \"cells\": [2.5, 4] }",
                   "masonry[0].cells", "whole numbers");
