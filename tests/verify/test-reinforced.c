@@ -68,10 +68,14 @@ join (QnModel *model, QnId a, QnId b, QnId law)
   *joint = (QnFaceOverride){ .block_a = a, .block_b = b, .law = law };
 }
 
-/* With blocks of steel, or with a bar bonded for good. The first CELLS blocks are of concrete. */
+/* With blocks of steel that bond holds, and strengths by joint or by cell; or with a bar bonded for good. The
+ * first CELLS blocks are of concrete. */
+typedef enum { BY_JOINT, BY_CELL, BONDED } Chord;
+
 static void
-init_chord (TestRun *run, bool slips)
+init_chord (TestRun *run, Chord kind)
 {
+  const bool slips = kind != BONDED;
   *run = (TestRun){ 0 };
   QnModel *model = &run->model;
   qn_model_init (model);
@@ -98,7 +102,10 @@ init_chord (TestRun *run, bool slips)
     join (model, i, CELLS + i, 1);
   }
   for (int i = 0; i + 1 < CELLS; i++)
-    join (model, i, i + 1, add_concrete (model, i));
+    if (kind == BY_CELL)
+      model->blocks[i].law = add_concrete (model, i);
+    else
+      join (model, i, i + 1, add_concrete (model, i));
   model->contact.law = 0;
   model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_LOBATTO, .count = 3 };
   model->blocks[slips ? CELLS : 0].support[0] = true;
@@ -139,7 +146,7 @@ test_chord (void)
   const double first = FT * (SIDE * SIDE + ES / EC * AREA);
   double at[CELLS], width[CELLS], cracked = 0;
   g_auto (TestRun) run;
-  init_chord (&run, true);
+  init_chord (&run, BY_JOINT);
   test_control (&run.model, QN_PROCEDURE_DISPLACEMENT, "s39", QN_DOF_UX, 2e-3);
   run.model.analysis.increments = 30;
   test_run_solve (&run);
@@ -186,13 +193,54 @@ test_chord (void)
   g_assert_cmpfloat (widest, <, ec);
 }
 
+/* Force at the end of the path, and the work done on it. */
+static double
+pull_chord (Chord kind, QnProcedure procedure, double target, double *work)
+{
+  double way = 0, force = 0;
+  g_auto (TestRun) run;
+  init_chord (&run, kind);
+  test_control (&run.model, procedure, "s39", QN_DOF_UX, target);
+  run.model.analysis.increments = 30;
+  test_run_solve (&run);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  *work = 0;
+  for (size_t i = 0; i < run.result.step_count; i++) {
+    const double u = qn_result_step_displacements (&run.result, i)[3 * (2 * CELLS - 1)];
+    const double now = run.result.steps[i].multiplier * 1e3;
+    *work += 0.5 * (now + force) * (u - way);
+    way = u;
+    force = now;
+  }
+  g_test_message ("%d, %d: %.3f kN, %.3f J", (int) kind, (int) procedure, force / 1e3,
+                  *work);
+  return force;
+}
+
+/* The same cracks whatever is controlled, though force falls with each. Cells of two strengths share a joint,
+ * whose springs then crack one after the other. */
+static void
+test_chord_paths (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_DISPLACEMENT, QN_PROCEDURE_WORK,
+                                            QN_PROCEDURE_ARC_LENGTH };
+  double force[3], work[3], other;
+  for (int i = 0; i < 3; i++) {
+    force[i] = pull_chord (BY_JOINT, procedures[i], 1e-3, &work[i]);
+    g_assert_cmpfloat_with_epsilon (force[i] / force[0], 1, 0.01);
+    g_assert_cmpfloat_with_epsilon (work[i] / work[0], 1, 0.01);
+  }
+  pull_chord (BY_CELL, QN_PROCEDURE_DISPLACEMENT, 0.4e-3, &other);
+}
+
 /* A bar that is bonded for good opens every joint: spacing and stiffening are then those of the cells. */
 static void
 test_bonded_chord (void)
 {
   double at[CELLS], width[CELLS];
   g_auto (TestRun) run;
-  init_chord (&run, false);
+  init_chord (&run, BONDED);
   test_control (&run.model, QN_PROCEDURE_DISPLACEMENT, "c39", QN_DOF_UX, 2e-3);
   run.model.analysis.increments = 30;
   test_run_solve (&run);
@@ -337,6 +385,7 @@ test_panel (void)
 QN_TESTS
 {
   g_test_add_func ("/verify/reinforced/chord", test_chord);
+  g_test_add_func ("/verify/reinforced/chord-paths", test_chord_paths);
   g_test_add_func ("/verify/reinforced/bonded-chord", test_bonded_chord);
   g_test_add_func ("/verify/reinforced/panel", test_panel);
 }

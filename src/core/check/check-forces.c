@@ -240,7 +240,7 @@ take_damage (QnCheck *check, size_t step, size_t p)
   bool moved =
     check->result->steps[step].relaxed || check->lost || check->result->history.width > 0;
   bool bond = qn_spring_has_bond (&springs->a) || qn_spring_has_bond (&springs->b);
-  if (moved && !bond) /* cracks of a member are as its forces are: any */
+  if ((moved || check->unknown[p]) && !bond) /* of a member: any, as its forces are */
     return;
   if (at.damage > found && at.damage <= 1 && moved) {
     bool in_a =
@@ -252,6 +252,12 @@ take_damage (QnCheck *check, size_t step, size_t p)
   }
   if (!qn_check_agrees (at.damage, found, QN_CHECK_STATE))
     qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
+}
+
+static bool
+is_plastic (const QnPairSprings *springs)
+{
+  return qn_law_is_plastic (springs->a.kind) && qn_law_is_plastic (springs->b.kind);
 }
 
 /* Whether a pair may have another force than its law answers to the step before; *response then is one with
@@ -273,9 +279,7 @@ explain (QnCheck *check, size_t p, const double force[2], double tolerance,
       && qn_pair_evaluate (springs, &memory, q, response)
       && same_force (response->force, force, tolerance))
     return true;
-  check->unknown[p] =
-    check->relaxed
-    && !(qn_law_is_plastic (springs->a.kind) && qn_law_is_plastic (springs->b.kind));
+  check->unknown[p] = check->relaxed && !is_plastic (springs);
   return check->unknown[p];
 }
 
@@ -295,6 +299,9 @@ check_forces (QnCheck *check, size_t step)
     QnPairState state;
     double force[2], tolerance = force_tolerance (check, springs, q);
     take_damage (check, step, p);
+    /* The force of a crack tells as little of its way where it is what would have been without. */
+    if (told->relaxed && qn_law_softens (springs->a.kind) && !is_plastic (springs))
+      check->unknown[p] = true;
     if (!stated_force (check, step, p, force, &state)) {
       check->lost = check->lost || told->relaxed;
       return;
