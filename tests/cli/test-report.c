@@ -184,7 +184,7 @@ test_members (void)
     const char *there[6], *absent[4];
   } cases[] = {
     { "32-frame-beams.quoin",
-      { "3 beams; 3 m wide, 3 m high.", "Section", "E = 30000 MPa", "63.496 kN·m" },
+      { "3 beams; 3 m wide, 3 m high", "Section", "E = 30000 MPa", "63.496 kN·m" },
       { "0 blocks", "Findings", "weigh" } },
     { "09-reinforced-cantilever.quoin",
       { "Reinforcing bars", "Diameter (mm)", "22.57", "400", "30000 MPa" },
@@ -317,6 +317,46 @@ test_combinations (void)
   assert_words (pdf, WORDS ("Not checked: ", "nothing to combine"), NULL);
 }
 
+/* Assumptions and what nobody has checked follow from the project, and figures are numbered as the words say. */
+static void
+test_assumptions (void)
+{
+  static const struct {
+    const char *example;
+    const char *there[7], *absent[5];
+  } cases[] = {
+    { "38-tied-walls.quoin",
+      { "Joints carry no tension", "without dilation", "undeformed structure",
+        "do not settle", "Ties carry tension alone", "joints of “dry joint”" },
+      { "Anchors of ties", "Soil", "ground moves" } },
+    { "47-gable-with-tie.quoin", { "Ties carry", "Figure 1: Model" }, { "Soil" } },
+    { "19-settling-wall.quoin", { "but for the settlements" }, { "live load grows" } },
+    { "26-crushing-tower.quoin", { "that slide open" }, { "any compression" } },
+    { "46-cyclic-panel.quoin", { "tension and cohesion" }, { "no tension" } },
+    { "27-retaining-wall.quoin", { "Soil loads and presses" }, { "Ties" } },
+    { "40-rocking-in-time.quoin",
+      { "of the deformed structure" },
+      { "effect of displacements", "ground moves" } },
+    { "42-arch-pulse.quoin", { "ground moves as one" }, { "live load grows" } },
+    { "50-wall-in-combinations.quoin", { "out of the plane" }, { "partial factors" } },
+  };
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *pdf = g_build_filename (folder, "r.pdf", NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *model = cli_example (cases[i].example);
+    cli_do ("report", model, "--sections", "assumptions,model", "-o", pdf, NULL);
+    assert_words (pdf, cases[i].there, cases[i].absent);
+  }
+  g_autofree char *bridge = cli_example ("53-arch-bridge.quoin");
+  cli_do ("report", bridge, "--sections", "results,joints", "-o", pdf, NULL);
+  /* Few cells of the table wrap, so that many do not. */
+  assert_words (pdf,
+                WORDS ("Mechanism: figure", "b.arch1.v24 – b.arch1.r2.v24",
+                       "Load–displacement curve: figure", "Figure 1: Mechanism",
+                       "Figure 2: Load", "-2.0"),
+                WORDS ("-200"));
+}
+
 /* A project that is shaken is solved with its record, and tells what has moved. */
 static void
 test_record (void)
@@ -394,6 +434,7 @@ QN_TESTS
   g_test_add_func ("/cli/report/settlement", test_settlement);
   g_test_add_func ("/cli/report/mechanism", test_mechanism);
   g_test_add_func ("/cli/report/combinations", test_combinations);
+  g_test_add_func ("/cli/report/assumptions", test_assumptions);
   g_test_add_func ("/cli/report/record", test_record);
   g_test_add_func ("/cli/report/template", test_template);
   g_test_add_func ("/cli/report/refused", test_refused);

@@ -13,30 +13,30 @@
 #include <string.h>
 
 /* Numbers by the keys of project files; the first ones belong to every law. */
-static const struct {
+static struct {
   const char *key;
-  QnFieldInfo info;
+  QnFieldInfo info; /* its label that of law-text.h */
 } numbers[] = {
-  { "elasticity", { N_ ("Elasticity"), .least = 1e-12, .most = 1e18 } },
-  { "poisson", { N_ ("Poisson's ratio"), .most = 0.4999 } },
-  { "kn", { N_ ("Normal stiffness"), .least = 1e-12, .most = 1e18 } },
-  { "ks", { N_ ("Shear stiffness"), .least = 1e-12, .most = 1e18 } },
-  { "shear_factor", { N_ ("Shear factor (0: 1)"), .most = 1e18 } },
-  { "friction", { N_ ("Friction, tangent"), .most = 1e18 } },
-  { "cohesion", { N_ ("Cohesion"), .most = 1e18 } },
-  { "tension", { N_ ("Tensile strength"), .most = 1e18 } },
-  { "compression", { N_ ("Compressive strength"), .most = 1e18 } },
-  { "residual_friction", { N_ ("Residual friction, tangent"), .most = 1e18 } },
-  { "fracture_energy_tension", { N_ ("Fracture energy, tension"), .most = 1e18 } },
-  { "fracture_energy_shear", { N_ ("Fracture energy, shear"), .most = 1e18 } },
-  { "dilatancy", { N_ ("Dilatancy, tangent"), .most = 1e18 } },
-  { "dilation_end", { N_ ("End of dilation, slip"), .most = 1e18 } },
-  { "yield", { N_ ("Yield"), .most = 1e18 } },
-  { "hardening", { N_ ("Hardening, part of stiffness"), .most = 1e18 } },
-  { "strength", { N_ ("Strength"), .most = 1e18 } },
-  { "ultimate_strain", { N_ ("Ultimate strain"), .most = 1e18 } },
-  { "fracture_energy", { N_ ("Fracture energy"), .most = 1e18 } },
-  { "crushing_energy", { N_ ("Crushing energy"), .most = 1e18 } },
+  { "elasticity", { .least = 1e-12, .most = 1e18 } },
+  { "poisson", { .most = 0.4999 } },
+  { "kn", { .least = 1e-12, .most = 1e18 } },
+  { "ks", { .least = 1e-12, .most = 1e18 } },
+  { "shear_factor", { .most = 1e18 } },
+  { "friction", { .most = 1e18 } },
+  { "cohesion", { .most = 1e18 } },
+  { "tension", { .most = 1e18 } },
+  { "compression", { .most = 1e18 } },
+  { "residual_friction", { .most = 1e18 } },
+  { "fracture_energy_tension", { .most = 1e18 } },
+  { "fracture_energy_shear", { .most = 1e18 } },
+  { "dilatancy", { .most = 1e18 } },
+  { "dilation_end", { .most = 1e18 } },
+  { "yield", { .most = 1e18 } },
+  { "hardening", { .most = 1e18 } },
+  { "strength", { .most = 1e18 } },
+  { "ultimate_strain", { .most = 1e18 } },
+  { "fracture_energy", { .most = 1e18 } },
+  { "crushing_energy", { .most = 1e18 } },
 };
 
 typedef struct Form {
@@ -70,6 +70,7 @@ QN_FORM_FIELDS;
 static const QnFieldInfo *
 row_info (guint row)
 {
+  numbers[row].info.label = qn_law_number_word (numbers[row].key);
   return &numbers[row].info;
 }
 

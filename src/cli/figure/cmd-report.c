@@ -144,8 +144,8 @@ run_report (const QnSubcommand *self, int argc, char **argv)
       "a4|letter" },
     { "sections", 0, 0, G_OPTION_ARG_STRING, &options.sections,
       N_ ("Only these, commas between them"),
-      "title,model,materials,loads,findings,contacts,results,mechanism,joints,"
-      "certificate,comparison,files" },
+      "title,model,materials,loads,assumptions,findings,contacts,results,mechanism,"
+      "combinations,joints,certificate,comparison,files" },
     { "demand", 0, 0, G_OPTION_ARG_STRING, &options.demand,
       N_ ("Say whether this load multiplier is carried"), N_ ("MULTIPLIER") },
     QN_INPUT_ENTRIES (options.input),

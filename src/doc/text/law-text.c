@@ -31,6 +31,40 @@ static const struct {
   { "compression", "fc" }, { "yield", "fy" },   { "strength", "f" },
 };
 
+static const struct {
+  const char *key, *word;
+} number_words[] = {
+  { "elasticity", N_ ("Elasticity") },
+  { "poisson", N_ ("Poisson's ratio") },
+  { "kn", N_ ("Normal stiffness") },
+  { "ks", N_ ("Shear stiffness") },
+  { "shear_factor", N_ ("Shear factor (0: 1)") },
+  { "friction", N_ ("Friction, tangent") },
+  { "cohesion", N_ ("Cohesion") },
+  { "tension", N_ ("Tensile strength") },
+  { "compression", N_ ("Compressive strength") },
+  { "residual_friction", N_ ("Residual friction, tangent") },
+  { "fracture_energy_tension", N_ ("Fracture energy, tension") },
+  { "fracture_energy_shear", N_ ("Fracture energy, shear") },
+  { "dilatancy", N_ ("Dilatancy, tangent") },
+  { "dilation_end", N_ ("End of dilation, slip") },
+  { "yield", N_ ("Yield") },
+  { "hardening", N_ ("Hardening, part of stiffness") },
+  { "strength", N_ ("Strength") },
+  { "ultimate_strain", N_ ("Ultimate strain") },
+  { "fracture_energy", N_ ("Fracture energy") },
+  { "crushing_energy", N_ ("Crushing energy") },
+};
+
+const char *
+qn_law_number_word (const char *key)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (number_words); i++)
+    if (g_str_equal (number_words[i].key, key))
+      return number_words[i].word;
+  return key;
+}
+
 QnQuantity
 qn_law_quantity (const char *key, QnBasis basis)
 {

@@ -61,6 +61,7 @@ plot_multipliers (QnPages *pages, const double *multipliers, gsize count)
     y[shown] = multipliers[i];
     shown += isfinite (multipliers[i]);
   }
+  plot->title = _ ("Multipliers of the combinations");
   plot->y.from_zero = true;
   qn_plot_mark (plot, QN_MARKS_POINTS, NULL, 1, x, y, shown);
   if (shown > 0)
@@ -76,7 +77,6 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report)
   if (*project->model.combinations.code == '\0')
     return;
   g_autoptr (GPtrArray) list = qn_combinations_make (project, &error);
-  qn_pages_break (pages);
   qn_pages_heading (pages, _ ("Combinations"));
   if (list == NULL) {
     qn_report_say (pages, _ ("Not checked: %s."), error->message);
@@ -104,9 +104,11 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report)
   qn_report_say (
     pages,
     _ ("%u combinations by %s. The multiplier is that of the live loads with "
-       "their factors; a combination is met from 1 on. The worst: %s, λ = %s."),
+       "their factors; a combination is met from 1 on. The worst: %s, λ = %s; all: "
+       "figure\u00a0%d."),
     list->len, project->model.combinations.code,
-    ((const QnCombination *) list->pdata[worst])->name, least);
+    ((const QnCombination *) list->pdata[worst])->name, least,
+    qn_pages_next_figure (pages));
   plot_multipliers (pages, multipliers, list->len);
   qn_report_table (pages, cells, COLUMNS);
 }

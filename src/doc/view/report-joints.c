@@ -188,10 +188,14 @@ qn_report_write_joints (QnPages *pages, const QnReport *report, const QnReportRu
                 least[c] / qn_units_factor (units, quantities[c]));
   g_autofree char *heading = g_strdup_printf (_ ("Forces of joints: %s"), run->name);
   qn_pages_heading (pages, heading);
-  if (!write_numbered (pages, run, shown, MIN (rows, faces), error))
+  int figure = qn_pages_next_figure (pages);
+  if (contacts->face_count > 1
+      && !write_numbered (pages, run, shown, MIN (rows, faces), error))
     return false;
   qn_pages_table (pages, (const char *const *) cells, rows + 1, COLUMNS);
   tell_rest (pages, joints, rows);
+  if (contacts->face_count > 1)
+    qn_report_say (pages, _ ("Figure\u00a0%d shows where the numbers are."), figure);
   if (faces < contacts->face_count) {
     gsize still = contacts->face_count - faces;
     qn_report_say (pages,
@@ -242,11 +246,13 @@ qn_report_write_contacts (QnPages *pages, const QnReport *report, GError **error
   qn_pages_heading (pages, _ ("Contacts"));
   qn_figure_init (&figure, &report->project->model, report->contacts, NULL,
                   QN_VIEW_CONTACTS);
-  figure.title = "";
+  figure.title = _ ("Contact faces and pairs");
   figure.caption = "";
+  write_pairs (pages, report);
+  qn_report_say (pages, _ ("Where they are: figure\u00a0%d."),
+                 qn_pages_next_figure (pages));
   if (!qn_pages_figure (pages, &figure, 0.45, error))
     return false;
-  write_pairs (pages, report);
   if (report->run_count == 0)
     write_faces (pages, report);
   return true;

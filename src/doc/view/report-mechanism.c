@@ -15,9 +15,11 @@ write_bodies (QnPages *pages, const QnReportRun *run, GError **error)
     qn_explain_mechanism (model, run->contacts, &run->file->result);
   qn_figure_init (&figure, model, run->contacts, &run->file->result, QN_VIEW_MECHANISM);
   figure.options.field = QN_FIELD_BODIES;
-  figure.title = "";
+  figure.title = _ ("Bodies of the mechanism");
   if (words != NULL)
     qn_pages_paragraph (pages, words);
+  qn_report_say (pages, _ ("%s: figure\u00a0%d."), figure.title,
+                 qn_pages_next_figure (pages));
   return qn_pages_figure (pages, &figure, 0.3, error);
 }
 
@@ -28,6 +30,9 @@ write_checks (QnPages *pages, const QnCapacityAnswer *answer, QnUnits units)
   if (cells->len > QN_CAPACITY_COLUMNS)
     qn_report_table (pages, cells, QN_CAPACITY_COLUMNS);
   g_autoptr (QnPlot) plot = qn_capacity_answer_plot (answer);
+  plot->title = _ ("Capacity curve of the mechanism");
+  qn_report_say (pages, _ ("%s: figure\u00a0%d."), plot->title,
+                 qn_pages_next_figure (pages));
   qn_pages_plot (pages, plot, 0.25);
 }
 

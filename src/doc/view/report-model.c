@@ -52,13 +52,15 @@ qn_report_write_model (QnPages *pages, const QnReport *report, GError **error)
   g_autofree char *height = dup_quantity (report, QN_QUANTITY_LENGTH, size.y);
   g_autofree char *force = dup_quantity (report, QN_QUANTITY_FORCE, weight);
   g_autofree char *text =
-    first > 0 ? g_strdup_printf (_ ("%s; %s wide, %s high."), number, width, height)
-              : g_strdup_printf (_ ("%s; %s wide, %s high; free blocks weigh %s."),
-                                 number, width, height, force);
+    first > 0 ? g_strdup_printf (_ ("%s; %s wide, %s high: figure\u00a0%d."), number,
+                                 width, height, qn_pages_next_figure (pages))
+              : g_strdup_printf (
+                _ ("%s; %s wide, %s high; free blocks weigh %s: figure\u00a0%d."), number,
+                width, height, force, qn_pages_next_figure (pages));
   qn_pages_paragraph (pages, text);
   qn_figure_init (&figure, model, report->contacts, NULL, QN_VIEW_MODEL);
   figure.options.dimensions = figure.options.loads = true;
-  figure.title = "";
+  figure.title = _ ("Model");
   figure.caption = "";
   return qn_pages_figure (pages, &figure, 0.55, error);
 }
@@ -90,7 +92,8 @@ dup_law_numbers (const QnLaw *law, QnUnits units)
     g_autofree char *number = qn_units_format_full (
       units, qn_law_quantity (parameters[i].key, law->basis), value, 6);
     number = qn_label_power (number);
-    g_string_append_printf (text, ", %s = %s", parameters[i].key, number);
+    g_string_append_printf (text, "; %s: %s", _ (qn_law_number_word (parameters[i].key)),
+                            number);
   }
   return g_strdup (text->str);
 }
@@ -331,7 +334,7 @@ write_dynamic (QnPages *pages, const QnReport *report)
 
 /* "Live load, traffic × 1.5: Backfill on the left: …" */
 static void
-write_load (QnPages *pages, const QnReport *report, const QnLoad *load, bool dead)
+append_load (GString *list, const QnReport *report, const QnLoad *load, bool dead)
 {
   const QnModel *model = &report->project->model;
   g_autofree char *text = qn_load_dup_text (model, load, report->units);
@@ -341,12 +344,12 @@ write_load (QnPages *pages, const QnReport *report, const QnLoad *load, bool dea
                      : g_strdup_printf (_ ("Set “%s”"), model->load_sets[load->set - 1]);
   g_autofree char *factor = qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER,
                                              qn_model_load_factor (model, load), 6);
-  g_autofree char *line =
-    load->load_case > 0
-      ? g_strdup_printf (_ ("%s, %s × %s: %s"), where,
-                         model->load_cases[load->load_case - 1].name, factor, text)
-      : g_strdup_printf (_ ("%s: %s"), where, text);
-  qn_pages_paragraph (pages, line);
+  g_string_append (list, list->len > 0 ? "\n" : "");
+  if (load->load_case > 0)
+    g_string_append_printf (list, _ ("%s, %s × %s: %s"), where,
+                            model->load_cases[load->load_case - 1].name, factor, text);
+  else
+    g_string_append_printf (list, _ ("%s: %s"), where, text);
 }
 
 void
@@ -354,8 +357,13 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
 {
   const QnModel *model = &report->project->model;
   qn_pages_heading (pages, _ ("Loads and Analysis"));
+  qn_report_say (pages, _ ("Procedure: %s, in %s geometry."), qn_report_procedure (model),
+                 qn_report_geometry (model));
+  g_autoptr (GString) list = g_string_new (NULL);
   for (size_t i = 0; i < qn_model_load_count (model); i++)
-    write_load (pages, report, qn_model_load (model, i), i < model->dead_load_count);
+    append_load (list, report, qn_model_load (model, i), i < model->dead_load_count);
+  if (list->len > 0)
+    qn_pages_paragraph (pages, list->str);
   for (size_t i = 0; i < model->stage_count; i++) {
     g_autofree char *text = qn_stage_dup_text (model, i, report->units);
     if (*text != '\0')
@@ -365,8 +373,6 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
     qn_report_write_ground_motion (pages, &model->ground[i]);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     write_dynamic (pages, report);
-  qn_report_say (pages, _ ("Procedure: %s, in %s geometry."), qn_report_procedure (model),
-                 qn_report_geometry (model));
 }
 
 void

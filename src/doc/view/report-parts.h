@@ -31,6 +31,10 @@ void qn_report_write_loads (QnPages *pages, const QnReport *report);
 void qn_report_write_findings (QnPages *pages, const QnReport *report);
 void qn_report_write_ground_motion (QnPages *pages, const QnGroundMotion *motion);
 
+/* ---- report-assumptions.c ---- */
+
+void qn_report_write_assumptions (QnPages *pages, const QnReport *report);
+
 /* ---- report-joints.c ---- */
 
 /* "b1 – b2" */

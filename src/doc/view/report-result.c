@@ -41,28 +41,58 @@ take_curve (const QnReportRun *run, QnCurve *curve)
   return true;
 }
 
+/* The figures of a result: named first, with the numbers that they will have, then drawn. */
+typedef struct Pictures {
+  QnPages *pages;
+  const QnReportRun *run;
+  GString *named; /* NULL: they are drawn */
+  int number;     /* of the next that is named */
+  GError **error;
+} Pictures;
+
+/* Whether the next one is only named. */
 static bool
-write_field (QnPages *pages, const QnReportRun *run, QnView view, QnField field,
-             const char *title, GError **error)
+name_figure (Pictures *p, const char *title)
 {
-  QnFigure figure;
-  qn_figure_init (&figure, &run->project->model, run->contacts, &run->file->result, view);
-  figure.options.field = field;
-  figure.title = title;
-  return qn_pages_figure (pages, &figure, 0.42, error);
+  if (p->named != NULL)
+    g_string_append_printf (p->named, _ ("%s: figure\u00a0%d. "), title, p->number++);
+  return p->named != NULL;
 }
 
 static bool
-write_figure (QnPages *pages, const QnReportRun *run, QnView view, const char *title,
-              GError **error)
+show_field (Pictures *p, QnView view, QnField field, int step, const char *title)
 {
-  return write_field (pages, run, view, QN_FIELD_NONE, title, error);
+  QnFigure figure;
+  if (name_figure (p, title))
+    return true;
+  qn_figure_init (&figure, &p->run->project->model, p->run->contacts,
+                  &p->run->file->result, view);
+  figure.options.field = field;
+  if (step >= 0)
+    figure.options.step = step;
+  figure.title = title;
+  return qn_pages_figure (p->pages, &figure, 0.42, p->error);
+}
+
+static bool
+show_view (Pictures *p, QnView view, const char *title)
+{
+  return show_field (p, view, QN_FIELD_NONE, -1, title);
+}
+
+static void
+show_plot (Pictures *p, QnPlot *plot, const char *title, double share)
+{
+  plot->title = title;
+  if (!name_figure (p, title))
+    qn_pages_plot (p->pages, plot, share);
 }
 
 /* Of members and walls of cells: stresses, and cracks where a law has them. */
 static bool
-write_cells (QnPages *pages, const QnReportRun *run, GError **error)
+show_cells (Pictures *p)
 {
+  const QnReportRun *run = p->run;
   const QnLaw *laws = run->project->model.laws;
   bool cells = false, cracks = false;
   for (size_t f = 0; f < run->contacts->face_count; f++) {
@@ -73,11 +103,10 @@ write_cells (QnPages *pages, const QnReportRun *run, GError **error)
     cracks |= inside && (qn_law_softens (a->kind) || qn_law_softens (b->kind));
   }
   return !cells
-         || (write_field (pages, run, QN_VIEW_DEFORMED, QN_FIELD_PRINCIPAL,
-                          _ ("Principal stresses"), error)
+         || (show_field (p, QN_VIEW_DEFORMED, QN_FIELD_PRINCIPAL, -1,
+                         _ ("Principal stresses"))
              && (!cracks
-                 || write_field (pages, run, QN_VIEW_DEFORMED, QN_FIELD_CRACK,
-                                 _ ("Cracks"), error)));
+                 || show_field (p, QN_VIEW_DEFORMED, QN_FIELD_CRACK, -1, _ ("Cracks"))));
 }
 
 typedef struct Crack {
@@ -268,35 +297,59 @@ step_at (const QnResult *result, double time)
 
 /* What shakes the structure, how it stands when it has moved farthest, and its energies. */
 static bool
-write_history (QnPages *pages, const QnReportRun *run, GError **error)
+show_history (Pictures *p)
 {
-  const QnModel *model = &run->project->model;
-  const QnResult *result = &run->file->result;
+  const QnModel *model = &p->run->project->model;
+  const QnResult *result = &p->run->file->result;
   for (size_t i = 0; i < model->ground_count; i++) {
     QnGroundPreview ground;
     qn_ground_preview_init (&ground, model, i, QN_GROUND_ACCELERATION);
     if (ground.count > 0) {
-      qn_report_write_ground_motion (pages, &model->ground[i]);
       g_autoptr (QnPlot) plot = qn_ground_preview_plot (&ground, QN_GROUND_ACCELERATION);
-      qn_pages_plot (pages, plot, 0.25);
+      show_plot (p, plot, _ ("Ground motion"), 0.25);
     }
     qn_ground_preview_clear (&ground);
   }
-  if (isfinite (result->history.peak_time) && result->step_count > 0) {
-    QnFigure figure;
-    size_t step = step_at (result, result->history.peak_time);
-    qn_figure_init (&figure, model, run->contacts, result, QN_VIEW_DEFORMED);
-    figure.options.step = (int) step;
-    figure.title = _ ("At its largest displacement");
-    if (!qn_pages_figure (pages, &figure, 0.42, error))
-      return false;
-  }
+  if (isfinite (result->history.peak_time) && result->step_count > 0
+      && !show_field (p, QN_VIEW_DEFORMED, QN_FIELD_NONE,
+                      (int) step_at (result, result->history.peak_time),
+                      _ ("At its largest displacement")))
+    return false;
   if (result->history.row_count > 0) {
     const char *unit;
     g_autoptr (QnPlot) energies = qn_energy_plot (&result->history, &unit);
-    qn_pages_plot (pages, energies, 0.3);
+    show_plot (p, energies, _ ("Energies"), 0.3);
   }
   return true;
+}
+
+static bool
+show_pictures (Pictures *p)
+{
+  const QnResult *result = &p->run->file->result;
+  const bool mode = result->vibration.mode > 0 || result->stability == QN_STABILITY_LOST;
+  QnCurve curve;
+  if (result->mechanism != NULL
+      && !show_view (p, QN_VIEW_MECHANISM, mode ? _ ("Mode") : _ ("Mechanism")))
+    return false;
+  if (result->mechanism == NULL && result->step_count > 0
+      && !show_view (p, QN_VIEW_DEFORMED, _ ("Displacements")))
+    return false;
+  if (take_curve (p->run, &curve)) {
+    g_autoptr (QnPlot) plot = qn_curve_plot (&curve, 1, NULL, 0);
+    show_plot (p, plot,
+               curve.in_time   ? _ ("Displacement in time")
+               : curve.settles ? _ ("Reaction over settlement")
+                               : _ ("Load–displacement curve"),
+               0.4);
+    qn_curve_clear (&curve);
+  }
+  return (result->history.width == 0 || show_history (p))
+         && (result->beam_forces == NULL
+             || show_view (p, QN_VIEW_DIAGRAMS, _ ("Section forces")))
+         && (!qn_report_has_forces (p->run) || p->run->contacts->face_count == 0
+             || (show_view (p, QN_VIEW_FORCES, _ ("Contact forces"))
+                 && (result->limit.given || show_cells (p))));
 }
 
 bool
@@ -305,7 +358,6 @@ qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
 {
   const QnModel *model = &run->project->model;
   const QnResult *result = &run->file->result;
-  QnCurve curve;
   g_autofree char *title = g_strdup_printf (_ ("Result: %s"), run->name);
   qn_pages_heading (pages, title);
   g_autofree char *overrides =
@@ -324,30 +376,16 @@ qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
   g_autofree char *words = qn_explain_mechanism (model, run->contacts, result);
   if (words != NULL)
     qn_pages_paragraph (pages, words);
-  bool mode = result->vibration.mode > 0 || result->stability == QN_STABILITY_LOST;
-  if (result->mechanism != NULL
-      && !write_figure (pages, run, QN_VIEW_MECHANISM,
-                        mode ? _ ("Mode") : _ ("Mechanism"), error))
-    return false;
-  if (result->mechanism == NULL && result->step_count > 0
-      && !write_figure (pages, run, QN_VIEW_DEFORMED, _ ("Displacements"), error))
-    return false;
-  if (take_curve (run, &curve)) {
-    g_autoptr (QnPlot) plot = qn_curve_plot (&curve, 1, NULL, 0);
-    plot->title = curve.in_time   ? _ ("Displacement in time")
-                  : curve.settles ? _ ("Reaction over settlement")
-                                  : _ ("Load–displacement curve");
-    qn_pages_plot (pages, plot, 0.4);
-    qn_curve_clear (&curve);
-  }
-  if (result->history.width > 0 && !write_history (pages, run, error))
-    return false;
-  if (result->beam_forces != NULL
-      && !write_figure (pages, run, QN_VIEW_DIAGRAMS, _ ("Section forces"), error))
-    return false;
-  return !qn_report_has_forces (run) || run->contacts->face_count == 0
-         || (write_figure (pages, run, QN_VIEW_FORCES, _ ("Contact forces"), error)
-             && (result->limit.given || write_cells (pages, run, error)));
+  for (size_t i = 0; result->history.width > 0 && i < model->ground_count; i++)
+    qn_report_write_ground_motion (pages, &model->ground[i]);
+  Pictures pictures = { pages, run, g_string_new (NULL), qn_pages_next_figure (pages),
+                        error };
+  g_autoptr (GString) named = pictures.named;
+  show_pictures (&pictures);
+  if (named->len > 0)
+    qn_pages_paragraph (pages, named->str);
+  pictures.named = NULL;
+  return show_pictures (&pictures);
 }
 
 void
@@ -427,6 +465,8 @@ qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **err
     count += take_curve (&report->runs[i], &curves[count]);
   }
   qn_report_table (pages, cells, 2 + 5);
+  qn_report_say (pages, _ ("Curves and pictures: from figure\u00a0%d on."),
+                 qn_pages_next_figure (pages));
   write_curves (pages, curves, count);
   for (size_t i = 0; i < count; i++)
     qn_curve_clear (&curves[i]);

@@ -22,9 +22,9 @@ static const QnMember members[] = {
 };
 
 const char *const qn_report_section_names[] = {
-  "title",       "model",      "materials", "loads",        "findings",
-  "contacts",    "results",    "mechanism", "combinations", "joints",
-  "certificate", "comparison", "files",     NULL,
+  "title",    "model",       "materials",  "loads",     "assumptions",
+  "findings", "contacts",    "results",    "mechanism", "combinations",
+  "joints",   "certificate", "comparison", "files",     NULL,
 };
 
 static gboolean

@@ -255,7 +255,7 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
   if (report->run_count == 0 || !qn_report_choose_picture (&figure, &report->runs[0])) {
     qn_figure_init (&figure, &report->project->model, report->contacts, NULL,
                     QN_VIEW_MODEL);
-    figure.title = "";
+    figure.title = _ ("Model");
   }
   if (!qn_pages_figure (pages, &figure, 0.5, error))
     return false;
@@ -289,7 +289,6 @@ write_files (QnPages *pages, const QnReport *report)
                    file->model_sha256 != NULL ? file->model_sha256 : "–");
   }
   qn_report_table (pages, cells, 3);
-  qn_report_say (pages, _ ("This report was made by %s."), report->generator);
 }
 
 static bool
@@ -304,6 +303,8 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
     qn_report_write_materials (pages, report);
   if (wanted[QN_REPORT_LOADS])
     qn_report_write_loads (pages, report);
+  if (wanted[QN_REPORT_ASSUMPTIONS])
+    qn_report_write_assumptions (pages, report);
   if (wanted[QN_REPORT_FINDINGS])
     qn_report_write_findings (pages, report);
   if (wanted[QN_REPORT_CONTACTS] && report->contacts->face_count > 0

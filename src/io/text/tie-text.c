@@ -59,7 +59,8 @@ static void
 append_worst (GString *text, const Worst *worst)
 {
   g_string_append (text, text->len > 0 ? _ (", ") : "");
-  g_string_append_printf (text, _ ("“%s” %.4g N"), worst->tie->name, worst->at.force);
+  g_string_append_printf (text, _ ("“%s” %.5g kN"), worst->tie->name,
+                          1e-3 * worst->at.force);
   double used = qn_tie_utilisation (worst->tie, worst->at.force);
   if (used > 0)
     g_string_append_printf (text, _ (", %.0f %% of its strength"), 100 * used);

@@ -15,6 +15,6 @@ gssize qn_tie_worst_step (const QnResult *result, gsize tie);
 /* What a tie uses of its strength; 0 where nothing limits it. */
 double qn_tie_utilisation (const QnTie *tie, double force);
 
-/* "Ties at most: “T” 3000 N, 100 % of its strength (anchor gives), “S” 1200 N, 40 %.", those that use most
+/* "Ties at most: “T” 3 kN, 100 % of its strength (anchor gives), “S” 1.2 kN, 40 %.", those that use most
  * first; NULL where there are none or their forces are not known. Free with g_free(). */
 char *qn_ties_dup_text (const QnModel *model, const QnResult *result);

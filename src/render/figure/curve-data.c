@@ -151,6 +151,10 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
     return false;
   }
   curve->count = count;
+  if (model->analysis.geometry == QN_GEOMETRY_LINEAR && !curve->rotation) {
+    QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
+    curve->size = fmax (box.max.x - box.min.x, box.max.y - box.min.y);
+  }
   for (size_t s = 0; s < count; s++) {
     double u = qn_curve_motion_at (result, motion, s);
     curve->x[s] = curve->in_time ? result->steps[s].time : u;
@@ -183,6 +187,9 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
 #define RUNAWAY     4.0
 #define BEYOND_PEAK 1.6
 
+/* Of a motion in linear geometry that exceeds the structure so many of its sizes are drawn. */
+#define SHOWN_SIZE 0.25
+
 bool
 qn_curve_get_end (const QnCurve *curve, double *end)
 {
@@ -191,6 +198,11 @@ qn_curve_get_end (const QnCurve *curve, double *end)
   if (curve->in_time || curve->settles)
     return false;
   for (size_t i = 0; i < curve->count; i++) {
+    double x = curve->x[i] - curve->x[0];
+    if (curve->size > 0 && fabs (x) > curve->size) {
+      *end = curve->x[0] + copysign (SHOWN_SIZE * curve->size, x);
+      return true;
+    }
     before = peak;
     peak = fmax (peak, curve->y[i]);
   }

@@ -23,6 +23,7 @@ typedef struct QnCurve {
     *component;  /* "ux", "uy" or "rz": what moves; NULL: the plot's label says it */
   bool rotation; /* what moves turns: rad instead of m */
   size_t count;
+  double size; /* of the structure in linear geometry, m: no motion is as large; 0: any */
   ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
   ptrdiff_t collapse_point; /* index of the point marked as collapse, or -1 */
   ptrdiff_t dot;            /* index of the moving dot of an animation, or -1 */
@@ -55,7 +56,8 @@ bool qn_curve_shares_axes (const QnCurve *a, const QnCurve *b);
 
 /* Where a curve has nothing more to tell: from near its peak on the multiplier stays as it is to
  * the end, while the displacement grows to many times what it was. Gives a displacement a little
- * beyond the peak; false where the whole curve matters, as where it descends from its peak. */
+ * beyond the peak. Likewise where a motion in linear geometry exceeds the structure: a part of its size. False
+ * where the whole curve matters, as where it descends from its peak. */
 bool qn_curve_get_end (const QnCurve *curve, double *end);
 
 /* Ends the curve where it first leaves -until .. until; marks beyond are left out. */

@@ -1,6 +1,7 @@
 #include "render/figure/pages.h"
 
 #include <cairo-pdf.h>
+#include <glib/gi18n-lib.h>
 #include <pango/pangocairo.h>
 #include <string.h>
 
@@ -15,7 +16,8 @@
 #define CELL_GAP     8.0
 #define ROW_GAP      3.0
 #define HEADING_ROOM 32.0
-#define LEAST_TEXT   36.0 /* of a paragraph beneath its heading */
+#define LEAST_TEXT   36.0  /* of a paragraph beneath its heading */
+#define KEPT_WHOLE   150.0 /* paragraphs up to this height are not divided */
 
 /* Bytes of a word that are shown at most: the work of breaking one into lines grows with the square of
  * its length. */
@@ -38,6 +40,7 @@ struct QnPages {
   cairo_t *cr;
   double y; /* where the next line begins, pt */
   int number;
+  int figures; /* drawn so far */
   bool breaks; /* what comes next begins a page */
 };
 
@@ -237,8 +240,13 @@ qn_pages_heading (QnPages *pages, const char *text)
 void
 qn_pages_paragraph (QnPages *pages, const char *text)
 {
-  begin (pages, LEAST_TEXT);
-  write_text (pages, text, SIZE_TEXT, false, 6);
+  int height;
+  g_autoptr (PangoLayout) layout =
+    new_layout (pages, text, SIZE_TEXT, false, text_width (pages));
+  pango_layout_get_pixel_size (layout, NULL, &height);
+  begin (pages, height <= KEPT_WHOLE ? height : LEAST_TEXT);
+  flow (pages, layout);
+  pages->y += 6;
 }
 
 /* Width of a cell, pt: of its text in one line, or of its longest word. */
@@ -254,35 +262,52 @@ measure_cell (const QnPages *pages, const char *cell, bool bold, bool by_word)
   return width + 1.0;
 }
 
-/* Columns as wide as their widest cell. Where all are too wide for the page, each keeps the room of its
- * longest word, and what they have beyond is narrowed alike; where words are too wide, words are. */
+/* Columns as wide as their widest cell. Where all are too wide for the page, cells wrap, first those that
+ * give most room for each row that becomes taller, down to their longest word; where words are too wide,
+ * words are divided. */
 static void
 measure_columns (const QnPages *pages, const char *const *cells, size_t rows,
                  size_t columns, double *widths)
 {
-  double sum = 0, least_sum = 0;
-  double room = text_width (pages) - CELL_GAP * (double) (columns - 1);
+  double excess = CELL_GAP * (double) (columns - 1) - text_width (pages), least_sum = 0;
+  g_autofree double *wide = g_new (double, rows *columns);
   g_autofree double *least = g_new0 (double, columns);
   for (size_t c = 0; c < columns; c++) {
     widths[c] = 0;
-    for (size_t r = 0; r < rows; r++)
-      widths[c] =
-        MAX (widths[c], measure_cell (pages, cells[r * columns + c], r == 0, false));
-    sum += widths[c];
+    for (size_t i = c; i < rows * columns; i += columns) {
+      wide[i] = measure_cell (pages, cells[i], i < columns, false);
+      widths[c] = MAX (widths[c], wide[i]);
+    }
+    excess += widths[c];
   }
-  if (sum <= room)
-    return;
-  for (size_t c = 0; c < columns; c++) {
-    for (size_t r = 0; r < rows; r++)
-      least[c] =
-        MAX (least[c], measure_cell (pages, cells[r * columns + c], r == 0, true));
+  for (size_t c = 0; c < columns && excess > 0; c++) {
+    for (size_t i = c; i < rows * columns; i += columns)
+      least[c] = MAX (least[c], measure_cell (pages, cells[i], i < columns, true));
     least_sum += least[c];
   }
-  for (size_t c = 0; c < columns; c++)
-    widths[c] =
-      least_sum >= room
-        ? least[c] * room / least_sum
-        : least[c] + (widths[c] - least[c]) * (room - least_sum) / (sum - least_sum);
+  while (excess > 0) {
+    size_t best = columns;
+    double gain = 0, cut = 0;
+    for (size_t c = 0; c < columns; c++) {
+      double next = least[c], taller = 0;
+      for (size_t i = c; i < rows * columns; i += columns)
+        if (wide[i] < widths[c])
+          next = MAX (next, wide[i]);
+        else
+          taller++;
+      if ((widths[c] - next) / taller > gain) {
+        best = c;
+        cut = widths[c] - next;
+        gain = cut / taller;
+      }
+    }
+    if (best == columns)
+      break;
+    widths[best] -= MIN (cut, excess);
+    excess -= cut;
+  }
+  for (size_t c = 0; c < columns && excess > 0; c++)
+    widths[c] *= 1 - excess / least_sum;
 }
 
 /* Columns of numbers, which are set to the right. */
@@ -357,6 +382,22 @@ qn_pages_table (QnPages *pages, const char *const *cells, size_t rows, size_t co
   pages->y += 8;
 }
 
+int
+qn_pages_next_figure (const QnPages *pages)
+{
+  return pages->figures + 1;
+}
+
+/* "Figure 3: Mechanism" */
+static char *
+dup_caption (QnPages *pages, const char *title)
+{
+  pages->figures++;
+  return title == NULL || *title == '\0'
+           ? g_strdup_printf (_ ("Figure %d"), pages->figures)
+           : g_strdup_printf (_ ("Figure %d: %s"), pages->figures, title);
+}
+
 static QnPage
 page_of (const QnPages *pages)
 {
@@ -392,19 +433,25 @@ qn_pages_figures (QnPages *pages, const QnFigure *figures, size_t count, size_t 
 {
   QnPage page = page_of (pages);
   double step = (text_width (pages) + CELL_GAP) / (double) columns;
+  g_autofree QnFigure *numbered = g_memdup2 (figures, count * sizeof *figures);
+  g_autoptr (GPtrArray) captions = g_ptr_array_new_with_free_func (g_free);
+  for (size_t i = 0; i < count; i++) {
+    g_ptr_array_add (captions, dup_caption (pages, qn_figure_title (&figures[i])));
+    numbered[i].title = captions->pdata[i];
+  }
   for (size_t first = 0; first < count; first += columns) {
     size_t row = MIN (columns, count - first);
     QnFrame frame = { .x = MARGIN,
                       .width = step - CELL_GAP,
                       .height = share * (bottom (pages) - MARGIN) };
-    if (!fit_figures (pages, figures + first, row, &frame, &page, error))
+    if (!fit_figures (pages, numbered + first, row, &frame, &page, error))
       return false;
     begin (pages, frame.height);
     frame.y = pages->y;
     cairo_save (pages->cr);
     bool done = true;
     for (size_t i = 0; i < row && done; i++, frame.x += step)
-      done = qn_figure_draw (&figures[first + i], pages->cr, &page, &frame, NULL, error);
+      done = qn_figure_draw (&numbered[first + i], pages->cr, &page, &frame, NULL, error);
     cairo_restore (pages->cr);
     if (!done)
       return false;
@@ -425,8 +472,11 @@ qn_pages_plot (QnPages *pages, const QnPlot *plot, double share)
   double height = share * (bottom (pages) - MARGIN);
   begin (pages, height);
   const QnFrame frame = { MARGIN, pages->y, text_width (pages), height, 0 };
+  QnPlot numbered = *plot;
+  g_autofree char *caption = dup_caption (pages, plot->title);
+  numbered.title = caption;
   cairo_save (pages->cr);
-  qn_plot_draw (plot, pages->cr, 1, &frame, NULL);
+  qn_plot_draw (&numbered, pages->cr, 1, &frame, NULL);
   cairo_restore (pages->cr);
   pages->y += height + 8;
 }

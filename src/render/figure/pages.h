@@ -34,6 +34,10 @@ void qn_pages_table (QnPages *pages, const char *const *cells, size_t rows,
 /* Words at the foot of the page; what comes next begins another. */
 void qn_pages_foot (QnPages *pages, const char *text);
 
+/* Figures and plots are numbered in the order they are drawn in, before their titles: the number that the
+ * next one has, for words that refer to it. */
+int qn_pages_next_figure (const QnPages *pages);
+
 /* A figure and a plot over the width of the page, with at most this share of the page's height; a figure
  * takes no more than its structure fills, and somewhat less where it then stays on the page. False
  * with an error where the figure cannot be drawn. */
