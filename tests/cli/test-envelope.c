@@ -80,6 +80,10 @@ test_mirror (void)
             "--step", "0.5", "--csv", fine, "-o", svg, NULL);
   g_autoptr (GArray) a = read_rows (coarse);
   g_autoptr (GArray) b = read_rows (fine);
+  cli_says ("bounds from above where joints slide", "envelope", bridge, "--from", "5",
+            "--to", "5", NULL);
+  cli_says ("factor 4.33", "envelope", bridge, "--from", "5.45", "--to", "5.45", "--set",
+            "analysis.flow=non-associative", NULL);
   g_assert_cmpuint (a->len, ==, 7);
   g_assert_cmpuint (b->len, ==, 13);
   for (guint i = 0; i < a->len; i++) {

@@ -97,9 +97,12 @@ tell_position (Page *self)
   }
   g_autofree char *factor = qn_envelope_dup_factor (e, self->figure.shown);
   g_autofree char *axles = qn_envelope_dup_axles (e, self->figure.shown);
+  g_autofree char *caution = self->thread == NULL ? qn_envelope_dup_caution (e) : NULL;
   g_autoptr (GString) text = g_string_new (factor);
   if (axles != NULL)
     g_string_append_printf (text, "\n%s", axles);
+  if (caution != NULL)
+    g_string_append_printf (text, "\n%s", caution);
   if (is_outdated (self))
     g_string_append_printf (text, "\n%s", _ ("The model has changed since."));
   tell (self, text->str);
@@ -246,7 +249,7 @@ on_setting (Page *self)
   if (self->showing || load == NULL)
     return;
   self->settings.ways = (QnWays) gtk_drop_down_get_selected (self->ways);
-  self->settings.path = gtk_drop_down_get_selected (self->method) == 1;
+  self->settings.method = (QnEnvelopeMethod) gtk_drop_down_get_selected (self->method);
   self->settings.step = gtk_spin_button_get_value (self->step);
   if (load->convoy == convoy)
     store (self);
@@ -309,7 +312,7 @@ show_settings (Page *self)
                                              &self->settings, &error);
   self->showing = TRUE;
   gtk_drop_down_set_selected (self->ways, self->settings.ways);
-  gtk_drop_down_set_selected (self->method, self->settings.path ? 1 : 0);
+  gtk_drop_down_set_selected (self->method, self->settings.method);
   gtk_spin_button_set_value (self->step, self->settings.step);
   if (load != NULL) {
     gtk_spin_button_set_value (self->convoy, load->convoy);

@@ -41,7 +41,8 @@ choose_settings (const EnvelopeOptions *options, QnInput *input,
     settings->step = given->step;
   if (options->one_way)
     settings->ways = QN_WAYS_RIGHT;
-  settings->path |= options->path;
+  if (options->path)
+    settings->method = QN_ENVELOPE_PATH;
   return QN_EXIT_DONE;
 }
 
@@ -75,9 +76,12 @@ print_worst (const QnEnvelope *e, QnEnvelopePlace worst)
   const QnEnvelopeLine *line = &e->lines[worst.line];
   g_autofree char *factor = qn_envelope_dup_factor (e, worst);
   g_autofree char *axles = qn_envelope_dup_axles (e, worst);
+  g_autofree char *caution = qn_envelope_dup_caution (e);
   qn_print ("%s\n", factor);
   if (axles != NULL)
     qn_print ("%s\n", axles);
+  if (caution != NULL)
+    qn_print ("%s\n", caution);
   qn_print (_ ("that position: --set loads.live[%d].position=%.15g --set "
                "loads.live[%d].reversed=%s\n"),
             (int) e->load, e->x[worst.position], (int) e->load,

@@ -30,7 +30,7 @@ static const char *const capacity_keys[] = { "control",   "spectrum",  "ag",
 static const char *const report_keys[] = { "sections", "paper",  "every_joint",
                                            "demand",   "author", "text" };
 static const char *const envelope_keys[] = { "vehicles", "from", "to",
-                                             "step",     "ways", "path" };
+                                             "step",     "ways", "method" };
 static const char *const underlay_keys[] = { "image", "origin",  "width",
                                              "angle", "opacity", "rectangle" };
 static const char *const figure_keys[] = {

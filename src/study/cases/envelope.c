@@ -17,18 +17,19 @@
 /* ---- settings ---- */
 
 static const char *const ways[] = { "both", "right", "left" };
+static const char *const methods[] = { "limit", "non-associative", "path" };
 static const QnMember members[] = {
   QN_NUMBER ("from", OPTIONAL, FINITE, QnEnvelopeSettings, from),
   QN_NUMBER ("to", OPTIONAL, FINITE, QnEnvelopeSettings, to),
   QN_NUMBER ("step", OPTIONAL, POSITIVE, QnEnvelopeSettings, step),
   QN_CHOICE ("ways", OPTIONAL, ways, QnEnvelopeSettings, ways),
-  QN_BOOL ("path", OPTIONAL, QnEnvelopeSettings, path),
+  QN_CHOICE ("method", OPTIONAL, methods, QnEnvelopeSettings, method),
   QN_KNOWN ("vehicles"),
   { 0 },
 };
 
 static const QnEnvelopeSettings usual = { NULL, (double) NAN, (double) NAN,
-                                          0.25, QN_WAYS_BOTH, false };
+                                          0.25, QN_WAYS_BOTH, QN_ENVELOPE_LIMIT };
 
 static gboolean
 read_names (const QnJsonValue *place, char ***names)
@@ -176,8 +177,10 @@ qn_envelope_init (QnEnvelope *e, const QnModel *model, const QnEnvelopeSettings 
     || refuse (g_strdup (_ ("there is no vehicle among the live loads")), error);
   if (ok && qn_model_copy (model, &e->model, &diag) != QN_OK)
     ok = refuse (g_strdup (_ (qn_problem_text (diag.problem))), error);
-  if (ok && !settings->path)
+  if (ok && settings->method != QN_ENVELOPE_PATH)
     e->model.analysis.procedure = QN_PROCEDURE_LIMIT;
+  if (ok && settings->method == QN_ENVELOPE_NON_ASSOCIATIVE)
+    e->model.analysis.flow = QN_FLOW_NON_ASSOCIATIVE;
   ok = ok && add_lines (e, settings, error) && place_positions (e, settings, error);
   if (!ok)
     qn_envelope_clear (e);
@@ -246,6 +249,8 @@ solve_at (QnEnvelope *e, QnEnvelopePlace at, QnProgressFunc progress, void *data
       .node_count = result.node_count,
       .mechanism = g_steal_pointer (&result.mechanism),
     };
+  } else {
+    e->open += result.outcome == QN_OUTCOME_NOT_CONVERGED ? 1 : 0;
   }
   qn_result_clear (&result);
   qn_model_clear (&moved);
@@ -332,6 +337,23 @@ qn_envelope_dup_axles (const QnEnvelope *e, QnEnvelopePlace at)
            _ ("axles of %.5g kN in all carry %.5g kN, the heaviest %.5g kN"), sum / 1000,
            factor * sum / 1000, factor * largest / 1000)
                  : NULL;
+}
+
+char *
+qn_envelope_dup_caution (const QnEnvelope *e)
+{
+  const QnAnalysisSettings *analysis = &e->model.analysis;
+  g_autoptr (GString) text = g_string_new (NULL);
+  if (analysis->procedure == QN_PROCEDURE_LIMIT && analysis->flow == QN_FLOW_ASSOCIATIVE)
+    g_string_append (text,
+                     _ ("All are bounds from above where joints slide: "
+                        "non-associative limit analysis or the path may find less."));
+  if (e->open > 0)
+    g_string_append_printf (text,
+                            ngettext ("%s%u position has no answer.",
+                                      "%s%u positions have no answer.", e->open),
+                            text->len > 0 ? " " : "", (guint) e->open);
+  return text->len > 0 ? g_string_free (g_steal_pointer (&text), FALSE) : NULL;
 }
 
 gboolean

@@ -10,6 +10,14 @@
 
 typedef enum { QN_WAYS_BOTH, QN_WAYS_RIGHT, QN_WAYS_LEFT, QN_WAYS_COUNT } QnWays;
 
+/* Limit analysis with the project's flow, or non-associative whatever it says; the path by its procedure. */
+typedef enum {
+  QN_ENVELOPE_LIMIT,
+  QN_ENVELOPE_NON_ASSOCIATIVE,
+  QN_ENVELOPE_PATH,
+  QN_ENVELOPE_METHOD_COUNT
+} QnEnvelopeMethod;
+
 typedef struct QnEnvelopeSettings {
   char *
     *vehicles; /* names, of the project's or built in; owned; NULL: that of the load */
@@ -17,7 +25,7 @@ typedef struct QnEnvelopeSettings {
     to;        /* m, of the front; not-a-number: from before the structure to behind it */
   double step; /* m between positions, > 0 */
   QnWays ways;
-  bool path; /* the path by the project's procedure instead of limit analysis */
+  QnEnvelopeMethod method;
 } QnEnvelopeSettings;
 
 /* The project's settings, usual ones where it has none; FALSE with `error`. */
@@ -43,6 +51,7 @@ typedef struct QnEnvelope {
   double *x; /* positions of the front, m, ascending */
   QnEnvelopeLine *lines;
   gsize line_count;
+  gsize open;    /* positions where the analysis came to no answer */
   bool unstable; /* the dead load alone has no stable equilibrium: nothing was found */
   gint done;     /* positions of all lines that are computed, line by line; atomic */
 } QnEnvelope;
@@ -80,6 +89,9 @@ char *qn_envelope_dup_line_name (const QnEnvelope *envelope, gsize line);
 /* The adequacy factor there as a sentence; what its axles carry, or NULL where it has none. */
 char *qn_envelope_dup_factor (const QnEnvelope *envelope, QnEnvelopePlace at);
 char *qn_envelope_dup_axles (const QnEnvelope *envelope, QnEnvelopePlace at);
+
+/* What is to be known of all of them, to be freed: bounds, positions without an answer; or NULL. */
+char *qn_envelope_dup_caution (const QnEnvelope *envelope);
 
 /* A row for each position: "position [m]", and the multiplier of each line, named by its way, and by
  * its vehicle where there are several. */
