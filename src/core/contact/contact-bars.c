@@ -141,20 +141,12 @@ qn_bar_search_cross (QnBarSearch *search, const QnModel *model, QnContacts *cont
   return QN_OK;
 }
 
-/* --- Ends of faces ------------------------------------------------------------------------ */
-
-/* A line through an end of a face, which lies on the line's left (1) or right (-1). */
-typedef struct {
-  QnId pair, bar;
-  int32_t line;
-  double along; /* where, m from the line's start */
-  int side;
-} Touch;
+/* --- Along the bars ------------------------------------------------------------------------ */
 
 static int
-compare_touches (const void *first, const void *second)
+compare_crossings (const void *first, const void *second)
 {
-  const Touch *a = first, *b = second;
+  const QnBarCrossing *a = first, *b = second;
 
   if (a->bar != b->bar)
     return a->bar < b->bar ? -1 : 1;
@@ -163,59 +155,70 @@ compare_touches (const void *first, const void *second)
   return (a->along > b->along) - (a->along < b->along);
 }
 
-static bool
-is_touch (const QnModel *model, const QnContacts *contacts, size_t p, Touch *touch)
+QnBarCrossing *
+qn_bar_crossings (const QnModel *model, const QnContacts *contacts, size_t *count)
+{
+  QnBarCrossing *all = qn_alloc (contacts->pair_count, sizeof *all);
+
+  *count = 0;
+  for (size_t p = 0; all != NULL && p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    QnVec2 ends[2];
+    if (pair->bar == QN_NONE)
+      continue;
+    qn_bar_line (&model->bars[pair->bar], (size_t) pair->line, ends);
+    all[(*count)++] = (QnBarCrossing){
+      .pair = (QnId) p,
+      .bar = pair->bar,
+      .line = pair->line,
+      .along = qn_vec2_dot (direction (ends), qn_vec2_sub (pair->point, ends[0])),
+      .reach = 2 * SNAP * contacts->faces[pair->face].length,
+    };
+  }
+  if (all != NULL)
+    qsort (all, *count, sizeof *all, compare_crossings);
+  return all;
+}
+
+/* --- Ends of faces ------------------------------------------------------------------------ */
+
+/* On which side of a line a face lies that it meets at one of its ends: left 1, right -1; else 0. */
+static int
+side_of_face (const QnModel *model, const QnContacts *contacts, QnId p)
 {
   const QnContactPair *pair = &contacts->pairs[p];
   const QnContactFace *face = &contacts->faces[pair->face];
   QnVec2 ends[2];
 
-  if (pair->bar == QN_NONE || (pair->abscissa > 0 && pair->abscissa < face->length))
-    return false;
+  if (pair->abscissa > 0 && pair->abscissa < face->length)
+    return 0;
   qn_bar_line (&model->bars[pair->bar], (size_t) pair->line, ends);
-  QnVec2 along = direction (ends);
   QnVec2 middle = qn_vec2_lerp (face->start, face->end, 0.5);
-  *touch = (Touch){
-    .pair = (QnId) p,
-    .bar = pair->bar,
-    .line = pair->line,
-    .along = qn_vec2_dot (along, qn_vec2_sub (pair->point, ends[0])),
-    .side = qn_vec2_cross (along, qn_vec2_sub (middle, pair->point)) > 0 ? 1 : -1,
-  };
-  return true;
+  return qn_vec2_cross (direction (ends), qn_vec2_sub (middle, pair->point)) > 0 ? 1 : -1;
 }
 
 /* Halves the bars at every place where there are faces on either side. */
 static QnStatus
 share_ends (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
-  size_t count = 0, n = 0;
-  Touch touch;
+  size_t count;
+  QnBarCrossing *all = qn_bar_crossings (model, contacts, &count);
 
-  for (size_t p = 0; p < contacts->pair_count; p++)
-    count += is_touch (model, contacts, p, &touch);
-  Touch *touches = qn_alloc (count, sizeof *touches);
-  if (touches == NULL)
+  if (all == NULL)
     return qn_diag_no_memory (diag);
-  for (size_t p = 0; p < contacts->pair_count; p++)
-    if (is_touch (model, contacts, p, &touches[n]))
-      n++;
-  qsort (touches, count, sizeof *touches, compare_touches);
   for (size_t first = 0, next; first < count; first = next) {
-    const Touch *head = &touches[first];
-    double reach = SNAP * contacts->faces[contacts->pairs[head->pair].face].length;
     bool left = false, right = false;
-    for (next = first; next < count && touches[next].bar == head->bar
-                       && touches[next].line == head->line
-                       && touches[next].along <= head->along + 2 * reach;
+    for (next = first; next < count && qn_bar_crossings_meet (&all[first], &all[next]);
          next++) {
-      left |= touches[next].side > 0;
-      right |= touches[next].side < 0;
+      int side = side_of_face (model, contacts, all[next].pair);
+      left |= side > 0;
+      right |= side < 0;
     }
     for (size_t i = first; i < next && left && right; i++)
-      contacts->pairs[touches[i].pair].tributary *= 0.5;
+      if (side_of_face (model, contacts, all[i].pair) != 0)
+        contacts->pairs[all[i].pair].tributary *= 0.5;
   }
-  free (touches);
+  free (all);
   return QN_OK;
 }
 

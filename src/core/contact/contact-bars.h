@@ -33,5 +33,26 @@ QnStatus qn_bar_search_cross (QnBarSearch *search, const QnModel *model,
 QnStatus qn_bar_search_finish (const QnBarSearch *search, const QnModel *model,
                                QnContacts *contacts, QnDiag *diag);
 
+/* Where a bar crosses a face. */
+typedef struct QnBarCrossing {
+  QnId pair, bar;
+  int32_t line;
+  double along; /* m, from the start of the line */
+  double reach; /* m: what is nearer is at the same place */
+} QnBarCrossing;
+
+/* All crossings, bar by bar, line by line, from start to end: *count of them, to be freed with free().
+ * NULL when memory runs out. */
+QnBarCrossing *qn_bar_crossings (const QnModel *model, const QnContacts *contacts,
+                                 size_t *count);
+
+/* Whether a line meets two faces at one place, and the second one not before the first. */
+static inline bool
+qn_bar_crossings_meet (const QnBarCrossing *first, const QnBarCrossing *second)
+{
+  return first->bar == second->bar && first->line == second->line
+         && second->along <= first->along + first->reach;
+}
+
 /* The force along a bar, N, from that of its pair. */
 double qn_bar_axial (const QnContactPair *pair, double normal, double shear);

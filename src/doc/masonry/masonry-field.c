@@ -1,5 +1,6 @@
 #include "doc/masonry/masonry-field.h"
 #include "core/base/integer.h"
+#include "doc/masonry/masonry-shape.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -195,7 +196,13 @@ qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
 void
 qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
 {
+  const bool grid = masonry->kind == QN_MASONRY_WALL && masonry->wall.grid;
+  const bool divides = field == QN_MASONRY_UNIT_X || field == QN_MASONRY_UNIT_Y;
+  const QnVec2 cells = grid ? qn_masonry_count_cells (masonry) : qn_vec2 (0, 0);
+  const QnRubble before = masonry->rubble;
   set_number (address (masonry, &fields[field]), fields[field].type, value);
+  if (grid)
+    qn_masonry_divide_grid (masonry, divides ? qn_masonry_count_cells (masonry) : cells);
   for (gsize i = 1; fields[field].leaf && i < masonry->wall.leaf_count; i++) {
     /* Leaves keep lengths of their own; blocks are alike. */
     if (field != QN_MASONRY_LENGTH)
@@ -214,8 +221,12 @@ qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
   }
   if (arch != NULL)
     qn_arch_fit_shape (arch);
-  if (masonry->rubble.relaxed)
-    masonry->rubble.top = masonry->rubble.width;
+  if (masonry->rubble.relaxed) {
+    const QnVec2 size = { masonry->rubble.width, masonry->rubble.height };
+    masonry->rubble.width = before.width;
+    masonry->rubble.height = before.height;
+    qn_masonry_resize_voronoi (&masonry->rubble, size);
+  }
   if (field == QN_MASONRY_PLINTH_HEIGHT && column->plinth_width <= 0.0)
     column->plinth_width = 1.25 * column->bottom;
   if (field == QN_MASONRY_CAPITAL_HEIGHT && column->capital_width <= 0.0)

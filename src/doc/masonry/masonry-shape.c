@@ -227,6 +227,41 @@ drag_opening (const QnMasonry *masonry, QnOpening *opening, QnHandleKind handle,
   fit_head (opening);
 }
 
+/* ---- cells ---- */
+
+QnVec2
+qn_masonry_count_cells (const QnMasonry *masonry)
+{
+  const QnVec2 size = qn_masonry_wall_size (masonry);
+  const QnVec2 unit = masonry->wall.leaves[0].unit;
+  return qn_vec2 (fmax (round (size.x / unit.x), 1), fmax (round (size.y / unit.y), 1));
+}
+
+void
+qn_masonry_divide_grid (QnMasonry *masonry, QnVec2 cells)
+{
+  qn_masonry_set_grid (&masonry->wall, qn_masonry_wall_size (masonry), cells);
+}
+
+void
+qn_masonry_resize_voronoi (QnRubble *cells, QnVec2 size)
+{
+  cells->stone *= sqrt (size.x * size.y / (cells->width * cells->height));
+  cells->width = cells->top = size.x;
+  cells->height = size.y;
+}
+
+static void
+drag_voronoi (QnRubble *cells, QnHandleKind handle, QnVec2 p)
+{
+  QnVec2 size = { cells->width, cells->height };
+  if (handle == QN_HANDLE_RIGHT)
+    size.x = MAX (p.x, LEAST_SIZE);
+  else if (handle == QN_HANDLE_TOP)
+    size.y = MAX (p.y, LEAST_SIZE);
+  qn_masonry_resize_voronoi (cells, size);
+}
+
 /* ---- walls, arches, columns ---- */
 
 static void
@@ -299,8 +334,14 @@ qn_masonry_drag (QnMasonry *masonry, int opening, QnHandleKind handle, QnVec2 fr
   QnVec2 p = qn_masonry_to_local (masonry, to);
   if (opening != QN_NO_OPENING)
     drag_opening (masonry, &masonry->wall.openings[opening], handle, from, to, snap);
-  else if (masonry->kind == QN_MASONRY_WALL)
+  else if (masonry->kind == QN_MASONRY_WALL && masonry->wall.grid) {
+    const QnVec2 cells = qn_masonry_count_cells (masonry);
+    drag_wall (masonry, handle, p, FALSE);
+    qn_masonry_divide_grid (masonry, cells);
+  } else if (masonry->kind == QN_MASONRY_WALL)
     drag_wall (masonry, handle, p, snap);
+  else if (masonry->kind == QN_MASONRY_RUBBLE && masonry->rubble.relaxed)
+    drag_voronoi (&masonry->rubble, handle, p);
   else if (masonry->kind == QN_MASONRY_ARCH)
     drag_arch (masonry, handle, to, p);
   else if (masonry->kind == QN_MASONRY_COLUMN)
@@ -355,6 +396,10 @@ qn_masonry_get_handles (const QnMasonry *masonry, int opening, QnHandle *handles
     handles[count++] = (QnHandle){ QN_HANDLE_TOP, { 0.0, y1 } };
     handles[count++] = (QnHandle){ QN_HANDLE_TOP_RIGHT, { 0.5 * c->top, y1 } };
     handles[count++] = (QnHandle){ QN_HANDLE_BOTTOM_RIGHT, { 0.5 * c->bottom, y0 } };
+  } else if (masonry->kind == QN_MASONRY_RUBBLE && masonry->rubble.relaxed) {
+    const double w = masonry->rubble.width, h = masonry->rubble.height;
+    handles[count++] = (QnHandle){ QN_HANDLE_RIGHT, { w, 0.5 * h } };
+    handles[count++] = (QnHandle){ QN_HANDLE_TOP, { 0.5 * w, h } };
   }
   for (guint i = 0; i < count; i++)
     handles[i].at = qn_masonry_to_model (masonry, handles[i].at);

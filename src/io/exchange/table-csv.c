@@ -12,6 +12,7 @@
 
 #include <errno.h>
 #include <glib/gi18n-lib.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Heads of columns, behind the name of a body. */
@@ -324,69 +325,54 @@ qn_ties_csv_write (const char *path, const QnProject *project, const QnResult *r
   return qn_file_writer_commit (writer, error);
 }
 
-/* A crossing of a bar, with how far it is from the bar's start, of a mesh from the start of the line. */
-typedef struct {
-  size_t pair;
-  double along; /* m */
-} Crossing;
-
-static int
-compare_crossings (gconstpointer first, gconstpointer second, gpointer data)
-{
-  const Crossing *a = first, *b = second;
-  const QnContacts *contacts = data;
-  const QnContactPair *x = &contacts->pairs[a->pair], *y = &contacts->pairs[b->pair];
-  if (x->bar != y->bar)
-    return x->bar < y->bar ? -1 : 1;
-  if (x->line != y->line)
-    return x->line < y->line ? -1 : 1;
-  return (a->along > b->along) - (a->along < b->along);
-}
-
+/* How far the start of a line is from the start of its bar, m; lines of a mesh are bars of their own. */
 static double
-find_along (const QnBar *bar, const QnContactPair *pair)
+line_start (const QnBar *bar, int32_t line)
 {
   double along = 0;
-  QnVec2 ends[2];
-  for (int32_t i = 0; i < pair->line && !qn_bar_is_mesh (bar); i++) {
+  for (int32_t i = 0; i < line && !qn_bar_is_mesh (bar); i++) {
+    QnVec2 ends[2];
     qn_bar_line (bar, (size_t) i, ends);
     along += qn_vec2_length (qn_vec2_sub (ends[1], ends[0]));
   }
-  qn_bar_line (bar, (size_t) pair->line, ends);
-  return along + qn_vec2_length (qn_vec2_sub (pair->point, ends[0]));
+  return along;
 }
 
 gboolean
 qn_bars_csv_write (const char *path, const QnProject *project, const QnContacts *contacts,
                    const QnResult *result, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
   const QnModel *model = &project->model;
-  g_autoptr (GArray) crossings = g_array_new (FALSE, FALSE, sizeof (Crossing));
-  size_t count = result->step_count > 0 ? contacts->pair_count : 0;
-  for (size_t i = 0; i < count; i++) {
-    const QnContactPair *pair = &contacts->pairs[i];
-    if (pair->bar == QN_NONE)
-      continue;
-    Crossing crossing = { i, find_along (&model->bars[pair->bar], pair) };
-    g_array_append_val (crossings, crossing);
+  size_t count;
+  QnBarCrossing *crossings = qn_bar_crossings (model, contacts, &count);
+  if (crossings == NULL) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", path,
+                 _ ("not enough memory"));
+    return FALSE;
   }
-  g_array_sort_with_data (crossings, compare_crossings, (gpointer) contacts);
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL) {
+    free (crossings);
+    return FALSE;
+  }
   qn_file_writer_puts (
     writer, "bar,line,s [m],x [m],y [m],area [m2],force [N],stress [Pa],state\n");
-  for (guint i = 0; i < crossings->len; i++) {
-    const Crossing *c = &g_array_index (crossings, Crossing, i);
+  for (size_t i = 0; i < count && result->step_count > 0; i++) {
+    const QnBarCrossing *c = &crossings[i];
     const QnContactPair *pair = &contacts->pairs[c->pair];
     const QnPairResult *forces = &result->pairs[c->pair];
     double area = pair->tributary * contacts->faces[pair->face].thickness;
     double force = qn_bar_axial (pair, forces->normal_force, forces->shear_force);
-    const double numbers[] = { c->along, pair->point.x, pair->point.y,
-                               area,     force,         force / area };
+    const double numbers[] = { line_start (&model->bars[c->bar], c->line) + c->along,
+                               pair->point.x,
+                               pair->point.y,
+                               area,
+                               force,
+                               force / area };
     qn_file_writer_printf (writer, "%d,%d", pair->bar, pair->line);
     write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
     qn_file_writer_printf (writer, ",%s\n", qn_pair_state_names[forces->state]);
   }
+  free (crossings);
   return qn_file_writer_commit (writer, error);
 }

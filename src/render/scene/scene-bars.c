@@ -7,72 +7,87 @@
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
+#include <stdlib.h>
 
 #define WIDTH_BAR 1.9
 #define WIDTH_RIM 3.4
 
-/* Where a bar goes over from one block to the next. */
+/* Where a bar goes over from one block to the next; along a joint between two columns from two to two. */
 typedef struct Crossing {
-  QnId bar;
-  int32_t line;
-  QnId from, to; /* blocks */
-  double along;  /* part of the line's length */
-  QnVec2 point;  /* undeformed, m */
-  double stress; /* Pa, tension positive; 0 where forces are not known */
+  QnBarCrossing at;
+  QnId from[2], to[2]; /* blocks */
+  QnVec2 point;        /* undeformed, m */
+  double force, area;  /* N, tension positive, 0 where forces are not known; m2 */
   bool yields;
 } Crossing;
 
-static int
-compare_crossings (gconstpointer first, gconstpointer second)
+static Crossing
+read_crossing (const QnSceneBuilder *b, const QnBarCrossing *at)
 {
-  const Crossing *a = first, *b = second;
-  if (a->bar != b->bar)
-    return a->bar < b->bar ? -1 : 1;
-  if (a->line != b->line)
-    return a->line < b->line ? -1 : 1;
-  return (a->along > b->along) - (a->along < b->along);
+  const QnContactPair *pair = &b->contacts->pairs[at->pair];
+  const QnContactFace *face = &b->contacts->faces[pair->face];
+  QnVec2 ends[2];
+  qn_bar_line (&b->model->bars[at->bar], (size_t) at->line, ends);
+  bool forth = qn_vec2_dot (qn_vec2_sub (ends[1], ends[0]), face->normal) > 0;
+  QnId from = forth ? face->a : face->b, to = forth ? face->b : face->a;
+  Crossing crossing = { .at = *at,
+                        .from = { from, from },
+                        .to = { to, to },
+                        .point = pair->point,
+                        .area = pair->tributary * face->thickness };
+  if (b->pairs != NULL) {
+    const QnPairResult *result = &b->pairs[at->pair];
+    crossing.force = qn_bar_axial (pair, result->normal_force, result->shear_force);
+    crossing.yields = result->state == QN_PAIR_YIELD;
+  }
+  return crossing;
 }
 
-/* All of them, bar by bar, from start to end. */
+/* All of them, bar by bar, from start to end; two at one place are one. */
 static GArray *
 find_crossings (const QnSceneBuilder *b)
 {
   GArray *crossings = g_array_new (FALSE, FALSE, sizeof (Crossing));
-  for (size_t i = 0; b->contacts != NULL && i < b->contacts->pair_count; i++) {
-    const QnContactPair *pair = &b->contacts->pairs[i];
-    if (pair->bar == QN_NONE)
+  size_t count = 0;
+  QnBarCrossing *all =
+    b->contacts != NULL ? qn_bar_crossings (b->model, b->contacts, &count) : NULL;
+  for (size_t i = 0; i < count; i++) {
+    const Crossing crossing = read_crossing (b, &all[i]);
+    Crossing *last =
+      i > 0 ? &g_array_index (crossings, Crossing, crossings->len - 1) : NULL;
+    if (last == NULL || !qn_bar_crossings_meet (&last->at, &all[i])) {
+      g_array_append_val (crossings, crossing);
       continue;
-    const QnContactFace *face = &b->contacts->faces[pair->face];
-    const QnBar *bar = &b->model->bars[pair->bar];
-    QnVec2 ends[2];
-    qn_bar_line (bar, (size_t) pair->line, ends);
-    QnVec2 axis = qn_vec2_sub (ends[1], ends[0]);
-    double area = pair->tributary * face->thickness;
-    bool forth = qn_vec2_dot (axis, face->normal) > 0;
-    Crossing crossing = {
-      .bar = pair->bar,
-      .line = pair->line,
-      .from = forth ? face->a : face->b,
-      .to = forth ? face->b : face->a,
-      .along =
-        qn_vec2_dot (qn_vec2_sub (pair->point, ends[0]), axis) / qn_vec2_dot (axis, axis),
-      .point = pair->point,
-    };
-    if (b->pairs != NULL) {
-      crossing.stress =
-        qn_bar_axial (pair, b->pairs[i].normal_force, b->pairs[i].shear_force) / area;
-      crossing.yields = b->pairs[i].state == QN_PAIR_YIELD;
     }
-    g_array_append_val (crossings, crossing);
+    last->from[1] = crossing.from[0];
+    last->to[1] = crossing.to[0];
+    last->force += crossing.force;
+    last->area += crossing.area;
+    last->yields |= crossing.yields;
   }
-  g_array_sort (crossings, compare_crossings);
+  free (all);
   return crossings;
+}
+
+static double
+stress_at (const GArray *crossings, guint i)
+{
+  const Crossing *c = &g_array_index (crossings, Crossing, i);
+  return c->force / c->area;
+}
+
+/* A point of the blocks on one side of a crossing. */
+static QnVec2
+place (const QnSceneBuilder *b, const QnId blocks[2], QnVec2 point)
+{
+  return qn_vec2_lerp (qn_builder_place (b, blocks[0], point),
+                       qn_builder_place (b, blocks[1], point), 0.5);
 }
 
 static bool
 same_line (const Crossing *a, const Crossing *b)
 {
-  return a->bar == b->bar && a->line == b->line;
+  return a->at.bar == b->at.bar && a->at.line == b->at.line;
 }
 
 /* The part of a bar about `count` crossings: to the middle of the way to the next crossing on either
@@ -84,19 +99,19 @@ add_part (QnSceneBuilder *b, const GArray *crossings, guint first, guint count,
   const Crossing *all = (const Crossing *) (const void *) crossings->data;
   const Crossing *head = &all[first], *tail = &all[first + count - 1];
   QnVec2 line_ends[2];
-  qn_bar_line (&b->model->bars[head->bar], (size_t) head->line, line_ends);
+  qn_bar_line (&b->model->bars[head->at.bar], (size_t) head->at.line, line_ends);
   bool begins = first == 0 || !same_line (&head[-1], head);
   bool ends = first + count == crossings->len || !same_line (&tail[1], tail);
   QnVec2 start = begins ? line_ends[0] : qn_vec2_lerp (head[-1].point, head->point, 0.5);
   QnVec2 end = ends ? line_ends[1] : qn_vec2_lerp (tail->point, tail[1].point, 0.5);
   g_autofree QnVec2 *line = g_new (QnVec2, 2 * count + 2);
   guint n = 0;
-  line[n++] = qn_builder_place (b, head->from, start);
+  line[n++] = place (b, head->from, start);
   for (const Crossing *c = head; c <= tail; c++) {
-    line[n++] = qn_builder_place (b, c->from, c->point);
-    line[n++] = qn_builder_place (b, c->to, c->point);
+    line[n++] = place (b, c->from, c->point);
+    line[n++] = place (b, c->to, c->point);
   }
-  line[n++] = qn_builder_place (b, tail->to, end);
+  line[n++] = place (b, tail->to, end);
   qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, n, false, width, color);
 }
 
@@ -123,7 +138,7 @@ add_yield_marks (QnSceneBuilder *b, const GArray *crossings)
     if (!c->yields)
       continue;
     qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
-                     qn_builder_place (b, c->from, c->point), 4, 0, ink);
+                     place (b, c->from, c->point), 4, 0, ink);
     any = true;
   }
   if (any)
@@ -166,12 +181,12 @@ qn_build_bars (QnSceneBuilder *b)
   if (b->options->symbols)
     add_yield_marks (b, crossings);
   for (guint i = 0; i < crossings->len; i++) {
-    double stress = g_array_index (crossings, Crossing, i).stress;
+    double stress = stress_at (crossings, i);
     range.min = fmin (range.min, stress);
     range.max = fmax (range.max, stress);
   }
   for (guint i = 0; range.shown && i < crossings->len; i++) {
-    double stress = g_array_index (crossings, Crossing, i).stress;
+    double stress = stress_at (crossings, i);
     add_part (b, crossings, i, 1, WIDTH_BAR,
               qn_color_bar_color (&range, stress, b->options->monochrome));
   }

@@ -1,3 +1,4 @@
+#include "doc/masonry/masonry-field.h"
 #include "doc/masonry/masonry-shape.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/auto-clear.h"
@@ -98,6 +99,39 @@ test_heads (void)
   }
 }
 
+/* Handles and numbers resize cells, whose number stays; the size of a cell as a number divides anew. */
+static void
+test_cells (void)
+{
+  g_auto (QnMasonry) grid;
+  g_assert_cmpint (qn_masonry_init (&grid, QN_MASONRY_WALL, "g", NULL), ==, QN_OK);
+  qn_masonry_set_grid (&grid.wall, qn_vec2 (3, 2), qn_vec2 (12, 5));
+  qn_masonry_drag (&grid, QN_NO_OPENING, QN_HANDLE_RIGHT, qn_vec2 (3, 1),
+                   qn_vec2 (4.37, 1), TRUE);
+  qn_masonry_drag (&grid, QN_NO_OPENING, QN_HANDLE_LEFT, qn_vec2 (0, 1), qn_vec2 (1, 1),
+                   TRUE);
+  qn_masonry_set_field (&grid, QN_MASONRY_HEIGHT, 3.1);
+  const QnLeaf *leaf = &grid.wall.leaves[0];
+  g_assert_cmpfloat_with_epsilon (leaf->length, 3.37, 1e-12);
+  g_assert_cmpfloat_with_epsilon (leaf->unit.x, 3.37 / 12, 1e-12);
+  g_assert_cmpfloat_with_epsilon (leaf->unit.y, 3.1 / 5, 1e-12);
+  qn_masonry_set_field (&grid, QN_MASONRY_UNIT_X, 0.5);
+  g_assert_cmpfloat_with_epsilon (leaf->unit.x, 3.37 / 7, 1e-12);
+  g_assert_cmpfloat_with_epsilon (leaf->unit.y, 3.1 / 5, 1e-12);
+
+  g_auto (QnMasonry) cells;
+  QnHandle handles[QN_HANDLE_COUNT];
+  g_assert_cmpint (qn_masonry_init (&cells, QN_MASONRY_RUBBLE, "v", NULL), ==, QN_OK);
+  qn_masonry_set_voronoi (&cells.rubble, qn_vec2 (3, 2), 0.2);
+  g_assert_cmpuint (qn_masonry_get_handles (&cells, QN_NO_OPENING, handles), ==, 2);
+  qn_masonry_drag (&cells, QN_NO_OPENING, QN_HANDLE_RIGHT, qn_vec2 (3, 1), qn_vec2 (6, 1),
+                   TRUE);
+  qn_masonry_set_field (&cells, QN_MASONRY_RUBBLE_HEIGHT, 4);
+  g_assert_cmpfloat_with_epsilon (cells.rubble.width, 6, 1e-12);
+  g_assert_cmpfloat_with_epsilon (cells.rubble.top, 6, 1e-12);
+  g_assert_cmpfloat_with_epsilon (cells.rubble.stone, 0.4, 1e-12);
+}
+
 static void
 test_drag_objects (void)
 {
@@ -151,6 +185,7 @@ QN_TESTS
   g_test_add_func ("/doc/masonry-shape/frame", test_frame);
   g_test_add_func ("/doc/masonry-shape/opening-box", test_opening_box);
   g_test_add_func ("/doc/masonry-shape/drag-opening", test_drag_opening);
+  g_test_add_func ("/doc/masonry-shape/cells", test_cells);
   g_test_add_func ("/doc/masonry-shape/heads", test_heads);
   g_test_add_func ("/doc/masonry-shape/drag-objects", test_drag_objects);
   g_test_add_func ("/doc/masonry-shape/set-bond", test_set_bond);

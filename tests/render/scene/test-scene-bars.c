@@ -114,6 +114,45 @@ test_follows (void)
     g_assert_cmpfloat_with_epsilon (p[i].x, x[i] + shift[i], 1e-12);
 }
 
+/* Along the joint between two columns of blocks a bar goes half-way between them: no point of it is farther
+ * to a side than they are. */
+static void
+test_between_columns (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  qn_model_init (model);
+  add_law (model, "stone", 1e9);
+  add_law (model, "steel", 2e11);
+  model->contact.law = 0;
+  for (int i = 0; i < 6; i++) {
+    const double x = i % 2, y = i / 2;
+    QnVec2 v[4] = { { x, y }, { x + 1, y }, { x + 1, y + 1 }, { x, y + 1 } };
+    g_autofree char *name = g_strdup_printf ("b%d", i);
+    QnBlock *block = qn_model_add_block (model, name, v, 4);
+    block->thickness = 1;
+    block->unit_weight = 0;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = i < 2;
+  }
+  QnBar *bar = qn_model_add_bar (model);
+  *bar = (QnBar){ .law = 1, .area = AREA, .start = { 1, 0.2 }, .end = { 1, 2.8 } };
+  QnLoad *load = qn_model_add_live_load (model);
+  load->kind = QN_LOAD_FORCE;
+  load->block = 5;
+  load->vector = qn_vec2 (1e8, 1e7);
+  model->analysis.max_multiplier = 1;
+  model->analysis.increments = 1;
+  test_run_solve (&run);
+  g_autoptr (QnScene) scene = build (&run, QN_VIEW_DEFORMED, QN_FIELD_NONE);
+  const QnCommand *line = find_line (scene, qn_ink (QN_INK_BAR, false), 0);
+  g_assert_nonnull (line);
+  const QnVec2 *p = qn_scene_points (scene, line);
+  g_assert_cmpuint (line->count, ==, 6); /* both ends, and two at each of two joints */
+  for (uint32_t i = 1; i < line->count; i++)
+    g_assert_cmpfloat (p[i].x, >=, p[i - 1].x - 1e-9);
+}
+
 /* Bars of several diameters stand in one row of the legend. */
 static void
 test_diameters (void)
@@ -190,5 +229,6 @@ QN_TESTS
   g_test_add_func ("/render/scene-bars/principal", test_principal);
   g_test_add_func ("/render/scene-bars/follows", test_follows);
   g_test_add_func ("/render/scene-bars/diameters", test_diameters);
+  g_test_add_func ("/render/scene-bars/between-columns", test_between_columns);
   g_test_add_func ("/render/scene-bars/stress", test_stress);
 }
