@@ -126,6 +126,19 @@ test_beside (void)
   g_assert_true (isnan (g_array_index (rows, Row, 4).m[1]));
 }
 
+/* Without fill it stands on the blocks, and is drawn there. */
+static void
+test_bare (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *bridge = cli_example ("53-arch-bridge.quoin");
+  g_autofree char *svg = g_build_filename (folder, "b.svg", NULL);
+  cli_do ("render", bridge, "--view", "model", "-o", svg, "--set",
+          "loads.dead=[{\"kind\":\"weight\",\"direction\":[0,-1]}]", NULL);
+  g_autofree char *picture = cli_read (svg);
+  g_assert_nonnull (strstr (picture, "93.19 kN"));
+}
+
 static void
 test_vehicles (void)
 {
@@ -201,6 +214,7 @@ QN_TESTS
   g_test_add_func ("/cli/envelope/mirror", test_mirror);
   g_test_add_func ("/cli/envelope/monotone", test_monotone);
   g_test_add_func ("/cli/envelope/beside", test_beside);
+  g_test_add_func ("/cli/envelope/bare", test_bare);
   g_test_add_func ("/cli/envelope/vehicles", test_vehicles);
   g_test_add_func ("/cli/envelope/thinnest-arch", test_thinnest_arch);
   g_test_add_func ("/cli/envelope/tested-bridge", test_tested_bridge);

@@ -1,10 +1,13 @@
 /* Loads as arrows and overall dimensions. */
 #include "core/base/integer.h"
+#include "core/model/outline.h"
 #include "core/model/support.h"
 #include "render/drawing/text.h"
 #include "render/scene/scene-beams.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
+#include <stdlib.h>
 
 /* Largest length of a weight or force arrow in block sizes. */
 #define WEIGHT_ARROW 0.45
@@ -292,6 +295,24 @@ add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId ind
   label->align_y = along.y < 0 ? 1.2f : along.y > 0 ? -0.2f : 0.5f;
 }
 
+/* Where a vehicle stands: on the first fill there, or else on the blocks; not-a-number beside both. */
+static double
+find_road (const QnModel *model, const QnSeenEdges *top, double x)
+{
+  for (size_t k = 0; k < model->dead_load_count; k++)
+    if (model->dead_loads[k].kind == QN_LOAD_FILL) {
+      double y = qn_load_surface_at (&model->dead_loads[k], x);
+      if (!isnan (y))
+        return y;
+    }
+  for (size_t i = 0; i < top->count; i++) {
+    QnVec2 left = top->items[i].ends[1], right = top->items[i].ends[0];
+    if (left.x <= x && x <= right.x)
+      return qn_vec2_lerp (left, right, (x - left.x) / (right.x - left.x)).y;
+  }
+  return (double) NAN;
+}
+
 /* The axles of a vehicle where they stand, as wheels on the surface. */
 static void
 add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
@@ -300,13 +321,13 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
   const QnModel *model = b->model;
   const QnVehicle *vehicle = &model->vehicles[load->vehicle];
   const double r = 0.25 * b->block_size;
+  QnSeenEdges top = { 0 };
+  if (!qn_model_find_seen_edges (model, QN_BLOCK_SIDE_TOP, &top))
+    return;
   for (int32_t n = 0; n < load->convoy; n++)
     for (int32_t i = 0; i < vehicle->axle_count; i++) {
       double x = qn_load_behind_front (model, load, n, vehicle->axles[i].at);
-      double y = (double) NAN;
-      for (size_t k = 0; k < model->dead_load_count && isnan (y); k++)
-        if (model->dead_loads[k].kind == QN_LOAD_FILL)
-          y = qn_load_surface_at (&model->dead_loads[k], x);
+      double y = find_road (model, &top, x);
       if (isnan (y))
         continue;
       QnVec2 wheel[24];
@@ -321,6 +342,7 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
                 color)
         ->align_y = -0.2F;
     }
+  free (top.items);
 }
 
 static void
