@@ -493,6 +493,13 @@ test_words (void)
   g_assert_null (driver_find_widget (entry, is_emoji_item, NULL));
   driver_screenshot (GTK_WIDGET (window), "number-menu");
   driver_key ("Escape");
+  /* A unit that does not fit is refused with the reason in sight, not only where the pointer rests. */
+  gtk_widget_grab_focus (entry);
+  driver_key ("ctrl+a");
+  driver_type ("2 kg");
+  driver_key ("Return");
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "“kg”"));
+  driver_screenshot (GTK_WIDGET (window), "refused-unit");
   driver_discard (window);
 
   window = driver_open_window (1280, 800);

@@ -561,6 +561,13 @@ on_list_key (GtkEventControllerKey *keys, guint key, guint code, GdkModifierType
 }
 
 static void
+on_refused (QnQuantityEntry *entry, const char *reason, QnBoundForm *form)
+{
+  if (form->canvas != NULL)
+    qn_canvas_tell (form->canvas, reason);
+}
+
+static void
 connect (QnBoundForm *form, GtkWidget *widget)
 {
   static const struct {
@@ -601,8 +608,10 @@ connect (QnBoundForm *form, GtkWidget *widget)
     gtk_list_box_set_activate_on_single_click (GTK_LIST_BOX (widget), FALSE);
     g_signal_connect (widget, "row-activated", G_CALLBACK (on_row_activated), form);
   }
-  if (QN_IS_QUANTITY_ENTRY (widget))
+  if (QN_IS_QUANTITY_ENTRY (widget)) {
+    g_signal_connect (widget, "refused", G_CALLBACK (on_refused), form);
     qn_quantity_entry_set_path_func (QN_QUANTITY_ENTRY (widget), find_path, form);
+  }
 }
 
 /* ---- context menus ---- */

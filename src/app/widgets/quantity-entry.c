@@ -22,7 +22,7 @@ struct _QnQuantityEntry {
 
 G_DEFINE_FINAL_TYPE (QnQuantityEntry, qn_quantity_entry, GTK_TYPE_ENTRY)
 
-enum { SIGNAL_COMMITTED, SIGNAL_COUNT };
+enum { SIGNAL_COMMITTED, SIGNAL_REFUSED, SIGNAL_COUNT };
 static guint signals[SIGNAL_COUNT];
 
 enum { PROPERTY_QUANTITY = 1, PROPERTY_LEAST, PROPERTY_MOST };
@@ -129,6 +129,7 @@ commit (QnQuantityEntry *self)
   g_autoptr (GError) error = NULL;
   if (!qn_units_parse (units, self->quantity, text, &value, &error)) {
     set_trouble (self, error->message);
+    g_signal_emit (self, signals[SIGNAL_REFUSED], 0, error->message);
     return;
   }
   if (!(value >= self->least && value <= self->most)) {
@@ -138,6 +139,7 @@ commit (QnQuantityEntry *self)
       qn_units_format_full (units, self->quantity, self->most, SHOWN_DIGITS);
     g_autofree char *message = g_strdup_printf (_ ("Must be from %s to %s"), least, most);
     set_trouble (self, message);
+    g_signal_emit (self, signals[SIGNAL_REFUSED], 0, message);
     return;
   }
   self->previous = self->value;
@@ -220,6 +222,9 @@ qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
   signals[SIGNAL_COMMITTED] =
     g_signal_new ("committed", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
                   NULL, G_TYPE_NONE, 0);
+  signals[SIGNAL_REFUSED] =
+    g_signal_new ("refused", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
+                  NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
 }
 
 static void

@@ -1,7 +1,8 @@
 /* An entry for a quantity: shows its unit, accepts any other, and says what is wrong.
  *
  * Emits "committed" when the user has entered a new, valid value (Enter, or leaving the
- * field). What cannot be read, or lies outside of the limits, is marked and not committed.
+ * field). What cannot be read, or lies outside of the limits, is marked and not committed:
+ * "refused" has the reason.
  * Properties of .ui files: "quantity" (length, stress, …), "least", "most". */
 #pragma once
 
