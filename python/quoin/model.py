@@ -232,15 +232,17 @@ class Model:
                  unit: str | None = None, confidence: float | None = None,
                  control: str | None = None, picture: Path | None = None,
                  progress: ProgressFunc | None = None,
-                 mechanism: bool | None = None) -> dict[str, Value]:
+                 mechanism: bool | None = None, **more: Value) -> dict[str, Value]:
         """The capacity curve, and the displacement checks of EN 1998-3 and NTC 2018, as
         `quoin-cli capacity --json` writes them. spectrum: "type1", "type2" with `ag` (m/s2, or
         "0.25g") and `soil`, or a table of period and acceleration with `unit`; what is not given is
         the project's. mechanism: the kinematic curve of what limit analysis finds, not the path.
-        picture: PNG, SVG, PDF or CSV of the curve."""
+        picture: PNG, SVG, PDF or CSV of the curve. More options of the command line by their names:
+        tie_strain, part_period, height, building_height, storeys, building_period."""
         given = {"spectrum": spectrum, "ag": ag, "soil": soil, "damping": damping,
                  "unit": unit, "confidence": confidence, "control": control,
-                 "mechanism": mechanism if mechanism is None else str(mechanism).lower()}
+                 "mechanism": mechanism if mechanism is None else str(mechanism).lower(),
+                 **{name.replace("_", "-"): value for name, value in more.items()}}
         options, _kept = _library.strings(
             f"{name}={value}" for name, value in given.items() if value is not None)
         place = ffi.NULL if picture is None else ffi.new("char[]", _library.encoded(picture))

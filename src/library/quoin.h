@@ -242,7 +242,8 @@ void quoin_modes_free (QuoinModes *modes);
  * keys as the command line writes; to be freed with quoin_free(). options:
  * "spectrum=type1", "ag=0.25g", "soil=B", "damping=0.05", "unit=g", "confidence=1.2",
  * "control=w.6.5" instead of the project's, "mechanism=true": the kinematic curve of what
- * limit analysis finds; NULL-terminated or NULL. picture (nullable): PNG, SVG, PDF or CSV
+ * limit analysis finds, "tie-strain=0.05", "height=6" and the others of the command line;
+ * NULL-terminated or NULL. picture (nullable): PNG, SVG, PDF or CSV
  * of the curve. */
 char *quoin_capacity (QuoinModel *model, const char *const *options, const char *picture,
                       QuoinProgressFunc progress, void *data, QuoinError **error);

@@ -326,6 +326,10 @@ def test_capacity(tmp_path):
     gable = quoin.open(EXAMPLES / "47-gable-with-tie.quoin")
     assert gable.capacity()["alpha0"] == pytest.approx(179 / 982.125, rel=1e-6)
     assert gable.capacity(mechanism=False)["source"] == "path"
+    above = gable.capacity(height=6, building_height=9, storeys=3, building_period=0.3)
+    assert above["linear"]["demand"] == pytest.approx(4.5 * 9 / 7 * 2 / 3 * 1.01 ** 0.5, rel=1e-6)
+    with pytest.raises(quoin.Error, match="building-height is at least height"):
+        gable.capacity(height=6, building_height=5, storeys=3, building_period=0.3)
     kept = wall.to_dict()
     kept["capacity"] = {"control": "w.6.1", "spectrum": "type2", "ag": 2, "soil": "A"}
     kept = quoin.from_dict(kept).capacity()

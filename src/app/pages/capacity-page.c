@@ -63,6 +63,13 @@ typedef struct Form {
   FIELD (FILE_BUTTON, "file", NULL)                                                      \
   FIELD (FILE_NAME, "file_name", NULL)                                                   \
   MEMBER (CONFIDENCE, "confidence", NULL, Form, answer.confidence)                       \
+  MEMBER (TIE_STRAIN, "tie_strain", NULL, Form, answer.tie_strain)                       \
+  MEMBER (PART_PERIOD, "part_period", NULL, Form, answer.part_period)                    \
+  MEMBER (HEIGHT, "height", NULL, Form, spectrum.floor.height)                           \
+  MEMBER (BUILDING_HEIGHT, "building_height", NULL, Form, spectrum.floor.building)       \
+  MEMBER (STOREYS, "storeys", NULL, Form, spectrum.floor.storeys)                        \
+  MEMBER (BUILDING_PERIOD, "building_period", NULL, Form, spectrum.floor.period)         \
+  MEMBER (BUILDING_DAMPING, "building_damping", NULL, Form, spectrum.floor.damping)      \
   FIELD (FACTS, "facts", NULL)                                                           \
   FIELD (PLOT, "plot", NULL)                                                             \
   FIELD (TABLE, "table", NULL)                                                           \
@@ -117,6 +124,9 @@ store (Form *form)
     .damping = form->spectrum.damping,
     .confidence = form->answer.confidence,
     .mechanism = form->answer.kinematic,
+    .tie_strain = form->answer.tie_strain,
+    .part_period = form->answer.part_period,
+    .floor = form->spectrum.floor.height > 0 ? form->spectrum.floor : (QnFloor){ 0 },
     .unit = form->kind == FROM_FILE ? (char *) units[form->unit] : NULL,
   };
   g_autofree char *json = qn_capacity_settings_to_json (&settings);
@@ -196,8 +206,8 @@ find (Form *form)
   form->cancellable = g_cancellable_new ();
   GWeakRef *root = g_new0 (GWeakRef, 1);
   g_weak_ref_init (root, form->base.root);
-  qn_capacity_find_async (model, control, form->answer.kinematic, form->cancellable,
-                          on_found, root);
+  form->answer.control = control;
+  qn_capacity_find_async (model, &form->answer, form->cancellable, on_found, root);
   say (form, NULL);
 }
 
@@ -355,7 +365,17 @@ show (gpointer data, guint field, QnValue *value)
     value->text = form->file != NULL ? g_path_get_basename (form->file) : g_strdup ("");
     return form->kind == FROM_FILE && form->file != NULL;
   case CONFIDENCE:
+  case HEIGHT:
     return form->kind != NONE;
+  case TIE_STRAIN:
+    return form->answer.kinematic && !busy;
+  case PART_PERIOD:
+    return form->answer.kinematic && form->kind != NONE;
+  case BUILDING_HEIGHT:
+  case STOREYS:
+  case BUILDING_PERIOD:
+  case BUILDING_DAMPING:
+    return form->kind != NONE && form->spectrum.floor.height > 0;
   case FACTS:
     value->text = dup_facts (form);
     return TRUE;
@@ -403,6 +423,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     form->answer.kinematic = value->number != 0;
     clear_curve (form);
     break;
+  case TIE_STRAIN:
+    clear_curve (form);
+    break;
   case CONTROL:
     g_free (form->control);
     form->control =
@@ -420,10 +443,19 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
       read_points (form, path);
     }
     break;
+  case HEIGHT:
+  case BUILDING_HEIGHT:
+    form->spectrum.floor.building =
+      fmax (form->spectrum.floor.building, form->spectrum.floor.height);
+    break;
   case KIND:
   case SOIL:
   case DAMPING:
   case CONFIDENCE:
+  case PART_PERIOD:
+  case STOREYS:
+  case BUILDING_PERIOD:
+  case BUILDING_DAMPING:
     break;
   case FILE_BUTTON:
   case EXPORT_PICTURE:
@@ -472,7 +504,15 @@ load (Form *form)
     (QnSpectrum){ .ground_acceleration =
                     kept.ag > 0 ? kept.ag : 0.25 * QN_STANDARD_GRAVITY,
                   .soil = is_soil ? (QnSoil) (*soil - 'A') : QN_SOIL_B,
-                  .damping = kept.damping > 0 && kept.damping < 1 ? kept.damping : 0.05 };
+                  .damping = kept.damping > 0 && kept.damping < 1 ? kept.damping : 0.05,
+                  .floor = kept.floor };
+  QnFloor *floor = &form->spectrum.floor;
+  floor->building = fmax (floor->building, floor->height);
+  floor->storeys = MAX (floor->storeys, 1);
+  floor->period = floor->period > 0 ? floor->period : 0.3;
+  floor->damping = floor->damping > 0 && floor->damping < 1 ? floor->damping : 0.05;
+  form->answer.tie_strain = kept.tie_strain;
+  form->answer.part_period = kept.part_period;
   form->answer.confidence = fmax (kept.confidence, 1);
   if (form->answer.kinematic != kept.mechanism && form->cancellable == NULL) {
     form->answer.kinematic = kept.mechanism;

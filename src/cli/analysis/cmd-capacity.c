@@ -17,7 +17,8 @@
 typedef struct CapacityOptions {
   QnPictureOptions picture;
   char *json, *csv, *spectrum, *ag, *soil, *unit, *control, *damping, *confidence;
-  char *result;
+  char *result, *tie_strain, *part_period;
+  char *height, *building_height, *storeys, *building_period, *building_damping;
   gboolean mechanism;
   QnInputOptions input;
   gboolean quiet;
@@ -46,6 +47,13 @@ take_settings (const QnSubcommand *self, const CapacityOptions *options,
     { "confidence", options->confidence },
     { "control", options->control },
     { "mechanism", options->mechanism ? "true" : NULL },
+    { "tie-strain", options->tie_strain },
+    { "part-period", options->part_period },
+    { "height", options->height },
+    { "building-height", options->building_height },
+    { "storeys", options->storeys },
+    { "building-period", options->building_period },
+    { "building-damping", options->building_damping },
   };
   const QnProject *project = &answer->input->project;
   gboolean done = TRUE;
@@ -203,6 +211,23 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
       NULL },
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result whose mechanism is checked; with --mechanism"), N_ ("RESULT.json") },
+    { "tie-strain", 0, 0, G_OPTION_ARG_STRING, &options.tie_strain,
+      N_ ("Strain at which ties break: they are in the kinematic curve until then"),
+      N_ ("RATIO") },
+    { "part-period", 0, 0, G_OPTION_ARG_STRING, &options.part_period,
+      N_ ("Period T0 of a part that vibrates freely, for the linear check (0)"),
+      N_ ("S") },
+    { "height", 0, 0, G_OPTION_ARG_STRING, &options.height,
+      N_ ("Height z of the part above the foundation: the spectrum is that of the floor"),
+      N_ ("M") },
+    { "building-height", 0, 0, G_OPTION_ARG_STRING, &options.building_height,
+      N_ ("Height H of the building"), N_ ("M") },
+    { "storeys", 0, 0, G_OPTION_ARG_STRING, &options.storeys,
+      N_ ("Storeys n of the building"), N_ ("N") },
+    { "building-period", 0, 0, G_OPTION_ARG_STRING, &options.building_period,
+      N_ ("Period T1 of the building"), N_ ("S") },
+    { "building-damping", 0, 0, G_OPTION_ARG_STRING, &options.building_damping,
+      N_ ("Damping ratio of the building (0.05)"), N_ ("RATIO") },
     { "json", 0, 0, G_OPTION_ARG_FILENAME, &options.json,
       N_ ("Write curve and checks here; - is standard output"), N_ ("OUT.json") },
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,

@@ -197,10 +197,18 @@ judge (QnCapacityState *state, const QnCapacity *c)
 }
 
 static double
+ntc_capacity (const QnCapacity *c, QnNtcState which)
+{
+  double capacity = ntc_parts[which] * c->end;
+
+  return which == QN_NTC_SLV && c->broken > 0 ? fmin (capacity, c->broken) : capacity;
+}
+
+static double
 ntc_period (const QnCapacity *c, double confidence, QnNtcState which)
 {
   static const double factors[QN_NTC_STATE_COUNT] = { 1.68, 1.56 };
-  double capacity = ntc_parts[which] * c->end;
+  double capacity = ntc_capacity (c, which);
 
   return factors[which] * QN_PI
          * sqrt (capacity * confidence / qn_capacity_acceleration (c, capacity));
@@ -210,13 +218,13 @@ QnCapacityState
 qn_capacity_check_ntc (const QnCapacity *c, const QnSpectrum *spectrum, double confidence,
                        QnNtcState which)
 {
-  QnCapacityState state = { .capacity = ntc_parts[which] * c->end, .softer = NAN };
+  QnCapacityState state = { .capacity = ntc_capacity (c, which), .softer = NAN };
 
   state.acceleration = qn_capacity_acceleration (c, state.capacity) / confidence;
   state.period = ntc_period (c, confidence, which);
   if (c->softer != NULL)
     state.softer = ntc_period (c->softer, confidence, which);
-  state.demand = spectrum->kind == QN_SPECTRUM_POINTS
+  state.demand = spectrum->kind == QN_SPECTRUM_POINTS || spectrum->floor.height > 0
                    ? qn_spectrum_largest_displacement (spectrum, state.period)
                    : qn_spectrum_displacement (spectrum, state.period);
   judge (&state, c);

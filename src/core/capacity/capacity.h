@@ -47,8 +47,12 @@ typedef struct QnCapacity {
   double end;              /* d* of the last point, m: d0* where it does */
 
   bool kinematic;    /* of a mechanism (core/capacity/kinematic.h), not of a path: */
-  double activation; /* alpha0, ties included */
+  double activation; /* alpha0, ties included, */
+  double unit;       /* and the acceleration of multiplier 1, m/s2 */
   double works[QN_WORK_COUNT];
+  double
+    broken; /* d* where ties break and more than half of the largest a* so far is lost, m; 0:
+                    nowhere */
   double
     found; /* multiplier of the collapse that the mechanism comes from; NAN: not known */
   struct QnCapacity
@@ -119,8 +123,9 @@ typedef struct QnCapacityState {
  *   SLV   d = 0.4 d0*   T = 1.68 pi sqrt(d/a)
  *   SLC   d = 0.6 d0*   T = 1.56 pi sqrt(d/a)        a = a*(d)/FC
  *
- * FC >= 1: confidence factor; demand S_De(T), of POINTS the largest of those up to T. Where the
- * path ends before multiplier 0 its end stands for d0*. */
+ * FC >= 1: confidence factor; demand S_De(T), of POINTS and of floors the largest of those up to T.
+ * Where the path ends before multiplier 0 its end stands for d0*. SLV is at most where ties break and
+ * take more than half of the largest a* with them (C8.7.1.2.1.6). */
 typedef enum { QN_NTC_SLV, QN_NTC_SLC, QN_NTC_STATE_COUNT } QnNtcState;
 
 QnCapacityState qn_capacity_check_ntc (const QnCapacity *capacity,

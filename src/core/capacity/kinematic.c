@@ -20,6 +20,9 @@
 /* Of the fastest: elongation of a tie that is none. */
 #define NO_MOTION 1e-6
 
+/* Part of the largest acceleration that ties must take with them to end SLV, C8.7.1.2.1.6. */
+#define LOST 0.5
+
 /* One condition: two points, or a point and the ground, keep together along an axis. */
 typedef struct Row {
   QnId bodies[2]; /* QN_NONE: at rest */
@@ -46,6 +49,7 @@ typedef struct Chain {
   size_t n, row_count, force_count;
   double size;      /* half the diagonal around all that moves, m */
   double direction; /* of the live load: 1 = one weight */
+  bool *broken;     /* ties of the project */
   double *x, *p, *z, *right, *q;
 } Chain;
 
@@ -384,6 +388,7 @@ chain_init (Chain *c, const QnModel *model, const QnContacts *contacts,
   c->forces = qn_pool_alloc (&c->pool, forces, sizeof *c->forces);
   c->right = qn_pool_alloc (&c->pool, rows, sizeof *c->right);
   c->q = qn_pool_alloc (&c->pool, rows, sizeof *c->q);
+  c->broken = qn_pool_alloc (&c->pool, model->tie_count, sizeof *c->broken);
   if (c->pool.failed)
     return false;
   add_bodies (c, base);
@@ -433,25 +438,63 @@ find_masses (const Chain *c, QnCapacity *capacity, QnId control)
   return qn_capacity_set_masses (capacity, sums, farthest, c->model->gravity);
 }
 
-/* The multiplier without ties as the chain moves on, until it is 0 or the chain stops. */
+/* The work of ties as the chain has moved, and whether one of them breaks here. */
+static bool
+pull_ties (Chain *c, double strain, double *work)
+{
+  bool breaks = false;
+
+  *work = 0;
+  for (size_t i = 0; i < c->model->tie_count && strain > 0; i++) {
+    const QnTie *tie = &c->model->ties[i];
+    double length = qn_tie_length (tie), stiffness = qn_tie_stiffness (tie);
+    QnVec2 moved[2], ends[2];
+    for (int e = 0; e < 2; e++) {
+      QnId body = body_of (c, tie->ends[e].block);
+      QnVec2 arm = arm_of (c, body, tie->ends[e].at);
+      moved[e] = qn_vec2_add (tie->ends[e].at, displacement (c, body, arm));
+      ends[e] = velocity (c, body, arm);
+    }
+    QnVec2 line = qn_vec2_sub (moved[1], moved[0]);
+    double elongation = qn_vec2_length (line) - length;
+    breaks = breaks || (!c->broken[i] && elongation > strain * length);
+    c->broken[i] = c->broken[i] || elongation > strain * length;
+    if (c->broken[i])
+      continue;
+    double force = tie->prestress + stiffness * (elongation - tie->slack);
+    *work += fmin (fmax (force, 0), qn_tie_strength (tie))
+             * qn_vec2_dot (qn_vec2_sub (ends[1], ends[0]), line) / qn_vec2_length (line);
+  }
+  return breaks;
+}
+
+/* The multiplier as the chain moves on, until it is 0 or the chain stops. */
 static QnStatus
-follow (Chain *c, QnCapacity *capacity, QnDiag *diag)
+follow (Chain *c, QnCapacity *capacity, double tie_strain, QnDiag *diag)
 {
   const QnId body = body_of (c, capacity->block);
   const QnVec2 arm = arm_of_block (c, capacity->block);
-  const double scale = fabs (c->direction) * c->model->gravity / capacity->share;
+  const double scale = capacity->unit / capacity->share;
+  double lost = 0;
   size_t room = 0;
 
   while (capacity->count < STEPS && !capacity->reaches_zero) {
-    double dead, seismic;
+    double dead, seismic, ties;
+    bool breaks = pull_ties (c, tie_strain, &ties);
     find_works (c, &dead, &seismic);
     double control = along (c, displacement (c, body, arm));
     if (capacity->count > 0
         && !(control > capacity->points[capacity->count - 1].control
              && c->direction * seismic > 0))
       break;
-    QnCapacityPoint point =
-      qn_capacity_next_point (capacity, -dead / (c->direction * seismic), control, scale);
+    QnCapacityPoint point = qn_capacity_next_point (
+      capacity, (ties - dead) / (c->direction * seismic), control, scale);
+    if (breaks && capacity->count > 0 && capacity->broken == 0) {
+      const QnCapacityPoint *before = &capacity->points[capacity->count - 1];
+      lost += before->multiplier - point.multiplier;
+      if (lost > LOST * capacity->points[capacity->peak].multiplier)
+        capacity->broken = before->displacement;
+    }
     if (!QN_ARRAY_PUSH (capacity->points, capacity->count, room, point))
       return qn_diag_no_memory (diag);
     if (point.multiplier > capacity->points[capacity->peak].multiplier)
@@ -487,7 +530,7 @@ check_joints (const QnMechanism *m, const QnContacts *contacts, QnDiag *diag)
 
 static QnStatus
 analyse (Chain *c, QnCapacity *capacity, const QnContacts *contacts, QnId control,
-         QnDiag *diag)
+         double tie_strain, QnDiag *diag)
 {
   double dead, seismic;
   QnStatus status = check_joints (c->mechanism, contacts, diag);
@@ -512,15 +555,16 @@ analyse (Chain *c, QnCapacity *capacity, const QnContacts *contacts, QnId contro
   capacity->works[QN_WORK_LIVE] = c->direction * seismic / unit;
   if (!(capacity->works[QN_WORK_DEAD] > 0))
     return refuse (QN_PROBLEM_MECHANISM_WEIGHT, diag);
+  capacity->unit = fabs (c->direction) * c->model->gravity;
   capacity->activation = (capacity->works[QN_WORK_DEAD] + capacity->works[QN_WORK_TIES])
                          / capacity->works[QN_WORK_LIVE];
-  return follow (c, capacity, diag);
+  return follow (c, capacity, tie_strain, diag);
 }
 
 QnStatus
 qn_capacity_init_kinematic (QnCapacity *capacity, const QnModel *model,
                             const QnContacts *contacts, const QnResult *result,
-                            QnId control, QnDiag *diag)
+                            QnId control, double tie_strain, QnDiag *diag)
 {
   QnMechanism mechanism;
   Chain chain = { 0 };
@@ -541,7 +585,7 @@ qn_capacity_init_kinematic (QnCapacity *capacity, const QnModel *model,
                         qn_mechanism_base (model, result)))
     status = qn_diag_no_memory (diag);
   else
-    status = analyse (&chain, capacity, contacts, control, diag);
+    status = analyse (&chain, capacity, contacts, control, tie_strain, diag);
   if (status != QN_OK)
     qn_capacity_clear (capacity);
   else if (result->has_collapse_multiplier)
@@ -553,13 +597,23 @@ qn_capacity_init_kinematic (QnCapacity *capacity, const QnModel *model,
 
 QnLinearCheck
 qn_capacity_check_linear (const QnCapacity *c, const QnSpectrum *spectrum,
-                          double confidence)
+                          double confidence, double period)
 {
-  const QnCapacityPoint *first = &c->points[0];
-  QnLinearCheck check = { .demand = qn_spectrum_acceleration (spectrum, 0) };
+  const QnFloor *f = &spectrum->floor;
+  QnLinearCheck check = { .demand = qn_spectrum_acceleration (spectrum, period),
+                          .en_demand = NAN,
+                          .en_ratio = NAN };
 
-  check.capacity = first->acceleration * (c->activation / first->multiplier) / confidence;
+  check.capacity = c->activation * c->unit / (c->share * confidence);
   check.sld = check.capacity / check.demand;
   check.slv = QN_NTC_BEHAVIOUR_FACTOR * check.sld;
+  if (f->height > 0) {
+    QnSpectrum ground = *spectrum;
+    ground.floor = (QnFloor){ 0 };
+    double apart = 1 - period / f->period;
+    double factor = 3 * (1 + f->height / f->building) / (1 + apart * apart) - 0.5;
+    check.en_demand = fmax (factor, 1) * qn_spectrum_acceleration (&ground, 0);
+    check.en_ratio = c->activation * c->unit / (confidence * check.en_demand);
+  }
   return check;
 }

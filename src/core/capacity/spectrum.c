@@ -5,6 +5,10 @@
 /* End of the long periods of annex A, s. */
 #define TF 10.0
 
+/* a and b of [C7.2.6]: where the largest accelerations of a floor are, over T1. */
+#define PLATEAU_START 0.8
+#define PLATEAU_END   1.1
+
 typedef struct {
   double s, tb, tc, td, te;
 } Soil;
@@ -44,14 +48,20 @@ points_acceleration (const QnSpectrum *spectrum, double t)
   return p[i].y + (t - p[i].x) / (p[i + 1].x - p[i].x) * (p[i + 1].y - p[i].y);
 }
 
-double
-qn_spectrum_acceleration (const QnSpectrum *spectrum, double t)
+static double
+eta (double damping)
+{
+  return fmax (sqrt (10 / (5 + 100 * damping)), 0.55);
+}
+
+/* That of the ground, of another damping too. */
+static double
+ground_acceleration (const QnSpectrum *spectrum, double t, double damping)
 {
   if (spectrum->kind == QN_SPECTRUM_POINTS)
-    return points_acceleration (spectrum, t);
+    return points_acceleration (spectrum, t) * eta (damping) / eta (spectrum->damping);
   const Soil *soil = soil_of (spectrum);
-  double eta = fmax (sqrt (10 / (5 + 100 * spectrum->damping)), 0.55);
-  double ground = spectrum->ground_acceleration * soil->s, top = 2.5 * eta;
+  double ground = spectrum->ground_acceleration * soil->s, top = 2.5 * eta (damping);
 
   if (t <= soil->tb)
     return ground * (1 + t / soil->tb * (top - 1));
@@ -67,6 +77,25 @@ qn_spectrum_acceleration (const QnSpectrum *spectrum, double t)
 }
 
 double
+qn_spectrum_acceleration (const QnSpectrum *spectrum, double t)
+{
+  const QnFloor *f = &spectrum->floor;
+  double ground = ground_acceleration (spectrum, t, spectrum->damping);
+
+  if (!(f->height > 0))
+    return ground;
+  double participation = 3.0 * f->storeys / (2 * f->storeys + 1);
+  double peak = ground_acceleration (spectrum, f->period, f->damping) * participation
+                * f->height / f->building * sqrt (1 + 4 * f->damping * f->damping);
+  double amplification = 1.1 / sqrt (f->damping) * eta (spectrum->damping), beside = 0;
+  if (t < PLATEAU_START * f->period)
+    beside = pow (1 - t / (PLATEAU_START * f->period), 1.6);
+  else if (t > PLATEAU_END * f->period)
+    beside = pow (t / (PLATEAU_END * f->period) - 1, 1.2);
+  return fmax (amplification * peak / (1 + (amplification - 1) * beside), ground);
+}
+
+double
 qn_spectrum_displacement (const QnSpectrum *spectrum, double t)
 {
   double omega_inverse = t / (2 * QN_PI);
@@ -79,6 +108,9 @@ qn_spectrum_largest_displacement (const QnSpectrum *spectrum, double t)
 {
   double largest = qn_spectrum_displacement (spectrum, t);
 
+  if (spectrum->floor.height > 0 && t > PLATEAU_END * spectrum->floor.period)
+    largest = fmax (
+      largest, qn_spectrum_displacement (spectrum, PLATEAU_END * spectrum->floor.period));
   for (size_t i = 0; i < spectrum->point_count && spectrum->points[i].x < t; i++)
     largest = fmax (largest, qn_spectrum_displacement (spectrum, spectrum->points[i].x));
   return largest;

@@ -14,6 +14,20 @@
  *
  * POINTS are joined by straight lines; before the first period the acceleration is that of the
  * first point, after the last one the displacement that of the last.
+ *
+ * Above ground, Circolare 7/2019 to NTC 2018, C7.2.3, for the first mode of the building, which is
+ * linear over its height and normalised at its top:
+ *
+ *   gamma = 3n/(2n + 1)   psi = z/H                                                    [C7.2.10]
+ *   aZ    = Se(T1, xi1) gamma psi sqrt(1 + 4 xi1^2)                           [C7.2.7], [C7.2.8]
+ *   A     = 1.1 xi1^-0.5 eta(xi)                                              [C7.2.6], [C7.2.9]
+ *   SeZ   = A aZ / (1 + (A - 1) (1 - T/(a T1))^1.6)    T <= a T1, a = 0.8
+ *           A aZ                                       a T1 <= T <= b T1, b = 1.1
+ *           A aZ / (1 + (A - 1) (T/(b T1) - 1)^1.2)    b T1 <= T
+ *
+ * xi1 is a ratio here. The code calls it a percentage: 0.0004 xi1^2 of [C7.2.7] is 4 xi1^2, but
+ * 5^-0.5 in [C7.2.6] would make the peak of [C7.2.9] lower than SeZ(0) = aZ. SeZ is at least Se(T);
+ * the code asks for that beyond T1, but one mode alone says too little near the ground.
  */
 #pragma once
 
@@ -36,6 +50,15 @@ typedef enum {
   QN_SOIL_COUNT
 } QnSoil;
 
+/* Where the part stands in a building; all 0: at the level of the ground. */
+typedef struct QnFloor {
+  double height;   /* z, above the foundation, m */
+  double building; /* H, of the building, m, >= z */
+  int storeys;     /* n, >= 1 */
+  double period;   /* T1, of the building, s, > 0 */
+  double damping;  /* xi1, of the building, ratio, > 0 */
+} QnFloor;
+
 typedef struct QnSpectrum {
   QnSpectrumKind kind;
   double ground_acceleration; /* ag, m/s2, > 0; the importance factor included */
@@ -44,14 +67,16 @@ typedef struct QnSpectrum {
   const QnVec2
     *points;          /* of POINTS, borrowed: period, s; acceleration, m/s2; ascending */
   size_t point_count; /* >= 1 */
+  QnFloor floor;
 } QnSpectrum;
 
-/* Spectral acceleration, m/s2, and displacement Se (T/2 pi)^2, m, at a period >= 0 s. */
+/* Spectral acceleration, m/s2, of the floor where there is one, and displacement Se (T/2 pi)^2, m, at a
+ * period >= 0 s. */
 double qn_spectrum_acceleration (const QnSpectrum *spectrum, double period);
 double qn_spectrum_displacement (const QnSpectrum *spectrum, double period);
 
-/* The largest displacement at this period and at those of the points before it: straight lines between
- * points that lie far apart would have larger ones. */
+/* The largest displacement at this period, at those of the points before it, for straight lines between
+ * points that lie far apart would have larger ones, and at b T1 of the building, [C8.7.1.12]. */
 double qn_spectrum_largest_displacement (const QnSpectrum *spectrum, double period);
 
 /* TC, where the range of constant acceleration ends, s. Of POINTS 2 pi times the largest

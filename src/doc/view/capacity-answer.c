@@ -39,7 +39,9 @@ qn_capacity_answer_count_states (const QnCapacityAnswer *answer)
 {
   if (!answer->has_spectrum)
     return 0;
-  return answer->capacity.kinematic ? QN_CAPACITY_SD : QN_CAPACITY_STATE_COUNT;
+  return answer->capacity.kinematic || answer->spectrum.floor.height > 0
+           ? QN_CAPACITY_SD
+           : QN_CAPACITY_STATE_COUNT;
 }
 
 static char *
@@ -113,6 +115,11 @@ tell_mechanism (GString *text, const QnCapacityAnswer *answer)
                      "load %.6g, in N m per m"),
                   c->activation, c->works[QN_WORK_DEAD], c->works[QN_WORK_TIES],
                   c->works[QN_WORK_LIVE]);
+  if (c->broken > 0)
+    qn_text_append (text,
+                    _ ("\nties break at d* %.4g m and take more than half of the largest "
+                       "a* with them: SLV is there at most (C8.7.1.2.1.6)"),
+                    c->broken);
   if (isfinite (c->found))
     qn_text_append (text, _ ("\nfull model: multiplier %.5f, alpha0 differs by %+.2f %%"),
                     c->found, 100 * (c->activation / c->found - 1));
@@ -120,9 +127,14 @@ tell_mechanism (GString *text, const QnCapacityAnswer *answer)
     return;
   g_autofree char *sld = dup_ratio (linear->sld), *slv = dup_ratio (linear->slv);
   qn_text_append (text,
-                  _ ("\nlinear: a0* %.4g m/s2 with FC %.3g, ground %.4g m/s2; SLD "
+                  _ ("\nlinear: a0* %.4g m/s2 with FC %.3g, demand %.4g m/s2; SLD "
                      "(C8.7.1.2.1.5) %s; SLV with q = 2 (C8.7.1.2.1.7) %s"),
                   linear->capacity, answer->confidence, linear->demand, sld, slv);
+  if (answer->spectrum.floor.height > 0)
+    qn_text_append (text,
+                    _ ("\nEN 1998-1, 4.3.5.2: Sa g %.4g m/s2, ratio of alpha0 g/FC to it "
+                       "%.3f with qa = 1, %.3f with qa = 2"),
+                    linear->en_demand, linear->en_ratio, 2 * linear->en_ratio);
 }
 
 /* Very low seismicity, m/s2: EN 1998-1:2004, 3.2.1(5), 0.04 g. */
@@ -150,6 +162,14 @@ tell_spectrum (GString *text, const QnSpectrum *spectrum)
                     _ ("; the code need not be applied below %.2g m/s2: is this "
                        "number in g?"),
                     LEAST_AG);
+  const QnFloor *f = &spectrum->floor;
+  if (f->height > 0)
+    qn_text_append (
+      text,
+      _ ("\nat z %.4g m of H %.4g m (C7.2.3): %d storeys, T1 %.4g s, damping "
+         "of the building %.3g; a_Z %.4g m/s2"),
+      f->height, f->building, f->storeys, f->period, f->damping,
+      qn_spectrum_acceleration (spectrum, 0));
 }
 
 char *
@@ -375,7 +395,8 @@ find_mechanism (const Search *search, QnCapacityAnswer *answer)
   if (end != QN_CAPACITY_FOUND)
     return end;
   if (qn_capacity_init_kinematic (&answer->capacity, search->model, search->contacts,
-                                  collapse, answer->control, search->diag)
+                                  collapse, answer->control, answer->tie_strain,
+                                  search->diag)
       != QN_OK)
     end = QN_CAPACITY_REFUSED;
   else if (!answer->capacity.reaches_zero)
@@ -466,7 +487,8 @@ qn_capacity_answer_check (QnCapacityAnswer *answer)
     answer->states[QN_CAPACITY_SLV + i] =
       qn_capacity_check_ntc (c, &answer->spectrum, answer->confidence, (QnNtcState) i);
   if (c->kinematic) {
-    answer->linear = qn_capacity_check_linear (c, &answer->spectrum, answer->confidence);
+    answer->linear = qn_capacity_check_linear (c, &answer->spectrum, answer->confidence,
+                                               answer->part_period);
     return;
   }
   answer->en = qn_capacity_en_demand (c, &answer->spectrum);
@@ -538,14 +560,15 @@ find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cance
 }
 
 void
-qn_capacity_find_async (const QnModel *model, QnId control, gboolean kinematic,
+qn_capacity_find_async (const QnModel *model, const QnCapacityAnswer *asked,
                         GCancellable *cancellable, GAsyncReadyCallback callback,
                         gpointer user_data)
 {
   CapacityWork *work = g_new0 (CapacityWork, 1);
   g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
-  work->answer.control = control;
-  work->answer.kinematic = kinematic;
+  work->answer.control = asked->control;
+  work->answer.kinematic = asked->kinematic;
+  work->answer.tie_strain = asked->tie_strain;
   work->answer.has_spectrum = TRUE; /* one may be given later */
   work->cancellable = g_object_ref (cancellable);
   g_task_set_task_data (task, work, capacity_work_free);
@@ -684,6 +707,7 @@ qn_capacity_answer_dup_json (const QnCapacityAnswer *answer, const QnProject *pr
 {
   const QnCapacity *c = &answer->capacity;
   const QnLinearCheck *linear = &answer->linear;
+  const int states = qn_capacity_answer_count_states (answer);
   const QnEnDemand *en = &answer->en;
   QnFileWriter *out = qn_file_writer_new_in_memory ();
   qn_file_writer_json (
@@ -701,9 +725,11 @@ qn_capacity_answer_dup_json (const QnCapacityAnswer *answer, const QnProject *pr
   if (c->kinematic)
     qn_file_writer_json (out,
                          ",\n  \"alpha0\": %f, \"collapse_multiplier\": %f,\n"
-                         "  \"works\": { \"dead\": %f, \"ties\": %f, \"live\": %f }",
+                         "  \"works\": { \"dead\": %f, \"ties\": %f, \"live\": %f }, "
+                         "\"ties_break\": %f",
                          c->activation, c->found, c->works[QN_WORK_DEAD],
-                         c->works[QN_WORK_TIES], c->works[QN_WORK_LIVE]);
+                         c->works[QN_WORK_TIES], c->works[QN_WORK_LIVE],
+                         c->broken > 0 ? c->broken : NAN);
   if (answer->has_spectrum) {
     qn_file_writer_json (out, ",\n  \"confidence\": %g", answer->confidence);
     if (c->elastic_period > 0)
@@ -714,10 +740,12 @@ qn_capacity_answer_dup_json (const QnCapacityAnswer *answer, const QnProject *pr
     if (c->kinematic)
       qn_file_writer_json (out,
                            ",\n  \"linear\": { \"acceleration\": %f, \"demand\": %f, "
-                           "\"sld_ratio\": %f, \"q\": %f, \"slv_ratio\": %f }",
+                           "\"sld_ratio\": %f, \"q\": %f, \"slv_ratio\": %f, "
+                           "\"en_demand\": %f, \"en_ratio\": %f }",
                            linear->capacity, linear->demand, linear->sld,
-                           QN_NTC_BEHAVIOUR_FACTOR, linear->slv);
-    else
+                           QN_NTC_BEHAVIOUR_FACTOR, linear->slv, linear->en_demand,
+                           linear->en_ratio);
+    else if (states > QN_CAPACITY_SD)
       qn_file_writer_json (
         out,
         ",\n  \"en_demand\": { \"yield_acceleration\": %f, "
@@ -726,7 +754,7 @@ qn_capacity_answer_dup_json (const QnCapacityAnswer *answer, const QnProject *pr
         en->yield_acceleration, en->mechanism, en->energy, en->yield, en->period,
         en->elastic, en->q, en->target);
     qn_file_writer_puts (out, ",\n  \"checks\": [");
-    for (int i = 0; i < qn_capacity_answer_count_states (answer); i++) {
+    for (int i = 0; i < states; i++) {
       const QnCapacityState *s = &answer->states[i];
       qn_file_writer_json (
         out,

@@ -31,12 +31,15 @@ typedef struct QnCapacityAnswer {
   gboolean has_spectrum;
   QnSpectrum spectrum;  /* its points are borrowed */
   double confidence;    /* FC, >= 1 */
+  double tie_strain;    /* at which ties break; 0: not known; */
+  double part_period;   /* T0 of a part that vibrates freely, s; 0: it is rigid */
   QnLinearCheck linear; /* this and what follows with a spectrum; of a mechanism, */
   QnEnDemand en;        /* and of a path alone */
   QnCapacityState states[QN_CAPACITY_STATE_COUNT];
 } QnCapacityAnswer;
 
-/* How many checks it has, from SLV on: those of EN 1998-3 rest on the rise of a path. */
+/* How many checks it has, from SLV on: those of EN 1998-3 rest on the rise of a path, at the level of
+ * the ground. */
 int qn_capacity_answer_count_states (const QnCapacityAnswer *answer);
 
 /* Them as a table: cells row by row, the head first; the ratio is "0.660 – not met", "1.250" or
@@ -72,11 +75,12 @@ QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                                        const QnContacts *contacts, QnProgressFunc report,
                                        void *report_data, char **reason, QnDiag *diag);
 
-/* The same in a thread of its own, of a copy of the model. Ends with QnCapacity, which the caller frees
+/* The same in a thread of its own, of a copy of the model, with `kinematic`, `control` and `tie_strain`
+ * of what is asked. Ends with QnCapacity, which the caller frees
  * with qn_capacity_clear() and g_free(); NULL with an error where there is no curve, and with
  * G_IO_ERROR_CANCELLED. The caller frees *control, the name of the block that was controlled, and
  * *reason, why the path ended before multiplier 0, or NULL. */
-void qn_capacity_find_async (const QnModel *model, QnId control, gboolean kinematic,
+void qn_capacity_find_async (const QnModel *model, const QnCapacityAnswer *asked,
                              GCancellable *cancellable, GAsyncReadyCallback callback,
                              gpointer user_data);
 QnCapacity *qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,

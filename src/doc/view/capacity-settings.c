@@ -10,6 +10,8 @@
 #include <math.h>
 #include <string.h>
 
+#define MOST_STOREYS 200
+
 static const QnMember members[] = {
   QN_STRING ("control", OPTIONAL, QnCapacitySettings, control),
   QN_STRING ("spectrum", OPTIONAL, QnCapacitySettings, spectrum),
@@ -19,6 +21,13 @@ static const QnMember members[] = {
   QN_STRING ("unit", OPTIONAL, QnCapacitySettings, unit),
   QN_NUMBER ("confidence", OPTIONAL, POSITIVE, QnCapacitySettings, confidence),
   QN_BOOL ("mechanism", OPTIONAL, QnCapacitySettings, mechanism),
+  QN_NUMBER ("tie_strain", OPTIONAL, POSITIVE, QnCapacitySettings, tie_strain),
+  QN_NUMBER ("part_period", OPTIONAL, POSITIVE, QnCapacitySettings, part_period),
+  QN_NUMBER ("height", OPTIONAL, POSITIVE, QnCapacitySettings, floor.height),
+  QN_NUMBER ("building_height", OPTIONAL, POSITIVE, QnCapacitySettings, floor.building),
+  QN_COUNT ("storeys", OPTIONAL, MOST_STOREYS, QnCapacitySettings, floor.storeys),
+  QN_NUMBER ("building_period", OPTIONAL, POSITIVE, QnCapacitySettings, floor.period),
+  QN_NUMBER ("building_damping", OPTIONAL, POSITIVE, QnCapacitySettings, floor.damping),
   { 0 },
 };
 
@@ -72,6 +81,7 @@ qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char 
                 : strcmp (option, "soil") == 0     ? &s->soil
                 : strcmp (option, "unit") == 0     ? &s->unit
                                                    : NULL;
+  double storeys = s->floor.storeys;
   if (text == &s->spectrum) { /* what belongs to another one goes */
     s->direct = TRUE;
     g_clear_pointer (&s->unit, g_free);
@@ -90,16 +100,35 @@ qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char 
     return s->mechanism || strcmp (value, "false") == 0
            || refuse (_ ("mechanism is true or false"), error);
   }
-  if (strcmp (option, "ag") == 0)
-    return parse_number (value, &s->ag, QN_STANDARD_GRAVITY)
-           || refuse (_ ("ag is a positive acceleration in m/s2, or in g as 0.25g"),
-                      error);
-  if (strcmp (option, "damping") == 0)
-    return parse_number (value, &s->damping, 0)
-           || refuse (_ ("damping is a ratio between 0 and 1"), error);
-  if (strcmp (option, "confidence") == 0)
-    return parse_number (value, &s->confidence, 0)
-           || refuse (_ ("confidence is a factor of 1 or more"), error);
+  const struct {
+    const char *option;
+    double *number, unit;
+    const char *problem;
+  } numbers[] = {
+    { "ag", &s->ag, QN_STANDARD_GRAVITY,
+      _ ("ag is a positive acceleration in m/s2, or in g as 0.25g") },
+    { "damping", &s->damping, 0, _ ("damping is a ratio between 0 and 1") },
+    { "confidence", &s->confidence, 0, _ ("confidence is a factor of 1 or more") },
+    { "tie-strain", &s->tie_strain, 0, _ ("tie-strain is a ratio above 0") },
+    { "part-period", &s->part_period, 0, _ ("part-period is a time in s above 0") },
+    { "height", &s->floor.height, 0, _ ("height is a length in m above 0") },
+    { "building-height", &s->floor.building, 0,
+      _ ("building-height is a length in m above 0") },
+    { "building-period", &s->floor.period, 0,
+      _ ("building-period is a time in s above 0") },
+    { "building-damping", &s->floor.damping, 0,
+      _ ("building-damping is a ratio between 0 and 1") },
+    { "storeys", &storeys, 0, _ ("storeys is a count from 1 to 200") },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
+    if (strcmp (option, numbers[i].option) == 0
+        && !parse_number (value, numbers[i].number, numbers[i].unit))
+      return refuse (numbers[i].problem, error);
+    else if (strcmp (option, numbers[i].option) == 0) {
+      s->floor.storeys = (int) CLAMP (storeys, 0, MOST_STOREYS + 1);
+      return (s->floor.storeys == storeys && storeys <= MOST_STOREYS)
+             || refuse (_ ("storeys is a count from 1 to 200"), error);
+    }
   g_autofree char *problem = g_strdup_printf (_ ("%s: no such option"), option);
   return refuse (problem, error);
 }
@@ -132,6 +161,27 @@ read_spectrum (const QnCapacitySettings *s, const QnProject *project,
   return path != NULL && qn_capacity_read_spectrum (path, s->unit, points, error);
 }
 
+/* The floor that the part stands on, where its height is said. */
+static gboolean
+apply_floor (const QnCapacitySettings *s, QnFloor *floor, GError **error)
+{
+  *floor = s->floor;
+  if (floor->damping == 0)
+    floor->damping = 0.05;
+  if (floor->height == 0) {
+    *floor = (QnFloor){ 0 };
+    return (s->floor.building == 0 && s->floor.storeys == 0 && s->floor.period == 0
+            && s->floor.damping == 0)
+           || refuse (_ ("height is missing: of the part above the foundation"), error);
+  }
+  if (floor->storeys < 1 || floor->period == 0)
+    return refuse (_ ("storeys and building-period are needed above ground"), error);
+  if (!(floor->damping < 1))
+    return refuse (_ ("building-damping is a ratio between 0 and 1"), error);
+  return floor->height <= floor->building
+         || refuse (_ ("building-height is at least height"), error);
+}
+
 gboolean
 qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *project,
                             gboolean allow_outside, QnCapacityAnswer *answer,
@@ -142,6 +192,8 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
   *points = (QnRecord){ 0 };
   answer->confidence = s->confidence > 0 ? s->confidence : 1;
   answer->kinematic = s->mechanism;
+  answer->tie_strain = s->tie_strain;
+  answer->part_period = s->part_period;
   answer->control =
     s->control != NULL ? qn_model_find_block (&project->model, s->control) : QN_NONE;
   answer->has_spectrum = s->spectrum != NULL;
@@ -156,8 +208,10 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
     return refuse (_ ("confidence is a factor of 1 or more"), error);
   if (!(spectrum->damping < 1))
     return refuse (_ ("damping is a ratio between 0 and 1"), error);
+  if (!apply_floor (s, &spectrum->floor, error))
+    return FALSE;
   if (s->spectrum == NULL)
-    return (s->ag == 0 && s->soil == NULL && s->unit == NULL)
+    return (s->ag == 0 && s->floor.height == 0 && s->soil == NULL && s->unit == NULL)
            || refuse (_ ("spectrum is missing"), error);
   if (!is_of_code (s->spectrum)) {
     if (s->ag != 0 || s->soil != NULL)

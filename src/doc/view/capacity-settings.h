@@ -2,7 +2,9 @@
  *
  *   "capacity": { "control": "w.6.5", "spectrum": "type1", "ag": 2.4525, "soil": "B",
  *                 "damping": 0.05, "confidence": 1.2,
- *                 "mechanism": true }
+ *                 "mechanism": true, "tie_strain": 0.05, "part_period": 0.1,
+ *                 "height": 6, "building_height": 9, "storeys": 3, "building_period": 0.26,
+ *                 "building_damping": 0.05 }
  *
  * `spectrum` may be a file beside the project instead, with the `unit` of its accelerations where the
  * file does not say it. */
@@ -15,14 +17,16 @@
 #define QN_CAPACITY_MEMBER "capacity"
 
 typedef struct QnCapacitySettings {
-  char *control;      /* name of the block; NULL: to be chosen */
-  char *spectrum;     /* "type1", "type2", or a file; NULL: none */
-  double ag;          /* m/s2; 0: not said */
-  char *soil;         /* "A" to "E"; NULL: not said */
-  double damping;     /* ratio; 0: not said */
-  double confidence;  /* 0: not said */
-  char *unit;         /* NULL: as the file says */
-  gboolean mechanism; /* the kinematic curve of a mechanism, not a path */
+  char *control;                  /* name of the block; NULL: to be chosen */
+  char *spectrum;                 /* "type1", "type2", or a file; NULL: none */
+  double ag;                      /* m/s2; 0: not said */
+  char *soil;                     /* "A" to "E"; NULL: not said */
+  double damping;                 /* ratio; 0: not said */
+  double confidence;              /* 0: not said */
+  char *unit;                     /* NULL: as the file says */
+  gboolean mechanism;             /* the kinematic curve of a mechanism, not a path */
+  double tie_strain, part_period; /* as in QnCapacityAnswer */
+  QnFloor floor;                  /* what is 0 is not said */
   gboolean
     direct; /* a file of `spectrum` is a path of the user's, not one beside the project */
 } QnCapacitySettings;

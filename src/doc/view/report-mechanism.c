@@ -60,7 +60,8 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
       && qn_capacity_settings_apply (&settings, run->project, FALSE, &answer, &points,
                                      &wrong)
       && qn_capacity_init_kinematic (&answer.capacity, model, run->contacts,
-                                     &run->file->result, answer.control, &diag)
+                                     &run->file->result, answer.control,
+                                     answer.tie_strain, &diag)
            != QN_OK)
     refused = qn_explain_diag (model, &diag);
   if (wrong != NULL || refused != NULL) {
@@ -75,9 +76,13 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
     write_checks (pages, &answer, units);
     qn_pages_paragraph (
       pages,
-      _ ("The parts turn about hinges and do not break; alpha0 counts ties at their "
-         "strength, the curve is that without ties. Compare the formulas with the "
-         "code before you rely on them."));
+      answer.tie_strain > 0
+        ? _ ("The parts turn about hinges and do not break; alpha0 counts ties at their "
+             "strength, the curve until they break. Compare the formulas with the code "
+             "before you rely on them.")
+        : _ ("The parts turn about hinges and do not break; alpha0 counts ties at their "
+             "strength, the curve is that without ties. Compare the formulas with the "
+             "code before you rely on them."));
   }
   qn_capacity_clear (&answer.capacity);
   qn_record_clear (&points);

@@ -60,7 +60,10 @@ test_rigid_block (void)
   g_assert_true (capacity.reaches_zero);
   check_close (capacity.end, 0.3, 1e-4);
 
-  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 0.25 * G, QN_SOIL_C, 0.05, NULL, 0 };
+  const QnSpectrum spectrum = { .kind = QN_SPECTRUM_EN_1,
+                                .ground_acceleration = 0.25 * G,
+                                .soil = QN_SOIL_C,
+                                .damping = 0.05 };
   QnCapacityState slv = qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV);
   check_close (slv.capacity, 0.12, 1e-4);
   check_close (slv.acceleration, 1.16242, 1e-4);
@@ -98,7 +101,9 @@ test_two_blocks (void)
    * less than TC; with ag = 5 m/s2 on soil B S_e = 15 m/s2, q = 4.5872, d_et = 0.076453 m and
    * d_t = d_et/q (1 + (q - 1) 0.5/T) = 0.083306 m. The multiplier is at four fifths of its peak
    * at a fifth of the way down: 1/60 + 0.2 (0.266667 - 1/60) = 0.0666667 m. */
-  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 5, QN_SOIL_B, 0.05, NULL, 0 };
+  const QnSpectrum spectrum = {
+    .kind = QN_SPECTRUM_EN_1, .ground_acceleration = 5, .soil = QN_SOIL_B, .damping = 0.05
+  };
   QnEnDemand demand = qn_capacity_en_demand (&capacity, &spectrum);
   check_close (demand.yield_acceleration, 3.27, 1e-6);
   check_close (demand.energy, 3.27 / 120, 1e-6);
@@ -153,7 +158,9 @@ static void
 test_soft_periods (void)
 {
   const double multipliers[] = { 0, 0.3, 0 };
-  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 5, QN_SOIL_B, 0.05, NULL, 0 };
+  const QnSpectrum spectrum = {
+    .kind = QN_SPECTRUM_EN_1, .ground_acceleration = 5, .soil = QN_SOIL_B, .damping = 0.05
+  };
   QnCapacity capacity[2];
   for (int soft = 0; soft < 2; soft++) {
     const double peak = soft ? 0.002 : 0.001;

@@ -19,14 +19,20 @@ check_close (double value, double expected, double tolerance)
 
 /* By limit analysis, then by virtual work: both find the same multiplier. */
 static void
-find (TestRun *run, QnCapacity *capacity, QnId control)
+find_with_ties (TestRun *run, QnCapacity *capacity, QnId control, double tie_strain)
 {
   run->model.analysis.procedure = QN_PROCEDURE_LIMIT;
   test_run_solve (run);
   g_assert_cmpint (qn_capacity_init_kinematic (capacity, &run->model, &run->contacts,
-                                               &run->result, control, NULL),
+                                               &run->result, control, tie_strain, NULL),
                    ==, QN_OK);
   check_close (capacity->found, capacity->activation, 1e-5);
+}
+
+static void
+find (TestRun *run, QnCapacity *capacity, QnId control)
+{
+  find_with_ties (run, capacity, control, 0);
 }
 
 static void
@@ -73,11 +79,14 @@ test_rocking_wall (void)
   g_assert_true (capacity.reaches_zero);
   check_close (capacity.end, 0.3, 1e-4);
   check_close (qn_capacity_acceleration (&capacity, 0.12), 0.118493 * G, 1e-4);
-  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 0.25 * G, QN_SOIL_C, 0.05, NULL, 0 };
+  const QnSpectrum spectrum = { .kind = QN_SPECTRUM_EN_1,
+                                .ground_acceleration = 0.25 * G,
+                                .soil = QN_SOIL_C,
+                                .damping = 0.05 };
   check_close (qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV).ratio, 0.66036,
                2e-4);
   /* a0* = 0.2 g/1.35 against 0.25 g 1.15 */
-  QnLinearCheck linear = qn_capacity_check_linear (&capacity, &spectrum, 1.35);
+  QnLinearCheck linear = qn_capacity_check_linear (&capacity, &spectrum, 1.35, 0);
   check_close (linear.capacity, 0.2 * G / 1.35, 1e-9);
   check_close (linear.sld, 0.2 / 1.35 / (0.25 * 1.15), 1e-9);
   check_close (linear.slv, 2 * linear.sld, 1e-12);
@@ -112,9 +121,105 @@ test_tie (void)
   check_close (capacity.activation, (18 * 0.3 + 2 * 2.9) / (18 * 1.5), 1e-6);
   check_close (capacity.points[0].multiplier, 0.2, 1e-6);
   check_close (capacity.end, 0.3, 1e-4);
-  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 0.25 * G, QN_SOIL_C, 0.05, NULL, 0 };
-  check_close (qn_capacity_check_linear (&capacity, &spectrum, 1).capacity,
+  const QnSpectrum spectrum = { .kind = QN_SPECTRUM_EN_1,
+                                .ground_acceleration = 0.25 * G,
+                                .soil = QN_SOIL_C,
+                                .damping = 0.05 };
+  check_close (qn_capacity_check_linear (&capacity, &spectrum, 1, 0).capacity,
                (18 * 0.3 + 2 * 2.9) / (18 * 1.5) * G, 1e-6);
+  qn_capacity_clear (&capacity);
+}
+
+/* The tie of before, and what it adds to the multiplier of the wall as it turns by theta about its toe
+ * at (0.3, 0): its end at (-0.6, 2.9) from the toe moves to (x, y), the force along the line to
+ * (-4.3, 2.9) has the arm -(x - a) y' + ..., all by the law of cosines. */
+static double
+multiplier_with_tie (double theta, double stiffness, double strength)
+{
+  const double end[2] = { -0.6 * cos (theta) + 2.9 * sin (theta),
+                          0.6 * sin (theta) + 2.9 * cos (theta) };
+  const double line[2] = { -4.3 - end[0], 2.9 - end[1] };
+  double length = hypot (line[0], line[1]);
+  double force = fmin (stiffness * (length - 3.7), strength);
+  double moment =
+    force * (end[0] * line[1] - end[1] * line[0]) / length; /* to the left */
+  double alpha = atan (0.2) - theta, radius = hypot (0.3, 1.5);
+  return (18000 * radius * sin (alpha) + moment) / (18000 * radius * cos (alpha));
+}
+
+/* A soft tie: its force grows with its elongation until 2 kN, at 0.15 m; it breaks at a strain of 0.1,
+ * 0.37 m. Then the curve is that of the wall alone, and SLV is where it breaks. */
+static void
+test_tie_in_curve (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  size_t before = 0;
+  init_block (&run);
+  add_tie (&run.model, 1, qn_vec2 (-0.3, 2.9), qn_vec2 (-4, 2.9), 2000);
+  run.model.ties[0].elasticity = 2000 / 0.15 * 3.7 / run.model.ties[0].area;
+  find_with_ties (&run, &capacity, QN_NONE, 0.1);
+  check_close (capacity.points[0].multiplier, 0.2, 1e-6);
+  for (size_t i = 1; i < capacity.count; i++) {
+    double theta =
+      atan (0.2)
+      - asin (sin (atan (0.2)) - capacity.points[i].control / hypot (0.3, 1.5));
+    double reach = hypot (-4.3 + 0.6 * cos (theta) - 2.9 * sin (theta),
+                          2.9 - 0.6 * sin (theta) - 2.9 * cos (theta));
+    if (reach < 3.7 * 1.1) {
+      check_close (capacity.points[i].multiplier,
+                   multiplier_with_tie (theta, 2000 / 0.15, 2000), 1e-6);
+      before = i;
+    } else if (capacity.points[i].multiplier > 0)
+      check_close (capacity.points[i].multiplier, tan (atan (0.2) - theta), 1e-5);
+  }
+  g_assert_cmpuint (before, >, 20);
+  g_assert_cmpuint (before, <, capacity.count - 5);
+  check_close (capacity.end, 0.3, 1e-4);
+  check_close (capacity.broken, capacity.points[before].displacement, 1e-12);
+  /* 0.4 d0* = 0.12 m is before that: the break does not decide; a tie that breaks at once does */
+  const QnSpectrum spectrum = {
+    .kind = QN_SPECTRUM_EN_1, .ground_acceleration = 2, .soil = QN_SOIL_B, .damping = 0.05
+  };
+  check_close (qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV).capacity,
+               fmin (0.12, capacity.broken), 1e-4);
+  capacity.broken = 0.05;
+  check_close (qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV).capacity, 0.05,
+               1e-12);
+  check_close (qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLC).capacity, 0.18,
+               1e-4);
+  qn_capacity_clear (&capacity);
+}
+
+/* The wall 6 m up in a building of 9 m with three storeys, T1 = 0.3 s and damping of 0.05; ag S = 1.2,
+ * soil B: gamma = 9/7, Se(T1) = 3, aZ = 3 9/7 2/3 sqrt(1.01) = 2.584254 m/s2. A part that vibrates at
+ * 0.3 s has A = 1.1/sqrt(0.05) = 4.91935 times that. Sa of EN 1998-1: 1.2 (3 (1 + 2/3)/2 - 0.5) where
+ * rigid, 1.2 (5 - 0.5) at 0.3 s. */
+static void
+test_above_ground (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnCapacity capacity;
+  QnSpectrum spectrum = { .kind = QN_SPECTRUM_EN_1,
+                          .ground_acceleration = 1,
+                          .soil = QN_SOIL_B,
+                          .damping = 0.05,
+                          .floor = { 6, 9, 3, 0.3, 0.05 } };
+  init_block (&run);
+  find (&run, &capacity, QN_NONE);
+  QnLinearCheck linear = qn_capacity_check_linear (&capacity, &spectrum, 1.35, 0);
+  check_close (linear.demand, 2.584254, 1e-5);
+  check_close (linear.sld, 0.2 * G / 1.35 / 2.584254, 1e-5);
+  check_close (linear.en_demand, 1.2 * 2, 1e-9);
+  check_close (linear.en_ratio, 0.2 * G / 1.35 / 2.4, 1e-9);
+  linear = qn_capacity_check_linear (&capacity, &spectrum, 1.35, 0.3);
+  check_close (linear.demand, 4.919350 * 2.584254, 1e-5);
+  check_close (linear.en_demand, 1.2 * 4.5, 1e-9);
+  /* T = 1.6958 s of SLV, as at the ground: SeZ = 12.7125/(1 + 3.91935 (1.6958/0.33 - 1)^1.2) = 0.5611
+     is below Se = 3 0.5/T = 0.88454, which is 0.064435 m; more is b T1 = 0.33 s: 12.7125 m/s2 over
+     (2 pi/0.33)^2 = 0.035067 m, less again */
+  check_close (qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV).demand,
+               3 * 0.5 / 1.6958 * 1.6958 * 1.6958 / (4 * QN_PI * QN_PI), 2e-4);
   qn_capacity_clear (&capacity);
 }
 
@@ -200,7 +305,7 @@ refusal (TestRun *run, const double motion[QN_DOF_COUNT], bool ended)
     g_assert_cmpint (qn_result_set_mechanism (&run->result, velocities, 1, NULL), ==,
                      QN_OK);
   g_assert_cmpint (qn_capacity_init_kinematic (&capacity, &run->model, &run->contacts,
-                                               &run->result, QN_NONE, &diag),
+                                               &run->result, QN_NONE, 0, &diag),
                    ==, QN_ERROR_INVALID);
   g_assert_null (capacity.points);
   test_run_clear (run);
@@ -236,6 +341,8 @@ QN_TESTS
   g_test_add_func ("/kinematic/rocking-wall", test_rocking_wall);
   g_test_add_func ("/kinematic/direction", test_direction);
   g_test_add_func ("/kinematic/tie", test_tie);
+  g_test_add_func ("/kinematic/tie-in-curve", test_tie_in_curve);
+  g_test_add_func ("/kinematic/above-ground", test_above_ground);
   g_test_add_func ("/kinematic/floor", test_floor);
   g_test_add_func ("/kinematic/bending", test_bending);
   g_test_add_func ("/kinematic/arch", test_arch);

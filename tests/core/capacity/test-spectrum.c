@@ -15,7 +15,9 @@ static void
 test_type_1 (void)
 {
   /* soil C: S 1.15, TB 0.2, TC 0.6, TD 2, TE 6; ag 2 m/s2, so ag S = 2.3 */
-  const QnSpectrum s = { QN_SPECTRUM_EN_1, 2, QN_SOIL_C, 0.05, NULL, 0 };
+  const QnSpectrum s = {
+    .kind = QN_SPECTRUM_EN_1, .ground_acceleration = 2, .soil = QN_SOIL_C, .damping = 0.05
+  };
   check_close (qn_spectrum_acceleration (&s, 0), 2.3);
   check_close (qn_spectrum_acceleration (&s, 0.1), 2.3 * 1.75);
   check_close (qn_spectrum_acceleration (&s, 0.2), 5.75);
@@ -36,12 +38,16 @@ static void
 test_type_2 (void)
 {
   /* soil D: S 1.8, TB 0.1, TC 0.3, TD 1.2; damping 0.1: eta = sqrt(10/15) */
-  const QnSpectrum s = { QN_SPECTRUM_EN_2, 1, QN_SOIL_D, 0.1, NULL, 0 };
+  const QnSpectrum s = {
+    .kind = QN_SPECTRUM_EN_2, .ground_acceleration = 1, .soil = QN_SOIL_D, .damping = 0.1
+  };
   check_close (qn_spectrum_acceleration (&s, 0.2), 1.8 * 2.5 * 0.8164966);
   check_close (qn_spectrum_acceleration (&s, 2.4),
                1.8 * 2.5 * 0.8164966 * 0.3 * 1.2 / 5.76);
   /* eta is never less than 0.55 */
-  const QnSpectrum damped = { QN_SPECTRUM_EN_2, 1, QN_SOIL_A, 0.5, NULL, 0 };
+  const QnSpectrum damped = {
+    .kind = QN_SPECTRUM_EN_2, .ground_acceleration = 1, .soil = QN_SOIL_A, .damping = 0.5
+  };
   check_close (qn_spectrum_acceleration (&damped, 0.2), 2.5 * 0.55);
 }
 
@@ -66,9 +72,42 @@ test_points (void)
                qn_spectrum_displacement (&f, 0.4));
 }
 
+/* Circolare 7/2019, C7.2.3: at the top of a building of 5 storeys, gamma = 15/11; T1 = 0.5 s, xi1 = 0.1,
+ * where Se = 2.5 ag S sqrt(10/15) = 2.041241; the part has 0.08: eta = sqrt(10/13) = 0.877058. */
+static void
+test_floor (void)
+{
+  const double a = 2.041241 * 15 / 11 * 1.0198039, factor = 1.1 / 0.3162278 * 0.877058;
+  const QnSpectrum s = { .kind = QN_SPECTRUM_EN_1,
+                         .ground_acceleration = 1,
+                         .soil = QN_SOIL_A,
+                         .damping = 0.08,
+                         .floor = { 15, 15, 5, 0.4, 0.1 } };
+  check_close (qn_spectrum_acceleration (&s, 0), a);
+  check_close (
+    qn_spectrum_acceleration (&s, 0.16), /* half of a T1: 0.5^1.6 = 0.3298770 */
+    factor * a / (1 + (factor - 1) * 0.3298770));
+  check_close (qn_spectrum_acceleration (&s, 0.32), factor * a);
+  check_close (qn_spectrum_acceleration (&s, 0.44), factor * a);
+  check_close (qn_spectrum_acceleration (&s, 0.66), /* 0.5^1.2 = 0.4352753 */
+               factor * a / (1 + (factor - 1) * 0.4352753));
+  /* the displacement of b T1 is not undercut: [C8.7.1.12] */
+  check_close (
+    qn_spectrum_largest_displacement (&s, 0.45),
+    fmax (qn_spectrum_displacement (&s, 0.45), factor * a * 0.44 * 0.44 / 39.47842));
+  /* near the ground no less than there */
+  const QnSpectrum low = { .kind = QN_SPECTRUM_EN_1,
+                           .ground_acceleration = 1,
+                           .soil = QN_SOIL_A,
+                           .damping = 0.05,
+                           .floor = { 0.1, 15, 5, 0.4, 0.05 } };
+  check_close (qn_spectrum_acceleration (&low, 0), 1);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/spectrum/type-1", test_type_1);
   g_test_add_func ("/spectrum/type-2", test_type_2);
   g_test_add_func ("/spectrum/points", test_points);
+  g_test_add_func ("/spectrum/floor", test_floor);
 }
