@@ -237,6 +237,37 @@ test_above_ground (void)
   }
 }
 
+/* Strips of façades by the hand numbers of docs/method/capacity.md: about the foot, about a floor, bending
+ * between floors. What no strip has is refused. */
+static void
+test_facade_strip (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = g_build_filename (folder, "strip.quoin", NULL);
+  g_autofree char *example = cli_example ("58-facade-strip.quoin");
+  cli_do ("generate", "facade-strip", "storeys=3.2x3", "thickness=0.5x0.4",
+          "floors=12000x8000", "floor-friction=0.3", "ties=0x4000", "thrust=1500",
+          "parapet=0.6x0.3", "-o", model, NULL);
+  cli_says ("alpha0 0.23808", "capacity", model, NULL);
+  cli_says ("alpha0 0.23808", "capacity", example, NULL);
+  cli_do ("generate", "facade-strip", "storeys=3x3", "thickness=0.5x0.4",
+          "floors=12000x8000", "ties=60000x0", "-o", model, NULL);
+  cli_says ("alpha0 0.11915", "capacity", model, NULL);
+  cli_do ("generate", "facade-strip", "storeys=3", "thickness=0.3", "floors=20000",
+          "bearing=0.3", "held=1", "unit-weight=10000", "courses=10", "-o", model, NULL);
+  cli_says ("alpha0 2.73800", "capacity", model, NULL);
+  const char *const wrong[][2] = { { "bering=0.2", "no such key" },
+                                   { "thickness=0.1", "more than the thickness" },
+                                   { "storeys=3xhigh", "not a list" },
+                                   { "courses=0", "too small" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    CliRun run = cli_run ("generate", "facade-strip", wrong[i][0], "-o", model, NULL);
+    g_assert_cmpint (run.code, ==, 2);
+    g_assert_nonnull (strstr (run.err, wrong[i][1]));
+    cli_run_clear (&run);
+  }
+}
+
 /* File and table are read again and say the same, for a curve that comes back to zero, for one that does
  * not, with a spectrum and without. */
 static void
@@ -337,6 +368,7 @@ QN_TESTS
 {
   g_test_add_func ("/capacity/block", test_block);
   g_test_add_func ("/capacity/above-ground", test_above_ground);
+  g_test_add_func ("/capacity/facade-strip", test_facade_strip);
   g_test_add_func ("/capacity/gable", test_gable);
   g_test_add_func ("/capacity/mechanism", test_mechanism);
   g_test_add_func ("/capacity/kept", test_kept);

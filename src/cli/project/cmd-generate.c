@@ -100,12 +100,16 @@ run_generate (const QnSubcommand *self, int argc, char **argv)
 const QnSubcommand qn_cmd_generate = {
   .name = "generate",
   .arguments =
-    "wall|arch|column|buttress|portal|rubble|grid|voronoi [KEY=VALUE]… -o MODEL.quoin",
+    "wall|arch|column|buttress|portal|rubble|grid|voronoi|facade-strip [KEY=VALUE]… "
+    "-o MODEL.quoin",
   .summary = N_ ("Write a project with parametric masonry"),
-  .help =
-    N_ ("Keys are those of the object in the project file, as KEY=VALUE or --KEY VALUE: "
-        "length=6, --bond english, unit=0.4x0.2, "
-        "openings='[{\"at\": [1, 0], \"width\": 1, \"height\": 2}]'. What is not given "
-        "has a default. Lengths are m, angles rad."),
+  .help = N_ (
+    "Keys are those of the object in the project file, as KEY=VALUE or --KEY VALUE: "
+    "length=6, --bond english, unit=0.4x0.2, "
+    "openings='[{\"at\": [1, 0], \"width\": 1, \"height\": 2}]'. What is not given "
+    "has a default. Lengths are m, angles rad. facade-strip has keys of its own: "
+    "storeys=3.2x3, thickness=0.5x0.4, floors=12000x8000, bearing, floor-friction, "
+    "floor-inertia, held, ties, thrust, parapet, courses, width, unit-weight; N and m, "
+    "from the bottom."),
   .run = run_generate,
 };

@@ -1,5 +1,6 @@
 #include "io/project/project-generate.h"
 
+#include "io/project/project-facade.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
 
@@ -114,12 +115,17 @@ gboolean
 qn_project_generate (const char *kind_name, const char *const *keys, double friction,
                      QnProject *project, GError **error)
 {
+  if (strcmp (kind_name, QN_FACADE_KIND) == 0) {
+    g_autofree char *text = qn_facade_dup_project (keys, friction, error);
+    return text != NULL
+           && qn_project_parse (text, strlen (text), kind_name, NULL, project, error);
+  }
   const Kind *kind = find_kind (kind_name);
   g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
   if (kind == NULL) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
                  _ ("%s: not one of wall, arch, column, buttress, portal, rubble, grid, "
-                    "voronoi"),
+                    "voronoi, facade-strip"),
                  kind_name);
     return FALSE;
   }
