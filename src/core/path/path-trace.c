@@ -743,7 +743,10 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
 
   if (trace.load_control && live == 0) { /* the single equilibrium that it begins with */
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
-    return QN_OK;
+    return !isfinite (path->settings->max_multiplier)
+               || qn_path_accept (path, trace.end, QN_EVENT_NONE)
+             ? QN_OK
+             : qn_diag_no_memory (diag);
   }
   QnStatus status = see_limits (&trace, diag);
   if (status != QN_OK)

@@ -88,14 +88,14 @@ qn_outcome_dup_stages (const QnModel *model, const QnResult *result)
   return text->len > 0 ? g_strdup (text->str) : NULL;
 }
 
-/* Whether an acting load moves anything: settles a support, or is a force on a block or node that is
+/* Whether an acting load moves anything: settles a support, be it by 0, or is a force on a block or node that is
  * not fixed altogether, or along beams. */
 static gboolean
 acts_on_something (const QnModel *model, const QnLoad *load)
 {
   switch (load->kind) {
   case QN_LOAD_SETTLEMENT:
-    return load->value != 0;
+    return TRUE;
   case QN_LOAD_FORCE:
     return !qn_support_is_full (model->blocks[load->block].support);
   case QN_LOAD_NODE: {

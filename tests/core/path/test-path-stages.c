@@ -255,6 +255,25 @@ test_settlement (void)
   }
 }
 
+/* A settlement of 0, as one case of a study: the equilibrium under the dead load, at multiplier 1. */
+static void
+test_settlement_of_nothing (void)
+{
+  g_auto (TestRun) run;
+  QnModel model;
+  init_fibre (&model, QN_LAW_ELASTIC, 0);
+  add_ceiling (&model);
+  QnLoad *load = qn_model_add_live_load (&model);
+  load->kind = QN_LOAD_SETTLEMENT;
+  load->block = 0;
+  load->dof = QN_DOF_UY;
+  solve (&run, &model);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpuint (run.result.step_count, ==, 2);
+  g_assert_cmpfloat (run.result.steps[1].multiplier, ==, 1);
+  g_assert_cmpfloat (uy (&run, 1), ==, uy (&run, 0));
+}
+
 /* The same as a stage after a load, and taken back: the load stays. */
 static void
 test_settlement_stage (void)
@@ -562,6 +581,7 @@ QN_TESTS
   g_test_add_func ("/core/path-stages/held-set", test_held_set);
   g_test_add_func ("/core/path-stages/stops-at-collapse", test_stops_at_collapse);
   g_test_add_func ("/core/path-stages/settlement", test_settlement);
+  g_test_add_func ("/core/path-stages/settlement-of-nothing", test_settlement_of_nothing);
   g_test_add_func ("/core/path-stages/settlement-stage", test_settlement_stage);
   g_test_add_func ("/core/path-stages/energy", test_energy);
   g_test_add_func ("/core/path-stages/bricks-to-and-fro", test_bricks_to_and_fro);
