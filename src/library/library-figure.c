@@ -332,7 +332,7 @@ encode_report (const QuoinFigure *figure, GError **cause)
   }
   GBytes *bytes =
     done ? qn_report_encode_runs (&figure->model->project, &figure->model->contacts,
-                                  &figure->plan, runs, count, cause)
+                                  &figure->plan, runs, count, NULL, NULL, cause)
          : NULL;
   for (guint i = 0; i < read; i++)
     qn_report_item_clear (&items[i]);

@@ -321,6 +321,13 @@ test_files (void)
   g_rmdir (folder);
 }
 
+static gboolean
+is_reported (gpointer window)
+{
+  GAction *cancel = g_action_map_lookup_action (G_ACTION_MAP (window), "cancel");
+  return !g_action_get_enabled (cancel);
+}
+
 static gsize
 report_size (QnWindow *window, const char *path)
 {
@@ -328,6 +335,7 @@ report_size (QnWindow *window, const char *path)
   gsize length = 0;
   driver_activate_target (window, "win.export-path",
                           g_variant_new ("(ss)", "report", path));
+  driver_wait (is_reported, window);
   g_assert_true (g_file_get_contents (path, &bytes, &length, NULL));
   g_assert_true (g_str_has_prefix (bytes, "%PDF-"));
   g_unlink (path);
@@ -413,9 +421,44 @@ test_report (void)
   g_assert_cmpuint (two, >, one);
   driver_activate_target (window, "win.export-path",
                           g_variant_new ("(ss)", "report", "/no/such/folder/r.pdf"));
+  driver_wait (is_reported, window);
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.nudge((0.1,0.0))");
   g_assert_cmpuint (report_size (window, path), <, one);
+  driver_discard (window);
+}
+
+/* The report of a project that was edited has its combinations analysed, in the background; cancelled, it
+ * leaves nothing. */
+static void
+test_report_combinations (void)
+{
+  QnWindow *window = driver_open_example ("50-wall-in-combinations.quoin");
+  g_autofree char *path =
+    g_build_filename (g_get_tmp_dir (), "quoin-test-combinations.pdf", NULL);
+  g_assert_true (qn_document_edit_extra (qn_window_get_document (window), "Report", NULL,
+                                         "report", "{ \"sections\": [\"combinations\"] }",
+                                         NULL));
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate_target (window, "win.export-path",
+                          g_variant_new ("(ss)", "report", path));
+  driver_activate (window, "win.cancel");
+  driver_wait (is_reported, window);
+  g_assert_false (g_file_test (path, G_FILE_TEST_EXISTS));
+  g_assert_cmpuint (report_size (window, path), >, 4000);
+  g_autofree char *program = g_find_program_in_path ("pdftotext"), *text = NULL;
+  const char *argv[] = { program, "-layout", path, "-", NULL };
+  if (program != NULL) {
+    driver_activate_target (window, "win.export-path",
+                            g_variant_new ("(ss)", "report", path));
+    driver_wait (is_reported, window);
+    g_assert_true (
+      g_spawn_sync (NULL, (char **) argv, NULL, 0, NULL, NULL, &text, NULL, NULL, NULL));
+    g_assert_nonnull (strstr (text, "combinations by"));
+    g_assert_nonnull (strstr (text, "stands"));
+    g_unlink (path);
+  }
   driver_discard (window);
 }
 
@@ -428,5 +471,6 @@ QN_TESTS
   g_test_add_func ("/app/export/animation", test_animation);
   g_test_add_func ("/app/export/files", test_files);
   g_test_add_func ("/app/export/report", test_report);
+  g_test_add_func ("/app/export/report-combinations", test_report_combinations);
   g_test_add_func ("/app/export/report-template", test_report_template);
 }

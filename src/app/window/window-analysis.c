@@ -257,6 +257,8 @@ run_shown (QnWindow *self, GVariant *parameter)
 static void
 cancel (QnWindow *self, GVariant *parameter)
 {
+  if (self->reporting != NULL)
+    g_cancellable_cancel (self->reporting);
   if (!qn_window_page_can (self, "cancel") || !qn_window_page_does (self, "cancel"))
     qn_document_cancel (self->document);
 }

@@ -61,11 +61,37 @@ write_result (QnWindow *self, const char *path, GError **error)
                                    path, error);
 }
 
-/* All that was computed of the model as it is now. */
-static gboolean
-write_report (QnWindow *self, const char *path, GError **error)
+static void
+on_report_written (GObject *source, GAsyncResult *result, gpointer data)
 {
-  return qn_report_write (self->document, qn_settings_get_units (), path, error);
+  g_autoptr (QnWindow) self = data;
+  g_autoptr (GError) error = NULL;
+  gboolean done = qn_report_write_finish (result, &error);
+  g_clear_object (&self->reporting);
+  if (gtk_widget_in_destruction (GTK_WIDGET (self)) || self->document == NULL)
+    return;
+  qn_window_update_actions (self);
+  if (done)
+    qn_window_show_message (self, _ ("The report is written"));
+  else if (g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED))
+    qn_window_show_message (self, _ ("Cancelled: no report is written"));
+  else
+    qn_window_show_error (self, error->message);
+}
+
+/* All that was computed of the model as it is now, in the background, for combinations are analysed. */
+static void
+write_report (QnWindow *self, const char *path)
+{
+  if (self->reporting != NULL) {
+    qn_window_show_message (self, _ ("A report is being written; Shift+F5 cancels it"));
+    return;
+  }
+  self->reporting = g_cancellable_new ();
+  qn_report_write_async (self->document, qn_settings_get_units (), path, self->reporting,
+                         on_report_written, g_object_ref (self));
+  qn_window_show_message (self, _ ("Writing the report… Shift+F5 cancels"));
+  qn_window_update_actions (self);
 }
 
 /* In metres, as it is drawn. */
@@ -90,7 +116,7 @@ static const struct {
   WriteFunc write;
 } exports[] = {
   { "result", N_ ("Export Result File"), N_ ("result.json"), { ".json" }, write_result },
-  { "report", N_ ("Export Report"), N_ ("report.pdf"), { ".pdf" }, write_report },
+  { "report", N_ ("Export Report"), N_ ("report.pdf"), { ".pdf" }, NULL },
   { "steps",
     N_ ("Export Steps for ParaView"),
     N_ ("steps.pvd"),
@@ -121,6 +147,10 @@ export_to (QnWindow *self, gsize i, const char *path)
   g_autoptr (GError) error = NULL;
   if (i != DRAWING && qn_document_get_run (self->document) == NULL)
     return;
+  if (exports[i].write == NULL) {
+    write_report (self, path);
+    return;
+  }
   if (!exports[i].write (self, path, &error)) {
     qn_window_show_error (self, error->message);
     return;
@@ -197,7 +227,7 @@ static void
 choose_report (GtkWindow *window)
 {
   for (gsize i = 0; i < DRAWING; i++)
-    if (exports[i].write == write_report)
+    if (exports[i].write == NULL)
       choose_file (QN_WINDOW (window), i);
 }
 

@@ -81,6 +81,7 @@ struct _QnWindow {
   GtkPrintSettings *print_settings; /* of the last page, or NULL */
   GObject *chooser;                 /* file chooser on the screen */
   gsize exported;                   /* what it asks for a file for */
+  GCancellable *reporting;          /* while a report is written */
   gboolean has_info_place;
   QnVec2 info_place;
 

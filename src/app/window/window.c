@@ -597,6 +597,8 @@ qn_window_close_request (GtkWindow *window)
   if (!qn_window_may_close (self))
     return TRUE;
   qn_document_cancel (self->document);
+  if (self->reporting != NULL)
+    g_cancellable_cancel (self->reporting);
   return GTK_WINDOW_CLASS (qn_window_parent_class)->close_request (window);
 }
 
@@ -622,6 +624,7 @@ qn_window_finalize (GObject *object)
 {
   QnWindow *self = QN_WINDOW (object);
   g_clear_object (&self->chooser);
+  g_clear_object (&self->reporting);
   g_clear_object (&self->state);
   g_clear_object (&self->document);
   g_free (self->last_export);

@@ -1,4 +1,5 @@
 #include "cli/base/message.h"
+#include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
 #include "doc/view/report-item.h"
@@ -75,8 +76,17 @@ write_report (const ReportOptions *options, const QnInput *input, const Item *it
   for (gsize i = 0; i < count; i++)
     runs[i] = qn_report_item_get_run (&items[i].report, &items[i].input.project,
                                       &items[i].input.contacts);
+  QnTerminalProgress progress;
+  qn_interrupt_install ();
+  qn_terminal_progress_init (&progress, FALSE);
   g_autoptr (GBytes) bytes =
-    qn_report_encode_runs (&input->project, &input->contacts, plan, runs, count, &error);
+    qn_report_encode_runs (&input->project, &input->contacts, plan, runs, count,
+                           qn_terminal_progress_update, &progress, &error);
+  qn_terminal_progress_done (&progress);
+  if (g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
+    g_error_free (error);
+    return qn_cli_cancelled (input->project.name);
+  }
   gsize length;
   const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
   if (data != NULL)

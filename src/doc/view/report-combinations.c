@@ -6,14 +6,17 @@
 #include "io/project/combinations.h"
 #include "render/drawing/text.h"
 
+#include <gio/gio.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
 /* The project as one combination, analysed as it says. The multiplier of its live loads, INFINITY where
- * the combination has none, -INFINITY where there is no equilibrium or no answer: then *why is set. */
+ * the combination has none, -INFINITY where there is no equilibrium or no answer: then *why is set. NAN
+ * where it is cancelled. */
 static double
-solve (const QnProject *project, const QnCombination *combination, char **why)
+solve (const QnReport *report, const QnCombination *combination, char **why)
 {
+  const QnProject *project = report->project;
   g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
   g_autoptr (GError) error = NULL;
   QnProject combined;
@@ -34,8 +37,12 @@ solve (const QnProject *project, const QnCombination *combination, char **why)
   model->analysis.bound = QN_BOUND_NEVER;
   if (qn_contacts_detect (model, &contacts, &diag) != QN_OK
       || qn_contacts_require_sound (model, &contacts, &diag) != QN_OK
-      || qn_analysis_run (model, &contacts, NULL, NULL, &result, &diag) != QN_OK)
+      || qn_analysis_run (model, &contacts, report->progress, report->progress_data,
+                          &result, &diag)
+           != QN_OK)
     *why = qn_explain_diag (model, &diag);
+  else if (result.outcome == QN_OUTCOME_CANCELLED)
+    multiplier = NAN;
   else if (result.has_collapse_multiplier)
     multiplier = result.collapse_multiplier;
   else if (result.outcome == QN_OUTCOME_TARGET_REACHED
@@ -68,19 +75,19 @@ plot_multipliers (QnPages *pages, const double *multipliers, gsize count)
     qn_pages_plot (pages, plot, 0.25);
 }
 
-void
-qn_report_write_combinations (QnPages *pages, const QnReport *report)
+bool
+qn_report_write_combinations (QnPages *pages, const QnReport *report, GError **error)
 {
   enum { COLUMNS = 4 };
   const QnProject *project = report->project;
-  g_autoptr (GError) error = NULL;
+  g_autoptr (GError) wrong = NULL;
   if (*project->model.combinations.code == '\0')
-    return;
-  g_autoptr (GPtrArray) list = qn_combinations_make (project, &error);
+    return true;
+  g_autoptr (GPtrArray) list = qn_combinations_make (project, &wrong);
   qn_pages_heading (pages, _ ("Combinations"));
   if (list == NULL) {
-    qn_report_say (pages, _ ("Not checked: %s."), error->message);
-    return;
+    qn_report_say (pages, _ ("Not checked: %s."), wrong->message);
+    return true;
   }
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   g_autofree double *multipliers = g_new (double, list->len);
@@ -90,7 +97,14 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report)
   for (guint i = 0; i < list->len; i++) {
     const QnCombination *combination = list->pdata[i];
     g_autofree char *why = NULL;
-    multipliers[i] = solve (project, combination, &why);
+    const QnProgress begun = { .steps = 0 };
+    bool goes_on =
+      report->progress == NULL || report->progress (&begun, report->progress_data);
+    multipliers[i] = goes_on ? solve (report, combination, &why) : NAN;
+    if (isnan (multipliers[i])) {
+      g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_CANCELLED, _ ("Cancelled"));
+      return false;
+    }
     worst = multipliers[i] < multipliers[worst] ? i : worst;
     qn_report_row (cells, report->units, "zwow", (gsize) i + 1, combination->name,
                    why != NULL                 ? g_steal_pointer (&why)
@@ -111,4 +125,5 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report)
     qn_pages_next_figure (pages));
   plot_multipliers (pages, multipliers, list->len);
   qn_report_table (pages, cells, COLUMNS);
+  return true;
 }

@@ -4,6 +4,7 @@
 #include "render/backend/output.h"
 
 #include <glib/gi18n-lib.h>
+#include <string.h>
 
 void
 qn_report_item_clear (QnReportItem *item)
@@ -58,7 +59,8 @@ qn_report_item_parse (QnReportItem *item, const char *text, gsize length,
 GBytes *
 qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
                        const QnReportTemplate *plan, const QnReportRun *runs,
-                       size_t count, GError **error)
+                       size_t count, QnProgressFunc progress, void *progress_data,
+                       GError **error)
 {
   QnReport report = { .project = project,
                       .contacts = contacts,
@@ -66,62 +68,151 @@ qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
                       .run_count = count,
                       .plan = *plan,
                       .units = QN_UNITS_SI,
-                      .generator = "quoin " QN_VERSION };
+                      .generator = "quoin " QN_VERSION,
+                      .progress = progress,
+                      .progress_data = progress_data };
   report.units.force = QN_FORCE_KN;
   report.units.stress = QN_STRESS_MPA;
   return qn_report_encode (&report, error);
 }
 
-static gboolean
-load_item (QnReportItem *item, QnDocument *document, const QnRun *run,
-           const QnProject *project, GError **error)
+/* ---- on a document, in a thread ---- */
+
+/* A copy of the project, and of every run what its file would hold. */
+typedef struct ReportWork {
+  QnProject project;
+  QnUnits units;
+  QnReportTemplate plan;
+  GPtrArray *runs;  /* of QnRun, as they were solved */
+  GPtrArray *texts; /* of GBytes */
+  char *path;
+  GCancellable *cancellable;
+} ReportWork;
+
+static void
+report_work_free (gpointer data)
 {
-  gsize length;
-  g_autofree char *text = qn_document_dup_result (document, run, &length, error);
-  return text != NULL
-         && qn_report_item_parse (item, text, length, run->name, project, &run->contacts,
-                                  error);
+  ReportWork *work = data;
+  qn_project_clear (&work->project);
+  qn_report_template_clear (&work->plan);
+  g_ptr_array_unref (work->runs);
+  g_ptr_array_unref (work->texts);
+  g_free (work->path);
+  g_object_unref (work->cancellable);
+  g_free (work);
+}
+
+static bool
+may_go_on (const QnProgress *progress, void *data)
+{
+  const ReportWork *work = data;
+  return !g_cancellable_is_cancelled (work->cancellable);
+}
+
+/* The report as a file; the runs are read in `items`. */
+static GBytes *
+encode (ReportWork *work, QnReportItem *items, QnProject *projects, GError **error)
+{
+  QnContacts contacts = { 0 };
+  GBytes *bytes = NULL;
+  gboolean done = TRUE;
+  g_autofree QnReportRun *runs = g_new0 (QnReportRun, work->runs->len + 1);
+  for (guint i = 0; i < work->runs->len && done; i++) {
+    const QnRun *run = work->runs->pdata[i];
+    gsize length;
+    const char *text = g_bytes_get_data (work->texts->pdata[i], &length);
+    projects[i] = work->project;
+    projects[i].model = run->model;
+    done = qn_report_item_parse (&items[i], text, length, run->name, &projects[i],
+                                 &run->contacts, error);
+    if (done)
+      runs[i] = qn_report_item_get_run (&items[i], &projects[i], &run->contacts);
+  }
+  if (done && qn_contacts_detect (&work->project.model, &contacts, NULL) != QN_OK) {
+    g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("out of memory"));
+    done = FALSE;
+  }
+  const QnReport report = { .project = &work->project,
+                            .contacts = &contacts,
+                            .runs = runs,
+                            .run_count = work->runs->len,
+                            .plan = work->plan,
+                            .units = work->units,
+                            .generator = "quoin " QN_VERSION,
+                            .progress = may_go_on,
+                            .progress_data = work };
+  if (done)
+    bytes = qn_report_encode (&report, error);
+  qn_contacts_clear (&contacts);
+  return bytes;
+}
+
+static void
+write_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
+{
+  ReportWork *work = data;
+  GError *error = NULL;
+  g_autofree QnReportItem *items = g_new0 (QnReportItem, work->runs->len + 1);
+  g_autofree QnProject *projects = g_new0 (QnProject, work->runs->len + 1);
+  g_autoptr (GBytes) bytes = encode (work, items, projects, &error);
+  gsize length = 0;
+  const void *content = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
+  if (content != NULL)
+    qn_file_replace (work->path, content, length, &error);
+  for (guint i = 0; i < work->runs->len; i++)
+    qn_report_item_clear (&items[i]);
+  if (error != NULL)
+    g_task_return_error (task, error);
+  else
+    g_task_return_boolean (task, TRUE);
+}
+
+static gboolean
+take_up (ReportWork *work, QnDocument *document, GError **error)
+{
+  const GPtrArray *all = qn_document_get_runs (document);
+  if (!qn_report_template_read (&work->plan, qn_document_get_project (document), error)
+      || !qn_project_copy (qn_document_get_project (document), &work->project, error))
+    return FALSE;
+  work->project.text = g_strdup (qn_document_get_text (document));
+  work->project.text_length = strlen (work->project.text);
+  work->project.sha256 = g_strdup (qn_document_get_project (document)->sha256);
+  for (guint i = 0; i < all->len; i++) {
+    QnRun *run = all->pdata[i];
+    gsize length;
+    if (run->kind != QN_RUN_ANALYSIS || qn_document_is_stale (document, run))
+      continue;
+    char *text = qn_document_dup_result (document, run, &length, error);
+    if (text == NULL)
+      return FALSE;
+    g_ptr_array_add (work->texts, g_bytes_new_take (text, length));
+    g_ptr_array_add (work->runs, qn_run_ref (run));
+  }
+  return TRUE;
+}
+
+void
+qn_report_write_async (QnDocument *document, QnUnits units, const char *path,
+                       GCancellable *cancellable, GAsyncReadyCallback callback,
+                       gpointer user_data)
+{
+  ReportWork *work = g_new0 (ReportWork, 1);
+  g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
+  GError *error = NULL;
+  work->units = units;
+  work->path = g_strdup (path);
+  work->cancellable = g_object_ref (cancellable);
+  work->runs = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+  work->texts = g_ptr_array_new_with_free_func ((GDestroyNotify) g_bytes_unref);
+  g_task_set_task_data (task, work, report_work_free);
+  if (take_up (work, document, &error))
+    g_task_run_in_thread (task, write_in_thread);
+  else
+    g_task_return_error (task, error);
 }
 
 gboolean
-qn_report_write (QnDocument *document, QnUnits units, const char *path, GError **error)
+qn_report_write_finish (GAsyncResult *result, GError **error)
 {
-  QnReportTemplate plan;
-  if (!qn_report_template_read (&plan, qn_document_get_project (document), error)) {
-    qn_report_template_clear (&plan);
-    return FALSE;
-  }
-  const GPtrArray *all = qn_document_get_runs (document);
-  g_autofree QnReportItem *items = g_new0 (QnReportItem, all->len + 1);
-  g_autofree QnProject *projects = g_new0 (QnProject, all->len + 1);
-  g_autofree QnReportRun *runs = g_new0 (QnReportRun, all->len + 1);
-  guint count = 0;
-  gboolean done = TRUE;
-  for (guint i = 0; i < all->len && done; i++) {
-    const QnRun *run = all->pdata[i];
-    if (run->kind != QN_RUN_ANALYSIS || qn_document_is_stale (document, run))
-      continue;
-    projects[count] = *qn_document_get_project (document); /* as it was solved */
-    projects[count].model = run->model;
-    done = load_item (&items[count], document, run, &projects[count], error);
-    if (done)
-      runs[count] =
-        qn_report_item_get_run (&items[count], &projects[count], &run->contacts);
-    count += done;
-  }
-  QnReport report = { .project = qn_document_get_project (document),
-                      .contacts = qn_document_get_contacts (document),
-                      .runs = runs,
-                      .run_count = count,
-                      .plan = plan,
-                      .units = units,
-                      .generator = "quoin " QN_VERSION };
-  g_autoptr (GBytes) bytes = done ? qn_report_encode (&report, error) : NULL;
-  gsize length = 0;
-  const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
-  done = data != NULL && qn_file_replace (path, data, length, error);
-  for (guint i = 0; i < count; i++)
-    qn_report_item_clear (&items[i]);
-  qn_report_template_clear (&plan);
-  return done;
+  return g_task_propagate_boolean (G_TASK (result), error);
 }

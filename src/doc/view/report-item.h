@@ -27,14 +27,19 @@ gboolean qn_report_item_parse (QnReportItem *item, const char *text, gsize lengt
 QnReportRun qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
                                     const QnContacts *contacts);
 
-/* The report on these runs as a file, with the units that the command line has: kN, MPa. */
+/* The report on these runs as a file, with the units that the command line has: kN, MPa. `progress`
+ * (nullable) as in QnReport. */
 GBytes *qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
                                const QnReportTemplate *plan, const QnReportRun *runs,
-                               size_t count, GError **error);
+                               size_t count, QnProgressFunc progress, void *progress_data,
+                               GError **error);
 
 void qn_report_item_clear (QnReportItem *item);
 
 /* Writes the report on the document as its template says, with all of its runs that belong to the
- * model as it is now. */
-gboolean qn_report_write (QnDocument *document, QnUnits units, const char *path,
-                          GError **error);
+ * model as it is now, in a thread of its own: combinations are analysed there. FALSE with
+ * G_IO_ERROR_CANCELLED where it was cancelled; nothing is written then. */
+void qn_report_write_async (QnDocument *document, QnUnits units, const char *path,
+                            GCancellable *cancellable, GAsyncReadyCallback callback,
+                            gpointer user_data);
+gboolean qn_report_write_finish (GAsyncResult *result, GError **error);

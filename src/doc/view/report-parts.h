@@ -56,8 +56,10 @@ bool qn_report_write_comparison (QnPages *pages, const QnReport *report, GError 
 
 /* ---- report-combinations.c ---- */
 
-/* Every combination of load cases, analysed; nothing where the project has no code for them. */
-void qn_report_write_combinations (QnPages *pages, const QnReport *report);
+/* Every combination of load cases, analysed; nothing where the project has no code for them. False where it
+ * is cancelled. */
+bool qn_report_write_combinations (QnPages *pages, const QnReport *report,
+                                   GError **error);
 
 /* ---- report-mechanism.c ---- */
 

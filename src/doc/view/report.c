@@ -316,8 +316,9 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
   for (size_t i = 0; wanted[QN_REPORT_MECHANISM] && i < report->run_count; i++)
     if (!qn_report_write_mechanism (pages, &report->runs[i], report->units, error))
       return false;
-  if (wanted[QN_REPORT_COMBINATIONS])
-    qn_report_write_combinations (pages, report);
+  if (wanted[QN_REPORT_COMBINATIONS]
+      && !qn_report_write_combinations (pages, report, error))
+    return false;
   for (size_t i = 0; wanted[QN_REPORT_JOINTS] && i < report->run_count; i++)
     if (qn_report_has_forces (&report->runs[i])
         && report->runs[i].contacts->face_count > 0)

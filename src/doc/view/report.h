@@ -3,6 +3,7 @@
  * files it was made of. */
 #pragma once
 
+#include "core/base/progress.h"
 #include "doc/text/units.h"
 #include "doc/view/report-template.h"
 #include "io/project/project.h"
@@ -26,8 +27,10 @@ typedef struct QnReport {
   size_t run_count;
   QnReportTemplate plan; /* borrowed */
   QnUnits units;
-  const char *generator; /* "quoin 0.1.0" */
+  const char *generator;   /* "quoin 0.1.0" */
+  QnProgressFunc progress; /* of the combinations, which are analysed here; NULL: none */
+  void *progress_data;
 } QnReport;
 
-/* The PDF, or NULL with an error. */
+/* The PDF, or NULL with an error, G_IO_ERROR_CANCELLED where the progress function says so. */
 GBytes *qn_report_encode (const QnReport *report, GError **error);
