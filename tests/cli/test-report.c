@@ -2,6 +2,7 @@
 #include "cli-run.h"
 #include "support/room.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Which words a PDF has, and which it has not (nullable), by pdftotext where that is installed. */
@@ -276,6 +277,34 @@ test_settlement (void)
                 NULL);
 }
 
+/* Two walls part as a foundation moves by 3 mm and turns by 2 mrad about a point 0.15 m below: 3 + 2 (y + 0.15) mm
+ * at the height y, joint by joint in the report and in a table. */
+static void
+test_cracks (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("51-parting-walls.quoin");
+  g_autofree char *pdf = g_build_filename (folder, "r.pdf", NULL);
+  g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+  g_autofree char *csv = g_build_filename (folder, "c.csv", NULL);
+  cli_do ("solve", model, "-q", "-o", result, NULL);
+  cli_do ("export", model, "--result", result, "--table", "cracks", "-o", csv, NULL);
+  g_autofree char *text = cli_read (csv);
+  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+  g_assert_cmpstr (lines[0], ==, "face,block a,block b,width [m],mean [m],x [m],y [m]");
+  const double widths[][2] = { { 7.3e-3, 6.3e-3 }, { 5.3e-3, 4.3e-3 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (widths); i++) {
+    g_auto (GStrv) cells = g_strsplit (lines[i + 1], ",", -1);
+    g_assert_cmpstr (cells[1], ==, i == 0 ? "\"l2\"" : "\"l1\"");
+    g_assert_cmpfloat (fabs (g_ascii_strtod (cells[3], NULL) - widths[i][0]), <, 1e-5);
+    g_assert_cmpfloat (fabs (g_ascii_strtod (cells[4], NULL) - widths[i][1]), <, 1e-5);
+    g_assert_cmpfloat (fabs (g_ascii_strtod (cells[6], NULL) - (2 - (double) i)), <,
+                       1e-9);
+  }
+  cli_do ("report", model, "--sections", "results", "-o", pdf, NULL);
+  assert_words (pdf, WORDS ("joints have opened", "Mean (mm)", "6.3"), NULL);
+}
+
 /* The page on a mechanism has the hand numbers of docs/method/capacity.md; a project that does not ask for it
  * has none, and one whose joints slide says why it is not checked. */
 static void
@@ -432,6 +461,7 @@ QN_TESTS
   g_test_add_func ("/cli/report/members", test_members);
   g_test_add_func ("/cli/report/demand", test_demand);
   g_test_add_func ("/cli/report/settlement", test_settlement);
+  g_test_add_func ("/cli/report/cracks", test_cracks);
   g_test_add_func ("/cli/report/mechanism", test_mechanism);
   g_test_add_func ("/cli/report/combinations", test_combinations);
   g_test_add_func ("/cli/report/assumptions", test_assumptions);

@@ -5,6 +5,7 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/settings.h"
 #include "doc/document/run-file.h"
+#include "doc/view/cracks-csv.h"
 #include "doc/view/figure-export.h"
 #include "doc/view/report-item.h"
 #include "io/exchange/dxf-export.h"
@@ -37,6 +38,14 @@ write_contacts (QnWindow *self, const char *path, GError **error)
   const QnRun *run = qn_document_get_run (self->document);
   QnProject project = solved_project (self, run);
   return qn_contacts_csv_write (path, &project, &run->contacts, &run->result, error);
+}
+
+static gboolean
+write_cracks (QnWindow *self, const char *path, GError **error)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  QnProject project = solved_project (self, run);
+  return qn_cracks_csv_write (path, &project, &run->contacts, &run->result, error);
 }
 
 static gboolean
@@ -128,6 +137,11 @@ static const struct {
     N_ ("contacts.csv"),
     { ".csv" },
     write_contacts },
+  { "cracks",
+    N_ ("Export Cracks as Table"),
+    N_ ("cracks.csv"),
+    { ".csv" },
+    write_cracks },
   { "beams",
     N_ ("Export Section Forces as Table"),
     N_ ("beams.csv"),

@@ -2,6 +2,7 @@
 #include "cli/base/message.h"
 #include "cli/base/subcommand.h"
 #include "doc/edit/edit.h"
+#include "doc/view/cracks-csv.h"
 #include "io/exchange/drawing-import.h"
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"
@@ -45,6 +46,9 @@ write_table (const ExportOptions *options, const QnInput *input, const QnResult 
     return qn_beams_csv_write (options->output, project, result, error);
   if (g_strcmp0 (options->table, "bars") == 0)
     return qn_bars_csv_write (options->output, project, &input->contacts, result, error);
+  if (g_strcmp0 (options->table, "cracks") == 0)
+    return qn_cracks_csv_write (options->output, project, &input->contacts, result,
+                                error);
   if (g_strcmp0 (options->table, "ties") == 0)
     return qn_ties_csv_write (options->output, project, result, error);
   return qn_curve_csv_write (options->output, project, result, error);
@@ -110,8 +114,8 @@ load_and_export (const ExportOptions *options, Format format, const char *path)
 static QnExit
 check_options (const QnSubcommand *self, const ExportOptions *options, Format *format)
 {
-  static const char *const tables[] = { "curve", "displacements", "contacts",
-                                        "beams", "bars",          "ties" };
+  static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
+                                        "bars",  "ties",          "cracks" };
   const char *problem = NULL;
   gsize table = 0;
   while (options->table != NULL && table < G_N_ELEMENTS (tables)
@@ -148,7 +152,7 @@ run_export (const QnSubcommand *self, int argc, char **argv)
       N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
     { "table", 0, 0, G_OPTION_ARG_STRING, &options.table,
       N_ ("Table of the CSV file (curve)"),
-      "curve|displacements|contacts|beams|bars|ties" },
+      "curve|displacements|contacts|beams|bars|ties|cracks" },
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };

@@ -6,6 +6,9 @@
 /* Rows of a table of joints unless all are requested; the others are counted. */
 #define QN_REPORT_ROWS 120
 
+/* Rows of the table of cracks. */
+#define QN_REPORT_CRACKS 20
+
 /* "displacement control"; of a project with stages, each of which has its own, "load stages". */
 const char *qn_report_procedure (const QnModel *model);
 

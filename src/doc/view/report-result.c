@@ -109,13 +109,8 @@ show_cells (Pictures *p)
                  || show_field (p, QN_VIEW_DEFORMED, QN_FIELD_CRACK, -1, _ ("Cracks"))));
 }
 
-typedef struct Crack {
-  double width; /* m; 0: none */
-  const QnContactFace *face;
-} Crack;
-
 /* The widest crack at a step, by what the pairs of joints have opened. */
-static Crack
+static QnCrack
 find_crack (const QnReportRun *run, size_t step)
 {
   const QnModel *model = &run->project->model;
@@ -124,19 +119,17 @@ find_crack (const QnReportRun *run, size_t step)
                               qn_result_step_displacements (&run->file->result, step),
                             .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
                             .scale = 1 };
-  Crack widest = { 0 };
+  QnCrack widest = { 0 };
   for (size_t f = 0; f < run->contacts->face_count; f++) {
-    const QnContactFace *face = &run->contacts->faces[f];
-    const QnJoint joint = qn_motion_joint (&motion, face);
-    double opens = fmax (joint.opening_start, joint.opening_end);
-    if (opens > widest.width)
-      widest = (Crack){ opens, face };
+    const QnCrack crack = qn_motion_crack (&motion, &run->contacts->faces[f]);
+    if (crack.width > widest.width)
+      widest = crack;
   }
   return widest;
 }
 
 static void
-tell_crack (QnPages *pages, const QnReportRun *run, Crack crack, const char *which,
+tell_crack (QnPages *pages, const QnReportRun *run, QnCrack crack, const char *which,
             QnUnits units)
 {
   const QnBlock *blocks = run->project->model.blocks;
@@ -167,7 +160,7 @@ last_determined (const QnModel *model, const QnResult *result)
  * distances. */
 static void
 write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settlement,
-                  const Crack *cracks, QnUnits units)
+                  const QnCrack *cracks, QnUnits units)
 {
   const QnResult *result = &run->file->result;
   const QnModel *model = &run->project->model;
@@ -181,7 +174,7 @@ write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settleme
                  taken, _ ("Widest crack (%s)"), QN_QUANTITY_LENGTH, _ ("Between"));
   for (size_t r = 0; r < rows; r++) {
     size_t step = rows > 1 ? r * (result->step_count - 1) / (rows - 1) : 0;
-    const Crack *crack = &cracks[step];
+    const QnCrack *crack = &cracks[step];
     qn_report_row (
       cells, units, "qqqo", moved, qn_curve_motion_at (result, motion, step), 4, taken,
       qn_result_settlement_reaction (model, result, settlement, step), 5,
@@ -192,6 +185,29 @@ write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settleme
   qn_report_table (pages, cells, 4);
 }
 
+/* The widest cracks at a step, joint by joint. */
+static void
+write_joints (QnPages *pages, const QnReportRun *run, size_t step, QnUnits units)
+{
+  const QnModel *model = &run->project->model;
+  g_autoptr (GArray) cracks =
+    qn_result_cracks (model, run->contacts, &run->file->result, step);
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  qn_report_row (cells, units, "wuuuu", _ ("Between"), _ ("Widest crack (%s)"),
+                 QN_QUANTITY_LENGTH, _ ("Mean (%s)"), QN_QUANTITY_LENGTH, _ ("x (%s)"),
+                 QN_QUANTITY_LENGTH, _ ("y (%s)"), QN_QUANTITY_LENGTH);
+  for (guint i = 0; i < MIN (cracks->len, QN_REPORT_CRACKS); i++) {
+    const QnCrack *crack = &g_array_index (cracks, QnCrack, i);
+    qn_report_row (cells, units, "oqqqq",
+                   qn_report_dup_between (model, crack->face->a, crack->face->b),
+                   QN_QUANTITY_LENGTH, crack->width, 3, QN_QUANTITY_LENGTH, crack->mean,
+                   3, QN_QUANTITY_LENGTH, crack->at.x, 4, QN_QUANTITY_LENGTH, crack->at.y,
+                   4);
+  }
+  qn_report_say (pages, _ ("%u joints have opened; the widest of them:"), cracks->len);
+  qn_report_table (pages, cells, 5);
+}
+
 static void
 write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
 {
@@ -199,9 +215,9 @@ write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
   QnUnits units = qn_units_of_motion (given);
   if (result->step_count == 0 || result->limit.given)
     return;
-  g_autofree Crack *cracks = g_new (Crack, result->step_count);
+  g_autofree QnCrack *cracks = g_new (QnCrack, result->step_count);
   const size_t end = last_determined (&run->project->model, result);
-  Crack widest = { 0 }, *last = &cracks[end];
+  QnCrack widest = { 0 }, *last = &cracks[end];
   for (size_t s = 0; s < result->step_count; s++) {
     cracks[s] = find_crack (run, s);
     if (s <= end && cracks[s].width > widest.width)
@@ -220,6 +236,8 @@ write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
   const QnLoad *settlement = qn_result_settlement (&run->project->model, result);
   if (settlement != NULL)
     write_settlement (pages, run, settlement, cracks, units);
+  if (settlement != NULL && last->width > 0)
+    write_joints (pages, run, end, units);
 }
 
 static void

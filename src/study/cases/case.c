@@ -174,8 +174,7 @@ crack_width (const QnCaseModel *model, char *const *blocks)
     if (blocks != NULL
         && !((face->a == a && face->b == b) || (face->a == b && face->b == a)))
       continue;
-    const QnJoint joint = qn_motion_joint (&motion, face);
-    widest = fmax (widest, fmax (0, fmax (joint.opening_start, joint.opening_end)));
+    widest = fmax (widest, qn_motion_crack (&motion, face).width);
   }
   return widest;
 }
