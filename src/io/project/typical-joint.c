@@ -24,6 +24,10 @@ const QnTypicalJoint qn_typical_joints[QN_JOINT_COUNT] = {
                            "Fracture energy: Lourenço & Rots 1997, by cohesion. "
                            "Stiffness: brick and lime mortar of Circolare 7/2019, table "
                            "C8.5.I, courses of 0.07 m.") },
+  [QN_JOINT_SOIL] = { N_ ("Soil below a foundation (Winkler)"), 0.5, 0.0, 0.0, 3e7, 1.5e7,
+                      18e3,
+                      N_ ("Stiffness: subgrade reaction of medium dense sand, 9.6 to 80 "
+                          "MN/m3, Bowles 1996, table 9-1. Friction and ks: assumed.") },
 };
 
 gboolean

@@ -9,6 +9,7 @@ typedef enum {
   QN_JOINT_DRY_STONE,
   QN_JOINT_LIME_MORTAR, /* of squared stone */
   QN_JOINT_BRICK,       /* and cement-lime mortar */
+  QN_JOINT_SOIL,        /* under a foundation: springs that do not pull, Winkler's */
   QN_JOINT_COUNT
 } QnTypicalJointKind;
 
@@ -18,7 +19,7 @@ typedef struct QnTypicalJoint {
   double cohesion;    /* Pa */
   double fracture;    /* J/m2, energy of slip; exponential softening; 0: brittle */
   double kn, ks;      /* Pa/m, of the joint: each of its two springs has twice as much */
-  double unit_weight; /* N/m3, of the masonry */
+  double unit_weight; /* N/m3, of what it joins */
   const char *source; /* to be translated where it is shown; files have it as it is */
 } QnTypicalJoint;
 

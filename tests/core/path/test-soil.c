@@ -105,8 +105,48 @@ test_again (void)
                                   1.5 * (3 - 1.0 / 3) * 6000, 1e-6);
 }
 
+/* A rigid foundation of B = 2 m on soil that does not pull, k = 3e7 Pa/m, under 100 kN at the eccentricity e:
+ * up to B/6 all of it bears; beyond, c = 3 (B/2 - e) under 2 N/c at the edge (Winkler's springs). */
+static void
+check_foundation (double e, double middle, double rotation, double tolerance)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init_block_on_plane (model, 2, 1);
+  model->laws[0].kind = QN_LAW_NO_TENSION;
+  model->laws[0].basis = QN_BASIS_SURFACE;
+  model->laws[0].kn = model->laws[0].ks = 2 * 3e7;
+  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 100 };
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->kind = QN_LOAD_FORCE;
+  dead->block = 1;
+  dead->vector = qn_vec2 (0, -100e3);
+  dead->moment = -100e3 * e;
+  model->analysis.max_multiplier = 0;
+  test_run_solve (&run);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  const double *u = qn_result_step_displacements (&run.result, 0) + QN_DOF_COUNT;
+  g_test_message ("e %g: %.6g m, %.6g rad", e, u[QN_DOF_UY], u[QN_DOF_RZ]);
+  g_assert_cmpfloat (fabs (u[QN_DOF_UY] / -middle - 1), <, tolerance);
+  if (rotation > 0)
+    g_assert_cmpfloat (fabs (u[QN_DOF_RZ] / -rotation - 1), <, tolerance);
+}
+
+static void
+test_winkler (void)
+{
+  const double n = 100e3, b = 2, k = 3e7;
+  const double within[] = { 0, 0.2, 1.0 / 3 }, beyond[] = { 0.4, 0.5, 0.7 };
+  for (int i = 0; i < 3; i++) {
+    check_foundation (within[i], n / (k * b), 12 * n * within[i] / (k * b * b * b), 2e-4);
+    double bears = 3 * (b / 2 - beyond[i]), edge = 2 * n / bears / k;
+    check_foundation (beyond[i], edge - edge / bears * b / 2, edge / bears, 2e-3);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/soil/winkler", test_winkler);
   g_test_add_func ("/soil/overturning", test_overturning);
   g_test_add_func ("/soil/at-rest", test_at_rest);
   g_test_add_func ("/soil/again", test_again);
