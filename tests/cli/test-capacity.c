@@ -244,7 +244,7 @@ test_facade_strip (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
   g_autofree char *model = g_build_filename (folder, "strip.quoin", NULL);
-  g_autofree char *example = cli_example ("58-facade-strip.quoin");
+  g_autofree char *example = cli_example ("60-facade-strip.quoin");
   cli_do ("generate", "facade-strip", "storeys=3.2x3", "thickness=0.5x0.4",
           "floors=12000x8000", "floor-friction=0.3", "ties=0x4000", "thrust=1500",
           "parapet=0.6x0.3", "-o", model, NULL);
