@@ -250,6 +250,16 @@ test_facade_strip (void)
           "parapet=0.6x0.3", "-o", model, NULL);
   cli_says ("alpha0 0.23808", "capacity", model, NULL);
   cli_says ("alpha0 0.23808", "capacity", example, NULL);
+  const char *const kept =
+    "capacity={\"tie_strain\": 0.05, \"part_period\": 0.1, \"height\": 6, "
+    "\"building_height\": 9, \"storeys\": 3, \"building_period\": 0.3, "
+    "\"building_damping\": 0.08, \"mechanism\": true, \"spectrum\": \"type1\", "
+    "\"ag\": 1.5, \"soil\": \"B\"}";
+  CliRun known = cli_run ("capacity", example, "--set", kept, NULL);
+  cli_assert_done (&known);
+  g_assert_cmpstr (known.err, ==, "");
+  g_assert_nonnull (strstr (known.out, "damping of the building 0.08"));
+  cli_run_clear (&known);
   cli_do ("generate", "facade-strip", "storeys=3x3", "thickness=0.5x0.4",
           "floors=12000x8000", "ties=60000x0", "-o", model, NULL);
   cli_says ("alpha0 0.11915", "capacity", model, NULL);

@@ -24,9 +24,13 @@ static const char *const project_keys[] = {
 };
 
 /* Keys of those that the layers above read, where their values are checked when they are needed. */
-static const char *const capacity_keys[] = { "control",   "spectrum",  "ag",
-                                             "soil",      "damping",   "unit",
-                                             "mechanism", "confidence" };
+static const char *const capacity_keys[] = {
+  "control",     "spectrum",        "ag",
+  "soil",        "damping",         "unit",
+  "mechanism",   "confidence",      "tie_strain",
+  "part_period", "height",          "building_height",
+  "storeys",     "building_period", "building_damping"
+};
 static const char *const report_keys[] = { "sections", "paper",  "every_joint",
                                            "demand",   "author", "text" };
 static const char *const envelope_keys[] = { "vehicles", "from", "to",
