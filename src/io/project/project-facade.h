@@ -22,5 +22,7 @@
 
 #define QN_FACADE_KIND "facade-strip"
 
-/* The text of a project, NULL with QN_IO_ERROR_OVERRIDE. `keys` as of qn_project_generate(). */
-char *qn_facade_dup_project (const char *const *keys, double friction, GError **error);
+/* The text of a project, NULL with QN_IO_ERROR_OVERRIDE. `overrides`: KEY=JSON, ended by
+ * NULL. */
+char *qn_facade_dup_project (const char *const *overrides, double friction,
+                             GError **error);

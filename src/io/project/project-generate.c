@@ -60,9 +60,10 @@ dup_value (const char *text)
                                     : g_steal_pointer (&all);
 }
 
-/* "length=6" becomes "masonry[0].length=6". NULL where it is not of that form. */
+/* "length=6" becomes "masonry[0].length=6", with `owner` "masonry[0].". NULL where it is not of that
+ * form. */
 static char *
-dup_override (const char *argument)
+dup_override (const char *owner, const char *argument)
 {
   const char *equals = strchr (argument, '=');
   if (equals == NULL || equals == argument)
@@ -70,7 +71,7 @@ dup_override (const char *argument)
   g_autofree char *key =
     g_strdelimit (g_strndup (argument, (gsize) (equals - argument)), "-", '_');
   g_autofree char *value = dup_value (equals + 1);
-  return g_strdup_printf ("masonry[0].%s=%s", key, value);
+  return g_strdup_printf ("%s%s=%s", owner, key, value);
 }
 
 /* What a new project has, with the masonry and friction that are asked for before the keys of the
@@ -115,25 +116,22 @@ gboolean
 qn_project_generate (const char *kind_name, const char *const *keys, double friction,
                      QnProject *project, GError **error)
 {
-  if (strcmp (kind_name, QN_FACADE_KIND) == 0) {
-    g_autofree char *text = qn_facade_dup_project (keys, friction, error);
-    return text != NULL
-           && qn_project_parse (text, strlen (text), kind_name, NULL, project, error);
-  }
+  const gboolean facade = strcmp (kind_name, QN_FACADE_KIND) == 0;
   const Kind *kind = find_kind (kind_name);
   g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
-  if (kind == NULL) {
+  if (kind == NULL && !facade) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
                  _ ("%s: not one of wall, arch, column, buttress, portal, rubble, grid, "
                     "voronoi, facade-strip"),
                  kind_name);
     return FALSE;
   }
-  g_autofree char *document = dup_document (kind, friction, keys, overrides, error);
-  if (document == NULL)
+  g_autofree char *document =
+    facade ? NULL : dup_document (kind, friction, keys, overrides, error);
+  if (document == NULL && !facade)
     return FALSE;
   for (gsize i = 0; keys[i] != NULL; i++) {
-    char *override = dup_override (keys[i]);
+    char *override = dup_override (facade ? "" : "masonry[0].", keys[i]);
     if (override == NULL) {
       g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
                    _ ("expected KEY=VALUE, not \"%s\""), keys[i]);
@@ -142,8 +140,12 @@ qn_project_generate (const char *kind_name, const char *const *keys, double fric
     g_ptr_array_add (overrides, override);
   }
   g_ptr_array_add (overrides, NULL);
-  if (!qn_project_parse (document, strlen (document), kind->name,
-                         (const char *const *) overrides->pdata, project, error))
+  const char *const *set = (const char *const *) overrides->pdata;
+  if (facade)
+    document = qn_facade_dup_project (set, friction, error);
+  if (document == NULL
+      || !qn_project_parse (document, strlen (document), kind_name, facade ? NULL : set,
+                            project, error))
     return FALSE;
   if (project->warnings->len == 0)
     return TRUE;
