@@ -71,10 +71,7 @@ dup_step_cell (const Table *table, const QnRun *run, guint row, guint column)
 {
   const QnResult *result = &run->result;
   const QnStep *step = &result->steps[row];
-  const QnMotion motion = { .model = &run->model,
-                            .displacements = qn_result_step_displacements (result, row),
-                            .linear = run->model.analysis.geometry == QN_GEOMETRY_LINEAR,
-                            .scale = 1.0 };
+  const QnMotion motion = qn_step_motion (&run->model, result, row);
   switch (column) {
   case STEP:
     return g_strdup_printf ("%u", row);

@@ -113,19 +113,9 @@ show_cells (Pictures *p)
 static QnCrack
 find_crack (const QnReportRun *run, size_t step)
 {
-  const QnModel *model = &run->project->model;
-  const QnMotion motion = { .model = model,
-                            .displacements =
-                              qn_result_step_displacements (&run->file->result, step),
-                            .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
-                            .scale = 1 };
-  QnCrack widest = { 0 };
-  for (size_t f = 0; f < run->contacts->face_count; f++) {
-    const QnCrack crack = qn_motion_crack (&motion, &run->contacts->faces[f]);
-    if (crack.width > widest.width)
-      widest = crack;
-  }
-  return widest;
+  g_autoptr (GArray) cracks =
+    qn_result_cracks (&run->project->model, run->contacts, &run->file->result, step);
+  return cracks->len > 0 ? g_array_index (cracks, QnCrack, 0) : (QnCrack){ 0 };
 }
 
 static void

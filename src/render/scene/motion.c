@@ -127,6 +127,17 @@ qn_motion_farthest_step (const QnModel *model, const QnResult *result)
   return farthest;
 }
 
+QnMotion
+qn_step_motion (const QnModel *model, const QnResult *result, size_t step)
+{
+  return (QnMotion){ .model = model,
+                     .displacements = step < result->step_count
+                                        ? qn_result_step_displacements (result, step)
+                                        : NULL,
+                     .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
+                     .scale = 1 };
+}
+
 double
 qn_motion_result_scale (const QnModel *model, const QnResult *result)
 {
@@ -134,10 +145,7 @@ qn_motion_result_scale (const QnModel *model, const QnResult *result)
     return 1;
   size_t step = qn_motion_farthest_step (model, result);
   bool linear = model->analysis.geometry == QN_GEOMETRY_LINEAR;
-  const QnMotion motion = { .model = model,
-                            .displacements = qn_result_step_displacements (result, step),
-                            .linear = linear,
-                            .scale = 1 };
+  const QnMotion motion = qn_step_motion (model, result, step);
   double scale = qn_motion_auto_scale (&motion);
   return linear && result->history.width == 0 ? scale : fmax (scale, 1);
 }
@@ -194,10 +202,7 @@ GArray *
 qn_result_cracks (const QnModel *model, const QnContacts *contacts,
                   const QnResult *result, size_t step)
 {
-  const QnMotion motion = { .model = model,
-                            .displacements = qn_result_step_displacements (result, step),
-                            .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
-                            .scale = 1 };
+  const QnMotion motion = qn_step_motion (model, result, step);
   GArray *cracks = g_array_new (FALSE, FALSE, sizeof (QnCrack));
   for (size_t f = 0; f < contacts->face_count; f++) {
     const QnCrack crack = qn_motion_crack (&motion, &contacts->faces[f]);

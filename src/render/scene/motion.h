@@ -32,6 +32,10 @@ double qn_motion_auto_scale (const QnMotion *motion);
  * fits it fits all steps, so that they can be compared. */
 size_t qn_motion_farthest_step (const QnModel *model, const QnResult *result);
 
+/* The displacements of a step, at factor 1; `displacements` is NULL where the result has no
+ * steps. */
+QnMotion qn_step_motion (const QnModel *model, const QnResult *result, size_t step);
+
 /* The factor that the deformed view of a result chooses for all its steps; 1 or more in nonlinear geometry and in
  * time, where displacements are large as they are. */
 double qn_motion_result_scale (const QnModel *model, const QnResult *result);

@@ -278,14 +278,3 @@ qn_step_left (const QnContacts *contacts, const QnResult *result, size_t step)
   }
   return left;
 }
-
-QnMotion
-qn_step_motion (const QnModel *model, const QnResult *result, size_t step)
-{
-  return (QnMotion){ .model = model,
-                     .displacements = step < result->step_count
-                                        ? qn_result_step_displacements (result, step)
-                                        : NULL,
-                     .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
-                     .scale = 1 };
-}

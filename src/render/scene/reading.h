@@ -101,7 +101,3 @@ QnPairResult *qn_step_pairs (const QnContacts *contacts, const QnResult *result,
 /* Which joints have been left by the time of a step: face_count of them, newly allocated (g_free); NULL
  * where none has. */
 bool *qn_step_left (const QnContacts *contacts, const QnResult *result, size_t step);
-
-/* The displacements of a step, at factor 1; `displacements` is NULL where the result has no
- * steps. */
-QnMotion qn_step_motion (const QnModel *model, const QnResult *result, size_t step);

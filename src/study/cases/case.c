@@ -162,11 +162,7 @@ crack_width (const QnCaseModel *model, char *const *blocks)
   double widest = blocks != NULL ? NAN : 0;
   if (result->step_count == 0)
     return NAN;
-  const QnMotion motion = { .model = core,
-                            .displacements = qn_result_step_displacements (
-                              result, result->step_count - 1),
-                            .linear = core->analysis.geometry == QN_GEOMETRY_LINEAR,
-                            .scale = 1 };
+  const QnMotion motion = qn_step_motion (core, result, result->step_count - 1);
   QnId a = blocks != NULL ? qn_model_find_block (core, blocks[0]) : QN_NONE;
   QnId b = blocks != NULL ? qn_model_find_block (core, blocks[1]) : QN_NONE;
   for (size_t f = 0; f < model->contacts.face_count; f++) {
