@@ -260,16 +260,29 @@ test_facade_strip (void)
   g_assert_cmpstr (known.err, ==, "");
   g_assert_nonnull (strstr (known.out, "damping of the building 0.08"));
   cli_run_clear (&known);
+
+  /* What only a mechanism has is told without one. */
+  known = cli_run ("capacity", example, "--set", "capacity.mechanism=false", "--set",
+                   "capacity.part_period=0.1", NULL);
+  g_assert_nonnull (strstr (known.err, "capacity.tie_strain: changes nothing without"));
+  g_assert_nonnull (strstr (known.err, "capacity.part_period: changes nothing without"));
+  cli_run_clear (&known);
+  known = cli_run ("capacity", example, "--set", "capacity.mechanism=false",
+                   "--tie-strain", "0.1", NULL);
+  g_assert_cmpint (known.code, ==, 2);
+  g_assert_nonnull (strstr (known.err, "belong to --mechanism"));
+  cli_run_clear (&known);
   cli_do ("generate", "facade-strip", "storeys=3x3", "thickness=0.5x0.4",
           "floors=12000x8000", "ties=60000x0", "-o", model, NULL);
   cli_says ("alpha0 0.11915", "capacity", model, NULL);
   cli_do ("generate", "facade-strip", "storeys=3", "thickness=0.3", "floors=20000",
           "bearing=0.3", "held=1", "unit-weight=10000", "courses=10", "-o", model, NULL);
   cli_says ("alpha0 2.73800", "capacity", model, NULL);
-  const char *const wrong[][2] = { { "bering=0.2", "no such key" },
+  const char *const wrong[][2] = { { "bering=0.2",
+                                     "the nearest known one is \"bearing\"" },
                                    { "thickness=0.1", "more than the thickness" },
-                                   { "storeys=3xhigh", "not a list" },
-                                   { "courses=0", "too small" } };
+                                   { "storeys=3xhigh", "storeys: expected a number" },
+                                   { "courses=0", "courses: number must be positive" } };
   for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
     CliRun run = cli_run ("generate", "facade-strip", wrong[i][0], "-o", model, NULL);
     g_assert_cmpint (run.code, ==, 2);

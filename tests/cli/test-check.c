@@ -96,6 +96,28 @@ test_gap (void)
   cli_run_clear (&run);
 }
 
+/* A load that lifts what it should press on is told. */
+static void
+test_pulling_edge (void)
+{
+  static const char *const told = "pulls the block outwards";
+  test_autoscratch char *folder = test_scratch_new ();
+  for (int pulls = 0; pulls < 2; pulls++) {
+    g_autofree char *load =
+      g_strdup_printf ("{ \"kind\": \"weight\", \"direction\": [0, -1] }, { \"kind\": "
+                       "\"edge\", \"block\": "
+                       "\"stone\", \"side\": \"top\", \"intensity\": %s }",
+                       pulls ? "-20" : "20");
+    g_autofree char *text = cli_replace (
+      cli_sliding_block, "{ \"kind\": \"weight\", \"direction\": [0, -1] }", load);
+    g_autofree char *model = cli_write (folder, "m.quoin", text);
+    CliRun run = cli_run ("check", model, NULL);
+    cli_assert_done (&run);
+    g_assert_true ((strstr (run.out, told) != NULL) == (pulls == 1));
+    cli_run_clear (&run);
+  }
+}
+
 /* Numbers that are hardly meant: in check for people and programs, and in every analysis, with -q too. */
 static void
 test_doubts (void)
@@ -169,6 +191,7 @@ test_poisson (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/cli/check/pulling-edge", test_pulling_edge);
   g_test_add_func ("/cli/check/counts", test_counts);
   g_test_add_func ("/cli/check/poisson", test_poisson);
   g_test_add_func ("/cli/check/json", test_json);

@@ -14,11 +14,12 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { TIE_STRAIN = 7, PART_PERIOD, SETTINGS = 14 };
+
 typedef struct CapacityOptions {
   QnPictureOptions picture;
-  char *json, *csv, *spectrum, *ag, *soil, *unit, *control, *damping, *confidence;
-  char *result, *tie_strain, *part_period;
-  char *height, *building_height, *storeys, *building_period, *building_damping;
+  char *given[SETTINGS]; /* values of the first options, which are settings */
+  char *json, *csv, *result;
   gboolean mechanism;
   QnInputOptions input;
   gboolean quiet;
@@ -35,33 +36,22 @@ typedef struct Answer {
 /* What the project keeps, and what options say instead. */
 static QnExit
 take_settings (const QnSubcommand *self, const CapacityOptions *options,
-               QnCapacitySettings *s, Answer *answer)
+               const GOptionEntry *entries, QnCapacitySettings *s, Answer *answer)
 {
   g_autoptr (GError) error = NULL;
-  const char *const given[][2] = {
-    { "spectrum", options->spectrum },
-    { "ag", options->ag },
-    { "soil", options->soil },
-    { "damping", options->damping },
-    { "unit", options->unit },
-    { "confidence", options->confidence },
-    { "control", options->control },
-    { "mechanism", options->mechanism ? "true" : NULL },
-    { "tie-strain", options->tie_strain },
-    { "part-period", options->part_period },
-    { "height", options->height },
-    { "building-height", options->building_height },
-    { "storeys", options->storeys },
-    { "building-period", options->building_period },
-    { "building-damping", options->building_damping },
-  };
   const QnProject *project = &answer->input->project;
   gboolean done = TRUE;
   if (!qn_capacity_settings_read (project, s, &error))
     return qn_cli_fail (error);
-  for (gsize i = 0; done && i < G_N_ELEMENTS (given); i++)
-    done = given[i][1] == NULL
-           || qn_capacity_settings_set (s, given[i][0], given[i][1], &error);
+  s->mechanism |= options->mechanism;
+  for (int i = 0; done && i < SETTINGS; i++)
+    done =
+      options->given[i] == NULL
+      || qn_capacity_settings_set (s, entries[i].long_name, options->given[i], &error);
+  if (done && !s->mechanism
+      && (options->given[TIE_STRAIN] != NULL || options->given[PART_PERIOD] != NULL))
+    return qn_cli_usage_error (
+      self->name, _ ("--tie-strain and --part-period belong to --mechanism"));
   done = done
          && qn_capacity_settings_apply (s, project, options->input.allow_outside,
                                         &answer->answer, &answer->points, &error);
@@ -186,48 +176,48 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
   CapacityOptions options = { 0 };
   QnCapacitySettings settings = { 0 };
   const GOptionEntry entries[] = {
-    { "spectrum", 0, 0, G_OPTION_ARG_FILENAME, &options.spectrum,
+    { "spectrum", 0, 0, G_OPTION_ARG_FILENAME, &options.given[0],
       N_ ("Elastic spectrum of EN 1998-1, or a table of period and acceleration; without "
           "one the curve alone"),
       N_ ("type1|type2|FILE.csv") },
-    { "ag", 0, 0, G_OPTION_ARG_STRING, &options.ag,
+    { "ag", 0, 0, G_OPTION_ARG_STRING, &options.given[1],
       N_ ("Ground acceleration of type1 and type2, m/s2 or g"), N_ ("2.45|0.25g") },
-    { "soil", 0, 0, G_OPTION_ARG_STRING, &options.soil,
+    { "soil", 0, 0, G_OPTION_ARG_STRING, &options.given[2],
       N_ ("Ground type of type1 and type2"), N_ ("A|B|C|D|E") },
-    { "damping", 0, 0, G_OPTION_ARG_STRING, &options.damping,
+    { "damping", 0, 0, G_OPTION_ARG_STRING, &options.given[3],
       N_ ("Damping ratio of the spectrum (0.05)"), N_ ("RATIO") },
-    { "unit", 0, 0, G_OPTION_ARG_STRING, &options.unit,
+    { "unit", 0, 0, G_OPTION_ARG_STRING, &options.given[4],
       N_ ("Unit of accelerations where the table does not state it"),
       N_ ("g|m/s2|cm/s2") },
-    { "confidence", 0, 0, G_OPTION_ARG_STRING, &options.confidence,
+    { "confidence", 0, 0, G_OPTION_ARG_STRING, &options.given[5],
       N_ ("Confidence factor FC of NTC 2018 (1)"), N_ ("FC") },
-    { "control", 0, 0, G_OPTION_ARG_STRING, &options.control,
+    { "control", 0, 0, G_OPTION_ARG_STRING, &options.given[6],
       N_ ("Block whose horizontal displacement is controlled; by default that of the "
           "project, or the one that limit analysis moves furthest"),
       N_ ("BLOCK") },
+    { "tie-strain", 0, 0, G_OPTION_ARG_STRING, &options.given[TIE_STRAIN],
+      N_ ("Strain at which ties break: they are in the kinematic curve until then"),
+      N_ ("RATIO") },
+    { "part-period", 0, 0, G_OPTION_ARG_STRING, &options.given[PART_PERIOD],
+      N_ ("Period T0 of a part that vibrates freely, for the linear check (0)"),
+      N_ ("S") },
+    { "height", 0, 0, G_OPTION_ARG_STRING, &options.given[9],
+      N_ ("Height z of the part above the foundation: the spectrum is that of the floor"),
+      N_ ("M") },
+    { "building-height", 0, 0, G_OPTION_ARG_STRING, &options.given[10],
+      N_ ("Height H of the building"), N_ ("M") },
+    { "storeys", 0, 0, G_OPTION_ARG_STRING, &options.given[11],
+      N_ ("Storeys n of the building"), N_ ("N") },
+    { "building-period", 0, 0, G_OPTION_ARG_STRING, &options.given[12],
+      N_ ("Period T1 of the building"), N_ ("S") },
+    { "building-damping", 0, 0, G_OPTION_ARG_STRING, &options.given[13],
+      N_ ("Damping ratio of the building (0.05)"), N_ ("RATIO") },
     { "mechanism", 0, 0, G_OPTION_ARG_NONE, &options.mechanism,
       N_ ("Kinematic curve of the mechanism, instead of the path: of limit analysis, or "
           "of --result"),
       NULL },
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result whose mechanism is checked; with --mechanism"), N_ ("RESULT.json") },
-    { "tie-strain", 0, 0, G_OPTION_ARG_STRING, &options.tie_strain,
-      N_ ("Strain at which ties break: they are in the kinematic curve until then"),
-      N_ ("RATIO") },
-    { "part-period", 0, 0, G_OPTION_ARG_STRING, &options.part_period,
-      N_ ("Period T0 of a part that vibrates freely, for the linear check (0)"),
-      N_ ("S") },
-    { "height", 0, 0, G_OPTION_ARG_STRING, &options.height,
-      N_ ("Height z of the part above the foundation: the spectrum is that of the floor"),
-      N_ ("M") },
-    { "building-height", 0, 0, G_OPTION_ARG_STRING, &options.building_height,
-      N_ ("Height H of the building"), N_ ("M") },
-    { "storeys", 0, 0, G_OPTION_ARG_STRING, &options.storeys,
-      N_ ("Storeys n of the building"), N_ ("N") },
-    { "building-period", 0, 0, G_OPTION_ARG_STRING, &options.building_period,
-      N_ ("Period T1 of the building"), N_ ("S") },
-    { "building-damping", 0, 0, G_OPTION_ARG_STRING, &options.building_damping,
-      N_ ("Damping ratio of the building (0.05)"), N_ ("RATIO") },
     { "json", 0, 0, G_OPTION_ARG_FILENAME, &options.json,
       N_ ("Write curve and checks here; - is standard output"), N_ ("OUT.json") },
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
@@ -256,7 +246,7 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE && options.result != NULL)
     answer.answer.collapse = &answer.file.result;
   if (code == QN_EXIT_DONE)
-    code = take_settings (self, &options, &settings, &answer);
+    code = take_settings (self, &options, entries, &settings, &answer);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)

@@ -72,6 +72,9 @@ print_load_list (const QnModel *model, const char *name, size_t from, size_t to,
     }
     if (load->kind != QN_LOAD_SETTLEMENT)
       qn_print (_ (", resultant (%.6g, %.6g) N"), sum.x, sum.y);
+    if (load->kind == QN_LOAD_EDGE && load->normal
+        && fmin (load->intensity[0], load->intensity[1]) < 0)
+      qn_print (_ (", pulls the block outwards where it is negative"));
     qn_print ("\n");
   }
 }

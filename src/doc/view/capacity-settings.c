@@ -76,13 +76,13 @@ gboolean
 qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char *value,
                           GError **error)
 {
-  char **text = strcmp (option, "control") == 0    ? &s->control
-                : strcmp (option, "spectrum") == 0 ? &s->spectrum
-                : strcmp (option, "soil") == 0     ? &s->soil
-                : strcmp (option, "unit") == 0     ? &s->unit
-                                                   : NULL;
-  double storeys = s->floor.storeys;
-  if (text == &s->spectrum) { /* what belongs to another one goes */
+  g_autofree char *key = g_strdelimit (g_strdup (option), "-", '_');
+  g_autofree char *positive = g_strdup_printf (_ ("%s is a number above 0"), option);
+  const QnMember *member = members;
+  while (member->key != NULL && strcmp (member->key, key) != 0)
+    member++;
+  gpointer target = (char *) s + member->offset;
+  if (target == &s->spectrum) { /* what belongs to another one goes */
     s->direct = TRUE;
     g_clear_pointer (&s->unit, g_free);
     if (!is_of_code (value)) {
@@ -90,45 +90,28 @@ qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char 
       g_clear_pointer (&s->soil, g_free);
     }
   }
-  if (text != NULL) {
+  if (member->kind == QN_MEMBER_STRING) {
+    char **text = target;
     g_free (*text);
     *text = g_strdup (value);
     return TRUE;
   }
-  if (strcmp (option, "mechanism") == 0) {
+  if (member->kind == QN_MEMBER_BOOL) {
     s->mechanism = strcmp (value, "true") == 0;
     return s->mechanism || strcmp (value, "false") == 0
            || refuse (_ ("mechanism is true or false"), error);
   }
-  const struct {
-    const char *option;
-    double *number, unit;
-    const char *problem;
-  } numbers[] = {
-    { "ag", &s->ag, QN_STANDARD_GRAVITY,
-      _ ("ag is a positive acceleration in m/s2, or in g as 0.25g") },
-    { "damping", &s->damping, 0, _ ("damping is a ratio between 0 and 1") },
-    { "confidence", &s->confidence, 0, _ ("confidence is a factor of 1 or more") },
-    { "tie-strain", &s->tie_strain, 0, _ ("tie-strain is a ratio above 0") },
-    { "part-period", &s->part_period, 0, _ ("part-period is a time in s above 0") },
-    { "height", &s->floor.height, 0, _ ("height is a length in m above 0") },
-    { "building-height", &s->floor.building, 0,
-      _ ("building-height is a length in m above 0") },
-    { "building-period", &s->floor.period, 0,
-      _ ("building-period is a time in s above 0") },
-    { "building-damping", &s->floor.damping, 0,
-      _ ("building-damping is a ratio between 0 and 1") },
-    { "storeys", &storeys, 0, _ ("storeys is a count from 1 to 200") },
-  };
-  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
-    if (strcmp (option, numbers[i].option) == 0
-        && !parse_number (value, numbers[i].number, numbers[i].unit))
-      return refuse (numbers[i].problem, error);
-    else if (strcmp (option, numbers[i].option) == 0) {
-      s->floor.storeys = (int) CLAMP (storeys, 0, MOST_STOREYS + 1);
-      return (s->floor.storeys == storeys && storeys <= MOST_STOREYS)
-             || refuse (_ ("storeys is a count from 1 to 200"), error);
-    }
+  if (member->kind == QN_MEMBER_COUNT) {
+    double storeys;
+    if (!parse_number (value, &storeys, 0) || storeys > MOST_STOREYS
+        || storeys != floor (storeys))
+      return refuse (_ ("storeys is a count from 1 to 200"), error);
+    s->floor.storeys = (int) storeys;
+    return TRUE;
+  }
+  if (member->kind == QN_MEMBER_NUMBER)
+    return parse_number (value, target, target == &s->ag ? QN_STANDARD_GRAVITY : 0)
+           || refuse (positive, error);
   g_autofree char *problem = g_strdup_printf (_ ("%s: no such option"), option);
   return refuse (problem, error);
 }

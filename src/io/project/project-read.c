@@ -79,6 +79,19 @@ read_title_and_gravity (const QnJsonValue *root, QnModel *model)
   return model->title != NULL || title == NULL || qn_json_value_no_memory (root);
 }
 
+/* Numbers of a capacity curve that only a mechanism has. */
+static void
+check_mechanism (const QnJsonValue *capacity)
+{
+  static const char *const keys[] = { "tie_strain", "part_period" };
+  for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
+    QnJsonValue value = qn_json_value_member (capacity, keys[i]);
+    if (value.json != NULL
+        && !cJSON_IsTrue (cJSON_GetObjectItem (capacity->json, "mechanism")))
+      qn_json_value_warn (&value, _ ("changes nothing without \"mechanism\": true"));
+  }
+}
+
 /* Tells unknown keys of what the model does not hold: a demand misspelt is a report without verdict. */
 static gboolean
 check_extra (const QnJsonValue *place)
@@ -102,6 +115,8 @@ check_extra (const QnJsonValue *place)
   place->reader->keeps_unknown = FALSE; /* they are kept with the rest of the member */
   if (cJSON_IsObject (place->json))
     fine = qn_json_value_check_keys (place, tables[t].keys, tables[t].count);
+  if (fine && tables[t].keys == capacity_keys)
+    check_mechanism (place);
   while (fine && cJSON_IsArray (place->json) && qn_json_value_next (place, &element))
     fine = qn_json_value_check_keys (&element, tables[t].keys, tables[t].count);
   place->reader->keeps_unknown = TRUE;
