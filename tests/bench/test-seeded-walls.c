@@ -149,6 +149,25 @@ test_least_collapse (void)
   }
 }
 
+/* A large running bond whose first start is lost: it is found from where that one ended. */
+static void
+test_found_directly (void)
+{
+  g_auto (QnProject) project;
+  g_auto (QnContacts) contacts;
+  QnLimitInterval interval;
+
+  seeded_wall_init (&project, 207, 20, 600);
+  g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (
+    qn_limit_non_associative (&project.model, &contacts, NULL, NULL, &interval, NULL), ==,
+    QN_OK);
+  g_assert_cmpint (interval.solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat (interval.lowest, >, 0);
+  g_assert_cmpfloat (interval.highest, <=, interval.associative);
+  qn_limit_interval_clear (&interval);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/bench/seeded-walls/same-seed", test_same_seed);
@@ -156,5 +175,6 @@ QN_TESTS
   g_test_add_func ("/bench/seeded-walls/saved", test_saved);
   g_test_add_func ("/bench/seeded-walls/stands", test_stands);
   g_test_add_func ("/bench/seeded-walls/least-collapse", test_least_collapse);
+  g_test_add_func ("/bench/seeded-walls/found-directly", test_found_directly);
   g_test_add_func ("/bench/seeded-walls/creeps", test_creeps);
 }

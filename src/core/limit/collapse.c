@@ -121,6 +121,12 @@ qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strengt
 }
 
 void
+qn_collapse_centre (QnCollapse *c, double strength)
+{
+  leave_strength (c, strength);
+}
+
+void
 qn_collapse_start_elastic (QnCollapse *c)
 {
   const QnIpProblem *p = c->problem;

@@ -79,6 +79,9 @@ void qn_collapse_clear (QnCollapse *collapse);
 void qn_collapse_start (QnCollapse *collapse, const double *y, double lambda,
                         double strength, double coupling);
 
+/* Starts from the iterate: from its forces, motion and multiplier, with that strength. */
+void qn_collapse_centre (QnCollapse *collapse, double strength);
+
 /* From rest as well, with a strength of the size of the forces by which joints of one stiffness would carry
  * the constant loads: one factorisation. Of associative problems. */
 void qn_collapse_start_elastic (QnCollapse *collapse);

@@ -8,14 +8,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Starts, in the order in which a collapse is sought. */
-typedef enum { REST, NEAR_REST, REST_AGAIN, FORCES, START_COUNT } Start;
+/* Starts, in the order in which a collapse is sought. GO_ON: from where the one before was lost. */
+typedef enum {
+  REST,
+  NEAR_REST,
+  REST_AGAIN,
+  FORCES,
+  START_COUNT,
+  GO_ON = START_COUNT
+} Start;
 
 /* How collapses are sought. Measured on the six walls and 48 seeded walls of 20 to 600 blocks
  * (docs/experiments/limit-analysis.md). */
 static const struct {
   double
-    strength[START_COUNT]; /* that joints have left at the start, in loads of a block */
+    strength[GO_ON + 1]; /* that joints have left at the start, in loads of a block */
   double coupling[START_COUNT]; /* least one (collapse.h): others find other walls */
   double
     compliance; /* times the number of free blocks: what a tall wall gives grows with it */
@@ -31,7 +38,11 @@ static const struct {
   int32_t stiff;    /* of all, as long as it does not stand still, */
   int32_t spare;    /* and until others are sought beside one that does */
 } tuning = {
-  .strength = { [REST] = 10, [NEAR_REST] = 3, [REST_AGAIN] = 10, [FORCES] = 10 },
+  .strength = { [REST] = 10,
+                [NEAR_REST] = 3,
+                [REST_AGAIN] = 10,
+                [FORCES] = 10,
+                [GO_ON] = 0.1 },
   .coupling = { [REST] = 0.3, [NEAR_REST] = 0.7, [REST_AGAIN] = 0.6, [FORCES] = 0.5 },
   .compliance = 0.03,
   .softest = 1e-3,
@@ -188,8 +199,11 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
 
   set_compliance (search, compliance);
   bool rest = start != FORCES;
-  qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
-                     tuning.strength[start], tuning.coupling[start]);
+  if (start == GO_ON)
+    qn_collapse_centre (c, tuning.strength[GO_ON]);
+  else
+    qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
+                       tuning.strength[start], tuning.coupling[start]);
   QnCollapseState state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
   qn_limit_take_effort (c, &search->interval->solution.effort);
   search->cancelled = state == QN_COLLAPSE_CANCELLED;
@@ -223,6 +237,8 @@ seek_all (Search *search, QnDiag *diag)
       compliance *= tuning.softer;
     status = seek (search, start % START_COUNT, compliance,
                    start == REST ? tuning.budget : tuning.again, &found, diag);
+    if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic)
+      status = seek (search, GO_ON, compliance, tuning.again, &found, diag);
     if (search->gives > tuning.rigid && again-- > 0) {
       compliance *= 0.5 * tuning.rigid / search->gives;
       start--;
