@@ -95,17 +95,12 @@ tell_position (Page *self)
     tell (self, self->thread != NULL ? "" : _ ("Nothing collapses at this position."));
     return;
   }
-  g_autofree char *factor = qn_envelope_dup_factor (e, self->figure.shown);
-  g_autofree char *axles = qn_envelope_dup_axles (e, self->figure.shown);
-  g_autofree char *caution = self->thread == NULL ? qn_envelope_dup_caution (e) : NULL;
-  g_autoptr (GString) text = g_string_new (factor);
-  if (axles != NULL)
-    g_string_append_printf (text, "\n%s", axles);
-  if (caution != NULL)
-    g_string_append_printf (text, "\n%s", caution);
-  if (is_outdated (self))
-    g_string_append_printf (text, "\n%s", _ ("The model has changed since."));
-  tell (self, text->str);
+  g_autofree char *words =
+    qn_envelope_dup_text (e, self->figure.shown, self->thread == NULL);
+  g_autofree char *text =
+    is_outdated (self) ? g_strjoin ("\n", words, _ ("The model has changed since."), NULL)
+                       : g_steal_pointer (&words);
+  tell (self, text);
 }
 
 static void

@@ -74,14 +74,10 @@ static void
 print_worst (const QnEnvelope *e, QnEnvelopePlace worst)
 {
   const QnEnvelopeLine *line = &e->lines[worst.line];
-  g_autofree char *factor = qn_envelope_dup_factor (e, worst);
-  g_autofree char *axles = qn_envelope_dup_axles (e, worst);
-  g_autofree char *caution = qn_envelope_dup_caution (e);
-  qn_print ("%s\n", factor);
-  if (axles != NULL)
-    qn_print ("%s\n", axles);
-  if (caution != NULL)
-    qn_print ("%s\n", caution);
+  g_autofree char *text = qn_envelope_dup_text (e, worst, TRUE);
+  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+  for (gsize i = 0; lines[i] != NULL; i++)
+    qn_print ("%s\n", lines[i]);
   qn_print (_ ("that position: --set loads.live[%d].position=%.15g --set "
                "loads.live[%d].reversed=%s\n"),
             (int) e->load, e->x[worst.position], (int) e->load,

@@ -323,37 +323,38 @@ qn_envelope_dup_factor (const QnEnvelope *e, QnEnvelopePlace at)
 }
 
 char *
-qn_envelope_dup_axles (const QnEnvelope *e, QnEnvelopePlace at)
+qn_envelope_dup_text (const QnEnvelope *e, QnEnvelopePlace at, gboolean whole)
 {
+  const QnAnalysisSettings *analysis = &e->model.analysis;
+  const gboolean bounds =
+    analysis->procedure == QN_PROCEDURE_LIMIT && analysis->flow == QN_FLOW_ASSOCIATIVE;
   const QnVehicle *vehicle = vehicle_of (e, at.line);
   const double share = qn_model_load_factor (&e->model, &e->model.live_loads[e->load]);
   const double factor = qn_envelope_multiplier (e, at);
+  g_autofree char *sentence = qn_envelope_dup_factor (e, at);
+  GString *text = g_string_new (sentence);
   double sum = 0, largest = 0;
   for (int32_t i = 0; i < vehicle->axle_count; i++) {
     sum += share * vehicle->axles[i].load;
     largest = fmax (largest, share * vehicle->axles[i].load);
   }
-  return sum > 0 ? g_strdup_printf (
-           _ ("axles of %.5g kN in all carry %.5g kN, the heaviest %.5g kN"), sum / 1000,
-           factor * sum / 1000, factor * largest / 1000)
-                 : NULL;
-}
-
-char *
-qn_envelope_dup_caution (const QnEnvelope *e)
-{
-  const QnAnalysisSettings *analysis = &e->model.analysis;
-  g_autoptr (GString) text = g_string_new (NULL);
-  if (analysis->procedure == QN_PROCEDURE_LIMIT && analysis->flow == QN_FLOW_ASSOCIATIVE)
-    g_string_append (text,
-                     _ ("All are bounds from above where joints slide: "
-                        "non-associative limit analysis or the path may find less."));
-  if (e->open > 0)
+  if (sum > 0) {
+    g_string_append_c (text, '\n');
+    g_string_append_printf (
+      text, _ ("axles of %.5g kN in all carry %.5g kN, the heaviest %.5g kN"), sum / 1000,
+      factor * sum / 1000, factor * largest / 1000);
+  }
+  if (whole && bounds)
+    g_string_append_printf (text, "\n%s",
+                            _ ("All are bounds from above where joints slide: "
+                               "non-associative limit analysis or the path may find "
+                               "less."));
+  if (whole && e->open > 0)
     g_string_append_printf (text,
                             ngettext ("%s%u position has no answer.",
                                       "%s%u positions have no answer.", e->open),
-                            text->len > 0 ? " " : "", (guint) e->open);
-  return text->len > 0 ? g_string_free (g_steal_pointer (&text), FALSE) : NULL;
+                            bounds ? " " : "\n", (guint) e->open);
+  return g_string_free (text, FALSE);
 }
 
 gboolean

@@ -86,12 +86,11 @@ gboolean qn_envelope_find_least (const QnEnvelope *envelope, QnEnvelopePlace *le
 
 /* "CS 454 bogie 1.3 m, to the left" */
 char *qn_envelope_dup_line_name (const QnEnvelope *envelope, gsize line);
-/* The adequacy factor there as a sentence; what its axles carry, or NULL where it has none. */
+/* The adequacy factor there as a sentence; and with lines below it: what its axles carry, and where `whole`
+ * what is to be known of all positions, bounds and those without an answer. */
 char *qn_envelope_dup_factor (const QnEnvelope *envelope, QnEnvelopePlace at);
-char *qn_envelope_dup_axles (const QnEnvelope *envelope, QnEnvelopePlace at);
-
-/* What is to be known of all of them, to be freed: bounds, positions without an answer; or NULL. */
-char *qn_envelope_dup_caution (const QnEnvelope *envelope);
+char *qn_envelope_dup_text (const QnEnvelope *envelope, QnEnvelopePlace at,
+                            gboolean whole);
 
 /* A row for each position: "position [m]", and the multiplier of each line, named by its way, and by
  * its vehicle where there are several. */
