@@ -260,26 +260,33 @@ is_plastic (const QnPairSprings *springs)
   return qn_law_is_plastic (springs->a.kind) && qn_law_is_plastic (springs->b.kind);
 }
 
+/* Evaluates a pair from the flow of a joint that explains its force; false where there is none. */
+static bool
+flow_to (const QnCheck *check, size_t p, const double force[2], QnPairResponse *response)
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  const QnPairMemory *before = &check->assembly.committed[p];
+  const double *q = check->assembly.elongations + 2 * p;
+  QnPairMemory memory;
+
+  return take_flow (check, springs, before, &response->memory, q, force, &memory)
+         && qn_pair_evaluate (springs, &memory, q, response)
+         && same_force (response->force, force, force_tolerance (check, springs, q));
+}
+
 /* Whether a pair may have another force than its law answers to the step before; *response then is one with
  * this force. Where the structure has moved on a way that no result tells, from a step at which it came to
  * rest on and in time, any flow of a joint that explains its force is accepted, and any force of a member. */
 static bool
-explain (QnCheck *check, size_t p, const double force[2], double tolerance,
-         QnPairResponse *response)
+explain (QnCheck *check, size_t p, const double force[2], QnPairResponse *response)
 {
-  const QnAssembly *as = &check->assembly;
-  const QnPairSprings *springs = &as->springs[p];
-  const double *q = as->elongations + 2 * p;
   bool in_time = check->result->history.width > 0;
-  QnPairMemory memory;
 
-  if (as->inactive[p] || !(check->relaxed || in_time || begins (check, p)))
+  if (check->assembly.inactive[p] || !(check->relaxed || in_time || begins (check, p)))
     return false;
-  if (take_flow (check, springs, &as->committed[p], &response->memory, q, force, &memory)
-      && qn_pair_evaluate (springs, &memory, q, response)
-      && same_force (response->force, force, tolerance))
+  if (flow_to (check, p, force, response))
     return true;
-  check->unknown[p] = check->relaxed && !is_plastic (springs);
+  check->unknown[p] = check->relaxed && !is_plastic (&check->assembly.springs[p]);
   return check->unknown[p];
 }
 
@@ -310,7 +317,7 @@ check_forces (QnCheck *check, size_t step)
     if (!is_held (as, p) && !same_force (response->force, force, tolerance)) {
       QnPairResponse replayed = *response;
       int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;
-      if (!explain (check, p, force, tolerance, response))
+      if (!explain (check, p, force, response))
         qn_check_tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse],
                             replayed.force[worse]);
     }
@@ -458,6 +465,20 @@ comes_to_state (const QnCheck *check, size_t p, QnPairState state)
   return false;
 }
 
+/* Whether the force of a joint whose bond is damaged tells the state, since the structure has moved on a way
+ * that no result tells. Where little of the bond is damaged little of the force is friction, so that one that
+ * agrees with the law's hardly tells how far the joint slid there. */
+static bool
+flows_to_state (const QnCheck *check, size_t p, const double force[2], QnPairState state)
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  QnPairResponse response = check->assembly.responses[p];
+
+  return check->relaxed && qn_pair_damage (springs, &response.memory) > 0
+         && flow_to (check, p, force, &response)
+         && qn_pair_state (springs, response.phase) == state;
+}
+
 /* Whether a pair has hardly flown since the step before, as its forces and displacements tell. */
 static bool
 stays (const QnCheck *check, size_t p)
@@ -493,6 +514,7 @@ check_states (QnCheck *check, size_t step)
                  : as->inactive[p]
                    ? state == QN_PAIR_OPEN
                    : comes_to_state (check, p, state)
+                       || flows_to_state (check, p, force, state)
                        || (told && state_suits_force (check, p, force, state));
     if (!suits)
       qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, state,

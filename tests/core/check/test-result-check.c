@@ -274,8 +274,57 @@ test_slip_of_a_damaged_bond (void)
   g_assert_true (tells (&run, QN_CLAIM_STATES));
 }
 
+/* A bond that was damaged by little, and its friction slid, on the way of a motion that no step tells; it sticks
+ * now. Its force, which is mostly the bond's, hardly tells that it slid. */
+static void
+test_slip_before_an_unknown_way (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init_block_on_plane (model, 1, 0.0001);
+  QnLaw *law = &model->laws[0];
+  law->cohesion = law->tension = 2e4;
+  law->friction = 0.6;
+  double elastic = law->cohesion / (0.5 * law->ks);
+  law->fracture_energy_tension = 500 * law->tension * elastic;
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->block = 1;
+  dead->kind = QN_LOAD_FORCE;
+  dead->vector = qn_vec2 (0, -4e4);
+  add_force (model, "push", 1e4, 0);
+  for (int i = 0; i < 3; i++) {
+    QnStage *stage = qn_model_add_stage (model, "stage");
+    stage->sets = 2;
+    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+    stage->control_block = 1;
+    stage->control_dof = QN_DOF_UX;
+    stage->control_target = elastic * (i == 0 ? 1.601 : i == 1 ? 1.597 : 1.598);
+    stage->increments = 4;
+  }
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  drop_steps (r, 1, end_of (r, 2));
+  drop_steps (r, 2, r->step_count - 1);
+  r->steps[2].relaxed = false;
+  g_clear_pointer (&r->step_forces, free);
+  g_assert_cmpint (r->pairs[0].state, ==, QN_PAIR_STICK);
+  g_assert_cmpfloat (r->pairs[0].damage, >, 5e-4);
+  g_assert_false (tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (tells (&run, QN_CLAIM_STATES));
+  r->pairs[0].state = QN_PAIR_YIELD;
+  g_assert_true (tells (&run, QN_CLAIM_STATES));
+  r->pairs[0].state = QN_PAIR_OPEN;
+  g_assert_true (tells (&run, QN_CLAIM_STATES));
+  r->pairs[0].state = QN_PAIR_STICK;
+  r->steps[1].relaxed = false;
+  g_assert_true (tells (&run, QN_CLAIM_STATES));
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/core/result-check/slip-before-an-unknown-way",
+                   test_slip_before_an_unknown_way);
   g_test_add_func ("/core/result-check/slip-of-a-damaged-bond",
                    test_slip_of_a_damaged_bond);
   g_test_add_func ("/core/result-check/bond-damaged-on-the-way",
