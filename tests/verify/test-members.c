@@ -380,8 +380,76 @@ test_block_on_cells (void)
   qn_model_clear (&model);
 }
 
+/* A steel beam under its own weight on two narrow piers without friction: 31 cells over a span of 3 m.
+ * Joints of the piers open at their outer edge and clamp it a little: by the moment of the reactions
+ * and of the overhang. */
+static void
+test_beam_on_piers (void)
+{
+  enum { CELLS = 31 };
+  const double cell = 0.1, height = 0.2, thick = 0.1, bearing = 0.02, weight = 78500;
+  const double steel = 210e9, shear = steel / 2.6, q = weight * thick * height;
+  const double bending = steel * thick * height * height * height / 12;
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+
+  qn_model_init (&model);
+  QnLaw *law = qn_model_add_law (&model, "bearing");
+  *law = (QnLaw){ .name = law->name,
+                  .kind = QN_LAW_COULOMB,
+                  .basis = QN_BASIS_CONTACT,
+                  .kn = 1e12,
+                  .ks = 1e12,
+                  .friction = 1e-6 };
+  law = qn_model_add_law (&model, "steel");
+  *law = (QnLaw){ .name = law->name,
+                  .kind = QN_LAW_ELASTIC,
+                  .basis = QN_BASIS_MATERIAL,
+                  .kn = steel,
+                  .ks = shear };
+  model.contact.law = 0;
+  for (int i = 0; i < 2; i++) {
+    QnBlock *pier = test_model_add_rectangle (&model, i == 0 ? "left" : "right",
+                                              i * L - bearing / 2, -1, bearing, 1);
+    for (int k = 0; k < QN_DOF_COUNT; k++)
+      pier->support[k] = true;
+    pier->thickness = thick;
+    pier->unit_weight = 0;
+  }
+  for (int i = 0; i < CELLS; i++) {
+    g_autofree char *name = g_strdup_printf ("c%d", i);
+    QnBlock *block =
+      test_model_add_rectangle (&model, name, (i - 0.5) * cell, 0, cell, height);
+    block->thickness = thick;
+    block->unit_weight = weight;
+    block->law = 1;
+  }
+  QnLoad *load = qn_model_add_dead_load (&model);
+  *load = (QnLoad){ .kind = QN_LOAD_WEIGHT, .vector = { 0, -1 } };
+  model.analysis.increments = 1;
+  model.analysis.max_multiplier = 0;
+  solve (&model, &contacts, &result);
+
+  const double *u = qn_result_step_displacements (&result, 0);
+  const double *reaction = qn_result_step_reactions (&result, 0);
+  const double deflection = u[3 * 2 + 1] - u[3 * (2 + CELLS / 2) + 1];
+  const double clamping = fabs (reaction[2]) + q * cell * cell / 8;
+  g_assert_cmpfloat_with_epsilon (reaction[1] / (q * CELLS * cell / 2), 1, 1e-9);
+  g_assert_cmpfloat (fabs (reaction[2]), <=, reaction[1] * bearing / 2);
+  g_assert_cmpfloat_with_epsilon (deflection
+                                    / (5 * q * L * L * L * L / (384 * bending)
+                                       + q * L * L / (8 * shear * thick * height)
+                                       - clamping * L * L / (8 * bending)),
+                                  1, 1e-3);
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/verify/members/beam-on-piers", test_beam_on_piers);
   g_test_add_func ("/verify/members/block-on-cells", test_block_on_cells);
   g_test_add_func ("/verify/members/cantilever", test_cantilever);
   g_test_add_func ("/verify/members/second-order", test_second_order);
