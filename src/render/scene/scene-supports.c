@@ -43,12 +43,14 @@ hatch_polygon (QnSceneBuilder *b, const QnVec2 *v, QnId count, QnVec2 direction,
   }
 }
 
-/* The spacing suits the smaller side of the block and the size of its neighbours. */
+/* The spacing suits the smaller side of the block and the size of its neighbours, but not where those are so
+ * small that nothing of the hatch would be seen. */
 static double
 hatch_spacing (const QnSceneBuilder *b, const QnVec2 *v, QnId count)
 {
   double side = qn_box_smaller_side (qn_box_of_points (v, (size_t) count));
-  return fmin (0.30 * side, 0.22 * b->block_size);
+  return fmin (0.30 * side,
+               fmax (0.22 * b->block_size, 0.007 * qn_box_diagonal (b->box)));
 }
 
 void

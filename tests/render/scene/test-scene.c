@@ -56,6 +56,28 @@ test_sorted_with_boxes (void)
   fixture_clear (&f);
 }
 
+/* A support among blocks however small is hatched so that it is seen in a picture of the whole. */
+static void
+test_hatch_among_small_blocks (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  guint lines = 0;
+
+  fixture_init_wall (&f, 4, 5);
+  f.model.characteristic_length = 1e-3;
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_MODEL, &options);
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->layer != QN_LAYER_HATCH)
+      continue;
+    g_assert_cmpfloat (command->extent, >, 0.005 * qn_box_diagonal (scene->box));
+    lines++;
+  }
+  g_assert_cmpuint (lines, >, 0);
+  fixture_clear (&f);
+}
+
 /* Direction of the bar of the only resultant. */
 static double
 bar_angle (const Fixture *f)
@@ -577,6 +599,7 @@ QN_TESTS
 {
   g_test_add_func ("/render/scene/dimensions", test_dimensions_without_supports);
   g_test_add_func ("/render/scene/sorted", test_sorted_with_boxes);
+  g_test_add_func ("/render/scene/hatch", test_hatch_among_small_blocks);
   g_test_add_func ("/render/scene/contacts", test_contacts_are_all_there);
   g_test_add_func ("/render/scene/refusals", test_refusals);
   g_test_add_func ("/render/scene/culling", test_culling);
