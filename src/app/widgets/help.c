@@ -9,11 +9,25 @@
 
 /* In the order of the manual's own list, docs/manual/README.md. */
 static const char *const pages[] = {
-  "first-wall",   "openings",    "drawing",    "import",
-  "joints",       "contacts",    "loads",      "bridges",
-  "frames",       "multipliers", "procedures", "large-displacements",
-  "earthquakes",  "uncertainty", "results",    "export",
-  "command-line", "limits",
+  "first-wall",
+  "openings",
+  "drawing",
+  "import",
+  "joints",
+  "contacts",
+  "loads",
+  "bridges",
+  "frames",
+  "walls",
+  "multipliers",
+  "procedures",
+  "large-displacements",
+  "earthquakes",
+  "uncertainty",
+  "results",
+  "export",
+  "command-line",
+  "limits",
 };
 
 const char *
