@@ -41,7 +41,8 @@ typedef struct Page {
   QnModel moved;       /* the structure with the vehicle at the position that is shown */
   QnEnvelopeFigure figure;
   char *digest,
-    *digest_put; /* of the project when it was found, and with the vehicle put */
+    *digest_put;     /* of the project when it was found, and with the vehicle put */
+  gboolean outdated; /* the project is neither */
 
   GThread *thread; /* while it is being found; it owns what follows until it has ended */
   QnStatus ended;
@@ -79,12 +80,12 @@ update_actions (Page *self)
 
 /* ---- the position that is shown ---- */
 
-static gboolean
-is_outdated (Page *self)
+static void
+compare_digests (Page *self)
 {
   g_autofree char *digest = qn_model_digest (qn_document_get_project (self->document));
-  return g_strcmp0 (digest, self->digest) != 0
-         && g_strcmp0 (digest, self->digest_put) != 0;
+  self->outdated =
+    g_strcmp0 (digest, self->digest) != 0 && g_strcmp0 (digest, self->digest_put) != 0;
 }
 
 static void
@@ -98,8 +99,8 @@ tell_position (Page *self)
   g_autofree char *words =
     qn_envelope_dup_text (e, self->figure.shown, self->thread == NULL);
   g_autofree char *text =
-    is_outdated (self) ? g_strjoin ("\n", words, _ ("The model has changed since."), NULL)
-                       : g_steal_pointer (&words);
+    self->outdated ? g_strjoin ("\n", words, _ ("The model has changed since."), NULL)
+                   : g_steal_pointer (&words);
   tell (self, text);
 }
 
@@ -302,6 +303,8 @@ show_settings (Page *self)
 {
   const QnLoad *load = load_of (self);
   g_autoptr (GError) error = NULL;
+  if (self->envelope.count > 0)
+    compare_digests (self);
   qn_envelope_settings_clear (&self->settings);
   gboolean read = qn_envelope_settings_read (qn_document_get_project (self->document),
                                              &self->settings, &error);
@@ -405,6 +408,7 @@ run (GSimpleAction *action, GVariant *parameter, gpointer data)
   g_free (self->digest);
   g_clear_pointer (&self->digest_put, g_free);
   self->digest = qn_model_digest (qn_document_get_project (self->document));
+  self->outdated = FALSE;
   g_autoptr (GtkStringList) names = gtk_string_list_new (NULL);
   for (gsize k = 0; k < self->envelope.line_count; k++)
     gtk_string_list_take (names, qn_envelope_dup_line_name (&self->envelope, k));
@@ -455,7 +459,7 @@ static void
 put (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   Page *self = data;
-  const gboolean outdated = is_outdated (self);
+  const gboolean outdated = self->outdated;
   g_autoptr (GError) error = NULL;
   if (load_of (self) == NULL
       || !qn_document_edit (self->document, _ ("Move Vehicle"), NULL, put_vehicle, self,
@@ -466,6 +470,7 @@ put (GSimpleAction *action, GVariant *parameter, gpointer data)
   if (!outdated) {
     g_free (self->digest_put);
     self->digest_put = qn_model_digest (qn_document_get_project (self->document));
+    self->outdated = FALSE;
   }
   tell_position (self);
 }
