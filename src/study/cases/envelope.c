@@ -159,9 +159,8 @@ place_positions (QnEnvelope *e, const QnEnvelopeSettings *settings, GError **err
     e->x[i] = from + (double) i * settings->step;
   for (gsize k = 0; k < e->line_count; k++) {
     e->lines[k].results = g_new0 (QnResult, e->count);
-    e->lines[k].multipliers = g_new (double, e->count);
     for (gsize i = 0; i < e->count; i++)
-      e->lines[k].multipliers[i] = (double) NAN;
+      e->lines[k].results[i].collapse_multiplier = (double) NAN;
   }
   return TRUE;
 }
@@ -194,7 +193,6 @@ qn_envelope_clear (QnEnvelope *e)
     for (gsize i = 0; e->lines[k].results != NULL && i < e->count; i++)
       qn_result_clear (&e->lines[k].results[i]);
     g_free (e->lines[k].results);
-    g_free (e->lines[k].multipliers);
   }
   g_free (e->lines);
   g_free (e->x);
@@ -228,7 +226,6 @@ solve_at (QnEnvelope *e, QnEnvelopePlace at, QnProgressFunc progress, void *data
 {
   QnModel moved;
   QnResult result = { 0 };
-  QnEnvelopeLine *line = &e->lines[at.line];
   QnStatus status = qn_envelope_move (e, at, &moved, diag);
   if (status != QN_OK)
     return status;
@@ -239,8 +236,7 @@ solve_at (QnEnvelope *e, QnEnvelopePlace at, QnProgressFunc progress, void *data
   e->unstable = status == QN_OK && result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
   if (status == QN_OK && result.outcome == QN_OUTCOME_COLLAPSE
       && result.has_collapse_multiplier) {
-    line->multipliers[at.position] = result.collapse_multiplier;
-    line->results[at.position] = (QnResult){
+    e->lines[at.line].results[at.position] = (QnResult){
       .outcome = result.outcome,
       .has_collapse_multiplier = true,
       .collapse_multiplier = result.collapse_multiplier,
@@ -279,7 +275,7 @@ qn_envelope_multiplier (const QnEnvelope *e, QnEnvelopePlace at)
 {
   gsize number = at.line * e->count + at.position;
   return number < (gsize) g_atomic_int_get (&e->done)
-           ? e->lines[at.line].multipliers[at.position]
+           ? e->lines[at.line].results[at.position].collapse_multiplier
            : (double) NAN;
 }
 

@@ -35,12 +35,11 @@ char *qn_envelope_settings_to_json (const QnEnvelopeSettings *settings);
 void qn_envelope_settings_clear (QnEnvelopeSettings *settings);
 
 /* One vehicle on one way: a result for every position, of which multiplier and mechanism are kept. Where
- * the vehicle loads nothing, or nothing collapses, it has no multiplier. */
+ * the vehicle loads nothing, or nothing collapses, the multiplier is not-a-number. */
 typedef struct QnEnvelopeLine {
   QnId vehicle;
   bool reversed;
   QnResult *results;
-  double *multipliers; /* not-a-number: none */
 } QnEnvelopeLine;
 
 typedef struct QnEnvelope {

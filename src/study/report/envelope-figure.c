@@ -29,6 +29,13 @@ find_box (const QnModel *model)
   return box;
 }
 
+/* Where the multiplier of a position stands, which lasts as long as the plot. */
+static const double *
+multiplier_at (const QnEnvelope *e, QnEnvelopePlace at)
+{
+  return &e->lines[at.line].results[at.position].collapse_multiplier;
+}
+
 static QnPlot *
 make_plot (const QnEnvelopeFigure *figure, const QnBox *box)
 {
@@ -53,10 +60,9 @@ make_plot (const QnEnvelopeFigure *figure, const QnBox *box)
   }
   if (!isnan (shown))
     qn_plot_points (plot, NULL, QN_SERIES_INK, &x[figure->shown.position],
-                    &e->lines[figure->shown.line].multipliers[figure->shown.position], 1,
-                    QN_MARKER_RING, 8);
+                    multiplier_at (e, figure->shown), 1, QN_MARKER_RING, 8);
   if (qn_envelope_find_least (e, &least)) {
-    const double *y = &e->lines[least.line].multipliers[least.position];
+    const double *y = multiplier_at (e, least);
     plot->y.high = CURVE_TOP * *y;
     qn_plot_points (plot, _ ("least"), QN_SERIES_REFERENCE, &x[least.position], y, 1,
                     QN_MARKER_DOT, 5);
