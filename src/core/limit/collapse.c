@@ -88,9 +88,8 @@ qn_collapse_clear (QnCollapse *c)
   *c = (QnCollapse){ 0 };
 }
 
-/* What strength y leaves becomes s; `strength` is that of a joint without any. */
-static void
-leave_strength (QnCollapse *c, double strength)
+void
+qn_collapse_centre (QnCollapse *c, double strength)
 {
   const QnIpProblem *p = c->problem;
 
@@ -117,13 +116,7 @@ qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strengt
   else
     memset (c->at.y, 0, size);
   c->at.lambda = lambda;
-  leave_strength (c, strength);
-}
-
-void
-qn_collapse_centre (QnCollapse *c, double strength)
-{
-  leave_strength (c, strength);
+  qn_collapse_centre (c, strength);
 }
 
 void
@@ -141,7 +134,7 @@ qn_collapse_start_elastic (QnCollapse *c)
   if (!qn_ip_kkt_factorize (&c->kkt, c->w))
     return;
   qn_collapse_project (c, true, &lambda, y, &residual, &slack);
-  leave_strength (c, fmax (1, tuning.elastic * qn_ip_largest (y, 2 * p->cell_count)));
+  qn_collapse_centre (c, fmax (1, tuning.elastic * qn_ip_largest (y, 2 * p->cell_count)));
 }
 
 static void

@@ -79,7 +79,8 @@ void qn_collapse_clear (QnCollapse *collapse);
 void qn_collapse_start (QnCollapse *collapse, const double *y, double lambda,
                         double strength, double coupling);
 
-/* Starts from the iterate: from its forces, motion and multiplier, with that strength. */
+/* Starts from the iterate: from its forces, motion and multiplier. What strength these forces leave becomes
+ * that of the joints; `strength` is that of a joint without any. */
 void qn_collapse_centre (QnCollapse *collapse, double strength);
 
 /* From rest as well, with a strength of the size of the forces by which joints of one stiffness would carry
