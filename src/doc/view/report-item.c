@@ -129,7 +129,7 @@ encode (ReportWork *work, QnReportItem *items, QnProject *projects, GError **err
       runs[i] = qn_report_item_get_run (&items[i], &projects[i], &run->contacts);
   }
   if (done && qn_contacts_detect (&work->project.model, &contacts, NULL) != QN_OK) {
-    g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("out of memory"));
+    g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("not enough memory"));
     done = FALSE;
   }
   const QnReport report = { .project = &work->project,

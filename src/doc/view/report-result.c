@@ -109,7 +109,7 @@ show_cells (Pictures *p)
                  || show_field (p, QN_VIEW_DEFORMED, QN_FIELD_CRACK, -1, _ ("Cracks"))));
 }
 
-/* The widest crack at a step, by what the pairs of joints have opened. */
+/* The widest crack at a step, by what the ends of joints have opened. */
 static QnCrack
 find_crack (const QnReportRun *run, size_t step)
 {
