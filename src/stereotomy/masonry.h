@@ -188,11 +188,11 @@ typedef struct QnButtress {
   bool leans_right;   /* the battered face: right of the vertical one, or left */
 } QnButtress;
 
-/* Piers of `pier_width`, `bays` openings of `span` between them, lintels or arches on top. The
- * left edge of the first pier is x = 0. */
 /* So many bays and piers, counted from the left, may have numbers of their own. */
 #define QN_MOST_UNEQUAL 24
 
+/* Piers of `pier_width`, `bays` openings of `span` between them, lintels or arches on top. The
+ * left edge of the first pier is x = 0. */
 typedef struct QnPortal {
   int32_t bays; /* >= 1 */
   double span;  /* m, > 0, clear */

@@ -237,13 +237,13 @@ static bool
 report_use (QnFindings *findings, const QnLaw *law, QnId id, const LawUse *use)
 {
   const bool chain = law->arrangement == QN_ARRANGEMENT_CHAIN;
-  QnFinding finding = {
-    .block_a = use->block, .block_b = QN_NONE, .subject = id, .problem = QN_PROBLEM_NONE
-  };
+  QnFinding finding = { .block_a = use->block,
+                        .block_b = QN_NONE,
+                        .subject = id,
+                        .problem = chain ? QN_PROBLEM_LAW_CHAIN : QN_PROBLEM_LAW_GRID };
 
-  if (use->sides > 0 && law->elasticity > 0 && chain == (use->sideways > 0))
-    finding.problem = chain ? QN_PROBLEM_LAW_CHAIN : QN_PROBLEM_LAW_GRID;
-  if (finding.problem != QN_PROBLEM_NONE && !qn_findings_add (findings, finding))
+  if (use->sides > 0 && law->elasticity > 0 && chain == (use->sideways > 0)
+      && !qn_findings_add (findings, finding))
     return false;
   finding.problem = QN_PROBLEM_LAW_SHEAR;
   return !qn_law_yields (law->kind) || qn_law_may_bond (law->kind)

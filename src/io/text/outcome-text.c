@@ -88,8 +88,8 @@ qn_outcome_dup_stages (const QnModel *model, const QnResult *result)
   return text->len > 0 ? g_strdup (text->str) : NULL;
 }
 
-/* Whether an acting load moves anything: settles a support, be it by 0, or is a force on a block or node that is
- * not fixed altogether, or along beams. */
+/* Whether an acting load moves anything: settles a support, be it by 0, or is a force on a block or node
+ * that is not fixed altogether, or along beams. */
 static gboolean
 acts_on_something (const QnModel *model, const QnLoad *load)
 {
