@@ -9,37 +9,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Residuals of balance and strength, of strain and complementarity (both relative to the
- * elongations) at which Newton's method may finish; complementarity becomes TIGHTER times as
- * small where it does not. Flows that belong to the last trace of a strength, z = product / s,
- * lose their digits to rounding, and strain with them; displacements and forces do not. */
-#define BALANCE         1e-9
+/* Tuning. Residuals at which Newton's method may finish, of strain and complementarity relative to the
+ * elongations. Flows that belong to the last trace of a strength, z = product / s, lose their digits to rounding,
+ * and strain with them; displacements and forces do not. */
+#define BALANCE         1e-9 /* and of strength */
 #define STRAIN          1e-3
 #define COMPLEMENTARITY 1e-9
-#define TIGHTER         1e-2
-#define MOST_FINISHES   3
+#define TIGHTER         1e-2 /* complementarity, where Newton's method does not finish, */
+#define MOST_FINISHES   3    /* so often, */
+#define FINISH_BUDGET   12   /* in so many iterations */
+#define NEARLY                                                                           \
+  1e-7 /* complementarity that may stand where nothing turns back but by rounding */
+#define MOST_TURNS                                                                       \
+  4 /* central paths of a step, where dilation has turned on the one before */
 
-/* Central paths that one step gets, where the dilation of joints has turned on the one before. */
-#define MOST_TURNS 4
-
-/* Complementarity from which an iterate may stand where nothing can turn back and rounding
- * forbids a better one: forces in balance leave a tenth of a millionth of their strength. */
-#define NEARLY 1e-7
-
-/* Iterations that Newton's method gets to finish. */
-#define FINISH_BUDGET 12
-
-/* Viscosity in the tangent: holds what touches nothing. */
-#define HOLDING_VISCOSITY 1e-12
-
-/* The mean product is lowered to this part of itself at most in one iteration. */
-#define LEAST_AIM 1e-6
-
-/* Part of the way to the boundary that a step may go. */
-#define TO_BOUNDARY 0.995
-
-/* The iteration leads nowhere if complementarity has not halved in so many iterations. */
-#define PATIENCE 10
+#define HOLDING_VISCOSITY 1e-12 /* holds what touches nothing */
+#define LEAST_AIM         1e-6  /* of the mean product, in one iteration */
+#define TO_BOUNDARY       0.995 /* of the way to the boundary */
+#define PATIENCE          10    /* iterations in which complementarity has to halve */
 
 /* A step of motion begins at this part of how far the structure goes at the velocity it has: at all of it
  * twice as many steps turn back on a wall of 820 blocks, at a hundredth as many again. */

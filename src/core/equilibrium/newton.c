@@ -6,23 +6,15 @@
 
 #include <string.h>
 
-/* Shortest fraction of the Newton direction that the line search tries. */
-#define SHORTEST_STEP (1.0 / 1024)
-
-/* Decrease of the residual asked for, as a fraction of what a linear system would give. */
-#define SUFFICIENT_DECREASE 1e-4
-
-/* What is left out of balance, as a part of the tolerance, that one more iteration is not worth. */
-#define FINER 1e-3
-
-/* Viscosity that is always in the factorised tangent, not in the residual, when a target other
- * than the multiplier is sought. */
-#define TRACE 1e-9
-
-/* A structure has run away when a tenth of a millimetre of elastic deformation of the whole under its
- * dead load, which grows with the square of the number of courses, has become three centimetres; and not
- * before QN_RUNAWAY. */
+/* Tuning. A structure has run away when a tenth of a millimetre of elastic deformation of the whole under its
+ * dead load, which grows with the square of the number of courses, has become three centimetres; and not before
+ * QN_RUNAWAY. */
 #define RUNAWAY_OF_WHOLE 300
+#define SHORTEST_STEP    (1.0 / 1024) /* part of the direction that the line search tries */
+#define SUFFICIENT_DECREASE                                                              \
+  1e-4             /* of the residual, as a part of what a linear system would give */
+#define FINER 1e-3 /* of the tolerance: no more is worth another iteration */
+#define TRACE 1e-9 /* viscosity in the tangent where another target is sought */
 
 /* One solution in progress. */
 typedef struct {

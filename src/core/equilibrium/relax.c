@@ -12,55 +12,39 @@
 
 #include <string.h>
 
-/* Newton iterations of one viscous step; more means that the step is too long. */
-#define NEWTON_BUDGET 12
+/* Tuning. A step that converges within QUICK iterations lets the next one be LONGER times as long, one that
+ * fails is repeated SHORTER times as short. */
+#define NEWTON_BUDGET   12 /* of a viscous step; more means that it is too long */
+#define QUICK           6
+#define SLOW            12 /* then the next one is half as long */
+#define LONGER          4
+#define SHORTER         8
+#define FIRST_VISCOSITY 0.01 /* soft enough to cross a small jump at once */
+#define STIFFEST        1e9 /* joints are nothing beside it: what fails then never converges */
+#define WAIT                                                                             \
+  8 /* steps until a viscosity that has failed is tried again, no measure held */
+#define STEADY 1e-3 /* velocities differ by less, over as long as all that went before */
 
-/* Viscosity of the first step: soft enough to cross a small jump at once. */
-#define FIRST_VISCOSITY 0.01
-
-/* A step that converges within QUICK iterations lets the next one be LONGER times as long; one
- * that fails is repeated SHORTER times as short. */
-#define QUICK   6
-#define SLOW    12
-#define LONGER  4
-#define SHORTER 8
-
-/* Factorisations of a step along the central path, and the first step that is taken along it. Small structures
- * rest or fall within the first steps, which are cheaper by Newton's method alone. */
+/* Of steps along the central path. Small structures rest or fall within the first steps, which are cheaper by
+ * Newton's method alone. */
 #define CENTRAL_BUDGET 60
 #define CENTRAL_FROM   10
 
-/* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
- * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
-#define WAIT 8
-
-/* Viscosity at which joints are nothing against damping: what does not converge then never will. */
-#define STIFFEST 1e9
-
-/* Velocities that differ by less than this part of themselves, over a time as long as all
- * that went before, are steady. */
-#define STEADY 1e-3
-
-/* A measure that is to advance does so at a speed that damping resists with this part of the
- * largest dead load on a block, slowly enough to leave friction alone: ten times as fast, and
- * walls take other branches in large than in small steps. So many viscous steps, of equal
- * length if none grows, take the measure there. */
+/* A measure advances at a speed that damping resists with this part of the largest dead load on a block: ten
+ * times as fast, and walls take other branches in large than in small steps. In at least so many steps. */
 #define DRIVE       0.001
 #define DRIVE_STEPS 8
 
-/* In nonlinear geometry: elastic displacements from which motion is watched, and how often it
- * must double without slowing down until it counts as a fall. Motion that would come to rest
- * within so many characteristic lengths slows down: slender members bend far under little
- * force, and at first without any hurry to stop. */
+/* In large displacements motion is watched from so many elastic displacements on, and counts as a fall when it
+ * has doubled so often without slowing down: as if to rest within so many characteristic lengths, for slender
+ * members bend far under little force, and at first without any hurry to stop. */
 #define FALL_BEGINS    10
 #define FALL_DOUBLINGS 4
 #define FALL_LENGTHS   1e3
+#define FALL_PART                                                                        \
+  0.25 /* of a state that is kept: how far it has gone beside the one after it */
 
-/* How far from a rest its neighbour may be that is reached straight, as a part of the way. */
-#define NEXT_TO 0.1
-
-/* How far a state that is kept of a fall has gone, as a part of the one after it. */
-#define FALL_PART 0.25
+#define NEXT_TO 0.1 /* a neighbour of a rest, reached straight: of the way */
 
 typedef struct {
   bool held;                            /* a measure, while the multiplier is free */

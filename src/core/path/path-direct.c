@@ -41,7 +41,7 @@ has_taken (const QnPathTrace *trace, const double factorizations[3])
 bool
 qn_path_end_is_spent (const QnPathTrace *trace)
 {
-  return may_settle (trace) && has_taken (trace, qn_path_tuning.effort);
+  return may_settle (trace) && has_taken (trace, (const double[]) QN_PATH_EFFORT);
 }
 
 /* Whether limit analysis knows the structure and its loads, and may tell more of it than the path
@@ -154,7 +154,7 @@ is_ahead (const QnPathTrace *trace, bool far)
 
   return direct->forces != NULL && direct->outcome == QN_OUTCOME_COLLAPSE
          && direct->lower_bound > highest && direct->lower_bound <= trace->end
-         && (far || direct->lower_bound <= (1 + qn_path_tuning.reach) * highest);
+         && (far || direct->lower_bound <= (1 + QN_PATH_REACH) * highest);
 }
 
 /* The path ends at what was found. Where that is no equilibrium nothing has changed. */
@@ -183,7 +183,7 @@ end_there (QnPathTrace *trace)
 bool
 qn_path_end_direct (QnPathTrace *trace, bool last)
 {
-  bool far = last || has_taken (trace, qn_path_tuning.patience);
+  bool far = last || has_taken (trace, (const double[]) QN_PATH_PATIENCE);
   bool ok = true;
 
   if (!applies (trace))
@@ -191,8 +191,8 @@ qn_path_end_direct (QnPathTrace *trace, bool last)
   if (last ? !is_ahead (trace, true)
            : !trace->sought
                && (far
-                   || (taken (trace) > qn_path_tuning.direct
-                       && qn_path_end_creeps (trace, qn_path_tuning.creep))))
+                   || (taken (trace) > QN_PATH_DIRECT
+                       && qn_path_end_creeps (trace, QN_PATH_CREEP))))
     ok = seek (trace);
   return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far) ? end_there (trace)
                                                                        : ok;

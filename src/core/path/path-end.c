@@ -32,9 +32,9 @@ is_gone (const QnPathTrace *trace, double motion)
   double tolerance = trace->path->settings->multiplier_tolerance;
   double left = left_to_gain (trace, motion);
 
-  return motion > eq->runaway && left <= qn_path_tuning.nearly_settled
+  return motion > eq->runaway && left <= QN_PATH_NEARLY_SETTLED
          && (trace->may_jump || motion > QN_FARTHEST
-             || left <= qn_path_tuning.settled * tolerance);
+             || left <= QN_PATH_SETTLED * tolerance);
 }
 
 /* Whether the structure may go on as in the last step until it has run away: no joint is pressed
@@ -50,7 +50,7 @@ may_move_on (QnPathTrace *trace, double motion)
   qn_assembly_update_kinematics (as, last_u);
   qn_equilibrium_note_gaps (eq);
   qn_assembly_update_kinematics (as, eq->u);
-  return !qn_equilibrium_is_closing (eq, qn_path_tuning.steady
+  return !qn_equilibrium_is_closing (eq, QN_PATH_STEADY
                                            * qn_assembly_largest (as, eq->u, last_u))
          && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
@@ -78,8 +78,8 @@ static bool
 is_plateau (QnPathTrace *trace)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
-  double tolerance = trace->may_jump ? qn_path_tuning.plateau_tolerance
-                                     : trace->path->settings->multiplier_tolerance;
+  double tolerance =
+    trace->may_jump ? QN_PATH_PLATEAU : trace->path->settings->multiplier_tolerance;
   double motion = qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL);
   bool climbs_no_more = trace->load_control && !trace->may_soften;
   double level = climbs_no_more ? trace->events.highest : eq->multiplier;
@@ -93,10 +93,9 @@ is_plateau (QnPathTrace *trace)
     trace->plateau_motion = motion;
     return false;
   }
-  return motion > qn_path_tuning.plateau_growth * trace->plateau_motion
+  return motion > QN_PATH_PLATEAU_GROWTH * trace->plateau_motion
          && (!trace->may_jump
-             || fabs (trace->pace - trace->last_pace)
-                  <= qn_path_tuning.steady * trace->pace)
+             || fabs (trace->pace - trace->last_pace) <= QN_PATH_STEADY * trace->pace)
          && may_move_on (trace, motion);
 }
 
@@ -110,7 +109,7 @@ has_collapsed (const QnPathTrace *trace)
   double moved = events->displacement - events->highest_displacement;
 
   return trace->load_control && !qn_path_trace_is_linear (trace)
-         && moved > qn_path_tuning.collapsed_motion * eq->assembly.length;
+         && moved > QN_PATH_COLLAPSED * eq->assembly.length;
 }
 
 /* Whether a structure that carries every load has been drawn out of all proportion. */
@@ -175,8 +174,7 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
     if (may_end_on_plateau (trace)
-        && (motion > eq->runaway
-            || qn_path_end_creeps (trace, qn_path_tuning.least_gain))) {
+        && (motion > eq->runaway || qn_path_end_creeps (trace, QN_PATH_LEAST_GAIN))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
       trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else

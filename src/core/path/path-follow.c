@@ -8,10 +8,6 @@
  */
 #include "core/path/path.h"
 
-/* Corners are listed within this part of the characteristic length at least: twice as far as blocks move
- * in a step (QnPathTuning.largest_motion). */
-#define MARGIN 0.1
-
 QnStatus
 qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag)
 {
@@ -19,8 +15,8 @@ qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag)
 
   qn_equilibrium_restore (eq);
   QnStatus status = qn_moving_contacts_update (
-    &path->moving, eq, MARGIN * eq->assembly.length, (double) path->result->step_count,
-    path->result, changed, diag);
+    &path->moving, eq, QN_PATH_LIST_CONTACTS * eq->assembly.length,
+    (double) path->result->step_count, path->result, changed, diag);
   if (status != QN_OK || !*changed)
     return status;
   qn_inertia_free (path->inertia);

@@ -47,9 +47,9 @@ is_doubtful (QnPathTrace *trace)
 
   if (trace->events.below)
     return qn_path_events_has_snapped (&trace->events);
-  return gain > qn_path_tuning.in_doubt * eq->multiplier
-         && resistance (trace, qn_path_tuning.late)
-              < from + qn_path_tuning.resists * qn_path_tuning.late * gain;
+  return gain > QN_PATH_IN_DOUBT * eq->multiplier
+         && resistance (trace, QN_PATH_LATE)
+              < from + QN_PATH_RESISTS * QN_PATH_LATE * gain;
 }
 
 /* Lets the structure go, under a load that is held, from the highest equilibrium that it is known to come to. */
@@ -79,7 +79,7 @@ find_fall (QnPathTrace *trace, double high)
 
   qn_equilibrium_set_state (eq, &trace->highest);
   qn_equilibrium_save (eq, &eq->committed);
-  while (high - trace->highest.multiplier > qn_path_tuning.nearly_settled * high
+  while (high - trace->highest.multiplier > QN_PATH_NEARLY_SETTLED * high
          && (status == QN_SOLVE_MECHANISM || status == QN_SOLVE_CONVERGED)) {
     double middle = 0.5 * (trace->highest.multiplier + high);
     status = let_go (trace, middle);
@@ -113,7 +113,7 @@ qn_path_hold (QnPathTrace *trace)
     return true;
   trace->doubt = trace->doubt || is_doubtful (trace);
   if (!trace->doubt
-      || multiplier - trace->sure.multiplier <= qn_path_tuning.in_doubt * multiplier)
+      || multiplier - trace->sure.multiplier <= QN_PATH_IN_DOUBT * multiplier)
     return true;
   qn_equilibrium_save (eq, &trace->ahead);
   trace->doubt = false;

@@ -119,7 +119,7 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
 static bool
 is_too_far (double moved, double most, double before)
 {
-  return most > 0 && moved > most && moved > qn_path_tuning.jump_stays * before;
+  return most > 0 && moved > most && moved > QN_PATH_JUMP_STAYS * before;
 }
 
 /* The same of a step that went much farther than the steps before it. */
@@ -127,7 +127,7 @@ static bool
 is_jump (const QnPathTrace *trace, double step, double before)
 {
   return is_too_far (qn_equilibrium_motion (&trace->path->equilibrium),
-                     qn_path_tuning.jump * trace->pace * fabs (step), before);
+                     QN_PATH_JUMP * trace->pace * fabs (step), before);
 }
 
 /* In nonlinear geometry: how far the state just solved is from where the last step, of the measure by `last`,
@@ -143,7 +143,7 @@ departure (const QnPathTrace *trace, double step, double last, double *most)
 
   *most = trace->pace * fabs (step);
   if (last == 0) {
-    *most *= qn_path_tuning.jump;
+    *most *= QN_PATH_JUMP;
     return qn_equilibrium_motion (eq);
   }
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
@@ -166,14 +166,13 @@ solve_linear (QnPathTrace *trace, double *step)
     status = solve_statically (trace, &target);
     trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, before);
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
-        || (status == QN_SOLVE_CONVERGED
-            && (!trace->jumped || cut == qn_path_tuning.most_cuts)))
+        || (status == QN_SOLVE_CONVERGED && (!trace->jumped || cut == QN_PATH_MOST_CUTS)))
       return status;
     before = trace->jumped ? qn_equilibrium_motion (eq) : 0;
     qn_equilibrium_restore (eq);
-    if (cut == qn_path_tuning.most_cuts)
+    if (cut == QN_PATH_MOST_CUTS)
       break;
-    *step *= qn_path_tuning.cut;
+    *step *= QN_PATH_CUT;
   }
   trace->means = QN_FOUND_BY_RELAXATION;
   status =
@@ -196,7 +195,7 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
   if (status != QN_SOLVE_MECHANISM)
     return status;
   memcpy (trace->buckling, eq->motion, (size_t) as->unknown_count * sizeof (double));
-  for (double lean = qn_path_tuning.least_lean; lean <= 1; lean *= 10) {
+  for (double lean = QN_PATH_LEAST_LEAN; lean <= 1; lean *= 10) {
     qn_equilibrium_restore (eq);
     for (int32_t i = 0; i < as->unknown_count; i++)
       eq->u[i] += lean * as->length * trace->buckling[i];
@@ -236,7 +235,7 @@ is_across (const QnPathTrace *trace)
   size_t n = (size_t) as->unknown_count;
 
   return fabs (qn_dot (live, motion, n))
-         <= qn_path_tuning.same_branch
+         <= QN_PATH_SAME_BRANCH
               * sqrt (qn_dot (live, live, n) * qn_dot (motion, motion, n));
 }
 
@@ -265,8 +264,7 @@ is_same_branch (const QnPathTrace *trace)
   const QnAssembly *as = &eq->assembly;
   double moved = qn_assembly_largest (as, eq->u, trace->events.rest);
 
-  return qn_assembly_largest (as, eq->u, eq->anchor.u)
-         <= qn_path_tuning.same_branch * moved;
+  return qn_assembly_largest (as, eq->u, eq->anchor.u) <= QN_PATH_SAME_BRANCH * moved;
 }
 
 /* Where the branch of a path that climbs loses its stability within a step, *step on entry: CONVERGED with
@@ -295,7 +293,7 @@ find_end_of_branch (QnPathTrace *trace, double *step)
       from = eq->multiplier;
     } else
       break; /* stable after all */
-    if (k == qn_path_tuning.most_bisections || to - from <= tolerance * fabs (to)) {
+    if (k == QN_PATH_MOST_BISECTIONS || to - from <= tolerance * fabs (to)) {
       status = probe (trace, low);
       if (status != QN_SOLVE_CONVERGED || !is_same_branch (trace))
         break;
@@ -340,10 +338,9 @@ static QnSolveStatus
 solve_nonlinear (QnPathTrace *trace, double *step)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  double least_for_newton =
-    trace->means == QN_FOUND_BY_RELAXATION && !trace->load_control
-      ? INFINITY
-      : pow (qn_path_tuning.cut, qn_path_tuning.most_cuts) * trace->largest;
+  double least_for_newton = trace->means == QN_FOUND_BY_RELAXATION && !trace->load_control
+                              ? INFINITY
+                              : pow (QN_PATH_CUT, QN_PATH_MOST_CUTS) * trace->largest;
   bool is_smooth = !trace->jumped && trace->means != QN_FOUND_BY_RELAXATION;
   double last = is_smooth ? qn_path_last_advance (trace) : 0;
   double before = 0, far = eq->assembly.length;
@@ -352,7 +349,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
 
   for (;;) {
     const QnTarget target = target_of (trace, *step);
-    bool smallest = fabs (*step) <= qn_path_tuning.smallest_step * trace->largest;
+    bool smallest = fabs (*step) <= QN_PATH_SMALLEST_STEP * trace->largest;
     trace->refused = false;
     QnSolveStatus status =
       relaxes
@@ -381,8 +378,8 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       return status;
     before = away;
     qn_equilibrium_restore (eq);
-    if (relaxes || fabs (*step) * qn_path_tuning.cut >= least_for_newton)
-      *step *= qn_path_tuning.cut;
+    if (relaxes || fabs (*step) * QN_PATH_CUT >= least_for_newton)
+      *step *= QN_PATH_CUT;
     else if (trace->load_control && !trace->events.below)
       return QN_SOLVE_FAILED;
     else
@@ -403,8 +400,7 @@ qn_path_step_aim (QnPathTrace *trace, double step)
     if (now > before && now < 1)
       share = fmin (share, (1 - now) / (now - before));
   }
-  double way = share * fabs (step),
-         little = qn_path_tuning.smallest_step * trace->largest;
+  double way = share * fabs (step), little = QN_PATH_SMALLEST_STEP * trace->largest;
   way += way > 2 * little ? -little : little;
   if (!isfinite (way))
     return;
@@ -423,7 +419,7 @@ qn_path_step_solve (QnPathTrace *trace, double *step)
                              ? solve_linear (trace, step)
                              : solve_nonlinear (trace, step);
     if (status != QN_SOLVE_CONVERGED || !trace->may_soften
-        || fabs (*step) <= 3 * qn_path_tuning.smallest_step * trace->largest
+        || fabs (*step) <= 3 * QN_PATH_SMALLEST_STEP * trace->largest
         || !breaks_bond (&trace->path->equilibrium))
       return status;
     qn_equilibrium_restore (&trace->path->equilibrium);
@@ -437,7 +433,7 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
   QnEquilibrium *eq = &trace->path->equilibrium;
   const QnTarget goal = qn_target_multiplier (target);
   double increment = target - eq->committed.multiplier;
-  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, qn_path_tuning.easy);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_PATH_EASY);
 
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
@@ -456,7 +452,7 @@ qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
   bool may_grow = qn_path_trace_is_linear (trace) || trace->load_control;
 
   return trace->means == QN_FOUND_BY_RELAXATION || trace->straight
-         || iterations <= qn_path_tuning.easy
+         || iterations <= QN_PATH_EASY
          || (trace->means == QN_FOUND_BY_CENTRAL_PATH && may_grow);
 }
 

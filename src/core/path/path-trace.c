@@ -19,45 +19,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const QnPathTuning qn_path_tuning = {
-  .easy = 6,
-  .growth = 1.5,
-  .growth_steady = 2,
-  .turn = 0.25,
-  .growth_no_jumps = 4,
-  .start = 0.02,
-  .least_start = 1.0 / 256,
-  .largest_step = 4,
-  .largest_motion = 0.05,
-  .cut = 0.25,
-  .most_cuts = 2,
-  .smallest_step = 1.0 / 1024,
-  .restart_step = 1.0 / 64,
-  .least_lean = 1e-2,
-  .jump = 3,
-  .jump_stays = 0.5,
-  .patience = { 1e6, 300, 3000 },
-  .effort = { 1e7, 1000, 6000 },
-  .plateau_tolerance = 1e-4,
-  .plateau_growth = 10,
-  .least_gain = 0.02,
-  .creep = 0.04,
-  .direct = 60,
-  .reach = 0.03,
-  .late = 0.85,
-  .resists = 0.77,
-  .in_doubt = 0.03,
-  .steady = 1e-2,
-  .nearly_settled = 5e-3,
-  .settled = 0.1,
-  .collapsed_motion = 0.1,
-  .most_above = 4,
-  .most_looks = 5,
-  .most_bisections = 40,
-  .same_branch = 1e-2,
-  .most_steps = 100000,
-};
-
 /* --- Sizes of steps ---------------------------------------------------------------------- */
 
 /* How far the direction of motion has turned in the step just solved: the largest difference between it
@@ -83,13 +44,13 @@ static double
 growth (const QnPathTrace *trace)
 {
   if (!trace->load_control)
-    return qn_path_tuning.growth; /* what lies between is to be seen */
+    return QN_PATH_GROWTH; /* what lies between is to be seen */
   if (!trace->may_jump)
-    return qn_path_tuning.growth_no_jumps;
+    return QN_PATH_GROWTH_SURE;
   bool steady = qn_path_trace_is_linear (trace) && trace->central != NULL
                 && trace->measure.procedure == QN_PROCEDURE_WORK
-                && turn_of_motion (trace) < qn_path_tuning.turn;
-  return steady ? qn_path_tuning.growth_steady : qn_path_tuning.growth;
+                && turn_of_motion (trace) < QN_PATH_TURN;
+  return steady ? QN_PATH_GROWTH_STEADY : QN_PATH_GROWTH;
 }
 
 /* Largest step that may come next: displacement control keeps to the increments that were
@@ -101,8 +62,8 @@ largest_next_step (const QnPathTrace *trace)
 {
   bool is_displacement = trace->measure.procedure == QN_PROCEDURE_DISPLACEMENT;
   double first = fabs (trace->measure.first),
-         most = is_displacement ? qn_path_tuning.largest_step * first : INFINITY,
-         far = qn_path_tuning.largest_motion * trace->path->equilibrium.assembly.length;
+         most = is_displacement ? QN_PATH_LARGEST_STEP * first : INFINITY,
+         far = QN_PATH_LARGEST_MOTION * trace->path->equilibrium.assembly.length;
 
   if (qn_path_trace_is_linear (trace) || trace->pace == 0
       || (is_displacement && trace->central == NULL))
@@ -130,13 +91,12 @@ passes_peak (QnPathTrace *trace, double step)
   double first = ahead * trace->slope, last = ahead * eq->slope;
 
   if (!ends_at_peak (trace) || trace->events.below || trace->jumped
-      || size <= qn_path_tuning.smallest_step * trace->largest || first < 0
-      || !(last < 0))
+      || size <= QN_PATH_SMALLEST_STEP * trace->largest || first < 0 || !(last < 0))
     return false;
   double turn = first > 0 ? (after - before - last * size) / (first - last) : 0;
   if (first > 0 && first * turn - fmax (0, after - before) <= tolerance)
     return false;
-  trace->step = ahead * fmin (fmax (turn, qn_path_tuning.cut * size), size / 2);
+  trace->step = ahead * fmin (fmax (turn, QN_PATH_CUT * size), size / 2);
   return true;
 }
 
@@ -148,7 +108,7 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
     trace->pace = qn_equilibrium_motion (&trace->path->equilibrium) / fabs (step);
   trace->largest = fmax (trace->largest, fabs (step));
   trace->step = fmax (fabs (easy ? growth (trace) * step : step),
-                      qn_path_tuning.restart_step * trace->largest);
+                      QN_PATH_RESTART_STEP * trace->largest);
   trace->step =
     copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
   qn_path_step_aim (trace, step);
@@ -165,9 +125,9 @@ static bool
 cut_first_increment (QnPathTrace *trace)
 {
   if (trace->path->equilibrium.committed.multiplier > 0
-      || trace->step <= qn_path_tuning.least_start * trace->measure.first)
+      || trace->step <= QN_PATH_LEAST_START * trace->measure.first)
     return false;
-  trace->step *= qn_path_tuning.cut;
+  trace->step *= QN_PATH_CUT;
   return true;
 }
 
@@ -190,8 +150,7 @@ take_work (QnPathTrace *trace)
 static bool
 holds_still (double multiplier, double before)
 {
-  return fabs (multiplier - before)
-         <= qn_path_tuning.plateau_tolerance * fabs (multiplier);
+  return fabs (multiplier - before) <= QN_PATH_PLATEAU * fabs (multiplier);
 }
 
 /* Accepts the current state. Load control records the equilibria that it meets, which lie above all
@@ -271,9 +230,9 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
   status = qn_path_step_land (trace, &share);
   if (status != QN_SOLVE_FAILED)
     return status;
-  *again = fabs (*step) > qn_path_tuning.smallest_step * trace->largest;
+  *again = fabs (*step) > QN_PATH_SMALLEST_STEP * trace->largest;
   if (*again) {
-    trace->step = *step * fmin (share, 1 - qn_path_tuning.cut);
+    trace->step = *step * fmin (share, 1 - QN_PATH_CUT);
     qn_equilibrium_restore (eq);
   }
   return QN_SOLVE_CONVERGED;
@@ -304,9 +263,9 @@ falls_too_far (const QnPathTrace *trace, double step)
   double exact = trace->path->settings->multiplier_tolerance
                  * fmax (fabs (eq->committed.multiplier), trace->unit);
 
-  return part > qn_path_tuning.smallest_step
+  return part > QN_PATH_SMALLEST_STEP
          || (fabs (trace->slope * step) > exact
-             && part > qn_path_tuning.smallest_step * qn_path_tuning.smallest_step);
+             && part > QN_PATH_SMALLEST_STEP * QN_PATH_SMALLEST_STEP);
 }
 
 /* Whether the state just solved, the first one, takes work from the driven loads on the way to the control
@@ -348,7 +307,7 @@ advance (QnPathTrace *trace)
   if (again)
     return true;
   if (status == QN_SOLVE_MECHANISM && falls_too_far (trace, step)) {
-    trace->step = step * (isfinite (trace->to_fall) ? 0.5 : qn_path_tuning.cut);
+    trace->step = step * (isfinite (trace->to_fall) ? 0.5 : QN_PATH_CUT);
     trace->to_fall = fabs (step);
     qn_equilibrium_restore (eq);
     return true;
@@ -403,16 +362,15 @@ judge_mechanism (QnPathTrace *trace, const double *velocity)
 {
   const QnAssembly *as = &trace->path->equilibrium.assembly;
   double speed = qn_assembly_largest (as, velocity, NULL);
-  double far = fmax (trace->events.highest_displacement,
-                     qn_path_tuning.collapsed_motion * as->length);
+  double far = fmax (trace->events.highest_displacement, QN_PATH_COLLAPSED * as->length);
   double *rates = qn_alloc (2 * as->pair_count, sizeof *rates);
 
   if (rates == NULL)
     return false;
   qn_assembly_elongation_rates (as, velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)
-    if (rates[2 * p] < -qn_path_tuning.steady * speed
-        && as->responses[p].tangent[0][0] > qn_path_tuning.steady * as->springs[p].a.kn
+    if (rates[2 * p] < -QN_PATH_STEADY * speed
+        && as->responses[p].tangent[0][0] > QN_PATH_STEADY * as->springs[p].a.kn
         && qn_assembly_gap (as, p) * speed < -rates[2 * p] * far)
       trace->path->result->mechanism_uncertain = true;
   free (rates);
@@ -563,7 +521,7 @@ hold_load (QnPathTrace *trace)
   QnEquilibrium *eq = &path->equilibrium;
   double more = trace->above * path->settings->multiplier_tolerance
                 * fmax (trace->events.highest, trace->unit);
-  double far = qn_path_tuning.collapsed_motion * eq->assembly.length;
+  double far = QN_PATH_COLLAPSED * eq->assembly.length;
   const QnTarget target =
     qn_target_multiplier (fmin (trace->events.highest + more, trace->end));
 
@@ -589,7 +547,7 @@ hold_load (QnPathTrace *trace)
   trace->stop = QN_STOP_UNKNOWN;
   trace->means = QN_FOUND_BY_RELAXATION;
   trace->jumped = true;
-  trace->above = fmin (2 * trace->above, qn_path_tuning.most_above);
+  trace->above = fmin (2 * trace->above, QN_PATH_MOST_ABOVE);
   if (!qn_path_trace_accept (trace))
     return false;
   qn_path_measure_keep_last (&trace->measure);
@@ -684,8 +642,8 @@ run (QnPathTrace *trace)
   trace->largest = fabs (trace->step);
   if (trace->step == 0)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
-  for (int step = 0;
-       ok && trace->stop == QN_STOP_UNKNOWN && step < qn_path_tuning.most_steps; step++) {
+  for (int step = 0; ok && trace->stop == QN_STOP_UNKNOWN && step < QN_PATH_MOST_STEPS;
+       step++) {
     ok = result->step_count == known || follow_contacts (trace);
     known = result->step_count;
     ok = ok && go_on (trace);
@@ -733,7 +691,7 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
                         .above = 1,
-                        .looks = qn_path_tuning.most_looks,
+                        .looks = QN_PATH_MOST_LOOKS,
                         .to_fall = INFINITY,
                         .reverses = reverses,
                         .unit = live > 0 ? dead / live : 0,
@@ -760,7 +718,7 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   ready = ready && qn_path_events_init (&trace.events, path, trace.unit)
           && (!trace.load_control || renew_highest (&trace));
   if (ready && trace.load_control && trace.central != NULL && dead > 0)
-    trace.measure.first = qn_path_tuning.start * trace.unit;
+    trace.measure.first = QN_PATH_START * trace.unit;
   status = ready && run (&trace) ? QN_OK : qn_diag_no_memory (diag);
   qn_central_path_free (trace.central);
   qn_limit_solution_clear (&trace.direct);

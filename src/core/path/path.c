@@ -6,12 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Viscous steps under dead load that tell of what falls. */
-#define FALL_TOLD 50
-
-/* How far a structure is moved out of an unstable equilibrium, as a part of how far it may go. */
-#define LEAN 0.01
-
 QnStatus
 qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
                QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)
@@ -163,8 +157,8 @@ let_settle (QnEquilibrium *eq, QnCentralPath *central)
   const QnTarget target = qn_target_multiplier (0);
   int64_t commits = eq->assembly.commits;
   bool linear = !eq->assembly.nonlinear && central != NULL;
-  QnSolveStatus solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL,
-                                              linear ? FALL_TOLD : QN_RELAX_BUDGET);
+  QnSolveStatus solve = qn_equilibrium_relax (
+    eq, NULL, &target, INFINITY, NULL, linear ? QN_PATH_FALL_TOLD : QN_RELAX_BUDGET);
   bool rests = solve == QN_SOLVE_CONVERGED;
 
   if ((!rests && solve != QN_SOLVE_FAILED) || central == NULL)
@@ -220,7 +214,7 @@ qn_path_stay (QnPath *path, double far)
     return solve;
   qn_equilibrium_commit (eq);
   for (int32_t i = 0; i < as->unknown_count; i++)
-    eq->u[i] += LEAN * far * eq->motion[i];
+    eq->u[i] += QN_PATH_LEAN * far * eq->motion[i];
   solve = qn_assembly_evaluate (&eq->assembly, eq->u)
             ? qn_equilibrium_relax (eq, NULL, &target, far, NULL, QN_RELAX_BUDGET)
             : QN_SOLVE_FAILED;

@@ -8,26 +8,11 @@
 #include "core/dynamics/moving-contacts.h"
 #include "core/equilibrium/central-path.h"
 #include "core/linalg/inertia.h"
+#include "core/path/tuning.h"
 #include "core/result/result.h"
 
 /* A multiplier at which a path without a prescribed end counts as unbounded. */
 #define QN_UNBOUNDED 1e9
-
-/* Newton iterations of a static solution before relaxation takes over. */
-#define QN_NEWTON_BUDGET 20
-
-/* The same from where earlier equilibria predict it. */
-#define QN_PREDICTED_BUDGET 6
-
-/* Viscous steps until relaxation gives up when only a hint is wanted. */
-#define QN_RELAX_BUDGET_HINT 40
-
-/* With a measure held every relaxation ends, at rest or with blocks that have left their
- * contacts; stiff joints make the way there long. */
-#define QN_RELAX_BUDGET_HELD 10000
-
-/* Factorisations of one increment along the central path. */
-#define QN_CENTRAL_BUDGET 40
 
 typedef struct QnPath {
   QnPool pool;       /* of scratch, */
