@@ -50,8 +50,9 @@ check_numbers (QnCheck *check)
     tell (check, QN_CLAIM_NUMBERS);
 }
 
-/* The dead load first, stages one after the other, times growing; in time no multiplier. Limit analysis has
- * two steps: before and at collapse. */
+/* The dead load first, stages one after the other, times growing; in time no multiplier. Where the load is
+ * prescribed it goes one way all the time; only the last step may lie below, where the structure moves on.
+ * Limit analysis has two steps: before and at collapse. */
 static void
 check_order (QnCheck *check)
 {
@@ -71,6 +72,12 @@ check_order (QnCheck *check)
     if (in_time && i > 1)
       in_order = in_order && step->time > r->steps[i - 1].time;
     bool ends = i + 1 == r->step_count && r->outcome == QN_OUTCOME_COLLAPSE;
+    QnCheckStage stage = qn_check_stage (check, step->stage);
+    if (i > stage.base && !ends && !in_time && stage.procedure == QN_PROCEDURE_LOAD) {
+      bool begins = i == stage.base + 1;
+      double more = step->multiplier - (begins ? stage.origin : step[-1].multiplier);
+      in_order = in_order && (stage.sense * more > 0 || (begins && more == 0));
+    }
     if (!in_order)
       qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i,
                            in_time ? step->time : step->multiplier, NAN);
@@ -143,6 +150,25 @@ qn_check_stage (const QnCheck *check, int32_t number)
   return stage;
 }
 
+/* Whether this is the highest multiplier of the last stage, which is written to *peak. A path that gains less
+ * than equilibrium may lack does not climb. */
+static bool
+is_highest (const QnCheck *check, double multiplier, double *peak)
+{
+  const QnResult *r = check->result;
+  QnCheckStage stage = qn_check_stage (check, r->steps[r->step_count - 1].stage);
+  double sense = stage.number > 0 ? stage.sense : 1;
+
+  *peak = stage.origin;
+  for (size_t i = stage.base + 1; i <= stage.last; i++)
+    if (sense * r->steps[i].multiplier > sense * *peak)
+      *peak = r->steps[i].multiplier;
+  double gain = sense * (*peak - multiplier);
+  return same (multiplier, *peak)
+         || (gain >= 0
+             && gain <= check->model->analysis.residual_tolerance * fabs (*peak));
+}
+
 /* In linear geometry a structure that moves on for good collapses at its last multiplier, unless that has
  * fallen to nothing; in large displacements, and where joints lose strength, at the highest. Where its
  * mechanism is not known, either may be told. */
@@ -150,6 +176,7 @@ static void
 check_collapse (QnCheck *check)
 {
   const QnResult *r = check->result;
+  double peak;
 
   if (r->outcome == QN_OUTCOME_COLLAPSE && !r->has_collapse_multiplier
       && r->history.width == 0)
@@ -157,39 +184,37 @@ check_collapse (QnCheck *check)
   if (!r->has_collapse_multiplier || r->step_count == 0)
     return;
   QnCheckStage stage = qn_check_stage (check, r->steps[r->step_count - 1].stage);
-  double sense = stage.number > 0 ? stage.sense : 1, peak = stage.origin;
+  double sense = stage.number > 0 ? stage.sense : 1;
   double last = r->steps[r->step_count - 1].multiplier;
-  for (size_t i = stage.base + 1; i <= stage.last; i++)
-    if (sense * r->steps[i].multiplier > sense * peak)
-      peak = r->steps[i].multiplier;
+  bool is_peak = is_highest (check, r->collapse_multiplier, &peak);
   bool is_last = r->outcome == QN_OUTCOME_COLLAPSE && sense * last > 0
                  && check->model->analysis.geometry == QN_GEOMETRY_LINEAR
                  && !qn_assembly_may_soften (&check->assembly);
-  double told = is_last ? last : peak;
-  /* A path that gains less than equilibrium may lack does not climb. */
-  double gain = sense * (peak - r->collapse_multiplier);
-  bool is_peak =
-    gain >= 0 && gain <= check->model->analysis.residual_tolerance * fabs (peak);
-  if (!same (r->collapse_multiplier, told) && !(is_peak && !is_last)
-      && !(r->mechanism_uncertain && same (r->collapse_multiplier, peak)))
-    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, told);
+  if (!(is_last ? same (r->collapse_multiplier, last)
+                    || (r->mechanism_uncertain && same (r->collapse_multiplier, peak))
+                : is_peak))
+    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier,
+                         is_last ? last : peak);
 }
 
-/* The first snap of the last stage is the first limit point. */
+/* The first snap of the last stage is the first limit point; where the analysis stops there, its highest
+ * multiplier. */
 static void
 check_first_limit (QnCheck *check)
 {
   const QnResult *r = check->result;
+  bool stops = r->outcome == QN_OUTCOME_SNAP;
   double first = NAN;
 
-  if (r->events_unknown || r->stability != QN_STABILITY_UNKNOWN
-      || r->outcome == QN_OUTCOME_SNAP || r->outcome == QN_OUTCOME_NOT_CONVERGED)
+  if (r->stability != QN_STABILITY_UNKNOWN || r->outcome == QN_OUTCOME_NOT_CONVERGED
+      || (stops ? r->step_count == 0 : r->events_unknown))
     return;
   for (size_t i = r->event_count; i-- > 0;)
     if (r->events[i].stage == r->stage && r->events[i].kind == QN_EVENT_KIND_SNAP)
       first = r->events[i].multiplier;
-  if (r->has_first_limit_multiplier != !isnan (first)
-      || (!isnan (first) && !same (r->first_limit_multiplier, first)))
+  if (stops ? !is_highest (check, r->first_limit_multiplier, &first)
+            : r->has_first_limit_multiplier != !isnan (first)
+                || (!isnan (first) && !same (r->first_limit_multiplier, first)))
     qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE,
                          r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN,
                          first);
