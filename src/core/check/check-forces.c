@@ -105,69 +105,75 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
-/* What friction carries of a force at elongation q, of a joint whose bond is damaged. */
+/* What friction carries of a force at elongation q of a spring whose bond is damaged. */
 static void
-take_friction (const QnPairSprings *springs, const QnPairMemory *before, double damage,
+take_friction (const QnSpring *s, const QnSpringMemory *before, double damage,
                const double q[2], const double stated[2], double friction[2])
 {
-  const QnSpring *s = &springs->a;
-  const double bond[2] = { s->kn * (q[0] - qn_spring_crushed (s, &before->a)),
-                           s->ks * q[1] };
+  const double bond[2] = { s->kn * (q[0] - qn_spring_crushed (s, before)), s->ks * q[1] };
 
   for (int i = 0; i < 2; i++)
     friction[i] = (stated[i] - (1 - damage) * bond[i]) / damage;
 }
 
-/* The slip and opening that leave a joint, its bond damaged as after the step, with this force at
- * elongation q. Of two springs all that is new counts as the first one's: which of them slid
- * makes no difference to both together. False for what is not elastic and perfectly plastic. */
+/* The slip and opening of one spring of a pair, of `b` where `second`, that leave the pair, its bond damaged
+ * as after the step, with this force at elongation q. The other spring is elastic meanwhile: of two that slide
+ * all that is new counts as this one's, for which of them slid makes no difference to both together. False
+ * for what is not elastic and perfectly plastic. */
 static bool
 take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemory *before,
            const QnPairMemory *after, const double q[2], const double stated[2],
-           QnPairMemory *memory)
+           bool second, QnPairMemory *memory)
 {
-  const QnSpring *s = &springs->a, *other = springs->equal ? NULL : &springs->b;
-  double stuck[2] = { 0, 0 }; /* elongation of the other spring */
+  const QnSpring *s = second ? &springs->b : &springs->a;
+  const QnSpring *other = springs->equal ? NULL : second ? &springs->a : &springs->b;
+  QnSpringMemory *own = second ? &memory->b : &memory->a;
+  const QnSpringMemory *rest = second ? &memory->a : &memory->b;
+  const QnSpringMemory start = second ? before->b : before->a;
   double force[2] = { stated[0], stated[1] };
+  double stuck[2] = { 0, 0 },
+         strain[2]; /* elongations of the other spring and of this one */
 
   *memory = *before;
   qn_pair_keep_damage (springs, after, memory);
-  double damage = qn_pair_damage (springs, memory);
-  if (qn_spring_has_bond (s) && damage < 1 && (damage <= 0 || other != NULL)) {
-    memory->a.opening = q[0] - force[0] / s->kn; /* crushed, the bond whole */
-    return s->kind == QN_LAW_MOHR_COULOMB && other == NULL
-           && memory->a.opening <= before->a.opening;
-  }
-  if (damage > 0 && damage < 1)
-    take_friction (springs, before, damage, q, stated, force);
-  if (other != NULL && !(qn_law_is_plastic (s->kind) && qn_law_is_plastic (other->kind)))
+  double damage = qn_spring_damage (s, own);
+  if (!qn_law_is_plastic (s->kind))
     return false;
   if (other != NULL) {
-    stuck[0] = before->b.opening + force[0] / other->kn;
-    stuck[1] = before->b.slip + force[1] / other->ks;
+    double lost = qn_spring_damage (other, rest);
+    if (!(qn_law_is_plastic (other->kind) || other->kind == QN_LAW_ELASTIC)
+        || (lost > 0 && lost < 1))
+      return false;
+    stuck[0] = rest->opening + force[0] / other->kn;
+    stuck[1] = rest->slip + force[1] / other->ks;
   }
+  for (int i = 0; i < 2; i++) {
+    strain[i] = q[i] - stuck[i];
+    memory->qa[i] = second ? stuck[i] : strain[i];
+    memory->qb[i] = second ? strain[i] : stuck[i];
+  }
+  if (qn_spring_has_bond (s) && damage <= 0) {
+    own->opening = strain[0] - force[0] / s->kn; /* crushed, the bond whole */
+    return s->kind == QN_LAW_MOHR_COULOMB && own->opening <= start.opening;
+  }
+  if (damage > 0 && damage < 1)
+    take_friction (s, &start, damage, strain, stated, force);
   bool dilates = s->dilatancy > 0 || (other != NULL && other->dilatancy > 0);
   /* What slides back may lose more strength than shear force: not beyond its strength by rounding. */
   double within = dilates ? 1 - 0.1 * QN_CHECK_FORCES : 1;
-  memory->a.slip = q[1] - stuck[1] - within * force[1] / s->ks;
-  if (!qn_law_is_plastic (s->kind))
-    return false;
+  own->slip = strain[1] - within * force[1] / s->ks;
   bool crushes = s->kind == QN_LAW_MOHR_COULOMB
                  || (other != NULL && other->kind == QN_LAW_MOHR_COULOMB);
-  double opening = q[0] - stuck[0] - force[0] / s->kn;
+  double opening = strain[0] - force[0] / s->kn;
   bool at_cap = force[0] >= -QN_CHECK_FORCES * check->scale;
   /* A joint that opens remembers what it has risen by sliding alone. */
-  double risen = qn_spring_risen (s, &before->a, memory->a.slip);
+  double risen = qn_spring_risen (s, &start, own->slip);
   if (at_cap && check->relaxed)
-    memory->a.opening = fmin (opening, risen);
+    own->opening = fmin (opening, risen);
   else if (check->relaxed || (force[0] < 0 && (dilates || crushes)))
-    memory->a.opening = opening;
+    own->opening = opening;
   else if (at_cap && (dilates || crushes)) /* crushed, or slid back, on the way there */
-    memory->a.opening = fmin (memory->a.opening, opening);
-  for (int i = 0; i < 2; i++) {
-    memory->qa[i] = q[i] - stuck[i];
-    memory->qb[i] = stuck[i];
-  }
+    own->opening = fmin (own->opening, opening);
   return crushes || memory->a.opening + memory->b.opening >= -check->slack;
 }
 
@@ -267,11 +273,19 @@ flow_to (const QnCheck *check, size_t p, const double force[2], QnPairResponse *
   const QnPairSprings *springs = &check->assembly.springs[p];
   const QnPairMemory *before = &check->assembly.committed[p];
   const double *q = check->assembly.elongations + 2 * p;
-  QnPairMemory memory;
 
-  return take_flow (check, springs, before, &response->memory, q, force, &memory)
-         && qn_pair_evaluate (springs, &memory, q, response)
-         && same_force (response->force, force, force_tolerance (check, springs, q));
+  for (int side = 0; side < (springs->equal ? 1 : 2); side++) {
+    QnPairMemory memory;
+    QnPairResponse flown;
+    if (take_flow (check, springs, before, &response->memory, q, force, side == 1,
+                   &memory)
+        && qn_pair_evaluate (springs, &memory, q, &flown)
+        && same_force (flown.force, force, force_tolerance (check, springs, q))) {
+      *response = flown;
+      return true;
+    }
+  }
+  return false;
 }
 
 /* Whether a pair may have another force than its law answers to the step before; *response then is one with
@@ -420,6 +434,8 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
   const QnPairMemory *memory = &check->assembly.responses[p].memory;
   double little = QN_CHECK_STATE * check->scale;
   double damage = qn_pair_damage (springs, memory);
+  bool second = !springs->equal && qn_spring_damage (&springs->a, &memory->a) < damage;
+  const QnSpring *s = second ? &springs->b : &springs->a; /* the damaged one */
 
   if (state == QN_PAIR_YIELD && !qn_law_yields (springs->a.kind)
       && !qn_law_yields (springs->b.kind))
@@ -430,14 +446,16 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
                                   : state == QN_PAIR_OPEN || !is_apart (check, p);
   if (state == QN_PAIR_YIELD)
     return is_near_strength (springs, memory, force, little);
-  if (qn_spring_has_bond (&springs->a) && damage > 0 && damage < 1
-      && springs->equal) { /* the rest is elastic */
-    const QnPairSprings dry = qn_pair_springs_broken (springs);
+  if (damage > 0 && damage < 1 && qn_law_may_bond (s->kind)) { /* the rest is elastic */
+    const QnPairSprings dry = { .a = qn_spring_broken (s), .equal = true };
+    const QnPairMemory own = { .a = second ? memory->b : memory->a };
+    const QnPairMemory *before = &check->assembly.committed[p];
+    const double *strain = springs->equal ? check->assembly.elongations + 2 * p
+                           : second       ? memory->qb
+                                          : memory->qa;
     double friction[2];
-    take_friction (springs, &check->assembly.committed[p], damage,
-                   check->assembly.elongations + 2 * p, force, friction);
-    return qn_pair_state_of_force (&dry, memory, state, friction, little / damage)
-           == state;
+    take_friction (s, second ? &before->b : &before->a, damage, strain, force, friction);
+    return qn_pair_state_of_force (&dry, &own, state, friction, little / damage) == state;
   }
   return qn_pair_state_of_force (springs, memory, state, force, little) == state;
 }

@@ -15,12 +15,31 @@
 /* Rounds of both: near where one spring slides back and the other opens sweeps take long. */
 #define INTERNAL_ROUNDS 4
 
+/* Whether all that a joint carries, its bond whole, damaged or broken, neither breaks the bond of the spring
+ * on the other side nor cracks it: the corner of its strengths does not, and its friction is no higher. */
+static bool
+outlasts (const QnSpring *spring, const QnSpring *joint)
+{
+  double mu = spring->friction, most = joint->cap;
+  double shear = fmax (joint->cohesion - joint->friction * most, 0);
+
+  if (!qn_law_may_bond (joint->kind) || most >= spring->cap)
+    return false;
+  return spring->kind == QN_LAW_CONCRETE
+         || (qn_spring_has_bond (spring) && shear + mu * most <= spring->cohesion
+             && fmax (joint->friction, joint->residual) <= mu);
+}
+
 QnPairSprings
 qn_pair_springs (QnSpring a, QnSpring b)
 {
   QnPairSprings springs = { .a = a, .b = b, .equal = qn_spring_similar (&a, &b) };
-  if (springs.equal)
+  if (springs.equal) {
     springs.a = qn_spring_join (&a, &b);
+    return springs;
+  }
+  springs.a.outlasts = outlasts (&a, &b);
+  springs.b.outlasts = outlasts (&b, &a);
   return springs;
 }
 

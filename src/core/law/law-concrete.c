@@ -89,7 +89,7 @@ stretch (const QnSpring *s, double d, QnSpringResponse *r)
   double widest = fmax (d, r->memory.extreme);
 
   r->memory.extreme = widest;
-  if (widest <= crack) {
+  if (widest <= crack || s->outlasts) {
     r->force[0] = s->kn * d;
     r->tangent[0][0] = s->kn;
   } else if (widest >= open) {

@@ -267,7 +267,7 @@ add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
   bool crushed = s->compression > 0 && n < -most;
   const double bond[2] = { crushed ? -most : n, s->ks * q[1] };
   const double stiffness[2] = { crushed ? slope : s->kn, s->ks };
-  Strain at = strain_bond (s, bond, stiffness);
+  Strain at = s->outlasts ? (Strain){ .whole = 1 } : strain_bond (s, bond, stiffness);
   if (crushed && most < at.whole * s->compression) /* no bond outlasts what it joins */
     at =
       (Strain){ .whole = most / s->compression, .whole_q = { -slope / s->compression } };

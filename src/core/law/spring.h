@@ -21,7 +21,9 @@ typedef struct QnSpring {
   double
     cap; /* largest normal force, N: the lower of cut-off and apex of the cone; tensile
                       strength of concrete */
-  bool exponential;    /* how the bond softens */
+  bool exponential; /* how the bond softens */
+  bool
+    outlasts; /* the other spring of its pair is too weak to break its bond or crack it */
   double energy[2];    /* J, to break the bond by opening and by slip; 0: brittle */
   double compression;  /* N, largest compression of a joint that is crushed; else 0 */
   double dilatancy;    /* psi */

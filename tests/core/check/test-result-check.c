@@ -321,8 +321,61 @@ test_slip_before_an_unknown_way (void)
   g_assert_true (tells (&run, QN_CLAIM_STATES));
 }
 
+/* Mortar on concrete: its bond was damaged, and its friction slid to and fro, on the way of a motion that no
+ * step tells, while the concrete stayed elastic. */
+static void
+test_weaker_bond_on_an_unknown_way (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init_block_on_plane (model, 1, 0.0001);
+  QnLaw *concrete = qn_model_add_law (model, "concrete"), *mortar = &model->laws[0];
+  mortar->cohesion = mortar->tension = 2e4;
+  mortar->friction = 0.6;
+  *concrete = (QnLaw){ .name = concrete->name,
+                       .kind = QN_LAW_COULOMB,
+                       .kn = 3 * mortar->kn,
+                       .ks = 2 * mortar->ks,
+                       .friction = 0.8,
+                       .cohesion = 9e4,
+                       .tension = 5e4 };
+  model->blocks[0].law = 1;
+  double elastic = 3.2e4 * (1 / mortar->ks + 1 / concrete->ks);
+  mortar->fracture_energy_tension = concrete->fracture_energy_tension = 2e5 * elastic;
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->block = 1;
+  dead->kind = QN_LOAD_FORCE;
+  dead->vector = qn_vec2 (0, -4e4);
+  add_force (model, "push", 1e4, 0);
+  for (int i = 0; i < 3; i++) {
+    QnStage *stage = qn_model_add_stage (model, "stage");
+    stage->sets = 2;
+    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+    stage->control_block = 1;
+    stage->control_dof = QN_DOF_UX;
+    stage->control_target = elastic * (i == 0 ? 3 : i == 1 ? 0.4 : 1.4);
+    stage->increments = 4;
+  }
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  drop_steps (r, 1, end_of (r, 2));
+  drop_steps (r, 2, r->step_count - 1);
+  r->steps[2].relaxed = false;
+  r->steps[1].relaxed = true;
+  g_assert_cmpfloat (r->pairs[0].damage, >, 0.2);
+  g_assert_cmpfloat (r->pairs[0].damage, <, 0.9);
+  g_assert_false (tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (tells (&run, QN_CLAIM_STATES));
+  r->steps[1].relaxed = false;
+  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/core/result-check/weaker-bond-on-an-unknown-way",
+                   test_weaker_bond_on_an_unknown_way);
   g_test_add_func ("/core/result-check/slip-before-an-unknown-way",
                    test_slip_before_an_unknown_way);
   g_test_add_func ("/core/result-check/slip-of-a-damaged-bond",

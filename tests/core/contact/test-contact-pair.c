@@ -318,6 +318,37 @@ test_one_crack (void)
   }
 }
 
+/* Of two bonds the weaker one breaks, however far one step leads and whichever way: the other is whole
+ * after it, and so is concrete beside a joint. */
+static void
+test_weaker_bond (void)
+{
+  QnLaw mortar = rising, strong = rough, own = concrete;
+  mortar.dilatancy = 0;
+  mortar.fracture_energy_tension = strong.fracture_energy_tension = 0.3;
+  strong.friction = 0.8;
+  strong.cohesion = 2;
+  strong.tension = 0.5;
+  own.tension = 0.4;
+  own.fracture_energy = 0.3;
+  const QnPairSprings pairs[] = { pair_of (&mortar, &strong), pair_of (&strong, &mortar),
+                                  pair_of (&mortar, &own) };
+  for (size_t i = 0; i < G_N_ELEMENTS (pairs); i++)
+    for (double size = 0.1; size < 10; size *= 2)
+      for (double way = -1; way <= 1; way += 0.25) {
+        const QnPairMemory rest = { 0 };
+        QnPairResponse r = look (&pairs[i], &rest, size * (1 - fabs (way)), size * way);
+        const QnSpring *stronger = i == 1 ? &pairs[i].a : &pairs[i].b;
+        const QnSpringMemory *kept = i == 1 ? &r.memory.a : &r.memory.b;
+        g_assert_cmpfloat (qn_spring_damage (stronger, kept), ==, 0);
+        g_assert_true (size < 1 || qn_pair_damage (&pairs[i], &r.memory) > 0.5);
+      }
+  /* Neither is the weaker one where each has the lower strength in one direction. */
+  strong.cohesion = 0.4;
+  QnPairSprings crossed = pair_of (&mortar, &strong);
+  g_assert_false (crossed.a.outlasts || crossed.b.outlasts);
+}
+
 /* Too little fracture energy for the length: by itself, or with what the other side gives back. */
 static void
 test_snap_back (void)
@@ -340,6 +371,7 @@ test_snap_back (void)
 QN_TESTS
 {
   g_test_add_func ("/contact-pair/equal", test_equal);
+  g_test_add_func ("/contact-pair/weaker-bond", test_weaker_bond);
   g_test_add_func ("/contact-pair/series-formula", test_series_formula);
   g_test_add_func ("/contact-pair/lengths", test_lengths);
   g_test_add_func ("/contact-pair/unequal-friction", test_unequal_friction);
