@@ -7,6 +7,9 @@
 /* Faces of line work so many times larger than the median are perhaps openings. */
 #define SUSPICIOUS_SIZE 4.0
 
+/* A line along a side is at most so far from its direction (sine), that across it farther. */
+#define MOST_SLANT 0.2
+
 static gboolean
 lies_in_outline (const QnImportWork *work, QnVec2 point, guint count)
 {
@@ -64,6 +67,46 @@ touches_lines (const QnImportWork *work, const QnBoxTree *tree, const QnSegments
   return FALSE;
 }
 
+/* Warns of open lines beside every outline, which a joint drawn across a closed outline is, and a block
+ * whose line does not come back to its beginning. */
+static void
+tell_of_idle_lines (QnImportWork *work, const QnBoxTree *tree, const QnSegments *lines)
+{
+  g_autofree gboolean *used = g_new0 (gboolean, lines->count);
+  for (guint i = 0; i < work->outlines->len; i++) {
+    const QnRing *ring = &g_array_index (work->outlines, QnOutline, i).ring;
+    for (gsize s = 0; s < ring->count; s++) {
+      QnVec2 a = ring->points[s], b = ring->points[(s + 1) % ring->count];
+      QnBoxQuery query =
+        qn_box_tree_query (tree, qn_box_grow (qn_box_of_segment (a, b), work->tolerance));
+      for (QnId k; (k = qn_box_query_next (&query)) != QN_NONE;) {
+        QnVec2 c = lines->items[k].a, d = lines->items[k].b;
+        QnVec2 along = qn_vec2_sub (b, a), line = qn_vec2_sub (d, c);
+        gboolean meets =
+          qn_segment_distance (a, b, qn_vec2_lerp (c, d, 0.5)) <= work->tolerance
+          || qn_segment_distance (c, d, qn_vec2_lerp (a, b, 0.5)) <= work->tolerance;
+        if (meets
+            && fabs (qn_vec2_cross (along, line))
+                 <= MOST_SLANT * qn_vec2_length (along) * qn_vec2_length (line))
+          used[k] = TRUE;
+      }
+    }
+  }
+  double length = 0;
+  QnVec2 at = { 0, 0 };
+  for (gsize k = 0; k < lines->count; k++)
+    if (!used[k]) {
+      if (length == 0)
+        at = qn_vec2_lerp (lines->items[k].a, lines->items[k].b, 0.5);
+      length += qn_vec2_length (qn_vec2_sub (lines->items[k].b, lines->items[k].a));
+    }
+  if (length > work->tolerance)
+    qn_import_tell (work, TRUE,
+                    _ ("open lines that bound no block left out: %.3g m of them, first "
+                       "near (%.6g, %.6g)"),
+                    length, at.x, at.y);
+}
+
 /* Turns the faces that lie in no outline and are bounded by open lines, of which there are
  * `lines`, into outlines. */
 static void
@@ -85,6 +128,7 @@ take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
         && touches_lines (work, &tree, lines, face))
       qn_import_add_outline (work, face, role, NULL, 0, 0);
   }
+  tell_of_idle_lines (work, &tree, lines);
   qn_box_tree_clear (&tree);
 }
 

@@ -12,6 +12,10 @@
 /* A stronger record is probably in another unit; m/s2. */
 #define DOUBTFUL_PEAK (3 * QN_STANDARD_GRAVITY)
 
+/* Seismographs take samples at least ten times as often, s; a few points by hand may lie farther apart. */
+#define DOUBTFUL_STEP 0.1
+#define MANY_SAMPLES  100
+
 /* Times of samples are written with few digits: steps that differ by less than this part are equal. */
 #define EVEN 0.05
 
@@ -59,6 +63,14 @@ qn_record_dup_doubt (const QnRecord *record)
     return g_strdup_printf (_ ("its largest acceleration is %.4g m/s2, more than 3 g: is "
                                "the unit right?"),
                             peak);
+  double apart = record->count < MANY_SAMPLES
+                   ? 0
+                   : (record->points[record->count - 1].x - record->points[0].x)
+                       / (double) (record->count - 1);
+  if (apart > DOUBTFUL_STEP)
+    return g_strdup_printf (_ ("its samples are %.4g s apart: is the first column the "
+                               "time, in seconds?"),
+                            apart);
   if (record->offset != 0)
     return g_strdup_printf (_ ("an offset of %.4g m/s2 was taken off"), record->offset);
   return NULL;

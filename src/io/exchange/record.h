@@ -57,7 +57,7 @@ typedef struct QnRecordFacts {
 
 QnRecordFacts qn_record_facts (const QnRecord *record);
 
-/* What the user must look at: a peak above 3 g, an offset. NULL where there is nothing. */
+/* What the user must look at: a peak above 3 g, many samples far apart, an offset. NULL where there is nothing. */
 char *qn_record_dup_doubt (const QnRecord *record);
 
 /* Writes time and acceleration as CSV that says its unit. */

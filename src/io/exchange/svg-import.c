@@ -359,6 +359,7 @@ add_shape (Importer *importer, const xmlNode *node, const State *state)
   for (guint i = first; i < paths->len; i++) {
     QnDrawingPath *path = &g_array_index (paths, QnDrawingPath, i);
     path->hidden = state->gone || state->invisible || !painted;
+    path->closed = path->closed || (!state->empty && path->count >= 3);
     for (gsize k = 0; k < path->count; k++) {
       QnVec2 p = apply (&state->matrix, path->points[k]);
       path->points[k] = qn_vec2 (p.x, -p.y);

@@ -263,6 +263,45 @@ test_names (void)
     g_assert_cmpstr (project.model.blocks[i].name, ==, expected[i]);
 }
 
+/* Lines that no block is made of are told: a joint across a closed outline, and one that ends before
+ * its beginning. A line along an outline, and one that is part of a face, are used. */
+static void
+test_idle_lines (void)
+{
+  static const struct {
+    QnVec2 points[5];
+    guint count;
+    const char *told; /* NULL: all is used */
+  } paths[] = {
+    { { { 0.5, 0 }, { 0.5, 0.5 } },
+      2,
+      "no block left out: 0.5 m of them, first near (0.5, 0.25)" },
+    { { { 0, 0.5 }, { 1, 0.5 } }, 2, NULL },
+    { { { 0.1, 0.5 }, { 0.1, 1 }, { 0.9, 1 }, { 0.9, 0.5 } }, 4, NULL },
+    { { { 0, 0.5 }, { 1, 0.5 }, { 1, 1 }, { 0, 1 }, { 0, 0.6 } },
+      5,
+      "no block left out: 1.9 m" },
+  };
+  for (guint i = 0; i < G_N_ELEMENTS (paths); i++) {
+    g_auto (QnDrawing) drawing;
+    g_auto (QnProject) project;
+    g_auto (QnImportReport) report;
+    qn_drawing_init (&drawing);
+    add_box (&drawing, "A", 0, 0, 1, 0.5);
+    QnDrawingPath *path = qn_drawing_add_path (&drawing, "A", 1);
+    for (guint k = 0; k < paths[i].count; k++)
+      qn_drawing_path_add (path, paths[i].points[k]);
+    QnImportSettings settings = QN_IMPORT_DEFAULTS;
+    settings.unit = 1;
+    g_assert_true (
+      qn_drawing_to_project (&drawing, "test", &settings, &project, &report, NULL));
+    if (paths[i].told != NULL)
+      g_assert_true (tells (report.warnings, paths[i].told));
+    else
+      g_assert_false (tells (report.warnings, "no block left out"));
+  }
+}
+
 static void
 test_refuses (void)
 {
@@ -311,5 +350,6 @@ QN_TESTS
   g_test_add_func ("/drawing-import/flat-arch", test_flat_arch);
   g_test_add_func ("/drawing-import/curves-touch", test_curves_touch);
   g_test_add_func ("/drawing-import/names", test_names);
+  g_test_add_func ("/drawing-import/idle-lines", test_idle_lines);
   g_test_add_func ("/drawing-import/refuses", test_refuses);
 }

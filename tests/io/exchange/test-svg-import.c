@@ -50,6 +50,20 @@ test_shapes (void)
   g_assert_cmpuint (drawing.notes->len, ==, 1);
 }
 
+/* What is filled is seen as a shape, closed or not. */
+static void
+test_filled (void)
+{
+  g_auto (QnDrawing) drawing;
+  parse ("<svg><path d=\"M0 0H1V1H0\"/><polyline points=\"0 0 1 0 1 1\"/>"
+         "<g fill=\"none\" stroke=\"black\"><path d=\"M0 0H1V1H0\"/></g></svg>",
+         &drawing);
+  g_assert_cmpuint (drawing.paths->len, ==, 3);
+  g_assert_true (path_at (&drawing, 0)->closed);
+  g_assert_true (path_at (&drawing, 1)->closed);
+  g_assert_false (path_at (&drawing, 2)->closed);
+}
+
 static void
 test_path_commands (void)
 {
@@ -391,6 +405,7 @@ QN_TESTS
 {
   g_test_add_func ("/svg-import/told", test_told);
   g_test_add_func ("/svg-import/shapes", test_shapes);
+  g_test_add_func ("/svg-import/filled", test_filled);
   g_test_add_func ("/svg-import/path-commands", test_path_commands);
   g_test_add_func ("/svg-import/extreme-numbers", test_extreme_numbers);
   g_test_add_func ("/svg-import/documents", test_documents);
