@@ -165,16 +165,10 @@ take_series (const QnPairSeries *series, QnPairResponse *r)
   r->varies = a->varies || b->varies;
 }
 
-/* In the frame of the springs. */
 static bool
-evaluate_straight (const QnPairSprings *springs, const QnPairMemory *committed,
-                   const double q[2], QnPairResponse *r)
+solve_series (const QnPairSprings *springs, const QnPairMemory *committed,
+              const double q[2], QnPairResponse *r)
 {
-  if (springs->equal) {
-    evaluate_joined (springs, committed, q, r);
-    return true;
-  }
-
   QnPairSeries series;
   qn_pair_series_start (&series, springs, committed, q);
   for (int round = 0; round < INTERNAL_ROUNDS; round++) {
@@ -185,6 +179,50 @@ evaluate_straight (const QnPairSprings *springs, const QnPairMemory *committed,
   }
   take_series (&series, r);
   return series.size <= QN_TOLERANCE_SERIES;
+}
+
+/* Holds a bond that may break; false where there is none, or it is held as it is. */
+static bool
+hold_bond (const QnSpring *spring, QnSpringMemory *memory)
+{
+  bool may_break =
+    qn_spring_has_bond (spring) && memory->extreme >= 0 && memory->extreme < 1;
+
+  if (may_break)
+    memory->extreme = qn_bond_held (memory->extreme);
+  return may_break;
+}
+
+/* In the frame of the springs. A whole bond and a broken one may both be in balance with the other spring;
+ * it breaks where it does not hold, and of two the more strained one first, which may relieve the other. */
+static bool
+evaluate_straight (const QnPairSprings *springs, const QnPairMemory *committed,
+                   const double q[2], QnPairResponse *r)
+{
+  if (springs->equal) {
+    evaluate_joined (springs, committed, q, r);
+    return true;
+  }
+
+  QnPairMemory memory = *committed;
+  bool a = hold_bond (&springs->a, &memory.a), b = hold_bond (&springs->b, &memory.b);
+  for (;;) {
+    bool solved = solve_series (springs, &memory, q, r);
+    bool breaks_a = a && r->memory.a.extreme == QN_BOND_BREAKS;
+    bool breaks_b = b && r->memory.b.extreme == QN_BOND_BREAKS;
+    if (!breaks_a && !breaks_b)
+      return solved || ((a || b) && solve_series (springs, committed, q, r));
+    if (breaks_a
+        && !(breaks_b
+             && qn_spring_bond_strain (&springs->b, r->force)
+                  > qn_spring_bond_strain (&springs->a, r->force))) {
+      memory.a = committed->a;
+      a = false;
+    } else {
+      memory.b = committed->b;
+      b = false;
+    }
+  }
 }
 
 bool
@@ -301,9 +339,8 @@ QnPairState
 qn_pair_state_of_force (const QnPairSprings *springs, const QnPairMemory *memory,
                         QnPairState state, const double force[2], double little)
 {
-  QnStrengthRow rows[QN_STRENGTH_ROWS];
-  QnSpring spring = qn_spring_now (&springs->a, &memory->a);
-  int count = qn_spring_strength (&spring, rows);
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  int count = qn_pair_strength (springs, memory, rows);
   bool opens = false, slides = false;
 
   if (count == 0 || (state != QN_PAIR_OPEN && state != QN_PAIR_SLIP))

@@ -293,6 +293,42 @@ test_straight_branches (void)
   }
 }
 
+/* A bond breaks where the other spring lets it be strained so far: a dry one opens before, the weaker of
+ * two bonds relieves the other. */
+static void
+test_one_bond (void)
+{
+  QnLaw bonded = rough, weak = smooth;
+  bonded.cohesion = 0.5;
+  bonded.tension = 0.2;
+  weak.cohesion = weak.tension = 0.05;
+  QnPairSprings one = pair_of (&rough, &bonded), other = pair_of (&bonded, &rough),
+                both = pair_of (&bonded, &weak);
+  one.b.kn = other.a.kn = 3;
+  QnPairMemory rest = { 0 };
+  g_assert_false (one.equal || other.equal || both.equal);
+  QnPairResponse r = look (&one, &rest, 0.9, -0.4);
+  g_assert_cmpfloat_with_epsilon (r.force[0], 0, 1e-12);
+  g_assert_cmpfloat (qn_pair_damage (&one, &r.memory), ==, 0);
+  r = look (&other, &rest, 0.9, -0.4);
+  g_assert_cmpfloat (qn_pair_damage (&other, &r.memory), ==, 0);
+  r = look (&both, &rest, 0.9, 0.4);
+  g_assert_cmpfloat (r.memory.a.extreme, ==, 0);
+  g_assert_cmpfloat (r.memory.b.extreme, ==, 1);
+
+  /* Pressed, it slides at the friction of the broken one, and no force of the whole one is a slip. */
+  r = look (&both, &rest, -0.5, 2);
+  g_assert_cmpfloat (r.memory.a.extreme, ==, 0);
+  g_assert_cmpfloat_with_epsilon (r.force[1], -smooth.friction * r.force[0], 1e-9);
+  g_assert_cmpint (qn_pair_state_of_force (&both, &r.memory, QN_PAIR_SLIP, r.force, 1e-6),
+                   ==, QN_PAIR_SLIP);
+  QnPairMemory swapped = { .a = r.memory.b, .b = r.memory.a };
+  QnPairSprings mirrored = { .a = both.b, .b = both.a };
+  g_assert_cmpint (
+    qn_pair_state_of_force (&mirrored, &swapped, QN_PAIR_SLIP, r.force, 1e-6), ==,
+    QN_PAIR_SLIP);
+}
+
 /* A crack between two halves of one stone opens once: Gf, not twice Gf. Between unequal ones
  * the weaker cracks and the stronger unloads. */
 static void
@@ -380,6 +416,7 @@ QN_TESTS
   g_test_add_func ("/contact-pair/compatible", test_compatible);
   g_test_add_func ("/contact-pair/quadratic-convergence", test_quadratic_convergence);
   g_test_add_func ("/contact-pair/straight-branches", test_straight_branches);
+  g_test_add_func ("/contact-pair/one-bond", test_one_bond);
   g_test_add_func ("/contact-pair/one-crack", test_one_crack);
   g_test_add_func ("/contact-pair/snap-back", test_snap_back);
 }
