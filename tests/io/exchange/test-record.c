@@ -296,6 +296,13 @@ test_doubts (void)
            weak = parse ("0 0\n1 2.9\n", "g", 0);
   g_autofree char *doubt = qn_record_dup_doubt (&strong);
   g_assert_nonnull (strstr (doubt, "29.5 m/s2, more than 3 g"));
+  /* The first column counts the samples. */
+  QnRecord counted = { .points = g_new (QnVec2, 100), .count = 100 };
+  for (gsize k = 0; k < counted.count; k++)
+    counted.points[k] = qn_vec2 ((double) k, 1);
+  g_autofree char *apart = qn_record_dup_doubt (&counted);
+  g_assert_nonnull (strstr (apart, "1 s apart"));
+  qn_record_clear (&counted);
   g_assert_null (qn_record_dup_doubt (&weak));
   qn_record_clear (&strong);
   qn_record_clear (&weak);
