@@ -418,6 +418,8 @@ def _numbers(supports: typing.Iterable[typing.Any], count: int) -> set[int]:
             raise TypeError("supports: expected numbers of blocks, or whether each is fixed")
         if not 0 <= entry < count:
             raise IndexError(f"supports: there is no block {entry} of {count}")
+    if len(set(entries)) < len(entries):
+        raise ValueError("supports: a block is there twice; a mask has values of bool")
     return {int(entry) for entry in entries}
 
 
@@ -428,6 +430,8 @@ def _corners(polygon: typing.Any, number: int) -> Array:
             raise ValueError(f"polygons[{number}]: a block has no holes")
         polygon = polygon.exterior.coords
     corners = numpy.asarray(polygon)
+    if numpy.ma.is_masked(polygon):
+        raise ValueError(f"polygons[{number}]: some of its corners are masked")
     if corners.ndim != 2 or corners.shape[1] not in (2, 3) or numpy.iscomplexobj(corners):
         raise ValueError(f"polygons[{number}]: expected corners (n, 2)")
     corners = corners.astype(float)

@@ -502,10 +502,16 @@ def test_supports_are_numbers_or_a_mask(supports):
 
 @pytest.mark.parametrize("supports, error", [
     ([3], IndexError), ([-1], IndexError), ([True, False], ValueError), (["b0"], TypeError),
-    ([0.0], TypeError), ([True, 2, 0], TypeError)])
+    ([0.0], TypeError), ([True, 2, 0], TypeError), (numpy.array([1, 0, 0]), ValueError)])
 def test_supports_that_mean_no_block(supports, error):
     with pytest.raises(error, match="supports"):
         quoin.from_polygons(SQUARES, supports)
+
+
+def test_masked_corners():
+    masked = numpy.ma.array(SQUARES[0], mask=[[0, 0], [1, 1], [0, 0], [0, 0]])
+    with pytest.raises(ValueError, match=r"polygons\[0\]: some of its corners are masked"):
+        quoin.from_polygons([masked], [0])
 
 
 def test_numbers_of_numpy():
