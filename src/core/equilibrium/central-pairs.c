@@ -235,27 +235,6 @@ qn_central_pairs_aim (QnCentralPairs *pairs, const QnCentralAim *aim)
 }
 
 void
-qn_central_pairs_get_tangents (QnCentralPairs *pairs)
-{
-  pairs->loops->tangents (pairs->packs, pairs->count, pairs->force / pairs->length,
-                          pairs->tangents);
-}
-
-QnCentralForecast
-qn_central_pairs_complete (QnCentralPairs *pairs, const double *step)
-{
-  qn_assembly_elongation_rates (pairs->assembly, step, pairs->rates);
-  return pairs->loops->complete (pairs->packs, pairs->count, pairs->rates,
-                                 1 / pairs->length, pairs->steps);
-}
-
-void
-qn_central_pairs_go (QnCentralPairs *pairs, double part)
-{
-  pairs->loops->go (pairs->packs, pairs->steps, pairs->count, part);
-}
-
-void
 qn_central_pairs_keep (QnCentralPairs *pairs)
 {
   for (size_t k = 0; k < pairs->count; k++)

@@ -43,17 +43,8 @@ bool qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residu
 void qn_central_pairs_get_forces (QnCentralPairs *pairs);
 void qn_central_pairs_aim (QnCentralPairs *pairs, const QnCentralAim *aim);
 
-/* Sets `tangents`. */
-void qn_central_pairs_get_tangents (QnCentralPairs *pairs);
-
-/* The direction that belongs to a step of the unknowns. */
-QnCentralForecast qn_central_pairs_complete (QnCentralPairs *pairs, const double *step);
-
 /* Exchanges the direction for the one that was kept. */
 void qn_central_pairs_exchange_steps (QnCentralPairs *pairs);
-
-/* Goes a part of the direction. */
-void qn_central_pairs_go (QnCentralPairs *pairs, double part);
 
 /* Keeps the state, or comes back to it; only qn_central_pairs_take_flow() may follow then. */
 void qn_central_pairs_keep (QnCentralPairs *pairs);

@@ -52,14 +52,8 @@ struct QnCentralPath {
   double *lack;      /* out of balance at the iterate, where a part of it is to stay */
 };
 
-bool
-qn_central_path_applies (const QnAssembly *as)
-{
-  return !as->nonlinear && qn_central_path_has_joints (as);
-}
-
-bool
-qn_central_path_has_joints (const QnAssembly *as)
+static bool
+has_joints (const QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
     if (as->springs[p].equal && qn_spring_is_plastic (&as->springs[p].a)
@@ -68,36 +62,30 @@ qn_central_path_has_joints (const QnAssembly *as)
   return false;
 }
 
-QnCentralPath *
-qn_central_path_new (QnEquilibrium *eq)
+bool
+qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **made)
 {
   const QnAssembly *as = &eq->assembly;
-  QnCentralPath *path = qn_alloc (1, sizeof *path);
+  size_t n = (size_t) as->unknown_count;
 
+  *made = NULL;
+  if (!has_joints (as))
+    return true;
+  QnCentralPath *path = qn_alloc (1, sizeof *path);
   if (path == NULL)
-    return NULL;
+    return false;
   path->eq = eq;
   path->may_jump = qn_assembly_may_jump (as);
-  path->together = path->may_jump && !as->nonlinear;
-  path->kept_step =
-    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->kept_step);
-  path->begun =
-    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->begun);
-  path->near_u =
-    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->near_u);
-  path->lack =
-    qn_pool_alloc (&path->pool, (size_t) as->unknown_count, sizeof *path->lack);
-  if (!qn_central_pairs_init (&path->pairs, &eq->assembly) || path->pool.failed) {
+  path->together = path->may_jump && (together || !as->nonlinear);
+  path->kept_step = qn_pool_alloc (&path->pool, n, sizeof *path->kept_step);
+  path->begun = qn_pool_alloc (&path->pool, n, sizeof *path->begun);
+  path->near_u = qn_pool_alloc (&path->pool, n, sizeof *path->near_u);
+  path->lack = qn_pool_alloc (&path->pool, n, sizeof *path->lack);
+  if (qn_central_pairs_init (&path->pairs, &eq->assembly) && !path->pool.failed)
+    *made = path;
+  else
     qn_central_path_free (path);
-    return NULL;
-  }
-  return path;
-}
-
-void
-qn_central_path_keep_together (QnCentralPath *path)
-{
-  path->together = path->may_jump;
+  return *made != NULL;
 }
 
 void
@@ -174,14 +162,15 @@ static QnSolveStatus
 factorize_path (QnCentralPath *path, double *b)
 {
   QnEquilibrium *eq = path->eq;
+  QnCentralPairs *pairs = &path->pairs;
   double start = qn_clock_seconds ();
 
   if (eq->assembly.nonlinear)
     hand_over_forces (path);
-  qn_central_pairs_get_tangents (&path->pairs);
+  pairs->loops->tangents (pairs->packs, pairs->count, pairs->force / pairs->length,
+                          pairs->tangents);
   qn_assembly_tangent_of (&eq->assembly, eq->multiplier,
-                          fmax (HOLDING_VISCOSITY, path->viscosity), path->pairs.tangents,
-                          4);
+                          fmax (HOLDING_VISCOSITY, path->viscosity), pairs->tangents, 4);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
   eq->factored = false; /* by Newton's method */
   return qn_equilibrium_factor (eq, QN_LINSYS_ONCE, b);
@@ -192,8 +181,8 @@ factorize_path (QnCentralPath *path, double *b)
 static void
 complete_direction (Increment *increment, double part)
 {
-  QnCentralPath *path = increment->path;
-  QnEquilibrium *eq = path->eq;
+  QnEquilibrium *eq = increment->path->eq;
+  QnCentralPairs *pairs = &increment->path->pairs;
   const QnTarget *target = increment->target;
 
   increment->multiplier_step = 0;
@@ -203,7 +192,9 @@ complete_direction (Increment *increment, double part)
       eq, target, part * increment->target_gap, &along_live);
     eq->slope = along_live != 0 ? 1 / along_live : 0;
   }
-  increment->reach = qn_central_pairs_complete (&path->pairs, eq->step);
+  qn_assembly_elongation_rates (&eq->assembly, eq->step, pairs->rates);
+  increment->reach = pairs->loops->complete (pairs->packs, pairs->count, pairs->rates,
+                                             1 / pairs->length, pairs->steps);
 }
 
 /* The direction that brings every s z to what is aimed at, and takes that part off all residuals. */
@@ -295,13 +286,13 @@ centre_pairs (Increment *increment, double mean, double part, double step)
 static void
 take_step (Increment *increment, double part)
 {
-  QnCentralPath *path = increment->path;
-  QnEquilibrium *eq = path->eq;
+  QnEquilibrium *eq = increment->path->eq;
+  QnCentralPairs *pairs = &increment->path->pairs;
 
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     eq->u[i] += part * eq->step[i];
   eq->multiplier += part * increment->multiplier_step;
-  qn_central_pairs_go (&path->pairs, part);
+  pairs->loops->go (pairs->packs, pairs->steps, pairs->count, part);
 }
 
 /* Whether the iterate is an equilibrium but for this complementarity and lack of balance.

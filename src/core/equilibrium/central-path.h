@@ -31,21 +31,13 @@
 
 #include "core/equilibrium/equilibrium.h"
 
-/* Whether the method applies: linear geometry and at least one Coulomb joint. Pairs of other
- * laws take part as Newton's method would have it. */
-bool qn_central_path_applies (const QnAssembly *assembly);
-
-/* The same in any geometry. In nonlinear geometry the iteration takes up the deformed
- * configuration as Newton's method does; it pays in steps that are not too long. */
-bool qn_central_path_has_joints (const QnAssembly *assembly);
-
-/* A workspace for `eq`, which must outlive it. NULL when memory runs out. */
-QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
-
-/* In nonlinear geometry, too, residuals go down at the rate of complementarity from now on where a measure
- * advances. On walls of hundreds of blocks more steps get through, and longer ones; a branch that is
- * followed step by step comes to rest beyond a jump more often (docs/experiments/path-control.md). */
-void qn_central_path_keep_together (QnCentralPath *path);
+/* A workspace for `eq`, which must outlive it; NULL without Coulomb joints. Pairs of other laws take part as
+ * Newton's method would have it. In nonlinear geometry the iteration takes up the deformed configuration as that
+ * does; it pays in steps that are not too long. `together`: there, too, residuals go down at the rate of
+ * complementarity where a measure advances. On walls of hundreds of blocks more steps get through, and longer ones;
+ * a branch that is followed step by step comes to rest beyond a jump more often
+ * (docs/experiments/path-control.md). False when memory runs out. */
+bool qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **path);
 
 void qn_central_path_free (QnCentralPath *path);
 

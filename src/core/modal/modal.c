@@ -4,9 +4,8 @@
 #include "core/base/numbers.h"
 #include "core/check/mode-proof.h"
 #include "core/linalg/lanczos.h"
-#include "core/path/budget.h"
+#include "core/path/analysis.h"
 #include "core/path/path.h"
-#include "core/path/proof.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -251,14 +250,9 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
   if (status == QN_OK && path.equilibrium.cancelled)
     result->outcome = QN_OUTCOME_CANCELLED;
   status = qn_path_finish (&path, status, budget.start);
-  if (status == QN_OK) {
-    qn_budget_conclude (&budget, result);
-    status = qn_result_prove (model, contacts, result, diag);
-  }
+  status = qn_budget_conclude (&budget, status, contacts, result, diag);
   if (status != QN_OK || result->stop == QN_STOP_CHECK)
     qn_modes_clear (modes);
-  if (status != QN_OK)
-    qn_result_clear (result);
   return status;
 }
 

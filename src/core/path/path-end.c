@@ -1,6 +1,5 @@
 /* Where the trace ends. */
 #include "core/base/tolerance.h"
-#include "core/path/bound.h"
 #include "core/path/path-trace.h"
 
 /* Whether the path may end on a plateau: in linear geometry motion knows no end. */

@@ -582,15 +582,11 @@ static bool
 renew_central_path (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  bool has_joints = qn_central_path_has_joints (&eq->assembly);
 
   qn_central_path_free (trace->central);
-  trace->central = has_joints ? qn_central_path_new (eq) : NULL;
-  if (trace->central != NULL && trace->load_control)
-    qn_central_path_keep_together (trace->central);
   trace->may_jump = qn_assembly_may_jump (&eq->assembly);
   trace->may_soften = qn_assembly_may_soften (&eq->assembly);
-  return trace->central != NULL || !has_joints;
+  return qn_central_path_new (eq, trace->load_control, &trace->central);
 }
 
 /* The committed state is the highest one of load control. */

@@ -185,15 +185,13 @@ let_settle (QnEquilibrium *eq, QnCentralPath *central)
 static QnSolveStatus
 find_rest (QnEquilibrium *eq)
 {
-  bool applies = qn_central_path_applies (&eq->assembly);
-  bool joints = qn_central_path_has_joints (&eq->assembly);
-  QnCentralPath *central = joints ? qn_central_path_new (eq) : NULL;
+  QnCentralPath *central;
 
-  if ((joints && central == NULL) || !qn_equilibrium_set_runaway (eq)) {
+  if (!qn_central_path_new (eq, false, &central) || !qn_equilibrium_set_runaway (eq)) {
     qn_central_path_free (central);
     return QN_SOLVE_NO_MEMORY;
   }
-  QnSolveStatus solve = find_equilibrium (eq, applies ? central : NULL);
+  QnSolveStatus solve = find_equilibrium (eq, eq->assembly.nonlinear ? NULL : central);
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
     solve = let_settle (eq, central);

@@ -95,3 +95,12 @@ QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag 
  * is set, and nothing recorded, where the first step towards the control target takes work from the driven
  * loads, or their work leads away from it: the multiplier is to fall. */
 QnStatus qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag);
+
+/* Adds the associative bound to the result of a path: the largest multiplier at which forces within the
+ * strength of every joint are in balance, with whatever geometry, is that of rigid blocks that do not
+ * move; so it bounds linear geometry alone. Nothing is added where analysis.bound asks for none, where
+ * there is one already, or where limit analysis does not know the joints or does not get to its end.
+ * *cancelled says whether `report` refused to go on. NO_MEMORY is the only error. */
+QnStatus qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
+                            QnProgressFunc report, void *report_data, QnResult *result,
+                            bool *cancelled, QnDiag *diag);

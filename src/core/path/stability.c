@@ -1,8 +1,7 @@
 #include "core/path/stability.h"
 
-#include "core/path/budget.h"
+#include "core/path/analysis.h"
 #include "core/path/path.h"
-#include "core/path/proof.h"
 
 /* Growth of the increment after every step. */
 #define GROWTH 1.5
@@ -190,11 +189,5 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
   if (status == QN_OK)
     qn_equilibrium_restore (&search.path.equilibrium);
   status = qn_path_finish (&search.path, status, budget.start);
-  if (status == QN_OK) {
-    qn_budget_conclude (&budget, result);
-    status = qn_result_prove (model, contacts, result, diag);
-  }
-  if (status != QN_OK)
-    qn_result_clear (result);
-  return status;
+  return qn_budget_conclude (&budget, status, contacts, result, diag);
 }

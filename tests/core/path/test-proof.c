@@ -1,6 +1,6 @@
 /* What is left of a result that is not true: everything before the fault, and what it would have told. */
 #include "core/check/result-check.h"
-#include "core/path/proof.h"
+#include "core/path/analysis.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"

@@ -3,7 +3,6 @@
  * capacity, of scaled records and of studies are read again by tests/cli. */
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
-#include "core/path/proof.h"
 #include "core/path/stability.h"
 #include "io/exchange/table-csv.h"
 #include "io/result/result-claims.h"
