@@ -57,6 +57,56 @@ test_import (void)
   driver_discard (window);
 }
 
+static gboolean
+holds_text (GtkWidget *widget, gconstpointer text)
+{
+  return GTK_IS_ENTRY (widget)
+         && g_str_has_prefix (gtk_editable_get_text (GTK_EDITABLE (widget)), text);
+}
+
+/* A strip by its numbers: what is wrong is said and not drawn; one step draws it with loads, ties and what
+ * its mechanism is checked by; another drawing gets a window of its own. */
+static void
+test_facade_strip (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.facade-strip");
+  GtkWidget *dialog = driver_find_dialog ("Strip of a Façade");
+  g_assert_nonnull (dialog);
+  GtkWidget *storeys = driver_find_widget (dialog, holds_text, "3");
+  g_assert_nonnull (storeys);
+  gtk_editable_set_text (GTK_EDITABLE (storeys), "3.2; high");
+  driver_settle ();
+  g_assert_true (gtk_widget_has_css_class (storeys, "error"));
+  gtk_editable_set_text (GTK_EDITABLE (storeys), "3.2; 3; 2");
+  driver_settle ();
+  g_assert_false (gtk_widget_has_css_class (storeys, "error"));
+  driver_screenshot (dialog, "facade-strip");
+  driver_press (dialog, "Draw");
+  g_assert_cmpuint (model_of (window)->block_count, ==, 13);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  g_assert_nonnull (strstr (qn_document_get_text (document), "\"mechanism\": true"));
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->block_count, ==, 0);
+  g_assert_null (strstr (qn_document_get_text (document), "\"mechanism\""));
+  driver_activate (window, "win.redo");
+  const guint windows =
+    g_list_length (gtk_application_get_windows (driver_application ()));
+  driver_activate (window, "win.facade-strip");
+  driver_press (driver_find_dialog ("Strip of a Façade"), "Draw");
+  GList *all = gtk_application_get_windows (driver_application ());
+  g_assert_cmpuint (g_list_length (all), ==, windows + 1);
+  g_assert_cmpuint (model_of (window)->block_count, ==, 13);
+  for (GList *l = all; l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data) && l->data != window) {
+      g_assert_cmpuint (model_of (l->data)->block_count, ==, 9);
+      driver_discard (l->data);
+      break;
+    }
+  driver_discard (window);
+}
+
 /* A drawing with mortar says so, closes the joints unless told otherwise, and what was left open is
  * closed afterwards in one step. */
 static void
@@ -745,6 +795,7 @@ QN_TESTS
 {
   gtk_init ();
   g_test_add_func ("/app/files/import", test_import);
+  g_test_add_func ("/app/files/facade-strip", test_facade_strip);
   g_test_add_func ("/app/files/layers", test_layers);
   g_test_add_func ("/app/files/mortar", test_mortar);
   g_test_add_func ("/app/files/picture", test_picture);

@@ -250,6 +250,10 @@ test_facade_strip (void)
           "parapet=0.6x0.3", "-o", model, NULL);
   cli_says ("alpha0 0.23808", "capacity", model, NULL);
   cli_says ("alpha0 0.23808", "capacity", example, NULL);
+  cli_do ("generate", "facade-strip", "storeys=3.2x3", "thickness=0.5x0.4",
+          "floors=12000x8000", "floor-friction=0.3", "ties=0x4000", "flanks=5000x3000",
+          "thrust=1500", "parapet=0.6x0.3", "-o", model, NULL);
+  cli_says ("alpha0 0.32419", "capacity", model, NULL);
   const char *const kept =
     "capacity={\"tie_strain\": 0.05, \"part_period\": 0.1, \"height\": 6, "
     "\"building_height\": 9, \"storeys\": 3, \"building_period\": 0.3, "
@@ -271,6 +275,12 @@ test_facade_strip (void)
                    "--tie-strain", "0.1", NULL);
   g_assert_cmpint (known.code, ==, 2);
   g_assert_nonnull (strstr (known.err, "belong to --mechanism"));
+  cli_run_clear (&known);
+  known = cli_run ("capacity", example, "--set", "capacity={\"tie_strain\": 0.05}",
+                   "--mechanism", NULL);
+  cli_assert_done (&known);
+  g_assert_cmpstr (known.err, ==, "");
+  g_assert_nonnull (strstr (known.out, "alpha0 0.23808"));
   cli_run_clear (&known);
   cli_do ("generate", "facade-strip", "storeys=3x3", "thickness=0.5x0.4",
           "floors=12000x8000", "ties=60000x0", "-o", model, NULL);

@@ -33,3 +33,6 @@ void qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc
 typedef void (*QnImportFunc) (GtkWindow *window, const QnProject *project);
 void qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                             QnImportFunc import);
+
+/* The strip of a façade, likewise. */
+void qn_facade_dialog_show (GtkWindow *parent, QnImportFunc import);

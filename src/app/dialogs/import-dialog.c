@@ -6,13 +6,10 @@
 #include "app/forms/bound-form.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
+#include "app/widgets/preview.h"
 #include "app/widgets/settings.h"
 #include "io/exchange/drawing-import.h"
-#include "render/backend/draw-cairo.h"
-#include "render/scene/scene-build.h"
 #include <glib/gi18n.h>
-
-#define PREVIEW_MARGIN_PX 16.0
 
 /* Rows of the choice of unit; the first leaves it to the file. */
 static const char *const units[] = { NULL, "mm", "cm", "dm", "m", "in", "ft" };
@@ -111,23 +108,11 @@ static void
 draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   const Dialog *dialog = data;
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
+  QnCamera camera;
   if (!dialog->has_project)
     return;
-  QnContacts contacts = { 0 };
-  QnViewOptions options;
-  qn_view_options_init (&options, QN_VIEW_MODEL);
-  options.loads = options.dimensions = false;
-  QnScene *scene =
-    qn_scene_build (&dialog->project.model, &contacts, NULL, &options, NULL);
-  if (scene == NULL)
-    return;
-  QnCamera camera = { .width = width, .height = height, .scale = 1.0, .unit = 1.0 };
-  qn_camera_fit (&camera, scene->box, PREVIEW_MARGIN_PX);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
+  qn_preview_draw (&dialog->project.model, FALSE, cr, width, height, &camera);
   qn_gap_marks_draw (&dialog->report.gaps, &camera, cr);
-  qn_scene_free (scene);
 }
 
 /* ---- fields ---- */

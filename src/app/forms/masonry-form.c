@@ -1,6 +1,7 @@
 /* The parameters of the masonry that the selected blocks belong to. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/settings.h"
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>
 
@@ -17,6 +18,10 @@ typedef struct Form {
   FIELD (SIDES, "sides", N_ ("Change Arch"))                                             \
   FIELD (LAW, "law", N_ ("Set Law"))                                                     \
   FIELD (RING_LAW, "ring_law", N_ ("Set Law"))                                           \
+  FIELD (SPANS, "spans", N_ ("Change %s"))                                               \
+  FIELD (RISES, "rises", N_ ("Change %s"))                                               \
+  FIELD (RINGS, "rings", N_ ("Change %s"))                                               \
+  FIELD (PIERS, "piers", N_ ("Change %s"))                                               \
   FIELD (OPENINGS, "openings", NULL)
 QN_FORM_FIELDS;
 
@@ -107,6 +112,14 @@ show (gpointer data, guint field, QnValue *value)
     qn_value_set_laws (value, qn_canvas_get_model (form->base.canvas),
                        _ ("As all contacts"), masonry->law);
     return TRUE;
+  case SPANS:
+  case RISES:
+  case RINGS:
+  case PIERS:
+    value->text = qn_portal_dup_list (&masonry->portal, (QnPortalList) (field - SPANS),
+                                      qn_settings_get_units ());
+    return masonry->kind == QN_MASONRY_PORTAL
+           && (field == SPANS || field == PIERS || arch != NULL);
   case OPENINGS:
     value->text = dup_openings ((guint) masonry->wall.opening_count);
     return wall;
@@ -148,6 +161,12 @@ change_masonry (QnMasonry *masonry, gpointer data, GError **error)
   case LAW:
     masonry->law = qn_value_get_law (change->value);
     break;
+  case SPANS:
+  case RISES:
+  case RINGS:
+  case PIERS:
+    return qn_portal_take_list (&masonry->portal, (QnPortalList) (change->field - SPANS),
+                                qn_settings_get_units (), change->value->text, error);
   default:
     qn_masonry_set_field (masonry, (QnMasonryField) (change->field - FIELD_COUNT),
                           number);

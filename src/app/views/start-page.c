@@ -1,11 +1,10 @@
 #include "app/forms/panel.h"
 #include "app/widgets/build-tree.h"
 #include "app/widgets/builder.h"
+#include "app/widgets/preview.h"
 #include "app/widgets/shortened.h"
 
 #include "doc/document/document.h"
-#include "render/backend/draw-cairo.h"
-#include "render/scene/scene-build.h"
 #include <string.h>
 
 #define THUMBNAIL_WIDTH  200
@@ -44,32 +43,6 @@ thumbnail_free (gpointer data)
   g_free (thumbnail);
 }
 
-static cairo_surface_t *
-draw_model (const QnModel *model)
-{
-  QnContacts contacts = { 0 };
-  QnViewOptions options;
-  qn_view_options_init (&options, QN_VIEW_MODEL);
-  options.loads = false;
-  options.dimensions = false;
-  QnScene *scene = qn_scene_build (model, &contacts, NULL, &options, NULL);
-  if (scene == NULL)
-    return NULL;
-  cairo_surface_t *surface =
-    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT);
-  cairo_t *cr = cairo_create (surface);
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
-  QnCamera camera = {
-    .width = THUMBNAIL_WIDTH, .height = THUMBNAIL_HEIGHT, .scale = 1.0, .unit = 0.8
-  };
-  qn_camera_fit (&camera, scene->box, 10.0);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
-  cairo_destroy (cr);
-  qn_scene_free (scene);
-  return surface;
-}
-
 static gboolean
 on_idle (gpointer data)
 {
@@ -77,10 +50,12 @@ on_idle (gpointer data)
   QnProject project;
   if (!qn_project_load (thumbnail->path, NULL, &project, NULL))
     return G_SOURCE_REMOVE;
-  cairo_surface_t *surface = draw_model (&project.model);
+  cairo_surface_t *surface =
+    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT);
+  cairo_t *cr = cairo_create (surface);
+  qn_preview_draw (&project.model, FALSE, cr, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT, NULL);
+  cairo_destroy (cr);
   qn_project_clear (&project);
-  if (surface == NULL)
-    return G_SOURCE_REMOVE;
   gsize stride = (gsize) cairo_image_surface_get_stride (surface);
   g_autoptr (GBytes) bytes =
     g_bytes_new (cairo_image_surface_get_data (surface), stride * THUMBNAIL_HEIGHT);

@@ -37,6 +37,7 @@ const QnActionRow qn_action_rows[] = {
   ACTION ("win.open-result", DRAWN),
   ACTION ("win.open-result-path", DRAWN),
   KEYED (FILES, "win.import", 0, ALL, "<Control>i", N_ ("Import a drawing")),
+  ACTION ("win.facade-strip", 0),
   ACTION ("win.take-path", 0),
   ACTION ("win.picture", 0),
   ACTION ("win.picture-path", 0),

@@ -50,10 +50,30 @@ take_import (GtkWindow *window, const QnProject *project)
   QnWindow *self = QN_WINDOW (window);
   g_autoptr (GError) error = NULL;
   qn_window_show_work (self);
-  if (qn_document_import (self->document, project, &error))
+  if (qn_document_import (self->document, NULL, project, &error))
     qn_canvas_fit (self->canvas);
   else
     qn_window_show_error (self, error->message);
+}
+
+/* Its loads and ties would be lost in another drawing. */
+static void
+take_strip (GtkWindow *window, const QnProject *project)
+{
+  QnWindow *self = QN_WINDOW (window);
+  g_autoptr (GError) error = NULL;
+  if (qn_document_get_model (self->document)->block_count > 0)
+    self = qn_window_new (gtk_window_get_application (window));
+  qn_window_show_work (self);
+  if (!qn_document_import (self->document, _ ("Strip of a Façade"), project, &error))
+    qn_window_show_error (self, error->message);
+  qn_canvas_fit (self->canvas);
+}
+
+static void
+facade_strip (QnWindow *self, GVariant *parameter)
+{
+  qn_facade_dialog_show (GTK_WINDOW (self), take_strip);
 }
 
 void
@@ -126,11 +146,9 @@ void
 qn_window_add_import_actions (QnWindow *self)
 {
   static const QnWindowAction actions[] = {
-    { "import", NULL, import_drawing },
-    { "take-path", "s", take_path },
-    { "picture", NULL, picture },
-    { "picture-path", "s", picture_path },
-    { "remove-picture", NULL, remove_picture },
+    { "import", NULL, import_drawing },    { "facade-strip", NULL, facade_strip },
+    { "take-path", "s", take_path },       { "picture", NULL, picture },
+    { "picture-path", "s", picture_path }, { "remove-picture", NULL, remove_picture },
   };
   qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
 }

@@ -170,6 +170,19 @@ report (const CapacityOptions *options, const QnOutput *output, const Answer *an
   return code;
 }
 
+/* --mechanism is as if the project said it: its numbers of mechanisms count then. */
+static void
+ask_for_mechanism (CapacityOptions *options)
+{
+  g_autoptr (GStrvBuilder) builder = g_strv_builder_new ();
+  char **given = options->input.overrides;
+  if (given != NULL)
+    g_strv_builder_addv (builder, (const char **) given);
+  g_strv_builder_add (builder, "capacity.mechanism=true");
+  options->input.overrides = g_strv_builder_end (builder);
+  g_strfreev (given);
+}
+
 static QnExit
 run_capacity (const QnSubcommand *self, int argc, char **argv)
 {
@@ -239,6 +252,8 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
              : QN_EXIT_DONE;
   if (code == QN_EXIT_DONE && options.result != NULL && !options.mechanism)
     code = qn_cli_usage_error (self->name, _ ("--result belongs to --mechanism"));
+  if (code == QN_EXIT_DONE && options.mechanism)
+    ask_for_mechanism (&options);
   if (code == QN_EXIT_DONE)
     code = options.result != NULL ? qn_input_load_with_result (
              &input, &answer.file, argv[1], options.result, &options.input)

@@ -1,6 +1,7 @@
 #include "doc/document/import.h"
 
 #include "doc/edit/edit.h"
+#include "io/project/project-extras.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
@@ -54,9 +55,8 @@ dup_new_name (GHashTable *taken, const char *name)
 }
 
 static gboolean
-add_blocks (QnModel *model, gpointer data, GError **error)
+add_blocks (QnModel *model, const QnModel *imported, GError **error)
 {
-  const QnModel *imported = data;
   g_autoptr (GHashTable) taken = names_of (model);
   for (gsize i = 0; i < imported->block_count; i++) {
     const QnBlock *from = &imported->blocks[i];
@@ -76,22 +76,34 @@ add_blocks (QnModel *model, gpointer data, GError **error)
 
 /* What lies behind an empty drawing stays. */
 static gboolean
-replace_model (QnModel *model, gpointer data, GError **error)
+take_over (QnProject *draft, gpointer data, GError **error)
 {
+  const QnProject *imported = data;
   QnModel copy;
-  if (qn_model_copy (data, &copy, NULL) != QN_OK)
+  if (draft->model.block_count > 0)
+    return add_blocks (&draft->model, &imported->model, error);
+  if (qn_model_copy (&imported->model, &copy, NULL) != QN_OK)
     return qn_edit_no_memory (error);
-  qn_model_clear (model);
-  *model = copy;
+  qn_model_clear (&draft->model);
+  draft->model = copy;
+  const cJSON *extra = imported->extras != NULL ? imported->extras->child : NULL;
+  for (; extra != NULL; extra = extra->next) {
+    g_autofree char *json = qn_project_dup_extra (imported, extra->string);
+    cJSON *extras = qn_project_extras_with (draft, extra->string, json, error);
+    if (extras == NULL)
+      return FALSE;
+    qn_project_extras_free (draft->extras);
+    draft->extras = extras;
+  }
   return TRUE;
 }
 
 gboolean
-qn_document_import (QnDocument *document, const QnProject *imported, GError **error)
+qn_document_import (QnDocument *document, const char *step, const QnProject *imported,
+                    GError **error)
 {
   g_autofree char *base = g_path_get_basename (imported->name);
-  g_autofree char *step = g_strdup_printf (_ ("Import %s"), base);
-  gboolean drawn = qn_document_get_model (document)->block_count > 0;
-  return qn_document_edit (document, step, NULL, drawn ? add_blocks : replace_model,
-                           (gpointer) &imported->model, error);
+  g_autofree char *name = g_strdup_printf (_ ("Import %s"), base);
+  return qn_document_edit_project (document, step != NULL ? step : name, NULL, take_over,
+                                   (gpointer) imported, error);
 }

@@ -5,9 +5,10 @@
 
 /* Takes over what was imported: an empty drawing becomes it, with its laws and loads; to
  * another its blocks are added, with their supports and names where these are free, and get the
- * joints of the drawing. Refused, with the reason, where it would not be a valid model. */
-gboolean qn_document_import (QnDocument *document, const QnProject *imported,
-                             GError **error);
+ * joints of the drawing. Refused, with the reason, where it would not be a valid model. `step`: its
+ * name, NULL: that of an import. */
+gboolean qn_document_import (QnDocument *document, const char *step,
+                             const QnProject *imported, GError **error);
 
 /* Whether the program imports a file of that name, rather than opening it. */
 gboolean qn_import_knows_file (const char *path);

@@ -4,11 +4,13 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
 #define LARGEST 1e6  /* m */
 #define SMALL   1e-3 /* m: least size */
 
-typedef enum { TYPE_NUMBER, TYPE_COUNT, TYPE_SEED } Type;
+/* The angle of a circular arch, from the plumb line to its joint at the springing, where its rise is. */
+typedef enum { TYPE_NUMBER, TYPE_COUNT, TYPE_SEED, TYPE_SPRINGING } Type;
 
 /* Where a field is: in the object, or in the leaf of a wall. */
 typedef struct Field {
@@ -40,6 +42,11 @@ typedef struct Field {
     { text, QN_QUANTITY_NUMBER, least, 10000.0, TRUE, key }, kind, TYPE_COUNT, FALSE,    \
       G_STRUCT_OFFSET (QnMasonry, member)                                                \
   }
+#define SPRINGING(kind, member)                                                          \
+  {                                                                                      \
+    { N_ ("Angle at the springing"), QN_QUANTITY_ANGLE, SMALL, M_PI_2, FALSE, "rise" },  \
+      kind, TYPE_SPRINGING, FALSE, G_STRUCT_OFFSET (QnMasonry, member)                   \
+  }
 #define LEAF(text, key, quantity, least, most, member)                                   \
   {                                                                                      \
     { text, quantity, least, most, FALSE, key }, QN_MASONRY_WALL, TYPE_NUMBER, TRUE,     \
@@ -60,6 +67,7 @@ static const Field fields[QN_MASONRY_FIELD_COUNT] = {
   [QN_MASONRY_HEADER] = LEAF (N_ ("Header length (0: half)"), "header", QN_QUANTITY_LENGTH, 0.0, LARGEST, header),
   [QN_MASONRY_ARCH_SPAN] = SIZE (N_ ("Span"), "span", QN_MASONRY_ARCH, arch.span),
   [QN_MASONRY_ARCH_RISE] = SIZE (N_ ("Rise"), "rise", QN_MASONRY_ARCH, arch.rise),
+  [QN_MASONRY_ARCH_SPRINGING] = SPRINGING (QN_MASONRY_ARCH, arch),
   [QN_MASONRY_ARCH_RING] = SIZE (N_ ("Ring thickness"), "ring", QN_MASONRY_ARCH, arch.ring),
   [QN_MASONRY_ARCH_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), "voussoirs", QN_MASONRY_ARCH, arch.voussoirs, 2.0),
   [QN_MASONRY_ARCH_SPRINGER] = EXTRA (N_ ("Springer height"), "springer", QN_MASONRY_ARCH, arch.springer),
@@ -84,6 +92,7 @@ static const Field fields[QN_MASONRY_FIELD_COUNT] = {
   [QN_MASONRY_PORTAL_COURSES] = NUMBER (N_ ("Courses per pier"), "courses", QN_MASONRY_PORTAL, portal.courses, 1.0),
   [QN_MASONRY_PORTAL_LINTEL] = EXTRA (N_ ("Lintel height (0: arches)"), "lintel", QN_MASONRY_PORTAL, portal.lintel_height),
   [QN_MASONRY_PORTAL_RISE] = SIZE (N_ ("Rise"), "arch.rise", QN_MASONRY_PORTAL, portal.arch.rise),
+  [QN_MASONRY_PORTAL_SPRINGING] = SPRINGING (QN_MASONRY_PORTAL, portal.arch),
   [QN_MASONRY_PORTAL_RING] = SIZE (N_ ("Ring thickness"), "arch.ring", QN_MASONRY_PORTAL, portal.arch.ring),
   [QN_MASONRY_PORTAL_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), "arch.voussoirs", QN_MASONRY_PORTAL, portal.arch.voussoirs, 2.0),
   [QN_MASONRY_PORTAL_RINGS] = NUMBER (N_ ("Rings"), "arch.rings", QN_MASONRY_PORTAL, portal.arch.rings, 1.0),
@@ -124,6 +133,9 @@ qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field)
   if (masonry->rubble.relaxed
       && (field == QN_MASONRY_RUBBLE_TOP || field == QN_MASONRY_RUBBLE_IRREGULARITY))
     return FALSE;
+  if (f->type == TYPE_SPRINGING)
+    return (int) masonry->kind == f->kind && qn_masonry_get_arch (masonry) != NULL
+           && qn_masonry_get_arch (masonry)->shape == QN_ARCH_CIRCULAR;
   if (field == QN_MASONRY_ARCH_HAUNCH || field == QN_MASONRY_PORTAL_HAUNCH)
     return (int) masonry->kind == f->kind && qn_masonry_get_arch (masonry) != NULL
            && qn_masonry_get_arch (masonry)->shape == QN_ARCH_THREE_CENTRED;
@@ -159,6 +171,10 @@ get_number (gconstpointer at, Type type)
     return *(const int32_t *) at;
   case TYPE_SEED:
     return *(const uint32_t *) at;
+  case TYPE_SPRINGING:
+    return 2.0
+           * atan2 (2.0 * ((const QnArch *) at)->rise,
+                    fmax (((const QnArch *) at)->span, SMALL));
   }
   return 0.0;
 }
@@ -175,6 +191,10 @@ set_number (gpointer at, Type type, double value)
     break;
   case TYPE_SEED:
     *(uint32_t *) at = (uint32_t) qn_to_integer (round (value), 0, G_MAXUINT32);
+    break;
+  case TYPE_SPRINGING:
+    ((QnArch *) at)->rise =
+      fmin (0.5 * ((QnArch *) at)->span * tan (0.5 * value), 0.5 * ((QnArch *) at)->span);
     break;
   }
 }
@@ -233,6 +253,46 @@ qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
     column->capital_width = 1.25 * column->top;
   if (field == QN_MASONRY_UNIT_WEIGHT)
     masonry->density = -1.0;
+}
+
+/* ---- lists of portals ---- */
+
+static double *
+portal_list (const QnPortal *portal, QnPortalList list)
+{
+  const double *lists[QN_PORTAL_LIST_COUNT] = { portal->spans, portal->rises,
+                                                portal->rings, portal->piers };
+  return (double *) lists[list];
+}
+
+char *
+qn_portal_dup_list (const QnPortal *portal, QnPortalList list, QnUnits units)
+{
+  const double *numbers = portal_list (portal, list);
+  gsize count = 0;
+  while (count < QN_MOST_UNEQUAL && numbers[count] > 0.0)
+    count++;
+  return qn_units_format_list (units, QN_QUANTITY_LENGTH, numbers, count);
+}
+
+gboolean
+qn_portal_take_list (QnPortal *portal, QnPortalList list, QnUnits units, const char *text,
+                     GError **error)
+{
+  double numbers[QN_MOST_UNEQUAL] = { 0 };
+  const gsize places = (gsize) portal->bays + (list == QN_PORTAL_PIERS);
+  gsize count;
+  if (!qn_units_parse_list (units, QN_QUANTITY_LENGTH, text, numbers,
+                            MIN (places, QN_MOST_UNEQUAL), &count, error))
+    return FALSE;
+  for (gsize i = 0; i < count; i++)
+    if (!(numbers[i] >= SMALL && numbers[i] <= LARGEST)) {
+      g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE,
+                   _ ("number must be positive"));
+      return FALSE;
+    }
+  memcpy (portal_list (portal, list), numbers, sizeof numbers);
+  return TRUE;
 }
 
 /* ---- openings ---- */

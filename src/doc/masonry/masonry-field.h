@@ -18,6 +18,7 @@ typedef enum {
   QN_MASONRY_HEADER,
   QN_MASONRY_ARCH_SPAN,
   QN_MASONRY_ARCH_RISE,
+  QN_MASONRY_ARCH_SPRINGING, /* of circular ones */
   QN_MASONRY_ARCH_RING,
   QN_MASONRY_ARCH_VOUSSOIRS,
   QN_MASONRY_ARCH_SPRINGER,
@@ -42,6 +43,7 @@ typedef enum {
   QN_MASONRY_PORTAL_COURSES,
   QN_MASONRY_PORTAL_LINTEL,
   QN_MASONRY_PORTAL_RISE, /* up to the backing: of arches */
+  QN_MASONRY_PORTAL_SPRINGING,
   QN_MASONRY_PORTAL_RING,
   QN_MASONRY_PORTAL_VOUSSOIRS,
   QN_MASONRY_PORTAL_RINGS,
@@ -90,6 +92,21 @@ const QnFieldInfo *qn_masonry_field_info (QnMasonryField field);
 gboolean qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field);
 double qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field);
 void qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value);
+
+/* Lists of a portal: numbers of its first bays, or piers, from the left. */
+typedef enum {
+  QN_PORTAL_SPANS,
+  QN_PORTAL_RISES,
+  QN_PORTAL_RINGS,
+  QN_PORTAL_PIERS,
+  QN_PORTAL_LIST_COUNT
+} QnPortalList;
+
+/* As text with units and ";" between them; "" where all are alike. The caller frees it. Numbers that are
+ * not positive, or more than there are, are refused. */
+char *qn_portal_dup_list (const QnPortal *portal, QnPortalList list, QnUnits units);
+gboolean qn_portal_take_list (QnPortal *portal, QnPortalList list, QnUnits units,
+                              const char *text, GError **error);
 
 /* The arch, or those of a portal (borrowed); NULL where there are none. */
 QnArch *qn_masonry_get_arch (const QnMasonry *masonry);

@@ -373,3 +373,35 @@ qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *va
   *value = term.value;
   return TRUE;
 }
+
+char *
+qn_units_format_list (QnUnits units, QnQuantity quantity, const double *values,
+                      gsize count)
+{
+  GString *text = g_string_new (NULL);
+  for (gsize i = 0; i < count; i++) {
+    g_autofree char *number = qn_units_format_full (units, quantity, values[i], 15);
+    g_string_append_printf (text, "%s%s", i > 0 ? "; " : "", number);
+  }
+  return g_string_free (text, FALSE);
+}
+
+gboolean
+qn_units_parse_list (QnUnits units, QnQuantity quantity, const char *text, double *values,
+                     gsize most, gsize *count, GError **error)
+{
+  g_auto (GStrv) parts = g_strsplit (text, ";", -1);
+  *count = 0;
+  if (g_strv_length (parts) == 1 && *g_strstrip (parts[0]) == '\0')
+    return TRUE;
+  for (; parts[*count] != NULL; ++*count) {
+    if (*count == most) {
+      g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE,
+                   _ ("expected up to %d numbers"), (int) most);
+      return FALSE;
+    }
+    if (!qn_units_parse (units, quantity, parts[*count], &values[*count], error))
+      return FALSE;
+  }
+  return TRUE;
+}

@@ -70,3 +70,11 @@ char *qn_units_format_full (QnUnits units, QnQuantity quantity, double value, in
  * "inf" give infinity, which callers that cannot use it refuse. `value` is in SI. */
 gboolean qn_units_parse (QnUnits units, QnQuantity quantity, const char *text,
                          double *value, GError **error);
+
+/* Numbers with ";" between them, of which there may be none: "4 m; 7.5 m". The caller frees it. */
+char *qn_units_format_list (QnUnits units, QnQuantity quantity, const double *values,
+                            gsize count);
+
+/* Reads up to `most` of them; the rest of `values` is as before. */
+gboolean qn_units_parse_list (QnUnits units, QnQuantity quantity, const char *text,
+                              double *values, gsize most, gsize *count, GError **error);

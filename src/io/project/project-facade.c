@@ -32,6 +32,7 @@ enum {
   FLOOR_INERTIA,
   HELD,
   TIES,
+  FLANKS,
   THRUST,
   PARAPET,
   KEY_COUNT
@@ -40,13 +41,14 @@ enum {
 static const char *const names[KEY_COUNT] = {
   "storeys",     "thickness", "bearing",        "courses",       "width",
   "unit_weight", "floors",    "floor_friction", "floor_inertia", "held",
-  "ties",        "thrust",    "parapet",
+  "ties",        "flanks",    "thrust",         "parapet",
 };
 
 static const char usual[] =
   "{ \"storeys\": [3, 3], \"thickness\": 0.5, \"bearing\": 0.2, \"courses\": 4, "
   "\"width\": 1, \"unit_weight\": 18000, \"floors\": 0, \"floor_friction\": 0, "
-  "\"floor_inertia\": 1, \"held\": 0, \"ties\": 0, \"thrust\": 0, \"parapet\": 0 }";
+  "\"floor_inertia\": 1, \"held\": 0, \"ties\": 0, \"flanks\": 0, \"thrust\": 0, "
+  "\"parapet\": 0 }";
 
 /* One storey as all keys make it: levels and places in m, forces in N. */
 typedef struct Storey {
@@ -158,8 +160,10 @@ add_blocks (QnFileWriter *out, const List *lists, const Storey *storeys)
     add_block (out, "parapet", -parapet[1], top, top + parapet[0], lists, FALSE);
 }
 
+/* From a block at a level to the ground. */
 static void
-add_tie (QnFileWriter *out, const char *kind, gsize i, const Storey *s, double anchor)
+add_tie (QnFileWriter *out, const char *kind, gsize i, const Storey *s, const char *block,
+         double level, double anchor)
 {
   g_autofree char *name = g_strdup_printf ("%s.%zu", kind, i + 1);
   if (anchor > 0)
@@ -167,7 +171,7 @@ add_tie (QnFileWriter *out, const char *kind, gsize i, const Storey *s, double a
       out,
       ", { \"name\": %s, \"ends\": [{ \"block\": %s, \"at\": [%f, %f] }, { \"at\": "
       "[%f, %f] }], \"area\": 0.0003, \"elasticity\": 2.1e11, \"anchor\": %f }",
-      name, s->name, s->inner, s->top, s->inner - 4, s->top, anchor);
+      name, block, s->inner, level, s->inner - 4, level, anchor);
 }
 
 static void
@@ -202,9 +206,13 @@ dup_project (const List *lists, double friction)
   add_blocks (out, lists, storeys);
   qn_file_writer_puts (out, "], \"ties\": [");
   for (gsize i = 0; i < count; i++) {
-    add_tie (out, "friction", i, &storeys[i],
-             at (&lists[FLOOR_FRICTION], 0) * storeys[i].floor);
-    add_tie (out, "tie", i, &storeys[i], storeys[i].tie);
+    const Storey *s = &storeys[i];
+    const int courses = (int) at (&lists[COURSES], 0);
+    g_autofree char *middle = g_strdup_printf ("%zu.%d", i + 1, (courses + 1) / 2);
+    add_tie (out, "friction", i, s, s->name, s->top,
+             at (&lists[FLOOR_FRICTION], 0) * s->floor);
+    add_tie (out, "tie", i, s, s->name, s->top, s->tie);
+    add_tie (out, "flank", i, s, middle, s->foot + s->wall / 2, at (&lists[FLANKS], i));
   }
   qn_file_writer_puts (out,
                        "], \"contact\": { \"law\": \"dry joint\" }, \"loads\": { "
@@ -227,7 +235,7 @@ char *
 qn_facade_dup_project (const char *const *overrides, double friction, GError **error)
 {
   List lists[KEY_COUNT];
-  QnReader reader = { .name = QN_FACADE_KIND, .overrides = overrides };
+  QnReader reader = { .name = "facade-strip", .overrides = overrides };
   cJSON *document = cJSON_Parse (usual);
   gboolean ok = document != NULL;
   for (; ok && *overrides != NULL; overrides++)

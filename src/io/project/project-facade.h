@@ -9,18 +9,17 @@
  *   floor_inertia   part of their load whose mass moves with the wall; 1
  *   held            storeys whose floor holds the wall: a block there that goes up and down alone
  *   ties            N, what ties hold at each floor; 0
+ *   flanks          N, what cross walls hold of each storey by friction, in its middle; 0
  *   thrust          N, of the roof, outwards; 0
  *   parapet         m, height and thickness; none
  *   courses         blocks of a storey; 4
  *   width           m, of the strip; 1
  *   unit_weight     N/m3; 18000
  *
- * Friction of floors and ties are `ties` with such anchors, for limit analysis and mechanisms by code. */
+ * Friction of floors and flanks and ties are `ties` with such anchors, for limit analysis and mechanisms by code. */
 #pragma once
 
 #include "io/project/project.h"
-
-#define QN_FACADE_KIND "facade-strip"
 
 /* The text of a project, NULL with QN_IO_ERROR_OVERRIDE. `overrides`: KEY=JSON, ended by
  * NULL. */

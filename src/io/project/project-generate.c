@@ -7,37 +7,22 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-/* What a kind is where the user says nothing else. */
-typedef struct Kind {
+typedef struct Kind Kind;
+
+/* Makes a project of the keys that the user has given. */
+typedef gboolean (*Maker) (const Kind *kind, const char *const *keys, double friction,
+                           QnProject *project, GError **error);
+
+struct Kind {
   const char *name;
+  Maker make;
+  /* What masonry is where the user says nothing else. */
   const char *parameters; /* JSON members */
   const char *choice;     /* one more, or NULL, */
   const char *instead;    /* unless a key that begins like this is given */
   const char
     *poisson; /* of the elastic material that its cells are of; NULL: dry joints */
-} Kind;
-
-/* clang-format off */
-static const Kind kinds[] = {
-  { "wall", "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"", NULL, NULL, NULL },
-  { "arch", "\"shape\": \"circular\", \"span\": 4, \"rise\": 2, \"ring\": 0.5, \"voussoirs\": 15", NULL, NULL, NULL },
-  { "column", "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6", NULL, NULL, NULL },
-  { "buttress", "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"", NULL, NULL, NULL },
-  { "portal", "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6", "\"lintel\": 0.4", "arch", NULL },
-  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1", NULL, NULL, NULL },
-  { "grid", "\"size\": [3, 3], \"cells\": [12, 12]", NULL, NULL, "0.2" },
-  { "voronoi", "\"size\": [3, 3], \"cell\": 0.3, \"seed\": 1", NULL, NULL, "0" },
 };
-/* clang-format on */
-
-static const Kind *
-find_kind (const char *name)
-{
-  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
-    if (strcmp (kinds[i].name, name) == 0)
-      return &kinds[i];
-  return NULL;
-}
 
 /* "0.4x.2" and "0.4,.2" mean [0.4, 0.2], and ".2" 0.2; everything else is left to JSON. */
 static char *
@@ -60,18 +45,32 @@ dup_value (const char *text)
                                     : g_steal_pointer (&all);
 }
 
-/* "length=6" becomes "masonry[0].length=6", with `owner` "masonry[0].". NULL where it is not of that
- * form. */
+/* "length=6" becomes "masonry[0].length=6", with `owner` "masonry[0].". */
 static char *
 dup_override (const char *owner, const char *argument)
 {
   const char *equals = strchr (argument, '=');
-  if (equals == NULL || equals == argument)
-    return NULL;
   g_autofree char *key =
     g_strdelimit (g_strndup (argument, (gsize) (equals - argument)), "-", '_');
   g_autofree char *value = dup_value (equals + 1);
   return g_strdup_printf ("%s%s=%s", owner, key, value);
+}
+
+/* Those of all keys behind `overrides`, and NULL at the end. */
+static gboolean
+add_overrides (GPtrArray *overrides, const char *owner, const char *const *keys,
+               GError **error)
+{
+  for (; *keys != NULL; keys++) {
+    if (**keys == '=' || strchr (*keys, '=') == NULL) {
+      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
+                   _ ("expected KEY=VALUE, not \"%s\""), *keys);
+      return FALSE;
+    }
+    g_ptr_array_add (overrides, dup_override (owner, *keys));
+  }
+  g_ptr_array_add (overrides, NULL);
+  return TRUE;
 }
 
 /* What a new project has, with the masonry and friction that are asked for before the keys of the
@@ -111,41 +110,67 @@ dup_document (const Kind *kind, double friction, const char *const *keys,
   return text;
 }
 
+static gboolean
+make_masonry (const Kind *kind, const char *const *keys, double friction,
+              QnProject *project, GError **error)
+{
+  g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
+  g_autofree char *text = dup_document (kind, friction, keys, overrides, error);
+  return text != NULL && add_overrides (overrides, "masonry[0].", keys, error)
+         && qn_project_parse (text, strlen (text), kind->name,
+                              (const char *const *) overrides->pdata, project, error);
+}
+
+static gboolean
+make_facade (const Kind *kind, const char *const *keys, double friction,
+             QnProject *project, GError **error)
+{
+  g_autoptr (GPtrArray) given = g_ptr_array_new_with_free_func (g_free);
+  if (!add_overrides (given, "", keys, error))
+    return FALSE;
+  g_autofree char *text =
+    qn_facade_dup_project ((const char *const *) given->pdata, friction, error);
+  return text != NULL
+         && qn_project_parse (text, strlen (text), kind->name, NULL, project, error);
+}
+
+/* clang-format off */
+static const Kind kinds[] = {
+  { "wall", make_masonry, "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"", NULL, NULL, NULL },
+  { "arch", make_masonry, "\"shape\": \"circular\", \"span\": 4, \"ring\": 0.5, \"voussoirs\": 15", "\"rise\": 2", "springing", NULL },
+  { "column", make_masonry, "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6", NULL, NULL, NULL },
+  { "buttress", make_masonry, "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"", NULL, NULL, NULL },
+  { "portal", make_masonry, "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6", "\"lintel\": 0.4", "arch", NULL },
+  { "rubble", make_masonry, "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1", NULL, NULL, NULL },
+  { "grid", make_masonry, "\"size\": [3, 3], \"cells\": [12, 12]", NULL, NULL, "0.2" },
+  { "voronoi", make_masonry, "\"size\": [3, 3], \"cell\": 0.3, \"seed\": 1", NULL, NULL, "0" },
+  { .name = "facade-strip", .make = make_facade },
+};
+/* clang-format on */
+
+static const Kind *
+find_kind (const char *name)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
+    if (strcmp (kinds[i].name, name) == 0)
+      return &kinds[i];
+  return NULL;
+}
+
 /* Warnings about unknown keys are errors here: the user has just typed them. */
 gboolean
 qn_project_generate (const char *kind_name, const char *const *keys, double friction,
                      QnProject *project, GError **error)
 {
-  const gboolean facade = strcmp (kind_name, QN_FACADE_KIND) == 0;
   const Kind *kind = find_kind (kind_name);
-  g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
-  if (kind == NULL && !facade) {
+  if (kind == NULL) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
                  _ ("%s: not one of wall, arch, column, buttress, portal, rubble, grid, "
                     "voronoi, facade-strip"),
                  kind_name);
     return FALSE;
   }
-  g_autofree char *document =
-    facade ? NULL : dup_document (kind, friction, keys, overrides, error);
-  if (document == NULL && !facade)
-    return FALSE;
-  for (gsize i = 0; keys[i] != NULL; i++) {
-    char *override = dup_override (facade ? "" : "masonry[0].", keys[i]);
-    if (override == NULL) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
-                   _ ("expected KEY=VALUE, not \"%s\""), keys[i]);
-      return FALSE;
-    }
-    g_ptr_array_add (overrides, override);
-  }
-  g_ptr_array_add (overrides, NULL);
-  const char *const *set = (const char *const *) overrides->pdata;
-  if (facade)
-    document = qn_facade_dup_project (set, friction, error);
-  if (document == NULL
-      || !qn_project_parse (document, strlen (document), kind_name, facade ? NULL : set,
-                            project, error))
+  if (!kind->make (kind, keys, friction, project, error))
     return FALSE;
   if (project->warnings->len == 0)
     return TRUE;

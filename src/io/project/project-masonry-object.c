@@ -8,7 +8,8 @@
 
 #include <glib/gi18n-lib.h>
 
-#define MAX_COUNT 200000
+#define MAX_COUNT         200000
+#define QN_MOST_SPRINGING 1.5709 /* rad: pi/2 as it may be rounded */
 
 static const char *const side_names[] = { "left", "right" };
 
@@ -74,7 +75,8 @@ static const QnMember wall_members[] = {
 static const QnMember arch_members[] = {
   QN_CHOICE ("shape", WRITTEN, qn_arch_shape_names, QnMasonry, arch.shape),
   QN_NUMBER ("span", REQUIRED, POSITIVE, QnMasonry, arch.span),
-  QN_NUMBER ("rise", REQUIRED, POSITIVE, QnMasonry, arch.rise),
+  QN_NUMBER ("rise", OPTIONAL, POSITIVE, QnMasonry, arch.rise),
+  QN_KNOWN ("springing"),
   QN_NUMBER ("ring", REQUIRED, POSITIVE, QnMasonry, arch.ring),
   QN_COUNT ("voussoirs", REQUIRED, MAX_COUNT, QnMasonry, arch.voussoirs),
   QN_CHOICE ("sides", WRITTEN, qn_sides_names, QnMasonry, arch.sides),
@@ -87,7 +89,8 @@ static const QnMember arch_members[] = {
 /* Of a portal. */
 static const QnMember inner_arch_members[] = {
   QN_CHOICE ("shape", WRITTEN, qn_arch_shape_names, QnArch, shape),
-  QN_NUMBER ("rise", REQUIRED, POSITIVE, QnArch, rise),
+  QN_NUMBER ("rise", OPTIONAL, POSITIVE, QnArch, rise),
+  QN_KNOWN ("springing"),
   QN_NUMBER ("ring", REQUIRED, POSITIVE, QnArch, ring),
   QN_COUNT ("voussoirs", REQUIRED, MAX_COUNT, QnArch, voussoirs),
   QN_CHOICE ("sides", WRITTEN, qn_sides_names, QnArch, sides),
@@ -306,6 +309,25 @@ read_masonry_wall (const QnJsonValue *place, QnMasonry *masonry)
          && read_openings (place, masonry);
 }
 
+/* A circular arch by its rise, or by the angle between the plumb line and its joints at the springing:
+ * rise = span/2 tan (angle/2). */
+static gboolean
+read_springing (const QnJsonValue *place, double span, QnArch *arch)
+{
+  const QnJsonValue member = qn_json_value_member (place, "springing");
+  double angle = 0;
+  if (member.json == NULL)
+    return require (place, "rise", TRUE);
+  if (!qn_json_value_number (&member, QN_RANGE_POSITIVE, &angle))
+    return FALSE;
+  if (arch->rise > 0)
+    return qn_json_value_fail (&member, _ ("rise and springing exclude each other"));
+  if (arch->shape != QN_ARCH_CIRCULAR || angle > QN_MOST_SPRINGING)
+    return qn_json_value_fail (&member, _ ("only circular arches have it, up to π/2"));
+  arch->rise = fmin (0.5 * span * tan (0.5 * angle), 0.5 * span);
+  return TRUE;
+}
+
 static gboolean
 read_portal_lists (const QnJsonValue *place, QnPortal *portal)
 {
@@ -334,7 +356,8 @@ read_portal (const QnJsonValue *place, QnPortal *portal)
     return require (place, "lintel", TRUE);
   if (portal->lintel_height > 0)
     return qn_json_value_fail (&arch, _ ("arch and lintel exclude each other"));
-  return qn_members_read (&arch, inner_arch_members, NULL, &portal->arch);
+  return qn_members_read (&arch, inner_arch_members, NULL, &portal->arch)
+         && read_springing (&arch, portal->span, &portal->arch);
 }
 
 static gboolean
@@ -392,6 +415,8 @@ read_object (const QnJsonValue *place, const QnModel *model, int kind, QnMasonry
          && read_seed (place, "perturbation_seed", &masonry->perturbation_seed)
          && qn_members_take (place, kind_members[kind], model, masonry)
          && (kind != QN_MASONRY_WALL || read_masonry_wall (place, masonry))
+         && (kind != QN_MASONRY_ARCH
+             || read_springing (place, masonry->arch.span, &masonry->arch))
          && (kind != QN_MASONRY_PORTAL || read_portal (place, &masonry->portal))
          && (kind != QN_MASONRY_RUBBLE
              || read_seed (place, "seed", &masonry->rubble.seed))

@@ -25,7 +25,7 @@ test_into_empty (void)
   g_autoptr (QnDocument) document = qn_document_new ();
   g_autofree char *empty = g_strdup (qn_document_get_text (document));
   g_autoptr (GError) error = NULL;
-  qn_document_import (document, &project, &error);
+  qn_document_import (document, NULL, &project, &error);
   g_assert_no_error (error);
   g_assert_cmpuint (qn_document_get_model (document)->block_count, ==,
                     project.model.block_count);
@@ -47,7 +47,7 @@ test_into_drawing (void)
   gsize before = qn_document_get_model (document)->block_count;
   for (int i = 0; i < 2; i++) {
     g_autoptr (GError) error = NULL;
-    qn_document_import (document, &project, &error);
+    qn_document_import (document, NULL, &project, &error);
     g_assert_no_error (error);
   }
   const QnModel *model = qn_document_get_model (document);

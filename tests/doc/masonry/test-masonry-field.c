@@ -2,6 +2,8 @@
 #include "support/auto-clear-stereotomy.h"
 #include "support/room.h"
 
+#include <math.h>
+
 /* Every field of every kind of object comes back as it was set and touches no other, but for those
  * that must follow. */
 static void
@@ -68,8 +70,50 @@ test_opening (void)
   g_assert_true (qn_opening_has_field (&opening, QN_OPENING_RISE));
 }
 
+/* The angle at the springing is the rise of a circular arch: 3 tan 30 degrees; a right angle is a
+ * semicircle. Lists are those of the first bays, and nothing is changed by one that is refused. */
+static void
+test_portal (void)
+{
+  g_auto (QnMasonry) masonry;
+  g_assert_cmpint (qn_masonry_init (&masonry, QN_MASONRY_PORTAL, "p", NULL), ==, QN_OK);
+  QnPortal *portal = &masonry.portal;
+  *portal = (QnPortal){ .bays = 2,
+                        .span = 6,
+                        .arch = { .span = 6, .rise = 1, .ring = 0.5, .voussoirs = 9 } };
+  g_assert_true (qn_masonry_has_field (&masonry, QN_MASONRY_PORTAL_SPRINGING));
+  qn_masonry_set_field (&masonry, QN_MASONRY_PORTAL_SPRINGING, G_PI / 3);
+  g_assert_cmpfloat (fabs (portal->arch.rise - sqrt (3)), <, 1e-12);
+  g_assert_cmpfloat (
+    fabs (qn_masonry_get_field (&masonry, QN_MASONRY_PORTAL_SPRINGING) - G_PI / 3), <,
+    1e-12);
+  qn_masonry_set_field (&masonry, QN_MASONRY_PORTAL_SPRINGING, G_PI / 2);
+  g_assert_cmpfloat (fabs (portal->arch.rise - 3), <, 1e-12);
+  g_assert_cmpint (portal->arch.shape, ==, QN_ARCH_CIRCULAR);
+  portal->arch.shape = QN_ARCH_ELLIPTIC;
+  g_assert_false (qn_masonry_has_field (&masonry, QN_MASONRY_PORTAL_SPRINGING));
+
+  static const char *const wrong[] = { "4; 5; 6", "4; 0", "4; -1", "wide" };
+  g_assert_true (
+    qn_portal_take_list (portal, QN_PORTAL_SPANS, QN_UNITS_SI, "4; 750 cm", NULL));
+  for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    g_autoptr (GError) error = NULL;
+    g_assert_false (
+      qn_portal_take_list (portal, QN_PORTAL_SPANS, QN_UNITS_SI, wrong[i], &error));
+    g_assert_nonnull (error);
+  }
+  g_assert_cmpfloat (portal->spans[1], ==, 7.5);
+  g_autofree char *spans = qn_portal_dup_list (portal, QN_PORTAL_SPANS, QN_UNITS_SI);
+  g_assert_cmpstr (spans, ==, "4\302\240m; 7.5\302\240m");
+  g_assert_true (
+    qn_portal_take_list (portal, QN_PORTAL_PIERS, QN_UNITS_SI, "1; 2; 1", NULL));
+  g_assert_true (qn_portal_take_list (portal, QN_PORTAL_SPANS, QN_UNITS_SI, "", NULL));
+  g_assert_cmpfloat (portal->spans[0], ==, 0);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/doc/masonry-field/portal", test_portal);
   g_test_add_func ("/doc/masonry-field/fields", test_fields);
   g_test_add_func ("/doc/masonry-field/listed-wall", test_listed_wall);
   g_test_add_func ("/doc/masonry-field/opening", test_opening);

@@ -16,6 +16,34 @@ check_parse (QnUnits units, QnQuantity quantity, const char *text, double expect
   g_assert_cmpfloat_with_epsilon (value, expected, 1e-12 * (1.0 + fabs (expected)));
 }
 
+/* Lists: units and decimal signs of each number, nothing, too many, and what is no number. */
+static void
+test_list (void)
+{
+  double values[3] = { 0, 0, 9 };
+  gsize count;
+  g_autoptr (GError) error = NULL;
+  g_assert_true (qn_units_parse_list (cm_kn, QN_QUANTITY_LENGTH, "320; 3,5 m", values, 3,
+                                      &count, &error));
+  g_assert_cmpuint (count, ==, 2);
+  g_assert_cmpfloat (values[0], ==, 3.2);
+  g_assert_cmpfloat (values[1], ==, 3.5);
+  g_assert_cmpfloat (values[2], ==, 9);
+  g_autofree char *text =
+    qn_units_format_list (QN_UNITS_SI, QN_QUANTITY_NUMBER, values, count);
+  g_assert_cmpstr (text, ==, "3.2; 3.5");
+  g_assert_true (
+    qn_units_parse_list (cm_kn, QN_QUANTITY_LENGTH, " ", values, 3, &count, &error));
+  g_assert_cmpuint (count, ==, 0);
+  g_assert_false (qn_units_parse_list (cm_kn, QN_QUANTITY_NUMBER, "1;2;3;4", values, 3,
+                                       &count, &error));
+  g_assert_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE);
+  g_clear_error (&error);
+  g_assert_false (
+    qn_units_parse_list (cm_kn, QN_QUANTITY_NUMBER, "1;", values, 3, &count, &error));
+  g_assert_nonnull (error);
+}
+
 static void
 test_parse (void)
 {
@@ -140,6 +168,7 @@ test_round_trip (void)
 QN_TESTS
 {
   g_test_add_func ("/doc/units/parse", test_parse);
+  g_test_add_func ("/doc/units/list", test_list);
   g_test_add_func ("/doc/units/refuse", test_refuse);
   g_test_add_func ("/doc/units/format", test_format);
   g_test_add_func ("/doc/units/round-trip", test_round_trip);

@@ -3,6 +3,7 @@
 #include "support/auto-clear-stereotomy.h"
 #include "support/room.h"
 
+#include <math.h>
 #include <string.h>
 
 #define HEAD                                                                             \
@@ -64,6 +65,29 @@ parse (const char *object, QnProject *project)
     g_error ("%s", error->message);
   for (guint i = 0; i < project->warnings->len; i++)
     g_error ("%s", (const char *) project->warnings->pdata[i]);
+}
+
+/* 60 degrees and 6 m: 3 tan 30 degrees; a right angle, as rounded, is a semicircle. */
+static void
+test_springing (void)
+{
+  static const struct {
+    const char *angle;
+    double rise;
+  } cases[] = { { "1.0471975511965976", 1.7320508075688772 }, { "1.5708", 3 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *object =
+      g_strdup_printf ("{ \"kind\": \"arch\", " COMMON "\"span\": 6, \"ring\": 0.5, "
+                       "\"voussoirs\": 15, \"springing\": %s }",
+                       cases[i].angle);
+    QnProject project;
+    parse (object, &project);
+    QnMasonries list;
+    g_assert_true (qn_project_get_masonry (&project, &list, NULL));
+    g_assert_cmpfloat (fabs (list.items[0].arch.rise - cases[i].rise), <, 1e-12);
+    qn_masonries_clear (&list);
+    qn_project_clear (&project);
+  }
 }
 
 static void
@@ -181,6 +205,15 @@ test_refuses (void)
                   "\"bays\": 2, \"span\": 2, \"pier\": [1, 2], \"courses\": 4, "
                   "\"lintel\": 0.3, \"spans\": [2, 2, 2] }",
                   "masonry[0].spans", "up to 2 numbers");
+#define SEGMENT                                                                          \
+  "{ \"kind\": \"arch\", " COMMON "\"span\": 6, \"ring\": 0.5, \"voussoirs\": 15, "
+  assert_refused (SEGMENT "\"rise\": 1, \"springing\": 1 }", "masonry[0].springing",
+                  "rise and springing exclude each other");
+  assert_refused (SEGMENT "\"springing\": 1.6 }", "masonry[0].springing", "π/2");
+  assert_refused (SEGMENT "\"springing\": 0 }", "masonry[0].springing", "positive");
+  assert_refused (SEGMENT "\"springing\": 1, \"shape\": \"elliptic\" }",
+                  "masonry[0].springing", "only circular");
+  assert_refused (SEGMENT "\"sides\": \"curved\" }", "masonry[0]", "rise");
   assert_refused ("{ \"kind\": \"grid\", " COMMON
                   "\"size\": [3, 2], \"cells\": [2.5, 4] }",
                   "masonry[0].cells", "whole numbers");
@@ -222,6 +255,7 @@ test_names_resolve (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/project-masonry/springing", test_springing);
   g_test_add_func ("/project-masonry/round-trip", test_round_trip);
   g_test_add_func ("/project-masonry/struct-round-trip", test_struct_round_trip);
   g_test_add_func ("/project-masonry/detach", test_detach);
