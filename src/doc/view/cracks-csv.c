@@ -1,7 +1,7 @@
 #include "doc/view/cracks-csv.h"
 
 #include "io/text/file-writer.h"
-#include "render/scene/motion.h"
+#include "render/scene/reading.h"
 
 gboolean
 qn_cracks_csv_write (const char *path, const QnProject *project,

@@ -8,7 +8,7 @@
 #include "io/text/outcome-text.h"
 #include "io/text/tie-text.h"
 #include "render/drawing/text.h"
-#include "render/scene/motion.h"
+#include "render/scene/reading.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -109,7 +109,7 @@ show_cells (Pictures *p)
                  || show_field (p, QN_VIEW_DEFORMED, QN_FIELD_CRACK, -1, _ ("Cracks"))));
 }
 
-/* The widest crack at a step, by what the ends of joints have opened. */
+/* The widest crack at a step. */
 static QnCrack
 find_crack (const QnReportRun *run, size_t step)
 {

@@ -172,47 +172,6 @@ qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
   };
 }
 
-QnCrack
-qn_motion_crack (const QnMotion *motion, const QnContactFace *face)
-{
-  const QnJoint joint = qn_motion_joint (motion, face);
-  double least = fmin (joint.opening_start, joint.opening_end);
-  double most = fmax (joint.opening_start, joint.opening_end);
-  if (!(most > 0))
-    return (QnCrack){ 0 };
-  return (QnCrack){
-    .face = face,
-    .width = most,
-    /* a triangle where one end is closed */
-    .mean = least >= 0 ? 0.5 * (least + most) : 0.5 * most * most / (most - least),
-    .at = joint.opening_start > joint.opening_end ? face->start : face->end,
-  };
-}
-
-static int
-compare_cracks (gconstpointer a, gconstpointer b)
-{
-  const QnCrack *one = a, *other = b;
-  if (one->width != other->width)
-    return one->width > other->width ? -1 : 1;
-  return one->face < other->face ? -1 : 1;
-}
-
-GArray *
-qn_result_cracks (const QnModel *model, const QnContacts *contacts,
-                  const QnResult *result, size_t step)
-{
-  const QnMotion motion = qn_step_motion (model, result, step);
-  GArray *cracks = g_array_new (FALSE, FALSE, sizeof (QnCrack));
-  for (size_t f = 0; f < contacts->face_count; f++) {
-    const QnCrack crack = qn_motion_crack (&motion, &contacts->faces[f]);
-    if (crack.face != NULL)
-      g_array_append_val (cracks, crack);
-  }
-  g_array_sort (cracks, compare_cracks);
-  return cracks;
-}
-
 /* States by what the analysis found at the pairs of the face, where the motion is more than
  * `least`: near collapse most joints slip or open a little, which no picture shows. */
 static void

@@ -54,20 +54,6 @@ typedef struct QnJoint {
 /* Relative motion of the two sides of a face under the unscaled field. States are not set. */
 QnJoint qn_motion_joint (const QnMotion *motion, const QnContactFace *face);
 
-/* How a joint has opened. */
-typedef struct QnCrack {
-  const QnContactFace *face; /* NULL: nothing has opened */
-  double width, mean;        /* m: largest, and mean over the length of the joint */
-  QnVec2 at;                 /* where it is widest, as drawn */
-} QnCrack;
-
-QnCrack qn_motion_crack (const QnMotion *motion, const QnContactFace *face);
-
-/* Of all joints at a step of a result, the widest first; those that have not opened are left out. Of
- * QnCrack. */
-GArray *qn_result_cracks (const QnModel *model, const QnContacts *contacts,
-                          const QnResult *result, size_t step);
-
 /* Joints of all faces (newly allocated, face_count of them, g_free). `pairs`, nullable, are
  * pair results that decide the states of joints that move by more than 3 % of the largest
  * displacement; without them a joint opens or slides where it moves by more than 2 % of the

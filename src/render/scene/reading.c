@@ -9,6 +9,9 @@
 /* Part of an elongation that is no crack, but rounding. */
 #define ROUNDING 1e-6
 
+/* Part of the widest crack that is rounding of displacements. */
+#define EXACT 1e-12
+
 #define KERN_SHARE (1.0 / 6.0)
 #define EDGE_SHARE (0.5 - 1.0 / 50.0)
 #define BEYOND     (0.5 + 1.0 / 50.0)
@@ -73,26 +76,110 @@ qn_joint_reading (const QnContacts *contacts, QnId index, const QnPairResult *pa
   return reading;
 }
 
-double
+/* ---- cracks ---- */
+
+static bool
+may_crack (const QnLaw *law)
+{
+  return law->kind != QN_LAW_BILINEAR && law->kind != QN_LAW_ELASTIC_PLASTIC
+         && law->kind != QN_LAW_STEEL;
+}
+
+/* What has opened at a pair that is `whole` longer than it was built; less than nothing where it is shorter. */
+static double
+opened_at (const QnModel *model, const QnContacts *contacts, QnId pair,
+           const QnPairResult *pairs, double whole)
+{
+  double force = pairs != NULL ? pairs[pair].normal_force : 0, k[2];
+  if (whole <= 0 || force <= 0)
+    return whole;
+  const QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) pair);
+  qn_pair_elastic_stiffness (&springs, k);
+  double opened = whole - force / k[0];
+  return opened > ROUNDING * (whole + force / k[0]) ? opened : 0;
+}
+
+/* The next place along a joint, which it has opened by `width` there. */
+static void
+add_place (QnCrack *crack, const QnContactFace *face, double from[2], double at,
+           double width)
+{
+  double low = fmin (from[1], width), high = fmax (from[1], width);
+  if (high > 0) /* a triangle where one end is closed */
+    crack->mean += (at - from[0]) / face->length
+                   * (low >= 0 ? 0.5 * (low + high) : 0.5 * high * high / (high - low));
+  if (width > crack->width) {
+    crack->width = width;
+    crack->face = face;
+    crack->at = qn_vec2_lerp (face->start, face->end, at / face->length);
+  }
+  from[0] = at;
+  from[1] = width;
+}
+
+QnCrack
 qn_joint_crack (const QnContacts *contacts, QnId id, const QnPairResult *pairs,
                 const QnMotion *motion)
 {
+  const QnModel *model = motion->model;
   const QnContactFace *face = &contacts->faces[id];
   const QnJoint joint = qn_motion_joint (motion, face);
-  double width = 0;
+  const double start = joint.opening_start, end = joint.opening_end;
+  QnCrack crack = { 0 };
+  double from[2] = { 0, 0 };
+  QnId last = QN_NONE;
+
+  if (!(fmax (start, end) > 0)
+      || !(may_crack (&model->laws[face->law_a])
+           || may_crack (&model->laws[face->law_b])))
+    return crack;
   for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+    double at = contacts->pairs[p].abscissa;
     if (contacts->pairs[p].bar != QN_NONE)
       continue;
-    const QnPairSprings springs =
-      qn_contacts_pair_springs (motion->model, contacts, (size_t) p);
-    double k[2], part = contacts->pairs[p].abscissa / face->length;
-    qn_pair_elastic_stiffness (&springs, k);
-    double whole = joint.opening_start + part * (joint.opening_end - joint.opening_start);
-    double elastic = pairs[p].normal_force / k[0];
-    if (whole - elastic > ROUNDING * (fabs (whole) + fabs (elastic)))
-      width = fmax (width, whole - elastic);
+    if (last == QN_NONE) {
+      from[1] = opened_at (model, contacts, p, pairs, start);
+      add_place (&crack, face, from, 0, from[1]);
+    }
+    add_place (
+      &crack, face, from, at,
+      opened_at (model, contacts, p, pairs, start + at / face->length * (end - start)));
+    last = p;
   }
-  return width;
+  if (last != QN_NONE)
+    add_place (&crack, face, from, face->length,
+               opened_at (model, contacts, last, pairs, end));
+  return crack;
+}
+
+static int
+compare_cracks (gconstpointer a, gconstpointer b)
+{
+  const QnCrack *one = a, *other = b;
+  if (one->width != other->width)
+    return one->width > other->width ? -1 : 1;
+  return one->face < other->face ? -1 : 1;
+}
+
+GArray *
+qn_result_cracks (const QnModel *model, const QnContacts *contacts,
+                  const QnResult *result, size_t step)
+{
+  const QnMotion motion = qn_step_motion (model, result, step);
+  g_autofree QnPairResult *pairs = qn_step_pairs (contacts, result, step);
+  GArray *cracks = g_array_new (FALSE, FALSE, sizeof (QnCrack));
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    const QnCrack crack = qn_joint_crack (contacts, (QnId) f, pairs, &motion);
+    if (crack.face != NULL)
+      g_array_append_val (cracks, crack);
+  }
+  g_array_sort (cracks, compare_cracks);
+  const double least =
+    cracks->len > 0 ? EXACT * g_array_index (cracks, QnCrack, 0).width : 0;
+  while (cracks->len > 0
+         && g_array_index (cracks, QnCrack, cracks->len - 1).width <= least)
+    g_array_set_size (cracks, cracks->len - 1);
+  return cracks;
 }
 
 /* ---- blocks ---- */

@@ -75,10 +75,6 @@ typedef struct QnTouch {
 QnTouch *qn_step_touches (const QnModel *model, const QnResult *result, size_t step,
                           size_t *count);
 
-/* The widest crack along a joint, m: what its pairs have lengthened by beyond their elastic elongation. */
-double qn_joint_crack (const QnContacts *contacts, QnId face, const QnPairResult *pairs,
-                       const QnMotion *motion);
-
 /* The joints of a block are found among all faces, and its contacts among all touches (nullable). `factors`
  * are those of the load sets (qn_result_load_factors()), nullable: forces that act away from the centroid are
  * part of the stress. Reactions of supports are not. */
@@ -101,3 +97,27 @@ QnPairResult *qn_step_pairs (const QnContacts *contacts, const QnResult *result,
 /* Which joints have been left by the time of a step: face_count of them, newly allocated (g_free); NULL
  * where none has. */
 bool *qn_step_left (const QnContacts *contacts, const QnResult *result, size_t step);
+
+/* How a joint has cracked. The width is what pictures, reports, tables and studies all mean: by how much the joint
+ * is longer than it was built, less what the tension that is left in it (F, of the elastic stiffness k) strains,
+ *
+ *   w = q - max (F, 0) / k
+ *
+ * of joints by contact and by material alike: a dry joint that opens (F = 0) is as wide as it is open; of a bond
+ * or of concrete that softens, w is what has opened in the crack (Hillerborg's crack opening), and nothing while
+ * the joint is whole. Laws that yield in tension as in compression (bilinear, elastic-plastic, steel) do not
+ * crack. Slip is not counted. Taken at the ends of the joint, with the force of the pair next to them, and at its
+ * pairs; bars are none of them. */
+typedef struct QnCrack {
+  const QnContactFace *face; /* NULL: there is no crack */
+  double width, mean;        /* m: largest, and mean over the length of the joint */
+  QnVec2 at;                 /* where it is widest, as drawn */
+} QnCrack;
+
+/* `pairs`, nullable, are those of all joints: without them (qn_step_pairs()) F counts as none. */
+QnCrack qn_joint_crack (const QnContacts *contacts, QnId face, const QnPairResult *pairs,
+                        const QnMotion *motion);
+
+/* Of all joints at a step of a result, the widest first; those without a crack are left out. Of QnCrack. */
+GArray *qn_result_cracks (const QnModel *model, const QnContacts *contacts,
+                          const QnResult *result, size_t step);

@@ -140,7 +140,7 @@ joint_values (const QnSceneBuilder *b, double *values)
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     QnJoint joint = qn_motion_joint (&motion, &b->contacts->faces[f]);
     values[f] = b->options->field == QN_FIELD_CRACK
-                  ? qn_joint_crack (b->contacts, (QnId) f, b->pairs, &step)
+                  ? qn_joint_crack (b->contacts, (QnId) f, b->pairs, &step).width
                 : b->options->field == QN_FIELD_OPENING
                   ? fmax (fmax (joint.opening_start, joint.opening_end), 0)
                   : fabs (joint.slip);

@@ -9,7 +9,7 @@
 #include "io/result/result-file.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
-#include "render/scene/motion.h"
+#include "render/scene/reading.h"
 #include "study/cases/moving-load.h"
 #include "study/cases/shape.h"
 #include "study/plan/sample.h"
@@ -162,7 +162,9 @@ crack_width (const QnCaseModel *model, char *const *blocks)
   double widest = blocks != NULL ? NAN : 0;
   if (result->step_count == 0)
     return NAN;
-  const QnMotion motion = qn_step_motion (core, result, result->step_count - 1);
+  const size_t last = result->step_count - 1;
+  const QnMotion motion = qn_step_motion (core, result, last);
+  g_autofree QnPairResult *pairs = qn_step_pairs (&model->contacts, result, last);
   QnId a = blocks != NULL ? qn_model_find_block (core, blocks[0]) : QN_NONE;
   QnId b = blocks != NULL ? qn_model_find_block (core, blocks[1]) : QN_NONE;
   for (size_t f = 0; f < model->contacts.face_count; f++) {
@@ -170,7 +172,8 @@ crack_width (const QnCaseModel *model, char *const *blocks)
     if (blocks != NULL
         && !((face->a == a && face->b == b) || (face->a == b && face->b == a)))
       continue;
-    widest = fmax (widest, qn_motion_crack (&motion, face).width);
+    widest =
+      fmax (widest, qn_joint_crack (&model->contacts, (QnId) f, pairs, &motion).width);
   }
   return widest;
 }
