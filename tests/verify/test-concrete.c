@@ -293,8 +293,54 @@ test_interaction (void)
   }
 }
 
+/* A prism whose first block is a little lower is crushed there, and nowhere else, whatever the number of blocks
+ * (the example of localisation of the method's authors): shortening at a force by hand, with the peak of the
+ * crushed section at `ec`, its descent by the energy, the rest of the prism unloading elastically. */
+static void
+test_crushing (void)
+{
+  static const int counts[] = { 2, 3, 5, 9 };
+  const double fc = 30e6, e = 30e9, ec = 2 * fc / e, gc = 1e5, thin = 0.038, thick = 0.04;
+
+  for (size_t c = 0; c < G_N_ELEMENTS (counts); c++) {
+    g_auto (TestRun) run;
+    init (&run, QN_LAW_CONCRETE);
+    QnModel *model = &run.model;
+    const int last = counts[c] - 1;
+    const double l = 1.0 / last;
+    model->laws[0].tension = model->laws[0].fracture_energy = 0;
+    model->laws[0].ultimate_strain = ec;
+    model->laws[0].crushing_energy = gc;
+    for (int i = 0; i <= last; i++) {
+      g_autofree char *name = i == last ? g_strdup ("top") : g_strdup_printf ("b%d", i);
+      double height = i == 0 ? 0.19 : 0.2;
+      QnBlock *block =
+        add_cell (model, name, qn_vec2 ((i - 0.5) * l, -height / 2), qn_vec2 (l, height));
+      block->thickness = 0.2;
+      block->support[QN_DOF_UX] = i == 0;
+      block->support[QN_DOF_UY] = block->support[QN_DOF_RZ] = true;
+    }
+    push (model, "top", qn_vec2 (-1e3, 0), qn_vec2 (0, 0));
+    test_control (model, QN_PROCEDURE_DISPLACEMENT, "top", QN_DOF_UX, -4e-3);
+    model->analysis.increments = 200;
+    test_run_solve (&run);
+    double peak = 0, force = 1e3 * run.result.steps[run.result.step_count - 1].multiplier;
+    for (size_t i = 0; i < run.result.step_count; i++)
+      peak = fmax (peak, 1e3 * run.result.steps[i].multiplier);
+    double most = thin * fc / thick; /* stress beside the crushed section, at the peak */
+    double descent = (fc - force / thin) / fc * (2 * gc / fc - fc / e * l);
+    double rest = ec * (1 - sqrt (1 - most / fc)) - (most - force / thick) / e;
+    double shortening = ec * l + descent + rest * (1 - l);
+    g_test_message ("%d blocks: peak %.5g, %.5g kN at %.5g mm", counts[c], peak / 1e3,
+                    force / 1e3, 1e3 * shortening);
+    g_assert_cmpfloat_with_epsilon (peak / (thin * fc), 1, 1e-4);
+    g_assert_cmpfloat_with_epsilon (shortening, 4e-3, 2e-6);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/verify/concrete/crushing", test_crushing);
   g_test_add_func ("/verify/concrete/energy", test_energy);
   g_test_add_func ("/verify/concrete/cells", test_cells);
   g_test_add_func ("/verify/concrete/steps", test_steps);
