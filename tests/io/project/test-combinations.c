@@ -136,10 +136,27 @@ test_refused (void)
   g_assert_nonnull (strstr (error->message, "1,000"));
 }
 
+/* Loads that no combination changes are told, but only where a code combines. */
+static void
+test_left_as_they_are (void)
+{
+  g_auto (QnProject) project, plain;
+  g_autoptr (GPtrArray) list = make ("en1990", "", &project, NULL);
+  test_parse (test_project_text, &plain);
+  guint told = 0;
+  for (guint i = 0; i < project.warnings->len; i++)
+    told += strstr (project.warnings->pdata[i], "loads.dead[0]: has no case") != NULL;
+  g_assert_cmpuint (told, ==, 1);
+  g_assert_cmpuint (project.warnings->len, >, plain.warnings->len);
+  for (guint i = 0; i < plain.warnings->len; i++)
+    g_assert_null (strstr (plain.warnings->pdata[i], "has no case"));
+}
+
 QN_TESTS
 {
   g_test_add_func ("/io/combinations/counts", test_counts);
   g_test_add_func ("/io/combinations/factors", test_factors);
   g_test_add_func ("/io/combinations/overrides", test_overrides);
+  g_test_add_func ("/io/combinations/left-as-they-are", test_left_as_they_are);
   g_test_add_func ("/io/combinations/refused", test_refused);
 }
