@@ -242,6 +242,8 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
   for (guint i = 0; i < meshes->len; i++) {
     const Mesh *mesh = meshes->pdata[i];
     guint holes = 0;
+    double ends[2] = { 0 };
+    extent_of (mesh, view, ends);
     if (!outline_of (mesh, view, outline, &holes))
       return g_strdup_printf (_ ("block %s is not a prism along %c"), mesh->name,
                               'x' + views[view].depth);
@@ -251,6 +253,7 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
     path->closed = TRUE;
     path->support = mesh->support;
     path->density = mesh->density;
+    path->thickness = ends[1] - ends[0];
     dense += mesh->density > 0;
     hollow += holes > 0;
     for (guint k = 0; k < outline->len; k++)
@@ -262,9 +265,13 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
       qn_drawing_note (drawing, _ ("blocks with holes, which are taken as solid"), 0,
                        qn_vec2 (NAN, NAN))
         ->count = hollow;
+    QnDrawingNote *note = qn_drawing_note (drawing, _ ("blocks as thick as in the file"),
+                                           0, qn_vec2 (NAN, NAN));
+    note->count = meshes->len;
+    note->minor = TRUE;
     if (dense > 0) {
-      QnDrawingNote *note = qn_drawing_note (
-        drawing, _ ("blocks with a density of the file"), 0, qn_vec2 (NAN, NAN));
+      note = qn_drawing_note (drawing, _ ("blocks with a density of the file"), 0,
+                              qn_vec2 (NAN, NAN));
       note->count = dense;
       note->minor = TRUE;
     }

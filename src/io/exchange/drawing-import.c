@@ -148,7 +148,7 @@ fill_project (QnImportWork *work, QnProject *project)
       qn_model_add_block (model, name, outline->ring.points, outline->ring.count);
     if (block == NULL)
       return FALSE;
-    block->thickness = settings->thickness;
+    block->thickness = outline->thickness > 0 ? outline->thickness : settings->thickness;
     block->unit_weight =
       outline->density > 0 ? outline->density * model->gravity : settings->unit_weight;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)

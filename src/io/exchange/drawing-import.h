@@ -44,7 +44,7 @@ typedef enum {
 typedef struct QnImportSettings {
   double unit; /* m per unit of the drawing; 0: from the file, checked with the extents */
   double tolerance;   /* m; 0: 0.2 % of the size of a block */
-  double thickness;   /* m */
+  double thickness;   /* m; of blocks of which the file tells none */
   double unit_weight; /* N/m3 */
   double friction;    /* >= 0 */
   QnGapTreatment gaps;

@@ -26,6 +26,7 @@ typedef struct QnDrawingPath {
   const char *layer; /* kept by the drawing */
   const char *name;  /* likewise; NULL where the file has none */
   double density;    /* kg/m3; 0 where the file has none */
+  double thickness;  /* in the drawing's unit; likewise */
   guint line;        /* of the file, from 1; 0 unknown */
 } QnDrawingPath;
 

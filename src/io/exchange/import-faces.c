@@ -126,7 +126,7 @@ take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
     QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
     if (!lies_in_outline (work, inner, outlines)
         && touches_lines (work, &tree, lines, face))
-      qn_import_add_outline (work, face, role, NULL, 0, 0);
+      qn_import_add_outline (work, face, &(QnOutline){ .role = role });
   }
   tell_of_idle_lines (work, &tree, lines);
   qn_box_tree_clear (&tree);

@@ -121,10 +121,14 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
   if (any && status == QN_OK && treatment == QN_GAPS_FILLED) {
     /* A block for every gap; openings are no blocks. */
     QnRings bodies = { 0 };
+    QnOutline mortar = { .role = QN_ROLE_BLOCK };
+    for (guint i = 0; i < work->outlines->len; i++)
+      mortar.thickness =
+        fmax (mortar.thickness, g_array_index (work->outlines, QnOutline, i).thickness);
     if (!qn_gaps_fill (&work->report->gaps, &bodies))
       work->no_memory = TRUE;
     for (gsize i = 0; i < bodies.count; i++)
-      qn_import_add_outline (work, &bodies.items[i], QN_ROLE_BLOCK, NULL, 0, 0);
+      qn_import_add_outline (work, &bodies.items[i], &mortar);
     qn_rings_clear (&bodies);
     work->has_mortar = TRUE;
     status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
@@ -162,8 +166,7 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
       for (gsize k = 0; k < parts.count; k++)
         if (2 * qn_ring_area (&parts.items[k])
             > work->tolerance * qn_ring_perimeter (&parts.items[k]))
-          qn_import_add_outline (work, &parts.items[k], outline.role, outline.name,
-                                 outline.density, outline.line);
+          qn_import_add_outline (work, &parts.items[k], &outline);
       g_array_index (work->outlines, QnOutline, i).ring.count = 0;
     }
     qn_rings_clear (&parts);

@@ -55,7 +55,12 @@ qn_import_sort_paths (QnImportWork *work)
     if (close_ring (work, &ring, path->closed, &ends, &overruns)) {
       collinear += qn_ring_simplify (&ring, 1e-6 * work->tolerance);
       if (ring.count >= 3)
-        qn_import_add_outline (work, &ring, role, path->name, path->density, path->line);
+        qn_import_add_outline (work, &ring,
+                               &(QnOutline){ .role = role,
+                                             .name = path->name,
+                                             .density = path->density,
+                                             .thickness = path->thickness * work->unit,
+                                             .line = path->line });
     } else if (ring.count >= 2) {
       open++;
       qn_import_add_segments (work, &ring, FALSE, role);

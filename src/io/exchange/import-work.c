@@ -25,10 +25,9 @@ qn_import_tell_healing (QnImportWork *work, const char *what, const QnHealing *h
 }
 
 void
-qn_import_add_outline (QnImportWork *work, const QnRing *ring, QnRole role,
-                       const char *name, double density, guint line)
+qn_import_add_outline (QnImportWork *work, const QnRing *ring, const QnOutline *like)
 {
-  QnOutline outline = { .role = role, .name = name, .density = density, .line = line };
+  QnOutline outline = *like;
   if (!qn_ring_init (&outline.ring, ring->points, ring->count)) {
     work->no_memory = TRUE;
     return;

@@ -14,6 +14,7 @@ typedef struct QnOutline {
   QnRole role;
   const char *name; /* kept by the drawing; NULL where it has none */
   double density;   /* kg/m3; 0: that of the settings */
+  double thickness; /* m; likewise */
   guint line;       /* of the file, from 1; 0 for faces of line work */
 } QnOutline;
 
@@ -43,9 +44,9 @@ void qn_import_tell (QnImportWork *work, gboolean warn, const char *format, ...)
 void qn_import_tell_healing (QnImportWork *work, const char *what,
                              const QnHealing *healing);
 
-/* Adds a copy of a ring (m), turned counter-clockwise. */
-void qn_import_add_outline (QnImportWork *work, const QnRing *ring, QnRole role,
-                            const char *name, double density, guint line);
+/* Adds a copy of a ring (m), turned counter-clockwise; all else is as of `like`. */
+void qn_import_add_outline (QnImportWork *work, const QnRing *ring,
+                            const QnOutline *like);
 
 /* Adds the sides of a path (m) to the line work of a role. */
 void qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,

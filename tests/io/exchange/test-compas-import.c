@@ -125,9 +125,10 @@ static void
 test_views (void)
 {
   parse (BOX ("a", "0", "1", "0", "1", "0", "1") BOX ("b", "0", "1", "0", "1", "1", "2"),
-         "seen from the front, along y; blocks; ", 2);
+         "blocks as thick as in the file; seen from the front, along y; blocks; ", 2);
   parse (BOX ("a", "0", "1", "0", "1", "0", "1") BOX ("b", "0", "1", "1", "2", "0", "1"),
-         "seen from above, along z; blocks; block a lies behind another one along y; ",
+         "blocks as thick as in the file; seen from above, along z; blocks; block a lies "
+         "behind another one along y; ",
          2);
   parse (BOX ("a", "0", "1", "0", "1", "0",
               "1") "o c\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv .2 .2 1\n"
@@ -142,7 +143,9 @@ test_views (void)
               "f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -5 -1 -2 -6\n"
               "f -8 -4 -1 -5\nf -7 -6 -2 -3\n"
               "o floor\nv -9 0 0\nv 9 0 0\nv 9 9 0\nv -9 9 0\nf -4 -3 -2 -1\n",
-    "meshes without thickness left out; seen from the front, along y; blocks; ", 2);
+    "meshes without thickness left out; blocks as thick as in the file; seen from the "
+    "front, along y; blocks; ",
+    2);
 }
 
 /* An object of the points (x, z) of `corners`, four outer and four others, at y = 0 and, the others moved
@@ -179,12 +182,13 @@ test_holes_and_inner_vertices (void)
   static const char *const full[] = { "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8",
                                       "5 6 7 8" };
   g_autofree char *hollow = dup_extruded (0, frame, 4);
-  parse (
-    hollow,
-    "blocks with holes, which are taken as solid; seen from the front, along y; blocks; ",
-    1);
+  parse (hollow,
+         "blocks with holes, which are taken as solid; blocks as thick as in the file; "
+         "seen from the front, along y; blocks; ",
+         1);
   g_autofree char *inner = dup_extruded (0, full, 5);
-  parse (inner, "seen from the front, along y; blocks; ", 1);
+  parse (inner, "blocks as thick as in the file; seen from the front, along y; blocks; ",
+         1);
   g_autofree char *tapers = dup_extruded (0.1, full, 5);
   parse (tapers,
          "test.obj:1: the blocks are not prisms of one direction: block f is not a prism "
@@ -212,6 +216,7 @@ test_density (void)
   g_assert_cmpuint (drawing.paths->len, ==, 2);
   g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 0).density, ==, 1800);
   g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 1).density, ==, 2500);
+  g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 1).thickness, ==, 1);
 }
 
 static void
