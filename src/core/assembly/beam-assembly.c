@@ -561,6 +561,15 @@ qn_beam_assembly_ties (const QnBeamAssembly *as, QnTieResult *ties)
 }
 
 double
+qn_beam_assembly_tie_gap (const QnBeamAssembly *as, size_t tie)
+{
+  size_t b = as->model->element_count + tie;
+
+  return as->beams[b].properties.rest + as->responses[b].memory.stretch
+         - as->beams[b].kinematics.deformation[0];
+}
+
+double
 qn_beam_assembly_tie_rate (const QnBeamAssembly *as, size_t tie, const double *v)
 {
   const QnAssembledBeam *beam = &as->beams[as->model->element_count + tie];

@@ -135,6 +135,10 @@ void qn_beam_assembly_add_material_tangent (const QnBeamAssembly *beams, double 
 /* Every tie at the last evaluation. */
 void qn_beam_assembly_ties (const QnBeamAssembly *beams, QnTieResult *ties);
 
+/* By how much the ends of a tie may still move apart before it pulls, m, at the last evaluation;
+ * not above 0 where it does. */
+double qn_beam_assembly_tie_gap (const QnBeamAssembly *beams, size_t tie);
+
 /* How fast the ends of a tie move apart at the last evaluation with velocities v of the unknowns. */
 double qn_beam_assembly_tie_rate (const QnBeamAssembly *beams, size_t tie,
                                   const double *v);

@@ -81,7 +81,7 @@ allocate_for_pairs (QnEquilibrium *eq)
   eq->linsys =
     qn_linsys_new (as->unknown_count, as->ap, as->ai, as->model->analysis.workers);
   eq->factored_phases = qn_pool_alloc (pool, as->pair_count, sizeof *eq->factored_phases);
-  eq->gaps = qn_pool_alloc (pool, as->pair_count, sizeof *eq->gaps);
+  eq->gaps = qn_pool_alloc (pool, as->pair_count + as->beams.count, sizeof *eq->gaps);
   qn_equilibrium_state_init (&eq->committed, as, pool);
   qn_equilibrium_state_init (&eq->recorded, as, pool);
   qn_equilibrium_state_init (&eq->anchor, as, pool);

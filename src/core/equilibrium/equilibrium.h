@@ -61,7 +61,7 @@ typedef struct QnEquilibrium {
   double *step;      /* Newton direction */
   double *trial;     /* u + alpha step */
   double *live_step; /* K \\ F_live: displacements per multiplier */
-  double *gaps;      /* of the pairs before the last step of motion, m */
+  double *gaps;      /* of pairs, then of ties, before the last step of motion, m */
   double *
     motion; /* how the structure moves on, a direction of any length: of the last viscous step, of a
                         central path, or in which an unstable equilibrium is left */
@@ -207,8 +207,8 @@ QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central,
                                     const QnTarget *target, double far, QnFall *fall,
                                     int budget);
 
-/* Notes how far joints stand open now; and whether one that stands open will close within `horizon`
- * if it goes on as it did since then, in `time_step`. */
+/* Notes how far joints stand open and ties hang slack now; and whether one will close, or be taut, within
+ * `horizon` if it goes on as it did since then, in `time_step`. */
 void qn_equilibrium_note_gaps (QnEquilibrium *eq);
 bool qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step,
                                 double horizon);

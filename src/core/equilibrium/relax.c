@@ -100,11 +100,26 @@ time_to_run_away (const QnEquilibrium *eq)
          / qn_assembly_elastic_displacements (&eq->assembly, eq->motion, NULL);
 }
 
+static size_t
+tie_count (const QnEquilibrium *eq)
+{
+  return eq->assembly.beams.count - eq->assembly.model->element_count;
+}
+
 void
 qn_equilibrium_note_gaps (QnEquilibrium *eq)
 {
   for (size_t p = 0; p < eq->assembly.pair_count; p++)
     eq->gaps[p] = qn_assembly_gap (&eq->assembly, p);
+  for (size_t t = 0; t < tie_count (eq); t++)
+    eq->gaps[eq->assembly.pair_count + t] =
+      qn_beam_assembly_tie_gap (&eq->assembly.beams, t);
+}
+
+static bool
+closes (double before, double gap, double time_step, double horizon)
+{
+  return gap > 0 && gap * time_step < (before - gap) * horizon;
 }
 
 bool
@@ -112,11 +127,14 @@ qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double hor
 {
   const QnAssembly *as = &eq->assembly;
 
-  for (size_t p = 0; p < as->pair_count; p++) {
-    double gap = qn_assembly_gap (as, p);
-    if (!as->inactive[p] && gap > 0 && gap * time_step < (eq->gaps[p] - gap) * horizon)
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (!as->inactive[p]
+        && closes (eq->gaps[p], qn_assembly_gap (as, p), time_step, horizon))
       return true;
-  }
+  for (size_t t = 0; t < tie_count (eq); t++)
+    if (closes (eq->gaps[as->pair_count + t], qn_beam_assembly_tie_gap (&as->beams, t),
+                time_step, horizon))
+      return true;
   return false;
 }
 

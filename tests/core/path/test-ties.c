@@ -91,6 +91,13 @@ test_overturning (void)
   second->yield = 1e7;
   moment += 3000 * lever (second);
   assert_collapse (&model, moment / 1e4, 1e-5);
+
+  /* It turns by much before this one is taut, under a load that does not grow meanwhile. */
+  init_pushed (&model);
+  level = add_tie (&model, "late", qn_vec2 (-0.5, 1.5), qn_vec2 (-4, 1.5));
+  level->yield = 2e7;
+  level->slack = 0.01;
+  assert_collapse (&model, (WEIGHT * 0.5 + 6000 * 1.5) / 1e4, 1e-5);
 }
 
 /* What the tie cannot give: pushed the other way it hangs slack, and the block turns over alone. */
