@@ -143,6 +143,7 @@
   X (NEAR_MISS_OVERLAP, "overlap within a few contact tolerances") \
   X (POINT_CONTACT, "blocks touch at a point only") \
   X (BLOCK_WITHOUT_CONTACT, "block touches no other block") \
+  X (BLOCK_SLIVER, "block is a sliver beside the others: merge it with its neighbour, or remove it") \
   X (GEOMETRY_FAILED, "geometry could not be computed") \
   X (GEOMETRY_EMPTY, "nothing is left of the geometry") \
   X (GEOMETRY_HOLE, "polygon would surround a hole") \

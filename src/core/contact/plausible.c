@@ -7,6 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A sliver is thinner than this part of the median block and has less than this part of its area: beds of
+ * mortar are as thin, but long. Where more than a tenth of the blocks, of 10 or more, are like this they are
+ * meant to be. */
+#define SLIVER_WIDTH 0.1
+#define SLIVER_AREA  0.01
+
 /* Findings of one row; more would hide the others. */
 #define MOST_OF_A_ROW 3
 
@@ -511,6 +517,72 @@ examine_sinking (Doubts *d, const QnContacts *contacts)
   return done;
 }
 
+/* ---- slivers ---- */
+
+static int
+compare_numbers (const void *a, const void *b)
+{
+  const double *p = a, *q = b;
+  return (*p > *q) - (*p < *q);
+}
+
+/* Of a long strip its width, m. */
+static double
+width_of (const QnModel *model, size_t block)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, (QnId) block);
+  const int count = model->blocks[block].vertex_count;
+  double perimeter = 0;
+  for (int i = 0; i < count; i++)
+    perimeter += qn_vec2_length (qn_vec2_sub (v[(i + 1) % count], v[i]));
+  return 2 * model->blocks[block].area / perimeter;
+}
+
+/* With the neighbour that each touches most. */
+static bool
+examine_slivers (Doubts *d, const QnContacts *contacts)
+{
+  const QnModel *model = d->model;
+  const size_t n = model->block_count;
+  if (n < 10)
+    return true;
+  double *sorted = qn_alloc (n, sizeof *sorted), median[2];
+  QnId *slivers = qn_alloc (n, sizeof *slivers);
+  bool done = sorted != NULL && slivers != NULL;
+  for (int k = 0; done && k < 2; k++) {
+    for (size_t i = 0; i < n; i++)
+      sorted[i] = k == 0 ? model->blocks[i].area : width_of (model, i);
+    qsort (sorted, n, sizeof *sorted, compare_numbers);
+    median[k] = sorted[n / 2];
+  }
+  size_t count = 0;
+  for (size_t i = 0; done && i < n; i++)
+    if (model->blocks[i].area < SLIVER_AREA * median[0]
+        && width_of (model, i) < SLIVER_WIDTH * median[1])
+      slivers[count++] = (QnId) i;
+  for (size_t i = 0; done && i < count && 10 * count <= n; i++) {
+    QnFinding finding = { QN_PROBLEM_BLOCK_SLIVER,
+                          slivers[i],
+                          QN_NONE,
+                          model->blocks[slivers[i]].centroid,
+                          0,
+                          QN_NONE,
+                          NULL };
+    double longest = 0;
+    for (size_t f = 0; f < contacts->face_count; f++) {
+      const QnContactFace *face = &contacts->faces[f];
+      if ((face->a != slivers[i] && face->b != slivers[i]) || face->length <= longest)
+        continue;
+      finding.block_b = face->a == slivers[i] ? face->b : face->a;
+      longest = face->length;
+    }
+    done = qn_findings_add (d->findings, finding);
+  }
+  free (sorted);
+  free (slivers);
+  return done;
+}
+
 QnStatus
 qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
@@ -522,6 +594,7 @@ qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts, QnDiag *d
   examine_loads (&d, extent);
   examine_analysis (&d, extent);
   examine_dead_load (&d);
-  return examine_sinking (&d, contacts) && !d.no_memory ? QN_OK
-                                                        : qn_diag_no_memory (diag);
+  return examine_sinking (&d, contacts) && examine_slivers (&d, contacts) && !d.no_memory
+           ? QN_OK
+           : qn_diag_no_memory (diag);
 }

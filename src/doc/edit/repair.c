@@ -36,7 +36,7 @@ choose (const QnModel *model, const QnFinding *finding, QnId *mover, QnId *keepe
 {
   *mover = finding->block_a;
   *keeper = finding->block_b;
-  if (*keeper == QN_NONE)
+  if (*keeper == QN_NONE || finding->problem == QN_PROBLEM_BLOCK_SLIVER)
     return;
   const QnBlock *a = &model->blocks[*mover], *b = &model->blocks[*keeper];
   gboolean swap =
@@ -126,6 +126,10 @@ qn_repair_get_choices (const QnModel *model, const QnFinding *finding, gboolean 
               || finding->problem == QN_PROBLEM_BLOCK_FLOATING)
              && finding->block_a != QN_NONE) {
     choices[count++] = gaps ? QN_REPAIR_CLOSE : QN_REPAIR_SUPPORT;
+    choices[count++] = QN_REPAIR_DELETE;
+  } else if (finding->problem == QN_PROBLEM_BLOCK_SLIVER) {
+    if (two)
+      choices[count++] = QN_REPAIR_MERGE;
     choices[count++] = QN_REPAIR_DELETE;
   } else if (finding->problem == QN_PROBLEM_OVERRIDE_UNUSED && two) {
     choices[count++] = QN_REPAIR_FORGET;

@@ -377,10 +377,38 @@ test_sinking (void)
       }
 }
 
+/* A crumb between twelve blocks is told with the block that it lies on; where every second block is as small
+ * they are meant. */
+static void
+test_slivers (void)
+{
+  for (int crumbs = 0; crumbs < 8; crumbs += 1 + 5 * crumbs) {
+    g_auto (QnModel) model;
+    QnContacts contacts;
+    test_model_init_stack (&model, 12, 1, 0.5);
+    test_model_add_weight_loads (&model, 1);
+    const QnVec2 corner = qn_model_block_vertices (&model, 12)[3];
+    for (int i = 0; i < crumbs; i++) {
+      g_autofree char *name = g_strdup_printf ("crumb %d", i);
+      test_model_add_rectangle (&model, name, corner.x + 0.1 * i, corner.y, 0.05, 0.004);
+    }
+    test_detect (&model, &contacts);
+    g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCK_SLIVER), ==,
+                      crumbs == 1 ? 1 : 0);
+    if (crumbs == 1) {
+      const QnFinding *sliver = test_the_finding (&contacts, QN_PROBLEM_BLOCK_SLIVER);
+      g_assert_cmpint (sliver->block_a, ==, (QnId) model.block_count - 1);
+      g_assert_cmpint (sliver->block_b, ==, 12);
+    }
+    qn_contacts_clear (&contacts);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/plausible/rows", test_rows);
   g_test_add_func ("/plausible/counts", test_counts);
   g_test_add_func ("/plausible/no-dead-load", test_no_dead_load);
   g_test_add_func ("/plausible/sinking", test_sinking);
+  g_test_add_func ("/plausible/slivers", test_slivers);
 }
