@@ -19,6 +19,7 @@
   FIELD (CORNER_1, "corner_1", NULL)                                                     \
   FIELD (CORNER_2, "corner_2", NULL)                                                     \
   FIELD (CORNER_3, "corner_3", NULL)                                                     \
+  FIELD (CROPPED, "cropped", NULL)                                                       \
   FIELD (AS_TAKEN, "as_taken", NULL)
 QN_FORM_FIELDS;
 
@@ -53,7 +54,8 @@ show (gpointer data, guint field, QnValue *value)
   }
   if (field >= CORNER) {
     QnVec2 corner = underlay.points[(field - CORNER) % 4];
-    if (field != AS_TAKEN)
+    value->number = underlay.cropped;
+    if (field < CROPPED)
       value->text = g_strdup_printf ("%.4g; %.4g", corner.x, corner.y);
     return underlay.rectified;
   }
@@ -94,7 +96,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return qn_document_place_picture (document, _ ("Show Picture as Taken"), NULL,
                                       &underlay, error);
   }
-  if (field >= CORNER) {
+  if (field == CROPPED)
+    underlay.cropped = value->number != 0.0;
+  else if (field >= CORNER) {
     if (!take_corner (&underlay, field - CORNER, value->text, error))
       return FALSE;
   } else

@@ -28,6 +28,7 @@ static const QnMember underlay_members[] = {
 static const QnMember rectangle_members[] = {
   QN_KNOWN ("corners"),
   QN_NUMBER ("height", REQUIRED, POSITIVE, QnUnderlay, height),
+  QN_BOOL ("cropped", OPTIONAL, QnUnderlay, cropped),
   { 0 },
 };
 
@@ -130,7 +131,9 @@ qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo, GError **e
   underlay->image = photo;
   if (!underlay->rectified)
     return TRUE;
-  underlay->image = qn_rectify (photo, underlay->points, &underlay->seen);
+  underlay->image = qn_rectify (photo, underlay->points,
+                                underlay->cropped ? 0 : QN_RECTIFY_MARGIN,
+                                &underlay->seen);
   cairo_surface_destroy (photo);
   if (underlay->image == NULL)
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,

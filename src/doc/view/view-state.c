@@ -71,7 +71,7 @@ update_underlay (QnViewState *self)
   const QnUnderlay *shown = &self->options.underlay;
   cairo_surface_t *image = shown->image;
   gboolean same =
-    underlay.rectified == shown->rectified
+    underlay.rectified == shown->rectified && underlay.cropped == shown->cropped
     && (!underlay.rectified
         || memcmp (underlay.points, shown->points, sizeof shown->points) == 0);
   underlay.seen = shown->seen;

@@ -105,9 +105,9 @@ qn_rectify_to_plane (const QnVec2 points[4], QnVec2 photo, QnVec2 *plane)
 
 /* What of the plane the photo shows, within the margin. */
 static QnBox
-find_seen (const QnVec2 points[4])
+find_seen (const QnVec2 points[4], double margin)
 {
-  const double least = -QN_RECTIFY_MARGIN, most = 1 + QN_RECTIFY_MARGIN;
+  const double least = -margin, most = 1 + margin;
   QnBox box = { { 0, 0 }, { 1, 1 } };
   for (int i = 0; i < 4; i++) {
     QnVec2 at;
@@ -170,10 +170,10 @@ pixels_along (cairo_surface_t *photo, const QnVec2 p[4], int side)
 }
 
 cairo_surface_t *
-qn_rectify (cairo_surface_t *photo, const QnVec2 points[4], QnBox *seen)
+qn_rectify (cairo_surface_t *photo, const QnVec2 points[4], double margin, QnBox *seen)
 {
   Projection projection = projection_of (points);
-  *seen = find_seen (points);
+  *seen = find_seen (points, margin);
   QnVec2 size = qn_vec2_sub (seen->max, seen->min);
   double across = size.x * pixels_along (photo, points, 0);
   double up = size.y * pixels_along (photo, points, 1);

@@ -31,6 +31,7 @@ bool qn_rectify_sort (QnVec2 points[4]);
 bool qn_rectify_to_photo (const QnVec2 points[4], QnVec2 plane, QnVec2 *photo);
 bool qn_rectify_to_plane (const QnVec2 points[4], QnVec2 photo, QnVec2 *plane);
 
-/* The plane seen from the front, and in `seen` the part of it that the picture shows. NULL without
- * memory. `points` are sorted. The caller destroys it. */
-cairo_surface_t *qn_rectify (cairo_surface_t *photo, const QnVec2 points[4], QnBox *seen);
+/* The plane seen from the front, so far beyond the rectangle at most, and in `seen` the part of it that the
+ * picture shows. NULL without memory. `points` are sorted. The caller destroys it. */
+cairo_surface_t *qn_rectify (cairo_surface_t *photo, const QnVec2 points[4],
+                             double margin, QnBox *seen);

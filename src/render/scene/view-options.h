@@ -74,6 +74,7 @@ typedef struct QnUnderlay {
   bool rectified;
   QnVec2 points[4]; /* on the photo */
   double height;    /* of the rectangle, m */
+  bool cropped;     /* to the rectangle */
   QnBox seen;       /* what `image` shows of the rectangle's plane */
 } QnUnderlay;
 

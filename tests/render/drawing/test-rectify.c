@@ -77,7 +77,7 @@ test_picture (void)
   cairo_destroy (cr);
 
   QnBox seen;
-  cairo_surface_t *front = qn_rectify (photo, points, &seen);
+  cairo_surface_t *front = qn_rectify (photo, points, QN_RECTIFY_MARGIN, &seen);
   g_assert_nonnull (front);
   g_assert_cmpfloat (seen.min.x, <=, 0);
   g_assert_cmpfloat (seen.max.y, >=, 1);
@@ -92,6 +92,11 @@ test_picture (void)
     int y = (int) ((seen.max.y - middle.y) / (seen.max.y - seen.min.y) * rows);
     g_assert_cmpuint (data[y * stride + 4 * x], ==, (i % 6 + i / 6) % 2 == 0 ? 0 : 255);
   }
+  cairo_surface_destroy (front);
+  front = qn_rectify (photo, points, 0, &seen);
+  g_assert_cmpint (cairo_image_surface_get_width (front), <, columns);
+  g_assert_true (seen.min.x == 0 && seen.min.y == 0);
+  g_assert_true (seen.max.x == 1 && seen.max.y == 1);
   cairo_surface_destroy (front);
   cairo_surface_destroy (photo);
 }
