@@ -1,6 +1,7 @@
 #include "app/pages/study-private.h"
 
 #include "app/widgets/builder.h"
+#include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
 #include "doc/text/path-text.h"
 #include "io/text/io-error.h"
@@ -33,6 +34,7 @@ qn_study_page_update_actions (QnStudyPage *self)
                   { "cancel", self->job != NULL },
                   { "undo", qn_draft_can_undo (self->draft) && self->job == NULL },
                   { "redo", qn_draft_can_redo (self->draft) && self->job == NULL },
+                  { "save-as", self->job == NULL },
                   { "export", self->folder != NULL } };
   for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
     g_simple_action_set_enabled (G_SIMPLE_ACTION (g_action_map_lookup_action (
@@ -158,6 +160,43 @@ export_results (GSimpleAction *action, GVariant *parameter, gpointer data)
 }
 
 static void
+on_saved (gpointer data, const char *path, const GError *error)
+{
+  QnStudyPage *self = data;
+  g_autoptr (GError) fault = NULL;
+  g_autofree char *text = NULL;
+  if (path != NULL) {
+    const char *project = qn_document_get_path (self->document);
+    g_autofree char *name = g_path_get_basename (project);
+    g_autofree char *from = g_path_get_dirname (project), *to = g_path_get_dirname (path);
+    if (qn_draft_save_as (self->draft, path, g_str_equal (from, to) ? name : project,
+                          &fault))
+      text = g_strdup_printf (_ ("Written to %s"), path);
+    qn_study_page_read_results (self);
+    qn_study_page_show_draft (self);
+  }
+  qn_study_page_tell (self, text != NULL    ? text
+                            : fault != NULL ? fault->message
+                                            : error->message);
+}
+
+/* Its results are kept beside it. */
+static void
+save_as (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  static const char *const endings[] = { ".quoin-study", NULL };
+  QnStudyPage *self = data;
+  const QnFileQuestion question = { .title = _ ("Save Study As"),
+                                    .accept = _ ("_Save"),
+                                    .name = "study.quoin-study",
+                                    .endings = endings,
+                                    .chosen = on_saved,
+                                    .path = qn_draft_get_path (self->draft) };
+  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->page)), &self->chooser,
+                  &question, self);
+}
+
+static void
 open_case (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyPage *self = data;
@@ -233,6 +272,7 @@ connect (QnStudyPage *self)
     { .name = "cancel", .activate = cancel },
     { .name = "undo", .activate = undo },
     { .name = "redo", .activate = redo },
+    { .name = "save-as", .activate = save_as },
     { .name = "export", .activate = export_results, .parameter_type = "s" },
     { .name = "export-path", .activate = export_path, .parameter_type = "(ss)" },
     { .name = "move-load", .activate = move_load },

@@ -203,6 +203,8 @@ show_study (QnWindow *self, const char *path)
     add (self, "study", _ ("Study"), page);
   else
     qn_window_show_error (self, error->message);
+  if (page == NULL && qn_document_get_path (self->document) == NULL)
+    gtk_widget_activate_action (GTK_WIDGET (self), "win.save-as", NULL);
   return page;
 }
 

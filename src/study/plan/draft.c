@@ -173,6 +173,18 @@ qn_draft_save (QnDraft *draft, GError **error)
   return TRUE;
 }
 
+gboolean
+qn_draft_save_as (QnDraft *draft, const char *path, const char *model, GError **error)
+{
+  set (draft->tree, "model", cJSON_CreateString (model));
+  g_ptr_array_set_size (draft->steps, 0);
+  record (draft);
+  g_free (draft->path);
+  draft->path = g_strdup (path);
+  g_clear_pointer (&draft->saved, g_free);
+  return qn_draft_save (draft, error);
+}
+
 const char *
 qn_draft_get_path (const QnDraft *draft)
 {

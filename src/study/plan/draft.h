@@ -43,6 +43,11 @@ void qn_draft_free (QnDraft *draft);
 /* Writes the file where it has changed. Errors: QN_IO_ERROR. */
 gboolean qn_draft_save (QnDraft *draft, GError **error);
 
+/* The same at another place; `model` is the path of the project from there, or an absolute one. What was done
+ * before can no longer be undone. */
+gboolean qn_draft_save_as (QnDraft *draft, const char *path, const char *model,
+                           GError **error);
+
 const char *qn_draft_get_path (const QnDraft *draft);
 
 gboolean qn_draft_can_undo (const QnDraft *draft);

@@ -152,6 +152,14 @@ test_whole (void)
   g_assert_true (qn_study_read (path, NULL, &study, &error));
   g_assert_no_error (error);
   g_assert_true (qn_study_parameter (&study, 0)->whole);
+  /* At another place it is the same study, of the same project, with nothing to undo. */
+  g_autofree char *elsewhere = g_build_filename (folder, "t.quoin-study", NULL);
+  g_auto (QnStudy) moved;
+  g_assert_true (qn_draft_save_as (draft, elsewhere, model, &error));
+  g_assert_cmpstr (qn_draft_get_path (draft), ==, elsewhere);
+  g_assert_false (qn_draft_can_undo (draft));
+  g_assert_true (qn_study_read (elsewhere, NULL, &moved, &error));
+  g_assert_cmpstr (qn_study_parameter (&moved, 0)->paths[0], ==, "analysis.increments");
   qn_draft_free (draft);
 }
 
