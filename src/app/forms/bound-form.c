@@ -88,10 +88,18 @@ show_list (QnBoundForm *form, GtkListBox *list, const QnValue *value)
       gtk_label_set_wrap (GTK_LABEL (label), TRUE);
       gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
       qn_context_menu_attach (label, make_menu, form);
-      gtk_list_box_append (list, label);
+      GtkWidget *line = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+      gtk_box_append (GTK_BOX (line), gtk_image_new ());
+      gtk_box_append (GTK_BOX (line), label);
+      gtk_list_box_append (list, line);
       child = gtk_widget_get_last_child (GTK_WIDGET (list));
     }
-    GtkWidget *label = gtk_list_box_row_get_child (GTK_LIST_BOX_ROW (child));
+    GtkWidget *icon =
+      gtk_widget_get_first_child (gtk_list_box_row_get_child (GTK_LIST_BOX_ROW (child)));
+    GtkWidget *label = gtk_widget_get_next_sibling (icon);
+    gtk_widget_set_visible (icon, value->icons != NULL);
+    if (value->icons != NULL)
+      gtk_image_set_from_icon_name (GTK_IMAGE (icon), value->icons[row - value->rows]);
     gtk_label_set_text (GTK_LABEL (label), *row);
     gtk_widget_set_tooltip_text (label, *row);
     gtk_widget_set_visible (child, **row != '\0');
@@ -293,13 +301,13 @@ static void
 scroll_to_part (GtkWidget *part)
 {
   GtkWidget *scroller = gtk_widget_get_ancestor (part, GTK_TYPE_SCROLLED_WINDOW);
-  double x, y;
+  graphene_point_t at;
   if (scroller == NULL
-      || !gtk_widget_translate_coordinates (part, scroller, 0.0, 0.0, &x, &y))
+      || !gtk_widget_compute_point (part, scroller, graphene_point_zero (), &at))
     return;
   GtkAdjustment *place =
     gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (scroller));
-  const double top = gtk_adjustment_get_value (place) + y;
+  const double top = gtk_adjustment_get_value (place) + at.y;
   gtk_adjustment_clamp_page (
     place, top,
     top + MIN (gtk_widget_get_height (part), gtk_adjustment_get_page_size (place)));

@@ -326,8 +326,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case IMPORT:
     qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
-                    &(QnFileQuestion){ _ ("Import Ground Motion"), _ ("_Import"), NULL,
-                                       NULL, on_chosen },
+                    &(QnFileQuestion){ .title = _ ("Import Ground Motion"),
+                                       .accept = _ ("_Import"),
+                                       .chosen = on_chosen },
                     form);
     return TRUE;
   case REMOVE:

@@ -25,6 +25,13 @@ qn_value_add_row (QnValue *value, const char *row)
 }
 
 void
+qn_value_set_icon (QnValue *value, const char *icon)
+{
+  value->icons = g_renew (const char *, value->icons, value->row_count);
+  value->icons[value->row_count - 1] = icon;
+}
+
+void
 qn_value_set_laws (QnValue *value, const QnModel *model, const char *first, QnId law)
 {
   if (first != NULL)
@@ -53,4 +60,5 @@ qn_value_clear (QnValue *value)
 {
   g_free (value->text);
   g_strfreev (value->rows);
+  g_free (value->icons);
 }

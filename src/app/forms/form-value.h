@@ -10,6 +10,8 @@ typedef struct QnValue {
   char *text;    /* owned */
   char **rows;   /* of a choice or a list, anew; owned; NULL: as they are in the file */
   guint row_count;
+  const char *
+    *icons; /* of the rows of a list; owned, the names are not; NULL: they have none */
   gboolean mixed;    /* a check or number that is not the same for all that is selected */
   gboolean disabled; /* shown, but not to be used now */
 } QnValue;
@@ -20,6 +22,8 @@ int qn_value_int (const QnValue *value);
 /* One more row of a choice or a list; `row` is taken over, or copied. */
 void qn_value_take_row (QnValue *value, char *row);
 void qn_value_add_row (QnValue *value, const char *row);
+/* The icon of the last row; every row has one, or none has. */
+void qn_value_set_icon (QnValue *value, const char *icon);
 
 /* Names of laws as rows, with `first` (nullable) before them for none, and the row of `law`; the law
  * of such a row. */

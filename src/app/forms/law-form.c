@@ -119,6 +119,30 @@ add_joints (QnValue *value, const char *first)
     qn_value_add_row (value, _ (qn_typical_joints[i].name));
 }
 
+/* Rigid blocks need no stiffness, strengths that last no energy; associative flow has its own dilatancy. */
+static gboolean
+is_ignored (const QnAnalysisSettings *analysis, const char *key)
+{
+  static const char *const of_paths[] = { "elasticity",
+                                          "poisson",
+                                          "kn",
+                                          "ks",
+                                          "shear_factor",
+                                          "residual_friction",
+                                          "dilation_end",
+                                          "fracture_energy_tension",
+                                          "hardening",
+                                          "fracture_energy_shear",
+                                          "ultimate_strain",
+                                          "fracture_energy",
+                                          "crushing_energy",
+                                          NULL };
+  return analysis->procedure == QN_PROCEDURE_LIMIT
+         && (g_strv_contains (of_paths, key)
+             || (analysis->flow == QN_FLOW_ASSOCIATIVE
+                 && g_str_equal (key, "dilatancy")));
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -200,6 +224,7 @@ show (gpointer data, guint field, QnValue *value)
     if (number == NULL)
       return FALSE;
     value->number = *number;
+    value->disabled = is_ignored (&model->analysis, numbers[field - FIELD_COUNT].key);
     g_object_set (form->base.widgets[field], "quantity",
                   qn_law_quantity (numbers[field - FIELD_COUNT].key, law.basis), NULL);
     return TRUE;

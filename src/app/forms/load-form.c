@@ -1,5 +1,5 @@
-/* Loads one by one: those that are constant, those that grow, and those of further sets. The selected
- * one is that of the drawing. */
+/* Loads one by one: those that are constant, those that grow, and those of further sets; settlements in a
+ * form of their own. The selected one is that of the drawing. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
@@ -19,9 +19,10 @@ enum { ROW_DEAD, ROW_LIVE };
 
 typedef struct Form {
   QnBoundForm base;
-  int32_t shown; /* list */
-  int selected;  /* load of it, or -1: that of the selection */
-  int wanted;    /* to be selected once an edit has added it; -1: nothing */
+  int32_t shown;    /* list */
+  int selected;     /* load of it, or -1: that of the selection */
+  int wanted;       /* to be selected once an edit has added it; -1: nothing */
+  gboolean settles; /* about settlements, not about the other loads */
 } Form;
 
 /* Of new loads on beams, N/m. */
@@ -36,6 +37,7 @@ typedef struct Form {
   FIELD (REMOVE_SET, "remove_set", N_ ("Remove Set of Loads"))                           \
   FIELD (LOADS, "loads", NULL)                                                           \
   FIELD (EMPTY, "empty", NULL)                                                           \
+  FIELD (ADD, "add", NULL)                                                               \
   FIELD (CHOOSE_EDGE, "choose_edge", NULL)                                               \
   MEMBER (CASE, "case", CHANGE, QnLoad, load_case)                                       \
   FIELD (WHERE, "where", CHANGE)                                                         \
@@ -112,6 +114,29 @@ select_load (const Form *form, int index)
                          id_of (form, index));
 }
 
+/* Whether the form is about the i-th load of the list. */
+static gboolean
+shows (const Form *form, gsize index)
+{
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  return (qn_model_get_load (model, form->shown, index)->kind == QN_LOAD_SETTLEMENT)
+         == form->settles;
+}
+
+static gboolean
+shows_any (const Form *form)
+{
+  const gboolean dead = form->shown == QN_DEAD_LOADS;
+  gsize count;
+  const QnLoad *loads =
+    qn_model_loads ((QnModel *) qn_canvas_get_model (form->base.canvas), !dead, &count);
+  gboolean any = FALSE;
+  for (gsize i = 0; i < count && !any; i++)
+    any = (dead || loads[i].set == form->shown)
+          && (loads[i].kind == QN_LOAD_SETTLEMENT) == form->settles;
+  return any;
+}
+
 /* A load that is selected in the drawing is shown in its list. */
 static gboolean
 look (gpointer data)
@@ -125,6 +150,7 @@ look (gpointer data)
       && (gsize) form->wanted < qn_model_count_loads (model, form->shown))
     select_load (form, form->wanted);
   const int before = form->selected;
+  const int32_t list = form->shown;
   form->wanted = form->selected = -1;
   for (int live = 0; live < 2; live++) {
     QnId id =
@@ -134,6 +160,10 @@ look (gpointer data)
     if (id == QN_NONE || (gsize) id >= count)
       continue;
     qn_model_place_load (model, live, id, &form->shown, &index);
+    if (!shows (form, index)) {
+      form->shown = list;
+      continue;
+    }
     form->selected = (int) index;
     if (form->selected != before)
       qn_bound_form_reveal (form);
@@ -143,23 +173,41 @@ look (gpointer data)
 
 /* ---- what is shown ---- */
 
+/* Loads that the form is not about have empty rows, which hide. */
 static void
-add_loads (QnValue *value, const QnModel *model, int32_t list)
+add_loads (const Form *form, QnValue *value, const QnModel *model)
 {
-  const gsize count = qn_model_count_loads (model, list);
+  static const char *const icons[QN_LOAD_KIND_COUNT] = {
+    [QN_LOAD_WEIGHT] = "quoin-rectangle-symbolic",
+    [QN_LOAD_FORCE] = "quoin-force-symbolic",
+    [QN_LOAD_NODE] = "quoin-force-symbolic",
+    [QN_LOAD_LINE] = "quoin-edge-load-symbolic",
+    [QN_LOAD_SETTLEMENT] = "quoin-support-symbolic",
+    [QN_LOAD_EDGE] = "quoin-edge-load-symbolic",
+    [QN_LOAD_SURCHARGE] = "quoin-edge-load-symbolic",
+    [QN_LOAD_BACKFILL] = "quoin-displace-symbolic",
+    [QN_LOAD_FILL] = "quoin-arch-symbolic",
+    [QN_LOAD_VEHICLE] = "quoin-beam-symbolic",
+  };
+  const gsize count = qn_model_count_loads (model, form->shown);
   for (gsize i = 0; i < MIN (count, MOST_SHOWN); i++) {
-    const QnLoad *load = qn_model_get_load (model, list, i);
-    g_autofree char *what = qn_load_dup_text (model, load, qn_settings_get_units ());
-    if (load->load_case > 0)
+    const QnLoad *load = qn_model_get_load (model, form->shown, i);
+    g_autofree char *what = shows (form, i)
+                              ? qn_load_dup_text (model, load, qn_settings_get_units ())
+                              : g_strdup ("");
+    if (load->load_case > 0 && *what != '\0')
       qn_value_take_row (
         value,
         g_strdup_printf ("%s: %s", model->load_cases[load->load_case - 1].name, what));
     else
       qn_value_take_row (value, g_steal_pointer (&what));
+    qn_value_set_icon (value, icons[load->kind]);
   }
-  if (count > MOST_SHOWN)
+  if (count > MOST_SHOWN) {
     qn_value_take_row (value,
                        g_strdup_printf (_ ("and %u more"), (guint) (count - MOST_SHOWN)));
+    qn_value_set_icon (value, NULL);
+  }
 }
 
 static gpointer
@@ -294,19 +342,25 @@ show (gpointer data, guint field, QnValue *value)
   case NAME:
     if (form->shown > 0)
       value->text = g_strdup (model->load_sets[form->shown - 1]);
-    return form->shown > 0;
+    return form->shown > 0 && !form->settles;
+  case ADD_SET:
+    return !form->settles;
   case REMOVE_SET:
     value->disabled = form->shown <= 0;
-    return TRUE;
+    return !form->settles;
   case LOADS:
-    add_loads (value, model, form->shown);
+    if (shows_any (form))
+      add_loads (form, value, model);
     value->number = form->selected;
     return TRUE;
   case EMPTY:
-    value->text =
-      g_strdup (_ ("No loads in this list. Add one below, or draw a force or an "
-                   "edge load."));
-    return qn_model_count_loads (model, form->shown) == 0;
+    value->text = g_strdup (
+      form->settles ? _ ("No support settles in this list. Select one and add it below.")
+                    : _ ("No loads in this list. Add one below, or draw a force or an "
+                         "edge load."));
+    return !shows_any (form);
+  case ADD:
+    return !form->settles;
   case CHOOSE_EDGE:
     return selected_load (form) != NULL && selected_load (form)->kind == QN_LOAD_EDGE;
   case UP:
@@ -321,11 +375,11 @@ show (gpointer data, guint field, QnValue *value)
   case REMOVE:
     value->disabled = selected_load (form) == NULL;
     return TRUE;
-  case ADD_SET:
+  case ADD_SETTLEMENT:
+    return form->settles;
   case ADD_WEIGHT:
   case ADD_FORCE:
   case ADD_LINE:
-  case ADD_SETTLEMENT:
   case ADD_EDGE:
   case ADD_SURCHARGE:
   case ADD_BACKFILL:
@@ -536,6 +590,17 @@ init (gpointer data)
   form->selected = form->wanted = -1;
 }
 
+static void
+init_settlements (gpointer data)
+{
+  init (data);
+  ((Form *) data)->settles = TRUE;
+  ((Form *) data)->shown = 0;
+}
+
 const QnFormKind qn_load_form =
   QN_FORM_KIND ("load-form", Form, .subject = subject, .look = look,
                 .follows = QN_FOLLOW_SELECTION, .init = init);
+const QnFormKind qn_settlement_form =
+  QN_FORM_KIND ("load-form", Form, .subject = subject, .look = look,
+                .follows = QN_FOLLOW_SELECTION, .init = init_settlements);

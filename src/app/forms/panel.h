@@ -16,11 +16,11 @@ extern const QnFormKind qn_style_form, qn_block_form, qn_array_form, qn_wall_for
 /* The corners of a single block. */
 GtkWidget *qn_corner_table_new (QnCanvas *canvas);
 
-/* Procedure and its parameters; its parts: single loads, load cases, stages of loading; settings and ground
+/* Procedure and its parameters; its parts: single loads, settlements, supports, load cases, stages of loading; settings and ground
  * motions of an analysis in time, hidden where the analysis is another; laws, reinforcing bars, ties. */
 GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
-extern const QnFormKind qn_load_form, qn_case_form, qn_stage_form, qn_dynamic_form,
-  qn_law_form, qn_bar_form, qn_tie_form;
+extern const QnFormKind qn_load_form, qn_settlement_form, qn_support_form, qn_case_form,
+  qn_stage_form, qn_dynamic_form, qn_law_form, qn_bar_form, qn_tie_form;
 
 /* Outcome in words, curve, list of runs and steps, table of contacts. */
 GtkWidget *qn_result_panel_new (QnCanvas *canvas);

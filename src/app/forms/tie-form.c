@@ -111,6 +111,11 @@ show (gpointer data, guint field, QnValue *value)
   case NAME:
     value->text = g_strdup (tie->name);
     return TRUE;
+  case ELASTICITY:
+  case PRESTRESS:
+  case SLACK:
+    value->disabled = model->analysis.procedure == QN_PROCEDURE_LIMIT;
+    return TRUE;
   case STEEL:
     show_steels (value, tie);
     return TRUE;

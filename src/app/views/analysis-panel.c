@@ -1,5 +1,6 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
+#include "core/model/support.h"
 #include "doc/edit/edit-dynamic.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
@@ -41,12 +42,18 @@
   FIELD (METHOD_TEXT, "method_text", NULL) /* beside the names of the cards */           \
   FIELD (MATERIALS_TEXT, "materials_text", NULL)                                         \
   FIELD (LOADS_TEXT, "loads_text", NULL)                                                 \
+  FIELD (SUPPORTS_TEXT, "supports_text", NULL)                                           \
   FIELD (TIES_TEXT, "ties_text", NULL)                                                   \
   FIELD (GROUND_TEXT, "ground_text", NULL)                                               \
+  FIELD (MATERIALS_HINT, "materials_hint", NULL) /* what the method ignores of them */   \
+  FIELD (LOADS_HINT, "loads_hint", NULL)                                                 \
+  FIELD (SUPPORTS_HINT, "supports_hint", NULL)                                           \
+  FIELD (TIES_HINT, "ties_hint", NULL)                                                   \
   FIELD (GROUND_HINT, "ground_hint", NULL)                                               \
   FIELD (METHOD, "method", NULL) /* cards */                                             \
   FIELD (MATERIALS, "materials", NULL)                                                   \
   FIELD (LOADS, "loads_card", NULL)                                                      \
+  FIELD (SUPPORTS, "supports_card", NULL)                                                \
   FIELD (TIES, "ties_card", NULL)                                                        \
   FIELD (GROUND, "ground", NULL)
 QN_FORM_FIELDS;
@@ -159,11 +166,48 @@ has_density (const QnModel *model)
   return FALSE;
 }
 
+/* What the method ignores of what a card is about; NULL: nothing. */
+static const char *
+ignored_text (const QnModel *model, guint field)
+{
+  const QnAnalysisSettings *a = &model->analysis;
+  const gboolean limit = a->procedure == QN_PROCEDURE_LIMIT;
+  const gboolean timed = a->procedure == QN_PROCEDURE_DYNAMIC;
+  switch (field) {
+  case MATERIALS_HINT:
+    return !limit ? NULL
+           : a->flow == QN_FLOW_ASSOCIATIVE
+             ? _ ("Limit analysis knows rigid blocks, strengths that last and joints "
+                  "that dilate by their friction: what is grey plays no part.")
+             : _ ("Limit analysis knows rigid blocks and strengths that last: what is "
+                  "grey plays no part.");
+  case LOADS_HINT:
+    return timed ? _ ("In time the constant loads act alone: growing ones are not "
+                      "applied.")
+                 : NULL;
+  case SUPPORTS_HINT:
+    return limit   ? _ ("Limit analysis covers growing loads, not growing settlements.")
+           : timed ? _ ("In time growing settlements are not applied.")
+           : a->procedure == QN_PROCEDURE_WORK
+             ? _ ("Work control needs growing loads: settlements do no work.")
+             : NULL;
+  case TIES_HINT:
+    return limit ? _ ("Limit analysis knows what a tie can carry: what is grey plays no "
+                      "part.")
+                 : NULL;
+  default:
+    return timed ? NULL
+                 : _ ("The method follows no time: choose In time (earthquakes) under "
+                      "Method, and the ground moves as is entered here.");
+  }
+}
+
 /* What a card holds. */
 static char *
 dup_card_text (const QnModel *model, guint field)
 {
   gsize loads[2];
+  guint fixed = 0, settle = 0;
   switch (field) {
   case METHOD_TEXT:
     return model->stage_count > 0
@@ -178,6 +222,16 @@ dup_card_text (const QnModel *model, guint field)
     qn_model_loads (model, 0, &loads[0]);
     qn_model_loads (model, 1, &loads[1]);
     return g_strdup_printf (_ ("%zu constant, %zu growing"), loads[0], loads[1]);
+  case SUPPORTS_TEXT:
+    for (gsize i = 0; i < model->block_count; i++)
+      fixed += qn_support_is_any (model->blocks[i].support);
+    for (gsize i = 0; i < model->node_count; i++)
+      fixed += qn_support_is_any (model->nodes[i].support);
+    for (gsize i = 0; i < qn_model_load_count (model); i++)
+      settle += qn_model_load (model, i)->kind == QN_LOAD_SETTLEMENT;
+    return g_strdup_printf (
+      ngettext ("%u fixed, %u settlement", "%u fixed, %u settlements", settle), fixed,
+      settle);
   case TIES_TEXT:
     return model->tie_count + model->bar_count > 0
              ? g_strdup_printf ("%zu", model->tie_count + model->bar_count)
@@ -271,14 +325,14 @@ show (gpointer data, guint field, QnValue *value)
     load = weight_load (model->live_loads, model->live_load_count);
     value->number = field == LOAD + 2 ? load.x : load.y;
     return TRUE;
-  case GROUND_HINT:
-    return !timed;
   default:
     if (field < METHOD_TEXT)
       return show_contact (model, field, value);
-    if (field < METHOD)
-      value->text = dup_card_text (model, field);
-    return TRUE;
+    if (field >= METHOD)
+      return TRUE;
+    value->text = field < MATERIALS_HINT ? dup_card_text (model, field)
+                                         : g_strdup (ignored_text (model, field));
+    return value->text != NULL;
   }
 }
 
@@ -395,9 +449,10 @@ qn_analysis_panel_new (QnCanvas *canvas)
     guint card;
     gboolean first; /* before what the card has by itself */
   } parts[] = {
-    { &qn_stage_form, METHOD, FALSE },  { &qn_law_form, MATERIALS, TRUE },
-    { &qn_load_form, LOADS, TRUE },     { &qn_case_form, LOADS, FALSE },
-    { &qn_bar_form, TIES, FALSE },      { &qn_tie_form, TIES, FALSE },
+    { &qn_stage_form, METHOD, FALSE },    { &qn_law_form, MATERIALS, TRUE },
+    { &qn_load_form, LOADS, TRUE },       { &qn_case_form, LOADS, FALSE },
+    { &qn_support_form, SUPPORTS, TRUE }, { &qn_settlement_form, SUPPORTS, FALSE },
+    { &qn_bar_form, TIES, FALSE },        { &qn_tie_form, TIES, FALSE },
     { &qn_dynamic_form, GROUND, TRUE },
   };
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
@@ -407,5 +462,8 @@ qn_analysis_panel_new (QnCanvas *canvas)
     GtkBox *box = GTK_BOX (gtk_expander_get_child (part->card));
     (parts[i].first ? gtk_box_prepend : gtk_box_append) (box, qn_bound_form_show (part));
   }
+  for (guint hint = MATERIALS_HINT; hint <= GROUND_HINT; hint++)
+    gtk_box_reorder_child_after (GTK_BOX (gtk_widget_get_parent (form->widgets[hint])),
+                                 form->widgets[hint], NULL);
   return qn_bound_form_show (form);
 }

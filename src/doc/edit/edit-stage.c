@@ -258,7 +258,11 @@ qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **er
   gsize count;
   QnLoad *loads = qn_model_loads (model, live, &count);
   QnId other = load + by;
-  while (other >= 0 && (gsize) other < count && loads[other].set != loads[load].set)
+  /* Settlements have a list of their own in the window. */
+  while (other >= 0 && (gsize) other < count
+         && (loads[other].set != loads[load].set
+             || (loads[other].kind == QN_LOAD_SETTLEMENT)
+                  != (loads[load].kind == QN_LOAD_SETTLEMENT)))
     other += by;
   if (!qn_edit_has_load (model, live, other, error))
     return FALSE;
