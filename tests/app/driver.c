@@ -438,7 +438,7 @@ driver_find_message (void)
   GListModel *toplevels = gtk_window_get_toplevels ();
   for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
     g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
-    if (GTK_IS_MESSAGE_DIALOG (toplevel))
+    if (g_str_equal (gtk_widget_get_name (toplevel), "question"))
       return toplevel;
   }
   return NULL;

@@ -2,7 +2,7 @@
  * recovery after a crash, several windows. */
 #include "driver.h"
 
-#include "app/widgets/dialog.h"
+#include "app/widgets/chooser.h"
 #include "app/widgets/settings.h"
 #include "app/widgets/shortened.h"
 #include "app/window/window-private.h"
@@ -481,7 +481,7 @@ test_changed_elsewhere (void)
   GtkWidget *dialog = driver_find_message ();
   g_assert_nonnull (dialog);
   driver_screenshot (dialog, "changed-elsewhere");
-  gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
+  gtk_window_close (GTK_WINDOW (dialog));
   driver_settle ();
   g_assert_true (qn_document_is_modified (qn_window_get_document (window)));
   expect_text (path, "theirs", TRUE);
@@ -591,7 +591,7 @@ test_save_fails (void)
   driver_activate (window, "win.nudge((1.0,0.0))");
   const char *where = "/no/such/folder/wall.quoin";
   driver_activate_target (window, "win.save-path", g_variant_new_string (where));
-  g_assert_true (gtk_info_bar_get_revealed (window->info_bar));
+  g_assert_true (gtk_widget_get_visible (window->info_bar));
   g_assert_nonnull (strstr (gtk_label_get_text (window->info_label), where));
   g_assert_true (qn_document_is_modified (document));
   g_assert_cmpstr (qn_document_get_path (document), ==, path);
@@ -608,13 +608,13 @@ test_endings (void)
   g_autofree char *typed = g_build_filename (folder, "wall.SVG", NULL);
   g_autofree char *whole = g_strconcat (bare, ".png", NULL);
   g_autoptr (GError) error = NULL;
-  g_autofree char *first = qn_dialog_complete_path (bare, endings, &error);
+  g_autofree char *first = qn_chooser_complete_path (bare, endings, &error);
   g_assert_cmpstr (first, ==, whole);
-  g_autofree char *kept = qn_dialog_complete_path (typed, endings, &error);
+  g_autofree char *kept = qn_chooser_complete_path (typed, endings, &error);
   g_assert_cmpstr (kept, ==, typed);
   g_assert_no_error (error);
   g_assert_true (g_file_set_contents (whole, "", -1, NULL));
-  g_assert_null (qn_dialog_complete_path (bare, endings, &error));
+  g_assert_null (qn_chooser_complete_path (bare, endings, &error));
   g_assert_error (error, G_IO_ERROR, G_IO_ERROR_EXISTS);
   g_unlink (whole);
   g_rmdir (folder);
@@ -644,7 +644,8 @@ count_windows (gboolean main_ones)
   for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
     g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
     count += gtk_widget_get_mapped (toplevel)
-             && (main_ones ? QN_IS_WINDOW (toplevel) : GTK_IS_MESSAGE_DIALOG (toplevel));
+             && (main_ones ? QN_IS_WINDOW (toplevel)
+                           : g_str_equal (gtk_widget_get_name (toplevel), "question"));
   }
   return count;
 }

@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "app/canvas/canvas-private.h"
+#include "app/window/window-private.h"
 #include "support/room.h"
 
 static gboolean
@@ -32,13 +33,6 @@ expect_tools_in_sight (QnWindow *window)
     before = at;
   }
   g_assert_cmpint (count, ==, 20);
-}
-
-static gboolean
-is_info_bar (GtkWidget *widget, gconstpointer data)
-{
-  (void) data;
-  return GTK_IS_INFO_BAR (widget);
 }
 
 static gboolean
@@ -133,7 +127,7 @@ test_message_over_drawing (void)
   driver_settle ();
   GtkWidget *canvas = GTK_WIDGET (canvas_of (window));
   g_assert_cmpint (gtk_widget_get_height (canvas), ==, height);
-  GtkWidget *bar = driver_find_widget (GTK_WIDGET (window), is_info_bar, NULL);
+  GtkWidget *bar = window->info_bar;
   graphene_rect_t bounds,
     room =
       GRAPHENE_RECT_INIT (0, 0, (float) gtk_widget_get_width (canvas), (float) height);

@@ -275,6 +275,64 @@ test_submenu (void)
   driver_discard (window);
 }
 
+/* Menus and popovers behind buttons that can be pressed now. */
+static void
+add_menu_buttons (GtkWidget *widget, GPtrArray *buttons)
+{
+  if (GTK_IS_MENU_BUTTON (widget) && gtk_widget_get_mapped (widget)
+      && gtk_widget_is_sensitive (widget)
+      && gtk_menu_button_get_popover (GTK_MENU_BUTTON (widget)) != NULL)
+    g_ptr_array_add (buttons, widget);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    add_menu_buttons (child, buttons);
+}
+
+/* Whatever a button opens closes by Escape, and the window hears keys afterwards; the last one is open when
+ * its window goes. */
+static void
+test_every_button (void)
+{
+  static const struct {
+    const char *example, *panel, *action;
+    guint buttons; /* at least */
+  } states[] = {
+    { "53-arch-bridge.quoin", "analysis", "win.envelope", 5 },
+    { "12-facade.quoin", "properties", "win.study", 4 },
+  };
+  driver_pass_over_gtk ();
+  for (gsize i = 0; i < G_N_ELEMENTS (states); i++) {
+    guint count = 0;
+    QnWindow *window = open_panel (states[i].example, states[i].panel);
+    GtkWidget *root = GTK_WIDGET (window);
+    g_autoptr (GPtrArray) buttons = g_ptr_array_new ();
+    driver_activate (window, "win.select-all");
+    driver_activate (window, states[i].action);
+    driver_settle ();
+    add_menu_buttons (root, buttons);
+    g_assert_cmpuint (buttons->len, >=, states[i].buttons);
+    for (guint k = 0; k < buttons->len; k++) {
+      GtkMenuButton *button = buttons->pdata[k];
+      GtkWidget *popover = GTK_WIDGET (gtk_menu_button_get_popover (button));
+      g_test_message ("button %u", k);
+      gtk_menu_button_popup (button);
+      driver_settle ();
+      g_assert_true (gtk_widget_get_mapped (popover));
+      if (k + 1 < buttons->len) {
+        driver_key ("Escape");
+        g_assert_false (gtk_widget_get_mapped (popover));
+      }
+      if (k == 0) {
+        qn_selection_clear (selection_of (window));
+        driver_key ("ctrl+a");
+        qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+      }
+    }
+    g_assert_cmpuint (count, ==, model_of (window)->block_count);
+    driver_discard (window);
+  }
+}
+
 /* The same of the main menu. */
 static void
 test_main_submenu (void)
@@ -755,6 +813,7 @@ QN_TESTS
   g_test_add_func ("/app/menus/open-at-end", test_open_at_end);
   g_test_add_func ("/app/menus/submenu", test_submenu);
   g_test_add_func ("/app/menus/main-submenu", test_main_submenu);
+  g_test_add_func ("/app/menus/every-button", test_every_button);
   g_test_add_func ("/app/menus/comparison", test_comparison);
   g_test_add_func ("/app/menus/variants", test_variants);
   g_test_add_func ("/app/menus/words", test_words);

@@ -141,14 +141,22 @@ open_window (Monkey *monkey)
       monkey->projects->pdata[g_test_rand_int_range (0, (int) monkey->projects->len)]);
 }
 
+static gboolean
+is_destructive (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return gtk_widget_has_css_class (widget, "destructive-action");
+}
+
 /* As the user answers who does not want to keep anything, or changes his mind. */
 static void
 answer (GtkWidget *dialog)
 {
-  static const int responses[] = { GTK_RESPONSE_REJECT, GTK_RESPONSE_CANCEL,
-                                   GTK_RESPONSE_DELETE_EVENT };
-  if (GTK_IS_MESSAGE_DIALOG (dialog))
-    gtk_dialog_response (GTK_DIALOG (dialog), responses[g_test_rand_int_range (0, 3)]);
+  GtkWidget *discard = g_str_equal (gtk_widget_get_name (dialog), "question")
+                         ? driver_find_widget (dialog, is_destructive, NULL)
+                         : NULL;
+  if (discard != NULL && g_test_rand_bit ())
+    g_signal_emit_by_name (discard, "clicked");
   else if (GTK_IS_DIALOG (dialog))
     gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
   else

@@ -202,7 +202,7 @@ test_close_while_typing (void)
   GtkWidget *question = driver_find_message ();
   g_assert_nonnull (question);
   DriverParts *parts = driver_watch_parts (window);
-  gtk_dialog_response (GTK_DIALOG (question), GTK_RESPONSE_REJECT);
+  driver_press (question, "Discard");
   driver_wait_until_gone (parts);
 }
 

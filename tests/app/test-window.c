@@ -522,7 +522,7 @@ test_unsaved (void)
   GtkWidget *dialog = driver_find_message ();
   g_assert_nonnull (dialog);
   driver_screenshot (dialog, "unsaved");
-  gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
+  gtk_window_close (GTK_WINDOW (dialog));
   driver_settle ();
   g_assert_true (window_is_open (window));
   g_assert_null (driver_find_message ());
@@ -535,7 +535,7 @@ test_unsaved (void)
   driver_activate (window, "win.nudge((1.0,0.0))");
   gtk_window_close (GTK_WINDOW (window));
   driver_settle ();
-  gtk_dialog_response (GTK_DIALOG (driver_find_message ()), GTK_RESPONSE_REJECT);
+  driver_press (driver_find_message (), "Discard");
   driver_settle ();
   g_assert_false (window_is_open (window));
   g_unlink (path);

@@ -91,7 +91,11 @@ static gboolean
 is_dark (QnCanvas *self)
 {
   GdkRGBA color;
+#if GTK_CHECK_VERSION(4, 10, 0)
+  gtk_widget_get_color (GTK_WIDGET (self), &color);
+#else
   gtk_style_context_get_color (gtk_widget_get_style_context (GTK_WIDGET (self)), &color);
+#endif
   return color.red + color.green + color.blue > 1.5f
          && qn_view_state_get_underlay (self->state)->image == NULL;
 }

@@ -137,47 +137,33 @@ write_to (Dialog *dialog, const char *path)
 }
 
 /* Numbered pictures go into a folder. */
-static char *
-dup_chosen_path (Dialog *dialog, GtkNativeDialog *chooser, GError **error)
-{
-  static const char *const endings[][3] = { { ".gif", ".webm" }, { ".webm", ".gif" } };
-  if (dialog->format != FORMAT_PICTURES)
-    return qn_dialog_dup_chosen_path (chooser, endings[dialog->format], error);
-  const char *const any[] = { "", NULL };
-  g_autofree char *folder = qn_dialog_dup_chosen_path (chooser, any, error);
-  return folder != NULL ? g_strconcat (folder, G_DIR_SEPARATOR_S, NULL) : NULL;
-}
-
 static void
-on_response (GtkNativeDialog *chooser, int response, Dialog *dialog)
+on_chosen (gpointer data, const char *path, const GError *error)
 {
-  if (response == GTK_RESPONSE_ACCEPT && dialog->form != NULL) {
-    g_autoptr (GError) error = NULL;
-    g_autofree char *path = dup_chosen_path (dialog, chooser, &error);
-    if (path != NULL)
-      write_to (dialog, path);
-    else
-      say (dialog, error->message);
-  }
-  g_clear_object (&dialog->chooser);
+  Dialog *dialog = data;
+  g_autofree char *whole =
+    g_strconcat (path != NULL ? path : "",
+                 dialog->format == FORMAT_PICTURES ? G_DIR_SEPARATOR_S : "", NULL);
+  if (path != NULL)
+    write_to (dialog, whole);
+  else
+    say (dialog, error->message);
 }
 
 static void
 on_export (Dialog *dialog)
 {
+  static const char *const endings[][3] = { { ".gif", ".webm" }, { ".webm", ".gif" } };
   static const char *const names[] = { N_ ("collapse.gif"), N_ ("collapse.webm") };
-  gboolean folder = dialog->format == FORMAT_PICTURES;
-  GtkFileChooserNative *chooser = qn_chooser_begin (
-    GTK_WINDOW (dialog->form->root), &dialog->chooser,
-    folder ? GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER : GTK_FILE_CHOOSER_ACTION_SAVE,
-    folder ? _ ("Folder for the Pictures") : _ ("Export Animation"), _ ("_Export"));
-  if (!folder)
-    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser),
-                                       _ (names[dialog->format]));
-  g_signal_connect_data (chooser, "response", G_CALLBACK (on_response),
-                         g_atomic_rc_box_acquire (dialog),
-                         (GClosureNotify) (gpointer) dialog_unref, 0);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  const gboolean folder = dialog->format == FORMAT_PICTURES;
+  const QnFileQuestion question = { .title = folder ? _ ("Folder for the Pictures")
+                                                    : _ ("Export Animation"),
+                                    .accept = _ ("_Export"),
+                                    .name = folder ? NULL : _ (names[dialog->format]),
+                                    .endings = folder ? NULL : endings[dialog->format],
+                                    .chosen = on_chosen,
+                                    .folder = folder };
+  qn_chooser_ask (GTK_WINDOW (dialog->form->root), &dialog->chooser, &question, dialog);
 }
 
 /* ---- fields ---- */

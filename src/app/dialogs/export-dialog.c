@@ -185,9 +185,11 @@ on_export (Dialog *dialog)
   g_autofree char *name =
     qn_document_dup_display_name (qn_view_state_get_document (dialog->state));
   g_autofree char *proposed = g_strdup_printf ("%s – %s", name, dialog->recipe->file);
-  const QnFileQuestion question = { _ ("Export Figure"), _ ("_Export"),
-                                    g_strdelimit (proposed, "/", '-'),
-                                    typed_endings[dialog->format], on_file_chosen };
+  const QnFileQuestion question = { .title = _ ("Export Figure"),
+                                    .accept = _ ("_Export"),
+                                    .name = g_strdelimit (proposed, "/", '-'),
+                                    .endings = typed_endings[dialog->format],
+                                    .chosen = on_file_chosen };
   qn_chooser_ask (GTK_WINDOW (dialog->base.root), &dialog->chooser, &question, dialog);
 }
 

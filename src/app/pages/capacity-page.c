@@ -262,12 +262,15 @@ ask (Form *form, guint field)
   static const char *const tables[] = { ".csv", NULL };
   const QnFileQuestion question =
     field == FILE_BUTTON
-      ? (QnFileQuestion){ _ ("Read Spectrum"), _ ("_Open"), NULL, NULL, on_points_chosen }
-    : field == EXPORT_PICTURE
-      ? (QnFileQuestion){ _ ("Export Capacity Curve"), _ ("_Export"), _ ("capacity.pdf"),
-                          pictures, on_export_chosen }
-      : (QnFileQuestion){ _ ("Export Capacity Curve"), _ ("_Export"), _ ("capacity.csv"),
-                          tables, on_export_chosen };
+      ? (QnFileQuestion){ .title = _ ("Read Spectrum"),
+                          .accept = _ ("_Open"),
+                          .chosen = on_points_chosen }
+      : (QnFileQuestion){ .title = _ ("Export Capacity Curve"),
+                          .accept = _ ("_Export"),
+                          .name = field == EXPORT_PICTURE ? _ ("capacity.pdf")
+                                                          : _ ("capacity.csv"),
+                          .endings = field == EXPORT_PICTURE ? pictures : tables,
+                          .chosen = on_export_chosen };
   qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
                   &question, form);
 }

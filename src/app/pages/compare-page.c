@@ -450,44 +450,41 @@ add_file (GFile *file, gpointer data)
 }
 
 static void
-on_files_chosen (GtkNativeDialog *dialog, int response, Compare *compare)
+on_file_added (gpointer data, const char *path, const GError *error)
 {
-  if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GListModel) files = gtk_file_chooser_get_files (GTK_FILE_CHOOSER (dialog));
-    for (guint i = 0; i < g_list_model_get_n_items (files); i++) {
-      g_autoptr (GFile) file = g_list_model_get_item (files, i);
-      add_file (file, compare);
-    }
-  }
-  g_clear_object (&compare->chooser);
+  Compare *compare = data;
+  if (path != NULL)
+    qn_batch_add (compare->batch, path);
+  else
+    tell (compare, error->message);
 }
 
 static void
-choose (Compare *compare, GtkFileChooserAction action, const char *title)
+choose (Compare *compare, gboolean folder, const char *title)
 {
   static const char *const suffixes[] = { "quoin", "json", NULL };
   static const QnFileKind kind = { .name = N_ ("Projects and results"),
                                    .suffixes = suffixes };
-  GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
-                      action, title, _ ("_Open"));
-  gtk_file_chooser_set_select_multiple (GTK_FILE_CHOOSER (chooser), TRUE);
-  if (action == GTK_FILE_CHOOSER_ACTION_OPEN)
-    qn_chooser_add_kind (chooser, &kind);
-  g_signal_connect (chooser, "response", G_CALLBACK (on_files_chosen), compare);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  const QnFileQuestion question = { .title = title,
+                                    .accept = _ ("_Open"),
+                                    .chosen = on_file_added,
+                                    .kind = folder ? NULL : &kind,
+                                    .folder = folder,
+                                    .many = TRUE };
+  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
+                  &question, compare);
 }
 
 static void
 add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  choose (data, GTK_FILE_CHOOSER_ACTION_OPEN, _ ("Add Files"));
+  choose (data, FALSE, _ ("Add Files"));
 }
 
 static void
 add_folders (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  choose (data, GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER, _ ("Add Folders"));
+  choose (data, TRUE, _ ("Add Folders"));
 }
 
 static void
@@ -591,8 +588,11 @@ static void
 export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
-  const QnFileQuestion question = { _ ("Export Sheet"), _ ("_Export"),
-                                    _ ("comparison.png"), endings, on_file_chosen };
+  const QnFileQuestion question = { .title = _ ("Export Sheet"),
+                                    .accept = _ ("_Export"),
+                                    .name = _ ("comparison.png"),
+                                    .endings = endings,
+                                    .chosen = on_file_chosen };
   Compare *compare = data;
   qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
                   &question, compare);

@@ -2,8 +2,8 @@
  * over the same axis. What is chosen is kept with the project; the answers are found again. */
 #include "app/pages/pages.h"
 
+#include "app/forms/bound-form.h"
 #include "app/forms/form.h"
-#include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
 #include "app/widgets/text-unit.h"
@@ -24,17 +24,11 @@
 #define NEAR 40.0
 
 typedef struct Page {
+  QnBoundForm base;
   QnDocument *document;
-  GtkWidget *page, *area, *scale, *vehicles;
-  GtkLabel *status, *chosen;
-  GtkDropDown *ways, *method, *line;
-  GtkSpinButton *step, *convoy;
-  GtkAdjustment *position;
-  GtkProgressBar *progress;
-  GtkToggleButton *animate;
   GSimpleActionGroup *actions;
   GObject *chooser;
-  gboolean showing; /* what is kept is being shown: nobody has entered anything */
+  char *told; /* below the picture */
 
   QnEnvelopeSettings settings;
   QnEnvelope envelope; /* .count 0: none */
@@ -51,10 +45,27 @@ typedef struct Page {
   guint timeout, tick;
 } Page;
 
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (VEHICLES, "vehicles", NULL)                                                     \
+  FIELD (CHOSEN, "chosen", NULL)                                                         \
+  MEMBER (WAYS, "ways", NULL, Page, settings.ways)                                       \
+  MEMBER (STEP, "step", NULL, Page, settings.step)                                       \
+  FIELD (CONVOY, "convoy", NULL)                                                         \
+  MEMBER (METHOD, "method", NULL, Page, settings.method)                                 \
+  FIELD (LINE, "line", NULL)                                                             \
+  FIELD (POSITION, "scale", NULL)                                                        \
+  FIELD (AREA, "area", NULL)                                                             \
+  FIELD (ANIMATE, "animate", NULL)                                                       \
+  FIELD (PROGRESS, "progress", NULL)                                                     \
+  FIELD (STATUS, "status", NULL)
+QN_FORM_FIELDS;
+
 static void
 tell (Page *self, const char *text)
 {
-  gtk_label_set_text (self->status, text);
+  g_free (self->told);
+  self->told = g_strdup (text);
+  qn_bound_form_show (self);
 }
 
 static void
@@ -115,22 +126,8 @@ show_position (Page *self, QnEnvelopePlace at)
   qn_model_clear (&self->moved);
   self->moved = moved;
   self->figure.shown = at;
-  self->showing = TRUE;
-  gtk_adjustment_set_value (self->position, (double) at.position);
-  gtk_drop_down_set_selected (self->line, (guint) at.line);
-  self->showing = FALSE;
   tell_position (self);
-  gtk_widget_queue_draw (self->area);
-}
-
-static void
-on_position (Page *self)
-{
-  if (!self->showing)
-    show_position (self, (QnEnvelopePlace){
-                           gtk_drop_down_get_selected (self->line),
-                           (gsize) qn_to_integer (
-                             gtk_adjustment_get_value (self->position), 0, G_MAXINT32) });
+  gtk_widget_queue_draw (self->base.widgets[AREA]);
 }
 
 static void
@@ -175,7 +172,7 @@ go_to (Page *self, double x, double y)
 static void
 on_drag_begin (GtkGestureDrag *gesture, double x, double y, Page *self)
 {
-  gtk_widget_grab_focus (self->scale); /* for its keys */
+  gtk_widget_grab_focus (self->base.widgets[POSITION]); /* for its keys */
   go_to (self, x, y);
 }
 
@@ -198,15 +195,17 @@ on_tick (GtkWidget *area, GdkFrameClock *clock, gpointer data)
 }
 
 static void
-on_animate (Page *self)
+animate (Page *self)
 {
+  GtkWidget *area = self->base.widgets[AREA];
   if (self->tick != 0)
-    gtk_widget_remove_tick_callback (self->area, self->tick);
-  self->tick = gtk_toggle_button_get_active (self->animate)
-                 ? gtk_widget_add_tick_callback (self->area, on_tick, self, NULL)
-                 : 0;
+    gtk_widget_remove_tick_callback (area, self->tick);
+  self->tick =
+    gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (self->base.widgets[ANIMATE]))
+      ? gtk_widget_add_tick_callback (area, on_tick, self, NULL)
+      : 0;
   self->figure.phase = 1;
-  gtk_widget_queue_draw (self->area);
+  gtk_widget_queue_draw (area);
 }
 
 /* ---- what is chosen ---- */
@@ -219,16 +218,6 @@ load_of (Page *self)
   return load == G_MAXSIZE ? NULL : &model->live_loads[load];
 }
 
-static void
-store (Page *self)
-{
-  g_autofree char *json = qn_envelope_settings_to_json (&self->settings);
-  g_autoptr (GError) error = NULL;
-  if (!qn_document_edit_extra (self->document, _ ("Set Moving Load"), QN_ENVELOPE_MEMBER,
-                               QN_ENVELOPE_MEMBER, json, &error))
-    tell (self, error->message);
-}
-
 static gboolean
 set_convoy (QnModel *model, gpointer data, GError **error)
 {
@@ -236,90 +225,127 @@ set_convoy (QnModel *model, gpointer data, GError **error)
   return TRUE;
 }
 
-static void
-on_setting (Page *self)
+/* The vehicles of the project and those that are built in, with a bit for each that is moved. */
+static char **
+dup_vehicles (Page *self, const QnLoad *load, guint32 *moved)
 {
-  int32_t convoy = gtk_spin_button_get_value_as_int (self->convoy);
-  const QnLoad *load = load_of (self);
-  g_autoptr (GError) error = NULL;
-  if (self->showing || load == NULL)
-    return;
-  self->settings.ways = (QnWays) gtk_drop_down_get_selected (self->ways);
-  self->settings.method = (QnEnvelopeMethod) gtk_drop_down_get_selected (self->method);
-  self->settings.step = gtk_spin_button_get_value (self->step);
-  if (load->convoy == convoy)
-    store (self);
-  else if (!qn_document_edit (self->document, _ ("Set Convoy"), "envelope-convoy",
-                              set_convoy, &convoy, &error))
-    tell (self, error->message);
-}
-
-static void
-on_vehicle (Page *self)
-{
-  if (self->showing)
-    return;
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  gsize count = 0;
-  for (GtkWidget *check = gtk_widget_get_first_child (self->vehicles); check != NULL;
-       check = gtk_widget_get_next_sibling (check))
-    if (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)) && ++count > 0)
-      g_strv_builder_add (names, gtk_check_button_get_label (GTK_CHECK_BUTTON (check)));
-  g_strfreev (self->settings.vehicles);
-  self->settings.vehicles = count > 0 ? g_strv_builder_end (names) : NULL;
-  store (self);
-}
-
-/* The vehicles of the project and those that are built in, with those that are moved checked. */
-static void
-show_vehicles (Page *self, const QnModel *model, const QnLoad *load)
-{
-  g_auto (GStrv) names = qn_dup_vehicle_names (model);
+  const QnModel *model = qn_document_get_model (self->document);
   const char *own[] = { model->vehicles[load->vehicle].name, NULL };
-  const char *const *chosen =
-    self->settings.vehicles != NULL ? (const char *const *) self->settings.vehicles : own;
-  g_autofree char *text = g_strjoinv (", ", (char **) chosen);
-  GtkWidget *check = gtk_widget_get_first_child (self->vehicles), *next;
-  gtk_label_set_text (self->chosen, text);
-  for (gsize i = 0; names[i] != NULL; i++) {
-    if (check == NULL) {
-      check = gtk_check_button_new ();
-      gtk_box_append (GTK_BOX (self->vehicles), check);
-      g_signal_connect_swapped (check, "toggled", G_CALLBACK (on_vehicle), self);
+  char **names = qn_dup_vehicle_names (model);
+  *moved = 0;
+  for (guint i = 0; names[i] != NULL; i++)
+    if (g_strv_contains (self->settings.vehicles != NULL
+                           ? (const char *const *) self->settings.vehicles
+                           : own,
+                         names[i]))
+      *moved |= 1u << i;
+  return names;
+}
+
+/* Those whose bits are set; NULL: none. */
+static char **
+dup_chosen (char **names, guint32 moved)
+{
+  g_autoptr (GStrvBuilder) chosen = g_strv_builder_new ();
+  for (guint i = 0; names[i] != NULL; i++)
+    if ((moved >> i & 1) != 0)
+      g_strv_builder_add (chosen, names[i]);
+  return moved != 0 ? g_strv_builder_end (chosen) : NULL;
+}
+
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  return form;
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  Page *self = data;
+  const QnLoad *load = load_of (self);
+  const QnEnvelope *e = &self->envelope;
+  guint32 moved;
+  switch (field) {
+  case VEHICLES:
+  case CHOSEN:
+    if (load == NULL)
+      return FALSE;
+    value->rows = dup_vehicles (self, load, &moved);
+    value->number = moved;
+    if (field == CHOSEN && moved != 0) {
+      g_auto (GStrv) chosen = dup_chosen (value->rows, moved);
+      value->text = g_strjoinv (", ", chosen);
     }
-    gtk_check_button_set_label (GTK_CHECK_BUTTON (check), names[i]);
-    gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
-                                 g_strv_contains (chosen, names[i]));
-    check = gtk_widget_get_next_sibling (check);
-  }
-  for (; check != NULL; check = next) {
-    next = gtk_widget_get_next_sibling (check);
-    gtk_box_remove (GTK_BOX (self->vehicles), check);
+    return TRUE;
+  case CONVOY:
+    value->number = load != NULL ? load->convoy : 1;
+    return TRUE;
+  case LINE:
+    for (gsize k = 0; e->count > 0 && k < e->line_count; k++)
+      qn_value_take_row (value, qn_envelope_dup_line_name (e, k));
+    value->number = (double) self->figure.shown.line;
+    return TRUE;
+  case POSITION:
+    gtk_range_set_range (GTK_RANGE (self->base.widgets[POSITION]), 0,
+                         e->count > 0 ? (double) e->count - 1 : 0);
+    value->number = (double) self->figure.shown.position;
+    return TRUE;
+  case PROGRESS:
+    return self->thread != NULL;
+  case STATUS:
+    value->text = g_strdup (self->told);
+    return TRUE;
+  default:
+    return TRUE;
   }
 }
 
-static void
-show_settings (Page *self)
+/* What is entered becomes a step, by which all is shown again. */
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
+  Page *self = data;
   const QnLoad *load = load_of (self);
+  QnEnvelopePlace at = self->figure.shown;
+  guint32 moved;
+  int32_t convoy = qn_value_int (value);
+  g_autoptr (GError) fault = NULL;
+  if (field == LINE || field == POSITION) {
+    *(field == LINE ? &at.line : &at.position) = (gsize) qn_value_int (value);
+    show_position (self, at);
+    return TRUE;
+  }
+  if (field == ANIMATE)
+    animate (self);
+  if (field == ANIMATE || load == NULL)
+    return TRUE;
+  if (field == VEHICLES) {
+    g_auto (GStrv) names = dup_vehicles (self, load, &moved);
+    g_strfreev (self->settings.vehicles);
+    self->settings.vehicles = dup_chosen (names, (guint32) value->number);
+  }
+  g_autofree char *json = qn_envelope_settings_to_json (&self->settings);
+  if (field == CONVOY
+        ? !qn_document_edit (self->document, _ ("Set Convoy"), "envelope-convoy",
+                             set_convoy, &convoy, &fault)
+        : !qn_document_edit_extra (self->document, _ ("Set Moving Load"),
+                                   QN_ENVELOPE_MEMBER, QN_ENVELOPE_MEMBER, json, &fault))
+    tell (self, fault->message);
+  return fault == NULL;
+}
+
+static void
+on_changed (Page *self)
+{
   g_autoptr (GError) error = NULL;
   if (self->envelope.count > 0)
     compare_digests (self);
   qn_envelope_settings_clear (&self->settings);
-  gboolean read = qn_envelope_settings_read (qn_document_get_project (self->document),
-                                             &self->settings, &error);
-  self->showing = TRUE;
-  gtk_drop_down_set_selected (self->ways, self->settings.ways);
-  gtk_drop_down_set_selected (self->method, self->settings.method);
-  gtk_spin_button_set_value (self->step, self->settings.step);
-  if (load != NULL) {
-    gtk_spin_button_set_value (self->convoy, load->convoy);
-    show_vehicles (self, qn_document_get_model (self->document), load);
-  }
-  self->showing = FALSE;
-  if (!read)
+  if (!qn_envelope_settings_read (qn_document_get_project (self->document),
+                                  &self->settings, &error))
     tell (self, error->message);
-  else if (load == NULL)
+  else if (load_of (self) == NULL)
     tell (self, _ ("No vehicle is among the growing loads: add one to them first."));
   else if (self->envelope.count == 0)
     tell (self, _ ("Choose vehicles, then find the envelope: the vehicle is moved from "
@@ -353,7 +379,6 @@ finish (Page *self)
   QnEnvelopePlace least = { 0, 0 };
   g_thread_join (g_steal_pointer (&self->thread));
   gboolean found = qn_envelope_find_least (&self->envelope, &least);
-  gtk_widget_set_visible (GTK_WIDGET (self->progress), FALSE);
   show_position (self, least);
   if (self->ended != QN_OK && self->ended != QN_ERROR_CANCELLED) {
     g_autofree char *reason = qn_explain_diag (&self->envelope.model, &self->diag);
@@ -372,9 +397,10 @@ on_timeout (gpointer data)
   Page *self = data;
   const QnEnvelope *e = &self->envelope;
   gboolean over = g_atomic_int_get (&self->over);
-  gtk_progress_bar_set_fraction (self->progress, (double) g_atomic_int_get (&e->done)
-                                                   / (double) (e->line_count * e->count));
-  gtk_widget_queue_draw (self->area);
+  gtk_progress_bar_set_fraction (GTK_PROGRESS_BAR (self->base.widgets[PROGRESS]),
+                                 (double) g_atomic_int_get (&e->done)
+                                   / (double) (e->line_count * e->count));
+  gtk_widget_queue_draw (self->base.widgets[AREA]);
   if (!over)
     return G_SOURCE_CONTINUE;
   self->timeout = 0;
@@ -400,28 +426,18 @@ run (GSimpleAction *action, GVariant *parameter, gpointer data)
   forget (self);
   if (!qn_envelope_init (&self->envelope, qn_document_get_model (self->document),
                          &self->settings, &error)) {
-    show_settings (self);
     tell (self, error->message);
-    gtk_widget_queue_draw (self->area);
+    gtk_widget_queue_draw (self->base.widgets[AREA]);
     return;
   }
   g_free (self->digest);
   g_clear_pointer (&self->digest_put, g_free);
   self->digest = qn_model_digest (qn_document_get_project (self->document));
   self->outdated = FALSE;
-  g_autoptr (GtkStringList) names = gtk_string_list_new (NULL);
-  for (gsize k = 0; k < self->envelope.line_count; k++)
-    gtk_string_list_take (names, qn_envelope_dup_line_name (&self->envelope, k));
-  self->showing = TRUE;
-  gtk_drop_down_set_model (self->line, G_LIST_MODEL (names));
-  gtk_adjustment_configure (self->position, 0, 0, (double) self->envelope.count - 1, 1,
-                            10, 0);
-  self->showing = FALSE;
   self->cancelled = self->over = FALSE;
   self->thread = g_thread_new ("envelope", find_in_thread, self);
   self->timeout = g_timeout_add (INTERVAL, on_timeout, self);
-  gtk_progress_bar_set_fraction (self->progress, 0);
-  gtk_widget_set_visible (GTK_WIDGET (self->progress), TRUE);
+  gtk_progress_bar_set_fraction (GTK_PROGRESS_BAR (self->base.widgets[PROGRESS]), 0);
   show_position (self, (QnEnvelopePlace){ 0, 0 });
   update_actions (self);
 }
@@ -501,9 +517,12 @@ export_file (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   static const char *const endings[] = { ".pdf", ".svg", ".png", ".csv", NULL };
   Page *self = data;
-  const QnFileQuestion question = { _ ("Export Envelope"), _ ("_Export"),
-                                    _ ("envelope.pdf"), endings, export_to };
-  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->page)), &self->chooser,
+  const QnFileQuestion question = { .title = _ ("Export Envelope"),
+                                    .accept = _ ("_Export"),
+                                    .name = _ ("envelope.pdf"),
+                                    .endings = endings,
+                                    .chosen = export_to };
+  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->base.root)), &self->chooser,
                   &question, self);
 }
 
@@ -517,7 +536,7 @@ export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 /* ---- the page ---- */
 
 static void
-free_page (gpointer data)
+clear (gpointer data)
 {
   Page *self = data;
   qn_model_clear (&self->moved);
@@ -526,7 +545,7 @@ free_page (gpointer data)
   g_object_unref (self->document);
   g_free (self->digest);
   g_free (self->digest_put);
-  g_free (self);
+  g_free (self->told);
 }
 
 static void
@@ -541,67 +560,35 @@ connect (Page *self)
     { .name = "export-path", .activate = export_path, .parameter_type = "s" },
   };
   GtkGesture *drag = gtk_gesture_drag_new ();
-  const struct {
-    gpointer object;
-    const char *signal;
-    void (*handler) (Page *self);
-  } links[] = {
-    { self->ways, "notify::selected", on_setting },
-    { self->method, "notify::selected", on_setting },
-    { self->step, "value-changed", on_setting },
-    { self->convoy, "value-changed", on_setting },
-    { self->line, "notify::selected", on_position },
-    { self->position, "value-changed", on_position },
-    { self->animate, "toggled", on_animate },
-    { self->page, "destroy", forget },
-  };
+  GtkWidget *area = self->base.widgets[AREA], *page = self->base.root;
   self->actions = g_simple_action_group_new ();
   g_action_map_add_action_entries (G_ACTION_MAP (self->actions), entries,
                                    G_N_ELEMENTS (entries), self);
-  gtk_widget_insert_action_group (self->page, "envelope", G_ACTION_GROUP (self->actions));
-  g_object_set_data_full (G_OBJECT (self->page), QN_PAGE_ACTIONS, self->actions,
+  gtk_widget_insert_action_group (page, "envelope", G_ACTION_GROUP (self->actions));
+  g_object_set_data_full (G_OBJECT (page), QN_PAGE_ACTIONS, self->actions,
                           g_object_unref);
-  for (gsize i = 0; i < G_N_ELEMENTS (links); i++)
-    g_signal_connect_swapped (links[i].object, links[i].signal,
-                              G_CALLBACK (links[i].handler), self);
-  gtk_widget_set_direction (self->area, GTK_TEXT_DIR_LTR);
-  gtk_widget_set_direction (self->scale, GTK_TEXT_DIR_LTR);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (self->area), draw, self, NULL);
+  gtk_widget_set_direction (area, GTK_TEXT_DIR_LTR);
+  gtk_widget_set_direction (self->base.widgets[POSITION], GTK_TEXT_DIR_LTR);
+  gtk_range_set_increments (GTK_RANGE (self->base.widgets[POSITION]), 1, 10);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, self, NULL);
   g_signal_connect (drag, "drag-begin", G_CALLBACK (on_drag_begin), self);
   g_signal_connect (drag, "drag-update", G_CALLBACK (on_drag_update), self);
-  gtk_widget_add_controller (self->area, GTK_EVENT_CONTROLLER (drag));
-  qn_watch (self->page, self->document, "changed", G_CALLBACK (show_settings), self);
+  gtk_widget_add_controller (area, GTK_EVENT_CONTROLLER (drag));
+  g_signal_connect_swapped (page, "destroy", G_CALLBACK (forget), self);
+  qn_watch (page, self->document, "changed", G_CALLBACK (on_changed), self);
 }
 
 GtkWidget *
 qn_envelope_page_new (QnDocument *document)
 {
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("envelope-page");
-  Page *self = g_new0 (Page, 1);
-#define GET(type, name) type (gtk_builder_get_object (builder, name))
-  *self = (Page){
-    .document = g_object_ref (document),
-    .page = qn_builder_take_widget (builder, "page"),
-    .area = GET (GTK_WIDGET, "area"),
-    .scale = GET (GTK_WIDGET, "scale"),
-    .vehicles = GET (GTK_WIDGET, "vehicles"),
-    .status = GET (GTK_LABEL, "status"),
-    .chosen = GET (GTK_LABEL, "chosen"),
-    .ways = GET (GTK_DROP_DOWN, "ways"),
-    .method = GET (GTK_DROP_DOWN, "method"),
-    .line = GET (GTK_DROP_DOWN, "line"),
-    .step = GET (GTK_SPIN_BUTTON, "step"),
-    .convoy = GET (GTK_SPIN_BUTTON, "convoy"),
-    .position = GET (GTK_ADJUSTMENT, "positions"),
-    .progress = GET (GTK_PROGRESS_BAR, "progress"),
-    .animate = GET (GTK_TOGGLE_BUTTON, "animate"),
-  };
-#undef GET
+  static const QnFormKind kind = QN_FORM_KIND ("envelope-page", Page, .subject = subject);
+  Page *self = qn_bound_form_new (&kind, NULL);
+  self->base.clear = clear;
+  self->document = g_object_ref (document);
   self->figure = (QnEnvelopeFigure){ &self->envelope, &self->moved, .phase = 1 };
-  qn_help_set_page (self->page, "bridges");
-  g_object_set_data_full (G_OBJECT (self->page), "qn-envelope", self, free_page);
+  qn_help_set_page (self->base.root, "bridges");
   connect (self);
-  show_settings (self);
+  on_changed (self);
   update_actions (self);
-  return self->page;
+  return self->base.root;
 }

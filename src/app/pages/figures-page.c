@@ -4,6 +4,7 @@
 
 #include "app/forms/form.h"
 #include "app/widgets/builder.h"
+#include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "doc/view/figures.h"
 #include "io/text/io-error.h"
@@ -13,7 +14,8 @@ typedef struct Figures {
   QnDocument *document;
   GtkWidget *list, *export_all;
   GtkLabel *message;
-  gboolean waiting; /* for an analysis, before the figures are made */
+  gboolean waiting;  /* for an analysis, before the figures are made */
+  const char *asked; /* the figure that is asked about, or NULL */
 } Figures;
 
 static void
@@ -28,20 +30,19 @@ tell (Figures *figures, const char *text)
 static void make_all (Figures *figures);
 
 static void
-on_allow_response (GtkDialog *dialog, int response, Figures *figures)
+on_allowed (QnAnswer answer, gpointer data)
 {
-  QnDocument *document = figures->document;
-  const char *name = g_object_get_data (G_OBJECT (dialog), "qn-name");
-  g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, NULL);
+  Figures *figures = data;
+  g_autoptr (GPtrArray) recipes = qn_document_get_figures (figures->document, NULL);
   gboolean allowed = FALSE;
-  for (guint i = 0; recipes != NULL && i < recipes->len; i++) {
+  for (guint i = 0; answer == QN_ANSWER_REJECT && recipes != NULL && i < recipes->len;
+       i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
-    if (response != GTK_RESPONSE_ACCEPT || !g_str_equal (recipe->name, name))
+    if (!g_str_equal (recipe->name, figures->asked))
       continue;
-    qn_document_allow_figure (document, recipe);
+    qn_document_allow_figure (figures->document, recipe);
     allowed = TRUE;
   }
-  gtk_window_destroy (GTK_WINDOW (dialog));
   if (allowed)
     make_all (figures);
 }
@@ -50,18 +51,10 @@ on_allow_response (GtkDialog *dialog, int response, Figures *figures)
 static void
 ask_to_allow (Figures *figures, const QnRecipe *recipe, const char *what)
 {
-  GtkWidget *dialog = gtk_message_dialog_new (
-    GTK_WINDOW (gtk_widget_get_root (figures->list)),
-    GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT, GTK_MESSAGE_WARNING,
-    GTK_BUTTONS_NONE, "%s", _ ("Use files outside the project's folder?"));
-  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s", what);
-  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
-  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Allow for This Figure"),
-                         GTK_RESPONSE_ACCEPT);
-  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
-  g_object_set_data_full (G_OBJECT (dialog), "qn-name", g_strdup (recipe->name), g_free);
-  g_signal_connect (dialog, "response", G_CALLBACK (on_allow_response), figures);
-  gtk_window_present (GTK_WINDOW (dialog));
+  figures->asked = g_intern_string (recipe->name);
+  qn_dialog_ask (GTK_WINDOW (gtk_widget_get_root (figures->list)),
+                 _ ("Use files outside the project's folder?"), what,
+                 _ ("_Allow for This Figure"), NULL, NULL, on_allowed, figures);
 }
 
 static void

@@ -404,10 +404,12 @@ qn_study_page_export (QnStudyPage *self, const char *what)
   static const char *const tables[] = { ".csv", NULL };
   static const char *const figures[] = { ".png", ".svg", ".pdf", NULL };
   gboolean table = g_str_equal (what, "table");
-  const QnFileQuestion question = { table ? _ ("Export Table of the Study")
-                                          : _ ("Export Figure of the Study"),
-                                    _ ("_Export"), table ? "study.csv" : "study.png",
-                                    table ? tables : figures, on_chosen };
+  const QnFileQuestion question = { .title = table ? _ ("Export Table of the Study")
+                                                   : _ ("Export Figure of the Study"),
+                                    .accept = _ ("_Export"),
+                                    .name = table ? "study.csv" : "study.png",
+                                    .endings = table ? tables : figures,
+                                    .chosen = on_chosen };
   self->exported = g_intern_string (what);
   qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->page)), &self->chooser,
                   &question, self);

@@ -25,10 +25,10 @@ make_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
     row = GTK_LIST_BOX_ROW (gtk_widget_get_ancestor (focus, GTK_TYPE_LIST_BOX_ROW));
   if (row == NULL)
     return NULL;
-  double x, y;
-  gtk_widget_translate_coordinates (GTK_WIDGET (row), box, 0.0, 0.0, &x, &y);
-  place->y =
-    place->by_key ? y + 0.5 * gtk_widget_get_height (GTK_WIDGET (row)) : place->y;
+  graphene_point_t at;
+  if (place->by_key
+      && gtk_widget_compute_point (GTK_WIDGET (row), box, graphene_point_zero (), &at))
+    place->y = at.y + 0.5 * gtk_widget_get_height (GTK_WIDGET (row));
   GMenu *menu = g_menu_new ();
   const char *name = gtk_label_get_text (GTK_LABEL (gtk_list_box_row_get_child (row)));
   qn_menu_add_target (menu, _ ("_Go to This Step"), "win.go-to-step",

@@ -309,9 +309,11 @@ typedef struct TablePlace {
 static double
 top_in_panel (const TablePlace *place)
 {
-  double y = place->top;
-  gtk_widget_translate_coordinates (place->table, place->panel, 0.0, 0.0, NULL, &y);
-  return y;
+  graphene_point_t at;
+  return gtk_widget_compute_point (place->table, place->panel, graphene_point_zero (),
+                                   &at)
+           ? at.y
+           : place->top;
 }
 
 static void

@@ -1,6 +1,5 @@
 #include "app/widgets/chooser.h"
 
-#include "app/widgets/dialog.h"
 #include <glib/gi18n.h>
 
 /* Where the next chooser begins, or NULL. */
@@ -14,84 +13,208 @@ qn_chooser_begin_beside (const char *path)
   folder = g_file_get_parent (file);
 }
 
-static void
-on_response (GtkNativeDialog *chooser, int response, gpointer data)
-{
-  GFile *chosen = response == GTK_RESPONSE_ACCEPT
-                    ? gtk_file_chooser_get_current_folder (GTK_FILE_CHOOSER (chooser))
-                    : NULL;
-  if (chosen != NULL) {
-    g_clear_object (&folder);
-    folder = chosen;
-  }
-}
-
-GtkFileChooserNative *
-qn_chooser_begin (GtkWindow *parent, GObject **kept, GtkFileChooserAction action,
-                  const char *title, const char *accept)
-{
-  GtkFileChooserNative *chooser =
-    gtk_file_chooser_native_new (title, parent, action, accept, NULL);
-  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
-  if (folder != NULL)
-    gtk_file_chooser_set_current_folder (GTK_FILE_CHOOSER (chooser), folder, NULL);
-  g_signal_connect (chooser, "response", G_CALLBACK (on_response), NULL);
-  g_set_object (kept, G_OBJECT (chooser));
-  g_object_unref (chooser);
-  return chooser;
-}
-
-void
-qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind)
-{
-  g_autoptr (GtkFileFilter) filter = gtk_file_filter_new ();
-  gtk_file_filter_set_name (filter, _ (kind->name));
-  for (gsize i = 0; kind->suffixes[i] != NULL; i++)
-    gtk_file_filter_add_suffix (filter, kind->suffixes[i]);
-  gtk_file_chooser_add_filter (GTK_FILE_CHOOSER (chooser), filter);
-}
-
+/* What was asked, and whom; `kept` is NULL once nobody waits for the answer. */
 typedef struct Asked {
   QnFileQuestion question;
   GObject **kept;
   gpointer data;
 } Asked;
 
+char *
+qn_chooser_complete_path (const char *path, const char *const *endings, GError **error)
+{
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  for (int i = 0; endings[i] != NULL; i++)
+    if (g_str_has_suffix (lower, endings[i]))
+      return g_strdup (path);
+  g_autofree char *whole = g_strconcat (path, endings[0], NULL);
+  if (g_file_test (whole, G_FILE_TEST_EXISTS)) {
+    g_set_error (error, G_IO_ERROR, G_IO_ERROR_EXISTS,
+                 _ ("%s exists already: choose it to replace it"), whole);
+    return NULL;
+  }
+  return g_steal_pointer (&whole);
+}
+
 static void
-on_answered (GtkNativeDialog *chooser, int response, const Asked *asked)
+tell (const Asked *asked, GFile *file)
 {
   g_autoptr (GError) error = NULL;
-  g_autofree char *path = NULL;
-  if (response == GTK_RESPONSE_ACCEPT && asked->question.name != NULL)
-    path = qn_dialog_dup_chosen_path (chooser, asked->question.endings, &error);
-  else if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
-    path = g_file_get_path (file);
-    if (path == NULL)
-      g_set_error_literal (&error, G_IO_ERROR, G_IO_ERROR_NOT_SUPPORTED,
-                           _ ("Only local files can be opened"));
-  }
+  g_autofree char *chosen = g_file_get_path (file), *path = NULL;
+  if (chosen == NULL)
+    g_set_error_literal (&error, G_IO_ERROR, G_IO_ERROR_NOT_SUPPORTED,
+                         asked->question.name != NULL
+                           ? _ ("Only local files can be written")
+                           : _ ("Only local files can be opened"));
+  else if (asked->question.name != NULL)
+    path = qn_chooser_complete_path (chosen, asked->question.endings, &error);
+  else
+    path = g_steal_pointer (&chosen);
+  asked->question.chosen (asked->data, path, error);
+}
+
+/* NULL: nothing was chosen. The chooser is gone before anybody hears of it. */
+static void
+answer (const Asked *asked, GListModel *files)
+{
+  const guint count = files != NULL ? g_list_model_get_n_items (files) : 0;
   g_clear_object (asked->kept);
-  if (path != NULL || error != NULL)
-    asked->question.chosen (asked->data, path, error);
+  for (guint i = 0; i < count; i++) {
+    g_autoptr (GFile) file = g_list_model_get_item (files, i);
+    g_clear_object (&folder);
+    folder = g_file_get_parent (file);
+    tell (asked, file);
+  }
+  if (count == 0 && asked->question.left != NULL)
+    asked->question.left (asked->data);
+}
+
+static GtkFileFilter *
+make_filter (const QnFileKind *kind)
+{
+  GtkFileFilter *filter = gtk_file_filter_new ();
+  gtk_file_filter_set_name (filter, _ (kind->name));
+  for (gsize i = 0; kind->suffixes[i] != NULL; i++)
+    gtk_file_filter_add_suffix (filter, kind->suffixes[i]);
+  return filter;
+}
+
+#if GTK_CHECK_VERSION(4, 10, 0)
+
+typedef enum { SAVE, OPEN, OPEN_MANY, FOLDER, FOLDERS } Way;
+
+static Way
+way_of (const QnFileQuestion *question)
+{
+  return question->name != NULL ? SAVE
+         : question->folder     ? (question->many ? FOLDERS : FOLDER)
+         : question->many       ? OPEN_MANY
+                                : OPEN;
+}
+
+static void
+on_done (GObject *source, GAsyncResult *result, gpointer data)
+{
+  static GFile *(*const one[]) (GtkFileDialog *, GAsyncResult *, GError **) = {
+    [SAVE] = gtk_file_dialog_save_finish,
+    [OPEN] = gtk_file_dialog_open_finish,
+    [FOLDER] = gtk_file_dialog_select_folder_finish,
+  };
+  g_autofree Asked *asked = data;
+  g_autoptr (GListModel) files = NULL;
+  GtkFileDialog *dialog = GTK_FILE_DIALOG (source);
+  const Way way = way_of (&asked->question);
+  if (way == OPEN_MANY)
+    files = gtk_file_dialog_open_multiple_finish (dialog, result, NULL);
+  else if (way == FOLDERS)
+    files = gtk_file_dialog_select_multiple_folders_finish (dialog, result, NULL);
+  else {
+    g_autoptr (GFile) file = one[way](dialog, result, NULL);
+    GListStore *store = g_list_store_new (G_TYPE_FILE);
+    if (file != NULL)
+      g_list_store_append (store, file);
+    files = G_LIST_MODEL (store);
+  }
+  if (asked->kept != NULL)
+    answer (asked, files);
+}
+
+/* What *kept held is gone: the dialog goes, too, and tells nobody. */
+static void
+forget (gpointer data, GObject *gone)
+{
+  GCancellable *cancellable = data;
+  Asked *asked = g_object_get_data (G_OBJECT (cancellable), "qn-asked");
+  if (asked != NULL)
+    asked->kept = NULL;
+  g_cancellable_cancel (cancellable);
+  g_object_unref (cancellable);
 }
 
 void
 qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
                 gpointer data)
 {
-  GtkFileChooserNative *chooser = qn_chooser_begin (
-    parent, kept,
-    question->name != NULL ? GTK_FILE_CHOOSER_ACTION_SAVE : GTK_FILE_CHOOSER_ACTION_OPEN,
-    question->title, question->accept);
+  static void (*const begin[]) (GtkFileDialog *, GtkWindow *, GCancellable *,
+                                GAsyncReadyCallback, gpointer) = {
+    [SAVE] = gtk_file_dialog_save,
+    [OPEN] = gtk_file_dialog_open,
+    [OPEN_MANY] = gtk_file_dialog_open_multiple,
+    [FOLDER] = gtk_file_dialog_select_folder,
+    [FOLDERS] = gtk_file_dialog_select_multiple_folders,
+  };
+  g_autoptr (GtkFileDialog) dialog = gtk_file_dialog_new ();
+  g_autoptr (GObject) holder = g_object_new (G_TYPE_OBJECT, NULL);
+  GCancellable *cancellable = g_cancellable_new ();
+  gtk_file_dialog_set_title (dialog, question->title);
+  gtk_file_dialog_set_accept_label (dialog, question->accept);
+  if (folder != NULL)
+    gtk_file_dialog_set_initial_folder (dialog, folder);
+  if (question->path != NULL) {
+    g_autoptr (GFile) file = g_file_new_for_path (question->path);
+    gtk_file_dialog_set_initial_file (dialog, file);
+  } else if (question->name != NULL)
+    gtk_file_dialog_set_initial_name (dialog, question->name);
+  if (question->kind != NULL) {
+    g_autoptr (GtkFileFilter) filter = make_filter (question->kind);
+    g_autoptr (GListStore) filters = g_list_store_new (GTK_TYPE_FILE_FILTER);
+    g_list_store_append (filters, filter);
+    gtk_file_dialog_set_filters (dialog, G_LIST_MODEL (filters));
+  }
   Asked *asked = g_new (Asked, 1);
   *asked = (Asked){ *question, kept, data };
-  if (question->name != NULL)
-    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), question->name);
-  g_signal_connect_data (chooser, "response", G_CALLBACK (on_answered), asked,
-                         (GClosureNotify) (void (*) (void)) g_free, 0);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  g_object_set_data (G_OBJECT (cancellable), "qn-asked", asked);
+  g_object_weak_ref (holder, forget, cancellable);
+  g_set_object (kept, holder);
+  begin[way_of (question)](dialog, parent, cancellable, on_done, asked);
 }
+
+#else
+
+static void
+on_response (GtkNativeDialog *chooser, int response, const Asked *asked)
+{
+  g_autoptr (GListModel) files =
+    response == GTK_RESPONSE_ACCEPT
+      ? gtk_file_chooser_get_files (GTK_FILE_CHOOSER (chooser))
+      : NULL;
+  answer (asked, files);
+}
+
+void
+qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
+                gpointer data)
+{
+  GtkFileChooserNative *native = gtk_file_chooser_native_new (
+    question->title, parent,
+    question->name != NULL ? GTK_FILE_CHOOSER_ACTION_SAVE
+    : question->folder     ? GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER
+                           : GTK_FILE_CHOOSER_ACTION_OPEN,
+    question->accept, NULL);
+  GtkFileChooser *chooser = GTK_FILE_CHOOSER (native);
+  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (native), TRUE);
+  gtk_file_chooser_set_select_multiple (chooser, question->many);
+  if (folder != NULL)
+    gtk_file_chooser_set_current_folder (chooser, folder, NULL);
+  if (question->path != NULL) {
+    g_autoptr (GFile) file = g_file_new_for_path (question->path);
+    gtk_file_chooser_set_file (chooser, file, NULL);
+  } else if (question->name != NULL)
+    gtk_file_chooser_set_current_name (chooser, question->name);
+  if (question->kind != NULL) {
+    g_autoptr (GtkFileFilter) filter = make_filter (question->kind);
+    gtk_file_chooser_add_filter (chooser, filter);
+  }
+  Asked *asked = g_new (Asked, 1);
+  *asked = (Asked){ *question, kept, data };
+  g_signal_connect_data (native, "response", G_CALLBACK (on_response), asked,
+                         (GClosureNotify) (void (*) (void)) g_free, 0);
+  g_set_object (kept, G_OBJECT (native));
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (native));
+  g_object_unref (native);
+}
+
+#endif
 
 /* Who takes what is dropped. */
 typedef struct Taker {

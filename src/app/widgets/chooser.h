@@ -14,31 +14,32 @@ typedef struct QnFileKind {
   const char *action;          /* of the window, with the chosen path as its parameter */
 } QnFileKind;
 
-/* Shows such files alone. */
-void qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind);
-
 /* The next chooser begins in the folder of this file: that of the project. */
 void qn_chooser_begin_beside (const char *path);
-
-/* A chooser over `parent`, in the folder that was chosen from last, that is still to be told what happens
- * on its response, and to be shown. *kept holds it from now on, in place of what it held; the response is
- * to clear *kept. */
-GtkFileChooserNative *qn_chooser_begin (GtkWindow *parent, GObject **kept,
-                                        GtkFileChooserAction action, const char *title,
-                                        const char *accept);
 
 /* What is asked of a chooser, with what happens then. */
 typedef struct QnFileQuestion {
   const char *title, *accept; /* translated */
   const char *name; /* proposed for a file to be written, translated; NULL: one is read */
-  const char *const *endings; /* of such a file: see qn_dialog_dup_chosen_path() */
-  /* The file; NULL with the reason why it is none. Not called where none was chosen. */
+  /* Of such a file, NULL-terminated, with their dots. A name that ends in none of them gets the first; such a
+   * file must not be there yet, as nobody was asked whether it may be replaced. */
+  const char *const *endings;
+  /* The file, each of many; NULL with the reason why it is none. Not called where none was chosen. */
   void (*chosen) (gpointer data, const char *path, const GError *error);
+  void (*left) (gpointer data); /* none was chosen; or NULL */
+  const QnFileKind *kind;       /* that alone is shown; NULL: all files */
+  const char *path;      /* of the file that is proposed, instead of a name; or NULL */
+  gboolean folder, many; /* folders, in place of files to be read; several at once */
 } QnFileQuestion;
 
-/* Asks over `parent`; *kept holds the chooser while it is there, and `data` must live as long. */
+/* Asks over `parent`, in the folder that was chosen from last; *kept holds the chooser while it is there, in
+ * place of what it held, and `data` must live as long. */
 void qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
                      gpointer data);
+
+/* The path of a file to be written with its ending, as above; NULL with an error. The caller frees it. */
+char *qn_chooser_complete_path (const char *path, const char *const *endings,
+                                GError **error);
 
 /* Calls `take` for every file that is dropped on the widget; it says whether it takes the file. `data`
  * must live as long as the widget. */

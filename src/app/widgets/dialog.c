@@ -4,7 +4,8 @@
 
 #include <glib/gi18n.h>
 
-#define BEFORE "qn-focus-before" /* a weak reference */
+#define BEFORE   "qn-focus-before" /* a weak reference */
+#define QUESTION "qn-question"
 
 static void
 close_all (GtkWidget *widget)
@@ -14,7 +15,7 @@ close_all (GtkWidget *widget)
     next = gtk_widget_get_next_sibling (child);
     close_all (child);
     if (GTK_IS_POPOVER (child))
-      gtk_widget_hide (child);
+      gtk_widget_set_visible (child, FALSE);
   }
 }
 
@@ -99,31 +100,89 @@ qn_dialog_present (GtkWidget *dialog, GtkWidget *accept)
   gtk_widget_grab_focus (accept);
 }
 
-char *
-qn_dialog_complete_path (const char *path, const char *const *endings, GError **error)
+/* ---- questions ---- */
+
+typedef struct Question {
+  QnAnswered answered;
+  gpointer data;
+} Question;
+
+static void
+give_answer (GtkWidget *dialog, QnAnswer answer)
 {
-  g_autofree char *lower = g_ascii_strdown (path, -1);
-  for (int i = 0; endings[i] != NULL; i++)
-    if (g_str_has_suffix (lower, endings[i]))
-      return g_strdup (path);
-  g_autofree char *whole = g_strconcat (path, endings[0], NULL);
-  if (g_file_test (whole, G_FILE_TEST_EXISTS)) {
-    g_set_error (error, G_IO_ERROR, G_IO_ERROR_EXISTS,
-                 _ ("%s exists already: choose it to replace it"), whole);
-    return NULL;
-  }
-  return g_steal_pointer (&whole);
+  const Question question = *(Question *) g_object_get_data (G_OBJECT (dialog), QUESTION);
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  question.answered (answer, question.data);
 }
 
-char *
-qn_dialog_dup_chosen_path (GtkNativeDialog *chooser, const char *const *endings,
-                           GError **error)
+static void
+on_button (GtkWidget *button, gpointer answer)
 {
-  g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
-  g_autofree char *path = file != NULL ? g_file_get_path (file) : NULL;
-  if (path != NULL)
-    return qn_dialog_complete_path (path, endings, error);
-  g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_NOT_SUPPORTED,
-                       _ ("Only local files can be written"));
-  return NULL;
+  give_answer (GTK_WIDGET (gtk_widget_get_root (button)),
+               (QnAnswer) GPOINTER_TO_INT (answer));
+}
+
+static gboolean
+on_close (GtkWidget *dialog)
+{
+  give_answer (dialog, QN_ANSWER_CANCEL);
+  return GDK_EVENT_STOP;
+}
+
+static GtkWidget *
+add_text (GtkWidget *box, const char *text, const char *style)
+{
+  GtkWidget *label = gtk_label_new (text);
+  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_max_width_chars (GTK_LABEL (label), 50);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  gtk_widget_add_css_class (label, style);
+  gtk_box_append (GTK_BOX (box), label);
+  return label;
+}
+
+void
+qn_dialog_ask (GtkWindow *parent, const char *text, const char *consequence,
+               const char *reject, const char *accept, GtkWidget *more,
+               QnAnswered answered, gpointer data)
+{
+  const struct {
+    const char *label, *style;
+    QnAnswer answer;
+  } answers[] = { { reject, "destructive-action", QN_ANSWER_REJECT },
+                  { _ ("_Cancel"), "cancel", QN_ANSWER_CANCEL },
+                  { accept, "suggested-action", QN_ANSWER_ACCEPT } };
+  GtkWidget *dialog = qn_dialog_new (parent, NULL, -1, -1), *last = NULL;
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 12);
+  GtkWidget *buttons = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  Question *question = g_new (Question, 1);
+  *question = (Question){ answered, data };
+  g_object_set_data_full (G_OBJECT (dialog), QUESTION, question, g_free);
+  gtk_widget_set_name (dialog, "question");
+  GtkWidget *no_title = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
+  gtk_widget_set_visible (no_title, FALSE);
+  gtk_window_set_titlebar (GTK_WINDOW (dialog), no_title);
+  gtk_window_set_resizable (GTK_WINDOW (dialog), FALSE);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (dialog), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  text, -1);
+  add_text (box, text, "title-4");
+  add_text (box, consequence, "body");
+  if (more != NULL)
+    gtk_box_append (GTK_BOX (box), more);
+  gtk_box_set_homogeneous (GTK_BOX (buttons), TRUE);
+  for (gsize i = 0; i < G_N_ELEMENTS (answers); i++) {
+    if (answers[i].label == NULL)
+      continue;
+    last = gtk_button_new_with_mnemonic (answers[i].label);
+    gtk_widget_add_css_class (last, answers[i].style);
+    g_signal_connect (last, "clicked", G_CALLBACK (on_button),
+                      GINT_TO_POINTER (answers[i].answer));
+    gtk_box_append (GTK_BOX (buttons), last);
+  }
+  gtk_box_append (GTK_BOX (box), buttons);
+  gtk_widget_add_css_class (box, "question");
+  gtk_window_set_child (GTK_WINDOW (dialog), box);
+  gtk_window_set_default_widget (GTK_WINDOW (dialog), last);
+  g_signal_connect (dialog, "close-request", G_CALLBACK (on_close), NULL);
+  qn_dialog_present (dialog, last);
 }

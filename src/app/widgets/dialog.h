@@ -18,12 +18,11 @@ GtkWidget *qn_dialog_new (GtkWindow *parent, const char *title, int width, int h
 /* Shows it with the focus on the button that takes what it offers, for Return. */
 void qn_dialog_present (GtkWidget *dialog, GtkWidget *accept);
 
-/* The path chosen for a file to be written. One that ends in none of `endings` (NULL-terminated,
- * with their dots) gets the first of them; such a file must not be there yet, as nobody was asked
- * whether it may be replaced. NULL with an error; the caller frees it. */
-char *qn_dialog_dup_chosen_path (GtkNativeDialog *chooser, const char *const *endings,
-                                 GError **error);
-
-/* The same for a path. */
-char *qn_dialog_complete_path (const char *path, const char *const *endings,
-                               GError **error);
+/* A modal question about something that may be lost. REJECT loses it; CANCEL, also by Escape and by closing,
+ * keeps it; ACCEPT is the button that Return presses. Texts are translated; without `reject` or `accept` there
+ * is no such button. `more` is shown below the text, or NULL. It is called "question", for the style. */
+typedef enum { QN_ANSWER_CANCEL, QN_ANSWER_REJECT, QN_ANSWER_ACCEPT } QnAnswer;
+typedef void (*QnAnswered) (QnAnswer answer, gpointer data);
+void qn_dialog_ask (GtkWindow *parent, const char *question, const char *consequence,
+                    const char *reject, const char *accept, GtkWidget *more,
+                    QnAnswered answered, gpointer data);

@@ -143,6 +143,7 @@ make_page (const char *text, const char *title)
   /* Lines of a paragraph belong together; an empty line, or a line of another kind, ends
    * it. */
   g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+  g_autoptr (GString) paragraph = g_string_new (NULL);
   gboolean code = FALSE;
   for (int i = 0; lines[i] != NULL; i++) {
     const char *line = lines[i];
@@ -160,13 +161,17 @@ make_page (const char *text, const char *title)
     } else if (line[0] != '!' && line[0] != '<') {
       gboolean item = g_str_has_prefix (line, "- ");
       const char *next = lines[i + 1] != NULL ? lines[i + 1] : "";
-      g_autofree char *plain = dup_plain (item ? line + 2 : line);
-      insert (buffer, item ? "• " : "", NULL);
+      g_string_append_printf (paragraph, "%s%s", item ? "• " : "", line + 2 * item);
+      if (line[0] != '\0' && next[0] != '\0'
+          && !g_regex_match_simple ("^(- |[0-9]+\\. |\\||#|!|```)", next, 0, 0)) {
+        g_string_append_c (paragraph, ' ');
+        continue;
+      }
+      /* Links and emphasis may go on in the next line. */
+      g_autofree char *plain = dup_plain (paragraph->str);
       insert (buffer, plain, NULL);
-      gboolean goes_on =
-        plain[0] != '\0' && next[0] != '\0'
-        && !g_regex_match_simple ("^(- |[0-9]+\\. |\\||#|!|```)", next, 0, 0);
-      insert (buffer, goes_on ? " " : "\n", NULL);
+      insert (buffer, "\n", NULL);
+      g_string_truncate (paragraph, 0);
     }
   }
   gtk_text_view_set_editable (GTK_TEXT_VIEW (view), FALSE);
@@ -227,5 +232,5 @@ qn_help_show (GtkWindow *parent, const char *page)
   }
   g_autofree char *uri =
     page != NULL ? g_strconcat ("help:quoin/", page, NULL) : g_strdup ("help:quoin");
-  gtk_show_uri (parent, uri, GDK_CURRENT_TIME);
+  g_app_info_launch_default_for_uri (uri, NULL, NULL);
 }

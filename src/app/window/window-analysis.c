@@ -160,7 +160,7 @@ run_all (QnWindow *self, GVariant *parameter)
 {
   QnRun *path = find_run (self, path_procedure (self), QN_FLOW_ASSOCIATIVE);
   g_autoptr (GError) error = NULL;
-  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  gtk_widget_set_visible (self->info_bar, FALSE);
   if (path == NULL
       && !qn_document_analyse_with (self->document, path_procedure (self),
                                     QN_FLOW_ASSOCIATIVE, &error)) {
@@ -240,7 +240,7 @@ run (QnWindow *self, GVariant *parameter)
 {
   g_autoptr (GError) error = NULL;
   qn_window_commit_entry (self);
-  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  gtk_widget_set_visible (self->info_bar, FALSE);
   if (!qn_document_analyse (self->document, &error))
     qn_window_show_error (self, error->message);
 }
@@ -297,7 +297,7 @@ run_modes (QnWindow *self, GVariant *parameter)
 {
   gboolean loaded = g_str_equal (g_variant_get_string (parameter, NULL), "loaded");
   g_autoptr (GError) error = NULL;
-  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  gtk_widget_set_visible (self->info_bar, FALSE);
   if (!qn_document_find_modes (self->document, MODES, loaded, &error))
     qn_window_show_error (self, error->message);
 }
@@ -306,7 +306,7 @@ static void
 run_stability (QnWindow *self, GVariant *parameter)
 {
   g_autoptr (GError) error = NULL;
-  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  gtk_widget_set_visible (self->info_bar, FALSE);
   if (!qn_document_find_stability (self->document, &error))
     qn_window_show_error (self, error->message);
 }

@@ -186,8 +186,11 @@ on_chosen (gpointer data, const char *path, const GError *error)
 static void
 choose_file (QnWindow *self, gsize i)
 {
-  const QnFileQuestion question = { _ (exports[i].title), _ ("_Export"),
-                                    _ (exports[i].file), exports[i].endings, on_chosen };
+  const QnFileQuestion question = { .title = _ (exports[i].title),
+                                    .accept = _ ("_Export"),
+                                    .name = _ (exports[i].file),
+                                    .endings = exports[i].endings,
+                                    .chosen = on_chosen };
   self->exported = i;
   qn_chooser_ask (GTK_WINDOW (self), &self->chooser, &question, self);
 }

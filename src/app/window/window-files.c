@@ -16,30 +16,24 @@ static const QnFileKind projects = { .title = N_ ("Open"),
 /* ---- opening ---- */
 
 static void
-on_file_chosen (GtkNativeDialog *chooser, int response, QnWindow *self)
+on_file_chosen (gpointer data, const char *path, const GError *error)
 {
-  const QnFileKind *kind = g_object_get_data (G_OBJECT (chooser), "qn-file-kind");
-  if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
-    g_autofree char *path = g_file_get_path (file);
-    if (path != NULL)
-      gtk_widget_activate_action (GTK_WIDGET (self), kind->action, "s", path);
-    else
-      qn_window_show_error (self, _ ("Only local files can be opened"));
-  }
-  g_clear_object (&self->chooser);
+  QnWindow *self = data;
+  if (path != NULL)
+    gtk_widget_activate_action (GTK_WIDGET (self), self->chosen_kind->action, "s", path);
+  else
+    qn_window_show_error (self, error->message);
 }
 
 void
 qn_window_choose_file (QnWindow *self, const QnFileKind *kind)
 {
-  GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_OPEN,
-                      _ (kind->title), _ (kind->accept));
-  qn_chooser_add_kind (chooser, kind);
-  g_object_set_data (G_OBJECT (chooser), "qn-file-kind", (gpointer) kind);
-  g_signal_connect (chooser, "response", G_CALLBACK (on_file_chosen), self);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  const QnFileQuestion question = { .title = _ (kind->title),
+                                    .accept = _ (kind->accept),
+                                    .chosen = on_file_chosen,
+                                    .kind = kind };
+  self->chosen_kind = kind;
+  qn_chooser_ask (GTK_WINDOW (self), &self->chooser, &question, self);
 }
 
 QnWindow *
@@ -158,41 +152,38 @@ save_to (QnWindow *self, const char *path)
 }
 
 static void
-on_save_response (GtkNativeDialog *dialog, int response, QnWindow *self)
+on_save_left (gpointer self)
 {
-  gboolean closes = self->closing == QN_CLOSING_NOW, saved = FALSE;
-  if (response == GTK_RESPONSE_ACCEPT) {
-    const char *const endings[] = { ".quoin", ".json", NULL };
-    g_autoptr (GError) error = NULL;
-    g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
-    if (path == NULL)
-      qn_window_show_error (self, error->message);
-    else
-      saved = save_to (self, path);
-  }
-  if (closes && saved)
+  stop_closing (self);
+}
+
+static void
+on_save_chosen (gpointer data, const char *path, const GError *error)
+{
+  QnWindow *self = data;
+  const gboolean closes = self->closing == QN_CLOSING_NOW;
+  if (path == NULL)
+    qn_window_show_error (self, error->message);
+  if (path != NULL && save_to (self, path) && closes)
     close_soon (self);
   else
     stop_closing (self);
-  g_clear_object (&self->chooser);
 }
 
 static void
 save_as (QnWindow *self, GVariant *parameter)
 {
+  static const char *const endings[] = { ".quoin", ".json", NULL };
   qn_window_commit_entry (self);
-  GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
-                      _ ("Save As"), _ ("_Save"));
-  qn_chooser_add_kind (chooser, &projects);
-  g_signal_connect (chooser, "response", G_CALLBACK (on_save_response), self);
-  const char *path = qn_document_get_path (self->document);
-  if (path != NULL) {
-    g_autoptr (GFile) file = g_file_new_for_path (path);
-    gtk_file_chooser_set_file (GTK_FILE_CHOOSER (chooser), file, NULL);
-  } else
-    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ ("untitled.quoin"));
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  const QnFileQuestion question = { .title = _ ("Save As"),
+                                    .accept = _ ("_Save"),
+                                    .name = _ ("untitled.quoin"),
+                                    .endings = endings,
+                                    .chosen = on_save_chosen,
+                                    .left = on_save_left,
+                                    .kind = &projects,
+                                    .path = qn_document_get_path (self->document) };
+  qn_chooser_ask (GTK_WINDOW (self), &self->chooser, &question, self);
 }
 
 /* Over the file that it came from, and closes then where that is wanted. */
@@ -206,37 +197,13 @@ save_over (QnWindow *self)
 
 /* ---- questions ---- */
 
-/* Asks what is to become of something that may be lost. The answers are REJECT, which loses it,
- * CANCEL, and ACCEPT, which is the default. */
-static GtkWidget *
-ask (QnWindow *self, const char *question, const char *consequence, const char *reject,
-     const char *accept, void (*respond) (GtkDialog *, int, QnWindow *))
-{
-  GtkWidget *dialog = gtk_message_dialog_new (
-    GTK_WINDOW (self), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
-    GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s", question);
-  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s",
-                                            consequence);
-  gtk_widget_add_css_class (
-    gtk_dialog_add_button (GTK_DIALOG (dialog), reject, GTK_RESPONSE_REJECT),
-    "destructive-action");
-  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
-  gtk_widget_add_css_class (
-    gtk_dialog_add_button (GTK_DIALOG (dialog), accept, GTK_RESPONSE_ACCEPT),
-    "suggested-action");
-  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);
-  g_signal_connect (dialog, "response", G_CALLBACK (respond), self);
-  gtk_window_present (GTK_WINDOW (dialog));
-  return dialog;
-}
-
 static void
-on_changed_response (GtkDialog *dialog, int response, QnWindow *self)
+on_changed_answer (QnAnswer answer, gpointer data)
 {
-  gtk_window_destroy (GTK_WINDOW (dialog));
-  if (response == GTK_RESPONSE_REJECT)
+  QnWindow *self = data;
+  if (answer == QN_ANSWER_REJECT)
     save_over (self);
-  else if (response == GTK_RESPONSE_ACCEPT)
+  else if (answer == QN_ANSWER_ACCEPT)
     save_as (self, NULL);
   else
     stop_closing (self);
@@ -253,11 +220,11 @@ save (QnWindow *self, GVariant *parameter)
     g_autofree char *name = g_path_get_basename (qn_document_get_path (self->document));
     g_autofree char *question =
       g_strdup_printf (_ ("“%s” has changed since it was opened here"), name);
-    ask (
-      self, question,
+    qn_dialog_ask (
+      GTK_WINDOW (self), question,
       _ (
         "Another window or program has written the file. Saving replaces what it wrote."),
-      _ ("_Overwrite"), _ ("Save _As…"), on_changed_response);
+      _ ("_Overwrite"), _ ("Save _As…"), NULL, on_changed_answer, self);
   } else
     save_over (self);
 }
@@ -272,12 +239,12 @@ save_to_path (QnWindow *self, GVariant *parameter)
 /* ---- closing ---- */
 
 static void
-on_unsaved_response (GtkDialog *dialog, int response, QnWindow *self)
+on_unsaved_answer (QnAnswer answer, gpointer data)
 {
-  gtk_window_destroy (GTK_WINDOW (dialog));
-  if (response == GTK_RESPONSE_REJECT)
+  QnWindow *self = data;
+  if (answer == QN_ANSWER_REJECT)
     close_soon (self);
-  else if (response == GTK_RESPONSE_ACCEPT) {
+  else if (answer == QN_ANSWER_ACCEPT) {
     self->closing = QN_CLOSING_NOW;
     save (self, NULL);
   }
@@ -290,12 +257,12 @@ has_unsaved (QnWindow *self)
 }
 
 static void
-ask_one (QnWindow *self, void (*respond) (GtkDialog *, int, QnWindow *))
+ask_one (QnWindow *self, QnAnswered answered)
 {
   g_autofree char *name = qn_document_dup_display_name (self->document);
   g_autofree char *question = g_strdup_printf (_ ("Save changes to “%s”?"), name);
-  ask (self, question, _ ("Unsaved changes will be lost."), _ ("_Discard"), _ ("_Save"),
-       respond);
+  qn_dialog_ask (GTK_WINDOW (self), question, _ ("Unsaved changes will be lost."),
+                 _ ("_Discard"), _ ("_Save"), NULL, answered, self);
 }
 
 gboolean
@@ -303,7 +270,7 @@ qn_window_may_close (QnWindow *self)
 {
   if (self->closing == QN_CLOSING_NOW || !has_unsaved (self))
     return TRUE;
-  ask_one (self, on_unsaved_response);
+  ask_one (self, on_unsaved_answer);
   return FALSE;
 }
 
@@ -326,7 +293,7 @@ qn_window_save_next (GtkApplication *application)
 
 /* Windows that are to be saved close one after another, for each may ask where; the others do at once. */
 static void
-on_quit_response (GtkDialog *dialog, int response, QnWindow *self)
+on_quit_answer (QnAnswer answer, gpointer self)
 {
   GtkApplication *application = gtk_window_get_application (GTK_WINDOW (self));
   for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next) {
@@ -336,12 +303,11 @@ on_quit_response (GtkDialog *dialog, int response, QnWindow *self)
     GtkCheckButton *check = g_object_get_data (G_OBJECT (each), CHECK);
     gboolean wanted = check == NULL || gtk_check_button_get_active (check);
     g_object_set_data (G_OBJECT (each), CHECK, NULL);
-    if (response == GTK_RESPONSE_ACCEPT && has_unsaved (each) && wanted)
+    if (answer == QN_ANSWER_ACCEPT && has_unsaved (each) && wanted)
       each->closing = QN_CLOSING_LATER;
-    else if (response == GTK_RESPONSE_ACCEPT || response == GTK_RESPONSE_REJECT)
+    else if (answer != QN_ANSWER_CANCEL)
       close_soon (each);
   }
-  gtk_window_destroy (GTK_WINDOW (dialog));
   qn_window_save_next (application);
 }
 
@@ -353,9 +319,6 @@ ask_all (const GPtrArray *unsaved)
     g_strdup_printf (ngettext ("Save changes to %u drawing?",
                                "Save changes to %u drawings?", unsaved->len),
                      unsaved->len);
-  GtkWidget *dialog =
-    ask (self, question, _ ("Changes to those not ticked will be lost."),
-         _ ("_Discard All"), _ ("_Save"), on_quit_response);
   GtkWidget *list = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   for (guint i = 0; i < unsaved->len; i++) {
     QnWindow *each = g_ptr_array_index (unsaved, i);
@@ -369,9 +332,9 @@ ask_all (const GPtrArray *unsaved)
   GtkWidget *scroller = gtk_scrolled_window_new ();
   g_object_set (scroller, "hscrollbar-policy", GTK_POLICY_NEVER, "max-content-height",
                 300, "propagate-natural-height", TRUE, "child", list, NULL);
-  gtk_box_append (
-    GTK_BOX (gtk_message_dialog_get_message_area (GTK_MESSAGE_DIALOG (dialog))),
-    scroller);
+  qn_dialog_ask (GTK_WINDOW (self), question,
+                 _ ("Changes to those not ticked will be lost."), _ ("_Discard All"),
+                 _ ("_Save"), scroller, on_quit_answer, self);
 }
 
 void
@@ -386,7 +349,7 @@ qn_window_quit (GtkApplication *application)
         g_ptr_array_add (unsaved, l->data);
     }
   if (unsaved->len == 1)
-    ask_one (g_ptr_array_index (unsaved, 0), on_quit_response);
+    ask_one (g_ptr_array_index (unsaved, 0), on_quit_answer);
   else if (unsaved->len > 1)
     ask_all (unsaved);
   else

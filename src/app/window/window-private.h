@@ -36,7 +36,7 @@ typedef enum QnClosing {
   CHILD (GtkBox, canvas_box)                                                             \
   CHILD (GtkBox, view_box)                                                               \
   CHILD (GtkBox, view_switcher)                                                          \
-  CHILD (GtkInfoBar, info_bar)                                                           \
+  CHILD (GtkWidget, info_bar)                                                            \
   CHILD (GtkButton, info_button)                                                         \
   CHILD (GtkButton, run_button)                                                          \
   CHILD (GtkButton, undo_button)                                                         \
@@ -79,7 +79,8 @@ struct _QnWindow {
   char *last_export;                /* path of the last exported figure */
   QnRecipe *last_recipe;            /* what it looked like */
   GtkPrintSettings *print_settings; /* of the last page, or NULL */
-  GObject *chooser;                 /* file chooser on the screen */
+  GObject *chooser;                 /* file chooser on the screen … */
+  const QnFileKind *chosen_kind;    /* … and what it opens */
   gsize exported;                   /* what it asks for a file for */
   GCancellable *reporting;          /* while a report is written */
   gboolean has_info_place;

@@ -164,7 +164,7 @@ update_view_buttons (QnWindow *self)
 static void
 on_document_changed (QnWindow *self)
 {
-  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  gtk_widget_set_visible (self->info_bar, FALSE);
   update_title (self);
   update_counts (self);
   update_stale (self);
@@ -188,11 +188,11 @@ qn_window_show_error (QnWindow *self, const char *message)
   if (self->info_label == NULL)
     return;
   g_clear_handle_id (&self->message_timeout, g_source_remove);
-  gtk_info_bar_set_message_type (self->info_bar, GTK_MESSAGE_WARNING);
+  gtk_widget_add_css_class (self->info_bar, "warning");
   self->has_info_place = FALSE;
   gtk_label_set_text (self->info_label, message);
   gtk_widget_set_visible (GTK_WIDGET (self->info_button), FALSE);
-  gtk_info_bar_set_revealed (self->info_bar, TRUE);
+  gtk_widget_set_visible (self->info_bar, TRUE);
 }
 
 static gboolean
@@ -200,7 +200,7 @@ on_message_timeout (gpointer data)
 {
   QnWindow *self = data;
   self->message_timeout = 0;
-  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  gtk_widget_set_visible (self->info_bar, FALSE);
   return G_SOURCE_REMOVE;
 }
 
@@ -210,7 +210,7 @@ qn_window_show_message (QnWindow *self, const char *message)
   qn_window_show_error (self, message);
   if (self->info_label == NULL)
     return;
-  gtk_info_bar_set_message_type (self->info_bar, GTK_MESSAGE_INFO);
+  gtk_widget_remove_css_class (self->info_bar, "warning");
   self->message_timeout =
     g_timeout_add_seconds (MESSAGE_SECONDS, on_message_timeout, self);
 }
@@ -236,17 +236,24 @@ static void
 on_page_changed (QnWindow *self)
 {
   const char *page = gtk_stack_get_visible_child_name (self->pages);
-  gtk_button_set_label (self->run_button, !qn_window_page_has (self, "run") ? _ ("So_lve")
-                                          : g_strcmp0 (page, "envelope") == 0
-                                            ? _ ("_Find Envelope")
-                                            : _ ("_Run Study"));
+  const char *const labels[] = { _ ("So_lve"), _ ("_Find Envelope"), _ ("_Run Study") };
+  const char *const hints[] = { _ ("Solve"), _ ("Find the worst position of the load"),
+                                _ ("Compute the cases of the study") };
+  const int what = !qn_window_page_has (self, "run")   ? 0
+                   : g_strcmp0 (page, "envelope") == 0 ? 1
+                                                       : 2;
+  gtk_button_set_label (self->run_button, labels[what]);
+  g_autofree char *hint = qn_action_dup_tooltip (hints[what], "win.run-shown");
+  gtk_widget_set_tooltip_text (GTK_WIDGET (self->run_button), hint);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (self->run_button),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, hints[what], -1);
   update_history (self);
 }
 
 static void
-on_info_response (GtkInfoBar *bar, int response, QnWindow *self)
+on_info_close (QnWindow *self)
 {
-  gtk_info_bar_set_revealed (bar, FALSE);
+  gtk_widget_set_visible (self->info_bar, FALSE);
 }
 
 static void
@@ -653,7 +660,7 @@ qn_window_class_init (QnWindowClass *klass)
   gtk_widget_class_bind_template_callback (widget_class, on_page_changed);
   gtk_widget_class_bind_template_callback_full (widget_class, "qn_window_arrange_pages",
                                                 G_CALLBACK (qn_window_arrange));
-  gtk_widget_class_bind_template_callback (widget_class, on_info_response);
+  gtk_widget_class_bind_template_callback (widget_class, on_info_close);
 }
 
 QnWindow *
