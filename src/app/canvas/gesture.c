@@ -208,7 +208,12 @@ qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
   qn_gesture_draw_line (canvas, cr, ends[0], ends[1]);
   for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
     g_autofree char *text = dup_text (qn_canvas_get_model (canvas), ends[i]);
-    qn_gesture_draw_words (canvas, cr, text, ends[i]);
+    /* Beside the length, which stands at the middle of the line. */
+    const double aside =
+      i == 0 && ends[1].y <= ends[0].y ? -3 * LABEL_ASIDE : LABEL_ASIDE;
+    const QnVec2 screen = qn_canvas_to_screen (canvas, ends[i]);
+    qn_canvas_draw_label (canvas, cr, text,
+                          qn_vec2 (screen.x + LABEL_ASIDE, screen.y + aside));
   }
 }
 

@@ -14,7 +14,7 @@
 typedef struct Dialog {
   GtkWindow *window, *parent;
   QnDocument *document;
-  GtkCheckButton *sections[QN_REPORT_SECTION_COUNT], *every_joint;
+  GtkCheckButton *sections[QN_REPORT_SECTION_COUNT], *every_joint, *one_page;
   GtkDropDown *paper;
   GtkEditable *demand, *author, *text;
   GtkLabel *trouble;
@@ -86,11 +86,24 @@ on_export (Dialog *dialog)
   choose (parent);
 }
 
+/* The title is a summary of one page. */
+static void
+on_one_page (Dialog *dialog)
+{
+  const gboolean one = gtk_check_button_get_active (dialog->one_page);
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    gtk_check_button_set_active (dialog->sections[i], !one || i == QN_REPORT_TITLE);
+}
+
 static void
 update (Dialog *dialog, const QnReportTemplate *plan)
 {
-  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+  gboolean more = FALSE;
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++) {
     gtk_check_button_set_active (dialog->sections[i], plan->sections[i]);
+    more |= plan->sections[i] && i != QN_REPORT_TITLE;
+  }
+  gtk_check_button_set_active (dialog->one_page, !more);
   gtk_check_button_set_active (dialog->every_joint, plan->every_joint);
   gtk_drop_down_set_selected (dialog->paper, plan->paper == QN_PAPER_LETTER ? 1 : 0);
   g_autofree char *demand =
@@ -114,6 +127,7 @@ qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFunc cho
     dialog->sections[i] =
       GTK_CHECK_BUTTON (qn_builder_get_widget (builder, qn_report_section_names[i]));
   dialog->every_joint = GTK_CHECK_BUTTON (qn_builder_get_widget (builder, "every-joint"));
+  dialog->one_page = GTK_CHECK_BUTTON (qn_builder_get_widget (builder, "one-page"));
   dialog->paper = GTK_DROP_DOWN (qn_builder_get_widget (builder, "paper"));
   dialog->demand = GTK_EDITABLE (qn_builder_get_widget (builder, "demand"));
   dialog->author = GTK_EDITABLE (qn_builder_get_widget (builder, "author"));
@@ -127,5 +141,7 @@ qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFunc cho
   qn_report_template_read (&plan, qn_document_get_project (document), NULL);
   update (dialog, &plan);
   qn_report_template_clear (&plan);
+  g_signal_connect_swapped (dialog->one_page, "toggled", G_CALLBACK (on_one_page),
+                            dialog);
   qn_dialog_present (GTK_WIDGET (dialog->window), export);
 }

@@ -131,9 +131,8 @@ qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo, GError **e
   underlay->image = photo;
   if (!underlay->rectified)
     return TRUE;
-  underlay->image = qn_rectify (photo, underlay->points,
-                                underlay->cropped ? 0 : QN_RECTIFY_MARGIN,
-                                &underlay->seen);
+  underlay->image = qn_rectify (
+    photo, underlay->points, underlay->cropped ? 0 : QN_RECTIFY_MARGIN, &underlay->seen);
   cairo_surface_destroy (photo);
   if (underlay->image == NULL)
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
