@@ -315,6 +315,8 @@ test_every_button (void)
       GtkMenuButton *button = buttons->pdata[k];
       GtkWidget *popover = GTK_WIDGET (gtk_menu_button_get_popover (button));
       g_test_message ("button %u", k);
+      gtk_widget_grab_focus (GTK_WIDGET (button)); /* into sight */
+      driver_settle ();
       gtk_menu_button_popup (button);
       driver_settle ();
       g_assert_true (gtk_widget_get_mapped (popover));

@@ -194,13 +194,16 @@ qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *questio
   GtkFileChooser *chooser = GTK_FILE_CHOOSER (native);
   gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (native), TRUE);
   gtk_file_chooser_set_select_multiple (chooser, question->many);
+  /* Not as a file: GTK reads its folder twice then, and complains of the first time. */
+  if (question->path != NULL)
+    qn_chooser_begin_beside (question->path);
   if (folder != NULL)
     gtk_file_chooser_set_current_folder (chooser, folder, NULL);
-  if (question->path != NULL) {
-    g_autoptr (GFile) file = g_file_new_for_path (question->path);
-    gtk_file_chooser_set_file (chooser, file, NULL);
-  } else if (question->name != NULL)
-    gtk_file_chooser_set_current_name (chooser, question->name);
+  g_autofree char *name =
+    g_path_get_basename (question->path != NULL ? question->path : "");
+  if (question->name != NULL)
+    gtk_file_chooser_set_current_name (chooser,
+                                       question->path != NULL ? name : question->name);
   if (question->kind != NULL) {
     g_autoptr (GtkFileFilter) filter = make_filter (question->kind);
     gtk_file_chooser_add_filter (chooser, filter);
