@@ -62,9 +62,8 @@ qn_check_excess (const QnCheck *check, size_t p, const QnPairResult *stated)
 /* What is summed at a step. */
 typedef struct Sum {
   const QnModel *model;
-  const double
-    *moved; /* rows of displacements; NULL: equilibrium is of the undeformed structure */
-  double *balance; /* a row for every body; moments about where it has moved to */
+  const double *moved; /* rows of displacements; NULL: of the undeformed structure */
+  double *balance;     /* a row for every body; moments about where it has moved to */
 } Sum;
 
 /* Where a body's centroid, or a node, has moved to. */

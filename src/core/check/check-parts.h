@@ -41,8 +41,7 @@ typedef struct QnCheck {
   size_t first_force,
     next_force;        /* of the result's forces of found contacts: those of the step */
   QnFoundForce *found; /* scratch, by found contact: forces of the step */
-  bool *
-    begins; /* likewise: it carried nothing at the step before, and may have slid till then */
+  bool *begins; /* likewise: it carried nothing at the step before, and may have slid */
   double tolerance; /* of forces, relative to `scale` */
   double scale;     /* N: largest force of the step */
   double largest;   /* m: largest displacement of the step */
@@ -56,8 +55,7 @@ typedef struct QnCheck {
   double *forces;            /* scratch, 2 per pair */
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
-  bool *
-    unknown; /* by pair: what its law remembers, since the structure moved on a way unknown */
+  bool *unknown; /* by pair: what its law remembers, the structure's way being unknown */
   double *elongations; /* 2 per pair: at the step before */
   double *mass;        /* in time: in the pattern of the tangent */
   QnInertia *inertia;  /* of the tangent, where stability is stated */

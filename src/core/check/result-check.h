@@ -41,13 +41,12 @@
 typedef struct QnLastForces {
   double multiplier; /* NAN: without any step, or in time, there is no equilibrium */
   double scale;      /* N: largest force, in the loads or in joints, beams and ties */
-  double
-    out_of_balance; /* largest over the free degrees of freedom, over `scale`; moments count
-                            with the arm QnModel.characteristic_length */
-  QnEntity
-    entity;   /* QN_ENTITY_BLOCK, _NODE or _BEAM, of which `index` counts the elements */
-  QnId index; /* where, or QN_NONE: nowhere */
-  double contact_scale;   /* N: largest force of a contact */
+  /* Largest over the free degrees of freedom, over `scale`; moments count with the arm
+   * QnModel.characteristic_length. */
+  double out_of_balance;
+  QnEntity entity;      /* QN_ENTITY_BLOCK, _NODE or _BEAM: `index` counts the elements */
+  QnId index;           /* where, or QN_NONE: nowhere */
+  double contact_scale; /* N: largest force of a contact */
   double yield_violation; /* most that one has above its strength, over `contact_scale` */
   QnId pair;              /* where, or QN_NONE */
 } QnLastForces;
@@ -55,9 +54,8 @@ typedef struct QnLastForces {
 typedef struct QnResultFaults {
   QnFault items[QN_CLAIM_COUNT]; /* at most one of every claim */
   int count;
-  bool
-    forces_unknown; /* forces of the steps before the last were not kept: not compared */
-  bool in_time;     /* the balance is that of a motion and was not checked */
+  bool forces_unknown; /* of the steps before the last: not kept, not compared */
+  bool in_time;        /* the balance is that of a motion and was not checked */
   QnLastForces last;
 } QnResultFaults;
 

@@ -7,16 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The longest step is cut in two at most this often. */
-#define CUTS 12
-
-/* Part of the tolerance below which the next step may be twice as long: the error of a step grows
- * with the square of its length, or faster. */
-#define MAY_GROW 0.15
-
-/* Most that the energy of one step may be wrong by, over the largest input so far: what joints that turn
- * while they meet make of a step that is too long for the impact. */
-#define STEP_ENERGY 2e-5
+/* Tuning. The error of a step grows with the square of its length, or faster. */
+#define CUTS 12 /* most, in two, of the longest step */
+#define MAY_GROW                                                                         \
+  0.15 /* part of the tolerance below which the next step may be twice as long */
+#define STEP_ENERGY                                                                      \
+  2e-5 /* of the largest input: error of a step, too long for joints that meet and turn */
 
 typedef struct {
   QnPool pool; /* of arrays */
@@ -197,21 +193,6 @@ keep_mechanism (Run *run, QnDiag *diag)
 
 /* --- Through time ------------------------------------------------------------------------ */
 
-static QnVec2
-within_step (const Run *run, QnVec2 mean, QnVec2 change)
-{
-  return qn_vec2_add_scaled (mean, 0.5 - run->step.scheme.alpha_f, change);
-}
-
-static bool
-keeps_energy (const Run *run, const QnEnergy *after)
-{
-  double wrong = fabs (qn_energy_error (after) - qn_energy_error (&run->energy));
-
-  return wrong
-         <= STEP_ENERGY * fmax (run->largest_input, fabs (after->sums[QN_ENERGY_INPUT]));
-}
-
 /* One step that is accepted, after as many that are not as it takes. FAILED where none is short
  * enough. */
 static QnSolveStatus
@@ -224,8 +205,8 @@ advance (Run *run)
     double from = time_of (run, run->now), h = time_of (run, run->length);
     QnVec2 mean = qn_ground_mean (&run->ground, from, from + h),
            change = qn_ground_change (&run->ground, from, from + h);
-    QnSolveStatus status =
-      qn_time_step_try (&run->step, h, within_step (run, mean, change));
+    QnSolveStatus status = qn_time_step_try (
+      &run->step, h, qn_vec2_add_scaled (mean, 0.5 - run->step.scheme.alpha_f, change));
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;
     double error = status == QN_SOLVE_CONVERGED && run->settings->adaptive
@@ -235,9 +216,13 @@ advance (Run *run)
     QnEnergy energy = run->energy;
     if (status == QN_SOLVE_CONVERGED && (error <= allowed || shortest)) {
       energy = qn_energy_after (&run->step, &run->energy, h, mean, change);
-      balances = shortest || !run->settings->adaptive
-                   ? isfinite (qn_energy_error (&energy)) != 0
-                   : keeps_energy (run, &energy);
+      double wrong = qn_energy_error (&energy);
+      balances =
+        shortest || !run->settings->adaptive
+          ? isfinite (wrong) != 0
+          : fabs (wrong - qn_energy_error (&run->energy))
+              <= STEP_ENERGY
+                   * fmax (run->largest_input, fabs (energy.sums[QN_ENERGY_INPUT]));
     }
     if (balances) {
       run->energy = energy;
@@ -341,7 +326,7 @@ follow (Run *run, QnDiag *diag)
   while (run->now < run->end) {
     step = advance (run);
     if (step != QN_SOLVE_CONVERGED) {
-      qn_time_step_restore (&run->step);
+      qn_equilibrium_set_state (run->eq, &run->step.start.at);
       if (step == QN_SOLVE_NO_MEMORY)
         return qn_diag_no_memory (diag);
       return end_with (

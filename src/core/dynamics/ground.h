@@ -10,9 +10,8 @@
 
 typedef struct QnGround {
   const QnModel *model;
-  double **
-    velocities; /* of every motion its points' integral from the start, m/s; NULL: pulse */
-  double end;   /* when the last motion is over, s */
+  double **velocities; /* integrals of every motion's points, m/s; NULL: pulse */
+  double end;          /* when the last motion is over, s */
 } QnGround;
 
 /* Integrates the points of all motions, which must have them. `ground` is overwritten without

@@ -18,8 +18,7 @@ typedef struct QnMovingContacts {
   QnContactFollow follow;
   QnContacts *contacts; /* as drawn and of the last list, which the assembly refers to;
                            NULL as long as there are those as drawn alone */
-  QnId *
-    noted; /* of listed contacts: place among the result's where they were last, or QN_NONE */
+  QnId *noted; /* of listed contacts: their last place among the result's, or QN_NONE */
   double *displacements; /* scratch, a row for every body */
   double *slips;         /* scratch, of the pairs as drawn */
   QnPairResult *results; /* scratch, of all pairs */

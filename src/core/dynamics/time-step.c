@@ -7,18 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Newton iterations of a step; a handful is usual, one more for each change of state. */
-#define BUDGET 30
-
-/* From this iteration on a step that makes the residual grow is shortened: before, joints cross
- * from state to state, which costs balance before it gains. */
-#define PATIENCE 6
-
-/* Halvings of such a step. */
-#define HALVINGS 3
-
-/* A factorisation serves as long as it takes away nine tenths of the residual, or more. */
-#define WORTH_KEEPING 0.1
+/* Tuning of Newton's iteration: a handful is usual, one more for each change of state. A step that makes the
+ * residual grow is shortened once joints should have crossed from state to state, which costs balance. */
+#define BUDGET        30
+#define PATIENCE      6   /* iterations before, */
+#define HALVINGS      3   /* most then */
+#define WORTH_KEEPING 0.1 /* of the residual, left by a factorisation that serves on */
 
 /* The scheme with a spectral radius, 0 to 1. */
 static QnTimeScheme
@@ -430,12 +424,11 @@ is_factored (const QnTimeStep *step)
 static bool
 is_still (const QnTimeStep *step)
 {
-  size_t p = 0;
+  bool still = true;
 
-  while (p < step->equation.eq->assembly.pair_count
-         && qn_pair_branch_is_still ((int) step->factored[QN_BRANCH * p + QN_BRANCH - 1]))
-    p++;
-  return p == step->equation.eq->assembly.pair_count;
+  for (size_t p = 0; still && p < step->equation.eq->assembly.pair_count; p++)
+    still = qn_pair_branch_is_still ((int) step->factored[QN_BRANCH * (p + 1) - 1]);
+  return still;
 }
 
 /* step = K \ residual, K = (M (1-am)/(beta h^2) + C (1-af) gamma/(beta h))/(1-af) + dP/du */
@@ -550,10 +543,4 @@ qn_time_step_accept (QnTimeStep *step)
   qn_equilibrium_save (step->equation.eq, &step->start.at);
   if (step->settings->of == QN_DAMPING_CURRENT || step->equation.eq->assembly.nonlinear)
     renew_beam_damping (step);
-}
-
-void
-qn_time_step_restore (QnTimeStep *step)
-{
-  qn_equilibrium_set_state (step->equation.eq, &step->start.at);
 }

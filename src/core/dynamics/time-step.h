@@ -55,9 +55,8 @@ typedef struct QnInstant {
 } QnInstant;
 
 typedef struct QnTimeStep {
-  QnStepEquation
-    equation;  /* with the workspace, borrowed: its residual, step, and scratch */
-  QnPool pool; /* of all that follows */
+  QnStepEquation equation; /* with the workspace, borrowed */
+  QnPool pool;             /* of all that follows */
   QnTimeScheme scheme;
   const QnDynamicSettings *settings;
   double h;      /* length of the step tried, s, */
@@ -70,9 +69,7 @@ typedef struct QnTimeStep {
   double *damping;      /* a of every pair's dashpot, s */
   QnInstant start, end; /* the state that was accepted, and the one tried */
 
-  double
-    *increment; /* end.u - start.u, with the digits that u itself has not: in short steps
-                              accelerations need them */
+  double *increment;    /* end.u - start.u, in more digits, which accelerations need */
   QnPairForces *forces; /* of all pairs */
   double *tangents;     /* pair_count x 4 */
   double *sums;         /* pair_count x 2: forces of pairs over 1 - af */
@@ -107,6 +104,3 @@ double qn_time_step_error (const QnTimeStep *step, double h, QnVec2 ground_chang
 
 /* Makes `end` the start of the next step and commits what joints and beams remember. */
 void qn_time_step_accept (QnTimeStep *step);
-
-/* Brings the workspace back to `start`. */
-void qn_time_step_restore (QnTimeStep *step);

@@ -291,10 +291,10 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
     response->force[k] = pairs->force * y[k];
   if (e->has_shear[i] && !as->springs[p].a.associative) {
     QnSpringMemory *memory = &response->memory.a;
-    double crushed = qn_spring_crushed (&as->springs[p].a, memory);
-    memory->slip =
+    double slip =
       as->elongations[2 * p + 1] - pairs->length * e->flexibility[1][i] * y[1];
-    memory->opening = crushed + qn_spring_dilation (&as->springs[p].a, memory->slip);
+    memory->opening = qn_spring_risen (&as->springs[p].a, memory, slip);
+    memory->slip = slip;
   }
   return ok && !turns (pairs, p, flow[1] * pairs->length);
 }

@@ -13,8 +13,7 @@ typedef struct QnCentralPairs {
   bool turned;          /* some slip has gone beyond a corner of its dilation, */
   double *slips;        /* by pair: about which dilation is taken as a straight line, m */
   const QnCentralLoops *loops;
-  size_t
-    count; /* of packs; what is missing in the last one is like pairs of other laws */
+  size_t count; /* of packs; what the last one lacks is like pairs of other laws */
   QnCentralPack *packs;
   QnCentralState *steps; /* the direction, */
   QnCentralState *kept;  /* and that found so far, while a better one is sought */

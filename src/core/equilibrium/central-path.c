@@ -44,7 +44,7 @@ struct QnCentralPath {
   QnEquilibrium *eq;
   bool may_jump;    /* and then the path may turn back */
   bool together;    /* residuals go down with complementarity where a measure advances */
-  double viscosity; /* of a step of motion; 0: static */
+  double viscosity; /* of the step; 0: static */
   QnCentralPairs pairs;
   double *near_u;    /* unknown_count: displacements of the best iterate, */
   double *begun;     /* where the last central path began, */
@@ -145,19 +145,8 @@ balance (const QnCentralPath *path, double *residual)
   return scale;
 }
 
-/* The geometric stiffness is that of the forces on the central path. */
-static void
-hand_over_forces (QnCentralPath *path)
-{
-  QnAssembly *as = &path->eq->assembly;
-
-  qn_central_pairs_get_forces (&path->pairs);
-  for (size_t p = 0; p < as->pair_count; p++)
-    memcpy (as->responses[p].force, path->pairs.forces + 2 * p,
-            sizeof as->responses[p].force);
-}
-
-/* Factorises the tangent, and overwrites b with its solution. */
+/* Factorises the tangent, and overwrites b with its solution. The geometric stiffness is that of the forces on
+ * the central path. */
 static QnSolveStatus
 factorize_path (QnCentralPath *path, double *b)
 {
@@ -166,7 +155,10 @@ factorize_path (QnCentralPath *path, double *b)
   double start = qn_clock_seconds ();
 
   if (eq->assembly.nonlinear)
-    hand_over_forces (path);
+    qn_central_pairs_get_forces (pairs);
+  for (size_t p = 0; eq->assembly.nonlinear && p < eq->assembly.pair_count; p++)
+    memcpy (eq->assembly.responses[p].force, pairs->forces + 2 * p,
+            sizeof eq->assembly.responses[p].force);
   pairs->loops->tangents (pairs->packs, pairs->count, pairs->force / pairs->length,
                           pairs->tangents);
   qn_assembly_tangent_of (&eq->assembly, eq->multiplier,
@@ -489,7 +481,7 @@ expected_elongation (const QnCentralPath *path, const QnTarget *target)
   if (target->direction == NULL)
     return 1;
   double sum = qn_assembly_total (&path->eq->assembly, target->direction);
-  return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->pairs.length)) : 1;
+  return sum > 0 ? fabs (target->advance) / (sum * path->pairs.length) : 1;
 }
 
 /* One central path from the current displacements and forces, from mean products of `size`; another one from
@@ -518,29 +510,21 @@ follow_path (Increment *increment, double size, int budget)
 }
 
 QnSolveStatus
-qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
-{
-  Increment increment = { .path = path, .target = target };
-
-  qn_equilibrium_restore (path->eq);
-  if (target->direction == NULL)
-    path->eq->multiplier = target->multiplier;
-  return follow_path (&increment, expected_elongation (path, target), budget);
-}
-
-QnSolveStatus
-qn_central_path_move (QnCentralPath *path, const QnTarget *target, double viscosity,
-                      int budget)
+qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double viscosity,
+                       int budget)
 {
   QnEquilibrium *eq = path->eq;
   Increment increment = { .path = path, .target = target };
-  double way =
-    qn_assembly_elastic_displacements (&eq->assembly, eq->motion, NULL) / viscosity;
+  double size = expected_elongation (path, target);
 
+  if (viscosity > 0)
+    size =
+      PART_OF_MOTION
+      * (qn_assembly_elastic_displacements (&eq->assembly, eq->motion, NULL) / viscosity);
+  else
+    qn_equilibrium_restore (eq);
   if (target->direction == NULL)
     eq->multiplier = target->multiplier;
   path->viscosity = viscosity;
-  QnSolveStatus status = follow_path (&increment, fmax (1, PART_OF_MOTION * way), budget);
-  path->viscosity = 0;
-  return status;
+  return follow_path (&increment, fmax (1, size), budget);
 }

@@ -41,16 +41,12 @@ bool qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **path
 
 void qn_central_path_free (QnCentralPath *path);
 
-/* From the committed state to the target, with at most `budget` factorisations, and then to the
- * residual tolerance by qn_equilibrium_newton(). Leaves the outcome as the current state:
- * CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
-QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target,
-                                     int budget);
-
-/* One viscous step, of qn_equilibrium_relax(), from the current state, which is the anchor: to
+/* With viscosity 0 equilibrium at the target, from the committed state; else one viscous step of
+ * qn_equilibrium_relax(), from the current state, which is the anchor, eq->motion the velocity so far: to
  *
  *   R(u, lambda) - viscosity C (u - anchor.u) = 0
  *
- * and the target. eq->motion is the velocity so far. */
-QnSolveStatus qn_central_path_move (QnCentralPath *path, const QnTarget *target,
-                                    double viscosity, int budget);
+ * and the target. With at most `budget` factorisations, and then to the residual tolerance by
+ * qn_equilibrium_newton(). Leaves the outcome as the current state: CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
+QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target,
+                                     double viscosity, int budget);

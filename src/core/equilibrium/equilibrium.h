@@ -48,9 +48,8 @@ typedef struct QnCentralPath QnCentralPath;
 typedef struct QnStepEquation QnStepEquation;
 
 typedef struct QnEquilibrium {
-  QnPool pool; /* of vectors of unknowns, */
-  QnPool
-    pair_pool; /* and of what has the size of the assembly's pairs, states among it */
+  QnPool pool;      /* of vectors of unknowns, */
+  QnPool pair_pool; /* and of what has the size of the assembly's pairs, as states */
   QnAssembly assembly;
   QnLinsys *linsys;
   double tolerance; /* largest out-of-balance, relative to the loads */
@@ -62,28 +61,24 @@ typedef struct QnEquilibrium {
   double *trial;     /* u + alpha step */
   double *live_step; /* K \\ F_live: displacements per multiplier */
   double *gaps;      /* of pairs, then of ties, before the last step of motion, m */
-  double *
-    motion; /* how the structure moves on, a direction of any length: of the last viscous step, of a
-                        central path, or in which an unstable equilibrium is left */
+  double *motion; /* how it moves on, of any length: in the last viscous step, or from an
+                     unstable equilibrium */
   double runaway; /* elastic displacements from which on the structure has run away */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
   QnEquilibriumState recorded;  /* the last one that the result tells */
   QnEquilibriumState anchor;    /* where the viscous step started */
 
-  int
-    orientation; /* sign of the determinant of the bordered tangent of the last iteration
-                      towards a measure: it keeps as long as the equilibrium is one where
-                      a structure would stay with the measure held, and turns with the path */
+  /* Sign of the determinant of the bordered tangent of the last iteration towards a measure: it keeps as
+   * long as a structure would stay there with the measure held, and turns with the path. */
+  int orientation;
 
   double slope; /* of the multiplier over the measure there; 0: not known */
 
   int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
   double factored_viscosity;
   bool factored;
-  bool
-    keeps_forces; /* an increment along the central path left forces that the laws by themselves do
-                        not find again, since this was last cleared */
+  bool keeps_forces; /* some forces the laws do not find again, since last cleared */
 
   double out_of_balance; /* of the current state, relative */
   QnProgress progress;

@@ -60,13 +60,6 @@ typedef struct {
   int doublings;                        /* since the motion last slowed down */
 } Relaxation;
 
-static void
-begin_step (QnEquilibrium *eq)
-{
-  qn_equilibrium_save (eq, &eq->anchor);
-  qn_equilibrium_note_gaps (eq);
-}
-
 /* eq->motion = velocity = (u - anchor) / time step; its change since the last step, in the norm of C. */
 static void
 update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
@@ -157,15 +150,6 @@ qn_equilibrium_motion (const QnEquilibrium *eq)
   return qn_assembly_largest (&eq->assembly, eq->u, eq->committed.u);
 }
 
-/* Whether forces that grow as they do now will have stopped the motion before the structure has
- * run away: soft joints give way at a velocity that hardly changes, long before they push back.
- * By the change of the velocity over the last step, from forces alone as damping is linear. */
-static bool
-will_be_stopped (const QnEquilibrium *eq, const Relaxation *relaxation, double time_step)
-{
-  return relaxation->change * time_to_run_away (eq) > time_step;
-}
-
 /* In nonlinear geometry the velocity of a mechanism changes as it moves: a structure falls if
  * it covers twice the way again and again without slowing down. So do blocks that nothing holds any more
  * and that have moved farther than a block is long: what they were in contact with is behind them. */
@@ -190,19 +174,21 @@ is_falling (QnEquilibrium *eq, Relaxation *relaxation)
   return relaxation->doublings > FALL_DOUBLINGS;
 }
 
-/* Whether the structure moves on for good after a converged step. */
+/* Whether the structure moves on for good after a converged step. Forces that grow as they do now would stop
+ * it before it has run away where the velocity, which follows from forces alone as damping is linear, changes
+ * so much till then: soft joints give way at one that hardly changes, long before they push back. */
 static bool
 is_mechanism (QnEquilibrium *eq, Relaxation *relaxation)
 {
-  double time_step = 1 / relaxation->viscosity;
+  double time_step = 1 / relaxation->viscosity, left = time_to_run_away (eq);
 
   if (eq->assembly.nonlinear)
     return !relaxation->held && is_falling (eq, relaxation);
   if (qn_equilibrium_elastic_displacements (eq) > eq->runaway)
     return true;
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
-         && !will_be_stopped (eq, relaxation, time_step)
-         && !qn_equilibrium_will_close (eq, time_step, time_to_run_away (eq));
+         && !(relaxation->change * left > time_step)
+         && !qn_equilibrium_will_close (eq, time_step, left);
 }
 
 /* Time in which the measure is to advance. The least damping force that any motion of this
@@ -335,7 +321,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
     QnTarget now = target_in_time (&relaxation, target);
-    begin_step (eq);
+    qn_equilibrium_save (eq, &eq->anchor);
+    qn_equilibrium_note_gaps (eq);
     QnSolveStatus status =
       qn_equilibrium_newton (eq, &now, relaxation.viscosity, NEWTON_BUDGET);
     bool by_central =
@@ -343,7 +330,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
 
     if (by_central) {
       qn_equilibrium_set_state (eq, &eq->anchor);
-      status = qn_central_path_move (central, &now, relaxation.viscosity, CENTRAL_BUDGET);
+      status =
+        qn_central_path_solve (central, &now, relaxation.viscosity, CENTRAL_BUDGET);
     }
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;

@@ -60,9 +60,7 @@ typedef struct QnIpKkt {
   double border_power;   /* f'M^-1 f */
   double regularization; /* r */
   double coupling;       /* G of the matrix is F' + coupling (G - F'); 1: exact */
-  double
-    error; /* largest relative residual left since the last _factorize(); INFINITY where that
-                            failed */
+  double error; /* largest relative residual since _factorize(); INFINITY: it failed */
 } QnIpKkt;
 
 /* `kkt` is overwritten without being cleared. False when memory runs out; to be cleared all the same. */

@@ -42,9 +42,8 @@ typedef struct QnIpCell {
 } QnIpCell;
 
 typedef struct QnIpGroup {
-  int32_t
-    rows[QN_IP_GROUP_ROWS]; /* row of B, or -1 where the degree of freedom is fixed */
-  int32_t first_cell;       /* groups partition the cells in order */
+  int32_t rows[QN_IP_GROUP_ROWS]; /* of B, or -1 where the freedom is fixed */
+  int32_t first_cell;             /* groups partition the cells in order */
   int32_t cell_count;
 } QnIpGroup;
 

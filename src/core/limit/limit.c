@@ -2,7 +2,6 @@
 
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
-#include "core/limit/limit-fall.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,11 +13,13 @@ static const struct {
   double near;     /* forces are sought beside the optimum where the gap is below this */
   double residual; /* out-of-balance of forces that count, */
   double gap;      /* and gap that proves an optimum where the engine was not satisfied */
+  double fall;     /* accuracy of the quadratic program of a fall */
 } limit_tuning = {
   .small = 1e-2,
   .near = 1e-4,
   .residual = 1e-7,
   .gap = 1e-6,
+  .fall = 1e-9,
 };
 
 /* Forces in equilibrium. */
@@ -153,19 +154,69 @@ follow_dead_load (LimitRun *run)
   return state;
 }
 
-/* How the structure falls, and whether it does where *falls is not known. The engine's certificate
- * proves that there is no equilibrium, but moves blocks that could stand as well; the fall moves
- * those alone that cannot. */
+/* How the structure falls, and whether it does where *falls is not known: accelerations from rest under the
+ * dead load. Of all forces within the strength, the joints exert those that leave the least imbalance in the
+ * metric of the inverse masses (Gauss's principle of least constraint, flow being associative), and what is left
+ * accelerates. The engine's certificate proves that there is no equilibrium, but moves blocks that could stand as
+ * well; here they stay at rest exactly. At the optimum it is a certificate too: the dead load does positive power
+ * along it, and no joint resists with more than that. */
 static QnStatus
 find_fall (LimitRun *run, bool *falls, QnDiag *diag)
 {
-  double *v = run->engine->at.v;
-  bool proved;
-  QnStatus status = qn_limit_fall (run->limit, go_on_limit, run, v, &proved, diag);
+  const QnLimitProblem *limit = run->limit;
+  QnCollapse engine = { 0 };
+  QnIpProblem fall = limit->ip;
+  size_t blocks = limit->block_count, group_count = (size_t) fall.group_count,
+         cell_count = (size_t) fall.cell_count;
+  /* Copies with room for two more cells per block: the imbalance, as an unlimited force and moment on the
+   * block with a quadratic price. */
+  QnPool pool = { 0 };
+  QnIpGroup *groups = qn_pool_alloc (&pool, group_count + blocks, sizeof *groups);
+  QnIpCell *cells = qn_pool_alloc (&pool, cell_count + 2 * blocks, sizeof *cells);
 
-  *falls |= proved;
-  if (*falls)
-    qn_limit_problem_velocities (run->limit, v, run->solution->velocities);
+  if (pool.failed) {
+    qn_pool_clear (&pool);
+    return qn_diag_no_memory (diag);
+  }
+  memcpy (groups, fall.groups, group_count * sizeof *groups);
+  memcpy (cells, fall.cells, cell_count * sizeof *cells);
+  for (size_t b = 0; b < blocks; b++) {
+    const double *mass = limit->mass + b * QN_DOF_COUNT;
+    QnIpGroup *group = &groups[group_count + b];
+    QnIpCell *pair = &cells[cell_count + 2 * b];
+    *group = (QnIpGroup){ .first_cell = (int32_t) (cell_count + 2 * b), .cell_count = 2 };
+    for (size_t i = 0; i < QN_IP_GROUP_ROWS; i++)
+      group->rows[i] = i < QN_DOF_COUNT ? limit->rows[b * QN_DOF_COUNT + i] : -1;
+    pair[0] = (QnIpCell){ .quadratic = { 1.0 / mass[QN_DOF_UX], 1.0 / mass[QN_DOF_UY] },
+                          .first_bound = fall.bound_count };
+    pair[0].map[QN_DOF_UX][0] = 1.0;
+    pair[0].map[QN_DOF_UY][1] = 1.0;
+    pair[1] = (QnIpCell){ .quadratic = { 1.0 / mass[QN_DOF_RZ], 0.0 },
+                          .first_bound = fall.bound_count,
+                          .no_shear = true };
+    pair[1].map[QN_DOF_RZ][0] = 1.0;
+  }
+  fall.groups = groups;
+  fall.cells = cells;
+  fall.group_count += (int32_t) blocks;
+  fall.cell_count += 2 * (int32_t) blocks;
+  fall.load = NULL;
+  fall.load_gain = 0.0;
+  QnStatus status = qn_collapse_init (&engine, &fall, diag);
+  if (!status) {
+    double *v = run->engine->at.v;
+    qn_collapse_start_elastic (&engine);
+    if (qn_collapse_follow (&engine, limit_tuning.fall, QN_COLLAPSE_BUDGET, go_on_limit,
+                            run)
+        == QN_COLLAPSE_FOUND) {
+      memcpy (v, engine.at.v, (size_t) limit->ip.row_count * sizeof *v);
+      *falls |= qn_collapse_proves_infeasible (&engine, &limit->ip);
+    }
+    if (*falls)
+      qn_limit_problem_velocities (limit, v, run->solution->velocities);
+  }
+  qn_collapse_clear (&engine);
+  qn_pool_clear (&pool);
   return status;
 }
 

@@ -41,16 +41,15 @@ typedef struct QnLimitCheck {
 } QnLimitCheck;
 
 typedef struct QnLimitSolution {
-  QnOutcome
-    outcome; /* COLLAPSE, DEAD_LOAD_UNSTABLE, UNBOUNDED, CANCELLED, NOT_CONVERGED */
+  QnOutcome outcome;  /* COLLAPSE, ~_UNSTABLE, UNBOUNDED, CANCELLED, NOT_CONVERGED */
   double lower_bound; /* COLLAPSE: carried by `forces`; UNBOUNDED: INFINITY */
   double upper_bound; /* COLLAPSE: proved by `velocities` */
-  double *
-    forces; /* a row for every pair and then tie: normal and shear force, N, as in QnPairResult;
-                         UNBOUNDED: the growth of the forces per unit of the multiplier */
-  double
-    *velocities; /* block_count x 3; COLLAPSE: the mechanism, live load at unit power in
-                         scaled terms; DEAD_LOAD_UNSTABLE: how the blocks give way */
+  /* A row for every pair and then tie: normal and shear force, N, as in QnPairResult; UNBOUNDED: the growth
+   * of the forces per unit of the multiplier. */
+  double *forces;
+  /* block_count x 3; COLLAPSE: the mechanism, live load at unit power in scaled terms; DEAD_LOAD_UNSTABLE:
+   * how the blocks give way. */
+  double *velocities;
   QnLimitCheck check;
   QnStatistics effort; /* iterations, factorisations and factor_seconds alone */
 } QnLimitSolution;

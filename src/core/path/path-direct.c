@@ -11,9 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A joint carries, and slides, by more than this part of the largest force. */
-#define LITTLE 1e-5
-
 /* Whether the structure may settle in one place after the other. Where bonds break, one of them after the
  * other leads to collapse. */
 static bool
@@ -100,23 +97,22 @@ take_pair (QnAssembly *as, size_t p, const double force[2], double largest)
   const double *q = as->elongations + 2 * p;
   QnPairResponse *response = &as->responses[p];
   QnPairMemory from = as->committed[p];
-  double crushed = qn_spring_crushed (spring, &from.a);
-  double ideal[2] = { q[0], q[1] };
+  double slip = q[1] - force[1] / spring->ks, ideal[2] = { q[0], q[1] };
 
-  bool slips =
-    qn_pair_state_of_force (&as->springs[p], &from, QN_PAIR_SLIP, force, LITTLE * largest)
-    == QN_PAIR_SLIP;
-  from.a.slip = slips ? from.a.slip : q[1] - force[1] / spring->ks;
+  bool slips = qn_pair_state_of_force (&as->springs[p], &from, QN_PAIR_SLIP, force,
+                                       QN_PATH_LITTLE * largest)
+               == QN_PAIR_SLIP;
+  double crushed = qn_spring_crushed (spring, &from.a);
+  from.a.slip = slips ? from.a.slip : slip;
   from.a.opening = crushed + qn_spring_dilation (spring, from.a.slip);
-  if (hypot (force[0], force[1]) > LITTLE * largest && spring->compression <= 0)
+  if (hypot (force[0], force[1]) > QN_PATH_LITTLE * largest && spring->compression <= 0)
     ideal[0] = from.a.opening + force[0] / spring->kn; /* else by what crushes it, too */
   if (!qn_pair_evaluate (&as->springs[p], &from, ideal, response))
     return false;
   memcpy (response->force, force, sizeof response->force);
-  QnSpringMemory *memory = &response->memory.a;
-  crushed = qn_spring_crushed (spring, memory);
-  memory->slip = q[1] - force[1] / spring->ks;
-  memory->opening = crushed + qn_spring_dilation (spring, memory->slip);
+  crushed = qn_spring_crushed (spring, &response->memory.a);
+  response->memory.a.slip = slip;
+  response->memory.a.opening = crushed + qn_spring_dilation (spring, slip);
   return true;
 }
 

@@ -10,26 +10,18 @@ may_end_on_plateau (const QnPathTrace *trace)
          && trace->measure.procedure != QN_PROCEDURE_DISPLACEMENT;
 }
 
-/* What the multiplier has still to gain if it goes like collapse - constant / motion, as a part
- * of itself: near collapse less and less, all of it while the structure is elastic. */
-static double
-left_to_gain (const QnPathTrace *trace, double motion)
-{
-  const QnEquilibrium *eq = &trace->path->equilibrium;
-  double before =
-    qn_assembly_elastic_displacements (&eq->assembly, trace->measure.last_u, NULL);
-  double gain = eq->multiplier / trace->last_multiplier - 1;
-
-  return fabs (gain * before / (motion - before));
-}
-
-/* Whether the structure has run away under a multiplier that hardly follows. */
+/* Whether the structure has run away under a multiplier that hardly follows. If that goes like collapse -
+ * constant / motion, it has still to gain a part of itself: near collapse less and less, all of it while the
+ * structure is elastic. */
 static bool
 is_gone (const QnPathTrace *trace, double motion)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
   double tolerance = trace->path->settings->multiplier_tolerance;
-  double left = left_to_gain (trace, motion);
+  double before =
+    qn_assembly_elastic_displacements (&eq->assembly, trace->measure.last_u, NULL);
+  double gain = eq->multiplier / trace->last_multiplier - 1;
+  double left = fabs (gain * before / (motion - before));
 
   return motion > eq->runaway && left <= QN_PATH_NEARLY_SETTLED
          && (trace->may_jump || motion > QN_FARTHEST

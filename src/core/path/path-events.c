@@ -4,12 +4,6 @@
 
 #include <string.h>
 
-/* A multiplier that is less by this part than the highest one so far has turned down. */
-#define DIP 1e-4
-
-/* Loads of so many times what equilibrium may lack are felt. */
-#define FELT 100
-
 bool
 qn_path_events_init (QnPathEvents *events, QnPath *path, double unit)
 {
@@ -22,7 +16,8 @@ qn_path_events_init (QnPathEvents *events, QnPath *path, double unit)
     (QnPathEvents){ .path = path,
                     .rest = qn_pool_alloc (pool, n, sizeof *events->rest),
                     .highest_u = qn_pool_alloc (pool, n, sizeof *events->highest_u),
-                    .least = eq->committed.multiplier + FELT * eq->tolerance * unit,
+                    .least =
+                      eq->committed.multiplier + QN_PATH_FELT * eq->tolerance * unit,
                     .highest = eq->committed.multiplier };
   if (pool->failed)
     return false;
@@ -54,14 +49,6 @@ largest_shift (const QnPath *path, const double *from, const double *to)
   for (size_t body = 0; body < count; body++)
     largest = fmax (largest, shift (&path->equilibrium.assembly, body, from, to));
   return largest;
-}
-
-/* Energy set free on the way from the committed state to the current one at a multiplier held. */
-static double
-energy_of_step (const QnEquilibrium *eq, double held)
-{
-  return (held - 0.5 * (eq->committed.multiplier + eq->multiplier))
-         * qn_equilibrium_live_work (eq, eq->committed.u);
 }
 
 /* The blocks that move from one state to another; returns how many. blocks: block_count. */
@@ -137,9 +124,10 @@ qn_path_events_observe (QnPathEvents *events, bool jumped, bool *snap)
 
   *snap = false;
   events->displacement = now;
-  events->energy += energy_of_step (eq, events->highest);
+  events->energy += (events->highest - 0.5 * (from + to))
+                    * qn_equilibrium_live_work (eq, eq->committed.u);
   if (!qn_path_events_climbs (events)) {
-    events->below = events->below || to < (1 - DIP) * events->highest;
+    events->below = events->below || to < (1 - QN_PATH_DIP) * events->highest;
     return true;
   }
   if ((events->below || jumped) && events->highest > events->least) {

@@ -13,16 +13,15 @@
 #include "core/path/path.h"
 
 typedef struct QnPathEvents {
-  QnPath *path;      /* borrowed */
-  double *rest;      /* unknowns where the live load began to act */
-  double *highest_u; /* and where the multiplier was highest, */
-  double least;      /* multiplier below which jumps are rounding */
-  double highest;    /* what it was there, */
-  double
-    highest_displacement; /* and the largest displacement of a body since `rest`, m */
-  double displacement;    /* the same at the last equilibrium */
-  double energy;          /* set free since then, J */
-  bool below;             /* the path has turned down and not climbed back yet */
+  QnPath *path;                /* borrowed */
+  double *rest;                /* unknowns where the live load began to act */
+  double *highest_u;           /* and where the multiplier was highest, */
+  double least;                /* multiplier below which jumps are rounding */
+  double highest;              /* what it was there, */
+  double highest_displacement; /* and the largest of a body since `rest`, m */
+  double displacement;         /* the same at the last equilibrium */
+  double energy;               /* set free since then, J */
+  bool below;                  /* the path has turned down and not climbed back yet */
 } QnPathEvents;
 
 /* The path begins at the committed state. `unit`: the multiplier at which live loads are as large as dead

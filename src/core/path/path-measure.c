@@ -5,9 +5,6 @@
 
 #include <string.h>
 
-/* Elastic displacements in the first step, at most: next to collapse the tangent knows no end. */
-#define FARTHEST_FIRST 1e3
-
 /* direction = K \ F_live, of unit length. A singular tangent leaves it zero. */
 static QnSolveStatus
 take_tangent (QnPathMeasure *measure, double *rate_length)
@@ -54,8 +51,8 @@ take_motion (QnPathMeasure *measure, double increment)
   double far =
     increment * rate_length
     * qn_assembly_elastic_displacements (&eq->assembly, measure->direction, NULL);
-  if (far > FARTHEST_FIRST)
-    increment *= FARTHEST_FIRST / far;
+  if (far > QN_PATH_FARTHEST_FIRST)
+    increment *= QN_PATH_FARTHEST_FIRST / far;
   double advance = rate_length; /* of the measure, per multiplier */
   if (measure->procedure == QN_PROCEDURE_WORK) {
     advance *= qn_dot (measure->direction, eq->assembly.live_at_rest, (size_t) n);

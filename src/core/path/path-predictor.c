@@ -2,10 +2,6 @@
 
 #include <string.h>
 
-/* Equilibria before the committed one that make a prediction better than Newton's first iteration,
- * which is linear. */
-#define LEAST_STATES 2
-
 void
 qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *as, QnPool *pool)
 {
@@ -60,7 +56,7 @@ qn_path_predictor_go (const QnPathPredictor *predictor, QnEquilibrium *eq, doubl
   double weights[QN_PREDICTOR_STATES + 1];
   double committed = eq->committed.multiplier;
 
-  if (predictor->count < LEAST_STATES)
+  if (predictor->count < QN_PATH_LEAST_STATES)
     return false;
   find_weights (predictor, advance, weights);
   for (int k = 0; k < predictor->count; k++) {

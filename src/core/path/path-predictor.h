@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/equilibrium/equilibrium.h"
+#include "core/path/tuning.h"
 
 /* Equilibria before the committed one. */
 #define QN_PREDICTOR_STATES 3
@@ -16,8 +17,7 @@
 typedef struct QnPathPredictor {
   double *u[QN_PREDICTOR_STATES]; /* the last one first */
   double multiplier[QN_PREDICTOR_STATES];
-  double
-    advance[QN_PREDICTOR_STATES]; /* of the measure, from there to the one after it */
+  double advance[QN_PREDICTOR_STATES]; /* of the measure, to the one after it */
   int count;
 } QnPathPredictor;
 

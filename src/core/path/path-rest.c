@@ -20,18 +20,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Bisections of the lowest eigenvalue, and inverse iterations towards its vector from there. */
-#define BISECTIONS         30
-#define INVERSE_ITERATIONS 8
-
-/* Writes S - shift into ax, whose diagonal was `diagonal`. */
-static void
-set_shift (QnAssembly *as, const double *diagonal, double shift)
-{
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    as->ax[as->diagonal[i]] = diagonal[i] - shift;
-}
-
 bool
 qn_path_count_inertia (QnPath *path, QnInertiaCount *count)
 {
@@ -54,7 +42,7 @@ qn_path_lowest_motion (QnPath *path, double *motion)
 
   for (int32_t i = 0; i < as->unknown_count; i++)
     motion[i] = 1 + 0.5 * sin (1.7 * i); /* no symmetry of a structure has this */
-  for (int k = 0; k < INVERSE_ITERATIONS; k++) {
+  for (int k = 0; k < QN_PATH_EIGENVECTOR; k++) {
     for (size_t s = 0; s < as->settling_count; s++)
       motion[as->settling[s].unknown] = 0;
     QnSolveStatus solved = qn_inertia_solve (path->inertia, motion);
@@ -81,9 +69,10 @@ find_motion (QnPath *path, double *diagonal)
     diagonal[i] = as->ax[as->diagonal[i]];
     low = fmin (low, -2 * fabs (diagonal[i]));
   }
-  for (int k = 0; k < BISECTIONS; k++) {
+  for (int k = 0; k < QN_PATH_EIGENVALUE; k++) {
     double middle = 0.5 * (low + high);
-    set_shift (as, diagonal, middle);
+    for (int32_t i = 0; i < as->unknown_count; i++)
+      as->ax[as->diagonal[i]] = diagonal[i] - middle;
     if (!qn_equilibrium_go_on (eq))
       return QN_SOLVE_CANCELLED;
     if (!qn_path_count_inertia (path, &count))

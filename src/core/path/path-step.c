@@ -110,7 +110,7 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
   eq->orientation =
     trace->orientation; /* should Newton's method find nothing left to do */
-  status = qn_central_path_solve (trace->central, target, QN_CENTRAL_BUDGET);
+  status = qn_central_path_solve (trace->central, target, 0, QN_CENTRAL_BUDGET);
   return qn_path_trace_is_linear (trace) ? status : refuse_unstable (trace, status);
 }
 

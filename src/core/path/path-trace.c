@@ -120,17 +120,6 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
   trace->slope = trace->path->equilibrium.slope;
 }
 
-/* A first increment that fails is cut. False where it is short enough. */
-static bool
-cut_first_increment (QnPathTrace *trace)
-{
-  if (trace->path->equilibrium.committed.multiplier > 0
-      || trace->step <= QN_PATH_LEAST_START * trace->measure.first)
-    return false;
-  trace->step *= QN_PATH_CUT;
-  return true;
-}
-
 /* From now on the work of the live load is prescribed: first as much as the last increment of the
  * multiplier has done. */
 static bool
@@ -187,8 +176,8 @@ qn_path_trace_accept (QnPathTrace *trace)
   return true;
 }
 
-/* One increment of the multiplier. Where Newton's method does not get through easily, the work of the
- * live load is prescribed from here on. */
+/* One increment of the multiplier. Where Newton's method does not get through easily, the first is cut until
+ * it is short enough, or the work of the live load is prescribed from here on. */
 static bool
 advance_by_load (QnPathTrace *trace)
 {
@@ -202,7 +191,10 @@ advance_by_load (QnPathTrace *trace)
     return qn_path_end_give_up (trace, status);
   if (!easy) {
     qn_equilibrium_restore (eq);
-    return cut_first_increment (trace) || take_work (trace);
+    if (from > 0 || trace->step <= QN_PATH_LEAST_START * trace->measure.first)
+      return take_work (trace);
+    trace->step *= QN_PATH_CUT;
+    return true;
   }
   choose_next_step (trace, target - from, true);
   if (!qn_path_trace_accept (trace))
@@ -654,26 +646,19 @@ run (QnPathTrace *trace)
   return ok && (reverses || conclude (trace));
 }
 
-static double
-extent_of (const QnModel *model)
-{
-  QnBox box = QN_BOX_EMPTY;
-
-  for (size_t b = 0; b < model->block_count; b++)
-    qn_box_add_point (&box, model->blocks[b].centroid);
-  return qn_box_diagonal (box);
-}
-
 /* In linear geometry the multiplier of such a structure grows until it counts as unbounded. */
 static QnStatus
 see_limits (QnPathTrace *trace, QnDiag *diag)
 {
   const QnModel *model = trace->path->model;
+  QnBox box = QN_BOX_EMPTY;
 
   if (qn_path_trace_is_linear (trace) || !trace->load_control
       || trace->end < QN_UNBOUNDED)
     return QN_OK;
-  trace->extent = extent_of (model);
+  for (size_t b = 0; b < model->block_count; b++)
+    qn_box_add_point (&box, model->blocks[b].centroid);
+  trace->extent = qn_box_diagonal (box);
   return qn_check_unlimited (model, trace->path->equilibrium.assembly.contacts,
                              &trace->unlimited, diag);
 }

@@ -36,9 +36,8 @@ typedef struct QnPathTrace {
   double unit; /* that at which the largest live load on a block equals the dead load */
   double step; /* to try next */
   double largest; /* step so far */
-  double
-    to_fall; /* the shortest step that is known to let the structure fall; INFINITY: none */
-  double pace; /* motion per unit of the measure in the last smooth step; 0: unknown */
+  double to_fall; /* the shortest step known to let the structure fall; INFINITY: none */
+  double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
   double slope; /* of the multiplier over the measure after the last step; 0: unknown */
   double *buckling; /* the motion in which an unstable equilibrium is left */
@@ -48,9 +47,8 @@ typedef struct QnPathTrace {
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
   bool straight; /* the last step went on as the one before */
-  double
-    above; /* tolerances by which the load is held above the highest multiplier next */
-  bool sought; /* a collapse, directly; what was found: */
+  double above;  /* tolerances by which the load is held above the highest one next */
+  bool sought;   /* a collapse, directly; what was found: */
   QnLimitSolution direct;
   double last_multiplier;                    /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
@@ -62,8 +60,7 @@ typedef struct QnPathTrace {
    * doubt for the steps since then; what the last one has come to, while the load is held. */
   QnEquilibriumState sure, ahead;
   bool doubt;
-  int32_t
-    aside; /* factorisations with the load held, which are no part of the way to collapse */
+  int32_t aside; /* factorisations with the load held, no part of the way to collapse */
   QnPool states; /* of these four */
 } QnPathTrace;
 

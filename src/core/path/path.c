@@ -64,6 +64,37 @@ qn_path_clear (QnPath *path)
   *path = (QnPath){ 0 };
 }
 
+/* Going over changes forces by what the pairs that cease to carry held and those that begin to carry do not: the
+ * next equilibrium takes that up, and counts as one that relaxation found. Without time a step is known by its
+ * number. */
+QnStatus
+qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+
+  qn_equilibrium_restore (eq);
+  QnStatus status = qn_moving_contacts_update (
+    &path->moving, eq, QN_PATH_LIST_CONTACTS * eq->assembly.length,
+    (double) path->result->step_count, path->result, changed, diag);
+  if (status != QN_OK || !*changed)
+    return status;
+  qn_inertia_free (path->inertia);
+  path->inertia = NULL;
+  qn_equilibrium_renew (eq);
+  return QN_OK;
+}
+
+QnStatus
+qn_path_begin_to_follow (QnPath *path, bool asked, QnDiag *diag)
+{
+  const QnAssembly *as = &path->equilibrium.assembly;
+
+  if (!asked || !as->nonlinear)
+    return QN_OK;
+  path->follows = true;
+  return qn_moving_contacts_init (&path->moving, as, diag);
+}
+
 bool
 qn_path_accept (QnPath *path, double multiplier, QnEvent event)
 {
@@ -137,7 +168,7 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
       || (qn_assembly_may_jump (&eq->assembly) ? !stands || !qn_path_slips (&eq->assembly)
                                                : solve != QN_SOLVE_FAILED))
     return solve;
-  solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+  solve = qn_central_path_solve (central, &target, 0, QN_CENTRAL_BUDGET);
   if (solve != QN_SOLVE_FAILED || !stands)
     return solve;
   qn_equilibrium_restore (eq);
@@ -167,7 +198,7 @@ let_settle (QnEquilibrium *eq, QnCentralPath *central)
     qn_equilibrium_save (eq, &eq->anchor);
   if (linear && qn_assembly_may_jump (&eq->assembly)) {
     qn_equilibrium_restore (eq);
-    solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+    solve = qn_central_path_solve (central, &target, 0, QN_CENTRAL_BUDGET);
     if (solve != QN_SOLVE_FAILED) {
       eq->assembly.commits = commits; /* the motion is undone */
       return solve;

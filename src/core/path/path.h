@@ -70,7 +70,7 @@ QnSolveStatus qn_path_lowest_motion (QnPath *path, double *motion);
 QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
 
 /* From the state under the dead load on contacts follow the blocks, where that is asked for and geometry is
- * not linear (path-follow.c). */
+ * not linear: after each step (core/dynamics/moving-contacts.h). */
 QnStatus qn_path_begin_to_follow (QnPath *path, bool asked, QnDiag *diag);
 
 /* Changes the contacts at the committed state. *changed: what belonged to the pairs of the assembly is to

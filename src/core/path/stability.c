@@ -3,12 +3,6 @@
 #include "core/path/analysis.h"
 #include "core/path/path.h"
 
-/* Growth of the increment after every step. */
-#define GROWTH 1.5
-
-/* The critical multiplier is resolved to this part of the multiplier tolerance. */
-#define RESOLUTION 1e-3
-
 typedef struct {
   QnPath path;
   double unstable; /* lowest multiplier found not to be stable, or infinity */
@@ -103,7 +97,7 @@ load_further (Search *search, double *increment, QnDiag *diag)
   QnEquilibrium *eq = &path->equilibrium;
   double from = eq->committed.multiplier, target = fmin (from + *increment, search->end);
   const QnAnalysisSettings *settings = path->settings;
-  double shortest = RESOLUTION * settings->multiplier_tolerance
+  double shortest = QN_PATH_RESOLUTION * settings->multiplier_tolerance
                     * fmax (fabs (target), 1.0 / settings->increments);
   bool found, stable;
 
@@ -119,7 +113,7 @@ load_further (Search *search, double *increment, QnDiag *diag)
   }
   if (!qn_path_accept (path, target, QN_EVENT_NONE))
     return qn_diag_no_memory (diag);
-  *increment *= GROWTH;
+  *increment *= QN_PATH_GROWTH;
   if (target >= search->end) {
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
     path->result->stability = QN_STABILITY_KEPT;
@@ -147,7 +141,8 @@ search_path (Search *search, QnDiag *diag)
   while (status == QN_OK && !search->finished) {
     double bracket = search->unstable - eq->committed.multiplier;
     if (isfinite (bracket)
-        && bracket <= RESOLUTION * settings->multiplier_tolerance * search->unstable)
+        && bracket
+             <= QN_PATH_RESOLUTION * settings->multiplier_tolerance * search->unstable)
       status = set_unstable (search, diag);
     else
       status = load_further (search, &increment, diag);

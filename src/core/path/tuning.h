@@ -91,4 +91,17 @@
 #define QN_PATH_MOST_BISECTIONS 40
 #define QN_PATH_SAME_BRANCH     1e-2
 
+#define QN_PATH_RESOLUTION  1e-3 /* of the critical multiplier, in multiplier tolerances */
+#define QN_PATH_EIGENVALUE  30   /* bisections of the lowest, */
+#define QN_PATH_EIGENVECTOR 8    /* and inverse iterations from there */
+
+/* Elastic displacements in a first step, for next to collapse the tangent knows no end; states that predict the
+ * next one better than Newton's first iteration; what of the highest multiplier has turned down; times what
+ * equilibrium may lack that are felt; and force beside the largest that a joint carries at a collapse. */
+#define QN_PATH_FARTHEST_FIRST 1e3
+#define QN_PATH_LEAST_STATES   2
+#define QN_PATH_DIP            1e-4
+#define QN_PATH_FELT           100
+#define QN_PATH_LITTLE         1e-5
+
 #define QN_PATH_MOST_STEPS 100000 /* of a path that nothing else ends */
