@@ -105,9 +105,12 @@ test_cells (void)
   static const char *const changes[][2] = {
     { "laws[0].kn=1e10", "laws[0].kn: elasticity excludes" },
     { "laws[0].poisson=0.5", "laws[0].poisson" },
+    { "laws[0].poisson=-0.1", "laws[0].poisson" },
     { "laws[0].basis=surface", "laws[0].elasticity" },
     { "bars[0].end=[0.06,6]", "bars[0].end: bar ends in no block" },
     { "bars[0].end=[0.06,-0.1]", "bars[0]: bar crosses no contact face" },
+    { "bars[0].start=[0.06,2.1]", "bars[0].end: bar has no length" },
+    { "blocks[0].vertices=[[0,2],[1.2,2],[1.2,2],[0,2]]", "polygon repeats a vertex" },
     { "masonry[0].cells=[0,5]", "masonry[0].cells" },
     { "masonry[0].cells=[5000,2000]", "masonry[0].cells" },
     { "masonry[0].size=[0,2]", "masonry[0].size: number must be positive" },

@@ -45,7 +45,7 @@ const QnTool qn_tool_bar = {
   .name = "bar",
   .icon = "quoin-bar-symbolic",
   .label = N_ ("Reinforcing Bar"),
-  .hint = N_ ("Drag from end to end, across the joints at right angles; Shift holds it "
+  .hint = N_ ("Drag from end to end, across joints at any angle; Shift holds it "
               "straight; law and diameter are in the panel Analysis"),
   .accel = "e",
   QN_GESTURE_LINE,
