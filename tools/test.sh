@@ -27,7 +27,7 @@ tools/setup.sh clang
 if command -v ld.gold >/dev/null; then
   export CC_LD=gold CXX_LD=gold
 fi
-export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 ccache=$(command -v ccache || true)
 
 passed=0
@@ -98,22 +98,42 @@ count () {
   failed=$((failed + bad))
 }
 
+# needs FOLDER SUITE...: the targets of the tests of these suites, but for those of the suite "all"; and
+# translations.
+needs () {
+  python3 - "$@" <<'END'
+import json, os, sys
+
+folder, suites = os.path.realpath(sys.argv[1]), set(sys.argv[2:])
+files = {t["id"]: t["filename"] for t in json.load(open(folder + "/meson-info/intro-targets.json"))}
+needed = {os.path.relpath(f, folder) for names in files.values() for f in names if f.endswith(".mo")}
+for test in json.load(open(folder + "/meson-info/intro-tests.json")):
+    own = {suite.split(":")[-1] for suite in test["suite"]}
+    if own & suites and "all" not in own:
+        needed.update(os.path.relpath(f, folder) for d in test["depends"] for f in files[d])
+print(*sorted(needed))
+END
+}
+
 # build FOLDER SETUP-OPTION...: configures where that is still to be done, and builds; of the targets
-# only those in $targets where that is set.
+# only those in $targets, or those that the tests of $suites need, where one of them is set.
 targets=
+suites=
 build () {
   local folder=$1
   shift
   if [ ! -f "$folder/build.ninja" ]; then
     meson setup "$folder" -Dwerror=true "$@" || return
   fi
-  # shellcheck disable=SC2086 # several targets
-  ninja -C "$folder" $targets
+  # shellcheck disable=SC2046,SC2086 # several targets
+  ninja -C "$folder" $targets ${suites:+$(needs "$folder" $suites)}
 }
 
 # check FOLDER SETUP-OPTION... -- TEST-OPTION...: builds and tests.
 said=$(mktemp)
-trap 'rm -f "$said"' EXIT
+cell=$(mktemp)
+behind=
+trap 'rm -f "$said" "$cell"; [ -z "$behind" ] || kill "$behind" 2>/dev/null || true' EXIT
 check () {
   local folder=$1 status=0
   shift
@@ -171,20 +191,38 @@ if [ "$mode" = --quick ]; then
   echo "== quick tests"
   check build-test -- --timeout-multiplier 3 --no-suite slow --no-suite all
 else
+  # Sources of a target together, and GTK's headers once: most of the time is the compiler's.
+  sanitized=(-Doptimization=1 -Ddebug=false -Dc_args=-g1 "-Db_sanitize=address,undefined"
+    -Db_lundef=false -Dunity=on -Dunity_size=8 -Db_pch=true)
+  # with_clang COMMAND TEST-OPTION...: builds, or checks.
+  with_clang () {
+    CC="$ccache clang" CXX="$ccache clang++" suites="core io stress slow" \
+      "$1" build-clang --buildtype=release -Dapp=disabled "${@:2}"
+  }
+
   echo "== quick tests under sanitizers"
-  check build-sanitize -Doptimization=1 -Ddebug=false -Dc_args=-g1 \
-    -Db_sanitize=address,undefined -Db_lundef=false -- \
+  build build-sanitize "${sanitized[@]}" || true # what is wrong is told below
+  # The other builds take what the tests leave of the processors.
+  (
+    renice -n 19 "$BASHPID" >/dev/null
+    with_clang build >"$cell" 2>&1 || true
+    tools/build-matrix.sh gcc-release >"$cell" 2>&1
+  ) &
+  behind=$!
+  check build-sanitize "${sanitized[@]}" -- \
     --timeout-multiplier 6 --no-suite slow --no-suite all --no-suite stress
 
   echo "== the window under sanitizers"
   check build-sanitize -- --timeout-multiplier 6 --num-processes $waiting --suite app --no-suite all
 
   echo "== clang, optimised"
-  CC="$ccache clang" CXX="$ccache clang++" check build-clang --buildtype=release -Dapp=disabled -- \
-    --timeout-multiplier 3 --no-suite all --suite core --suite io --suite stress --suite slow
+  wait "$behind" || true
+  behind=
+  with_clang check -- --timeout-multiplier 3 --no-suite all --suite core --suite io --suite stress \
+    --suite slow
 
   echo "== gcc, optimised, and without anything optional"
-  tell gcc-release tools/build-matrix.sh gcc-release
+  tell gcc-release cat "$cell"
 fi
 
 if [ "$mode" = --all ]; then

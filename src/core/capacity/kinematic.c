@@ -413,7 +413,7 @@ arm_of_block (const Chain *c, QnId block)
 /* Control block, M*, e* and the ratio of displacements, of the velocities as built. False where the chain
  * or the control block does not move with the load. */
 static bool
-find_masses (const Chain *c, QnCapacity *capacity, QnId control)
+find_chain_masses (const Chain *c, QnCapacity *capacity, QnId control)
 {
   QnMassSums sums = { 0 };
   double farthest = 0;
@@ -541,7 +541,7 @@ analyse (Chain *c, QnCapacity *capacity, const QnContacts *contacts, QnId contro
     return refuse (QN_PROBLEM_CAPACITY_LOADS, diag);
   if (project (c) > DEVIATION)
     return refuse (QN_PROBLEM_MECHANISM_SLIDES, diag);
-  if (!find_masses (c, capacity, control))
+  if (!find_chain_masses (c, capacity, control))
     return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_MOTION,
                         QN_ENTITY_BLOCK, capacity->block, QN_NONE);
   status = stretch_ties (c, &capacity->works[QN_WORK_TIES], diag);

@@ -37,7 +37,7 @@ static const struct {
   int32_t again;    /* of each further one until there is a collapse, */
   int32_t stiff;    /* of all, as long as it does not stand still, */
   int32_t spare;    /* and until others are sought beside one that does */
-} tuning = {
+} search_tuning = {
   .strength = { [REST] = 10,
                 [NEAR_REST] = 3,
                 [REST_AGAIN] = 10,
@@ -128,7 +128,7 @@ are_same (const Search *search, const Collapse *a, const Collapse *b)
                  * fmax (fabs (a->multiplier), fabs (b->multiplier));
 
   return fabs (a->multiplier - b->multiplier)
-         <= exact + tuning.reach * (fabs (a->growth) + fabs (b->growth));
+         <= exact + search_tuning.reach * (fabs (a->growth) + fabs (b->growth));
 }
 
 /* Keeps the collapse just found; in place of one that it is, too, with softer joints. */
@@ -145,7 +145,7 @@ keep (Search *search, double compliance, QnDiag *diag)
   while (place < search->count && !are_same (search, &search->found[place], &new))
     place++;
   bool known = place < search->count;
-  if (place == QN_LIMIT_STARTS || search->gives > tuning.rigid
+  if (place == QN_LIMIT_STARTS || search->gives > search_tuning.rigid
       || (known
           && (stands_still (search, &search->found[place])
               || fabs (search->found[place].growth) <= fabs (new.growth))))
@@ -195,15 +195,16 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
       QnDiag *diag)
 {
   QnCollapse *c = &search->collapse;
-  double tolerance = tuning.tolerance * search->model->analysis.multiplier_tolerance;
+  double tolerance =
+    search_tuning.tolerance * search->model->analysis.multiplier_tolerance;
 
   set_compliance (search, compliance);
   bool rest = start != FORCES;
   if (start == GO_ON)
-    qn_collapse_centre (c, tuning.strength[GO_ON]);
+    qn_collapse_centre (c, search_tuning.strength[GO_ON]);
   else
     qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
-                       tuning.strength[start], tuning.coupling[start]);
+                       search_tuning.strength[start], search_tuning.coupling[start]);
   QnCollapseState state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
   qn_limit_take_effort (c, &search->interval->solution.effort);
   search->cancelled = state == QN_COLLAPSE_CANCELLED;
@@ -214,7 +215,7 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   const QnIpProblem *p = &search->limit.ip;
   search->gives = compliance * qn_largest (c->at.y, 2 * (size_t) p->cell_count)
                   / qn_largest (c->at.v, (size_t) p->row_count);
-  *found = search->gives <= tuning.rigid;
+  *found = search->gives <= search_tuning.rigid;
   return keep (search, compliance, diag);
 }
 
@@ -226,21 +227,22 @@ seek_all (Search *search, QnDiag *diag)
 {
   const QnStatistics *effort = &search->interval->solution.effort;
   double blocks = search->limit.ip.row_count / (double) QN_DOF_COUNT;
-  double compliance = fmin (tuning.softest, tuning.compliance / blocks);
+  double compliance = fmin (search_tuning.softest, search_tuning.compliance / blocks);
   int32_t before = effort->factorizations;
   bool found = false;
   QnStatus status = QN_OK;
-  int start = search->elastic ? FORCES : REST, again = tuning.stiffenings;
+  int start = search->elastic ? FORCES : REST, again = search_tuning.stiffenings;
 
   for (; start <= START_COUNT && !found && !status && !search->cancelled; start++) {
     if (start == START_COUNT && !search->elastic)
-      compliance *= tuning.softer;
-    status = seek (search, start % START_COUNT, compliance,
-                   start == REST ? tuning.budget : tuning.again, &found, diag);
+      compliance *= search_tuning.softer;
+    status =
+      seek (search, start % START_COUNT, compliance,
+            start == REST ? search_tuning.budget : search_tuning.again, &found, diag);
     if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic)
-      status = seek (search, GO_ON, compliance, tuning.again, &found, diag);
-    if (search->gives > tuning.rigid && again-- > 0) {
-      compliance *= 0.5 * tuning.rigid / search->gives;
+      status = seek (search, GO_ON, compliance, search_tuning.again, &found, diag);
+    if (search->gives > search_tuning.rigid && again-- > 0) {
+      compliance *= 0.5 * search_tuning.rigid / search->gives;
       start--;
     }
   }
@@ -248,13 +250,14 @@ seek_all (Search *search, QnDiag *diag)
     int32_t spent = effort->factorizations - before;
     bool still = stands_still (search, find_least (search));
     /* Stiffer ones take longer. */
-    if (spent >= (still ? tuning.spare : tuning.stiff / 2) || (still && search->elastic))
+    if (spent >= (still ? search_tuning.spare : search_tuning.stiff / 2)
+        || (still && search->elastic))
       break;
     if (still)
-      return seek (search, REST, tuning.softer * compliance, tuning.stiff - spent, &found,
-                   diag);
-    compliance *= tuning.stiffer;
-    status = seek (search, start++ % START_COUNT, compliance, tuning.stiff - spent,
+      return seek (search, REST, search_tuning.softer * compliance,
+                   search_tuning.stiff - spent, &found, diag);
+    compliance *= search_tuning.stiffer;
+    status = seek (search, start++ % START_COUNT, compliance, search_tuning.stiff - spent,
                    &found, diag);
   }
   return status;

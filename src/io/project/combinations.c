@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* data/codes, made by the build. */
-GResource *qn_combinations_get_resource (void);
+GResource *qn_io_get_resource (void);
 
 /* Choices that are tried in one situation. */
 #define MOST_CHOICES 1000000
@@ -47,9 +47,8 @@ codes (void)
 {
   static gsize file;
   if (g_once_init_enter (&file)) {
-    g_autoptr (GBytes) bytes =
-      g_resource_lookup_data (qn_combinations_get_resource (),
-                              "/io/github/quoin/codes/combinations.json", 0, NULL);
+    g_autoptr (GBytes) bytes = g_resource_lookup_data (
+      qn_io_get_resource (), "/io/github/quoin/codes/combinations.json", 0, NULL);
     gsize length;
     const char *text = g_bytes_get_data (bytes, &length);
     g_once_init_leave (&file, (gsize) cJSON_ParseWithLength (text, length));
@@ -145,7 +144,7 @@ is_possible (const Case *cases, gsize count, const cJSON *situation)
 
 /* The next choices; FALSE after the last ones. */
 static gboolean
-advance (Case *cases, gsize count)
+next_case (Case *cases, gsize count)
 {
   for (gsize i = count; i-- > 0;) {
     if (cases[i].choice++ < cases[i].last)
@@ -213,7 +212,7 @@ add_situation (GPtrArray *list, Case *cases, gsize count, const QnModel *model,
   do
     if (is_possible (cases, count, situation))
       add_combination (list, first, cases, count, &model->combinations, situation);
-  while (list->len <= QN_MAX_COMBINATIONS && advance (cases, count));
+  while (list->len <= QN_MAX_COMBINATIONS && next_case (cases, count));
   return list->len <= QN_MAX_COMBINATIONS;
 }
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Made by Meson of data/vehicles.json. */
-GResource *quoin_vehicles_get_resource (void);
+GResource *qn_io_get_resource (void);
 
 static const QnMember vehicle_members[] = {
   QN_KNOWN ("name"),
@@ -100,7 +100,7 @@ static gboolean
 read_built_in (QnModel *model)
 {
   g_autoptr (GBytes) bytes = g_resource_lookup_data (
-    quoin_vehicles_get_resource (), "/io/github/quoin/io/vehicles.json", 0, NULL);
+    qn_io_get_resource (), "/io/github/quoin/vehicles.json", 0, NULL);
   gsize length;
   const char *text = g_bytes_get_data (bytes, &length);
   qn_model_init (model);
