@@ -183,8 +183,8 @@ solve_linear (QnPathTrace *trace, double *step)
 
 /* Where a structure cannot stay at the equilibrium that was found, although the measure is held: straight
  * columns beyond buckling, stacks that rock at two joints. It leaves in the motion of the lowest
- * eigenvalue, a little or a lot, and Newton's method finds where it comes to. FAILED where that is no
- * better. */
+ * eigenvalue, by a characteristic length, and Newton's method finds where it comes to. FAILED where that is
+ * no better. */
 static QnSolveStatus
 leave_unstable (QnPathTrace *trace, const QnTarget *target)
 {
@@ -195,20 +195,16 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
   if (status != QN_SOLVE_MECHANISM)
     return status;
   memcpy (trace->buckling, eq->motion, (size_t) as->unknown_count * sizeof (double));
-  for (double lean = QN_PATH_LEAST_LEAN; lean <= 1; lean *= 10) {
-    qn_equilibrium_restore (eq);
-    for (int32_t i = 0; i < as->unknown_count; i++)
-      eq->u[i] += lean * as->length * trace->buckling[i];
-    if (!qn_assembly_evaluate (&eq->assembly, eq->u))
-      continue;
-    status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
-    trace->means = QN_FOUND_BY_NEWTON;
-    if (status == QN_SOLVE_CONVERGED)
-      status = qn_path_judge_stability (trace->path, target->direction, true);
-    if (status != QN_SOLVE_FAILED && status != QN_SOLVE_MECHANISM)
-      return status;
-  }
-  return QN_SOLVE_FAILED;
+  qn_equilibrium_restore (eq);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    eq->u[i] += as->length * trace->buckling[i];
+  if (!qn_assembly_evaluate (&eq->assembly, eq->u))
+    return QN_SOLVE_FAILED;
+  status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
+  trace->means = QN_FOUND_BY_NEWTON;
+  if (status == QN_SOLVE_CONVERGED)
+    status = qn_path_judge_stability (trace->path, target->direction, true);
+  return status == QN_SOLVE_MECHANISM ? QN_SOLVE_FAILED : status;
 }
 
 /* The equilibrium where the measure has advanced by `step`, and whether the structure can stay there under

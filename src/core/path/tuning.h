@@ -43,9 +43,7 @@
 #define QN_PATH_JUMP       3
 #define QN_PATH_JUMP_STAYS 0.5
 
-/* Out of an unstable equilibrium: characteristic lengths at first, up to one; of the way that it may go. */
-#define QN_PATH_LEAST_LEAN 1e-2
-#define QN_PATH_LEAN       0.01
+#define QN_PATH_LEAN 0.01 /* out of an unstable equilibrium: of the way that it may go */
 
 /* Without associativity a multiplier that changes by no more while the motion grows so many times is a
  * plateau. Where no step leads on it is one if the multiplier gained no more while the motion doubled. */
