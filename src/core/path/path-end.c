@@ -85,8 +85,6 @@ is_plateau (QnPathTrace *trace)
     return false;
   }
   return motion > QN_PATH_PLATEAU_GROWTH * trace->plateau_motion
-         && (!trace->may_jump
-             || fabs (trace->pace - trace->last_pace) <= QN_PATH_STEADY * trace->pace)
          && may_move_on (trace, motion);
 }
 

@@ -103,7 +103,6 @@ passes_peak (QnPathTrace *trace, double step)
 static void
 choose_next_step (QnPathTrace *trace, double step, bool easy)
 {
-  trace->last_pace = trace->pace;
   if (!trace->jumped)
     trace->pace = qn_equilibrium_motion (&trace->path->equilibrium) / fabs (step);
   trace->largest = fmax (trace->largest, fabs (step));

@@ -38,8 +38,7 @@ typedef struct QnPathTrace {
   double largest; /* step so far */
   double to_fall; /* the shortest step known to let the structure fall; INFINITY: none */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
-  double last_pace; /* and in the one before */
-  double slope; /* of the multiplier over the measure after the last step; 0: unknown */
+  double slope;   /* of the multiplier over the measure after the last step; 0: unknown */
   double *buckling; /* the motion in which an unstable equilibrium is left */
   int looks;    /* left, for where the branch loses its stability; 0: it has been told */
   bool refused; /* an equilibrium of the step is unstable */

@@ -50,7 +50,7 @@
 #define QN_PATH_PLATEAU        1e-4
 #define QN_PATH_PLATEAU_GROWTH 10
 #define QN_PATH_LEAST_GAIN     0.02
-#define QN_PATH_STEADY         1e-2 /* pace on it, and what joints may be pressed by */
+#define QN_PATH_STEADY         1e-2 /* of the motion: what joints may be pressed by on it */
 
 /* Motion beyond eq->runaway is collapse where so much is left to gain: where it may jump, and in tolerances. */
 #define QN_PATH_NEARLY_SETTLED 5e-3
