@@ -119,28 +119,14 @@ add_joints (QnValue *value, const char *first)
     qn_value_add_row (value, _ (qn_typical_joints[i].name));
 }
 
-/* Rigid blocks need no stiffness, strengths that last no energy; associative flow has its own dilatancy. */
+/* Limit analysis takes strengths that last, and unless it is associative the dilatancy. */
 static gboolean
 is_ignored (const QnAnalysisSettings *analysis, const char *key)
 {
-  static const char *const of_paths[] = { "elasticity",
-                                          "poisson",
-                                          "kn",
-                                          "ks",
-                                          "shear_factor",
-                                          "residual_friction",
-                                          "dilation_end",
-                                          "fracture_energy_tension",
-                                          "hardening",
-                                          "fracture_energy_shear",
-                                          "ultimate_strain",
-                                          "fracture_energy",
-                                          "crushing_energy",
-                                          NULL };
-  return analysis->procedure == QN_PROCEDURE_LIMIT
-         && (g_strv_contains (of_paths, key)
-             || (analysis->flow == QN_FLOW_ASSOCIATIVE
-                 && g_str_equal (key, "dilatancy")));
+  static const char *const taken[] = { "friction", "cohesion", "tension", "compression",
+                                       "yield",    "strength", NULL };
+  return analysis->procedure == QN_PROCEDURE_LIMIT && !g_strv_contains (taken, key)
+         && (analysis->flow == QN_FLOW_ASSOCIATIVE || !g_str_equal (key, "dilatancy"));
 }
 
 static gboolean

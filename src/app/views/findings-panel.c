@@ -77,7 +77,8 @@ add_fixes (Panel *panel, GtkWidget *box, const QnModel *model, const QnFinding *
                                     GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, what, -1);
     g_object_set_data_full (G_OBJECT (button), "qn-fix", fix, g_free);
     g_signal_connect (button, "clicked", G_CALLBACK (on_fix), panel);
-    gtk_box_append (GTK_BOX (box), button);
+    gtk_flow_box_append (GTK_FLOW_BOX (box), button);
+    gtk_widget_set_focusable (gtk_widget_get_parent (button), FALSE);
   }
   gtk_widget_set_visible (box, count > 0);
 }
