@@ -285,7 +285,7 @@ print_result (const QnCheckReport *report)
   if (faults->forces_unknown)
     qn_print (
       _ ("  not checked: forces of the steps before the last, which the result does "
-         "not hold\n"));
+         "not hold: solve --detail steps keeps them\n"));
   if (faults->in_time)
     qn_print (
       _ ("  not checked: the balance in motion, to which inertia and damping belong\n"));
