@@ -430,7 +430,7 @@ def _corners(polygon: typing.Any, number: int) -> Array:
             raise ValueError(f"polygons[{number}]: a block has no holes")
         polygon = polygon.exterior.coords
     corners = numpy.asarray(polygon)
-    if numpy.ma.is_masked(polygon):
+    if numpy.any(getattr(polygon, "mask", False)):
         raise ValueError(f"polygons[{number}]: some of its corners are masked")
     if corners.ndim != 2 or corners.shape[1] not in (2, 3) or numpy.iscomplexobj(corners):
         raise ValueError(f"polygons[{number}]: expected corners (n, 2)")
