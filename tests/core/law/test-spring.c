@@ -193,8 +193,21 @@ test_strength (void)
   g_assert_cmpint (plastic, >, 0);
 }
 
+/* Rigid joints without tension slide as they like: only the row of opening is left, and none behind it. */
+static void
+test_rigid_strength (void)
+{
+  QnLaw law = { .name = "j", .kind = QN_LAW_NO_TENSION, .kn = 100, .ks = 60 };
+  QnSpring spring = qn_spring_from_law (&law, 1, 1);
+  QnStrengthRow rows[QN_STRENGTH_ROWS + 1] = { { 0 } };
+  g_assert_cmpint (qn_spring_rigid_strength (&spring, rows), ==, 1);
+  g_assert_cmpfloat (rows[0].shear, ==, 0);
+  g_assert_cmpfloat (fabs (rows[0].normal), ==, 1);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/spring/rigid-strength", test_rigid_strength);
   g_test_add_func ("/spring/bases", test_bases);
   g_test_add_func ("/spring/lengths", test_lengths);
   g_test_add_func ("/spring/similar", test_similar);
