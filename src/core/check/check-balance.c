@@ -6,10 +6,16 @@
 
 #include <math.h>
 
-/* By how much a force exceeds what a law can carry, N; 0 or less where it does not. Strengths
- * per area are times the tributary area. */
+static bool
+has_bond (const QnLaw *law)
+{
+  return qn_law_may_bond (law->kind) && (law->cohesion > 0 || law->tension > 0);
+}
+
+/* By how much a force exceeds what a law can carry, N, its bond whole or broken; 0 or less where it does
+ * not. Strengths per area are times the tributary area. */
 static double
-law_excess (const QnLaw *law, double area, const QnPairResult *pair)
+law_excess (const QnLaw *law, double area, const QnPairResult *pair, bool broken)
 {
   double factor = law->basis == QN_BASIS_CONTACT ? 1 : area;
   double normal = pair->normal_force, shear = pair->shear_force;
@@ -19,7 +25,6 @@ law_excess (const QnLaw *law, double area, const QnPairResult *pair)
     return normal;
   case QN_LAW_COULOMB:
   case QN_LAW_MOHR_COULOMB: {
-    bool broken = pair->damage >= 1;
     double friction =
       broken && law->residual_friction > 0 ? law->residual_friction : law->friction;
     double cohesion = broken ? 0 : factor * law->cohesion;
@@ -54,9 +59,18 @@ qn_check_excess (const QnCheck *check, size_t p, const QnPairResult *stated)
   double area = pair->tributary * face->thickness;
 
   if (pair->bar != QN_NONE)
-    return law_excess (&model->laws[model->bars[pair->bar].law], area, stated);
-  return fmax (law_excess (&model->laws[face->law_a], area, stated),
-               law_excess (&model->laws[face->law_b], area, stated));
+    return law_excess (&model->laws[model->bars[pair->bar].law], area, stated, false);
+  const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
+  bool broken = stated->damage >= 1;
+  double excess = fmax (law_excess (a, area, stated, broken && has_bond (a)),
+                        law_excess (b, area, stated, broken && has_bond (b)));
+
+  /* Damage is that of the pair: of two bonds one may be whole. */
+  if (broken && face->law_a != face->law_b && has_bond (a) && has_bond (b))
+    excess = fmin (
+      fmax (law_excess (a, area, stated, true), law_excess (b, area, stated, false)),
+      fmax (law_excess (a, area, stated, false), law_excess (b, area, stated, true)));
+  return excess;
 }
 
 /* What is summed at a step. */

@@ -191,6 +191,43 @@ test_between_supports (void)
   g_assert_cmpint (held, >, 0);
 }
 
+/* A joint slides on the side whose bond is broken, with more friction than that of the other side, whose
+ * bond is whole. */
+static void
+test_one_bond_broken (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init_block_on_plane (model, 1, 0.5);
+  QnLaw *whole = qn_model_add_law (model, "whole"), *breaks = &model->laws[0];
+  *whole = (QnLaw){ .name = whole->name,
+                    .kind = QN_LAW_COULOMB,
+                    .kn = breaks->kn,
+                    .ks = 2 * breaks->ks,
+                    .friction = 0.3,
+                    .cohesion = 3000,
+                    .tension = 300 };
+  breaks->friction = 0.7;
+  breaks->cohesion = 500;
+  model->blocks[1].law = 1;
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->kind = QN_LOAD_WEIGHT;
+  dead->vector = qn_vec2 (0, -1);
+  add_force (model, "push", 1, 0);
+  QnStage *stage = qn_model_add_stage (model, "stage");
+  stage->sets = 2;
+  stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+  stage->control_block = 1;
+  stage->control_dof = QN_DOF_UX;
+  stage->control_target = 0.01;
+  stage->increments = 10;
+  test_run_solve (&run);
+  const QnStep *last = &run.result.steps[run.result.step_count - 1];
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpfloat_with_epsilon (last->multiplier, 0.7 * 5000, 1);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+}
+
 /* A bond that was damaged a very little more on the way of a motion carries less by more than forces may
  * differ. */
 static void
@@ -427,6 +464,7 @@ QN_TESTS
                    test_slip_before_an_unknown_way);
   g_test_add_func ("/core/result-check/slip-of-a-damaged-bond",
                    test_slip_of_a_damaged_bond);
+  g_test_add_func ("/core/result-check/one-bond-broken", test_one_bond_broken);
   g_test_add_func ("/core/result-check/bond-damaged-on-the-way",
                    test_bond_damaged_on_the_way);
   g_test_add_func ("/core/result-check/fibre-strained-on-the-way",
