@@ -114,8 +114,11 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
   trace->to_fall -= fabs (step);
   if (trace->to_fall <= 0)
     trace->to_fall = INFINITY; /* beyond it the structure stands again */
-  if (fabs (trace->step) > trace->to_fall / 2)
-    trace->step = copysign (trace->to_fall / 2, trace->step);
+  /* Half of the way to where it falls; the rest of it once that is short. */
+  double until = trace->to_fall > QN_PATH_SMALLEST_STEP * trace->largest
+                   ? trace->to_fall / 2
+                   : trace->to_fall;
+  trace->step = copysign (fmin (fabs (trace->step), until), trace->step);
   trace->slope = trace->path->equilibrium.slope;
 }
 

@@ -431,10 +431,37 @@ test_fracture_energy_of_a_joint (void)
     g_assert_cmpfloat (result.pairs[p].damage, ==, 1);
 }
 
+/* Free to tilt it falls to a side soon after the peak: where, is found by shorter steps, which do not halve
+ * the way there for ever. */
+static void
+test_way_to_a_fall (void)
+{
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
+  test_model_init_block_on_plane (&model, 1, 0.5);
+  QnLaw *law = &model.laws[0];
+  law->basis = QN_BASIS_SURFACE;
+  law->kn = law->ks = 1e10;
+  law->cohesion = 1e5;
+  law->tension = 5e4;
+  law->fracture_energy_tension = 50;
+  QnLoad *live = qn_model_add_live_load (&model);
+  live->kind = QN_LOAD_FORCE;
+  live->block = 1;
+  live->vector = qn_vec2 (0, 1);
+  model.analysis.increments = 400;
+  test_control (&model, QN_PROCEDURE_DISPLACEMENT, "block", QN_DOF_UY, 4e-3);
+  test_analyse (&model, &result);
+  g_assert_cmpint (result.stop, ==, QN_STOP_FALL);
+  g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, law->tension, 1);
+  g_assert_cmpuint (result.step_count, <, 100);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/path-control/bond-of-a-rocking-block", test_bond_of_a_rocking_block);
   g_test_add_func ("/path-control/fracture-energy", test_fracture_energy_of_a_joint);
+  g_test_add_func ("/path-control/way-to-a-fall", test_way_to_a_fall);
   g_test_add_func ("/path-control/beyond-buckling", test_beyond_buckling);
   g_test_add_func ("/path-control/loaded-beyond-buckling", test_loaded_beyond_buckling);
   g_test_add_func ("/path-control/end-of-branch", test_end_of_branch);
