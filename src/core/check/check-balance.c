@@ -62,14 +62,14 @@ qn_check_excess (const QnCheck *check, size_t p, const QnPairResult *stated)
     return law_excess (&model->laws[model->bars[pair->bar].law], area, stated, false);
   const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
   bool broken = stated->damage >= 1;
-  double excess = fmax (law_excess (a, area, stated, broken && has_bond (a)),
-                        law_excess (b, area, stated, broken && has_bond (b)));
+  double excess = qn_worse (law_excess (a, area, stated, broken && has_bond (a)),
+                            law_excess (b, area, stated, broken && has_bond (b)));
 
   /* Damage is that of the pair: of two bonds one may be whole. */
   if (broken && face->law_a != face->law_b && has_bond (a) && has_bond (b))
     excess = fmin (
-      fmax (law_excess (a, area, stated, true), law_excess (b, area, stated, false)),
-      fmax (law_excess (a, area, stated, false), law_excess (b, area, stated, true)));
+      qn_worse (law_excess (a, area, stated, true), law_excess (b, area, stated, false)),
+      qn_worse (law_excess (a, area, stated, false), law_excess (b, area, stated, true)));
   return excess;
 }
 
