@@ -109,6 +109,7 @@ qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strengt
   size_t size = 2 * (size_t) p->cell_count * sizeof (double);
 
   c->least_coupling = coupling;
+  c->excess = 0;
   c->least_multiplier = QN_COLLAPSE_LEAST;
   memset (c->at.v, 0, (size_t) p->row_count * sizeof (double));
   if (y != NULL)
@@ -285,6 +286,18 @@ exchange (QnIpVector *a, QnIpVector *b)
   *b = swap;
 }
 
+/* What s'z is lowered to at least: products that vanish ahead of what is left out of the strengths hold
+ * every later step back. */
+static double
+least_power (const QnCollapse *c)
+{
+  double excess = 0;
+
+  for (int32_t i = 0; c->own_flow && i < c->problem->bound_count; i++)
+    excess += fabs (c->rz[i]) * c->at.z[i];
+  return fmin (c->power, c->excess * excess);
+}
+
 /* The step that lowers mu, as far as the predictor says. Returns how much of it may be gone until some
  * s or z vanishes; *part: what it leaves of residuals and mu. */
 static double
@@ -302,7 +315,7 @@ find_step (QnCollapse *c, double *part)
     left += (c->at.s[i] + whole * step->s[i]) * (c->at.z[i] + whole * step->z[i]);
   *part =
     fmax (tuning.least_aim, c->power > 0 ? pow (left / c->power, tuning.exponent) : 0);
-  double target = *part * c->power / p->bound_count;
+  double target = fmax (*part * c->power, least_power (c)) / p->bound_count;
   for (int32_t i = 0; i < p->bound_count; i++)
     c->products[i] = target - c->at.s[i] * c->at.z[i] - step->s[i] * step->z[i];
   solve_for_share (c, 1 - *part, step);
@@ -419,7 +432,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     if (ok && is_stable (c))
       length = step_on (c, &ok);
     else if (*coupling <= least)
-      least = 0;
+      least = c->holds_flows ? least - tuning.less : 0;
     if (length < tuning.short_step)
       *coupling = fmax (least, *coupling - tuning.less);
     else if (length > tuning.long_step)

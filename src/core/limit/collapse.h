@@ -50,7 +50,9 @@ typedef struct QnCollapse {
   double least_coupling;
   double least_multiplier; /* one that is smaller is found as well as this */
   bool own_flow;           /* some strength row is not associative */
-  bool holds_flows; /* set by who starts: whether such flows have a proximal term */
+  bool holds_flows; /* set by who starts: whether such flows have a proximal term, */
+  double
+    excess; /* and how much of the power of flows on what exceeds the strength s'z keeps */
 
   QnIpVector step, trial;
   double *w;            /* z / s, less where a flow is large */

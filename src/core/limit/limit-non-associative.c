@@ -24,6 +24,9 @@ static const struct {
   double
     strength[GO_ON + 1]; /* that joints have left at the start, in loads of a block */
   double coupling[START_COUNT]; /* least one (collapse.h): others find other walls */
+  double large; /* free blocks; from there on starts are from rest, have this coupling, */
+  double coupled;
+  double excess; /* and this share of the power on excess strength (collapse.h) */
   double
     compliance; /* times the number of free blocks: what a tall wall gives grows with it */
   double softest; /* compliance of a few blocks */
@@ -34,6 +37,7 @@ static const struct {
   double tolerance; /* of one collapse, in tolerances of the multiplier */
   int stiffenings;  /* most, where joints give too much at once */
   int32_t budget;   /* factorisations of the first start, */
+  int32_t long_run; /* of that of a large structure, */
   int32_t again;    /* of each further one until there is a collapse, */
   int32_t stiff;    /* of all, as long as it does not stand still, */
   int32_t spare;    /* and until others are sought beside one that does */
@@ -44,6 +48,9 @@ static const struct {
                 [FORCES] = 10,
                 [GO_ON] = 0.1 },
   .coupling = { [REST] = 0.3, [NEAR_REST] = 0.7, [REST_AGAIN] = 0.6, [FORCES] = 0.5 },
+  .large = 2000,
+  .coupled = 0.7,
+  .excess = 0.5,
   .compliance = 0.03,
   .softest = 1e-3,
   .softer = 10,
@@ -53,6 +60,7 @@ static const struct {
   .tolerance = 0.03,
   .stiffenings = 4,
   .budget = 200,
+  .long_run = 300,
   .again = 150,
   .stiff = 110,
   .spare = 38,
@@ -189,6 +197,14 @@ set_compliance (Search *search, double compliance)
   }
 }
 
+/* Whether iterations stall unless what is left out of the strengths holds the products back. */
+static bool
+is_large (const Search *search)
+{
+  return !search->elastic
+         && search->limit.ip.row_count > QN_DOF_COUNT * search_tuning.large;
+}
+
 /* One start. A collapse in which joints give too much is none. */
 static QnStatus
 seek (Search *search, Start start, double compliance, int32_t budget, bool *found,
@@ -205,6 +221,10 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   else
     qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
                        search_tuning.strength[start], search_tuning.coupling[start]);
+  if (is_large (search)) {
+    c->least_coupling = search_tuning.coupled;
+    c->excess = search_tuning.excess;
+  }
   QnCollapseState state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
   qn_limit_take_effort (c, &search->interval->solution.effort);
   search->cancelled = state == QN_COLLAPSE_CANCELLED;
@@ -220,8 +240,9 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
 }
 
 /* From each start until there is a collapse, with stiffer joints where they give too much, then from
- * rest with softer ones. After that with stiffer ones as long as the least multiplier does not stand
- * still; where it does at once, softer joints may lead to another collapse. */
+ * rest with softer ones; of a large structure from rest alone. After that with stiffer ones as long as
+ * the least multiplier does not stand still; where it does at once, softer joints may lead to another
+ * collapse. */
 static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
@@ -233,12 +254,15 @@ seek_all (Search *search, QnDiag *diag)
   QnStatus status = QN_OK;
   int start = search->elastic ? FORCES : REST, again = search_tuning.stiffenings;
 
-  for (; start <= START_COUNT && !found && !status && !search->cancelled; start++) {
+  for (; start <= START_COUNT && !found && !status && !search->cancelled;
+       start = is_large (search) && start == REST ? START_COUNT : start + 1) {
     if (start == START_COUNT && !search->elastic)
       compliance *= search_tuning.softer;
-    status =
-      seek (search, start % START_COUNT, compliance,
-            start == REST ? search_tuning.budget : search_tuning.again, &found, diag);
+    status = seek (search, start % START_COUNT, compliance,
+                   start != REST       ? search_tuning.again
+                   : is_large (search) ? search_tuning.long_run
+                                       : search_tuning.budget,
+                   &found, diag);
     if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic)
       status = seek (search, GO_ON, compliance, search_tuning.again, &found, diag);
     if (search->gives > search_tuning.rigid && again-- > 0) {

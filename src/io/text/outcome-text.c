@@ -470,6 +470,12 @@ explain_failure (const QnModel *model, const Task *task, const QnResult *result)
   double reached = last != NULL ? last->multiplier : 0;
   if (result->stop == QN_STOP_CHECK)
     return explain_refused (model, result);
+  if (task->procedure == QN_PROCEDURE_LIMIT && result->has_associative_bound)
+    return qn_text_printf (
+      _ ("No collapse with the dilatancy of the joints was found in %d factorisations. "
+         "What is known: no equilibrium above a load multiplier of %.4g, the associative "
+         "bound. The load path may tell more."),
+      (int) result->statistics.factorizations, result->associative_bound);
   if (result->stop == QN_STOP_FACTORIZATIONS)
     return qn_text_printf (
       _ ("Stopped at a load multiplier of %.4g, after as many factorisations as "
