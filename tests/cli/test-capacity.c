@@ -288,11 +288,19 @@ test_facade_strip (void)
   cli_do ("generate", "facade-strip", "storeys=3", "thickness=0.3", "floors=20000",
           "bearing=0.3", "held=1", "unit-weight=10000", "courses=10", "-o", model, NULL);
   cli_says ("alpha0 2.73800", "capacity", model, NULL);
-  const char *const wrong[][2] = { { "bering=0.2",
-                                     "the nearest known one is \"bearing\"" },
-                                   { "thickness=0.1", "more than the thickness" },
-                                   { "storeys=3xhigh", "storeys: expected a number" },
-                                   { "courses=0", "courses: number must be positive" } };
+  const char *const wrong[][2] = {
+    { "bering=0.2", "the nearest known one is \"bearing\"" },
+    { "thickness=0.1", "more than the thickness" },
+    { "storeys=3xhigh", "storeys: expected a number" },
+    { "courses=0", "courses: number must be positive" },
+    { "courses=3.5", "courses: expected a whole number" },
+    { "courses=101", "from 1 to 100" },
+    { "width=1x2", "width: expected up to 1 numbers" },
+    { "floors=1x2x3", "floors: expected up to 2 numbers" },
+    { "held=3", "held: expected a whole number from 1 to 2" },
+    { "parapet=1", "parapet: expected two numbers" },
+    { "parapet=0x1", "parapet: expected two numbers" }
+  };
   for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
     CliRun run = cli_run ("generate", "facade-strip", wrong[i][0], "-o", model, NULL);
     g_assert_cmpint (run.code, ==, 2);

@@ -291,7 +291,8 @@ test_cracks (void)
   cli_do ("export", model, "--result", result, "--table", "cracks", "-o", csv, NULL);
   g_autofree char *text = cli_read (csv);
   g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
-  g_assert_cmpstr (lines[0], ==, "face,block a,block b,width [m],mean [m],x [m],y [m]");
+  g_assert_cmpstr (lines[0], ==,
+                   "face,block a,block b,width [m],mean [m],x [m],y [m],line");
   const double widths[][2] = { { 7.3e-3, 6.3e-3 }, { 5.3e-3, 4.3e-3 } };
   for (gsize i = 0; i < G_N_ELEMENTS (widths); i++) {
     g_auto (GStrv) cells = g_strsplit (lines[i + 1], ",", -1);
@@ -300,9 +301,11 @@ test_cracks (void)
     g_assert_cmpfloat (fabs (g_ascii_strtod (cells[4], NULL) - widths[i][1]), <, 1e-5);
     g_assert_cmpfloat (fabs (g_ascii_strtod (cells[6], NULL) - (2 - (double) i)), <,
                        1e-9);
+    g_assert_cmpstr (cells[7], ==, "1");
   }
   cli_do ("report", model, "--sections", "results", "-o", pdf, NULL);
-  assert_words (pdf, WORDS ("joints have opened", "Mean (mm)", "6.3"), NULL);
+  assert_words (
+    pdf, WORDS ("joints have opened", "Mean (mm)", "6.3", "all of its joints"), NULL);
 }
 
 /* The page on a mechanism has the hand numbers of docs/method/capacity.md; a project that does not ask for it
@@ -336,7 +339,7 @@ test_combinations (void)
   g_autofree char *pdf = g_build_filename (folder, "r.pdf", NULL);
   cli_do ("report", wall, "--sections", "combinations", "-o", pdf, NULL);
   assert_words (pdf,
-                WORDS ("65 combinations by en1990", "The worst: seismic 6.12b", "1.524",
+                WORDS ("65 combinations by EN 1990", "The worst: seismic 6.12b", "1.524",
                        "EQU 6.10: 0.9 self + 0.9 floor", "stands"),
                 WORDS ("no equilibrium"));
   cli_do ("report", arch, "-o", pdf, NULL);

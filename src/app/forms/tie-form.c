@@ -31,6 +31,10 @@
   MEMBER (WALL, "wall", CHANGE, QnTie, plate.wall)                                       \
   MEMBER (SHEAR, "shear", CHANGE, QnTie, plate.shear)                                    \
   MEMBER (COMPRESSION, "compression", CHANGE, QnTie, plate.compression)                  \
+  MEMBER (STRIP, "strip", CHANGE, QnTie, strip.width)                                    \
+  FIELD (STRIP_THICKNESS, "strip_thickness", CHANGE)                                     \
+  MEMBER (BOND, "bond", CHANGE, QnTie, strip.fracture_energy)                            \
+  FIELD (GLUE, "glue", N_ ("Glue Strip to Blocks"))                                      \
   MEMBER (FIRST_X, "first_x", N_ ("Move Tie End"), QnTie, ends[0].at.x)                  \
   MEMBER (FIRST_Y, "first_y", N_ ("Move Tie End"), QnTie, ends[0].at.y)                  \
   MEMBER (SECOND_X, "second_x", N_ ("Move Tie End"), QnTie, ends[1].at.x)                \
@@ -132,6 +136,12 @@ show (gpointer data, guint field, QnValue *value)
   case SHEAR:
   case COMPRESSION:
     return tie->plate.diameter > 0;
+  case STRIP_THICKNESS:
+    value->number = tie->strip.width > 0 ? tie->area / tie->strip.width : 0;
+    return tie->strip.width > 0;
+  case BOND:
+  case GLUE:
+    return tie->strip.width > 0;
   default:
     return TRUE;
   }
@@ -161,6 +171,11 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case DIAMETER:
     tie->area = qn_bar_get_area (value->number);
     return TRUE;
+  case STRIP_THICKNESS:
+    tie->area = value->number * tie->strip.width;
+    return TRUE;
+  case GLUE:
+    return qn_edit_glue_tie (model, form->selected, error);
   case DUPLICATE:
     form->wanted = (int) model->tie_count;
     return qn_edit_duplicate_tie (model, form->selected, error);

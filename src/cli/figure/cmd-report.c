@@ -6,6 +6,7 @@
 #include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
+#include <locale.h>
 #include <string.h>
 
 typedef struct ReportOptions {
@@ -67,6 +68,15 @@ solve_item (Item *item, const char *model, const QnInputOptions *options)
   return code;
 }
 
+/* Numbers of a report go with its words, as those of its pictures do. */
+static void
+use_numbers_of_words (void)
+{
+  setlocale (LC_NUMERIC, "");
+  if (strcmp (localeconv ()->decimal_point, C_ ("decimal sign", ".")) != 0)
+    setlocale (LC_NUMERIC, "C");
+}
+
 static QnExit
 write_report (const ReportOptions *options, const QnInput *input, const Item *items,
               gsize count, const QnReportTemplate *plan)
@@ -79,9 +89,11 @@ write_report (const ReportOptions *options, const QnInput *input, const Item *it
   QnTerminalProgress progress;
   qn_interrupt_install ();
   qn_terminal_progress_init (&progress, FALSE);
+  use_numbers_of_words ();
   g_autoptr (GBytes) bytes =
     qn_report_encode_runs (&input->project, &input->contacts, plan, runs, count,
                            qn_terminal_progress_update, &progress, &error);
+  setlocale (LC_NUMERIC, "C");
   qn_terminal_progress_done (&progress);
   if (g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
     g_error_free (error);

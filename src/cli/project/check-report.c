@@ -217,6 +217,9 @@ print_ties (const QnModel *model)
       qn_print (_ (", plate punches at %.6g N"), qn_tie_plate_punching (&tie->plate));
     if (isfinite (qn_tie_plate_bearing (&tie->plate)))
       qn_print (_ (", plate bears %.6g N"), qn_tie_plate_bearing (&tie->plate));
+    if (isfinite (qn_tie_debonding (tie)))
+      qn_print (_ (", strip %.6g mm thick debonds at %.6g N"),
+                1e3 * tie->area / tie->strip.width, qn_tie_debonding (tie));
     if (tie->prestress > 0)
       qn_print (_ (", prestress %.6g N"), tie->prestress);
     if (tie->slack > 0)

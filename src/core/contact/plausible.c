@@ -59,6 +59,8 @@ typedef enum {
   TIE_WALL,
   TIE_SHEAR,
   TIE_COMPRESSION,
+  TIE_STRIP,
+  TIE_BOND,
   YOUNG,
   SECTION_AREA,
   SECTION_INERTIA,
@@ -142,6 +144,8 @@ static const QnUsualRange ranges[ROW_COUNT] = {
   [TIE_WALL] = RANGE (TIE, "plate.wall", "m", 0.05, 10, LENGTH),
   [TIE_SHEAR] = RANGE (TIE, "plate.shear", "Pa", 100, 1e7, STRESS),
   [TIE_COMPRESSION] = RANGE (TIE, "plate.compression", "Pa", 1e4, 1e9, STRESS),
+  [TIE_STRIP] = RANGE (TIE, "strip.width", "m", 0.005, 3, LENGTH),
+  [TIE_BOND] = RANGE (TIE, "strip.fracture_energy", "J/m2", 5, 1e4, ENERGY),
   [YOUNG] = RANGE (SECTION, "young", "Pa", 1e7, 1.3e12, STIFFNESS),
   [SECTION_AREA] = RANGE (SECTION, "area", "m2", 7e-7, 100, AREA),
   /* As the height of the rectangle with this area. */
@@ -345,6 +349,8 @@ examine_members (Doubts *d)
     examine (d, TIE_WALL, i, QN_NONE, tie->plate.wall);
     examine (d, TIE_SHEAR, i, QN_NONE, tie->plate.shear);
     examine (d, TIE_COMPRESSION, i, QN_NONE, tie->plate.compression);
+    examine (d, TIE_STRIP, i, QN_NONE, tie->strip.width);
+    examine (d, TIE_BOND, i, QN_NONE, tie->strip.fracture_energy);
     if (weight > 0) {
       examine (d, TIE_PRESTRESS, i, QN_NONE, tie->prestress / weight);
       examine (d, TIE_ANCHOR, i, QN_NONE, tie->anchor / weight);

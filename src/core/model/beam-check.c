@@ -107,6 +107,9 @@ check_tie (const QnModel *model, QnId index, QnDiag *diag)
          && qn_require_number (of, "plate.shear", plate->shear, QN_RANGE_NOT_NEGATIVE)
          && qn_require_number (of, "plate.compression", plate->compression,
                                QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "strip.width", tie->strip.width, QN_RANGE_NOT_NEGATIVE)
+         && qn_require_number (of, "strip.fracture_energy", tie->strip.fracture_energy,
+                               QN_RANGE_NOT_NEGATIVE)
          && check_tie_end (model, &tie->ends[0], of)
          && check_tie_end (model, &tie->ends[1], of)
          && qn_require (of, first != tie->ends[1].block,

@@ -38,10 +38,19 @@ qn_tie_plate_bearing (const QnTiePlate *p)
 }
 
 double
+qn_tie_debonding (const QnTie *tie)
+{
+  double energy = tie->strip.width * tie->strip.fracture_energy;
+
+  return energy > 0 ? sqrt (2 * tie->elasticity * tie->area * energy) : INFINITY;
+}
+
+double
 qn_tie_anchor (const QnTie *tie)
 {
   double wall =
-    fmin (qn_tie_plate_punching (&tie->plate), qn_tie_plate_bearing (&tie->plate));
+    fmin (fmin (qn_tie_plate_punching (&tie->plate), qn_tie_plate_bearing (&tie->plate)),
+          qn_tie_debonding (tie));
 
   return tie->anchor > 0 ? fmin (tie->anchor, wall) : wall;
 }

@@ -40,6 +40,19 @@ typedef struct QnTiePlate {
   double compression; /* strength of the masonry across the wall, Pa */
 } QnTiePlate;
 
+/* A strip of fibres that is glued to blocks: what lies beside a joint lets go of the wall at a force that
+ * stays the same while it does, as long as there is glued length behind. Per length that lets go, the strip
+ * gives N^2/(2 E A) of energy and width times fracture energy is taken:
+ *
+ *   debonding   width sqrt (2 E t fracture_energy),  t = area / width
+ *
+ * CNR-DT 200 R1/2013 and others have this form with a fracture energy and factors of their own, which
+ * could not be read: the user gives it. */
+typedef struct QnTieStrip {
+  double width;           /* m; 0: no strip */
+  double fracture_energy; /* of the bond, J/m2; 0: not known, limits nothing */
+} QnTieStrip;
+
 typedef struct QnTie {
   char *name; /* owned, unique among ties */
   QnTieEnd ends[2];
@@ -50,6 +63,7 @@ typedef struct QnTie {
   double slack;      /* m, >= 0; 0 where there is prestress */
   double anchor;     /* what an anchor holds, N; 0: no limit */
   QnTiePlate plate;  /* of the weaker anchor; limits it likewise */
+  QnTieStrip strip;  /* and so does its debonding */
   int32_t note;      /* as in QnBlock */
 } QnTie;
 
@@ -74,10 +88,11 @@ extern const char *const qn_tie_state_names[QN_TIE_STATE_COUNT];
 double qn_tie_length (const QnTie *tie);    /* L, m */
 double qn_tie_stiffness (const QnTie *tie); /* E A / L, N/m */
 
-/* What the wall holds of a plate, N; INFINITY where it is not known. And the least of both and of what is
- * given for the anchor. */
+/* What the wall holds of a plate and of a strip, N; INFINITY where it is not known. And the least of all and
+ * of what is given for the anchor. */
 double qn_tie_plate_punching (const QnTiePlate *plate);
 double qn_tie_plate_bearing (const QnTiePlate *plate);
+double qn_tie_debonding (const QnTie *tie);
 double qn_tie_anchor (const QnTie *tie);
 
 /* The largest force, N, INFINITY where nothing limits it; and which of both limits it is. */

@@ -1,11 +1,12 @@
 #include "doc/document/selection.h"
 
+#include "render/scene/reading.h"
+
 #include <math.h>
 #include <string.h>
 
-/* Faces whose directions or lines differ by less belong together, relative to 1 and to their
- * length. */
-#define SAME_LINE 1e-6
+/* Faces whose directions differ by less belong together. */
+#define SAME_DIRECTION 1e-6
 
 struct _QnSelection {
   GObject parent_instance;
@@ -316,11 +317,9 @@ are_alike (const QnContactFace *a, const QnContactFace *b, QnFaceLikeness likene
   if (likeness == QN_LIKE_LAW)
     return (a->law_a == b->law_a && a->law_b == b->law_b)
            || (a->law_a == b->law_b && a->law_b == b->law_a);
-  if (fabs (qn_vec2_cross (a->tangent, b->tangent)) > SAME_LINE)
-    return FALSE;
-  double off = qn_vec2_dot (a->normal, qn_vec2_sub (b->start, a->start));
   return likeness == QN_LIKE_DIRECTION
-         || fabs (off) <= SAME_LINE * (a->length + b->length);
+           ? fabs (qn_vec2_cross (a->tangent, b->tangent)) <= SAME_DIRECTION
+           : qn_faces_in_line (a, b);
 }
 
 void

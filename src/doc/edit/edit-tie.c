@@ -6,6 +6,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* E: EN 1993-1-1:2005, 3.2.6; fy: its table 3.1, up to 40 mm thick. */
 const QnTieSteel qn_tie_steels[QN_TIE_STEELS] = {
@@ -95,6 +96,91 @@ qn_edit_duplicate_tie (QnModel *model, QnId tie, GError **error)
                    qn_vec2_perp (along));
   for (int end = 0; end < 2; end++)
     added->ends[end].at = qn_vec2_add (added->ends[end].at, aside);
+  return TRUE;
+}
+
+static int
+compare_numbers (gconstpointer a, gconstpointer b)
+{
+  const double x = *(const double *) a, y = *(const double *) b;
+  return (x > y) - (x < y);
+}
+
+/* Where a line meets the sides of blocks, as parts of it, in order; 0 and 1 too. */
+static GArray *
+find_sides (const QnModel *model, QnVec2 from, QnVec2 along)
+{
+  const double ends[] = { 0.0, 1.0 }, length = qn_vec2_length (along);
+  GArray *places = g_array_new (FALSE, FALSE, sizeof (double));
+  g_array_append_vals (places, ends, 2);
+  for (gsize b = 0; b < model->block_count; b++) {
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
+    const gsize count = (gsize) model->blocks[b].vertex_count;
+    for (gsize i = 0; i < count; i++) {
+      const QnVec2 side = qn_vec2_sub (v[(i + 1) % count], v[i]);
+      const QnVec2 to = qn_vec2_sub (v[i], from);
+      const double turn = qn_vec2_cross (along, side);
+      /* Of a side on the line its ends, where others begin. */
+      const gboolean parallel = fabs (turn) < 1e-9 * length * qn_vec2_length (side);
+      const double place = parallel ? qn_vec2_dot (to, along) / (length * length)
+                                    : qn_vec2_cross (to, side) / turn;
+      if (place > 0.0 && place < 1.0)
+        g_array_append_val (places, place);
+    }
+  }
+  g_array_sort (places, compare_numbers);
+  return places;
+}
+
+/* The blocks below a line, each with the middle of what it covers; an array of QnTieEnd. */
+static GArray *
+find_blocks_along (const QnModel *model, QnVec2 from, QnVec2 to)
+{
+  const QnVec2 along = qn_vec2_sub (to, from);
+  const double little = 1e-6 / qn_vec2_length (along);
+  g_autoptr (GArray) places = find_sides (model, from, along);
+  GArray *found = g_array_new (FALSE, FALSE, sizeof (QnTieEnd));
+  double begin = 0.0;
+  for (guint i = 0; i + 1 < places->len; i++) {
+    const double *place = &g_array_index (places, double, i);
+    QnTieEnd *last =
+      found->len > 0 ? &g_array_index (found, QnTieEnd, found->len - 1) : NULL;
+    if (place[1] - place[0] < little)
+      continue;
+    QnTieEnd end =
+      end_at (model, qn_vec2_add_scaled (from, 0.5 * (place[0] + place[1]), along));
+    const gboolean same = last != NULL && last->block == end.block;
+    if (end.block == QN_NONE)
+      continue;
+    begin = same ? begin : place[0];
+    end.at = qn_vec2_add_scaled (from, 0.5 * (begin + place[1]), along);
+    if (same)
+      *last = end;
+    else
+      g_array_append_val (found, end);
+  }
+  return found;
+}
+
+gboolean
+qn_edit_glue_tie (QnModel *model, QnId tie, GError **error)
+{
+  if (!has_tie (model, tie, error))
+    return FALSE;
+  const QnTie strip = model->ties[tie];
+  g_autoptr (GArray) blocks =
+    find_blocks_along (model, strip.ends[0].at, strip.ends[1].at);
+  if (blocks->len < 2)
+    return qn_edit_refuse (error, _ ("The tie crosses no joint"));
+  for (guint i = 0; i + 1 < blocks->len; i++) {
+    QnTie *part = i == 0 ? &model->ties[tie] : add_tie (model);
+    if (part == NULL)
+      return qn_edit_no_memory (error);
+    char *name = part->name;
+    *part = strip;
+    part->name = name;
+    memcpy (part->ends, &g_array_index (blocks, QnTieEnd, i), sizeof part->ends);
+  }
   return TRUE;
 }
 

@@ -26,6 +26,10 @@ gboolean qn_edit_remove_tie (QnModel *model, QnId tie, GError **error);
 /* One like it as the last, four diameters to the left of it, under a name of its own. */
 gboolean qn_edit_duplicate_tie (QnModel *model, QnId tie, GError **error);
 
+/* A strip that is glued to the blocks along its line: a tie from each of them to the next, from middle to
+ * middle of what it covers, in place of the tie. */
+gboolean qn_edit_glue_tie (QnModel *model, QnId tie, GError **error);
+
 /* Moves an end, to the block there or to the ground. */
 gboolean qn_edit_place_tie_end (QnModel *model, QnId tie, int end, QnVec2 at,
                                 GError **error);

@@ -54,9 +54,10 @@ look_at_joints (Joints *joints, const QnReport *report)
                        || is_given (model, law, tension);
     joints->slides |= qn_law_may_bond (its->kind);
     joints->dilates |= is_given (model, law, dilation);
-    if (its->kind != QN_LAW_CURVE && !is_given (model, law, crushing))
-      g_string_append_printf (joints->uncrushed, "%s“%s”",
-                              joints->uncrushed->len > 0 ? ", " : "", its->name);
+    if (its->kind != QN_LAW_CURVE && !is_given (model, law, crushing)) {
+      g_string_append (joints->uncrushed, joints->uncrushed->len > 0 ? ", " : "");
+      g_string_append_printf (joints->uncrushed, _ ("“%s”"), its->name);
+    }
   }
 }
 

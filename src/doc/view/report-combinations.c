@@ -9,6 +9,7 @@
 #include <gio/gio.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
 /* The project as one combination, analysed as it says. The multiplier of its live loads, INFINITY where
  * the combination has none, -INFINITY where there is no equilibrium or no answer: then *why is set. NAN
@@ -54,6 +55,15 @@ solve (const QnReport *report, const QnCombination *combination, char **why)
   qn_contacts_clear (&contacts);
   qn_project_clear (&combined);
   return multiplier;
+}
+
+/* "en1990 6.10a and b" as "EN 1990 6.10a and b"; the caller frees it. */
+static char *
+dup_code_title (const char *code)
+{
+  const gsize letters = strcspn (code, "0123456789");
+  g_autofree char *body = g_ascii_strup (code, (gssize) letters);
+  return g_strdup_printf (code[letters] != '\0' ? "%s %s" : "%s%s", body, code + letters);
 }
 
 /* The multiplier over the number of the combination. */
@@ -115,13 +125,13 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report, GError **e
   g_autofree char *least = isfinite (multipliers[worst])
                              ? qn_label_number ("%.4g", multipliers[worst])
                              : g_strdup ("–");
+  g_autofree char *code = dup_code_title (project->model.combinations.code);
   qn_report_say (
     pages,
     _ ("%u combinations by %s. The multiplier is that of the live loads with "
        "their factors; a combination is met from 1 on. The worst: %s, λ = %s; all: "
        "figure\u00a0%d."),
-    list->len, project->model.combinations.code,
-    ((const QnCombination *) list->pdata[worst])->name, least,
+    list->len, code, ((const QnCombination *) list->pdata[worst])->name, least,
     qn_pages_next_figure (pages));
   plot_multipliers (pages, multipliers, list->len);
   qn_report_table (pages, cells, COLUMNS);

@@ -194,6 +194,11 @@ dup_tie_numbers (const QnTie *tie, QnUnits units)
   if (isfinite (qn_tie_plate_bearing (&tie->plate)))
     append_number (text, _ ("bearing fm π D²/4"), QN_QUANTITY_FORCE,
                    qn_tie_plate_bearing (&tie->plate), "");
+  append_number (text, _ ("strip of width b"), QN_QUANTITY_LENGTH, tie->strip.width, "");
+  append_number (text, "Γ", QN_QUANTITY_SURFACE_ENERGY, tie->strip.fracture_energy, "");
+  if (isfinite (qn_tie_debonding (tie)))
+    append_number (text, _ ("debonding b √(2 E t Γ)"), QN_QUANTITY_FORCE,
+                   qn_tie_debonding (tie), "");
   return g_strdup (text->str);
 }
 

@@ -175,13 +175,11 @@ write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settleme
   qn_report_table (pages, cells, 4);
 }
 
-/* The widest cracks at a step, joint by joint. */
+/* The widest of these cracks, below a sentence. */
 static void
-write_joints (QnPages *pages, const QnReportRun *run, size_t step, QnUnits units)
+write_widest (QnPages *pages, const QnModel *model, const GArray *cracks,
+              const char *sentence, QnUnits units)
 {
-  const QnModel *model = &run->project->model;
-  g_autoptr (GArray) cracks =
-    qn_result_cracks (model, run->contacts, &run->file->result, step);
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   qn_report_row (cells, units, "wuuuu", _ ("Between"), _ ("Widest crack (%s)"),
                  QN_QUANTITY_LENGTH, _ ("Mean (%s)"), QN_QUANTITY_LENGTH, _ ("x (%s)"),
@@ -194,8 +192,28 @@ write_joints (QnPages *pages, const QnReportRun *run, size_t step, QnUnits units
                    3, QN_QUANTITY_LENGTH, crack->at.x, 4, QN_QUANTITY_LENGTH, crack->at.y,
                    4);
   }
-  qn_report_say (pages, _ ("%u joints have opened; the widest of them:"), cracks->len);
+  qn_report_say (pages, "%s", sentence);
   qn_report_table (pages, cells, 5);
+}
+
+/* At a step, joint by joint, and where these are fewer by whole lines of joints. */
+static void
+write_joints (QnPages *pages, const QnReportRun *run, size_t step, QnUnits units)
+{
+  const QnModel *model = &run->project->model;
+  g_autoptr (GArray) cracks =
+    qn_result_cracks (model, run->contacts, &run->file->result, step);
+  g_autoptr (GArray) lines = qn_cracks_by_line (run->contacts, cracks, NULL);
+  g_autofree char *joints =
+    g_strdup_printf (_ ("%u joints have opened; the widest of them:"), cracks->len);
+  g_autofree char *whole = g_strdup_printf (
+    _ (
+      "By whole lines of joints (%u): the widest crack of each, and the mean over all of "
+      "its joints:"),
+    lines->len);
+  write_widest (pages, model, cracks, joints, units);
+  if (lines->len < cracks->len)
+    write_widest (pages, model, lines, whole, units);
 }
 
 static void

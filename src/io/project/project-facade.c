@@ -83,21 +83,54 @@ read_list (const QnJsonValue *keys, int key, List *list)
   return TRUE;
 }
 
+/* Numbers that a key may have: two of a parapet, those of storeys, or one. */
+static gsize
+most_numbers (int key, const List *lists)
+{
+  const gsize storeys = lists[STOREYS].count;
+  if (key == STOREYS)
+    return MOST_STOREYS;
+  if (key == PARAPET)
+    return 2;
+  return key == THICKNESS || key == BEARING || key == FLOORS || key == HELD || key == TIES
+             || key == FLANKS
+           ? storeys
+           : 1;
+}
+
+/* Nothing that is given is left out in silence. */
+static gboolean
+check_list (const QnJsonValue *keys, int key, const List *lists)
+{
+  const QnJsonValue value = qn_json_value_member (keys, names[key]);
+  const List *list = &lists[key];
+  const gsize most = most_numbers (key, lists);
+  const double *last = &list->values[list->count - 1];
+  if (list->count > most)
+    return qn_json_value_failf (&value, _ ("expected up to %d numbers"), (int) most);
+  if (key == PARAPET && *last > 0 && (list->count < 2 || !(list->values[0] > 0)))
+    return qn_json_value_fail (&value, _ ("expected two numbers"));
+  const int whole = key == HELD ? (int) lists[STOREYS].count : MOST_COURSES;
+  for (gsize i = 0; (key == HELD || key == COURSES) && i < list->count; i++)
+    if (list->values[i] != floor (list->values[i]) || list->values[i] > whole)
+      return qn_json_value_failf (&value, _ ("expected a whole number from 1 to %d"),
+                                  whole);
+  return TRUE;
+}
+
 static gboolean
 read_keys (const QnJsonValue *keys, List *lists)
 {
   const QnJsonValue bearing = qn_json_value_member (keys, names[BEARING]);
-  const QnJsonValue courses = qn_json_value_member (keys, names[COURSES]);
   if (!qn_json_value_check_keys (keys, names, KEY_COUNT))
     return FALSE;
   for (int k = 0; k < KEY_COUNT; k++)
-    if (!read_list (keys, k, &lists[k]))
+    if (!read_list (keys, k, &lists[k]) || !check_list (keys, k, lists))
       return FALSE;
   for (gsize i = 0; i < lists[STOREYS].count; i++)
     if (at (&lists[BEARING], i) > at (&lists[THICKNESS], i))
       return qn_json_value_fail (&bearing, _ ("more than the thickness"));
-  return at (&lists[COURSES], 0) <= MOST_COURSES
-         || qn_json_value_fail (&courses, _ ("more than 100"));
+  return TRUE;
 }
 
 static void

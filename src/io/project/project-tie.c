@@ -19,6 +19,12 @@ static const QnMember plate_members[] = {
   { 0 },
 };
 
+static const QnMember strip_members[] = {
+  QN_NUMBER ("width", REQUIRED, POSITIVE, QnTieStrip, width),
+  QN_NUMBER ("fracture_energy", OPTIONAL, NOT_NEGATIVE, QnTieStrip, fracture_energy),
+  { 0 },
+};
+
 static const QnMember tie_members[] = {
   QN_KNOWN ("name"),
   QN_KNOWN ("ends"),
@@ -29,6 +35,7 @@ static const QnMember tie_members[] = {
   QN_NUMBER ("slack", OPTIONAL, NOT_NEGATIVE, QnTie, slack),
   QN_NUMBER ("anchor", OPTIONAL, POSITIVE, QnTie, anchor),
   QN_KNOWN ("plate"),
+  QN_KNOWN ("strip"),
   { 0 },
 };
 
@@ -57,9 +64,12 @@ read_tie (const QnJsonValue *place, QnModel *model)
   if (tie == NULL)
     return qn_json_value_no_memory (place);
   QnJsonValue plate = qn_json_value_member (place, "plate");
+  QnJsonValue strip = qn_json_value_member (place, "strip");
   return qn_members_read (place, tie_members, model, tie) && read_ends (place, model, tie)
          && (plate.json == NULL
-             || qn_members_read (&plate, plate_members, NULL, &tie->plate));
+             || qn_members_read (&plate, plate_members, NULL, &tie->plate))
+         && (strip.json == NULL
+             || qn_members_read (&strip, strip_members, NULL, &tie->strip));
 }
 
 gboolean
@@ -83,6 +93,8 @@ append_tie (GString *json, const QnModel *model, size_t index)
   qn_members_write (json, tie_members, model, tie, &usual);
   if (tie->plate.diameter > 0)
     qn_members_put (json, "plate", plate_members, NULL, &tie->plate, &usual.plate);
+  if (tie->strip.width > 0)
+    qn_members_put (json, "strip", strip_members, NULL, &tie->strip, &usual.strip);
   return tie->note;
 }
 

@@ -182,6 +182,46 @@ qn_result_cracks (const QnModel *model, const QnContacts *contacts,
   return cracks;
 }
 
+/* Relative to 1, and to the length of both faces. */
+#define SAME_LINE 1e-6
+
+bool
+qn_faces_in_line (const QnContactFace *a, const QnContactFace *b)
+{
+  const double off = qn_vec2_dot (a->normal, qn_vec2_sub (b->start, a->start));
+  return fabs (qn_vec2_cross (a->tangent, b->tangent)) <= SAME_LINE
+         && fabs (off) <= SAME_LINE * (a->length + b->length);
+}
+
+GArray *
+qn_cracks_by_line (const QnContacts *contacts, const GArray *cracks, guint *lines)
+{
+  GArray *found = g_array_new (FALSE, FALSE, sizeof (QnCrack));
+  for (guint i = 0; i < cracks->len; i++) {
+    QnCrack crack = g_array_index (cracks, QnCrack, i);
+    const double area = crack.mean * crack.face->length;
+    guint line = 0;
+    while (line < found->len
+           && !qn_faces_in_line (g_array_index (found, QnCrack, line).face, crack.face))
+      line++;
+    if (lines != NULL)
+      lines[i] = line;
+    crack.mean = 0;
+    if (line == found->len)
+      g_array_append_val (found, crack);
+    g_array_index (found, QnCrack, line).mean += area;
+  }
+  for (guint line = 0; line < found->len; line++) {
+    QnCrack *crack = &g_array_index (found, QnCrack, line);
+    double length = 0;
+    for (size_t f = 0; f < contacts->face_count; f++)
+      if (qn_faces_in_line (crack->face, &contacts->faces[f]))
+        length += contacts->faces[f].length;
+    crack->mean /= length;
+  }
+  return found;
+}
+
 /* ---- blocks ---- */
 
 /* The mean stress of a block follows from the forces on its boundary,

@@ -121,3 +121,11 @@ QnCrack qn_joint_crack (const QnContacts *contacts, QnId face, const QnPairResul
 /* Of all joints at a step of a result, the widest first; those without a crack are left out. Of QnCrack. */
 GArray *qn_result_cracks (const QnModel *model, const QnContacts *contacts,
                           const QnResult *result, size_t step);
+
+/* Whether two faces lie on one straight line: a whole bed joint, or head joints above each other. */
+bool qn_faces_in_line (const QnContactFace *a, const QnContactFace *b);
+
+/* The same cracks by whole lines of joints, the widest first: `mean` is over all joints of the line, of which
+ * `face` is the one that has opened most. `lines` (nullable): the line of each crack, as many as cracks. */
+GArray *qn_cracks_by_line (const QnContacts *contacts, const GArray *cracks,
+                           guint *lines);

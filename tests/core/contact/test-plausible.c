@@ -103,7 +103,9 @@ put_tie (QnTie *tie, const char *key, double number)
                   { "plate.diameter", &tie->plate.diameter, 1 },
                   { "plate.wall", &tie->plate.wall, 1 },
                   { "plate.shear", &tie->plate.shear, 1 },
-                  { "plate.compression", &tie->plate.compression, 1 } };
+                  { "plate.compression", &tie->plate.compression, 1 },
+                  { "strip.width", &tie->strip.width, 1 },
+                  { "strip.fracture_energy", &tie->strip.fracture_energy, 1 } };
   for (size_t i = 0; i < G_N_ELEMENTS (numbers); i++)
     if (strcmp (key, numbers[i].key) == 0)
       *numbers[i].at = number * numbers[i].unit;

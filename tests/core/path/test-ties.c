@@ -81,6 +81,20 @@ test_overturning (void)
   level->yield = 2e7; /* 6 kN */
   assert_collapse (&model, (WEIGHT * 0.5 + 6000 * 1.5) / 1e4, 1e-5);
 
+  /* A strip: 0.1 m sqrt (2 x 230 GPa x 0.17 mm x 300 J/m2) = 15,316.66 N. */
+  init_pushed (&model);
+  QnTie *strip = add_tie (&model, "strip", qn_vec2 (-0.5, 1.5), qn_vec2 (-4, 1.5));
+  strip->area = 1.7e-5;
+  strip->elasticity = 2.3e11;
+  strip->yield = 3e9;
+  strip->strip = (QnTieStrip){ 0.1, 300 };
+  g_assert_cmpfloat_with_epsilon (qn_tie_strength (strip), 15316.66, 0.01);
+  g_assert_cmpint (qn_tie_weakest (strip), ==, QN_TIE_ANCHOR);
+  strip->strip.fracture_energy = 0; /* not known: 3 GPa of the fibres */
+  g_assert_cmpfloat_with_epsilon (qn_tie_strength (strip), 51000, 1e-6);
+  strip->strip.fracture_energy = 300;
+  assert_collapse (&model, (WEIGHT * 0.5 + 15316.6576 * 1.5) / 1e4, 1e-5);
+
   init_pushed (&model);
   QnTie *first = add_tie (&model, "inclined", qn_vec2 (-0.5, 2), qn_vec2 (-2.5, 0));
   first->yield = 1e9;

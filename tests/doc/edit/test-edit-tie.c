@@ -164,8 +164,40 @@ test_follow (void)
   g_assert_cmpint (model->ties[0].ends[1].block, ==, QN_NONE);
 }
 
+static gboolean
+stretch_and_glue (QnModel *model, gpointer data, GError **error)
+{
+  const Line *line = data;
+  model->ties[0].ends[0].at = line->from;
+  model->ties[0].ends[1].at = line->to;
+  return qn_edit_glue_tie (model, 0, error);
+}
+
+/* Glued from the ground to the top, along a face, a strip is the chain of the example; one within a block
+ * crosses no joint. */
+static void
+test_glue (void)
+{
+  g_autoptr (QnDocument) document = open_example ("63-strip-of-fibres.quoin");
+  const Line whole = { { 0, -0.3 }, { 0, 3 } }, within = { { 0, 0.2 }, { 0, 0.8 } };
+  static const double middles[] = { -0.15, 0.5, 1.5, 2.5 };
+  const QnModel *model = edit (document, stretch_and_glue, (gpointer) &whole);
+  g_assert_cmpuint (model->tie_count, ==, 5);
+  for (gsize i = 0; i < 3; i++) {
+    const QnTie *part = &model->ties[i == 0 ? 0 : i + 2], *like = &model->ties[i];
+    for (int end = 0; end < 2; end++) {
+      g_assert_cmpint (part->ends[end].block, ==, like->ends[end].block);
+      g_assert_cmpfloat_with_epsilon (part->ends[end].at.y, middles[i + (gsize) end],
+                                      1e-12);
+    }
+    g_assert_cmpfloat (part->strip.fracture_energy, ==, 300);
+  }
+  refuse (document, stretch_and_glue, (gpointer) &within);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/edit-tie/glue", test_glue);
   g_test_add_func ("/edit-tie/add", test_add);
   g_test_add_func ("/edit-tie/change", test_change);
   g_test_add_func ("/edit-tie/follow", test_follow);

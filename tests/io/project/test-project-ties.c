@@ -28,7 +28,8 @@ static const char text[] =
   "    { \"ends\": [{ \"block\": \"stone\", \"at\": [0, 1] },\n"
   "      { \"block\": \"base\", \"at\": [-2, 0] }], \"area\": 1e-4, \"elasticity\": "
   "2e11,\n"
-  "      \"slack\": 1e-3, \"yield\": 1e8, \"maker\": \"smith\" } ],\n"
+  "      \"slack\": 1e-3, \"yield\": 1e8, \"maker\": \"smith\",\n"
+  "      \"strip\": { \"width\": 0.1, \"fracture_energy\": 300 } } ],\n"
   "  \"contact\": { \"law\": \"joint\" },\n"
   "  \"loads\": { \"dead\": [{ \"kind\": \"weight\", \"direction\": [0, -1] }],\n"
   "    \"live\": [{ \"kind\": \"force\", \"block\": \"stone\", \"value\": [1000, 0] }] "
@@ -78,6 +79,9 @@ static const struct {
   { "\"yield\": 2.4e8", "\"yield\": -1", "ties[0].yield", "positive" },
   { "\"diameter\": 0.2, ", "", "ties[0].plate.diameter", "missing" },
   { "\"shear\": 5e4", "\"shear\": -1", "ties[0].plate.shear", "negative" },
+  { "\"width\": 0.1, ", "", "ties[1].strip.width", "missing" },
+  { "\"fracture_energy\": 300", "\"fracture_energy\": -1",
+    "ties[1].strip.fracture_energy", "negative" },
   { "\"prestress\": 500", "\"prestress\": 5000", "ties[0].prestress", "holds" },
   { "\"prestress\": 500", "\"prestress\": 500, \"slack\": 1e-3", "ties[0].slack",
     "no slack" },

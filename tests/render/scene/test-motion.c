@@ -1,5 +1,6 @@
 #include "render/fixture.h"
 #include "render/scene/motion.h"
+#include "render/scene/reading.h"
 #include "render/scene/scene-build.h"
 #include "support/room.h"
 
@@ -324,8 +325,39 @@ test_scale_in_legend (void)
   fixture_clear (&f);
 }
 
+/* Three bed joints on one line, of which two have opened, one of them turned round, and one above them: the mean
+ * of the line is over all of its 4 m. */
+static void
+test_crack_lines (void)
+{
+  QnContactFace faces[] = {
+    { .start = { 0, 1 }, .tangent = { 1, 0 }, .normal = { 0, -1 }, .length = 1 },
+    { .start = { 3, 1 }, .tangent = { -1, 0 }, .normal = { 0, 1 }, .length = 2 },
+    { .start = { 5, 1 }, .tangent = { 1, 0 }, .normal = { 0, -1 }, .length = 1 },
+    { .start = { 0, 1.001 }, .tangent = { 1, 0 }, .normal = { 0, -1 }, .length = 1 },
+  };
+  const QnContacts contacts = { .faces = faces, .face_count = G_N_ELEMENTS (faces) };
+  const QnCrack opened[] = { { &faces[1], 5e-3, 4e-3, { 2, 1 } },
+                             { &faces[3], 3e-3, 1e-3, { 0, 1.001 } },
+                             { &faces[0], 2e-3, 2e-3, { 0, 1 } } };
+  g_autoptr (GArray) cracks = g_array_new (FALSE, FALSE, sizeof (QnCrack));
+  g_array_append_vals (cracks, opened, G_N_ELEMENTS (opened));
+  guint lines[G_N_ELEMENTS (opened)];
+  g_autoptr (GArray) found = qn_cracks_by_line (&contacts, cracks, lines);
+  const QnCrack *first = &g_array_index (found, QnCrack, 0);
+  g_assert_cmpuint (found->len, ==, 2);
+  g_assert_true (first->face == &faces[1]);
+  g_assert_cmpfloat (first->width, ==, 5e-3);
+  g_assert_cmpfloat_with_epsilon (first->mean, (4e-3 * 2 + 2e-3 * 1) / 4, 1e-15);
+  g_assert_cmpfloat_with_epsilon (first[1].mean, 1e-3, 1e-15);
+  g_assert_cmpuint (lines[0], ==, 0);
+  g_assert_cmpuint (lines[1], ==, 1);
+  g_assert_cmpuint (lines[2], ==, 0);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/render/motion/crack-lines", test_crack_lines);
   g_test_add_func ("/render/motion/at-rest", test_at_rest);
   g_test_add_func ("/render/motion/base", test_base);
   g_test_add_func ("/render/motion/mechanism-begins", test_mechanism_begins);
