@@ -31,7 +31,7 @@ test_list (void)
   g_assert_cmpfloat (values[2], ==, 9);
   g_autofree char *text =
     qn_units_format_list (QN_UNITS_SI, QN_QUANTITY_NUMBER, values, count);
-  g_assert_cmpstr (text, ==, "3.2; 3.5");
+  g_assert_cmpstr (g_strdelimit (text, ",", '.'), ==, "3.2; 3.5"); /* of any locale */
   g_assert_true (
     qn_units_parse_list (cm_kn, QN_QUANTITY_LENGTH, " ", values, 3, &count, &error));
   g_assert_cmpuint (count, ==, 0);
