@@ -1,4 +1,4 @@
-/* Private to the assembly: what its files share. */
+/* Private to the assembly: functions shared by its files. */
 #pragma once
 
 #include "core/assembly/assembly.h"
@@ -9,12 +9,12 @@ QnStatus qn_assembly_gather_loads (QnAssembly *assembly, QnDiag *diag);
 /* Moments of forces on blocks that have turned: their arms turn with them. */
 void qn_assembly_turn_loads (QnAssembly *assembly, const double *u);
 
-/* Adds to ax what turning arms do to the tangent. */
+/* Adds to ax the derivative of the load moments by rotation. */
 void qn_assembly_add_load_stiffness (QnAssembly *assembly, double multiplier);
 
 /* --- Inner loops over the faces (assembly-faces.c) -------------------------------------- */
 
-/* v = u on the unknowns of a face, 0 where there is none. */
+/* v = u on the unknowns of a face, 0 on fixed degrees of freedom. */
 void qn_assembly_gather (const QnAssembly *assembly, size_t face, const double *u,
                          double v[QN_FACE_UNKNOWNS]);
 

@@ -23,20 +23,19 @@
 /* A force that acts away from the centroid of its block: in nonlinear geometry its arm turns. */
 typedef struct QnEccentricLoad {
   int32_t unknown;   /* rotation of the block */
-  int32_t set;       /* of the load; QN_NONE: dead */
-  double dead, live; /* its parts in the dead and the live loads */
+  int32_t set;       /* load set; QN_NONE: dead load */
+  double dead, live; /* factors of the force in the dead and in the live loads */
   QnVec2 arm;        /* undeformed, m */
   QnVec2 turned;     /* the arm at the last evaluation */
   QnVec2 force;      /* N */
 } QnEccentricLoad;
 
-/* A supported degree of freedom that settles. It is an unknown with an equation of its own in
- * place of equilibrium,
+/* A supported degree of freedom with a settlement. Instead of equilibrium its unknown u satisfies
  *
  *   k (dead + lambda live - u) = 0
  *
- * where k is a stiffness of the structure's size and the entries of the load vectors hold k
- * times the settlement. So a path may drive it like a load. */
+ * k: stiffness of the order of the structure's. The load vectors hold k times the settlement, so
+ * that a path drives a settlement like a load. */
 typedef struct QnSettling {
   int32_t unknown;
   QnId block;
@@ -56,53 +55,44 @@ typedef struct QnAssembly {
   bool nonlinear; /* equilibrium in the deformed configuration */
 
   int32_t unknown_count;
-  int32_t
-    *unknown; /* body_count x 3: index of the unknown, or QN_NONE where fixed or moved
-                       by another body */
+  int32_t *unknown; /* body_count x 3; QN_NONE: fixed, or a node on a block */
   QnSettling *settling;
   size_t settling_count;
-  bool *settles;             /* unknown_count: whether it is a support's */
-  int32_t *settling_entries; /* where the rows of settling unknowns stand in ax, diagonals
-                                left out */
+  bool *settles;             /* unknown_count: settlement of a support */
+  int32_t *settling_entries; /* indices in ax of settling rows, without diagonals */
 
   size_t pair_count;
-  QnPairKinematics
-    *kinematics; /* of the last evaluation in nonlinear geometry, or at rest */
-  QnPairGradient *gradients; /* of the last evaluation */
-  double
-    *elongations; /* pair_count x 2, and what is missing to a multiple of eight pairs: the
-                          same, m */
+  QnPairKinematics *kinematics; /* last evaluation; linear geometry: undeformed */
+  QnPairGradient *gradients;    /* last evaluation */
+  double *elongations; /* last evaluation, m: pairs rounded up to a multiple of 8, x 2 */
   QnPairSprings *springs;
   QnPairMemory *committed;   /* from which every evaluation starts */
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
-  bool has_bonds;            /* which may break */
-  double *
-    breaks; /* by pair: the damage before, where its bond breaks in the step that is sought; else NAN */
-  bool *inactive; /* pairs that carry nothing, wherever they are */
+  bool has_bonds;            /* some bond may break */
+  double *breaks; /* by pair: damage before the bond broke in this step; NAN: unbroken */
+  bool *inactive; /* by pair: no force and no stiffness at any elongation */
 
   QnBeamAssembly beams;
-  int64_t commits; /* how often a state has been accepted */
+  int64_t commits; /* number of committed states */
 
-  double *dead,
-    *live; /* loads on the unknowns, N; in nonlinear geometry of the last evaluation */
+  double *dead, *live; /* loads on the unknowns at the last evaluation, N */
   double *dead_at_rest, *live_at_rest;
   double held[QN_MAX_LOAD_SETS], driven[QN_MAX_LOAD_SETS]; /* factors of the sets */
   QnEccentricLoad *eccentric;
   size_t eccentric_count;
-  double *damping;  /* diagonal of C, N/m: see qn_assembly_tangent() */
-  double *forces;   /* scratch, body_count x 3 */
-  double stiffness; /* mean normal stiffness of a pair, N/m */
-  double softness;  /* of the softest spring of a pair, over that; <= 1 */
-  double
-    force_scale; /* largest dead load on a block, or live load where there is none, N */
+  double *damping;    /* diagonal of C, N/m: see qn_assembly_tangent() */
+  double *forces;     /* scratch, body_count x 3 */
+  double stiffness;   /* mean normal stiffness of a pair, N/m */
+  double softness;    /* stiffness of the softest spring or tie / `stiffness`; <= 1 */
+  double force_scale; /* largest dead load on a block; without any, live load, N */
 
   int32_t *ap, *ai; /* pattern of K in compressed columns, rows sorted */
   double *ax;
   bool *loose;            /* scratch, a body */
   int32_t *first_pairs;   /* face_count + 1: the first pair of each face */
   int32_t *face_unknowns; /* face_count x 6, QN_NONE where fixed */
-  int32_t *scatter;  /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
-  int32_t *diagonal; /* unknown_count: where the diagonal stands in ax */
+  int32_t *scatter;  /* face_count x 36: indices in ax of a face's 6 x 6, or QN_NONE */
+  int32_t *diagonal; /* unknown_count: indices in ax */
 } QnAssembly;
 
 /* Prepares everything that does not change during an analysis. `assembly` is overwritten
@@ -112,13 +102,12 @@ QnStatus qn_assembly_setup (QnAssembly *assembly, const QnModel *model,
 
 void qn_assembly_clear (QnAssembly *assembly);
 
-/* Reads the place of a contact pair on its blocks again, after it has changed. Its kinematics are
- * those of the undeformed state until the next evaluation. */
+/* Updates a contact pair whose position on its blocks has changed. Until the next evaluation its
+ * kinematics are undeformed. */
 void qn_assembly_place_pair (QnAssembly *assembly, size_t pair);
 
-/* Makes "dead" the dead loads and every set times its factor in `held`, "live" every set times
- * its factor in `driven`; QN_MAX_LOAD_SETS factors each. At first nothing is held, and the live
- * loads (set 0) are driven. */
+/* dead = dead loads + sum of held[set] x load set; live = sum of driven[set] x load set. Both arrays
+ * have QN_MAX_LOAD_SETS factors. Default: held = 0, driven = 1 for the live loads (set 0) alone. */
 void qn_assembly_set_loads (QnAssembly *assembly, const double *held,
                             const double *driven);
 
@@ -126,58 +115,54 @@ void qn_assembly_set_loads (QnAssembly *assembly, const double *held,
  * internal iteration failed. */
 bool qn_assembly_evaluate (QnAssembly *assembly, const double *u);
 
-/* Brings the kinematics of pairs and loads to displacements u, without evaluating forces: for
- * taking up responses that were kept from an earlier evaluation at u. */
+/* Kinematics of pairs and loads at displacements u, without forces: before the responses of an earlier
+ * evaluation at u are restored. */
 void qn_assembly_update_kinematics (QnAssembly *assembly, const double *u);
 
-/* residual = F_dead + multiplier F_live - P of the last evaluation. Returns the largest load on
- * any body at this multiplier (at least force_scale), N, to measure the residual by. */
+/* residual = F_dead + multiplier F_live - P of the last evaluation. Returns the scale of the residual:
+ * the largest load on a body at this multiplier, N, at least force_scale. */
 double qn_assembly_residual (const QnAssembly *assembly, double multiplier,
                              double *residual);
 
-/* The same with other forces of the pairs: that of pair p stands at forces[p x stride]. */
+/* As qn_assembly_residual(), with the force of pair p taken from forces[p x stride]. */
 double qn_assembly_residual_of (const QnAssembly *assembly, double multiplier,
                                 const double *forces, size_t stride, double *residual);
 
-/* Assembles ax = K + viscosity C of the last evaluation, K = -dR/du at this multiplier (which
- * matters in nonlinear geometry only). C is a diagonal of stiffness size, distributed over the
- * blocks like their mass. */
+/* ax = K + viscosity C of the last evaluation. K = -dR/du; the multiplier enters in nonlinear geometry
+ * only. C: diagonal, N/m, the mean stiffness of a pair distributed over the blocks like mass. */
 void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
 
-/* The same with other tangents of the pairs: that of pair p, 2 x 2 by rows, stands at
- * tangents[p x stride]. */
+/* As qn_assembly_tangent(), with the tangent of pair p (2 x 2, by rows) from tangents[p x stride]. */
 void qn_assembly_tangent_of (QnAssembly *assembly, double multiplier, double viscosity,
                              const double *tangents, size_t stride);
 
-/* That of small vibrations: closed joints are elastic, or as they slide, open ones carry nothing
- * (qn_pair_vibration_tangent); settling supports held, their rows and columns empty but for the diagonal,
- * so that K is symmetric where the pairs' tangents are. Fills tangents, pair_count x 4. */
+/* Tangent for small vibrations: see qn_pair_vibration_tangent(); `sliding`: closed joints keep the tangent
+ * of slip. Settling supports are fixed: their rows and columns are 0 but for the diagonal. Writes the
+ * pairs' tangents, pair_count x 4. */
 void qn_assembly_tangent_of_vibration (QnAssembly *assembly, double multiplier,
                                        bool sliding, double *tangents);
 
-/* That of the structure as it stays where it is, settling supports held likewise: joints without tension
- * that are letting go of their shear force, between closed and open, count as open. */
+/* Tangent for stability, settling supports fixed: pairs of the law no-tension that lose their shear force
+ * between closed and open (state SLIP) count as open. */
 void qn_assembly_tangent_at_rest (QnAssembly *assembly, double multiplier);
 
 /* Whether the tangent last assembled is symmetric. */
 bool qn_assembly_is_symmetric (const QnAssembly *assembly);
 
-/* Whether the structure may jump from one equilibrium to another while its load grows steadily: in
- * some pair a spring has dilatancy < friction, or no pair is elastic and perfectly plastic, so that
- * nothing is known. Where it may not, the path of equilibria does not turn back. */
+/* Whether a growing load may make the structure jump to another equilibrium: some spring has
+ * dilatancy < friction or a bond, or no pair is elastic and perfectly plastic. If false, the path of
+ * equilibria does not turn back. */
 bool qn_assembly_may_jump (const QnAssembly *assembly);
 
-/* Whether some spring may lose strength: what the structure carries afterwards is less than it carried. */
+/* Whether the normal force of some spring may fall while its elongation grows. */
 bool qn_assembly_may_soften (const QnAssembly *assembly);
 
-/* The mass matrix, written into `mass` with the pattern of K, in kg with rotations scaled like the
- * unknowns: masses of blocks, diagonal at the centroids; of beams consistent with the shape
- * functions, where they lie at the last evaluation. Settling supports have none. Refuses blocks
- * and beams without mass. */
+/* Mass matrix in the pattern of K, kg, rotations scaled like the unknowns. Blocks: diagonal. Beams:
+ * consistent with the shape functions, in their position at the last evaluation. Settling supports: 0.
+ * Refuses blocks and beams without mass. */
 QnStatus qn_assembly_mass (const QnAssembly *assembly, double *mass, QnDiag *diag);
 
-/* forces (unknowns) += what blocks and beams would need to follow a uniform acceleration of all
- * bodies, supports included, m/s2. */
+/* forces (unknowns) += mass of blocks and beams x uniform acceleration of all bodies and supports, m/s2. */
 void qn_assembly_add_inertia (const QnAssembly *assembly, QnVec2 acceleration,
                               double *forces);
 
@@ -185,46 +170,44 @@ void qn_assembly_add_inertia (const QnAssembly *assembly, QnVec2 acceleration,
 void qn_assembly_multiply (const QnAssembly *assembly, const double *ax, const double *x,
                            double *y);
 
-/* What the supports do: the forces (body_count x 3: N, N, N m about the centroid or node where
- * the body has moved to) that the ground exerts on fixed degrees of freedom at the last evaluation
- * with its loads at this multiplier; 0 for free ones. */
+/* Forces of the ground on the bodies (body_count x 3: N, N, N m about the displaced centroid or node) at
+ * the last evaluation and this multiplier; 0 for free degrees of freedom. */
 void qn_assembly_reactions (QnAssembly *assembly, double multiplier, double *reactions);
 
 /* Accepts the last evaluation as the state from which further ones start. */
 void qn_assembly_commit (QnAssembly *assembly);
 
-/* While an equilibrium is sought brittle bonds hold beyond their strength: no iteration that passes over it
- * breaks any, and forces are continuous. Then those that are strained most break, and it is sought again.
- * False where none breaks. To be ended by qn_assembly_let_bonds(), which takes back what broke unless the
- * equilibrium is `found`. These do nothing where there is no bond. */
+/* Brittle bonds during an equilibrium iteration. After hold, bonds carry forces above their strength, so
+ * that forces are continuous. After convergence, break breaks the bonds whose excess over the strength is
+ * at least half of the largest; false: no bond is above its strength, else iterate again. let ends this;
+ * unless `found` it restores the bonds broken since hold. */
 void qn_assembly_hold_bonds (QnAssembly *assembly);
 bool qn_assembly_break_bonds (QnAssembly *assembly);
 void qn_assembly_let_bonds (QnAssembly *assembly, bool found);
 
-/* Opening of a pair at the last evaluation, beyond what the committed memory holds of
- * dilatancy, m: positive where the joint is open. */
+/* Normal elongation of a pair at the last evaluation less its committed dilation, m; > 0: open. */
 double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
 
 /* rates (pair_count x 2) = dq/du v of every pair at the last evaluation. */
 void qn_assembly_elongation_rates (const QnAssembly *assembly, const double *v,
                                    double *rates);
 
-/* Largest of v (unknowns), or of its difference from `base` unless that is NULL: of each body the length
- * of its translation, or its scaled rotation. A structure turned with its loads has the same. */
+/* Largest translation or rotation x L of a body, m, in v (unknowns), or in v - base (`base` nullable). The
+ * value does not depend on the orientation of the axes. */
 double qn_assembly_largest (const QnAssembly *assembly, const double *v,
                             const double *base);
 
-/* The sum over all bodies of the same. */
+/* The sum of these values over all bodies, m. */
 double qn_assembly_total (const QnAssembly *assembly, const double *v);
 
-/* Largest displacement of v (unknowns), or of its difference from `base` unless that is NULL,
- * in elastic displacements: load over the stiffness of the softest spring. */
+/* Largest displacement in v, or v - base (`base` nullable), as a multiple of an elastic displacement:
+ * force_scale over the stiffness of the softest spring. */
 double qn_assembly_elastic_displacements (const QnAssembly *assembly, const double *v,
                                           const double *base);
 
-/* The same as qn_assembly_largest() of the bodies that nothing holds at the last evaluation: no chain of
- * members, or of joints, leads from them to a support; each joint with at least a hundredth of the dead load
- * on the next body. */
+/* qn_assembly_largest() of the bodies that are not connected to a support at the last evaluation. A joint or
+ * tie connects two bodies if its force exceeds 1 % of the dead load on the second one; bodies at the ends
+ * of beams count as supported. */
 double qn_assembly_largest_loose (QnAssembly *assembly, const double *v,
                                   const double *base);
 
@@ -232,7 +215,7 @@ double qn_assembly_largest_loose (QnAssembly *assembly, const double *v,
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,
                          double *displacements);
 
-/* The same for velocities or modes about the configuration u. */
+/* Velocities or modes of bodies about the configuration u. */
 void qn_assembly_expand_rates (const QnAssembly *assembly, const double *u,
                                const double *rates, double *velocities);
 

@@ -32,7 +32,7 @@ typedef struct QnAssembledBeam {
   QnBeamKinematics kinematics;
 } QnAssembledBeam;
 
-/* What a node carries of the elements that end at it, half of each. */
+/* Share of a node in its elements, half of each. */
 typedef struct QnBeamShare {
   double weight;  /* N */
   double volume;  /* m3 */
@@ -54,7 +54,7 @@ typedef struct QnBeamAssembly {
   int8_t *assembled_phases;  /* of the tangent that was assembled last */
 } QnBeamAssembly;
 
-/* All of a state that does not follow from displacements: arrays, one item an element. */
+/* Part of a state that is independent of the displacements; one item per element. */
 typedef struct QnBeamState {
   QnBeamMemory *memory;
   QnBeamResponse *responses;
@@ -70,22 +70,21 @@ bool qn_beam_assembly_setup (QnBeamAssembly *beams, const QnModel *model,
 
 void qn_beam_assembly_clear (QnBeamAssembly *beams);
 
-/* Geometric mean of 12 EI / D^3, D the extent of all nodes: what the elements offer against
- * sway, however finely members are cut; and of EA / L of ties. 1 without elements. */
+/* Geometric mean of the sway stiffness 12 EI / D^3 of elements, D the extent of all nodes (independent of
+ * the number of elements per member), and of EA / L of ties, N/m; 1 without elements. */
 double qn_beam_assembly_stiffness (const QnBeamAssembly *beams);
 
-/* Adds what the elements couple; and, once it is compressed, looks up where they go. */
+/* Adds the entries of the elements to the pattern; finds their indices in the compressed pattern. */
 bool qn_beam_assembly_add_pattern (const QnBeamAssembly *beams, QnSparsePattern *pattern);
 void qn_beam_assembly_find_places (QnBeamAssembly *beams, const int32_t *ap,
                                    const int32_t *ai);
 
-/* Makes loads[0] the dead loads and every set times its factor in `held`, loads[1] every set
- * times its factor in `driven`. */
+/* loads[0] = dead loads + sum of held[set] x load set; loads[1] = sum of driven[set] x load set. */
 void qn_beam_assembly_set_loads (QnBeamAssembly *beams, const double *held,
                                  const double *driven);
 
-/* Adds what loads q (N/m, by element) put on the unknowns, N, with arms at rest; what they add
- * where arms have turned; and, of both together at a multiplier, what that does to the tangent. */
+/* Loads q (N/m, by element): adds their forces on the unknowns, N, with undeformed arms; adds the change of
+ * their moments by turned arms; adds the tangent of these moments at a multiplier. */
 void qn_beam_assembly_add_loads (const QnBeamAssembly *beams, const QnVec2 *q,
                                  double *loads);
 void qn_beam_assembly_turn_loads (const QnBeamAssembly *beams, const QnVec2 *q,
@@ -93,8 +92,8 @@ void qn_beam_assembly_turn_loads (const QnBeamAssembly *beams, const QnVec2 *q,
 void qn_beam_assembly_add_load_stiffness (const QnBeamAssembly *beams, double multiplier,
                                           double *ax);
 
-/* Adds to rows of bodies (N, N, N m about centroid or node as it has moved) what elements and
- * their loads at a multiplier ask of what holds them. */
+/* Adds the forces of elements, less their loads at a multiplier, to the bodies' rows (N, N, N m about the
+ * displaced centroid or node). */
 void qn_beam_assembly_add_body_forces (const QnBeamAssembly *beams, double multiplier,
                                        double *forces);
 
@@ -107,7 +106,7 @@ void qn_beam_assembly_evaluate (QnBeamAssembly *beams);
 /* Subtracts the forces of the last evaluation from the residual, N. */
 void qn_beam_assembly_subtract_forces (const QnBeamAssembly *beams, double *residual);
 
-/* Adds the tangent of the last evaluation, N/m, at the places found for it. */
+/* Adds the tangent of the last evaluation, N/m. */
 void qn_beam_assembly_add_tangent (QnBeamAssembly *beams, double *ax);
 
 /* Whether the tangent is another than the one assembled last. */
@@ -124,27 +123,25 @@ void qn_beam_state_set (const QnBeamState *state, QnBeamAssembly *beams);
 /* Adds the consistent mass of the elements (density is weight over gravity) to ax. */
 void qn_beam_assembly_add_mass (const QnBeamAssembly *beams, double *ax);
 
-/* Adds what the elements need to follow a uniform acceleration of both ends, by the same mass. */
+/* Adds consistent mass x uniform acceleration of both ends, m/s2. */
 void qn_beam_assembly_add_inertia (const QnBeamAssembly *beams, QnVec2 acceleration,
                                    double *forces);
 
-/* Adds to ax the part of the tangent that does not come from forces in turned elements: never
- * negative, as damping needs it. */
+/* Adds the tangent without its geometric part to ax: positive semidefinite, for damping. */
 void qn_beam_assembly_add_material_tangent (const QnBeamAssembly *beams, double *ax);
 
 /* Every tie at the last evaluation. */
 void qn_beam_assembly_ties (const QnBeamAssembly *beams, QnTieResult *ties);
 
-/* By how much the ends of a tie may still move apart before it pulls, m, at the last evaluation;
- * not above 0 where it does. */
+/* Slack of a tie at the last evaluation, m; <= 0: the tie pulls. */
 double qn_beam_assembly_tie_gap (const QnBeamAssembly *beams, size_t tie);
 
-/* How fast the ends of a tie move apart at the last evaluation with velocities v of the unknowns. */
+/* Rate of elongation of a tie at the last evaluation under velocities v of the unknowns. */
 double qn_beam_assembly_tie_rate (const QnBeamAssembly *beams, size_t tie,
                                   const double *v);
 
-/* Ties are tensioned: from the last evaluation on they are elastic with the forces that they have there.
- * To be followed by a commit. */
+/* Ends the tensioning of prestressed ties: from the last evaluation on they are elastic about their present
+ * force. Call commit next. */
 void qn_beam_assembly_tension (QnBeamAssembly *beams);
 
 /* Section forces of every element of beams at the last evaluation under dead + multiplier live load. */

@@ -11,9 +11,8 @@
  * the ends (corotational: Crisfield 1991, Non-linear Finite Element Analysis of Solids and
  * Structures 1, section 7.3), rotations are of any size, deformations against the chord small.
  *
- * An end may be hinged, or yield at the plastic moment: its rotation is then the sum of the
- * beam's and the hinge's, and the hinge turns as much as brings the moment back to its limit
- * (return mapping; a hinge is one with plastic moment 0). Perfectly plastic.
+ * An end may yield at its plastic moment (0: hinged), perfectly plastic. Its rotation is the sum of the
+ * beam's and of the hinge's; return mapping finds the hinge's, at which the moment is the limit.
  *
  * Moments M on the ends are counter-clockwise; displacements in the order u1 v1 r1 u2 v2 r2.
  */
@@ -31,26 +30,25 @@ typedef struct QnBeamProperties {
   double moments[2]; /* plastic moments of the ends: 0 hinged, INFINITY rigid */
   double mass;       /* kg/m */
   double rotary;     /* rho I, kg m */
-  const QnTie *tie;  /* borrowed; NULL: a beam. Of a tie: hinged ends, no mass, and */
-  double rest;       /* elongation beyond which it pulls, with nothing plastic, m */
+  const QnTie *tie;  /* borrowed; NULL: a beam. A tie has hinged ends and no mass */
+  double rest;       /* of a tie: elongation at zero force before it yields, m */
 } QnBeamProperties;
 
 /* Plastic rotation of a yielding end, rad. */
 typedef struct QnBeamMemory {
   double plastic[2];
-  double stretch; /* of a tie: plastic elongation, m, */
-  bool tensioned; /* and whether its prestress has been applied */
+  double stretch; /* of a tie: plastic elongation, m */
+  bool tensioned; /* of a tie: its prestress has been applied */
 } QnBeamMemory;
 
 typedef struct QnBeamResponse {
   QnBeamMemory memory;
   double force[3];      /* N, M1, M2 */
   double tangent[3][3]; /* d force / d (e, theta1, theta2) */
-  int8_t
-    phase; /* which ends yield, and in which sense; 0: none. Of a tie: whether it pulls */
+  int8_t phase; /* yielding ends and their senses, 0: none; tie: whether it pulls */
 } QnBeamResponse;
 
-/* Where the element is and how its deformations depend on its displacements. */
+/* Position of the element; gradient of its deformations by its displacements. */
 typedef struct QnBeamKinematics {
   double deformation[3]; /* e, theta1, theta2 */
   double gradient[3][6];
@@ -78,8 +76,7 @@ void qn_beam_evaluate (const QnBeamProperties *properties, const QnBeamMemory *c
 void qn_tie_evaluate (const QnBeamProperties *properties, const QnBeamMemory *committed,
                       const double deformation[3], QnBeamResponse *response);
 
-/* Moments on the ends that hold a load q (N/m along y) over the length; hinged ends hold
- * none. */
+/* Fixed-end moments of a load q (N/m along y) over the length; 0 at hinged ends. */
 void qn_beam_fixed_end_moments (const QnBeamProperties *properties, double q,
                                 double moments[2]);
 

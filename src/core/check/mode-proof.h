@@ -1,16 +1,15 @@
-/* Are these modes of vibration, and is none below them missing?
+/* Proof that modes of vibration are correct and none below them is missing.
  *
- * A mode x with the circular frequency w is one of K x = w^2 M x where K x - w^2 M x is nothing beside
- * |K| |x|. How many modes lie below a frequency is told by Sylvester's law of inertia, without knowing
- * them: K - s M has as many negative eigenvalues as there are w^2 below s, where M is positive definite
- * (Parlett, The Symmetric Eigenvalue Problem, 1998, 3.3).
+ * (w, x) is a mode of K x = w^2 M x if K x - w^2 M x is small against |K| |x|. Number of modes below a
+ * frequency: K - s M has as many negative eigenvalues as there are w^2 < s, M positive definite (Sylvester;
+ * Parlett, The Symmetric Eigenvalue Problem, 1998, 3.3).
  */
 #pragma once
 
 #include "core/assembly/assembly.h"
 #include "core/linalg/inertia.h"
 
-/* A mode's residual is below this part of |K| |x|; modes are orthonormal in the metric of M to it. */
+/* Tolerance of a mode's residual over |K| |x|, and of orthonormality in the metric of M. */
 #define QN_MODE_RESIDUAL 1e-6
 
 /* Squares of frequencies below this part of the largest stiffness over mass are rounding. */
@@ -28,8 +27,8 @@ typedef struct QnModeProof {
   double largest; /* of K_ii / M_ii, 1/s^2 */
 } QnModeProof;
 
-/* Takes the tangent of the assembly's last evaluation: with closed joints elastic, or as they slide,
- * settling supports held. Refuses blocks without mass; to be cleared all the same. */
+/* Uses the tangent for small vibrations at the assembly's last evaluation (qn_assembly_tangent_of_vibration()).
+ * Refuses blocks without mass; clear it even then. */
 QnStatus qn_mode_proof_init (QnModeProof *proof, QnAssembly *assembly, double multiplier,
                              bool sliding, QnDiag *diag);
 
@@ -41,8 +40,7 @@ double qn_mode_proof_residual (QnModeProof *proof, double square, const double *
 /* Largest entry of X'MX - 1; X: so many columns of unknowns. */
 double qn_mode_proof_skewness (QnModeProof *proof, size_t count, const double *columns);
 
-/* How many modes have a square of their frequency that is less than `square` by more, or is greater by
- * less, than what two frequencies are taken for one by: below and up to it. Where rounding leaves the
- * count open it is told as it is. False when memory runs out. */
+/* Numbers of modes with w^2 below `square`, and up to `square`, each beyond the tolerance by which two
+ * frequencies count as equal. The counts may be off by rounding. False when memory runs out. */
 bool qn_mode_proof_count (QnModeProof *proof, double square, int32_t *below,
                           int32_t *up_to);

@@ -1,37 +1,30 @@
-/* Is what a result says true?
- *
- * A result says more than its multiplier: displacements, forces and states of joints at every step,
- * reactions, an outcome, a mechanism, bounds. Each is recomputed from the model and from the
- * displacements, by the laws alone, and compared. Nothing is solved, and events, which tell of the way
- * between steps, are not compared but for the first snap:
+/* Check of a result: all its claims are recomputed from the model and the displacements, by the laws alone,
+ * and compared. No system is solved. Of the events, only the first snap is compared.
  *
  *   numbers        all are finite
  *   steps          the first is the dead load; stages and times come in order
- *   displacements  supports stay, or settle as they are told to; nodes on blocks ride with them
- *   forces         of every pair, tie and beam, as the laws answer the displacements. What a law remembers
- *                  is replayed from step to step. Once a structure has jumped, joints have slid on a
- *                  way that no result tells: from there on the slip that explains the shear forces is
- *                  taken, and the normal forces, the strengths and the balance remain to be met
- *   strength       no joint carries more than its law allows, and its state is that of its forces
+ *   displacements  supports are fixed or have their settlement; nodes on blocks move with them
+ *   forces         of every pair, tie and beam, by the laws from the displacements; the memory of laws is
+ *                  replayed step by step. After a jump the slip is unknown: it is computed from the
+ *                  stated shear forces; normal forces, strengths and balance are still compared
+ *   strength       forces of joints are within their law; states agree with the forces
  *   balance        of every free body, summed from the model without the solver, with the loads at the
- *                  step's multipliers; not in time, where
- *                  inertia and damping belong to it and equilibrium is that of a whole step, most of
- *                  which are not kept; there the energies are recomputed (history)
- *   reactions      as forces and loads leave them
- *   outcome        what the steps say, and the multipliers of collapse and first limit point
+ *                  step's multipliers; not in time, where most steps are not kept (see history)
+ *   reactions      are the sum of forces and loads
+ *   outcome        agrees with the steps and the multipliers of collapse and first limit point
  *   mechanism      joints do not overlap; they slide and open where their strength is reached, in the
  *                  sense of their forces and with their dilatancy; the live load does work on it
- *   modes          of vibration are those of the stiffness at the state, and the inertia of the
- *                  stiffness tells that none below is missing; where stability is sought, every step is
- *                  stable, and next to none is left against the buckling mode where it is lost
+ *   modes          of vibration belong to the stiffness of the state; its inertia proves that none below is
+ *                  missing. Stability analyses: every step is stable, and the stiffness against the
+ *                  buckling mode nearly vanishes
  *   bounds         of limit analysis: forces in the result prove the lower one, the mechanism the
  *                  upper one; all are in order
  *   interval       no solution is below the collapse multiplier or above the associative bound; each
  *                  of a path is that of a step
- *   linearity      where blocks leave the displacements that linear geometry holds for
- *   history        energies add up to within the error that is told; at every step that is kept the
- *                  kinetic one is that of the velocities, the elastic one that of the forces; peaks
- *                  and tracks are those of the steps; what is at rest is slow
+ *   linearity      multiplier at which displacements exceed the validity of linear geometry
+ *   history        energies add up within the stated error; at every kept step the kinetic energy agrees with
+ *                  the velocities, the elastic energy with the forces; peaks and tracks agree with the
+ *                  steps; a structure at rest is slow
  */
 #pragma once
 
@@ -47,7 +40,7 @@ typedef struct QnLastForces {
   QnEntity entity;      /* QN_ENTITY_BLOCK, _NODE or _BEAM: `index` counts the elements */
   QnId index;           /* where, or QN_NONE: nowhere */
   double contact_scale; /* N: largest force of a contact */
-  double yield_violation; /* most that one has above its strength, over `contact_scale` */
+  double yield_violation; /* largest excess over a strength, over `contact_scale` */
   QnId pair;              /* where, or QN_NONE */
 } QnLastForces;
 
@@ -59,14 +52,13 @@ typedef struct QnResultFaults {
   QnLastForces last;
 } QnResultFaults;
 
-/* How far a check goes. */
+/* Depth of a check. */
 typedef enum {
-  QN_CHECK_STATED,    /* what follows from the result and the model */
-  QN_CHECK_RECOMPUTED /* also the bounds that a linear program gives, by solving it again */
+  QN_CHECK_STATED,    /* all claims that need no linear program */
+  QN_CHECK_RECOMPUTED /* also the bounds, by solving the linear program again */
 } QnCheckDepth;
 
-/* Compares everything that a result of `model` says. The model is prepared, its contacts are those
- * of the analysis. Fails when memory runs out alone. */
+/* Checks a result of a prepared model with the contacts of the analysis. NO_MEMORY is the only error. */
 QnStatus qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
                                 const QnResult *result, QnCheckDepth depth,
                                 QnResultFaults *faults, QnDiag *diag);

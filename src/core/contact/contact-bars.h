@@ -1,22 +1,22 @@
-/* Reinforcing bars: where they cross contact faces, and the pairs that they make there.
+/* Reinforcing bars: their crossings with contact faces, and the pairs there.
  *
- * A bar may cross a face at any angle. Its pair carries force along the bar alone: there is no dowel
- * action. A bar that goes through an end of a face, as one between two rows of cells does, has half of
- * its section in the faces on either side of it, or all in those on one side where there are no others. */
+ * A bar may cross a face at any angle. Its pair carries force along the bar alone (no dowel action). A bar
+ * through the common end of two faces gives half of its section to each; through the end of one face
+ * alone, its whole section. */
 #pragma once
 
 #include "core/base/box-tree.h"
 #include "core/contact/contacts.h"
 
-/* Stiffness across a bar over that along it: next to nothing, but for arithmetic. */
+/* Stiffness across a bar / stiffness along it: keeps the pair's tangent regular. */
 #define QN_BAR_DOWEL 1e-6
 
 /* The bars of a model, line by line: found by their boxes, since each crosses few of many faces. */
 typedef struct QnBarSearch {
   QnBoxTree tree;
   QnId *near;     /* lines at one face, in their own order */
-  QnId *bars;     /* of each line, */
-  int32_t *lines; /* and which of its lines it is */
+  QnId *bars;     /* bar of each line */
+  int32_t *lines; /* number of each line within its bar */
   bool *used;     /* bars */
 } QnBarSearch;
 
@@ -24,12 +24,12 @@ typedef struct QnBarSearch {
 QnStatus qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnDiag *diag);
 void qn_bar_search_clear (QnBarSearch *search);
 
-/* Adds the pairs of the bars that cross a face; its other pairs are there already. */
+/* Appends the pairs of the bars that cross a face behind its other pairs. */
 QnStatus qn_bar_search_cross (QnBarSearch *search, const QnModel *model,
                               QnContacts *contacts, QnId face, QnDiag *diag);
 
-/* Once all faces are done: shares bars that go through ends of faces, and refuses those that cross no
- * face, and those that end outside of all blocks. */
+/* After all faces: divides bars through ends of faces; refuses bars that cross no face or end outside of
+ * all blocks. */
 QnStatus qn_bar_search_finish (const QnBarSearch *search, const QnModel *model,
                                QnContacts *contacts, QnDiag *diag);
 
@@ -38,7 +38,7 @@ typedef struct QnBarCrossing {
   QnId pair, bar;
   int32_t line;
   double along; /* m, from the start of the line */
-  double reach; /* m: what is nearer is at the same place */
+  double reach; /* m: crossings within this distance are one place */
 } QnBarCrossing;
 
 /* All crossings, bar by bar, line by line, from start to end: *count of them, to be freed with free().

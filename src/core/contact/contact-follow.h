@@ -18,8 +18,7 @@
  *   it becomes inactive  again where its corner is beyond an end of the side by
  *                        qn_contact_follow_band()
  *
- * Where two corners meet, one pair is enough: the second one is inactive until the first has slid
- * off.
+ * Where two corners meet, the second pair is inactive until the first corner has slid off.
  *
  * A corner may become active within a block although no other contact there was released. It then
  * carries nothing at that depth, its inset: its elongation is measured from the inset until the
@@ -46,8 +45,8 @@
 
 /* Where the corner of a contact lies. */
 typedef struct QnCornerPlace {
-  double along;  /* m from the first vertex of the side, */
-  double length; /* whose length this is, m */
+  double along;  /* m from the first vertex of the side */
+  double length; /* of the side, m */
   double apart;  /* m off the side; negative within the block */
 } QnCornerPlace;
 
@@ -55,12 +54,10 @@ typedef struct QnContactFollow {
   const QnModel *model;
   const QnContacts *drawn;
   QnSides sides;
-  double *sizes,
-    *reach;       /* of blocks: square root of the area; of the farthest corner, m */
-  bool *left;     /* faces as drawn */
-  double overlap; /* of joints under the dead load, m */
-  QnFoundContact
-    *found; /* listed by the last search, the two directions of two blocks together */
+  double *sizes, *reach; /* by block, m: root of the area; farthest corner's distance */
+  bool *left;            /* faces as drawn */
+  double overlap;        /* of joints under the dead load, m */
+  QnFoundContact *found; /* last search; both directions of two blocks adjacent */
   bool *active;
   size_t count, capacity;
   double margin;     /* of the last search, m; 0: none yet */
@@ -73,56 +70,53 @@ QnStatus qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
 
 void qn_contact_follow_clear (QnContactFollow *follow);
 
-/* Takes up how deep the joints overlap under the dead load: elongations of the pairs as drawn (two of
- * each, m). */
+/* Sets the overlap of joints from the elongations of the pairs as drawn under the dead load, m
+ * (pair_count x 2). */
 void qn_contact_follow_set_overlap (QnContactFollow *follow, const double *elongations);
 
 /* The slip and overhang that count between two blocks, m. */
 double qn_contact_follow_band (const QnContactFollow *follow, QnId a, QnId b);
 
-/* Leaves the joints that have slid (slips: of the pairs as drawn, m) or turned. Returns whether any
- * was left. Displacements: a row for every block. Joints that bars cross are never left. */
+/* Releases the joints that have slid (slips of the pairs as drawn, m) or turned; true if any was released.
+ * displacements: block_count x 3. Joints crossed by bars are never released. */
 bool qn_contact_follow_leave (QnContactFollow *follow, const double *displacements,
                               const double *slips);
 
-/* Whether something has moved so far since the last search that another one is due. */
+/* Whether a block has moved by so much since the last search that another one is due. */
 bool qn_contact_follow_is_due (const QnContactFollow *follow, const double *displacements,
                                double margin);
 
-/* Lists the contacts within the margin anew. Those that stay keep their foot and whether they are
- * active.
- * places[i] (count of them before, nullable) becomes the new place of contact i, or QN_NONE;
- * *changed: whether the list is another one. */
+/* Lists the contacts within the margin anew. Contacts that remain keep foot and activity. places[i]
+ * (old count, nullable): new index of old contact i, or QN_NONE. *changed: the list differs. */
 QnStatus qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
                                    double margin, QnId *places, bool *changed,
                                    QnDiag *diag);
 
-/* Makes pairs inactive, or active with no inset; takes the inset of those whose corner has come out.
- * Returns whether any changed. */
+/* Makes pairs inactive, or active with inset 0; sets the inset of corners outside the block to 0. True if
+ * any pair changed. */
 bool qn_contact_follow_activate (QnContactFollow *follow, const double *displacements);
 
-/* The place of this contact in the list, whatever its foot and inset; `count` where it is not listed. */
+/* Index of this contact in the list, regardless of foot and inset; `count`: not listed. */
 size_t qn_contact_follow_find (const QnContactFollow *follow,
                                const QnFoundContact *contact);
 
-/* The end of the listed contacts between the same two blocks as the one at `first`, which stand
- * together. */
+/* One past the last listed contact between the two blocks of contact `first` (they are adjacent). */
 size_t qn_contact_follow_end (const QnContactFollow *follow, size_t first);
 
 QnCornerPlace qn_contact_follow_place (const QnContactFollow *follow,
                                        const QnFoundContact *contact,
                                        const double *displacements);
 
-/* The contacts as drawn, with one face of one pair for each of these contacts behind them. The pair
- * stands for half of the shorter of the side and the longer side at the corner. `contacts` is
- * overwritten without being cleared. */
+/* The contacts as drawn, followed by one face with one pair for each found contact. The pair's tributary
+ * length is half of the shorter of two sides: the contact's side and the longer side at the corner.
+ * `contacts` is overwritten without being cleared. */
 QnStatus qn_contacts_with_found (const QnModel *model, const QnContacts *drawn,
                                  const QnSides *sides, const QnFoundContact *found,
                                  size_t count, QnContacts *contacts, QnDiag *diag);
 
-/* Gives a pair of these another inset, m. Returns whether it had another one. */
+/* Sets the inset of a found pair, m; true if it changed. */
 bool qn_contacts_set_inset (QnContacts *contacts, size_t pair, double inset);
 
-/* The faces as drawn between two blocks, whichever is a: [first, end). */
+/* The faces as drawn between two blocks, in either order: [first, end). */
 void qn_contacts_between (const QnContacts *drawn, QnId a, QnId b, size_t *first,
                           size_t *end);

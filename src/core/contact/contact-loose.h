@@ -7,6 +7,6 @@
 QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
                                    const QnTouches *touches, QnDiag *diag);
 
-/* Appends findings for blocks that touch nothing or hang on nothing. */
+/* Appends findings for blocks without contact and for blocks not connected to a support. */
 QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
                                    QnDiag *diag);

@@ -1,4 +1,4 @@
-/* Blocks that overlap, and how deep. */
+/* Overlapping blocks and the depth of the overlap. */
 #pragma once
 
 #include "core/contact/contact-search.h"

@@ -2,9 +2,8 @@
  *
  * The elongation of the pair, q = (normal, tangential) position of B relative to A, is shared
  * by the two springs, q = qa + qb, so that both carry the same force: fa(qa) = fb(q - qa).
- * Springs of one law, of whatever two lengths, make one spring of their joint length (closed
- * form); others are solved by an internal Newton iteration (HybriDFEM, section 2.2; see
- * pair-series.h).
+ * Two springs of one law are replaced by one spring of their total length (closed form). Two laws:
+ * internal Newton iteration (HybriDFEM, section 2.2; see pair-series.h).
  */
 #pragma once
 
@@ -12,10 +11,8 @@
 
 typedef struct QnPairSprings {
   QnSpring a, b; /* side of block a, side of block b */
-  bool equal;    /* `a` then stands for the whole pair; `b` is as it was given */
-  double
-    slant; /* sine of the angle by which the springs are turned from the pair's frame, from
-                    its normal towards its tangent: of bars; their elongations are along them */
+  bool equal;    /* `a` is the whole pair; `b` is unchanged */
+  double slant;  /* bars: sine of the angle from the pair's normal towards its tangent */
 } QnPairSprings;
 
 /* State of a pair between steps. */
@@ -28,8 +25,8 @@ typedef struct QnPairResponse {
   double force[2];
   double tangent[2][2];
   QnPairMemory memory;
-  int16_t phase; /* the tangent depends on this number alone, */
-  bool varies;   /* unless it varies */
+  int16_t phase; /* unless `varies`, equal phases have equal tangents */
+  bool varies;   /* the tangent also depends on the elongation */
 } QnPairResponse;
 
 /* The springs on the two sides of a pair in series; equal ones are joined into one. */
@@ -38,13 +35,14 @@ QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
 /* Elastic stiffness of both springs together, normal and tangential, N/m. */
 void qn_pair_elastic_stiffness (const QnPairSprings *springs, double k[2]);
 
-/* The tangent for small vibrations. Of a joint that is pressed together by more than `little`: elastic, or
- * as it slides. Of any other: what is whole of its bond, elastic. What is no joint keeps its own. */
+/* Tangent for small vibrations. A joint compressed by more than `little` (N): elastic, or with `sliding`
+ * its own tangent. Any other joint: elastic x the undamaged share of its bond, 0 without bond. Pairs that
+ * are no joints: their own tangent. */
 void qn_pair_vibration_tangent (const QnPairSprings *springs,
                                 const QnPairResponse *response, double little,
                                 bool sliding, double tangent[4]);
 
-/* How much of the bond of a joint is lost: 0 whole, 1 broken; 0 of joints without a bond. */
+/* Damage of the bond of a joint: 0 whole, 1 broken; 0 without a bond. */
 static inline double
 qn_pair_damage (const QnPairSprings *springs, const QnPairMemory *memory)
 {
@@ -54,16 +52,16 @@ qn_pair_damage (const QnPairSprings *springs, const QnPairMemory *memory)
   return a > b ? a : b;
 }
 
-/* Those of a pair whose bonds are broken. */
+/* The springs after their bonds have broken. */
 QnPairSprings qn_pair_springs_broken (const QnPairSprings *springs);
 
-/* How near a force is to breaking a whole bond, which it does at 1; NAN where there is none. */
+/* Force over the strength of a whole bond, which breaks at 1; NAN without a bond. */
 double qn_spring_bond_strain (const QnSpring *spring, const double force[2]);
 
-/* The same of a pair; NAN once it is damaged. */
+/* The same ratio for a pair; NAN once the bond is damaged. */
 double qn_pair_bond_strain (const QnPairSprings *springs, const QnPairResponse *response);
 
-/* Takes over the damage of another state. */
+/* Copies the damage of another state. */
 static inline void
 qn_pair_keep_damage (const QnPairSprings *springs, const QnPairMemory *from,
                      QnPairMemory *memory)
@@ -74,8 +72,8 @@ qn_pair_keep_damage (const QnPairSprings *springs, const QnPairMemory *from,
     memory->b.extreme = from->b.extreme;
 }
 
-/* Whether one law, elastic and perfectly plastic, rules the whole pair: the interior-point
- * increment solves those. A bond is none as long as it may break. */
+/* Whether the whole pair has one elastic, perfectly plastic law, as the interior-point increment requires;
+ * false while a bond may still break. */
 static inline bool
 qn_pair_is_plastic (const QnPairSprings *springs, const QnPairMemory *memory)
 {
@@ -83,11 +81,11 @@ qn_pair_is_plastic (const QnPairSprings *springs, const QnPairMemory *memory)
          && (!qn_spring_has_bond (&springs->a) || memory->a.extreme >= 1);
 }
 
-/* Whether the pair would snap back while one of its springs softens: growing elongation of the
- * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
+/* Whether the pair would snap back while one of its springs softens: no force then belongs to a growing
+ * elongation. Remedy: larger fracture energy or smaller blocks. */
 bool qn_pair_springs_snap_back (const QnPairSprings *springs);
 
-/* The strengths of both springs, whose bonds are broken or not: fills `rows`, returns how many they are. */
+/* Strengths of both springs with the present damage of their bonds: fills `rows`, returns their number. */
 static inline int
 qn_pair_strength (const QnPairSprings *springs, const QnPairMemory *memory,
                   QnStrengthRow rows[2 * QN_STRENGTH_ROWS])
@@ -99,7 +97,7 @@ qn_pair_strength (const QnPairSprings *springs, const QnPairMemory *memory,
   return springs->equal ? count : count + qn_spring_strength (&b, rows + count);
 }
 
-/* Those of rigid blocks, bonds whole. */
+/* Strengths for limit analysis of rigid blocks, bonds whole. */
 static inline int
 qn_pair_rigid_strength (const QnPairSprings *springs,
                         QnStrengthRow rows[2 * QN_STRENGTH_ROWS])
@@ -115,9 +113,8 @@ qn_pair_rigid_strength (const QnPairSprings *springs,
 bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
                        const double q[2], QnPairResponse *response);
 
-/* What is reported of a phase. Of unequal springs one that is open makes the pair open, else one
- * that slips makes it slip, else one that yields makes it yield: on the plastic branch of a member's
- * law, or being crushed. */
+/* Reported state of a phase. Two different springs: OPEN if either is open, else SLIP if either slips, else
+ * YIELD if either is crushed or on the plastic branch of a member's law. */
 typedef enum {
   QN_PAIR_STICK,
   QN_PAIR_SLIP,
@@ -126,12 +123,11 @@ typedef enum {
   QN_PAIR_STATE_COUNT
 } QnPairState;
 
-/* What a phase of these springs is called. */
 QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
 
-/* The state that a joint, elastic and perfectly plastic, is in with this force, where its phase says
- * `state`: an increment along the central path knows forces better than whether a joint flows. Open, or
- * sliding, is one within `little` of that strength. */
+/* Corrects the state OPEN or SLIP of an elastic, perfectly plastic joint by its force, which the central
+ * path finds more accurately than the flow: OPEN or SLIP remains if the force is within `little` (N) of
+ * that strength. */
 QnPairState qn_pair_state_of_force (const QnPairSprings *springs,
                                     const QnPairMemory *memory, QnPairState state,
                                     const double force[2], double little);

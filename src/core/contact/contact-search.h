@@ -1,4 +1,4 @@
-/* What the steps of contact detection share: lengths that count, sides, broad phase. */
+/* Shared by the steps of contact detection: tolerances, sides, broad phase. */
 #pragma once
 
 #include "core/base/box-tree.h"
@@ -6,9 +6,10 @@
 #include "core/contact/contacts.h"
 
 typedef struct QnContactLengths {
-  double tolerance;     /* m: what is closer touches */
-  double gap_limit;     /* m: gaps up to here are reported */
-  double overlap_limit; /* m: overlaps up to here are reported, deeper ones refused */
+  double tolerance; /* m: sides within this distance touch */
+  double gap_limit; /* m: gaps up to this width are reported */
+  double
+    overlap_limit; /* m: overlaps up to this depth are reported, deeper ones refused */
 } QnContactLengths;
 
 /* The lengths that follow from a prepared model's settings, block sizes and coordinates. */
@@ -26,7 +27,7 @@ typedef struct QnContactSearch {
   bool *convex; /* per block */
   QnBoxTree block_tree;
 
-  /* Per block, of its sides, empty where they are few; NULL where they are so of every block. */
+  /* Tree of the sides of each block, empty up to QN_FEW_SIDES; NULL if all are empty. */
   QnBoxTree *side_trees;
 } QnContactSearch;
 
@@ -42,13 +43,12 @@ QnStatus qn_contact_search_init (QnContactSearch *search, const QnModel *model,
 
 void qn_contact_search_clear (QnContactSearch *search);
 
-/* Walking along the sides of one block that meet a box. All sides of a block with few are compared;
- * those of a block with many, such as a ground of thousands of vertices, are searched through their
- * tree. */
+/* Iterator over the sides of one block that meet a box: compares all sides up to QN_FEW_SIDES, uses the
+ * tree above. */
 typedef struct QnSideWalk {
   const QnContactSearch *search;
   QnBox box;
-  size_t next, end; /* sides still to be looked at */
+  size_t next, end; /* remaining sides */
   bool by_tree;
   QnBoxQuery query;
 } QnSideWalk;

@@ -11,41 +11,37 @@
 #include "core/model/model.h"
 
 typedef struct QnContactFace {
-  QnId a, b; /* blocks, a < b */
-  QnId edge_a,
-    edge_b; /* first vertex (index within the block) of the edge, of the first edge
-                          where a collinear run was merged */
-  QnVec2 start, end; /* m; end - start points along `tangent` */
-  QnVec2 normal;     /* unit, from a to b */
-  QnVec2 tangent;    /* unit, normal turned by +90 degrees */
-  double length;     /* m */
-  double thickness;  /* m, the smaller of the two blocks' */
-  QnId law_a, law_b; /* laws of the springs on the two sides */
-  QnId first_pair;   /* into QnContacts.pairs */
+  QnId a, b;           /* blocks, a < b */
+  QnId edge_a, edge_b; /* first vertex, within the block, of the edge or collinear run */
+  QnVec2 start, end;   /* m; end - start points along `tangent` */
+  QnVec2 normal;       /* unit, from a to b */
+  QnVec2 tangent;      /* unit, normal turned by +90 degrees */
+  double length;       /* m */
+  double thickness;    /* m, the smaller of the two blocks' */
+  QnId law_a, law_b;   /* laws of the springs on the two sides */
+  QnId first_pair;     /* into QnContacts.pairs */
   int32_t pair_count;
 } QnContactFace;
 
 typedef struct QnContactPair {
   QnId face;
   QnId bar;     /* into QnModel.bars, or QN_NONE: part of the joint itself */
-  int32_t line; /* which of the bar's lines, */
-  double slant; /* and the sine of its angle to the face's normal, towards the tangent */
+  int32_t line; /* number of the line within the bar */
+  double slant; /* sine of the line's angle to the face's normal, towards the tangent */
   QnVec2 point; /* where A, B and C coincide in the undeformed state, m */
-  double abscissa;  /* distance of the point from face.start, m */
-  double tributary; /* length of the face that the pair stands for, m; times the face's
-                       thickness its area, also that of a bar */
-  bool found;       /* on the way (contact-follow.h): `point` is a corner of block b, */
-  QnVec2 foot; /* this a point on the side of block a, or below it; both undeformed, m */
+  double abscissa; /* distance of the point from face.start, m */
+  double
+    tributary; /* tributary length, m; x thickness of the face: area, also of a bar */
+  bool found;  /* during motion (contact-follow.h): `point` is a corner of block b */
+  QnVec2 foot; /* found pairs: point on or below the side of block a, undeformed, m */
 } QnContactPair;
 
 /* A corner of one block near a side of another. */
 typedef struct QnFoundContact {
-  QnId block,
-    side; /* the block whose side it is, and the side's first vertex within it */
-  QnId other, corner; /* the block whose corner it is, and the vertex within it */
-  double
-    foot; /* where on the side its shear elongation is zero, m from the first vertex */
-  double inset; /* how deep below the side its normal elongation is zero, m, >= 0 */
+  QnId block, side;   /* block of the side, and the side's first vertex within it */
+  QnId other, corner; /* block of the corner, and the vertex within it */
+  double foot;        /* m from the side's first vertex: point of zero shear elongation */
+  double inset;       /* m below the side, >= 0: depth of zero normal elongation */
 } QnFoundContact;
 
 /* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa, those
@@ -58,14 +54,13 @@ typedef struct QnContacts {
   QnFindings findings; /* gaps, overlaps, point contacts, loose and floating blocks */
 } QnContacts;
 
-/* Finds all faces and pairs of a prepared model in O(n log n) time. Overlaps deeper than the
- * tolerance and floating blocks are findings here, refused by qn_contacts_require_sound(); the
- * search itself refuses more overlaps or neighbours than any structure has (QN_MOST_OVERLAPS,
- * QN_MOST_NEIGHBOURS), since it would take quadratic time.
- * `contacts` is overwritten without being cleared, empty on failure. */
+/* Finds all faces and pairs of a prepared model in O(n log n) time. Overlaps deeper than the tolerance and
+ * floating blocks become findings; qn_contacts_require_sound() refuses them. Refuses more than
+ * QN_MOST_OVERLAPS or QN_MOST_NEIGHBOURS pairs of blocks, which would take quadratic time. `contacts` is
+ * overwritten without being cleared, empty on failure. */
 QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag);
 
-/* Refuses what cannot be analysed: no blocks, overlapping blocks, no support, floating blocks. */
+/* Refuses models without blocks or supports, with overlapping or with floating blocks. */
 QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,
                                     QnDiag *diag);
 

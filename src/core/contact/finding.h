@@ -1,5 +1,5 @@
-/* Findings: what is worth telling the user about a model that can nevertheless be analysed,
- * or that shows why it cannot. A list to be shown at the place, never an error by itself. */
+/* Findings: remarks on a model, shown at their place. Some explain why an analysis refuses the model; none
+ * is an error by itself. */
 #pragma once
 
 #include "core/base/problem.h"
@@ -10,16 +10,13 @@ typedef struct QnFinding {
   QnId block_a;      /* block concerned */
   QnId block_b;      /* the other one, or QN_NONE */
   QnVec2 at;         /* place, m */
-  double
-    value; /* width of the gap, depth of the overlap, m; PAIRS_BENDING and PAIRS_CRUSHING:
-                   how many times what is right; 0 where there is none */
-  QnId
-    subject; /* BEAM_FLOATING, BEAM_END_FREE: the beam; TIE_OFF_BLOCK: the tie; LOAD_MEETS_NOTHING: the load, counted through the
-                   dead and then the live ones; PAIRS_…: how many joints, of which this one is
-                   the worst; of a range: the entity; QN_NONE otherwise */
-  const struct QnUsualRange
-    *range; /* what `value`, a number of the project, is outside of, or
-                                       NULL (plausible.h) */
+  /* Width of a gap or depth of an overlap, m; PAIRS_BENDING, PAIRS_CRUSHING: computed over true value; with
+   * `range`: the number of the project; else 0. */
+  double value;
+  /* BEAM_FLOATING, BEAM_END_FREE: beam; TIE_OFF_BLOCK: tie; LOAD_MEETS_NOTHING: load, dead ones first;
+   * PAIRS_…: number of such joints, of which this one is the worst; with `range`: entity; else QN_NONE. */
+  QnId subject;
+  const struct QnUsualRange *range; /* nullable: `value` is outside of it (plausible.h) */
 } QnFinding;
 
 typedef struct QnFindings {
@@ -27,7 +24,7 @@ typedef struct QnFindings {
   size_t count, capacity;
 } QnFindings;
 
-/* Whether `at` says where: numbers of laws, loads and settings stand nowhere. */
+/* Whether `at` is valid: numbers of laws, loads and settings have no place. */
 static inline bool
 qn_finding_has_place (const QnFinding *finding)
 {

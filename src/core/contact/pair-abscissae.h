@@ -1,7 +1,7 @@
-/* Where the contact pairs of a face sit and what share of it each stands for.
+/* Positions and weights of the contact pairs of a face.
  *
- * Positions and weights are parts of the face's length; weights add up to 1. What sums over the
- * pairs integrate exactly, of a normal stress that varies along the face like a polynomial:
+ * Both are parts of the face's length; weights add up to 1. Polynomials of normal stress along the face
+ * whose force and moment the sum over the pairs gives exactly:
  *
  *   ends       2 pairs, weight 1/2 each, `offset` from the corners: constant stress only; of a
  *              linear one (bending) the moment is 3 (1 - 2 offset)^2 times the true one
@@ -21,8 +21,8 @@
 
 #include "core/model/model.h"
 
-/* The rule for a face of this law, where it leaves placement or number to the law. The others take
- * such rules only. */
+/* Completes a rule that leaves placement or number to the law. The functions below require complete
+ * rules. */
 QnPairRule qn_pair_rule_by_law (const QnPairRule *rule, const QnLaw *law);
 
 /* Number of pairs that the rule puts on a face. */
@@ -35,11 +35,10 @@ void qn_pair_rule_place (const QnPairRule *rule, double length, size_t i,
 /* Elastic bending stiffness by the pairs over the true one, of a face of this length. */
 double qn_pair_rule_bending (const QnPairRule *rule, double length);
 
-/* The most by which the pairs overstate the moment that a crushed face carries: of all normal forces
- * N the largest ratio of the moment of the pairs that carry N, those nearest to one end with their full
- * strength fc b w_i, to that of a stress block, N (b - N / fc) / 2 (thickness 1). Both are zero at N = 0,
- * between the kinks of the first one the ratio is largest at a kink. `per_pair`: each pair has the same
- * strength, whatever its weight. */
+/* Largest factor by which the pairs overstate the moment capacity of a crushed face: maximum over all
+ * normal forces N of the moment by pairs (those nearest to one end at their full strength fc b w_i) over
+ * that of a stress block, N (b - N / fc) / 2 (thickness 1). The maximum is at a kink of the moment by
+ * pairs. `per_pair`: all pairs have the same strength. */
 double qn_pair_rule_crushing (const QnPairRule *rule, double length, bool per_pair);
 
 /* Abscissa and weight number i of n on [-1, 1], ascending; weights add up to 2. */

@@ -1,4 +1,4 @@
-/* Kinematics of a contact pair: its elongation, and how that depends on its blocks' motion.
+/* Kinematics of a contact pair: its elongation and the gradient by the displacements of its blocks.
  *
  * Points A and B coincide in the undeformed state. Their distance d = x_B - x_A is measured in
  * a frame (normal n, tangent t) that turns with the pair, by the mean of the two blocks'
@@ -9,9 +9,9 @@
  * In linear geometry the frame and the arms stay as they were and d is linear in the
  * displacements. In nonlinear geometry rotations are of any size.
  *
- * A contact that blocks found on their way joins a corner B of block b to a side of block a: A lies on
- * that side, apart from B in the undeformed state, and the frame turns with block a alone. So q_n is
- * how far the corner is off the side, and the force acts where the corner is.
+ * A contact found during motion joins a corner B of block b to a point A on a side of block a, apart from B
+ * in the undeformed state. Its frame turns with block a alone: q_n is the distance of the corner from the
+ * side, and the force acts at the corner.
  *
  * Unknowns of a pair, everywhere in this order: ux, uy, L rz of block a, then of block b, in m;
  * L is the length by which rotations are scaled.
@@ -27,7 +27,7 @@ typedef struct QnPairKinematics {
   QnVec2 arm_a, arm_b; /* from the centroids to the pair, undeformed, m */
   double length;       /* L, m */
   QnVec2 apart;        /* B - A, undeformed, m */
-  double share; /* of block a's rotation in the frame's: 1/2, or 1 where it is a side's */
+  double share;        /* of block a's rotation in the frame's: 1/2; found contacts: 1 */
 
   /* Of the last update, in nonlinear geometry; at rest after qn_pair_kinematics_init(). */
   double elongation[2];      /* q, m */
@@ -38,12 +38,11 @@ typedef struct QnPairKinematics {
 void qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_a,
                               QnVec2 arm_b, double length);
 
-/* Makes it a corner B on a side of block a, apart from A as drawn. */
+/* Makes the pair a found contact; apart = B - A, undeformed, m. */
 void qn_pair_kinematics_set_corner (QnPairKinematics *pair, QnVec2 apart);
 
-/* The gradient of a pair in the layout of the inner loops. Translations of the two blocks enter by
- * their difference, which keeps the digits that it has: factors of (L rz of a, u_b - u_a in x and
- * y, L rz of b). */
+/* Gradient of a pair in the layout of the inner loops: factors of (L rz of a, u_b - u_a in x and y,
+ * L rz of b). The difference of translations avoids cancellation. */
 enum { QN_PAIR_FACTORS = 4 };
 
 typedef struct QnPairGradient {

@@ -4,8 +4,7 @@
 
 #include "core/contact/contacts.h"
 
-/* Gives every face its laws and pairs, by the model's rules and exceptions, and adds pairs where
- * bars cross it, behind its own. Refuses bars that cross nothing, joints by material without a side that
- * deforms, and springs that would snap back while they soften. */
+/* Sets laws and pairs of every face; pairs of bars follow those of the joint. Refuses bars that cross no
+ * face, joints by material between two rigid sides, and springs that snap back while they soften. */
 QnStatus qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts,
                                   QnDiag *diag);

@@ -1,7 +1,7 @@
 /* The arithmetic of contact pairs on the central path, eight pairs at a time: see central-path.h.
  *
- * Every quantity of eight pairs stands side by side. The loops work on as many of them at a time as
- * the processor has room for, in the same order everywhere: results are equal to the bit.
+ * Each quantity of eight pairs is contiguous. The loops process as many at a time as the SIMD registers
+ * hold; the order of operations, and so every bit of the results, is the same on all processors.
  */
 #pragma once
 
@@ -14,19 +14,18 @@ enum { QN_CENTRAL_ROWS = 4, QN_CENTRAL_WIDTH = 8 };
 typedef double QnPackVector[QN_CENTRAL_WIDTH];
 typedef int64_t QnPackMask[QN_CENTRAL_WIDTH];
 
-/* Forces, strengths left and flows; or a direction of all three. */
+/* Forces y, remaining strengths s and flows z; or a direction of all three. */
 typedef struct QnCentralState {
   QnPackVector y[2], s[QN_CENTRAL_ROWS], z[QN_CENTRAL_ROWS];
 } QnCentralState;
 
-/* In units of the path: forces F, the largest load of a block; elongations F over the mean
- * stiffness. Strengths that a pair lacks have s = 1 and z = 0, and stay so. */
+/* Units: force F, the largest load of a block; length F over the mean stiffness. Rows of strengths that a
+ * pair does not have keep s = 1 and z = 0. */
 typedef struct QnCentralPack {
-  /* All ones where the pair has that strength. Without a limit of tension it has none of them: only
-   * y and its tangent count. */
+  /* All bits set: the pair has this strength. A pair without limit of tension has no other limit and uses
+   * only y and its tangent. */
   QnPackMask has_tension, has_shear, has_compression;
-  QnPackVector friction,
-    dilatancy[2]; /* of slip in the positive sense, in the negative */
+  QnPackVector friction, dilatancy[2]; /* dilatancy for positive and negative slip */
   QnPackVector tension, cohesion, compression; /* h, by rows; cohesion twice */
   QnPackVector flexibility[2];
   QnPackVector plastic[2]; /* q_p */
@@ -38,35 +37,35 @@ typedef struct QnCentralPack {
 
   QnPackVector strain[2];                 /* residuals: q - q_p - flow z - y / k */
   QnPackVector strength[QN_CENTRAL_ROWS]; /* h - G y - s */
-  QnPackVector product[QN_CENTRAL_ROWS];  /* what s z is to become */
-  QnPackVector gain[QN_CENTRAL_ROWS]; /* what of the strength the direction is to find */
-  QnPackVector free_strain[2];        /* what of the strain is left for the forces then */
+  QnPackVector product[QN_CENTRAL_ROWS];  /* target of s z */
+  QnPackVector gain[QN_CENTRAL_ROWS]; /* part of `strength` to be removed by the step */
+  QnPackVector free_strain[2];        /* strain to be removed less flow at free forces */
 } QnCentralPack;
 
-/* The largest of all pairs, in units of the path, and a sum. */
+/* Maxima over all pairs in units of the path, and one sum. */
 typedef struct QnCentralResiduals {
   double strain, strength; /* residuals */
-  double elongation;       /* apart from the plastic one at the beginning */
+  double elongation;       /* q - q_p */
   double force;
   double products; /* sum of s z */
 } QnCentralResiduals;
 
-/* What a direction leads to: s or z of some pair vanishes after one over `boundary` of it, and the
- * sum of s z after a part p of it is products + p first + p^2 second. */
+/* Forecast of a direction: the first s or z vanishes at the part 1 / `boundary` of it; the sum of s z at
+ * the part p is products + p first + p^2 second. */
 typedef struct QnCentralForecast {
   double boundary, first, second;
 } QnCentralForecast;
 
-/* What products are asked for. */
+/* Targets of the products s z. */
 typedef enum {
   QN_CENTRAL_NOTHING,      /* zero */
-  QN_CENTRAL_SECOND_ORDER, /* the mean, less what the last direction misses it by */
-  QN_CENTRAL_CENTRE /* that the next step's be within `spread` times the mean either way */
+  QN_CENTRAL_SECOND_ORDER, /* `mean` less the second-order term of the last direction */
+  QN_CENTRAL_CENTRE /* products after the step within [mean / spread, mean x spread] */
 } QnCentralTarget;
 
 typedef struct QnCentralAim {
   QnCentralTarget target;
-  double part; /* of the residuals that is to vanish */
+  double part; /* of the residuals to be removed */
   double mean;
   double length, spread; /* of CENTRE */
 } QnCentralAim;
@@ -78,29 +77,27 @@ typedef struct QnCentralLoops {
   QnCentralResiduals (*prepare) (QnCentralPack *packs, size_t count,
                                  const double *elongations, double shrink);
 
-  /* Sets the products, from the last direction and the last products where need be, and gives the
-   * forces that the pairs would exert if no block moved, times `force`. */
+  /* Sets the targets, from the last direction and targets where the aim needs them; `forces`: forces of
+   * the pairs if no block moved, times `force`. */
   void (*aim) (QnCentralPack *packs, const QnCentralState *steps, size_t count,
                const QnCentralAim *aim, double force, double *forces);
 
-  /* The forces as they are, times `force`. */
+  /* The present forces, times `force`. */
   void (*forces) (const QnCentralPack *packs, size_t count, double force, double *forces);
 
   /* The tangents, times `stiffness`. */
   void (*tangents) (const QnCentralPack *packs, size_t count, double stiffness,
                     double *tangents);
 
-  /* The whole direction under rates of elongation,
-   *
-   *   dy = H \ (rate + what of the strain is left for the forces)  */
+  /* The direction under rates of elongation: dy = H \ (rate + free_strain), then ds and dz. */
   QnCentralForecast (*complete) (const QnCentralPack *packs, size_t count,
                                  const double *rates, double shrink,
                                  QnCentralState *steps);
 
-  /* Goes a part of the direction. */
+  /* now += part x direction. */
   void (*go) (QnCentralPack *packs, const QnCentralState *steps, size_t count,
               double part);
 } QnCentralLoops;
 
-/* The fastest loops for this processor that work on at most `width` numbers at a time. */
+/* The fastest loops of this processor with at most `width` doubles per vector. */
 const QnCentralLoops *qn_central_loops (int width);

@@ -12,10 +12,8 @@
 #include "core/base/progress.h"
 #include "core/linalg/linsys.h"
 
-/* All that makes a state: to go on from it, or to come back to it. The responses belong to
- * it because they hold the tangent that led there: pairs that slip right at their strength
- * look stuck when they are evaluated anew, and an iteration that starts from that stiffness
- * diverges. */
+/* A state that can be restored. It includes the responses: evaluated anew, pairs at their slip strength have
+ * the elastic tangent, with which an iteration diverges. */
 typedef struct QnEquilibriumState {
   double *u;
   double multiplier;
@@ -48,8 +46,8 @@ typedef struct QnCentralPath QnCentralPath;
 typedef struct QnStepEquation QnStepEquation;
 
 typedef struct QnEquilibrium {
-  QnPool pool;      /* of vectors of unknowns, */
-  QnPool pair_pool; /* and of what has the size of the assembly's pairs, as states */
+  QnPool pool;      /* vectors of unknowns */
+  QnPool pair_pool; /* arrays by pair, states included */
   QnAssembly assembly;
   QnLinsys *linsys;
   double tolerance; /* largest out-of-balance, relative to the loads */
@@ -61,24 +59,23 @@ typedef struct QnEquilibrium {
   double *trial;     /* u + alpha step */
   double *live_step; /* K \\ F_live: displacements per multiplier */
   double *gaps;      /* of pairs, then of ties, before the last step of motion, m */
-  double *motion; /* how it moves on, of any length: in the last viscous step, or from an
-                     unstable equilibrium */
-  double runaway; /* elastic displacements from which on the structure has run away */
+  double *motion;    /* of the last viscous step or unstable equilibrium, any length */
+  double runaway;    /* motion that counts as collapse, in elastic displacements */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
-  QnEquilibriumState recorded;  /* the last one that the result tells */
-  QnEquilibriumState anchor;    /* where the viscous step started */
+  QnEquilibriumState recorded;  /* last equilibrium in the result */
+  QnEquilibriumState anchor;    /* start of the viscous step */
 
-  /* Sign of the determinant of the bordered tangent of the last iteration towards a measure: it keeps as
-   * long as a structure would stay there with the measure held, and turns with the path. */
+  /* Sign of the determinant of the bordered tangent in the last iteration with a prescribed measure. It
+   * changes where equilibrium with the measure held becomes unstable. */
   int orientation;
 
-  double slope; /* of the multiplier over the measure there; 0: not known */
+  double slope; /* d multiplier / d measure in that iteration; 0: unknown */
 
   int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
   double factored_viscosity;
   bool factored;
-  bool keeps_forces; /* some forces the laws do not find again, since last cleared */
+  bool keeps_forces; /* since last cleared, some forces differ from the law's */
 
   double out_of_balance; /* of the current state, relative */
   QnProgress progress;
@@ -88,36 +85,34 @@ typedef struct QnEquilibrium {
   QnStatistics statistics;
 } QnEquilibrium;
 
-/* Numbers the unknowns, analyses the pattern and allocates everything. The state is the structure
- * at rest, at multiplier 0, not in equilibrium yet. `report` (nullable) is asked whether to go
- * on. Model and contacts must outlive the workspace, which is overwritten without being cleared;
- * on failure it is empty. */
+/* Numbers the unknowns, analyses the pattern and allocates everything. Initial state: undeformed, multiplier
+ * 0, not in equilibrium. `report` (nullable) may cancel. Model and contacts must outlive the workspace,
+ * which is overwritten without being cleared; on failure it is empty. */
 QnStatus qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model,
                                const QnContacts *contacts, QnProgressFunc report,
                                void *report_data, QnDiag *diag);
 
 void qn_equilibrium_clear (QnEquilibrium *eq);
 
-/* In the committed state: takes another assembly of the same model, with other pairs and their responses,
- * and makes a linear system for it. To be evaluated. Where memory runs out all is as it was; the assembly is
- * taken over or cleared. */
+/* In the committed state: replaces the assembly by one with other pairs of the same model, and the linear
+ * system. Evaluate next. Takes over `assembly`, or clears it and changes nothing when memory runs out. */
 QnStatus qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnDiag *diag);
 
-/* Evaluates pairs that have begun to carry in the committed state, which is one to go on from then: in
- * equilibrium once a next one is found. */
+/* Evaluates new pairs in the committed state, which remains the start of the next step although it is out
+ * of balance by their forces. */
 void qn_equilibrium_renew (QnEquilibrium *eq);
 
-/* What Newton's method solves: equilibrium, and what motion adds to it. newton.c has the equation of statics
- * and of viscous motion, core/dynamics/time-step.c that of a step in time. */
+/* The equation of Newton's method: statics and viscous motion (newton.c), or a time step
+ * (core/dynamics/time-step.c). */
 struct QnStepEquation {
   QnEquilibrium *eq;
-  double relative; /* what is out of balance over the forces, and */
-  double norm;     /* what says whether it can be had at all (finite) */
-  void (*measure) (QnStepEquation *);        /* sets both, with bonds as they are now */
-  QnSolveStatus (*solve) (QnStepEquation *); /* finds a direction, */
-  bool (*advance) (QnStepEquation *, int iteration); /* goes along it and measures; false
-                                                        where no part of it leads on */
-  void (*refine) (QnStepEquation *);                 /* once it is solved; nullable */
+  double relative; /* residual over the forces */
+  double norm;     /* of the residual; not finite: the iteration fails */
+  void (*measure) (QnStepEquation *);        /* sets both, with the present bonds */
+  QnSolveStatus (*solve) (QnStepEquation *); /* finds a direction */
+  /* Moves along the direction and measures; false if no part of it reduces the residual. */
+  bool (*advance) (QnStepEquation *, int iteration);
+  void (*refine) (QnStepEquation *); /* after convergence; nullable */
 };
 
 /* Newton's iteration of an equation that was measured with bonds held (qn_assembly_hold_bonds()),
@@ -134,11 +129,11 @@ QnSolveStatus qn_equilibrium_iterate (QnStepEquation *equation, int budget);
 QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
                                      double viscosity, int budget);
 
-/* What the target lacks at displacements u; 0 where the multiplier is prescribed. */
+/* Advance missing to the target at displacements u; 0 if the multiplier is prescribed. */
 double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
                                    const double *u);
 
-/* The second half of the bordered system of a target other than the multiplier,
+/* Second half of the bordered system of a target other than the multiplier,
  *
  *   K step - F_live multiplier_step             = residual
  *   direction . step                            = lack
@@ -148,21 +143,21 @@ double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *targ
 double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
                                      double lack, double *along_live);
 
-/* Motion, in elastic displacements of single joints under single blocks, that leaves the structure that
- * was to be analysed if nothing is known of the whole: a tenth of a millimetre has become ten metres. */
+/* Default and minimum of eq->runaway, in elastic displacements (of one joint under one block): 0.1 mm has
+ * become 10 m. */
 #define QN_RUNAWAY 1e5
 
-/* Motion beyond which rounding leaves no digit between forces and the default tolerance. */
+/* Maximum of eq->runaway: beyond it rounding of forces exceeds the default tolerance. */
 #define QN_FARTHEST 1e7
 
-/* Sets eq->runaway by the elasticity of the whole under its dead load, settlements aside, from the state
- * at rest; QN_RUNAWAY until then, and where there is no dead load. False when memory runs out. */
+/* Sets eq->runaway by the elastic displacement of the undeformed structure under its dead load, without
+ * settlements; QN_RUNAWAY without dead load. False when memory runs out. */
 bool qn_equilibrium_set_runaway (QnEquilibrium *eq);
 
 /* Factorises the tangent of the assembly, overwrites b with its solution, and counts both. */
 QnSolveStatus qn_equilibrium_factor (QnEquilibrium *eq, QnLinsysReuse reuse, double *b);
 
-/* Overwrites b with the solution of what was factorised last. */
+/* Overwrites b with the solution by the last factorisation. */
 void qn_equilibrium_solve (QnEquilibrium *eq, double *b);
 
 /* Counts an iteration and reports it; false when the analysis is to be cancelled. */
@@ -173,56 +168,52 @@ bool qn_equilibrium_go_on (QnEquilibrium *eq);
  * NO_MEMORY. */
 QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
-/* Brings eq->slope to the current state where joints have changed their state
- * since the last factorisation. False when memory runs out. */
+/* Updates eq->slope if joints have changed state since the last factorisation. False when memory runs
+ * out. */
 bool qn_equilibrium_update_slope (QnEquilibrium *eq, const double *direction);
 
-/* Where a motion was when it had first gone farther than a distance (0), than a quarter of it (1), than a
- * quarter of that (2), and so on: to far less than an elastic displacement, as stiff joints bend the motion
- * early. */
+/* Displacements at which a motion first exceeded `far` / 4^i, i = 0 … 11. The smallest is far below an
+ * elastic displacement, since stiff joints curve the motion early. */
 #define QN_FALL_STATES 12
 typedef struct QnFall {
-  double *u[QN_FALL_STATES]; /* displacements, unknown_count each, */
-  int first;                 /* from this one on */
+  double *u[QN_FALL_STATES]; /* unknown_count each */
+  int first;                 /* states from this index on are valid */
 } QnFall;
 
 void qn_fall_init (QnFall *fall, const QnAssembly *assembly, QnPool *pool);
 
-/* Viscous steps until relaxation gives up when its answer decides. */
+/* Viscous steps of a relaxation whose answer decides the outcome. */
 #define QN_RELAX_BUDGET 300
 
-/* Lets the structure move from the current state while the target holds, with viscosity that
- * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
- * with eq->motion). A step that Newton's method does not solve is taken along the central path, unless
- * that is NULL. Where only rests near by count, `far` is finite: in large displacements what has
- * moved by more, m or characteristic lengths of rotation, moves on; what seems to fall before may still
- * come to rest. FAILED when neither is certain after `budget` viscous steps. `fall` (nullable) keeps
- * where it has been on the way to `far`. */
+/* Viscous motion from the current state with the target held and decreasing viscosity, until the structure
+ * rests (CONVERGED) or is a mechanism (MECHANISM, with eq->motion); FAILED if neither is certain after
+ * `budget` steps. Steps that Newton's method cannot solve use `central` (nullable). In nonlinear geometry
+ * a finite `far` (m, rotations x L) makes any larger motion a MECHANISM, and no smaller one. `fall`
+ * (nullable) records the motion up to `far`. */
 QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central,
                                     const QnTarget *target, double far, QnFall *fall,
                                     int budget);
 
-/* Notes how far joints stand open and ties hang slack now; and whether one will close, or be taut, within
- * `horizon` if it goes on as it did since then, in `time_step`. */
+/* Notes the present gaps of joints and slack of ties; whether one of them will close within `horizon` at its
+ * mean rate since then, over `time_step`. */
 void qn_equilibrium_note_gaps (QnEquilibrium *eq);
 bool qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step,
                                 double horizon);
 
-/* Whether a joint that does not stand open has closed by more than `least` since then, m. */
+/* Whether a closed joint has closed by more than `least` since then, m. */
 bool qn_equilibrium_is_closing (const QnEquilibrium *eq, double least);
 
 /* Largest motion of a body since the committed state, m (qn_assembly_largest()). */
 double qn_equilibrium_motion (const QnEquilibrium *eq);
 
-/* The same in elastic displacements. */
+/* This motion in elastic displacements (qn_assembly_elastic_displacements()). */
 double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
 
-/* Room for a state of this structure, from a pool. */
 void qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *assembly,
                                 QnPool *pool);
 
-/* Work of the driven loads, as they are at a multiplier of 1, from these unknowns to the current ones, J.
- * Where a stage scales its multiplier, so are its loads. */
+/* Work of the driven loads at multiplier 1 between these unknowns and the current ones, J. The multiplier is
+ * that of the stage. */
 double qn_equilibrium_live_work (const QnEquilibrium *eq, const double *from);
 
 /* Copies the current state into `state`, or makes `state` the current one. */
@@ -231,5 +222,6 @@ void qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *stat
 
 /* Accepts the current state as an equilibrium, or goes back to the last accepted one. */
 void qn_equilibrium_commit (QnEquilibrium *eq);
-void qn_equilibrium_record (QnEquilibrium *eq); /* and the result tells it */
+void qn_equilibrium_record (
+  QnEquilibrium *eq); /* also notes it as the last one in the result */
 void qn_equilibrium_restore (QnEquilibrium *eq);

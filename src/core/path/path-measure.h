@@ -9,14 +9,13 @@
 typedef struct QnPathMeasure {
   QnPath *path; /* borrowed */
   QnProcedure procedure;
-  int32_t unknown; /* the controlled one, or QN_NONE */
-  double start,
-    end;        /* of the controlled displacement, scaled: where its way begins (0, or
-                        where a stage begins) and should end; NaN without one */
-  double first; /* the first step, */
-  double slope; /* and of the multiplier where work or arc length begins; 0: unknown */
+  int32_t unknown;   /* the controlled one, or QN_NONE */
+  double start, end; /* controlled displacement, scaled: begin and target; NaN: none */
+  double first;      /* first step */
+  double
+    slope; /* d multiplier / d measure at the begin of work or arc length; 0: unknown */
   double *direction;
-  double *unit;   /* direction of the controlled displacement; zero without one */
+  double *unit;   /* direction of the controlled displacement; zero: none */
   double *last_u; /* displacements before the last accepted step, or at setup */
 } QnPathMeasure;
 
@@ -24,22 +23,19 @@ typedef struct QnPathMeasure {
  * being cleared; its arrays are the trace's. False when memory runs out. */
 bool qn_path_measure_setup (QnPathMeasure *measure, QnPath *path);
 
-/* From now on the work of the live load is prescribed instead of the multiplier: `first` is what belongs to
- * an increment of the multiplier by the tangent of the committed state. False when memory runs out. */
+/* Prescribes the work of the live load instead of the multiplier; `first`: work of an increment of the
+ * multiplier by the tangent of the committed state. False when memory runs out. */
 bool qn_path_measure_take_work (QnPathMeasure *measure, double increment);
 
-/* To be called with a new equilibrium just before it is accepted: remembers the one that it
- * starts from. */
+/* Call with a new equilibrium before it is accepted: copies the committed displacements to last_u. */
 void qn_path_measure_keep_last (QnPathMeasure *measure);
 
-/* Turns the arc into the direction of the step just accepted, along which the path goes on. Not
- * to be called after a step in which friction may have led the structure round a corner: an arc
- * that follows every corner, like one along the tangent, ends where it came from. */
+/* Sets the direction of the arc to that of the accepted step. Do not call after a step in which friction may
+ * have turned the path sharply: an arc that follows every corner returns on itself. */
 void qn_path_measure_follow (QnPathMeasure *measure);
 
-/* What is left of the way to the controlled displacement, as a share of this step; infinite
- * where another measure is prescribed. */
+/* Remaining way to the controlled displacement over this step; INFINITY for other measures. */
 double qn_path_measure_share_to_end (const QnPathMeasure *measure, double step);
 
-/* Whether the controlled displacement has come to its end. */
+/* Whether the controlled displacement has reached its target. */
 bool qn_path_measure_is_at_end (const QnPathMeasure *measure);

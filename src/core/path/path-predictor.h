@@ -1,10 +1,8 @@
-/* Where the next equilibrium is sought first, in large displacements.
+/* Predictor of the next equilibrium in large displacements.
  *
- * A linear step of blocks that turn by dr strains joints by dr^2 times their arms, which is nothing beside
- * the motion and everything beside what stiff joints yield: half a millimetre of motion opens and
- * overloads joints of 1e9 N/m by more than a block weighs. A polynomial in the measure through the
- * equilibria before errs by the power that it has terms, so that steps need not be the shorter, the
- * stiffer the joints are.
+ * A linear step in which blocks turn by dr strains joints by dr^2 x arm: at 1e9 N/m a motion of 0.5 mm already
+ * changes forces by more than the weight of a block. A polynomial in the measure through k earlier
+ * equilibria has an error of order k, so that stiff joints do not require short steps.
  */
 #pragma once
 
@@ -17,19 +15,19 @@
 typedef struct QnPathPredictor {
   double *u[QN_PREDICTOR_STATES]; /* the last one first */
   double multiplier[QN_PREDICTOR_STATES];
-  double advance[QN_PREDICTOR_STATES]; /* of the measure, to the one after it */
+  double advance[QN_PREDICTOR_STATES]; /* of the measure to the next equilibrium */
   int count;
 } QnPathPredictor;
 
 void qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *assembly,
                              QnPool *pool);
 
-/* To be called just before a step is accepted that advanced the measure so far. `smooth`: no joint
- * has slid but along the path; otherwise nothing before it counts. */
+/* Call before a step with this advance of the measure is accepted. Unless `smooth` (all slip was along the
+ * path), earlier equilibria are dropped. */
 void qn_path_predictor_note (QnPathPredictor *predictor, const QnEquilibrium *eq,
                              double advance, bool smooth);
 
-/* Moves the solver from the committed state to where the measure will have advanced so far, if enough
- * equilibria are known. False where it stays. */
+/* Moves the solver from the committed state to the prediction at this advance of the measure; false, without
+ * motion, if too few equilibria are known. */
 bool qn_path_predictor_go (const QnPathPredictor *predictor, QnEquilibrium *eq,
                            double advance);

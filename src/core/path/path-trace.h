@@ -1,7 +1,5 @@
-/* One trace of the path of equilibria, for every procedure: what its parts share.
- *
- * path-trace.c drives and concludes, path-step.c solves one step, path-end.c tells where the path ends.
- */
+/* One trace of the path of equilibria, for every procedure; shared by path-trace.c (loop and conclusion),
+ * path-step.c (one step) and path-end.c (end of the path). */
 #pragma once
 
 #include "core/limit/limit.h"
@@ -9,7 +7,7 @@
 #include "core/path/path-measure.h"
 #include "core/path/path-predictor.h"
 
-/* How the last state was found. */
+/* Method that found the last state. */
 typedef enum {
   QN_FOUND_BY_NEWTON,
   QN_FOUND_BY_CENTRAL_PATH,
@@ -19,48 +17,46 @@ typedef enum {
 typedef struct QnPathTrace {
   QnPath *path;
   QnPathMeasure measure;
-  QnPathPredictor predictor; /* of large displacements, but not of load control */
+  QnPathPredictor predictor; /* large displacements without load control */
   QnPathEvents events;
   QnFall fall;            /* with the load last held above the highest multiplier */
   QnCentralPath *central; /* NULL where it does not apply */
   bool load_control;
-  bool may_jump;   /* some joint is not associative, or not known to be */
-  bool may_soften; /* some joint may lose strength */
-  bool jumped;     /* the last step moved on by a jump */
+  bool may_jump;   /* qn_assembly_may_jump() */
+  bool may_soften; /* qn_assembly_may_soften() */
+  bool jumped;     /* the last step was a jump */
   bool *reverses;  /* until the first step is solved: see qn_path_trace(); nullable */
   double end;      /* largest multiplier */
-  /* Whether no load brings it down (core/check/unlimited.h) and it is followed to no end of its own: then
-   * until it has moved as far as it is large, m. */
-  bool unlimited;
-  double extent;
-  double unit; /* that at which the largest live load on a block equals the dead load */
-  double step; /* to try next */
+  bool unlimited; /* no load causes collapse (core/check/unlimited.h): ends at `extent` */
+  double extent;  /* diagonal of the structure, m */
+  double
+    unit; /* multiplier at which the largest live load on a block equals the dead load */
+  double step;    /* next step */
   double largest; /* step so far */
-  double to_fall; /* the shortest step known to let the structure fall; INFINITY: none */
+  double to_fall; /* shortest step known to end in a fall; INFINITY: none */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double slope;   /* of the multiplier over the measure after the last step; 0: unknown */
-  double *buckling; /* the motion in which an unstable equilibrium is left */
-  int looks;    /* left, for where the branch loses its stability; 0: it has been told */
-  bool refused; /* an equilibrium of the step is unstable */
-  bool ends_branch; /* the step just solved does: stability is lost with it */
-  int orientation;  /* of the path where it began; 0: unknown */
+  double *buckling; /* unstable motion of an unstable equilibrium */
+  int looks;        /* remaining searches for the loss of stability; 0: it is reported */
+  bool refused;     /* an equilibrium of the step is unstable */
+  bool ends_branch; /* stability is lost just beyond the solved step */
+  int orientation;  /* QnEquilibrium.orientation at the start; 0: unknown */
   QnFoundBy means;
-  bool straight; /* the last step went on as the one before */
-  double above;  /* tolerances by which the load is held above the highest one next */
-  bool sought;   /* a collapse, directly; what was found: */
+  bool straight; /* the last step had the direction of the one before */
+  double above;  /* the load held next exceeds the highest one by so many tolerances */
+  bool sought;   /* `direct` has been computed */
   QnLimitSolution direct;
   double last_multiplier;                    /* before the last accepted step */
-  double plateau_multiplier, plateau_motion; /* where the present plateau began */
+  double plateau_multiplier, plateau_motion; /* at the begin of the present plateau */
   QnStop stop;                               /* UNKNOWN while the path goes on */
-  /* Load control: the state with the highest multiplier, and one below it: in linear geometry that from
-   * which on the multiplier holds still, in large displacements the first. */
+  /* Load control: the state with the highest multiplier; a state with a lower one: linear geometry, the start
+   * of the plateau; large displacements, the first lower state. */
   QnEquilibriumState highest, lower;
-  /* The highest equilibrium to which a structure is known to come that is loaded slowly, and whether that is in
-   * doubt for the steps since then; what the last one has come to, while the load is held. */
-  QnEquilibriumState sure, ahead;
-  bool doubt;
-  int32_t aside; /* factorisations with the load held, no part of the way to collapse */
-  QnPool states; /* of these four */
+  QnEquilibriumState sure;  /* highest equilibrium reached under a slowly growing load */
+  QnEquilibriumState ahead; /* state of the last step while the load is held */
+  bool doubt;               /* doubtful whether equilibria since `sure` are reached so */
+  int32_t aside; /* factorisations with the load held, not counted for the path */
+  QnPool states; /* memory of these four */
 } QnPathTrace;
 
 static inline bool
@@ -74,56 +70,53 @@ double qn_path_last_advance (const QnPathTrace *trace);
 
 /* --- One step (path-step.c) -------------------------------------------------------------- */
 
-/* Solves the next step of a measure of motion, *step on entry, and leaves the outcome as the current state:
- * CONVERGED, with trace->means and trace->jumped; MECHANISM where the structure falls with the measure
- * held; FAILED; CANCELLED or NO_MEMORY. On return *step is the size that was tried last. */
+/* Solves the next step of a measure of motion, of size *step (on return: size tried last). Leaves the outcome
+ * as the current state: CONVERGED, with trace->means and trace->jumped; MECHANISM: the structure falls with
+ * the measure held; FAILED, CANCELLED or NO_MEMORY. */
 QnSolveStatus qn_path_step_solve (QnPathTrace *trace, double *step);
 
-/* The same for one of load control, to the multiplier `target`, by Newton's method alone. *easy: the next
- * one may grow. */
+/* Solves a step of load control to the multiplier `target` by Newton's method alone. *easy: it converged
+ * within QN_PATH_EASY iterations. */
 QnSolveStatus qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy);
 
-/* Whether the step just solved, which took so many iterations, lets the next one grow. */
+/* Whether the next step may be longer than the solved one, which took so many iterations. */
 bool qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations);
 
-/* Shortens the next step, after one of this size that was solved, to where the first bond breaks if all go on
- * as they did in it: to just before, or just beyond where that is next. */
+/* After a solved step of this size: shortens the next one to just before the first bond breaks, extrapolated
+ * linearly, or just beyond if that is very near. */
 void qn_path_step_aim (QnPathTrace *trace, double step);
 
-/* A step that passes the end of the path is solved once more, to end right there. FAILED where that
- * takes a shorter step, *share of this one; the state is then the one that was given. */
+/* Solves a step that passes the end of the path again, to end there. FAILED, with the state unchanged, if a
+ * shorter step is needed: *share of this one. */
 QnSolveStatus qn_path_step_land (QnPathTrace *trace, double *share);
 
-/* Under load control in linear geometry: whether a structure under the load of the state just solved comes to rest,
- * where that is doubtful (path-hold.c). Where it falls the path ends, at the highest multiplier at which it
- * rests. False when memory runs out. */
+/* Load control in linear geometry (path-hold.c): if a structure loaded slowly may not reach the solved state,
+ * relaxes it under this load. If it falls the path ends at the highest multiplier at which it rests. False
+ * when memory runs out. */
 bool qn_path_hold (QnPathTrace *trace);
 
 /* --- Where the path ends (path-end.c) ----------------------------------------------------- */
 
-/* Sets outcome and trace->stop where the path has arrived where it was meant to go, or has nowhere to
- * go: to be called after a step was accepted. */
+/* Call after a step was accepted: sets outcome and trace->stop at a target, plateau or collapse. */
 void qn_path_end_check (QnPathTrace *trace);
 
-/* The same where the next step was not solved, or jumps where the path is to stop at jumps. False where
- * memory has run out, as in all that follows. */
+/* Ends the path after an unsolved step, or at a jump if the settings stop there. This and the functions
+ * below return false when memory runs out. */
 bool qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
 
-/* A path that led nowhere has come to collapse all the same where its highest multiplier is the
- * associative bound, to multiplier_tolerance, for none is larger. How the structure moves on is not known
- * then. */
+/* A path without other conclusion ends with collapse, mechanism unknown, if its highest multiplier is the
+ * associative bound within multiplier_tolerance. */
 bool qn_path_end_at_bound (QnPathTrace *trace);
 
-/* Whether the multiplier has climbed by no more than this part while the motion doubled last:
- * where it goes like collapse - constant / motion, as much is left to gain. The structure then
- * has a collapse multiplier, although no step shows how it moves on. */
+/* Whether the multiplier rose by at most this part of itself while the motion doubled last. If the multiplier
+ * follows collapse - constant / motion, the remaining gain is as large. */
 bool qn_path_end_creeps (const QnPathTrace *trace, double part);
 
-/* Where the path creeps in linear geometry, or is at its last: ends it at a collapse found directly
- * (path-direct.c), if that is where it leads. */
+/* Linear geometry: ends a path that creeps, or with `last` cannot continue, at a collapse found by limit
+ * analysis with elastic joints (path-direct.c), if that collapse is ahead of the path. */
 bool qn_path_end_direct (QnPathTrace *trace, bool last);
 
-/* Whether a path that settles in one place after the other has taken more than it may. */
+/* Whether a path in linear geometry has spent QN_PATH_EFFORT factorisations. */
 bool qn_path_end_is_spent (const QnPathTrace *trace);
 
 /* Accepts the current state of the solver (path-trace.c). False when memory runs out. */

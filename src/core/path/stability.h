@@ -1,10 +1,8 @@
-/* Where the path of equilibria first loses its stability.
+/* First loss of stability on the path of equilibria.
  *
- * A load path may go on where the structure would not: a straight column stays straight beyond
- * its Euler load, in an equilibrium that nothing disturbs in a computation. The tangent
- * stiffness tells. As long as all its eigenvalues are positive the equilibrium is stable; at
- * the critical multiplier the lowest one becomes zero, at a bifurcation as well as at a limit
- * point, and its eigenvector is the way in which the structure gives way.
+ * A computed path continues beyond a bifurcation: a straight column stays straight above its Euler load. An
+ * equilibrium is stable if all eigenvalues of the tangent stiffness are positive. At the critical
+ * multiplier, a bifurcation or limit point, the lowest is zero, and its eigenvector is the buckling mode.
  */
 #pragma once
 
@@ -19,9 +17,8 @@
  *            `mechanism` the buckling mode;
  *            TARGET_REACHED: the path is stable all along; others as of any path.
  *
- * Everything is proved as qn_result_prove() does: every step is stable by the inertia of its stiffness.
- * Where next to no stiffness is left against the mode, it is proved too; else (no equilibrium was found
- * beyond the last step) the mechanism is marked as uncertain.
+ * The result has passed qn_result_prove(): every step is stable by the inertia of its stiffness. The mode is
+ * proved if the stiffness against it nearly vanishes, else the mechanism is marked as uncertain.
  *
  * Refuses limit analysis, stages, and states whose stiffness is not symmetric (slip without
  * dilatancy). *result is overwritten without being cleared, and empty on failure. */

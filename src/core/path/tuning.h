@@ -1,64 +1,64 @@
-/* What steers the path: name, value, and why. Numbers without a unit are parts. docs/experiments has
- * what other values do. */
+/* Parameters of the path. Numbers without a unit are ratios. Effects of other values: docs/experiments. */
 #pragma once
 
-/* Most iterations of Newton's method: before relaxation takes over, from where earlier equilibria predict
- * the next, and for the next step to grow. */
+/* Newton iterations: limit of a step; limit from a predicted state; limit of an easy step, after which the
+ * next one is longer. */
 #define QN_NEWTON_BUDGET    20
 #define QN_PREDICTED_BUDGET 6
 #define QN_PATH_EASY        6
 
 #define QN_CENTRAL_BUDGET    40    /* factorisations of one increment */
-#define QN_RELAX_BUDGET_HINT 40    /* viscous steps where a hint is enough, and */
-#define QN_RELAX_BUDGET_HELD 10000 /* with a measure held, where each ends somewhere */
-#define QN_PATH_FALL_TOLD    50    /* under dead load, to tell of what falls */
+#define QN_RELAX_BUDGET_HINT 40    /* viscous steps before a step is cut */
+#define QN_RELAX_BUDGET_HELD 10000 /* viscous steps of the shortest step, measure held */
+#define QN_PATH_FALL_TOLD    50 /* viscous steps under dead load to find falling blocks */
 
-/* How many times longer the next step is: friction without dilatancy may make the path turn, and a long
- * step finds slip that the path has not. If the direction hardly turned, hardly a joint slips anew. */
+/* After an easy step the next one is GROWTH times longer; STEADY times if the direction of motion changed by
+ * less than TURN; SURE times if the structure cannot jump. Long steps may cause slip that is not on the path. */
 #define QN_PATH_GROWTH        1.5
 #define QN_PATH_GROWTH_STEADY 2
 #define QN_PATH_TURN          0.25
-#define QN_PATH_GROWTH_SURE   4 /* nothing jumps */
+#define QN_PATH_GROWTH_SURE   4
 
-/* First load step of joints under a dead load, in multipliers at which the largest live load on a block
- * equals the largest dead one, whatever `increments` says; where it fails it is cut to a part of that. */
+/* First load step, x the multiplier at which the largest live load on a block equals the largest dead load,
+ * regardless of `increments`; after failures it is cut to LEAST_START of itself. */
 #define QN_PATH_START       0.02
 #define QN_PATH_LEAST_START (1.0 / 256)
 
-/* Longest step of displacement control in first ones, for `increments` is to be seen; in large displacements
- * in characteristic lengths, for contacts stay where they were on their blocks. */
+/* Longest step: LARGEST_STEP first steps in displacement control; LARGEST_MOTION characteristic lengths in
+ * large displacements. Corners within LIST_CONTACTS characteristic lengths are listed: two such steps. */
 #define QN_PATH_LARGEST_STEP   4
 #define QN_PATH_LARGEST_MOTION 0.05
-#define QN_PATH_LIST_CONTACTS  0.1 /* so near corners are listed: two such steps */
+#define QN_PATH_LIST_CONTACTS  0.1
 
-/* A step that fails or jumps is cut to this part, so often in linear geometry before the structure is let
- * move. In large displacements the largest step cut as often is the least that Newton's method is worth;
- * relaxation goes on to a part of the largest. With RESTART of it the path goes on. */
+/* A step that fails or jumps is cut by CUT: in linear geometry MOST_CUTS times before relaxation; in large
+ * displacements by Newton's method down to CUT^MOST_CUTS, by relaxation to SMALLEST_STEP of the largest step.
+ * The next step is at least RESTART_STEP of the largest. */
 #define QN_PATH_CUT           0.25
 #define QN_PATH_MOST_CUTS     2
 #define QN_PATH_SMALLEST_STEP (1.0 / 1024)
 #define QN_PATH_RESTART_STEP  (1.0 / 64)
 
-/* Motion so many times as far as before may be a jump; it is one if that part of it stays in a step cut. */
+/* A motion of JUMP times the expected one is a jump if more than JUMP_STAYS of it remains after the step was
+ * cut. */
 #define QN_PATH_JUMP       3
 #define QN_PATH_JUMP_STAYS 0.5
 
-#define QN_PATH_LEAN 0.01 /* out of an unstable equilibrium: of the way that it may go */
+#define QN_PATH_LEAN 0.01 /* first motion from an unstable equilibrium / allowed motion */
 
-/* Without associativity a multiplier that changes by no more while the motion grows so many times is a
- * plateau. Where no step leads on it is one if the multiplier gained no more while the motion doubled. */
+/* Plateau of non-associative joints: the multiplier changes by at most PLATEAU while the motion grows
+ * PLATEAU_GROWTH times; if no further step converges, by at most LEAST_GAIN while the motion doubled. */
 #define QN_PATH_PLATEAU        1e-4
 #define QN_PATH_PLATEAU_GROWTH 10
 #define QN_PATH_LEAST_GAIN     0.02
-#define QN_PATH_STEADY         1e-2 /* of the motion: what joints may be pressed by on it */
+#define QN_PATH_STEADY         1e-2 /* largest closing of joints on it / motion */
 
 /* Motion beyond eq->runaway is collapse where so much is left to gain: where it may jump, and in tolerances. */
 #define QN_PATH_NEARLY_SETTLED 5e-3
 #define QN_PATH_SETTLED        0.1
 
-/* A path that gains no more while the motion doubles creeps: its collapse is sought directly once it has
- * taken as many factorisations as that does, and it ends there if it has come within REACH. From PATIENCE
- * factorisations on (over the blocks; at least, at most) however far that is, after EFFORT anyway. */
+/* A path whose multiplier gains at most CREEP while the motion doubles creeps. After DIRECT factorisations its
+ * collapse is computed directly; the path ends there if it is within REACH, after PATIENCE factorisations
+ * at any distance. The path ends after EFFORT. {a, b, c}: a / blocks, at least b, at most c. */
 #define QN_PATH_CREEP  0.04
 #define QN_PATH_DIRECT 60
 #define QN_PATH_REACH  0.03
@@ -71,35 +71,32 @@
     1e7, 1000, 6000                                                                      \
   }
 
-/* A step of load control is doubtful where joints, so far on the straight way, resist less than a part of the
- * gain there: most have 0.9 to 1.2, four in which walls fall 0.06 to 0.75. The load is held once the multiplier
- * has gained IN_DOUBT of itself. */
+/* A step of load control with a gain above IN_DOUBT is doubtful if at the part LATE of its straight way the
+ * joints resist less than RESISTS x LATE of the gain (0.9 to 1.2 in most steps, 0.06 to 0.75 in four after
+ * which walls fall). The load is then held once the multiplier has gained IN_DOUBT of itself. */
 #define QN_PATH_LATE     0.85
 #define QN_PATH_RESISTS  0.77
 #define QN_PATH_IN_DOUBT 0.03
 
-/* In large displacements what has moved so far, in characteristic lengths, since its highest multiplier has
- * collapsed. The load is held a tolerance above that, then twice as far, up to MOST_ABOVE. */
+/* Large displacements: a motion of COLLAPSED characteristic lengths since the highest multiplier is collapse.
+ * The load is held 1, 2, … MOST_ABOVE tolerances above that multiplier. */
 #define QN_PATH_COLLAPSED  0.1
 #define QN_PATH_MOST_ABOVE 4
 
-/* Unstable equilibria looked at for where the branch ends, bisections towards it, and what counts as
- * nothing there: of the displacement, and of the load across its motion. */
+/* End of a branch: unstable equilibria examined; bisections; ratio below which displacements are equal and the
+ * load is orthogonal to the motion. */
 #define QN_PATH_MOST_LOOKS      5
 #define QN_PATH_MOST_BISECTIONS 40
 #define QN_PATH_SAME_BRANCH     1e-2
 
 #define QN_PATH_RESOLUTION  1e-3 /* of the critical multiplier, in multiplier tolerances */
-#define QN_PATH_EIGENVALUE  30   /* bisections of the lowest, */
-#define QN_PATH_EIGENVECTOR 8    /* and inverse iterations from there */
+#define QN_PATH_EIGENVALUE  30   /* bisections of the lowest eigenvalue */
+#define QN_PATH_EIGENVECTOR 8    /* inverse iterations from there */
 
-/* Elastic displacements in a first step, for next to collapse the tangent knows no end; states that predict the
- * next one better than Newton's first iteration; what of the highest multiplier has turned down; times what
- * equilibrium may lack that are felt; and force beside the largest that a joint carries at a collapse. */
-#define QN_PATH_FARTHEST_FIRST 1e3
-#define QN_PATH_LEAST_STATES   2
-#define QN_PATH_DIP            1e-4
-#define QN_PATH_FELT           100
-#define QN_PATH_LITTLE         1e-5
-
-#define QN_PATH_MOST_STEPS 100000 /* of a path that nothing else ends */
+#define QN_PATH_FARTHEST_FIRST 1e3 /* largest first step, elastic displacements */
+#define QN_PATH_LEAST_STATES   2   /* earlier equilibria that the predictor needs */
+#define QN_PATH_DIP            1e-4 /* fall of the multiplier / its maximum that counts as a dip */
+#define QN_PATH_FELT           100 /* residual tolerances below which a jump is rounding */
+#define QN_PATH_LITTLE                                                                   \
+  1e-5 /* force of an open joint / largest force at a direct collapse */
+#define QN_PATH_MOST_STEPS 100000
