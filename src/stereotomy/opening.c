@@ -201,11 +201,13 @@ make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *p
   return status;
 }
 
-/* Lintels, voussoirs and sills must lie within the wall; the hole may reach beyond it. */
+/* Lintels, voussoirs and sills must lie within the wall; the hole may reach beyond it, not miss it. */
 static QnStatus
 check_inside (const Cutter *cutter, QnBox wall, QnDiag *diag)
 {
   double margin = OPENING_TOLERANCE * qn_box_size (wall);
+  if (!qn_box_meets_within (qn_ring_bounds (&cutter->parts.items[0]), wall, -margin))
+    return qn_masonry_problem (diag, QN_PROBLEM_OPENING_MISSES, "openings", 0);
   for (size_t i = 1; i < cutter->parts.count; i++) {
     QnBox part = qn_ring_bounds (&cutter->parts.items[i]);
     if (part.min.x < wall.min.x - margin || part.max.x > wall.max.x + margin

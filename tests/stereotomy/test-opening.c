@@ -159,6 +159,12 @@ test_refuses (void)
   bad.depth = 0.2;
   bad.bearing = 1.2;
   assert_refused (&bad, 1, QN_PROBLEM_OPENING_OUTSIDE, "openings", 0);
+  for (int side = 0; side < 4;
+       side++) { /* beside, below and above: touching, it cuts nothing */
+    bad = door;
+    bad.at = (QnVec2[]){ { -1, 0 }, { 100, 0 }, { 1, -2 }, { 1, 100 } }[side];
+    assert_refused (&bad, 1, QN_PROBLEM_OPENING_MISSES, "openings", 0);
+  }
   bad = door;
   bad.span = QN_SPAN_FLAT_ARCH;
   bad.depth = 0.2;

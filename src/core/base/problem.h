@@ -153,6 +153,7 @@
   X (HEADER_TOO_LONG, "header must be shorter than the unit") \
   X (LEAVES_LISTED, "listed courses make a wall of a single leaf") \
   X (OPENING_SPAN, "this kind of span does not fit the head of the opening") \
+  X (OPENING_MISSES, "opening lies outside the wall") \
   X (OPENING_OUTSIDE, "lintel, arch or sill of the opening reaches beyond the wall") \
   X (OPENINGS_OVERLAP, "openings overlap") \
   X (FLAT_ARCH_SKEW, "skew must be an acute angle") \

@@ -184,6 +184,9 @@ test_refuses (void)
     "[0.4, 0.2], \"openings\": [ { \"at\": [1, 0], \"width\": 1, \"height\": 1 }, "
     "{ \"at\": [1.5, 0], \"width\": 1, \"height\": 1 } ] }",
     "masonry[0].openings[1]", "openings overlap");
+  assert_refused ("{ \"kind\": \"grid\", " COMMON "\"size\": [3, 2], \"cells\": [6, 4], "
+                  "\"openings\": [ { \"at\": [5, 0], \"width\": 1, \"height\": 1 } ] }",
+                  "masonry[0].openings[0]", "outside the wall");
   assert_refused ("{ \"kind\": \"wall\", " COMMON
                   "\"length\": 3, \"height\": 2, \"unit\": "
                   "[0.4, 0.2], \"bond\": \"custom\" }",
