@@ -221,14 +221,24 @@ lay (const Recipe *r, double height, QnMasonry *masonry)
   }
 }
 
+/* Openings that are refused, as where a lintel reaches beyond the wall, are left out. */
 static size_t
-count_blocks (const QnMasonry *masonry)
+count_blocks (QnMasonry *masonry)
 {
-  g_auto (QnModel) model;
-  qn_model_init (&model);
-  g_assert_cmpint (qn_masonry_expand (masonry, 0, &model, NULL), ==, QN_OK);
-  size_t count = model.block_count;
-  return count;
+  QnMasonryWall *wall = &masonry->wall;
+  for (;;) {
+    g_auto (QnModel) model;
+    QnDiag diag;
+    qn_model_init (&model);
+    QnStatus status = qn_masonry_expand (masonry, 0, &model, &diag);
+    size_t count = model.block_count;
+    if (status == QN_OK)
+      return count;
+    g_assert_cmpstr (diag.field, ==, "openings");
+    g_assert_cmpuint (diag.sub, <, wall->opening_count);
+    free (wall->openings[diag.sub].name);
+    wall->openings[diag.sub] = wall->openings[--wall->opening_count];
+  }
 }
 
 /* The masonry with as many blocks as the recipe wants. */
@@ -236,14 +246,13 @@ static void
 lay_to_count (const Recipe *r, QnMasonry *masonry)
 {
   double height = sqrt (r->blocks * r->unit.x * r->unit.y / r->proportion);
-  lay (r, height, masonry);
-  for (int round = 0; round < COUNT_ROUNDS; round++) {
+  for (int round = 0;; round++) {
+    lay (r, height, masonry);
     double ratio = (double) count_blocks (masonry) / r->blocks;
-    if (fabs (ratio - 1) < COUNT_TOLERANCE)
-      break;
+    if (round == COUNT_ROUNDS || fabs (ratio - 1) < COUNT_TOLERANCE)
+      return;
     height /= sqrt (ratio);
     qn_masonry_clear (masonry);
-    lay (r, height, masonry);
   }
 }
 
