@@ -1,18 +1,36 @@
 /* Collapse without associativity, found directly, of seeded walls (seeded-walls.h): answers, and what
- * they cost.
+ * they cost, beside the load path of the same wall.
  *
- *     bench-direct [FIRST-LAST [LEAST MOST]]      seeds (1-48), fewest and most blocks (20 600) */
+ *     bench-direct [FIRST-LAST [LEAST MOST [path]]]    seeds (1-48), fewest and most blocks (20 600) */
 #include "bench/bench.h"
 #include "bench/seeded-walls.h"
 #include "core/limit/limit.h"
+#include "core/path/analysis.h"
 #include "support/auto-clear.h"
 
 #include <math.h>
+
+/* The rest of the line: the path of the project as it is, by load control. */
+static void
+tell_path (const QnModel *model, const QnContacts *contacts, int *work, double *seconds)
+{
+  g_auto (QnResult) result;
+  double start = bench_cpu_seconds ();
+  g_assert_cmpint (qn_analysis_run (model, contacts, NULL, NULL, &result, NULL), ==,
+                   QN_OK);
+  double took = bench_cpu_seconds () - start;
+  *work += result.statistics.factorizations;
+  *seconds += took;
+  printf (" path %-20s %.6f factorisations %5d %.2f s", qn_outcome_names[result.outcome],
+          result.collapse_multiplier, result.statistics.factorizations, took);
+}
 
 int
 main (int argc, char **argv)
 {
   int first = 1, last = 48, least = 20, most = 600, found = 0, walls = 0, work = 0;
+  int path_work = 0;
+  double seconds = 0, path_seconds = 0;
 
   if (argc > 1 && !seeded_wall_parse_range (argv[1], &first, &last))
     return 2;
@@ -33,15 +51,23 @@ main (int argc, char **argv)
     walls++;
     found += interval.solution.outcome == QN_OUTCOME_COLLAPSE;
     work += interval.solution.effort.factorizations;
-    printf ("%4d %-8s %5zu %-20s %.6f bound %.6f count %d factorisations %4d %.2f s\n",
+    double took = bench_cpu_seconds () - start;
+    seconds += took;
+    printf ("%4d %-8s %5zu %-20s %.6f bound %.6f count %d factorisations %4d %.2f s",
             seed, seeded_wall_family ((guint32) seed), project.model.block_count,
             qn_outcome_names[interval.solution.outcome], interval.solution.lower_bound,
             interval.associative, interval.count, interval.solution.effort.factorizations,
-            bench_cpu_seconds () - start);
+            took);
+    if (argc > 4)
+      tell_path (&project.model, &contacts, &path_work, &path_seconds);
+    printf ("\n");
     fflush (stdout);
     qn_limit_interval_clear (&interval);
   }
-  printf ("%d of %d found, %.1f factorisations in the mean\n", found, walls,
-          (double) work / walls);
+  printf ("%d of %d found, %.1f factorisations and %.3f s in the mean\n", found, walls,
+          (double) work / walls, seconds / walls);
+  if (argc > 4)
+    printf ("path: %.1f factorisations and %.3f s in the mean\n",
+            (double) path_work / walls, path_seconds / walls);
   return 0;
 }
