@@ -154,7 +154,7 @@ spread (const Column sum[QN_PAIR_FACTORS], double kf[QN_FACE_UNKNOWNS][QN_FACE_U
   }
 }
 
-/* sum += what the forces of a face add as its pairs turn */
+/* sum += geometric stiffness of the pairs of a face */
 static void
 add_geometric_stiffness (const QnAssembly *as, size_t f, Column sum[QN_PAIR_FACTORS])
 {

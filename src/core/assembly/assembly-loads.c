@@ -1,4 +1,4 @@
-/* What acts on the structure: loads, settlements of supports, and the reactions to them. */
+/* Loads, settlements of supports, and reactions. */
 #include "core/assembly/assembly-parts.h"
 
 #include "core/base/memory.h"
@@ -78,8 +78,8 @@ largest_force (const QnAssembly *as, const double *loads)
   return qn_assembly_largest (as, as->forces, NULL);
 }
 
-/* What out-of-balance forces are measured by: the dead loads, or where there are none those of
- * all sets, or what a thousandth of the largest settlement makes of the mean stiffness. */
+/* Scale of out-of-balance forces, N: the dead loads; without any, the loads of all sets; without any, mean
+ * stiffness x 1/1000 of the first settlement. */
 static void
 choose_force_scale (QnAssembly *as)
 {

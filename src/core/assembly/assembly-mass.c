@@ -1,4 +1,4 @@
-/* What resists acceleration. */
+/* Mass matrix and inertia forces. */
 #include "core/assembly/assembly-parts.h"
 
 #include <string.h>

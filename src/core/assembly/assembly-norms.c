@@ -1,11 +1,11 @@
-/* How large vectors of unknowns are, whichever way the structure is turned. */
+/* Norms of vectors of unknowns that do not depend on the orientation of the axes. */
 #include "core/assembly/assembly.h"
 
 #include "core/base/numbers.h"
 
 #include <math.h>
 
-/* What holds a body carries at least this part of its load. */
+/* A joint or tie holds a body if its force exceeds this part of the body's dead load. */
 #define HOLDS 0.01
 
 /* v of one degree of freedom of a body, less `base` and times `weights` unless these are NULL; 0 where

@@ -196,7 +196,7 @@ body_inertia (const QnAssembly *as, size_t body, bool weightless)
   if (body >= model->block_count) {
     const QnNode *node = &model->nodes[body - model->block_count];
     const QnBeamShare *share = &as->beams.shares[body - model->block_count];
-    bool rides = node->block != QN_NONE; /* what it carries is carried by its block */
+    bool rides = node->block != QN_NONE; /* its load acts on the block */
     inertia.mass = rides ? 0 : weightless ? share->volume : share->weight;
     inertia.gyration = share->longest * share->longest / 12;
   } else {
@@ -224,8 +224,7 @@ mean_stiffness (const QnAssembly *as)
   return exp (sum / (double) as->pair_count);
 }
 
-/* The softest spring of all pairs, in either direction, and of ties, as a part of the mean stiffness, at
- * most 1: what makes ordinary elastic motion that much larger. */
+/* Stiffness of the softest spring, normal or tangential, or tie, over the mean stiffness; at most 1. */
 static double
 softness (const QnAssembly *as)
 {
@@ -398,7 +397,7 @@ qn_assembly_commit (QnAssembly *as)
 
 /* --- Bonds ------------------------------------------------------------------------------- */
 
-/* Bonds that break at once are those which have this part of the largest excess over their strength. */
+/* Bonds with at least this part of the largest excess over the strength break at once. */
 #define BREAK_TOGETHER 0.5
 
 static void

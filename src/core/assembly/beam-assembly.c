@@ -286,7 +286,7 @@ qn_beam_assembly_set_loads (QnBeamAssembly *as, const double *held, const double
     as->loads[0][b] = qn_vec2_add (as->loads[0][b], as->scratch[b]);
 }
 
-/* What a load q on an element puts on its two nodes: forces, and moments. */
+/* Forces and moments of a load q on an element at its two nodes. */
 static void
 node_loads (const QnBeamAssembly *as, size_t element, QnVec2 q, QnVec2 forces[2],
             double moments[2])

@@ -152,7 +152,7 @@ return_map (const QnBeamProperties *p, double k[2][2], const double trial[2],
     }
 }
 
-/* k without what the yielding ends take: k - k_a k_aa^-1 k_a' */
+/* k with the yielding ends condensed: k - k_a k_aa^-1 k_a' */
 static void
 condense (double k[2][2], const int sense[2])
 {

@@ -37,7 +37,7 @@ typedef int32_t QnId;
 #define QN_UNROLL
 #endif
 
-/* The larger of two numbers, the second where the first is none: fmax() is a call. */
+/* The larger of two numbers; the second if the first is NaN. Inline, unlike fmax(). */
 static inline double
 qn_larger (double a, double b)
 {

@@ -20,7 +20,7 @@ qn_max (double a, double b)
   return a > b ? a : b;
 }
 
-/* The larger of two, NaN where one of them is: of what must be small, nothing that is no number passes. */
+/* The larger of two, NaN if either is NaN: a bound on an error that NaN does not pass. */
 static inline double
 qn_worse (double a, double b)
 {

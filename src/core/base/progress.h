@@ -15,6 +15,5 @@ typedef struct QnProgress {
   bool rigid;     /* of limit analysis: the bound of a path, too */
 } QnProgress;
 
-/* Called at least once per iteration, from the thread that computes; returns false to cancel.
- * What has converged by then is kept. */
+/* Called at least once per iteration, from the computing thread; false cancels and keeps converged steps. */
 typedef bool (*QnProgressFunc) (const QnProgress *progress, void *user_data);

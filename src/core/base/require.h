@@ -27,7 +27,7 @@ bool qn_require_vector (QnSubject of, const char *field, QnVec2 vector);
 bool qn_require_index (QnSubject of, const char *field, QnId id, size_t count,
                        QnProblem problem);
 
-/* What a chain comes to. */
+/* Result of a chain. */
 static inline QnStatus
 qn_required (bool holds)
 {

@@ -19,7 +19,7 @@
  * between blocks of 50 mm. A mortar joint is wider. */
 #define QN_NEAR_MISS_GAP 0.02
 
-/* Overlaps up to so many contact tolerances are reported, deeper ones refused. */
+/* Overlaps up to this many contact tolerances are reported, deeper ones refused. */
 #define QN_NEAR_MISS_OVERLAP 10.0
 
 /* Two springs in series carry the same force to this part of it: four digits above the

@@ -73,7 +73,7 @@ qn_check_excess (const QnCheck *check, size_t p, const QnPairResult *stated)
   return excess;
 }
 
-/* What is summed at a step. */
+/* Sums at a step. */
 typedef struct Sum {
   const QnModel *model;
   const double *moved; /* rows of displacements; NULL: of the undeformed structure */
@@ -245,7 +245,7 @@ rounding_of_moments (const QnCheck *check, size_t step)
   return QN_CHECK_DIGITS * check->scale * check->largest / check->assembly.length;
 }
 
-/* What is no number is worst of all. */
+/* NaN counts as the largest. */
 static bool
 is_worse (double out, double worst)
 {

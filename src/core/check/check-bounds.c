@@ -84,7 +84,7 @@ dissipation (const QnPairSprings *springs, const double r[2], double little, dou
   return isfinite (most) ? most : 0;
 }
 
-/* What ties dissipate at most. */
+/* Largest dissipation of ties. */
 static double
 tie_dissipation (const QnCheck *check)
 {

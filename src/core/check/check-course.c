@@ -1,4 +1,4 @@
-/* The course of an analysis: steps in order, and what it says of them: collapse and outcome. */
+/* Check of the order of steps, of collapse and outcome. */
 #include "core/check/check-parts.h"
 #include "core/check/unlimited.h"
 

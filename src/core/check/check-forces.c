@@ -7,7 +7,7 @@
 
 /* --- Displacements ------------------------------------------------------------------------ */
 
-/* What no unknown tells: supports, nodes on blocks; and rigid blocks at collapse have not moved yet. */
+/* Displacements without unknowns: supports, nodes on blocks; rigid blocks at collapse have not moved. */
 static void
 check_displacements (QnCheck *check, size_t step)
 {
@@ -105,7 +105,7 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
-/* What friction carries of a force at elongation q of a spring whose bond is damaged. */
+/* Part of a force carried by friction at elongation q of a spring with damaged bond. */
 static void
 take_friction (const QnSpring *s, const QnSpringMemory *before, double damage,
                const double q[2], const double stated[2], double friction[2])
@@ -166,7 +166,7 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
                  || (other != NULL && other->kind == QN_LAW_MOHR_COULOMB);
   double opening = strain[0] - force[0] / s->kn;
   bool at_cap = force[0] >= -QN_CHECK_FORCES * check->scale;
-  /* A joint that opens remembers what it has risen by sliding alone. */
+  /* An open joint remembers its dilation by slip alone. */
   double risen = qn_spring_risen (s, &start, own->slip);
   if (at_cap && check->relaxed)
     own->opening = fmin (opening, risen);
@@ -317,7 +317,7 @@ refine (const QnCheck *check, size_t p, const double force[2], QnPairResponse *r
     *response = flown;
 }
 
-/* Compares the forces of a step with what the laws answer, and leaves the answers evaluated. */
+/* Compares the forces of a step with those of the laws; leaves the laws' responses in the assembly. */
 static void
 check_forces (QnCheck *check, size_t step)
 {
@@ -636,7 +636,7 @@ check_last_forces (QnCheck *check)
   }
 }
 
-/* Rounding of displacements as force in a tie, and what forces of joints may be off by. */
+/* Tolerance of a tie's force: rounding of displacements, plus the tolerance of forces of joints. */
 static double
 tolerance_of (const QnCheck *check, const QnAssembledBeam *tie)
 {

@@ -1,4 +1,4 @@
-/* What an analysis in time keeps: energies, peaks, tracks. */
+/* Check of the history of an analysis in time: energies, peaks, tracks. */
 #include "core/base/memory.h"
 #include "core/base/numbers.h"
 #include "core/check/check-parts.h"
@@ -35,7 +35,7 @@ check_times (QnCheck *check)
                    end);
 }
 
-/* INPUT = the sum of the others, to within the error that is told. */
+/* INPUT = the sum of the others within the stated error. */
 static void
 check_energy (QnCheck *check)
 {

@@ -54,7 +54,7 @@ qn_check_tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair,
     found);
 }
 
-/* Written to disagree with what is no number. */
+/* The comparison is false for NaN. */
 bool
 qn_check_agrees (double stated, double found, double tolerance)
 {

@@ -10,7 +10,7 @@
 #define LAST_WAY  0.1
 #define GROWTH    1.5
 
-/* Power of what is out of balance when the structure has gone so far. */
+/* Power of the out-of-balance forces after the structure has moved by `way`. */
 static double
 find_power (QnAssembly *as, const double *u, double multiplier, double way,
             const double *velocity, double *moved, double *residual)

@@ -11,7 +11,7 @@
 
 typedef enum { MATCH_FACE, MATCH_TOUCH, MATCH_GAP } MatchKind;
 
-/* What one side of block a and one side of block b have to do with each other. */
+/* Relation of one side of block a to one side of block b. */
 typedef struct QnContactMatch {
   MatchKind kind;
   QnId side_a, side_b;

@@ -1,4 +1,4 @@
-/* Blocks that hang together badly: touching at a point, touching nothing, held by nothing. */
+/* Blocks with point contacts alone, without contact, or without connection to a support. */
 #include "core/contact/contact-loose.h"
 
 #include "core/base/memory.h"

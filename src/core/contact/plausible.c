@@ -455,7 +455,7 @@ typedef struct Seat {
   double load;             /* its own and what it got from above, N */
 } Seat;
 
-/* How many times further a block sinks than it may; 0 where nothing can be said. */
+/* Sinking of a block over the allowed sinking; 0: unknown. */
 static double
 excess_of (const QnModel *model, QnId block, const Seat *seat, double own, QnVec2 down,
            double *sinking)
@@ -473,8 +473,8 @@ excess_of (const QnModel *model, QnId block, const Seat *seat, double own, QnVec
                *sinking / ((lowers ? MOST_SINKING : HARMLESS_SINKING) * height));
 }
 
-/* Every block hands its load and what it got from above on to the blocks below it, by the stiffness of
- * its joints. The block that sinks most is told, where it sinks too far. */
+/* Distributes the load of every block, with that from above, to the blocks below by the stiffness of its
+ * joints. Reports the block that sinks most if it sinks too far. */
 static bool
 examine_sinking (Doubts *d, const QnContacts *contacts)
 {

@@ -1,9 +1,8 @@
-/* An analysis in time: what a structure does under ground motion, or after it has been let go.
+/* Analysis in time: response to ground motion or to an initial motion.
  *
- * Steps are those of time-step.h, as long as `time_step` where that is accurate enough, halved
- * where it is not, and doubled again where they may. A step is accepted when Newton's iteration
- * converged and its local error (qn_time_step_error()) is within the tolerance; one that is
- * not leaves no trace.
+ * Steps (time-step.h) have the length `time_step`, are halved for accuracy and doubled again. A step is
+ * accepted if Newton's iteration converged and the local error (qn_time_step_error()) is within the
+ * tolerance; rejected steps change nothing.
  *
  * The analysis ends at `duration` (TARGET_REACHED); at REST, when the ground has stopped and for
  * the time sqrt(height / g) nothing has moved faster than a hundred-thousandth of
@@ -19,8 +18,8 @@
  * length that they are scaled with. */
 #define QN_REST_SPEED 1e-5
 
-/* From the equilibrium under dead load that eq was last evaluated and committed at, and that is the only step
- * of *result. Adds steps and history to the result, and sets its outcome. eq is left at the last accepted
- * state. Where contacts follow the blocks `moving` is theirs, else NULL. */
+/* Starts from the equilibrium under dead load, the committed state of eq and only step of *result. Adds steps
+ * and history, sets the outcome; leaves eq at the last accepted state. `moving`: NULL unless contacts follow
+ * the blocks. */
 QnStatus qn_dynamics_run (QnEquilibrium *eq, QnMovingContacts *moving, QnResult *result,
                           QnDiag *diag);

@@ -48,7 +48,7 @@ qn_energy_start (const QnTimeStep *step)
   return energy;
 }
 
-/* What slip, plastic hinges and the dashpots of pairs take. */
+/* Energy dissipated by slip, plastic hinges and dashpots of pairs. */
 static void
 add_losses (const QnTimeStep *step, QnEnergy *energy)
 {

@@ -1,8 +1,7 @@
 /* The energy balance of the time integration.
  *
- * Every term comes from its own formula (result.h says what they are), so that what is left of
- * the balance is the error: of the work that joints do while they turn within a step, and of
- * Newton's iteration that ends somewhere.
+ * Each term has its own formula (result.h), so that the residual of the balance is the error: of the work of
+ * joints that turn within a step, and of Newton's iteration.
  */
 #pragma once
 
@@ -14,7 +13,7 @@ typedef struct QnEnergy {
   double sums[QN_ENERGY_KIND_COUNT];
 } QnEnergy;
 
-/* At the start of everything: kinetic and elastic energy of step->start are the first input. */
+/* At the start of the analysis: INPUT = kinetic + elastic energy of step->start. */
 QnEnergy qn_energy_start (const QnTimeStep *step);
 
 /* After the step of h seconds just tried; the mean acceleration of the ground, and how much it
@@ -22,9 +21,8 @@ QnEnergy qn_energy_start (const QnTimeStep *step);
 QnEnergy qn_energy_after (const QnTimeStep *step, const QnEnergy *before, double h,
                           QnVec2 mean, QnVec2 change);
 
-/* After contacts have changed at the start of a step: what they stored more or less before counts as
- * lost with them, in FRICTION. */
+/* After contacts have changed at the start of a step: adds the loss of elastic energy to FRICTION. */
 void qn_energy_renew (const QnTimeStep *step, QnEnergy *energy);
 
-/* Input less all others. */
+/* INPUT less all other terms, J. */
 double qn_energy_error (const QnEnergy *energy);

@@ -20,15 +20,14 @@ bool qn_ground_init (QnGround *ground, const QnModel *model);
 
 void qn_ground_clear (QnGround *ground);
 
-/* Acceleration at a time, m/s2, in the axes of the model; where it jumps, that before: what begins
- * with a step belongs to the step. */
+/* Acceleration at a time, m/s2, in the axes of the model; at a jump, the value before it: a jump at the start
+ * of a step belongs to the step. */
 QnVec2 qn_ground_acceleration (const QnGround *ground, double time);
 
-/* Mean acceleration from `start` to `end` > start; and how much it changes over that time. */
+/* Mean acceleration from `start` to `end` > start, m/s2; change of the acceleration over that time. */
 QnVec2 qn_ground_mean (const QnGround *ground, double start, double end);
 QnVec2 qn_ground_change (const QnGround *ground, double start, double end);
 
-/* Which share of a motion's Arias intensity, the integral of its acceleration squared (A. Arias, in
- * Seismic Design for Nuclear Power Plants, MIT Press 1970, 438-483), comes after a time. Its points
- * must be there. */
+/* Share (0 to 1) of a motion's Arias intensity, the integral of its acceleration squared (A. Arias, in Seismic
+ * Design for Nuclear Power Plants, MIT Press 1970, 438-483), after a time, s. Requires its points. */
 double qn_ground_motion_share_after (const QnGroundMotion *motion, double time);

@@ -45,9 +45,9 @@ qn_moving_contacts_clear (QnMovingContacts *moving)
   *moving = (QnMovingContacts){ 0 };
 }
 
-/* --- What new pairs remember ------------------------------------------------------------- */
+/* --- Memory of new pairs ----------------------------------------------------------------- */
 
-/* What the pairs between two blocks did before contacts change. */
+/* State of the pairs between two blocks before contacts change. */
 typedef struct {
   double normal, shear; /* N */
   double released;      /* J: stored by those that become inactive */
@@ -105,7 +105,7 @@ undiminished (const QnPairElasticity *elastic, double apart, double ratio,
 
 /* --- Transfer ---------------------------------------------------------------------------- */
 
-/* A pair that carries nothing, or not yet. */
+/* A pair without force. */
 static void
 carry_nothing (QnAssembly *as, size_t pair)
 {

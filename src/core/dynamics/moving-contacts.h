@@ -1,14 +1,13 @@
-/* Contacts that follow the blocks (core/contact/contact-follow.h), along a path of equilibria or through
- * time: between two steps joints are left, corners near sides listed anew, and the analysis goes over to
- * an assembly with these pairs.
+/* Contacts that follow the blocks (core/contact/contact-follow.h), on a path or in time: between two steps
+ * joints are released, corners near sides are listed anew, and the assembly is replaced.
  *
- * Energy. The change stores nothing: corners that become active within a block store together at most
- * what the pairs between the same two blocks stored that become inactive at that moment,
+ * Energy. The change adds no energy: corners that become active within a block store at most the energy of
+ * the pairs between the same two blocks that become inactive at that moment,
  *
  *   q_n = s apart,   s^2 = min (1, released / sum (k_n apart^2 + t^2 / k_t) / 2),   t = (T/N) k_n apart
  *
- * with the shear over the normal force T/N that the two blocks exchanged last. The rest of the depth
- * becomes the inset of the contact, (1 - s) |apart|. What is released and not stored again is lost. */
+ * T/N: last shear over normal force between the two blocks. The inset of the contact is the rest of the depth,
+ * (1 - s) |apart|. Released energy that is not stored again is lost. */
 #pragma once
 
 #include "core/contact/contact-follow.h"
@@ -16,9 +15,8 @@
 
 typedef struct QnMovingContacts {
   QnContactFollow follow;
-  QnContacts *contacts; /* as drawn and of the last list, which the assembly refers to;
-                           NULL as long as there are those as drawn alone */
-  QnId *noted; /* of listed contacts: their last place among the result's, or QN_NONE */
+  QnContacts *contacts; /* drawn and last listed contacts; NULL: drawn ones alone */
+  QnId *noted; /* by listed contact: last index in the result's `found`, or QN_NONE */
   double *displacements; /* scratch, a row for every body */
   double *slips;         /* scratch, of the pairs as drawn */
   QnPairResult *results; /* scratch, of all pairs */
@@ -31,10 +29,9 @@ QnStatus qn_moving_contacts_init (QnMovingContacts *moving, const QnAssembly *as
 
 void qn_moving_contacts_clear (QnMovingContacts *moving);
 
-/* Looks whether contacts change in the current state, which is committed, and changes them. Corners are
- * listed within twice the margin (m) at least, which is more than anything moves until the next call. Joints
- * that are left are noted in `result` with this time: seconds, or the number of the step where there is no
- * time. *changed: other pairs carry, perhaps of another assembly of eq, and are to be evaluated anew. */
+/* Updates the contacts in the committed state. Corners are listed within at least twice the margin (m), which
+ * must exceed any motion until the next call. Released joints are recorded in `result` with `time`: s, or the
+ * number of the step. *changed: evaluate again; eq may have another assembly. */
 QnStatus qn_moving_contacts_update (QnMovingContacts *moving, QnEquilibrium *eq,
                                     double margin, double time, QnResult *result,
                                     bool *changed, QnDiag *diag);
@@ -44,7 +41,7 @@ QnStatus qn_moving_contacts_update (QnMovingContacts *moving, QnEquilibrium *eq,
 bool qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
                      QnStep step, QnResult *result);
 
-/* The current state: pairs as drawn into result->pairs, and, where `step_index` is not negative, forces of
- * found contacts for that step. Found contacts that carry something are noted. */
+/* Writes the current state of drawn pairs to result->pairs and, if step_index >= 0, the forces of found
+ * contacts at this step; adds found contacts with a force to the result. */
 bool qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq,
                                 double time, int32_t step_index, QnResult *result);

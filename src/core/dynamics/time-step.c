@@ -170,7 +170,7 @@ damping_of (const QnTimeStep *step, size_t pair)
   return sum > 0 ? 1 / sqrt (sum * step->elasticity[pair].k[0]) : 0;
 }
 
-/* What depends on the assembly and not on the state. */
+/* Arrays that depend on the assembly and not on the state. */
 static QnStatus
 prepare (QnTimeStep *step, QnDiag *diag)
 {
@@ -420,7 +420,7 @@ is_factored (const QnTimeStep *step)
               == 0;
 }
 
-/* Whether what is factorised is for joints none of which slides, opens or closes. */
+/* Whether no joint slides, opens or closes in the factorised tangent. */
 static bool
 is_still (const QnTimeStep *step)
 {

@@ -13,22 +13,20 @@
  *   am = (2 rho - 1)/(rho + 1)       af = rho/(rho + 1)
  *   gamma = 1/2 - am + af            beta = (1 - am + af)^2 / 4
  *
- * Internal forces are those of the two ends of the step, not of a state between them: joints
- * remember the end of a step and nothing else, and are committed once for a step accepted.
- * pair-motion.h says what pairs add. Contact pairs stay fixed to their blocks, in large
- * displacements too, as in statics, unless moving-contacts.h changes them between two steps.
+ * Internal forces are taken at the two ends of the step, not at a state between them: the memory of joints is
+ * that of the end, committed once per accepted step. Forces added by pairs: pair-motion.h. Contact pairs
+ * stay fixed to their blocks unless moving-contacts.h changes them between two steps.
  *
- * A factorisation serves from step to step as long as all pairs are on the branches it was made for,
- * the length of the step is the same, and each iteration with it takes away nine tenths of the
- * residual: tangents of open and sliding pairs change with their elongations, in large displacements
- * all do, without a change of state.
+ * A factorisation is reused while all pairs keep their branches, the step its length, and each iteration
+ * reduces the residual to a tenth: tangents of open and sliding pairs, in large displacements of all, change
+ * without a change of state.
  *
  * Energy. With [x] = x1 - x0, du = [u], and R = P - F + M i g,
  *
  *   [v' M v]/2 = -du' (R0 + R1)/2 - D,
  *   D = (1/2 - af) du' ([R] + M [a]) + h (beta - gamma/2) [a]' M [v]
  *
- * follows from the equations above; D is what the method itself takes.
+ * follows from the equations above; D: energy dissipated by the integration.
  */
 #pragma once
 
@@ -51,7 +49,7 @@ typedef struct QnInstant {
   double *residual;    /* F - P, N */
   double *elongations; /* pair_count x 2, m */
   double *rates;       /* pair_count x 2, m/s */
-  double beam_energy;  /* that beams store, J */
+  double beam_energy;  /* elastic energy of beams, J */
 } QnInstant;
 
 typedef struct QnTimeStep {
@@ -59,8 +57,8 @@ typedef struct QnTimeStep {
   QnPool pool;             /* of all that follows */
   QnTimeScheme scheme;
   const QnDynamicSettings *settings;
-  double h;      /* length of the step tried, s, */
-  QnVec2 ground; /* and the ground's acceleration within it */
+  double h;      /* length of the step tried, s */
+  QnVec2 ground; /* the ground's acceleration within it, m/s2 */
 
   double *mass;         /* M, in the pattern of K */
   double *beam_damping; /* of beams, over the damping's factor: K, in the pattern of K */
@@ -69,38 +67,37 @@ typedef struct QnTimeStep {
   double *damping;      /* a of every pair's dashpot, s */
   QnInstant start, end; /* the state that was accepted, and the one tried */
 
-  double *increment;    /* end.u - start.u, in more digits, which accelerations need */
+  double *increment;    /* end.u - start.u without cancellation, for accelerations */
   QnPairForces *forces; /* of all pairs */
   double *tangents;     /* pair_count x 4 */
   double *sums;         /* pair_count x 2: forces of pairs over 1 - af */
   double *branches; /* pair_count x QN_BRANCH: tangents of their laws, qn_pair_branch() */
-  double *factored; /* those that are factorised */
-  double factored_length; /* and the length of their step; 0: nothing is */
-  bool kept;              /* the last iteration was with what had been factorised, */
-  bool stale;             /* and was a slow one */
+  double *factored; /* `branches` of the last factorisation */
+  double factored_length; /* length of its step; 0: no factorisation */
+  bool kept;              /* the last iteration reused a factorisation */
+  bool stale;             /* such an iteration converged slowly */
 } QnTimeStep;
 
-/* Prepares a step from the state that eq was last evaluated and committed at, plus the initial motion of the
- * model. Refuses what has no mass. `step` is overwritten without being cleared. */
+/* Prepares a step from the committed state of eq plus the initial motion of the model. Refuses bodies without
+ * mass. `step` is overwritten without being cleared. */
 QnStatus qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag);
 
 void qn_time_step_clear (QnTimeStep *step);
 
-/* Evaluates the state at the start anew, where other pairs carry from now on, perhaps of another
- * assembly. */
+/* Evaluates the state at the start again after contacts, or the assembly, have changed. */
 QnStatus qn_time_step_renew (QnTimeStep *step, QnDiag *diag);
 
 /* Accelerations at the start, from equilibrium under the ground's acceleration. */
 QnSolveStatus qn_time_step_start (QnTimeStep *step, QnVec2 ground);
 
-/* From `start`, h seconds on, to `end`, which is only tried: nothing is committed. ground: the
- * acceleration within the step, mean + (1/2 - af) change. */
+/* Computes `end`, h seconds after `start`, without committing it. ground: acceleration within the step,
+ * mean + (1/2 - af) change, m/s2. */
 QnSolveStatus qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground);
 
-/* What the step just tried missed by, m: the largest of the local error of its displacements,
+/* Error of the step just tried, m: the largest local error of its displacements,
  * |beta - 1/6| h^2 [acceleration], accelerations being those of equilibrium at both ends
  * (Zienkiewicz & Xie 1991, Earthquake Engineering and Structural Dynamics 20, 871-887). */
 double qn_time_step_error (const QnTimeStep *step, double h, QnVec2 ground_change);
 
-/* Makes `end` the start of the next step and commits what joints and beams remember. */
+/* Makes `end` the start of the next step and commits the memory of joints and beams. */
 void qn_time_step_accept (QnTimeStep *step);

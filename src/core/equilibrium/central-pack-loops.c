@@ -209,7 +209,7 @@ apply_tangent (const QnCentralPack *e, int at, const Vector strain[2], Vector dy
             + take (e->inverse[2 * i + 1] + at) * strain[1];
 }
 
-/* What s z is to become in one row. */
+/* Target of s z in one row. */
 PART Vector
 target_product (const QnCentralPack *e, int at, const QnCentralState *step,
                 const QnCentralAim *aim, QnCentralTarget target, int row)

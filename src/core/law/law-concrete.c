@@ -28,7 +28,7 @@
 
 #include <math.h>
 
-/* Shortening at which crushed concrete carries nothing more. */
+/* Shortening at which crushed concrete has lost all force. */
 static double
 crushed_at (const QnSpring *s)
 {

@@ -197,7 +197,7 @@ rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 /* How far the bond is strained, r, and the part of it that is whole there; with their derivatives. */
 typedef struct {
   double r, whole;
-  bool brittle; /* nothing is left at once */
+  bool brittle; /* loses all strength at once */
   double r_q[2], whole_q[2];
 } Strain;
 
@@ -257,7 +257,7 @@ strain_bond (const QnSpring *s, const double bond[2], const double stiffness[2])
   return at;
 }
 
-/* What is left of the bond, besides the friction `r`. */
+/* Adds the remaining force of the bond to the friction `r`. */
 static void
 add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
           QnSpringResponse *r)

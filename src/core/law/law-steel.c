@@ -24,7 +24,7 @@
 
 #include <math.h>
 
-/* Elongation at which a bar that began to break carries nothing more. */
+/* Elongation at which a breaking bar has lost all force. */
 static double
 broken_at (const QnSpring *s)
 {

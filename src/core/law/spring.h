@@ -43,7 +43,7 @@ typedef struct QnSpring {
   double stretch[2]; /* of the descending branches in tension and compression */
 } QnSpring;
 
-/* Plastic part of the elongation: what of q does not strain the spring. */
+/* Plastic part of the elongation. */
 typedef struct QnSpringMemory {
   double opening; /* m, opened by dilatancy or plastically; negative: shortened */
   double slip;    /* m, slid so far */
@@ -114,7 +114,7 @@ qn_spring_has_bond (const QnSpring *spring)
   return qn_law_may_bond (spring->kind) && (spring->cap > 0 || spring->cohesion > 0);
 }
 
-/* How far a joint has risen by a slip from where it was built, m; 0 where the way there counts. */
+/* Dilation of a joint by a slip from its initial position, m; 0 if dilation accumulates (`associative`). */
 static inline double
 qn_spring_dilation (const QnSpring *spring, double slip)
 {
@@ -123,7 +123,7 @@ qn_spring_dilation (const QnSpring *spring, double slip)
            : spring->dilatancy * fmin (fabs (slip), spring->dilation_end);
 }
 
-/* The same per slip that goes on from there in the sense of `sign`. */
+/* Dilation per further slip in the sense of `sign`. */
 static inline double
 qn_spring_dilation_rate (const QnSpring *spring, double slip, double sign)
 {
@@ -135,7 +135,7 @@ qn_spring_dilation_rate (const QnSpring *spring, double slip, double sign)
   return along < 0 ? -rate : rate;
 }
 
-/* Its plastic elongation without what it has risen, m: negative where it is crushed, else 0. */
+/* Plastic normal elongation less dilation, m: < 0 if the joint is crushed, else 0. */
 static inline double
 qn_spring_crushed (const QnSpring *spring, const QnSpringMemory *memory)
 {
@@ -144,7 +144,7 @@ qn_spring_crushed (const QnSpring *spring, const QnSpringMemory *memory)
            : memory->opening - qn_spring_dilation (spring, memory->slip);
 }
 
-/* What its plastic elongation is once it has slid from there to `slip`, m. */
+/* Plastic normal elongation after further slip to `slip`, m. */
 static inline double
 qn_spring_risen (const QnSpring *spring, const QnSpringMemory *memory, double slip)
 {
@@ -153,17 +153,17 @@ qn_spring_risen (const QnSpring *spring, const QnSpringMemory *memory, double sl
            : qn_spring_crushed (spring, memory) + qn_spring_dilation (spring, slip);
 }
 
-/* In place of the damage of a bond that is not to break at once for now, and the other way round. */
+/* Encodes the damage of a bond that is held (qn_assembly_hold_bonds()), and decodes it. */
 static inline double
 qn_bond_held (double damage)
 {
   return -1 - damage;
 }
 
-/* What such a bond answers where it is to break. */
+/* Response of a held bond above its strength. */
 #define QN_BOND_BREAKS 2.0
 
-/* How much of the stiffness of concrete in tension a crack has taken, whose widest opening was `extreme`. */
+/* Damage of the tensile stiffness of concrete by a crack with the largest opening `extreme`, m. */
 static inline double
 qn_spring_crack_damage (const QnSpring *spring, double extreme)
 {
@@ -174,7 +174,7 @@ qn_spring_crack_damage (const QnSpring *spring, double extreme)
                           : 1;
 }
 
-/* How much of the bond, or of concrete in tension, is lost: 0 whole, 1 broken; 0 of springs without. */
+/* Damage of the bond, or of concrete in tension: 0 whole, 1 broken; 0 for other springs. */
 static inline double
 qn_spring_damage (const QnSpring *spring, const QnSpringMemory *memory)
 {
@@ -185,7 +185,7 @@ qn_spring_damage (const QnSpring *spring, const QnSpringMemory *memory)
   return damage < 0 ? qn_bond_held (damage) : fmin (damage, 1);
 }
 
-/* The spring of a joint whose bond is broken, and that which it is in this state. */
+/* The spring after its bond has broken; the spring in the present state. */
 QnSpring qn_spring_broken (const QnSpring *spring);
 
 static inline QnSpring
@@ -194,23 +194,23 @@ qn_spring_now (const QnSpring *spring, const QnSpringMemory *memory)
   return qn_spring_damage (spring, memory) < 1 ? *spring : qn_spring_broken (spring);
 }
 
-/* A bond of cohesion alone does not break by tension that is rounding, nor one of tension by such shear:
- * below this part of the other strength. */
+/* Least tensile strength over cohesion, and cohesion over tensile strength, of a bond: rounding does not
+ * break it. */
 #define QN_BOND_ROUNDING 1e-6
 
-/* Leaves what two bodies offer each other that were never joined: stiffness and friction, no tension, no
- * cohesion, no dilatancy. Of a law that is not a joint's the stiffness alone is left. */
+/* Makes it the contact of two bodies that were never joined: stiffness and friction, no tension, cohesion or
+ * dilatancy. Laws that are no joints' become no-tension of the same stiffness. */
 void qn_spring_lose_bond (QnSpring *spring);
 
-/* Force and consistent tangent at elongation q, starting from what was last committed. */
+/* Force and consistent tangent at elongation q, m, from the committed memory. */
 void qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                          const double q[2], QnSpringResponse *response);
 
-/* The strengths of a spring whose bond is whole; returns their number, 0 for a law that has none. */
+/* Strengths of a spring with whole bond; returns their number, 0 if the law has none. */
 int qn_spring_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_ROWS]);
 
-/* Those that limit analysis takes: the same, but of a joint without tension that of opening alone, for
- * rigid blocks that do not slide have no other. */
+/* Strengths for limit analysis: as qn_spring_strength(), but no-tension joints, which do not slide, have the
+ * limit of tension alone. */
 int qn_spring_rigid_strength (const QnSpring *spring,
                               QnStrengthRow rows[QN_STRENGTH_ROWS]);
 
@@ -220,7 +220,7 @@ bool qn_law_has_strength (QnLawKind kind);
 /* Whether the law is elastic and perfectly plastic within its strengths. */
 bool qn_law_is_plastic (QnLawKind kind);
 
-/* The same of a spring: not one that crushing takes its strength. */
+/* Whether the spring is so: plastic law without loss of strength by crushing. */
 static inline bool
 qn_spring_is_plastic (const QnSpring *spring)
 {
@@ -238,9 +238,9 @@ bool qn_law_softens (QnLawKind kind);
  * back. */
 double qn_spring_softening (const QnSpring *spring);
 
-/* Whether two springs differ by their length only: then they carry equal forces at elongations
- * in one proportion, and one spring of their joint length stands for both. */
+/* Whether two springs differ only by their length: equal forces then belong to proportional elongations, and
+ * one spring of their total length replaces both. */
 bool qn_spring_similar (const QnSpring *a, const QnSpring *b);
 
-/* That spring. What softens, softens once: a crack opens in one place. */
+/* This spring. Its softening is that of one spring: a crack opens in one place. */
 QnSpring qn_spring_join (const QnSpring *a, const QnSpring *b);

@@ -48,7 +48,7 @@ typedef struct QnCollapse {
   QnIpVector at; /* the iterate: collapse, or certificate */
   double growth; /* of a collapse: d lambda / d log (1 / compliance) */
   double least_coupling;
-  double least_multiplier; /* one that is smaller is found as well as this */
+  double least_multiplier; /* relative tolerances refer to at least this multiplier */
   bool own_flow;           /* some strength row is not associative */
   bool holds_flows; /* set by who starts: whether such flows have a proximal term, */
   double
@@ -89,9 +89,9 @@ void qn_collapse_centre (QnCollapse *collapse, double strength);
  * the constant loads: one factorisation. Of associative problems. */
 void qn_collapse_start_elastic (QnCollapse *collapse);
 
-/* Goes on from the iterate to a collapse, with the compliance that the problem's cells have and at most
- * `budget` factorisations. FOUND: the multiplier is known to `tolerance` of itself. go_on (data) is
- * asked once an iteration. */
+/* Iterates to a collapse with the compliance of the problem's cells and at most `budget` factorisations.
+ * FOUND: relative error of the multiplier <= `tolerance`. go_on (data) is called once per iteration; false
+ * cancels. */
 QnCollapseState qn_collapse_follow (QnCollapse *collapse, double tolerance,
                                     int32_t budget, bool (*go_on) (void *), void *data);
 

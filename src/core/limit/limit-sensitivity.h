@@ -1,4 +1,4 @@
-/* How the associative multiplier changes with what is given, without solving again.
+/* Derivatives of the associative multiplier by the input, without solving again.
  *
  * At the optimum of the linear program of limit.h the mechanism v and the plastic rates of the
  * pairs are the dual solution. With v scaled so that the live load does unit power, the
@@ -31,7 +31,7 @@ typedef struct QnLawSensitivity {
 } QnLawSensitivity;
 
 typedef struct QnLimitSensitivity {
-  double multiplier;      /* that it is about */
+  double multiplier;      /* the associative multiplier */
   QnLawSensitivity *laws; /* law_count */
   double *dead_loads;     /* dead_load_count: by a factor 1 on each */
   double *live_loads;     /* live_load_count; of other sets than the live loads 0 */

@@ -32,7 +32,7 @@
 #include "core/limit/limit-problem.h"
 #include "core/result/result.h"
 
-/* How far the numbers can be trusted, in quantities without units. */
+/* Errors of the solution, dimensionless. */
 typedef struct QnLimitCheck {
   double static_residual;  /* out-of-balance of the forces, relative to the loads */
   double static_violation; /* largest excess over the strength, relative to the loads */

@@ -7,8 +7,8 @@
  *
  * All are stored by columns, U by rows (which makes it as high as L), whose height is a multiple
  * of QN_FRONT_ROWS numbers; the padding must be zero and stays so. The loops work on as many
- * numbers at a time as the processor has room for, in the same order everywhere: results are equal
- * to the bit.
+ * numbers at a time as the SIMD registers hold, in the same order on all processors: results are equal to
+ * the bit.
  */
 #pragma once
 
@@ -69,5 +69,5 @@ typedef struct QnFrontLoops {
   void (*add_by_rows) (const QnFrontPart *part);
 } QnFrontLoops;
 
-/* The fastest loops for this processor that work on at most `width` numbers at a time. */
+/* The fastest loops of this processor with at most `width` doubles per vector. */
 const QnFrontLoops *qn_front_loops (int width);

@@ -11,7 +11,7 @@
 
 typedef struct QnLinsys QnLinsys;
 
-/* What became of a linear system, or of equilibrium (core/equilibrium). */
+/* Outcome of a linear system or of an equilibrium iteration (core/equilibrium). */
 typedef enum {
   QN_SOLVE_CONVERGED,
   QN_SOLVE_MECHANISM, /* relaxation ended in steady motion: no equilibrium at this load */
@@ -43,7 +43,7 @@ QnSolveStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 QnSolveStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
                                           QnLinsysReuse reuse, double *b);
 
-/* What part of the work of a whole factorisation the last one took. */
+/* Work of the last factorisation over that of a complete one. */
 double qn_linsys_work (const QnLinsys *system);
 
 /* Sign of the determinant of the matrix last factorised. */

@@ -27,7 +27,7 @@ typedef struct QnModes {
     slides; /* pairs that are left out, and that count as elastic although they slide */
 } QnModes;
 
-/* The state that the structure vibrates about. */
+/* State about which the structure vibrates. */
 typedef enum {
   QN_MODAL_DEAD_LOAD = 0, /* the equilibrium under dead load */
   QN_MODAL_LOADED = 1,    /* the last equilibrium of the analysis of the settings */

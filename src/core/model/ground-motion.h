@@ -1,5 +1,5 @@
-/* What moves a structure in time: accelerations of the ground, initial motion of blocks, and the
- * settings of the time integration.
+/* Input of analyses in time: accelerations of the ground, initial motion of blocks, settings of the time
+ * integration.
  *
  * The ground is rigid and does not turn: all supports move alike. Its acceleration is the sum of
  * all ground motions, each a signal a(t) in m/s2 times its scale and its direction.
@@ -59,7 +59,7 @@ typedef struct QnGroundMotion {
   int32_t note;
 } QnGroundMotion;
 
-/* Where a block starts, counted from the equilibrium under dead load. */
+/* Initial motion of a block, from the equilibrium under dead load. */
 typedef struct QnInitialMotion {
   QnId block;
   double displacement[QN_DOF_COUNT]; /* m, m, rad */

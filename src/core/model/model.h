@@ -538,8 +538,8 @@ qn_model_tie (const QnModel *model, size_t index)
                                   : &model->soil_ties[index - model->tie_count];
 }
 
-/* Bodies are what has degrees of freedom: the blocks, then the nodes. A node on a block has no
- * unknowns; its row of displacements is the motion that the block gives it. */
+/* Bodies: the blocks, then the nodes. A node on a block has no unknowns; its row of displacements follows from
+ * the block's. */
 static inline size_t
 qn_model_body_count (const QnModel *model)
 {
@@ -572,8 +572,8 @@ qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
   return block != QN_NONE ? (size_t) block : SIZE_MAX;
 }
 
-/* The displacement that is shown of an analysis in time: the first track, else the controlled one,
- * else ux of the highest block that moves. *body: SIZE_MAX where nothing moves. */
+/* Displayed displacement of an analysis in time: the first track, else the controlled displacement, else ux of
+ * the highest block free in x; *body = SIZE_MAX: none. */
 void qn_model_followed (const QnModel *model, size_t *body, QnDof *dof);
 
 /* Factorisations that an analysis may take. */

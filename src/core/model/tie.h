@@ -75,7 +75,7 @@ typedef enum {
   QN_TIE_STATE_COUNT
 } QnTieState;
 
-/* What a tie does at a step. */
+/* State of a tie at a step. */
 typedef struct QnTieResult {
   double force;      /* N, >= 0; NAN: not known */
   double elongation; /* e, m */

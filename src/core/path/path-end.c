@@ -101,7 +101,7 @@ has_collapsed (const QnPathTrace *trace)
          && moved > QN_PATH_COLLAPSED * eq->assembly.length;
 }
 
-/* Whether a structure that carries every load has been drawn out of all proportion. */
+/* Whether a structure without collapse load has moved farther than its own diagonal. */
 static bool
 is_drawn_out (const QnPathTrace *trace)
 {

@@ -122,7 +122,7 @@ is_too_far (double moved, double most, double before)
   return most > 0 && moved > most && moved > QN_PATH_JUMP_STAYS * before;
 }
 
-/* The same of a step that went much farther than the steps before it. */
+/* Whether a step moved JUMP times farther than the pace of the steps before it predicts. */
 static bool
 is_jump (const QnPathTrace *trace, double step, double before)
 {
@@ -406,7 +406,7 @@ qn_path_step_aim (QnPathTrace *trace, double step)
   trace->step = copysign (fmin (most, way), trace->step);
 }
 
-/* A step in which a bond breaks is cut until what lies before is met to the smallest steps. */
+/* Cuts a step in which a bond breaks until it ends at the break within the smallest step. */
 QnSolveStatus
 qn_path_step_solve (QnPathTrace *trace, double *step)
 {

@@ -44,7 +44,7 @@ static double
 growth (const QnPathTrace *trace)
 {
   if (!trace->load_control)
-    return QN_PATH_GROWTH; /* what lies between is to be seen */
+    return QN_PATH_GROWTH; /* the states between are part of the answer */
   if (!trace->may_jump)
     return QN_PATH_GROWTH_SURE;
   bool steady = qn_path_trace_is_linear (trace) && trace->central != NULL
@@ -276,7 +276,7 @@ goes_back (const QnPathTrace *trace)
   return way * qn_equilibrium_live_work (eq, eq->committed.u) < 0;
 }
 
-/* The path leads no farther by steps: what it leads to may be found directly. */
+/* No further step converges: tries to find the collapse directly. */
 static bool
 give_up (QnPathTrace *trace, QnSolveStatus solve)
 {

@@ -52,9 +52,9 @@ typedef struct QnPathTrace {
   /* Load control: the state with the highest multiplier; a state with a lower one: linear geometry, the start
    * of the plateau; large displacements, the first lower state. */
   QnEquilibriumState highest, lower;
-  QnEquilibriumState sure;  /* highest equilibrium reached under a slowly growing load */
-  QnEquilibriumState ahead; /* state of the last step while the load is held */
-  bool doubt;               /* doubtful whether equilibria since `sure` are reached so */
+  /* The highest equilibrium reached under a slowly growing load; the last step while the load is held. */
+  QnEquilibriumState sure, ahead;
+  bool doubt;    /* doubtful whether equilibria since `sure` are reached so */
   int32_t aside; /* factorisations with the load held, not counted for the path */
   QnPool states; /* memory of these four */
 } QnPathTrace;

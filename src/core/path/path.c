@@ -64,7 +64,7 @@ qn_path_clear (QnPath *path)
   *path = (QnPath){ 0 };
 }
 
-/* Going over changes forces by what the pairs that cease to carry held and those that begin to carry do not: the
+/* A change of contacts changes forces by those of the pairs that become inactive or active: the
  * next equilibrium takes that up, and counts as one that relaxation found. Without time a step is known by its
  * number. */
 QnStatus

@@ -97,6 +97,5 @@
 #define QN_PATH_LEAST_STATES   2   /* earlier equilibria that the predictor needs */
 #define QN_PATH_DIP            1e-4 /* fall of the multiplier / its maximum that counts as a dip */
 #define QN_PATH_FELT           100 /* residual tolerances below which a jump is rounding */
-#define QN_PATH_LITTLE                                                                   \
-  1e-5 /* force of an open joint / largest force at a direct collapse */
-#define QN_PATH_MOST_STEPS 100000
+#define QN_PATH_LITTLE         1e-5 /* force of an open joint / largest one, at collapse */
+#define QN_PATH_MOST_STEPS     100000

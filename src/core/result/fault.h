@@ -1,4 +1,4 @@
-/* What a result may say that is not true. Each is compared by core/check. */
+/* Claims of a result, each checked by core/check. */
 #pragma once
 
 #include "core/base/status.h"
@@ -30,7 +30,7 @@ typedef enum {
   QN_CLAIM_COUNT
 } QnClaim;
 
-/* A claim that is not true, at the place where that shows first. */
+/* A false claim, at the first place where it fails. */
 typedef struct QnFault {
   QnClaim claim;
   QnId step;            /* or QN_NONE */

@@ -1,20 +1,17 @@
-/* Which first loss of stability people are told of. */
+/* Selection of the losses of stability that reports mention. */
 #pragma once
 
 #include "core/result/result.h"
 
-/* Whether a path has a first limit point under a load that is felt. Below a thousandth of the
- * collapse multiplier joints settle as the load begins: the displacement is so small there that any
- * jump is a large part of it. */
+/* Whether a path has a first limit point at 1/1000 of the collapse multiplier or more. At lower loads joints
+ * settle, and displacements are so small that any jump is relatively large. */
 bool qn_result_has_felt_limit (const QnResult *result);
 
-/* Whether people are told of an event: not of joints that settle, be it by a large part of the displacement at a
- * load that is not felt. */
+/* Whether an event is reported: not LOCAL, and at 1/1000 of the collapse multiplier or more. */
 bool qn_result_is_felt (const QnResult *result, const QnPathEvent *event);
 
-/* Where the branch that a path came on has lost its stability first: its event "buckling", or NULL. */
+/* The first event BUCKLING, or NULL. */
 const QnPathEvent *qn_result_find_buckling (const QnResult *result);
 
-/* The step where a branch loses its stability: the first of the event's stage at its multiplier. -1 for
- * none. */
+/* First step of the event's stage at its multiplier; -1: none. */
 ptrdiff_t qn_result_buckling_step (const QnResult *result, const QnPathEvent *event);

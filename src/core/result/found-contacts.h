@@ -3,10 +3,10 @@
 
 #include "core/result/result.h"
 
-/* What they carry at a step: *count of them, one after the other. */
+/* Forces of the found contacts at a step: *count, contiguous. */
 const QnFoundForce *qn_step_found (const QnResult *result, size_t step, size_t *count);
 
-/* Where the corner of such a contact is on its block, m, undeformed. */
+/* Corner of a found contact, undeformed, m. */
 QnVec2 qn_found_corner (const QnModel *model, const QnFoundContact *contact);
 
 /* The normal of the side, out of its block, undeformed. */

@@ -153,7 +153,7 @@ count_piers (const QnMechanism *m, int32_t moving)
   return piers;
 }
 
-/* Whether a joint slides more than it opens: what rocks slips a little at its hinges. */
+/* Whether a joint slides more than it opens: rocking bodies slip a little at their hinges. */
 static bool
 slides_foremost (const QnMechanism *m)
 {

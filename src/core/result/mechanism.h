@@ -1,5 +1,5 @@
-/* What a velocity field does: joints classified, blocks grouped into bodies that move together,
- * the mechanism named. Facts only; sentences are composed above the core.
+/* Analysis of a velocity field: classifies joints, groups blocks into rigid bodies, names the mechanism. Texts
+ * are composed above the core.
  *
  * The field may be a mechanism of collapse, the difference of two steps, or any other field of
  * small motions (ux, uy, rz of every block; m, m, rad, or the same per time). Everything is
@@ -20,7 +20,7 @@ typedef enum {
   QN_JOINT_KIND_COUNT
 } QnJointKind;
 
-/* A joint opens that parts by more than this part of its slip beyond what friction dilates it. */
+/* A joint opens if its opening exceeds the dilation by friction by more than this part of its slip. */
 #define QN_JOINT_PARTING 0.05
 
 /* Motion of block b relative to block a of a face. */
@@ -44,7 +44,7 @@ typedef struct QnMechanismBody {
   QnBox box;       /* around its blocks, m */
 } QnMechanismBody;
 
-/* What the whole is called. */
+/* Name of a mechanism. */
 typedef enum {
   QN_MECHANISM_KIND_NONE,        /* nothing moves */
   QN_MECHANISM_KIND_OVERTURNING, /* one body turns about hinges at its foot */
@@ -87,7 +87,7 @@ QnStatus qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
  * take part in. */
 const double *qn_mechanism_base (const QnModel *model, const QnResult *result);
 
-/* The mechanism of a result that has one: what texts and pictures count. Joints dilate as in the analysis. */
+/* Analyses the mechanism of a result that has one, with the dilatancy of the analysis. */
 QnStatus qn_mechanism_of_result (QnMechanism *mechanism, const QnModel *model,
                                  const QnContacts *contacts, const QnResult *result,
                                  QnDiag *diag);

@@ -37,7 +37,7 @@ typedef enum {
 
 typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT } QnEvent;
 
-/* What happens on a path under a load that keeps growing. */
+/* Events on a path under a growing load. */
 typedef enum {
   QN_EVENT_KIND_LOCAL, /* a jump of less than 5 % of the displacement: a joint or two settle */
   QN_EVENT_KIND_SNAP, /* a larger one */
@@ -59,16 +59,15 @@ typedef struct QnPathEvent {
   QnEventKind kind;
   int32_t stage; /* as of QnStep */
   double multiplier;
-  double displacement_before,
-    displacement_after; /* largest since the dead load, m; of COLLAPSE
-                              the latter is how far the motion was followed */
-  double energy;        /* set free, J */
-  QnId *blocks;         /* that take part, ascending */
+  /* Largest since the dead load, m; COLLAPSE: `after` is the end of the followed motion. */
+  double displacement_before, displacement_after;
+  double energy; /* set free, J */
+  QnId *blocks;  /* moving blocks, ascending */
   size_t block_count;
 } QnPathEvent;
 
-/* One converged equilibrium. The first step is the dead load alone, multiplier 0. The
- * multiplier is that of the load sets which the stage drives. */
+/* One converged equilibrium. The first step is the dead load alone, multiplier 0. The multiplier is that of
+ * the load sets driven by the stage. */
 typedef struct QnStep {
   double multiplier;
   int32_t iterations; /* spent on this step */
@@ -77,21 +76,19 @@ typedef struct QnStep {
   int32_t
     stage;     /* number of the stage it belongs to, from 1; 0: dead load, or no stages */
   double time; /* s, of an analysis in time; 0 otherwise */
-  bool relaxed; /* a motion came to rest here, in the course of which joints have slid: no
-                   single answer of their laws leads from the last step to this one; or forces
-                   of an increment along the central path were kept, which the laws find again
-                   to a thousandth of the motion alone */
+  /* The forces do not follow from the last step by one evaluation of the laws: joints slid during a motion
+   * that came to rest here, or forces of the central path were kept, equal to the laws' to 1/1000. */
+  bool relaxed;
 } QnStep;
 
 /* Energy of an analysis in time, J, in the frame that moves with the ground. At any time
  *
- *   INPUT = KINETIC + ELASTIC + FRICTION + DAMPING + NUMERICAL + what the balance is wrong by
+ *   INPUT = KINETIC + ELASTIC + FRICTION + DAMPING + NUMERICAL + error of the balance
  *
- * INPUT: what was there at the start, and the work that the ground (on the masses) and the dead
- * loads have done since. ELASTIC: stored in joints and beams, what the dead load stored there
- * included. FRICTION: lost by slip, dilatancy and plastic deformation, and with contacts that
- * others replace. DAMPING: lost in dashpots. NUMERICAL: taken by the dissipation of the
- * integration, from its own formula. Nothing is defined as the rest of the others. */
+ * INPUT: energy at the start, plus work of the ground (on the masses) and of the dead loads. ELASTIC: stored
+ * in joints and beams, including that of the dead load. FRICTION: lost by slip, dilatancy, plastic
+ * deformation and replaced contacts. DAMPING: lost in dashpots. NUMERICAL: dissipated by the integration.
+ * Each term has its own formula; none is the difference of the others. */
 typedef enum {
   QN_ENERGY_INPUT,
   QN_ENERGY_KINETIC,
@@ -109,24 +106,21 @@ enum { QN_HISTORY_TIME, QN_HISTORY_GROUND_X, QN_HISTORY_GROUND_Y, QN_HISTORY_ENE
 /* A block that has turned by more, rad, has overturned. */
 #define QN_OVERTURNED 1.57079632679489661923
 
-/* Blocks that move by this part of the fastest are named as unstable: of a path, whose elastic joints
- * drag others along, and of rigid blocks. */
+/* Blocks with at least this part of the fastest velocity count as unstable: on a path, where elastic joints
+ * drag other blocks along; for rigid blocks. */
 #define QN_UNSTABLE_SHARE 0.1
 #define QN_UNSTABLE_RIGID 1e-3
 
-/* What an analysis in time adds: a row for every multiple of its longest step. */
+/* History of an analysis in time: one row per multiple of its longest step. */
 typedef struct QnHistory {
   size_t row_count, width; /* width = QN_HISTORY_TRACK + tracks; 0: no analysis in time */
   double *rows;
   size_t capacity;
-  double
-    *peaks; /* block_count: largest displacement since the dead load of every block, m */
+  double *peaks;           /* block_count: largest displacement since the dead load, m */
   double peak_time;        /* s: of the largest of them; NAN: not known */
   double energy_error;     /* largest error of the balance over the largest input */
   double largest_residual; /* of all steps, relative to the forces */
-  double
-    largest_slip; /* of a joint, over the length of its face: contacts stay where they
-                              were, so that this must be small */
+  double largest_slip;     /* of a joint over the length of its face; valid if small */
   double collapse_time;    /* s; where the outcome is COLLAPSE */
   double end;              /* s, reached */
   double shortest_step;    /* s */
@@ -140,7 +134,7 @@ typedef struct QnFound {
   double time; /* s */
 } QnFound;
 
-/* What it carries at a kept step; where a step has none, it carries nothing. */
+/* Force of a found contact at a kept step; without an entry the force is 0. */
 typedef struct QnFoundForce {
   int32_t step;
   QnId found;
@@ -148,7 +142,7 @@ typedef struct QnFoundForce {
   QnPairState state;
 } QnFoundForce;
 
-/* A joint as drawn that its blocks have left: its pairs carry nothing from then on. */
+/* A joint as drawn released by its blocks: its pairs carry no force from then on. */
 typedef struct QnLeftFace {
   QnId face;
   double time; /* s */
@@ -180,7 +174,7 @@ typedef struct QnStatistics {
   int64_t peak_memory_bytes; /* filled by layers that can measure it, else 0 */
 } QnStatistics;
 
-/* Adds what another part of an analysis took; peak memory is the larger of the two. */
+/* Adds the statistics of another part of an analysis; peak memory is the larger of the two. */
 void qn_statistics_add (QnStatistics *total, const QnStatistics *part);
 
 /* Sets times and memory, which differ from run to run, to 0: not measured. */
@@ -198,47 +192,42 @@ typedef struct QnSolution {
     displacement; /* largest since the dead load, m; NAN: of rigid blocks, or not known */
 } QnSolution;
 
-/* Whether blocks have moved farther than linear geometry holds for before the answer was settled. */
+/* Whether displacements exceeded the validity of linear geometry before the multiplier settled. */
 typedef enum {
   QN_LINEARITY_UNKNOWN, /* not judged */
-  QN_LINEARITY_HOLDS, /* they have not, or geometry is not linear, or blocks are rigid */
+  QN_LINEARITY_HOLDS,   /* no; or geometry is nonlinear, or blocks are rigid */
   QN_LINEARITY_BEYOND
 } QnLinearity;
 
-/* What a mechanism is where it is a mode of vibration. */
+/* Mode of vibration that is stored as the mechanism. */
 typedef struct QnVibration {
-  bool
-    dead_load; /* the state is that under dead load alone, else the last of the analysis */
-  int32_t mode; /* from 1, by frequency; 0: the mechanism is none */
-  double omega; /* rad/s */
-  bool
-    sliding; /* on the tangent with joints that slide; else closed joints are elastic */
+  bool dead_load; /* state under dead load alone, else the last one of the analysis */
+  int32_t mode;   /* from 1, by frequency; 0: the mechanism is no mode */
+  double omega;   /* rad/s */
+  bool sliding;   /* tangent with sliding joints; else closed joints are elastic */
 } QnVibration;
 
 /* The result of a search for the loss of stability. */
 typedef enum {
   QN_STABILITY_UNKNOWN, /* the analysis is no such search */
   QN_STABILITY_KEPT,    /* every step is stable */
-  QN_STABILITY_LOST,    /* so is every step, but beyond the last one stability is lost: at
-                           first_limit_multiplier, in the way of the mechanism */
+  QN_STABILITY_LOST,    /* every step is stable; lost at first_limit_multiplier */
   QN_STABILITY_COUNT
 } QnStability;
 
 /* Most solutions that a result keeps. */
 #define QN_RESULT_SOLUTIONS 12
 
-/* What limit analysis adds. limit.h says what each number guarantees. */
+/* Figures of limit analysis; guarantees in limit.h. */
 typedef struct QnLimitFigures {
   bool given;
   QnFlow flow;
   double lower_bound; /* associative: static value; non-associative: least fixed point */
-  double
-    upper_bound; /* associative: kinematic value; non-associative: greatest fixed point */
+  double upper_bound; /* associative: kinematic value; else greatest fixed point */
 } QnLimitFigures;
 
-/* Contact forces of every step are kept as long as there are no more than this many, pairs
- * times steps (17 bytes each); of longer or larger analyses only when the settings ask for all
- * of them. Those of the last step are always there. */
+/* Contact forces of all steps are kept up to this many pairs x steps (17 bytes each), or if the settings ask
+ * for them; forces of the last step are always kept. */
 #define QN_RESULT_FORCE_BUDGET 2000000
 
 typedef struct QnResult {
@@ -248,8 +237,7 @@ typedef struct QnResult {
   bool has_collapse_multiplier;
   double collapse_multiplier; /* largest multiplier with an equilibrium */
   bool has_first_limit_multiplier;
-  double
-    first_limit_multiplier; /* of the first snap, or where `stability` finds the limit */
+  double first_limit_multiplier; /* of the first snap, or of `stability` */
 
   QnPathEvent *events; /* stage by stage, as the multiplier meets them */
   size_t event_count, event_capacity;
@@ -257,17 +245,15 @@ typedef struct QnResult {
 
   QnSolution solutions[QN_RESULT_SOLUTIONS]; /* as they were met */
   int32_t solution_count;
-  bool
-    has_associative_bound; /* whether limit analysis was run for the associative bound */
+  bool has_associative_bound; /* limit analysis was run for it */
   double associative_bound;
   bool has_broken_bound; /* likewise, with the bond of every joint broken: */
   double broken_bound;   /* 0: not even the dead load stands */
 
   QnFault
-    refused[QN_CLAIM_COUNT]; /* what its own check found not to be true: left out, with
-                                      all that rests on it (core/path/proof.c) */
+    refused[QN_CLAIM_COUNT]; /* false claims, removed with all that depends on them */
   int32_t refused_count;
-  bool has_unproved_multiplier; /* what it told to be the collapse multiplier then */
+  bool has_unproved_multiplier; /* collapse multiplier of such a result */
   double unproved_multiplier;
 
   QnLinearity linearity;           /* as qn_result_judge_linearity() says */
@@ -287,8 +273,7 @@ typedef struct QnResult {
   double *displacements; /* step_count x (block_count + node_count) x 3; m, m, rad at
                             centroids and nodes */
   size_t displacement_capacity;
-  QnBeamForces
-    *beam_forces; /* step_count x element_count; NULL where they are not known */
+  QnBeamForces *beam_forces; /* step_count x element_count; NULL: unknown */
   size_t beam_force_capacity;
   size_t tie_count;
   QnTieResult *ties; /* step_count x tie_count; NULL where there are none */
@@ -310,22 +295,18 @@ typedef struct QnResult {
   double *step_damage; /* step_count x pair_count; NULL: no bond is damaged at any step */
   size_t step_force_capacity, step_state_capacity, step_damage_capacity;
   bool forces_dropped; /* there were more than the budget */
-  double
-    *mechanism; /* (block_count + node_count) x 3 velocity field at collapse, scaled as
-                          qn_result_set_mechanism() says; NULL where there is none */
-  bool mechanism_uncertain; /* how the structure moves on was not settled: the mechanism
-                               is its motion as far as it was followed */
+  double *mechanism;   /* (block_count + node_count) x 3 velocities at collapse, scaled by
+                        qn_result_set_mechanism(); NULL: none */
+  bool mechanism_uncertain; /* it is the motion up to the last followed state */
 
-  bool
-    mechanism_by_work; /* in large displacements: joints give a little in the mechanism; its
-                               second-order work proves it, not their flow */
+  bool mechanism_by_work; /* proved by its second-order work, not by the flow of joints */
 
   QnId *unstable_blocks; /* DEAD_LOAD_UNSTABLE: blocks that move, most moved first */
   size_t unstable_count;
 
   QnHistory history;
 
-  QnFound *found; /* contacts that blocks found on their way, as they were met */
+  QnFound *found; /* contacts found during motion, in order */
   size_t found_count, found_capacity;
   QnFoundForce *found_forces; /* by step, then by contact */
   size_t found_force_count, found_force_capacity;
@@ -349,8 +330,7 @@ void qn_result_clear (QnResult *result);
 /* Appends a step; displacements: a row for every block and node. False when memory runs out. */
 bool qn_result_add_step (QnResult *result, QnStep step, const double *displacements);
 
-/* Keeps the first `count` steps of a result without time, and of contacts that follow the blocks what was
- * found or left by then. */
+/* Keeps the first `count` steps of a result without time, and the contacts found or released by then. */
 void qn_result_keep_steps (QnResult *result, size_t count);
 
 /* Appends an event, whose blocks become the result's, even where memory runs out (false). The first
@@ -362,8 +342,8 @@ void qn_result_set_first_limit (QnResult *result, double multiplier);
 /* Keeps a solution, as long as there is room. */
 void qn_result_add_solution (QnResult *result, QnSolution solution);
 
-/* The interval in which collapse lies: from the least solution to the associative bound, each NAN where
- * it is not known. *found_by is how the former was found. */
+/* Interval of collapse: least solution, with the procedure that found it, and associative bound; NAN:
+ * unknown. */
 void qn_result_collapse_interval (const QnResult *result, double *least,
                                   QnProcedure *found_by, double *bound);
 
@@ -374,12 +354,12 @@ void qn_result_clear_collapse (QnResult *result);
  * of a block (of a rectangle, its least side) since the dead load. */
 #define QN_LINEAR_MOTION 0.1
 
-/* A multiplier that changes by no more than this part of itself any more is settled. */
+/* A multiplier whose remaining change is at most this part of itself is settled. */
 #define QN_SETTLED 1e-4
 
-/* Sets `linearity`: whether a path in linear geometry leaves the displacements that it holds for while
- * the multiplier is still on its way to collapse, or to where the path ends; between two steps, where a
- * straight line between them does. In time, whether a block's peak is beyond. */
+/* Sets `linearity`: whether a path in linear geometry exceeds QN_LINEAR_MOTION before the multiplier has
+ * settled at collapse or at the end of the path (linear interpolation between steps); in time, whether the
+ * peak of a block exceeds it. */
 void qn_result_judge_linearity (const QnModel *model, QnResult *result);
 
 /* Largest displacement of a block or node from one step to another, rotations aside, m. */
@@ -412,7 +392,7 @@ bool qn_result_add_velocities (QnResult *result, const double *velocities);
  * `all`. False when memory runs out. */
 bool qn_result_add_forces (QnResult *result, bool all);
 
-/* Appends what contacts do that were found on the way. False when memory runs out. */
+/* Append found contacts, their forces, released joints. False when memory runs out. */
 bool qn_result_add_found (QnResult *result, QnFound found);
 bool qn_result_add_found_force (QnResult *result, QnFoundForce force);
 bool qn_result_add_left (QnResult *result, QnLeftFace left);
@@ -426,7 +406,6 @@ bool qn_result_add_history (QnResult *result, const double *row);
 /* Result-file spelling: "input", "kinetic", … */
 extern const char *const qn_energy_names[QN_ENERGY_KIND_COUNT];
 
-/* Whether the contact forces of a step are known. */
 bool qn_result_has_forces (const QnResult *result, size_t step);
 
 /* State and forces of a pair at a step whose forces are known; its springs are known at the
@@ -438,18 +417,16 @@ QnPairResult qn_result_pair_at (const QnResult *result, size_t step, size_t pair
 void qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
                              double *factors);
 
-/* What stages came to. */
+/* Figures of stages. */
 typedef struct QnStageFigures {
   size_t last;            /* step */
   double multiplier;      /* of its load sets there */
-  double lowest, highest; /* and on the way, that where it begins included */
-  double
-    work; /* of its load sets on the way, J; moments with arms as drawn. Over a cycle that closes: what
-                  the structure has dissipated */
+  double lowest, highest; /* multipliers of its steps and of its begin */
+  double work; /* of its load sets, J, arms undeformed; closed cycle: dissipation */
 } QnStageFigures;
 
-/* Of the stages from `first` to `last` (from 1) together, which drive the same loads. False where
- * the result has no step of them, or memory runs out. */
+/* Figures of the stages from `first` to `last` (from 1), which drive the same loads. False if the result has
+ * no step of them, or memory runs out. */
 bool qn_result_stage_figures (const QnModel *model, const QnResult *result, int32_t first,
                               int32_t last, QnStageFigures *figures);
 

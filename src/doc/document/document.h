@@ -43,8 +43,8 @@ gboolean qn_document_load (QnDocument *document, const char *path, GError **erro
  * until it is saved elsewhere. */
 gboolean qn_document_load_copy (QnDocument *document, const char *path, GError **error);
 
-/* Takes over what was not saved to `path` (NULL: never saved), unsaved still: the file stays as
- * it is until the user saves. */
+/* Recovers unsaved changes of the file `path` (NULL: never saved). They remain unsaved: the file does not
+ * change until the user saves. */
 gboolean qn_document_load_recovered (QnDocument *document, const char *text,
                                      const char *path, GError **error);
 
@@ -85,9 +85,8 @@ QnSelection *qn_document_get_selection (QnDocument *document);
  * memory for it. */
 gboolean qn_document_begin_edit (QnDocument *document, QnProject *draft, GError **error);
 
-/* Its end: the draft, which is taken over, becomes the project, as one step of the history (see
- * qn_document_edit()). FALSE with an error where the draft breaks a rule, or where the edit was refused: `done`
- * FALSE, and the error is there. */
+/* Ends an edit: takes over the draft, which becomes the project as one step of the history (see
+ * qn_document_edit()). FALSE with an error if the draft breaks a rule, or `done` is FALSE with an error set. */
 gboolean qn_document_end_edit (QnDocument *document, QnProject *draft, const char *name,
                                const char *key, gboolean done, GError **error);
 
@@ -108,10 +107,9 @@ gboolean qn_document_edit_project (QnDocument *document, const char *name,
                                    const char *key, QnProjectEditFunc func,
                                    gpointer user_data, GError **error);
 
-/* Two edits are compared: one with the number `value`, `other`, and one with the present value,
- * `same`. The path in the file of the only number that differs; *number: as it is written there,
- * NaN where it is not; NULL where an edit is refused, or more differs or something else. Changes
- * nothing. The caller frees it. */
+/* Compares the edit `other`, with the number `value`, with the edit `same`, with the present value. Returns the
+ * path in the file of the only number that differs (*number: its text there, NaN: not written); NULL if an
+ * edit is refused or anything else differs. Does not change the document. The caller frees it. */
 char *qn_document_dup_number_path (QnDocument *document, QnProjectEditFunc func,
                                    gpointer same, gpointer other, double value,
                                    double *number);
@@ -153,7 +151,7 @@ gboolean qn_document_find_stability (QnDocument *document, GError **error);
 /* The same as qn_document_analyse() after an edit, without being asked: its run replaces the
  * previous one of this kind. Limit analysis is that with the joints' own dilatancy. */
 gboolean qn_document_analyse_live (QnDocument *document, GError **error);
-/* Whether the last analysis to end was such a one. */
+/* Whether the last ended analysis was started by qn_document_analyse_live(). */
 gboolean qn_document_was_live (QnDocument *document);
 
 void qn_document_cancel (QnDocument *document);
@@ -171,7 +169,7 @@ void qn_document_set_run (QnDocument *document, QnRun *run);
 void qn_document_add_run (QnDocument *document, QnRun *run);
 void qn_document_remove_run (QnDocument *document, QnRun *run);
 
-/* What has changed since a run. Titles, views and figures change nothing. */
+/* Changes since a run; titles, views and figures do not count. */
 typedef enum {
   QN_RUN_CURRENT,
   QN_RUN_OTHER_SETTINGS, /* of the analysis alone: blocks, laws, loads are the same */

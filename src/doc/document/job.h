@@ -19,7 +19,7 @@ G_DECLARE_FINAL_TYPE (QnJob, qn_job, QN, JOB, GObject)
 QnJob *qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
                    GError **error);
 
-/* Its run is to be replaced by that of the next such job; before it is started. */
+/* Marks the run to be replaced by the next marked job's; call before the start. */
 void qn_job_set_live (QnJob *job, gboolean live);
 gboolean qn_job_is_live (QnJob *job);
 
@@ -48,23 +48,21 @@ void qn_job_cancel (QnJob *job);
 void qn_job_set_paused (QnJob *job, gboolean paused);
 gboolean qn_job_is_paused (QnJob *job);
 
-/* Emitted as "progress" (no arguments); this is what it was about. */
+/* The state behind the last signal "progress" (no arguments). */
 QnProgress qn_job_get_progress (QnJob *job);
 
-/* What the live curve shows: x the number of a converged step, y its multiplier; of an analysis in
- * time x the time, s, y the displacement of qn_job_get_followed(). The array belongs to the job and
- * is valid until control returns to the main loop. */
+/* Points of the live curve: x number of a converged step, y multiplier; in time: x time, s, y displacement
+ * of qn_job_get_followed(). The job owns the array, valid until control returns to the main loop. */
 const QnVec2 *qn_job_get_curve (QnJob *job, gsize *count);
 
-/* What is analysed. */
+/* The analysed model. */
 const QnModel *qn_job_get_model (QnJob *job);
 
 /* Of an analysis in time: the block whose displacement the live curve shows. Returns when it ends at
  * the latest, s; 0 for other analyses. */
 double qn_job_get_followed (QnJob *job, QnId *block, QnDof *dof);
 
-/* Seconds until an analysis in time has come to its end if it goes on at the speed it has had so
- * far, without pauses; negative while nothing can be said. */
+/* Estimated remaining seconds of an analysis in time at its mean speed without pauses; < 0: unknown. */
 double qn_job_get_remaining (QnJob *job);
 
 /* Errors of qn_job_finish() and qn_job_new(): the core's problem as an error. */
@@ -77,5 +75,5 @@ typedef enum {
   QN_JOB_ERROR_INTERNAL
 } QnJobError;
 
-/* What stopped the analysis, for marking the place; valid after a failed finish. */
+/* Diagnosis of the analysis, with its place; valid after a failed finish. */
 const QnDiag *qn_job_get_diag (QnJob *job);

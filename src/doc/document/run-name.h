@@ -1,4 +1,4 @@
-/* What runs are called: what differs from the first one, or what the user says; with the method. */
+/* Names of runs: the difference from the first run or the user's text, and the method. */
 #pragma once
 
 #include "doc/document/document.h"
@@ -10,6 +10,6 @@
 gboolean qn_document_rename_run (QnDocument *document, const QnRun *run,
                                  const char *label, GError **error);
 
-/* What the project of one run says otherwise than that of another, translated, each "friction 0.5"; NULL
- * where the text of one of them is not known. */
+/* Differences between the projects of two runs, translated, such as "friction 0.5"; NULL if the text of one
+ * project is unknown. */
 GPtrArray *qn_run_list_changes (const QnRun *from, const QnRun *to);

@@ -1,4 +1,4 @@
-/* Runs in words: what was asked, and what came of it. */
+/* Texts on runs: request and outcome. */
 #pragma once
 
 #include "doc/document/run.h"
@@ -14,12 +14,12 @@ char *qn_run_dup_explanation (const QnRun *run);
  * slides or opens. The caller frees it. */
 char *qn_run_dup_mechanism (const QnRun *run);
 
-/* The same in one sentence. */
+/* The mechanism in one sentence. */
 char *qn_run_dup_mechanism_sentence (const QnRun *run);
 
-/* What happened along the path, a line (char *) for each of the result's events that is felt, *told of them: its
- * multiplier, how far a jump goes, how many blocks move; and one that counts the others, where joints
- * settle. Free with g_ptr_array_unref(). */
+/* Events of the path: a line (char *) for each reported event (qn_result_is_felt(); *told of them) with
+ * multiplier, motion and number of moving blocks, and a line with the number of the others. Free with
+ * g_ptr_array_unref(). */
 GPtrArray *qn_run_dup_events (const QnRun *run, QnUnits units, guint *told);
 
 /* Whether it followed a path that has a curve. */

@@ -11,7 +11,7 @@
 #include "core/result/result.h"
 #include <glib-object.h>
 
-/* What has been asked. */
+/* Requested analysis. */
 typedef enum {
   QN_RUN_ANALYSIS,  /* what the settings of the analysis say */
   QN_RUN_STABILITY, /* where the path loses its stability (core/path/stability.h) */
@@ -41,7 +41,7 @@ typedef struct QnRun {
 
 /* A run with empty members that the caller fills before sharing it. */
 QnRun *qn_run_new (const char *name, const char *fingerprint);
-/* Another one of the same model and contacts, which are shared. */
+/* Another run that shares model and contacts. */
 QnRun *qn_run_new_beside (QnRun *base, const char *name);
 QnRun *qn_run_ref (QnRun *run);
 void qn_run_unref (QnRun *run);

@@ -1,8 +1,8 @@
-/* What is selected: blocks and beams, or contact faces, or an opening of parametric masonry, or a
- * load or reinforcing bar.
+/* The selection: blocks and beams, or contact faces, or an opening of parametric masonry, or a load or
+ * reinforcing bar.
  *
- * Blocks and beams are remembered by name across edits, because their numbers change, faces by the
- * names of their blocks and their place, loads and bars by what they say. Emits "changed".
+ * Edits change numbers: blocks and beams are remembered by name, faces by the names of their blocks and
+ * their place, loads and bars by their values. Emits "changed".
  */
 #pragma once
 
@@ -16,7 +16,7 @@ G_DECLARE_FINAL_TYPE (QnSelection, qn_selection, QN, SELECTION, GObject)
 /* Nothing selected. */
 QnSelection *qn_selection_new (void);
 
-/* What is selected part by part. */
+/* The selected parts. */
 typedef enum { QN_PART_BLOCK, QN_PART_BEAM, QN_PART_FACE, QN_PART_COUNT } QnPartKind;
 
 gboolean qn_selection_is_empty (QnSelection *selection);

@@ -21,7 +21,7 @@ gboolean qn_edit_set_initial (QnModel *model, QnBlockSet set,
                               const double displacement[QN_DOF_COUNT],
                               const double velocity[QN_DOF_COUNT], GError **error);
 
-/* What the model says of it; at rest where it says nothing. */
+/* The model's initial motion of the block; default: at rest. */
 QnInitialMotion qn_initial_motion_of (const QnModel *model, QnId block);
 
 /* Where a block starts, drawn from where it stands in the model. */

@@ -20,7 +20,7 @@ typedef struct QnPartSet {
   QnBeamSet beams;
 } QnPartSet;
 
-/* What a new beam is made of. */
+/* Properties of a new beam. */
 typedef struct QnBeamStyle {
   const char *section; /* name; NULL or unknown: the first there is, or a new one */
   QnBeamKind kind;

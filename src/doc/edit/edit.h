@@ -1,4 +1,4 @@
-/* Edits: what the commands of the drawing do to a model.
+/* Edits of a model by the commands of the drawing.
  *
  * Each works on the copy that qn_document_edit() hands out and either does the whole of it or
  * refuses with an error (domain QN_EDIT_ERROR) that says why in the user's language. Lengths
@@ -40,7 +40,7 @@ QnVec2 qn_transform_apply (QnTransform transform, QnVec2 point);
 
 /* ---- blocks (edit-block.c) ---- */
 
-/* What a new block is made of. */
+/* Properties of a new block. */
 typedef struct QnBlockStyle {
   double thickness;   /* m */
   double unit_weight; /* N/m3 */

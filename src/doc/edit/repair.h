@@ -31,7 +31,7 @@ guint qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
 const char *qn_repair_get_label (QnRepair repair);
 const char *qn_repair_get_step_name (QnRepair repair);
 
-/* What the repair would do, with the block's name. The caller frees it. */
+/* Description of the repair with the block's name. The caller frees it. */
 char *qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair);
 
 /* Does it to the draft of an edit whose model the finding is about. */

@@ -7,7 +7,7 @@
 #include "stereotomy/masonry.h"
 #include <glib.h>
 
-/* What new masonry is like. */
+/* Properties of new masonry. */
 typedef struct QnMasonryStyle {
   QnVec2 unit; /* length of a block, height of a course, m */
   QnBond bond;

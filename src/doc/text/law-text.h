@@ -8,10 +8,10 @@
 extern const char *const qn_law_kind_words[QN_LAW_KIND_COUNT];
 extern const char *const qn_basis_words[QN_BASIS_COUNT];
 
-/* What the number of a key is called ("Friction, tangent"), to be translated. */
+/* Name of the number of a key ("Friction, tangent"), to be translated. */
 const char *qn_law_number_word (const char *key);
 
-/* What the number of a key ("kn", "friction", …) is with a basis. */
+/* Quantity of the number of a key ("kn", "friction", …) by basis. */
 QnQuantity qn_law_quantity (const char *key, QnBasis basis);
 
 /* Name; kind, basis and what has it; main numbers; the source: a line each. Free with g_free(). */

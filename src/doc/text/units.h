@@ -1,4 +1,4 @@
-/* Units: what the user reads and types, against the SI numbers of the model.
+/* Conversion between the units of the window and the SI numbers of the model.
  *
  * Every field of the window shows its unit and accepts any other of the same quantity: "40",
  * "0,4 m" and "40 cm" are the same length. Both decimal signs are understood; the one of the

@@ -1,5 +1,4 @@
-/* What a motion of the ground looks like before anything is computed: acceleration, velocity,
- * displacement, and the response spectrum. */
+/* Preview of a motion of the ground: acceleration, velocity, displacement, response spectrum. */
 #pragma once
 
 #include "core/model/model.h"

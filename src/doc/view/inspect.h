@@ -21,7 +21,7 @@ typedef struct QnInspected {
   QnId id;
 } QnInspected;
 
-/* What a view shows of a result at its step. */
+/* Content of a view: a result at its step. */
 typedef struct QnStepView {
   const QnModel *model;
   const QnContacts *contacts;
@@ -39,7 +39,7 @@ typedef struct QnStepView {
 gboolean qn_step_view_init (QnStepView *view, QnViewState *state);
 void qn_step_view_clear (QnStepView *view);
 
-/* The state of a joint in one word where all its pairs are in one, else how many are in which. */
+/* The state of a joint in one word if all its pairs share it, else the number of pairs in each state. */
 char *qn_inspect_dup_state (const QnJointReading *reading);
 
 /* The name of what it is: "Joint b1 – b2", "Contact b1 – b2", "Block b1"; and its values, a line for each with a tab

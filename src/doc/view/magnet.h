@@ -1,8 +1,7 @@
-/* The magnet: which exact place a pointer near it means.
+/* The magnet: the exact place near the pointer.
  *
- * Nodes of beams win over corners, those over middles of edges and edges, edges over course
- * lines, and those over the grid; within a kind the nearest wins. The answer says what it took,
- * so that the drawing can show it.
+ * Order: nodes of beams, corners, middles of edges and edges, course lines, grid; within a kind the
+ * nearest. The answer includes the kind, for the drawing.
  */
 #pragma once
 

@@ -17,7 +17,7 @@ qn_rgb (uint32_t hex)
   return (QnColor){ (uint8_t) (hex >> 16), (uint8_t) (hex >> 8), (uint8_t) hex, 255 };
 }
 
-/* What a colour is for; the palette answers in colour or in greys. */
+/* Purpose of a colour; the palette has colours and greys. */
 typedef enum {
   QN_INK_LINE,  /* outlines, text, axes */
   QN_INK_FAINT, /* ghost outlines, grid lines, secondary text */

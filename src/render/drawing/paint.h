@@ -5,7 +5,7 @@
 
 #include <cairo.h>
 
-/* What follows is painted in this colour, with its opacity multiplied by alpha, 0 .. 1. */
+/* Sets the colour of the following drawing, its opacity multiplied by alpha, 0 .. 1. */
 static inline void
 qn_set_color (cairo_t *cr, QnColor color, double alpha)
 {

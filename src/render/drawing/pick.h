@@ -1,4 +1,4 @@
-/* Picking: what is under the pointer, by walking the same scene that is drawn. */
+/* Picking: finds the object under the pointer in the drawn scene. */
 #pragma once
 
 #include "render/drawing/scene.h"

@@ -156,7 +156,7 @@ qn_command_set_extent (QnCommand *command, double extent, double least)
   command->least = (float) least;
 }
 
-/* Whether what a command annotates has the size for it. */
+/* Whether the size of the annotated object is within the limits of the command. */
 static inline bool
 qn_command_has_size (const QnCommand *command, const QnCamera *camera)
 {
@@ -169,7 +169,7 @@ qn_command_has_size (const QnCommand *command, const QnCamera *camera)
 QnLegendEntry *qn_scene_legend (QnScene *scene, QnCommandKind kind, QnColor color,
                                 const char *format, ...) G_GNUC_PRINTF (4, 5);
 
-/* The same with a marker of a size (pt) as its sample. */
+/* A legend entry with a marker of a size (pt) as its sample. */
 void qn_scene_legend_marker (QnScene *scene, QnMarker marker, double size, QnColor color,
                              const char *format, ...) G_GNUC_PRINTF (5, 6);
 

@@ -44,7 +44,7 @@ double qn_motion_result_scale (const QnModel *model, const QnResult *result);
 double qn_motion_of_block (const QnMotion *motion, QnId block);
 double qn_motion_largest (const QnMotion *motion);
 
-/* What a joint does. */
+/* Motion of a joint. */
 typedef struct QnJoint {
   double opening_start, opening_end; /* m, of the two ends of the face; < 0: closing */
   double slip;                       /* m, of block b along the tangent, mean */

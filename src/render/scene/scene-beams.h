@@ -1,4 +1,4 @@
-/* What the drawings of beams share; private to the scene-*.c files. */
+/* Shared by the drawings of beams; private to the scene-*.c files. */
 #pragma once
 
 #include "core/assembly/beam-assembly.h"

@@ -1,4 +1,4 @@
-/* What the builders of a scene share; private to the scene-*.c files. */
+/* Shared by the builders of a scene; private to the scene-*.c files. */
 #pragma once
 
 #include "render/scene/motion.h"

@@ -11,7 +11,7 @@
 
 #include "render/scene/reading.h"
 
-/* Side 0 of a cut is where its normal comes from. */
+/* The normal of a cut points from side 0 to side 1. */
 typedef struct QnCut {
   QnVec2 start, end;   /* m, undeformed */
   QnVec2 normal;       /* unit, that of its first face */

@@ -31,7 +31,7 @@ void qn_case_solve (const QnStudy *study, const double *values, const char *keep
 
 void qn_case_model_clear (QnCaseModel *model);
 
-/* A row that says why there is no result; takes ownership of nothing. */
+/* A row with the reason why there is no result; borrows its arguments. */
 void qn_case_result_fail (QnCaseResult *result, const char *reason);
 
 void qn_case_result_clear (QnCaseResult *result);

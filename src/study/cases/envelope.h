@@ -77,10 +77,10 @@ QnStatus qn_envelope_run (QnEnvelope *envelope, QnProgressFunc progress, void *d
 QnStatus qn_envelope_move (const QnEnvelope *envelope, QnEnvelopePlace at, QnModel *moved,
                            QnDiag *diag);
 
-/* What has been found there; not-a-number where nothing has. */
+/* The multiplier found there; NaN: none. */
 double qn_envelope_multiplier (const QnEnvelope *envelope, QnEnvelopePlace at);
 
-/* The least of what is computed; FALSE where there is none. */
+/* The least computed multiplier; FALSE: none. */
 gboolean qn_envelope_find_least (const QnEnvelope *envelope, QnEnvelopePlace *least);
 
 /* "CS 454 bogie 1.3 m, to the left" */

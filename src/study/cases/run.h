@@ -11,7 +11,7 @@ typedef struct QnStudyProgress {
   double to_go;   /* s, from the pace of this run; NaN: nothing is known yet */
 } QnStudyProgress;
 
-/* Returns FALSE to end the run; what has been computed is kept. */
+/* Returns FALSE to end the run; computed cases are kept. */
 typedef gboolean (*QnStudyProgressFunc) (const QnStudyProgress *progress, gpointer data);
 
 typedef struct QnStudyRunSettings {

@@ -52,5 +52,5 @@ gboolean qn_store_get_note (QnStore *store, const char *key, char **value,
 gboolean qn_store_set_note (QnStore *store, const char *key, const char *value,
                             GError **error);
 
-/* What has not been committed is lost. NULL is allowed. */
+/* Discards uncommitted rows. NULL is allowed. */
 void qn_store_close (QnStore *store);

@@ -20,7 +20,7 @@ QnStudyJob *qn_study_job_start (const char *study_path, const char *folder,
 QnStudyJobState qn_study_job_look (QnStudyJob *job, QnStudyProgress *progress,
                                    GError **error);
 
-/* Asks it to end soon; what has been computed is kept. */
+/* Asks it to end soon; computed cases are kept. */
 void qn_study_job_cancel (QnStudyJob *job);
 
 /* Cancels, waits for the end, and frees. */

@@ -37,7 +37,7 @@ gboolean qn_worker_start (QnWorker *worker, const char *program, const char *fol
 gboolean qn_worker_give (QnWorker *worker, gsize index, const double *values,
                          gsize width);
 
-/* Takes what the worker has written. FALSE at the end of its output. */
+/* Reads the worker's output. FALSE at its end. */
 gboolean qn_worker_receive (QnWorker *worker);
 
 /* The next answer that is complete: place and result of the first case of the queue, which it

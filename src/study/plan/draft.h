@@ -10,7 +10,7 @@
 
 typedef struct QnDraft QnDraft;
 
-/* What the values of a parameter are: the kinds that a form can show. */
+/* Kinds of values of a parameter that a form can show. */
 typedef enum {
   QN_DRAFT_UNIFORM,   /* first: least, second: greatest */
   QN_DRAFT_NORMAL,    /* mean, deviation */

@@ -14,7 +14,7 @@
 #define QN_STUDY_MAX_PARAMETERS 100
 #define QN_STUDY_MAX_VALUES     10000
 
-/* s that a case may take where the study says nothing. */
+/* Default time limit of a case, s. */
 #define QN_STUDY_SECONDS 3600
 
 typedef enum {
@@ -121,7 +121,7 @@ extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
 /* Whether a plan is made of the levels of its parameters, not of random points. */
 gboolean qn_plan_is_by_levels (QnPlanKind kind);
 
-/* What a kind of run overrides in the project; NULL: nothing. */
+/* Override of the project by a kind of run; NULL: none. */
 const char *qn_study_run_override (QnStudyRun run);
 
 /* Whether a kind of run of a project gives a bound from above in place of a collapse multiplier: limit

@@ -1,4 +1,4 @@
-/* What readers see of outputs: files have keys (collapse_multiplier, overturning). */
+/* Names of outputs for readers; files have keys (collapse_multiplier, overturning). */
 #pragma once
 
 #include "study/plan/study.h"

@@ -1,4 +1,4 @@
-/* What a sample says of the distribution that it was drawn from, with how sure that is.
+/* Estimates of a distribution from a sample, with confidence intervals.
  *
  * Intervals hold the true value with a probability of 95 % for independent random cases. The cases
  * of a Latin hypercube or of a Sobol sequence cover the space more evenly: there the intervals are

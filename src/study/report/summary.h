@@ -1,4 +1,4 @@
-/* What the cases of a study say, in words and numbers. */
+/* Summary of the cases of a study in words and numbers. */
 #pragma once
 
 #include "study/report/table.h"

@@ -3,7 +3,7 @@
 
 #include "study/cases/store.h"
 
-/* What is known of one case. */
+/* Known values of one case. */
 typedef struct QnRow {
   gsize index; /* place of the case, from 0 */
   gboolean failed;
