@@ -18,9 +18,8 @@
 #define CARD_POINTS 8.5
 #define CARD_PAD    7.0
 #define CARD_ASIDE  18.0
-#define CARD_GAP    10 /* points, between names and values */
-#define REST_MS                                                                          \
-  500 /* in the view of the model, until what is under the pointer is told */
+#define CARD_GAP    10  /* points, between names and values */
+#define REST_MS     500 /* in the view of the model, until it is told what is there */
 
 /* ---- places ---- */
 

@@ -8,11 +8,9 @@
 #include <string.h>
 
 /* Tuning. The error of a step grows with the square of its length, or faster. */
-#define CUTS 12 /* most, in two, of the longest step */
-#define MAY_GROW                                                                         \
-  0.15 /* part of the tolerance below which the next step may be twice as long */
-#define STEP_ENERGY                                                                      \
-  2e-5 /* of the largest input: error of a step, too long for joints that meet and turn */
+#define CUTS        12   /* most, in two, of the longest step */
+#define MAY_GROW    0.15 /* of the tolerance: the next step may be twice as long */
+#define STEP_ENERGY 2e-5 /* of the largest input: error of a step that is too long */
 
 typedef struct {
   QnPool pool; /* of arrays */

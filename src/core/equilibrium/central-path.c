@@ -18,10 +18,8 @@
 #define TIGHTER         1e-2 /* complementarity, where Newton's method does not finish, */
 #define MOST_FINISHES   3    /* so often, */
 #define FINISH_BUDGET   12   /* in so many iterations */
-#define NEARLY                                                                           \
-  1e-7 /* complementarity that may stand where nothing turns back but by rounding */
-#define MOST_TURNS                                                                       \
-  4 /* central paths of a step, where dilation has turned on the one before */
+#define NEARLY          1e-7 /* complementarity that may stand if only rounding turns back */
+#define MOST_TURNS      4 /* central paths of a step, as dilation turns on the last one */
 
 #define HOLDING_VISCOSITY 1e-12 /* holds what touches nothing */
 #define LEAST_AIM         1e-6  /* of the mean product, in one iteration */

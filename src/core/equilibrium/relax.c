@@ -21,9 +21,8 @@
 #define SHORTER         8
 #define FIRST_VISCOSITY 0.01 /* soft enough to cross a small jump at once */
 #define STIFFEST        1e9 /* joints are nothing beside it: what fails then never converges */
-#define WAIT                                                                             \
-  8 /* steps until a viscosity that has failed is tried again, no measure held */
-#define STEADY 1e-3 /* velocities differ by less, over as long as all that went before */
+#define WAIT            8 /* steps until a failed viscosity is tried again, no measure held */
+#define STEADY          1e-3 /* velocities differ by less, over as long as all that went before */
 
 /* Of steps along the central path. Small structures rest or fall within the first steps, which are cheaper by
  * Newton's method alone. */
@@ -41,8 +40,7 @@
 #define FALL_BEGINS    10
 #define FALL_DOUBLINGS 4
 #define FALL_LENGTHS   1e3
-#define FALL_PART                                                                        \
-  0.25 /* of a state that is kept: how far it has gone beside the one after it */
+#define FALL_PART      0.25 /* of a kept state: the way gone beside the one after it */
 
 #define NEXT_TO 0.1 /* a neighbour of a rest, reached straight: of the way */
 

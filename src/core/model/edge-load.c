@@ -437,8 +437,7 @@ add_shares (Resolver *r, QnShare *shares)
   return status;
 }
 
-#define LINE_PART                                                                        \
-  0.5 /* m: stretches of uniform load are spread in parts of this length */
+#define LINE_PART 0.5 /* m: uniform load is spread in parts of this length */
 
 static QnStatus
 resolve_vehicle (Resolver *r)

@@ -17,7 +17,8 @@
 #define BAND_ALPHA  0.22
 #define BAR_ALPHA   0.75
 #define PLOT_MARGIN 10.0
-#define FAR_OFF     1e5 /* px */
+#define FAR_OFF     1e5  /* px */
+#define LEAST_RANGE 2e-4 /* of an axis, over its middle: less is rounding */
 
 typedef struct Drawing {
   const QnPlot *plot;
@@ -122,6 +123,10 @@ set_axis (QnAxis *axis, const QnPlotAxis *as, const double found[2], double star
   if (given) {
     range[0] = as->low;
     range[1] = as->high;
+  } else if (range[1] > range[0]) {
+    double middle = 0.5 * (range[0] + range[1]), half = 0.5 * LEAST_RANGE * fabs (middle);
+    range[0] = fmin (range[0], middle - half);
+    range[1] = fmax (range[1], middle + half);
   }
   (as->log ? qn_axis_set_log : qn_axis_set) (axis, range[0] * factor, range[1] * factor,
                                              end - start, spacing);
@@ -144,8 +149,12 @@ lay_out (Drawing *d, const QnFrame *frame, double top, double bottom)
   set_axis (&d->y, &plot->y, y, bottom - (3.1 * QN_TYPE_TICK + 4) * u,
             top + 0.6 * QN_TYPE_TICK * u, QN_TICK_SPACING_Y * u);
   double left = 1.8 * QN_TYPE_LABEL * u + qn_axis_text_width (&d->y, d->cr, u) + 5 * u;
-  set_axis (&d->x, &plot->x, x, frame->x + left,
-            frame->x + frame->width - 2.2 * QN_TYPE_TICK * u, QN_TICK_SPACING_X * u);
+  double right = 2.2 * QN_TYPE_TICK * u;
+  for (int pass = 0; pass < 2; pass++) { /* a long number at the end needs more */
+    set_axis (&d->x, &plot->x, x, frame->x + left, frame->x + frame->width - right,
+              QN_TICK_SPACING_X * u);
+    right = fmax (right, 0.5 * qn_axis_text_width (&d->x, d->cr, u));
+  }
 }
 
 /* Cairo has no room for what lies very far from the part that is shown. */

@@ -360,12 +360,16 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
       load->set > 0 ? qn_model_load_set_name (b->model, load->set) : name;
     if (load->kind == QN_LOAD_FILL) /* drawn as soil */
       continue;
-    if (load->kind == QN_LOAD_VEHICLE)
+    if (load->kind == QN_LOAD_VEHICLE) {
       add_axles (b, load, pick, (QnId) i, color);
+      qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, QN_WIDTH_ARROW, color,
+                              _ ("%s: vehicle %s"), called,
+                              b->model->vehicles[load->vehicle].name);
+    }
     if (qn_load_is_on_edges (load->kind)) {
       size_t source = i + (loads == b->model->live_loads ? b->model->dead_load_count : 0);
       add_edge_load (b, source, intensity, pick, (QnId) i, color);
-      on_edges = true;
+      on_edges = on_edges || load->kind != QN_LOAD_VEHICLE;
       continue;
     }
     if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE) {

@@ -54,6 +54,32 @@ test_range (void)
   cairo_surface_destroy (surface);
 }
 
+/* Values that differ by rounding alone are not drawn over the whole width, and no number at the end of
+ * an axis is cut, whatever its digits. */
+static void
+test_narrow (void)
+{
+  const double x[] = { 0.35581234, 0.35581241 }, y[] = { 1, 2 };
+  g_autoptr (QnPlot) plot = qn_plot_new ("x", "y");
+  QnPlotPlace place;
+  plot->x.from_zero = false;
+  qn_plot_add (plot, (QnMarks){ .kind = QN_MARKS_LINE, .x = x, .y = y, .count = 2 });
+  for (int zoomed = 0; zoomed < 2; zoomed++) {
+    cairo_rectangle_t ink;
+    if (zoomed) {
+      plot->x.low = x[0];
+      plot->x.high = x[1];
+    }
+    cairo_surface_t *surface = draw (plot, &place);
+    double part = place.x_scale * (x[1] - x[0]) / (place.frame.max.x - place.frame.min.x);
+    g_assert_cmpfloat (part, <=, zoomed ? 1 + 1e-6 : 0.01);
+    cairo_recording_surface_ink_extents (surface, &ink.x, &ink.y, &ink.width,
+                                         &ink.height);
+    g_assert_cmpfloat (ink.x + ink.width, <=, frame.x + frame.width);
+    cairo_surface_destroy (surface);
+  }
+}
+
 /* What a plot keeps goes with it; marks without a place and plots without room are drawn as nothing. */
 static void
 test_odd (void)
@@ -79,5 +105,6 @@ test_odd (void)
 QN_TESTS
 {
   g_test_add_func ("/render/plot/range", test_range);
+  g_test_add_func ("/render/plot/narrow", test_narrow);
   g_test_add_func ("/render/plot/odd", test_odd);
 }
