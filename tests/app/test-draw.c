@@ -2,6 +2,7 @@
 #include "driver.h"
 
 #include "app/tools/tools.h"
+#include "app/widgets/paper-area.h"
 #include "app/widgets/row.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-masonry.h"
@@ -197,7 +198,34 @@ change_kind (QnModel *model, gpointer data, GError **error)
   return TRUE;
 }
 
-/* The form shows every kind of law, in a light window and in a dark one. */
+static gboolean
+is_paper_area (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return QN_IS_PAPER_AREA (widget) && gtk_widget_get_mapped (widget);
+}
+
+/* Brightness of a corner of the paper, 0 to 255. */
+static int
+corner_of (GtkWidget *paper)
+{
+  const int width = gtk_widget_get_width (paper), height = gtk_widget_get_height (paper);
+  g_autoptr (GdkPaintable) paintable = gtk_widget_paintable_new (paper);
+  GtkSnapshot *snapshot = gtk_snapshot_new ();
+  gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot), width, height);
+  GskRenderNode *node = gtk_snapshot_free_to_node (snapshot);
+  g_assert_nonnull (node);
+  g_autoptr (GdkTexture) texture = gsk_renderer_render_texture (
+    gtk_native_get_renderer (gtk_widget_get_native (paper)), node, NULL);
+  gsize stride = 4 * (gsize) gdk_texture_get_width (texture);
+  g_autofree guchar *pixels =
+    g_malloc (stride * (gsize) gdk_texture_get_height (texture));
+  gdk_texture_download (texture, pixels, stride);
+  gsk_render_node_unref (node);
+  return pixels[3 * stride + 3 * 4 + 1];
+}
+
+/* The form shows every kind of law, in a light window and, on dark paper, in a dark one. */
 static void
 test_laws (void)
 {
@@ -217,6 +245,10 @@ test_laws (void)
     GtkWidget *button =
       driver_find_widget (GTK_WIDGET (window), driver_is_button, "_Duplicate Law");
     g_assert_nonnull (button);
+    GtkWidget *paper = driver_find_widget (GTK_WIDGET (window), is_paper_area, NULL);
+    gtk_widget_grab_focus (paper); /* into sight */
+    driver_settle ();
+    g_assert_cmpint (corner_of (paper), ==, dark ? 33 : 255);
     gtk_widget_grab_focus (button);
     driver_screenshot (GTK_WIDGET (window), dark ? "laws-dark" : "laws");
     driver_discard (window);

@@ -1,5 +1,6 @@
 #include "app/canvas/canvas-private.h"
 
+#include "app/widgets/paper-area.h"
 #include "app/widgets/settings.h"
 #include "app/widgets/text-unit.h"
 #include "doc/edit/edit-place.h"
@@ -11,10 +12,6 @@
 #define PICK_REACH_PX 4.0
 #define CLICK_PX      4.0
 #define NODE_REACH_PX 7.0
-
-/* What black ink and white paper become in a dark window. */
-#define DARK_INK   0.92F
-#define DARK_PAPER 0.13F
 
 G_DEFINE_FINAL_TYPE (QnCanvas, qn_canvas, GTK_TYPE_WIDGET)
 
@@ -86,39 +83,6 @@ update_description (QnCanvas *self)
 
 /* ---- widget ---- */
 
-/* In dark windows the paper is dark, but for a photo, of which nothing would be recognised. */
-static gboolean
-is_dark (QnCanvas *self)
-{
-  GdkRGBA color;
-#if GTK_CHECK_VERSION(4, 10, 0)
-  gtk_widget_get_color (GTK_WIDGET (self), &color);
-#else
-  gtk_style_context_get_color (gtk_widget_get_style_context (GTK_WIDGET (self)), &color);
-#endif
-  return color.red + color.green + color.blue > 1.5f
-         && qn_view_state_get_underlay (self->state)->image == NULL;
-}
-
-/* Turns light into dark and keeps hues: white becomes a dark grey, black a light one. All drawing
- * is done as on white paper. The rotation of hues by 180 degrees is that of SVG. */
-static void
-push_dark (GtkSnapshot *snapshot)
-{
-  static const float turn[3][3] = { { -0.574F, 1.430F, 0.144F },
-                                    { 0.426F, 0.430F, 0.144F },
-                                    { 0.426F, 1.430F, -0.856F } };
-  float values[16] = { [15] = 1.0F };
-  for (int row = 0; row < 3; row++)
-    for (int column = 0; column < 3; column++)
-      values[4 * column + row] = -(DARK_INK - DARK_PAPER) * turn[row][column];
-  graphene_matrix_t matrix;
-  graphene_vec4_t offset;
-  graphene_matrix_init_from_float (&matrix, values);
-  graphene_vec4_init (&offset, DARK_INK, DARK_INK, DARK_INK, 0.0F);
-  gtk_snapshot_push_color_matrix (snapshot, &matrix, &offset);
-}
-
 static void
 qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
 {
@@ -134,9 +98,9 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
     qn_canvas_fit_now (self);
   const graphene_rect_t all = GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height);
   const QnScene *scene = qn_canvas_get_scene (self);
-  gboolean dark = is_dark (self);
-  if (dark)
-    push_dark (snapshot);
+  /* A photo stays as it is, of which nothing would be recognised. */
+  gboolean dark = qn_view_state_get_underlay (self->state)->image == NULL
+                  && qn_paper_area_push_dark (widget, snapshot);
   cairo_t *cr = gtk_snapshot_append_cairo (snapshot, &all);
   if (qn_gl_layer_prepare (QN_GL_LAYER (self->gl_layer), scene, &self->camera)) {
     qn_scene_cache_clear (&self->cache);

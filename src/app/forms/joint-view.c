@@ -9,35 +9,27 @@
 /* The plot's text over that of the window: it is small. */
 #define TEXT_SHARE 0.8
 
-typedef struct View {
-  QnJointPlot plot;
-} View;
-
 static void
-on_gone (gpointer data, GObject *where)
+free_plot (gpointer data)
 {
-  View *view = data;
-  free (view->plot.points);
-  g_free (view);
+  QnJointPlot *plot = data;
+  free (plot->points);
+  g_free (plot);
 }
 
 static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
-  View *view = data;
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
-  if (view->plot.count == 0)
+  QnJointPlot plot = *(QnJointPlot *) data;
+  if (plot.count == 0)
     return;
   QnUnits units = qn_settings_get_units ();
   const char *force = qn_units_symbol (units, QN_QUANTITY_FORCE);
   g_autofree char *normal = g_strdup_printf (_ ("N, %s"), force);
   g_autofree char *shear = g_strdup_printf (_ ("T, %s"), force);
-  g_autofree char *size =
-    qn_units_format (units, QN_QUANTITY_LENGTH, view->plot.length, 4);
+  g_autofree char *size = qn_units_format (units, QN_QUANTITY_LENGTH, plot.length, 4);
   g_autofree char *along = g_strdup_printf (_ ("along the joint, %s %s"), size,
                                             qn_units_symbol (units, QN_QUANTITY_LENGTH));
-  QnJointPlot plot = view->plot;
   plot.force_factor = qn_units_factor (units, QN_QUANTITY_FORCE);
   plot.length_factor = qn_units_factor (units, QN_QUANTITY_LENGTH);
   plot.normal_label = normal;
@@ -50,10 +42,9 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 void
 qn_joint_view_init (GtkWidget *area)
 {
-  View *view = g_new0 (View, 1);
-  g_object_set_data (G_OBJECT (area), "qn-view", view);
-  g_object_weak_ref (G_OBJECT (area), on_gone, view);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, view, NULL);
+  QnJointPlot *plot = g_new0 (QnJointPlot, 1);
+  g_object_set_data_full (G_OBJECT (area), "qn-plot", plot, free_plot);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, plot, NULL);
 }
 
 /* The plot in words. */
@@ -69,9 +60,9 @@ dup_description (const QnJointPlot *plot)
 void
 qn_joint_view_set_plot (GtkWidget *area, const QnJointPlot *plot)
 {
-  View *view = g_object_get_data (G_OBJECT (area), "qn-view");
-  free (view->plot.points);
-  view->plot = *plot;
+  QnJointPlot *own = g_object_get_data (G_OBJECT (area), "qn-plot");
+  free (own->points);
+  *own = *plot;
   g_autofree char *description = dup_description (plot);
   gtk_accessible_update_property (GTK_ACCESSIBLE (area),
                                   GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, description, -1);

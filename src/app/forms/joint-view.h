@@ -6,7 +6,7 @@
 
 #include "render/figure/joint-plot.h"
 
-/* Makes a GtkDrawingArea one. */
+/* Makes a QnPaperArea one. */
 void qn_joint_view_init (GtkWidget *area);
 
 /* Takes over the points of the plot. */

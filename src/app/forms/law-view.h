@@ -4,7 +4,7 @@
 #include "core/law/law.h"
 #include <gtk/gtk.h>
 
-/* Makes a GtkDrawingArea one. */
+/* Makes a QnPaperArea one. */
 void qn_law_view_init (GtkWidget *area);
 
 /* Takes a copy. */

@@ -1,5 +1,6 @@
 #include "app/pages/compare-cell.h"
 
+#include "app/widgets/paper-area.h"
 #include "doc/document/run-text.h"
 #include "doc/text/explain.h"
 #include "render/backend/draw-cairo.h"
@@ -67,8 +68,6 @@ static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   const Cell *cell = data;
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
   QnScene *scene = build_scene (cell, cell->view->phase);
   if (scene == NULL)
     return;
@@ -180,7 +179,7 @@ qn_compare_cell_new (QnRun *run, QnCompareView *view)
   qn_scene_free (whole);
 
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  cell->area = gtk_drawing_area_new ();
+  cell->area = g_object_new (QN_TYPE_PAPER_AREA, NULL);
   gtk_widget_set_size_request (cell->area, 150, 130);
   gtk_widget_set_hexpand (cell->area, TRUE);
   gtk_widget_set_vexpand (cell->area, TRUE);

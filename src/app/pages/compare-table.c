@@ -197,8 +197,6 @@ qn_compare_draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height
     if (group[i] == 0)
       group[i] = ++groups;
   }
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
   for (guint g = 1; g <= groups; g++) {
     double part = (double) height / groups;
     const QnFrame frame = { 6.0, (g - 1) * part + 6.0, width - 12.0, part - 12.0, 0.0 };

@@ -138,8 +138,6 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
     width, height, qn_text_unit (GTK_WIDGET (area)), true, false, NULL
   };
   g_autoptr (GError) error = NULL;
-  cairo_set_source_rgb (cr, 1, 1, 1);
-  cairo_paint (cr);
   if (self->envelope.count > 0 && !qn_envelope_draw (cr, &page, &self->figure, &error))
     tell (self, error->message);
 }

@@ -1,6 +1,7 @@
 #include "app/widgets/builder.h"
 
 #include "app/widgets/dialog.h"
+#include "app/widgets/paper-area.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
 #include "app/widgets/shortened.h"
@@ -9,6 +10,7 @@ GtkBuilder *
 qn_builder_new (const char *name)
 {
   g_autofree char *path = g_strdup_printf ("/io/github/quoin/Quoin/%s.ui", name);
+  g_type_ensure (QN_TYPE_PAPER_AREA);
   g_type_ensure (QN_TYPE_ROW);
   g_type_ensure (QN_TYPE_QUANTITY_ENTRY);
   GtkBuilder *builder = gtk_builder_new_from_resource (path);

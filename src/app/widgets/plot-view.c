@@ -1,5 +1,6 @@
 #include "app/widgets/plot-view.h"
 
+#include "app/widgets/paper-area.h"
 #include "app/widgets/text-unit.h"
 
 #include <math.h>
@@ -83,8 +84,6 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   double share = hand->text_share > 0.0 ? hand->text_share : 1.0;
   g_autofree char *message = NULL, *told = NULL;
   g_autoptr (QnPlot) plot = hand->make (view->data, view->chosen, &message);
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_paint (cr);
   view->place = (QnPlotPlace){ 0 };
   if (plot != NULL) {
     if (view->chosen) {
@@ -280,7 +279,7 @@ qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data)
 GtkWidget *
 qn_plot_view_new (const char *name, double height, const QnPlotHand *hand, gpointer data)
 {
-  GtkWidget *area = gtk_drawing_area_new ();
+  GtkWidget *area = g_object_new (QN_TYPE_PAPER_AREA, NULL);
   gtk_widget_set_name (area, name);
   gtk_drawing_area_set_content_height (
     GTK_DRAWING_AREA (area), (int) (height * qn_text_unit (area) / QN_TEXT_UNIT));

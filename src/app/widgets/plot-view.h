@@ -1,4 +1,4 @@
-/* A drawing area that shows a plot, on paper in a dark window too. Ctrl and the wheel zoom, once it has been
+/* A drawing area that shows a plot. Ctrl and the wheel zoom, once it has been
  * clicked the wheel alone or plus and minus; the middle button pans; a double click or 0 shows all
  * again. */
 #pragma once
@@ -28,7 +28,7 @@ typedef struct QnPlotHand {
 GtkWidget *qn_plot_view_new (const char *name, double height, const QnPlotHand *hand,
                              gpointer data);
 
-/* Makes a plot view of a GtkDrawingArea. `data` stays alive as long as `area`. */
+/* Makes a plot view of a QnPaperArea. `data` stays alive as long as `area`. */
 void qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data);
 
 /* Shows all of the plot. */
