@@ -40,7 +40,7 @@ typedef struct QnGaps {
   size_t count, capacity;
 } QnGaps;
 
-/* What was closed. */
+/* Closed gaps. */
 typedef struct QnGapClosing {
   size_t closed;            /* gaps */
   size_t left;              /* gaps that are still open */

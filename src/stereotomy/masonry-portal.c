@@ -170,7 +170,7 @@ lay_skewback (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
   return piece != NULL ? QN_OK : qn_diag_no_memory (diag);
 }
 
-/* What fills the space between the arches above a pier, up to a level. */
+/* Filling between the arches above a pier, up to a level. */
 static QnStatus
 lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
              QnPieces *pieces, QnDiag *diag)

@@ -85,7 +85,7 @@ set_zero (const QnModel *model, double *forces)
     forces[i] = 0;
 }
 
-/* What a load counts for: loads of all sets by their own factor, or the dead loads alone. */
+/* Factor of a load by its set, 0 for dead loads; without `factors` 1 for dead loads, 0 for others. */
 static double
 part_of (const QnLoad *load, const double *factors)
 {

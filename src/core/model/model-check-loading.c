@@ -5,7 +5,7 @@
 
 #define RIGHT_ANGLE 1.57079632679489661923
 
-/* What a load acts on. */
+/* Checks the entity on which a load acts. */
 static bool
 check_loaded (const QnModel *model, const QnLoad *load, QnSubject of)
 {
@@ -265,7 +265,7 @@ check_procedure (const QnModel *model, QnProcedure procedure, uint32_t sets, QnS
 
 /* --- Stages ----------------------------------------------------------------------------- */
 
-/* What is known of the load sets before a run. */
+/* Load sets before a run. */
 typedef struct {
   double multiplier[QN_MAX_LOAD_SETS];  /* NaN where only the analysis finds it */
   size_t last_driven[QN_MAX_LOAD_SETS]; /* number of the stage, from 1; 0: none */

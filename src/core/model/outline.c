@@ -50,7 +50,7 @@ typedef struct {
   QnVec2 low, high; /* ends by u */
 } Segment;
 
-/* What is seen between two u. */
+/* Part of the envelope between two u. */
 typedef struct {
   double from, to;
   const Segment *segment;

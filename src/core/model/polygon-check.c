@@ -74,7 +74,7 @@ separates (QnVec2 p, QnVec2 q, QnVec2 c, QnVec2 d)
   return (side_c > 0 && side_d < 0) || (side_c < 0 && side_d > 0);
 }
 
-/* What is wrong between edges i < j. */
+/* Problem between edges i < j. */
 static QnPolygonFlaw
 check_edge_pair (const QnVec2 *v, size_t count, double tolerance, size_t i, size_t j)
 {

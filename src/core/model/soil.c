@@ -41,7 +41,7 @@ qn_model_drop_soil (QnModel *model)
   model->soil_tie_count = 0;
 }
 
-/* What presses on a block from one side: vertical stress, N; its first moment; the upright projection, m2. */
+/* Soil on one side of a block: integral of the vertical stress, N; its first moment; projection, m2. */
 typedef struct {
   double stress, area;
   QnVec2 moment;

@@ -28,8 +28,8 @@ is_gone (const QnPathTrace *trace, double motion)
              || left <= QN_PATH_SETTLED * tolerance);
 }
 
-/* Whether the structure may go on as in the last step until it has run away: no joint is pressed
- * together, and none that stands open will close. */
+/* Whether the motion of the last step may continue up to eq->runaway: no closed joint is compressed further,
+ * and no open one will close. */
 static bool
 may_move_on (QnPathTrace *trace, double motion)
 {
@@ -63,8 +63,8 @@ qn_path_end_creeps (const QnPathTrace *trace, double part)
   return half > first && gain <= part * fabs (result->steps[last].multiplier);
 }
 
-/* Whether the multiplier has held still, or under load control has not climbed, while the motion grew
- * many times; or the structure has run away. Where strength is lost on the way the motion settles only then. */
+/* Whether the multiplier was constant, or under load control did not rise, while the motion grew
+ * QN_PATH_PLATEAU_GROWTH times; or the motion exceeds eq->runaway. */
 static bool
 is_plateau (QnPathTrace *trace)
 {

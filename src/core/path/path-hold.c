@@ -17,7 +17,7 @@
 
 #include <string.h>
 
-/* Multiplier at which the live load does as much work along the last step as the joints resist, part way. */
+/* Multiplier at which the live load does the work that the joints resist at this part of the last step. */
 static double
 resistance (QnPathTrace *trace, double part)
 {
@@ -52,7 +52,7 @@ is_doubtful (QnPathTrace *trace)
               < from + QN_PATH_RESISTS * QN_PATH_LATE * gain;
 }
 
-/* Lets the structure go, under a load that is held, from the highest equilibrium that it is known to come to. */
+/* Relaxes the structure from trace->sure under a held load. */
 static QnSolveStatus
 let_go (QnPathTrace *trace, double multiplier)
 {
@@ -70,7 +70,7 @@ let_go (QnPathTrace *trace, double multiplier)
   return status;
 }
 
-/* The structure falls under the load `high`: it is loaded from its highest equilibrium as far as it rests. */
+/* The structure falls under the load `high`: finds the highest load at which it rests by bisection. */
 static bool
 find_fall (QnPathTrace *trace, double high)
 {

@@ -151,8 +151,8 @@ departure (const QnPathTrace *trace, double step, double last, double *most)
   return qn_assembly_largest (&eq->assembly, away, NULL);
 }
 
-/* In linear geometry. Tries the step, a part of it, and a part of that. If nothing is found near by, the
- * structure jumps. */
+/* Linear geometry: tries the step, cut up to QN_PATH_MOST_CUTS times, then relaxes the structure, which may
+ * jump. */
 static QnSolveStatus
 solve_linear (QnPathTrace *trace, double *step)
 {
@@ -252,7 +252,7 @@ look_across (QnPathTrace *trace)
   return status;
 }
 
-/* Whether the state is near enough to the unstable equilibrium found last to be on the same branch. */
+/* Whether the distance to the last unstable equilibrium is at most QN_PATH_SAME_BRANCH of the motion. */
 static bool
 is_same_branch (const QnPathTrace *trace)
 {

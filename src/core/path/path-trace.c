@@ -53,10 +53,9 @@ growth (const QnPathTrace *trace)
   return steady ? QN_PATH_GROWTH_STEADY : QN_PATH_GROWTH;
 }
 
-/* Largest step that may come next: displacement control keeps to the increments that were
- * asked for; the other measures have no natural end and grow with the motion, in nonlinear
- * geometry until blocks move or turn by a part of themselves: joints that slide take other
- * branches in longer steps. */
+/* Largest next step: displacement control keeps to multiples of the requested increment; steps of other
+ * measures grow with the motion, in nonlinear geometry up to QN_PATH_LARGEST_MOTION, since longer steps
+ * may lead to other branches of sliding joints. */
 static double
 largest_next_step (const QnPathTrace *trace)
 {
@@ -78,9 +77,9 @@ ends_at_peak (const QnPathTrace *trace)
   return trace->may_soften || !qn_path_trace_is_linear (trace);
 }
 
-/* Whether a step passes the multiplier of collapse and may miss more of it than the tolerance. A
- * path that only bends down lies below its tangents at both ends of the step. Where they meet it
- * may turn: so far the next try goes, and less far where the first tangent is not known. */
+/* Whether a step passes the maximum of the multiplier and may miss it by more than the tolerance. A concave
+ * path lies below its tangents at both ends of the step: the next try ends where they intersect, or
+ * earlier if the first tangent is unknown. */
 static bool
 passes_peak (QnPathTrace *trace, double step)
 {
@@ -247,8 +246,8 @@ leave_branch (QnPathTrace *trace)
   return qn_path_events_buckle (&trace->events, trace->buckling);
 }
 
-/* Whether the structure fell in a step that is too long to tell at which multiplier: it may drive the
- * structure farther than it falls, or pass more of the path than the multiplier is to be exact to. */
+/* Whether a step that ended in a fall is too long to determine the multiplier of the fall: it exceeds the
+ * smallest step, or its change of the multiplier the tolerance. */
 static bool
 falls_too_far (const QnPathTrace *trace, double step)
 {
@@ -348,9 +347,9 @@ advance (QnPathTrace *trace)
 
 /* --- The whole path --------------------------------------------------------------------- */
 
-/* The mechanism is the motion of a later state, in which other joints may stand open than in the committed
- * one. It is that of this one too if no joint closes before the structure has moved as far again as it
- * has so far, and by a part of a block, but those that yield: whose normal force hardly grows. */
+/* The mechanism is the motion of a later state, with other open joints. It is certain for the committed state
+ * if no joint closes before the structure has moved as far again as so far, and by QN_PATH_COLLAPSED
+ * characteristic lengths; joints whose normal stiffness is below QN_PATH_STEADY do not count. */
 static bool
 judge_mechanism (QnPathTrace *trace, const double *velocity)
 {
@@ -504,10 +503,9 @@ conclude (QnPathTrace *trace)
   return ok && qn_path_record_mechanism (path, velocity, NULL) == QN_OK;
 }
 
-/* Load control in large displacements: where the path turns down, or leads no farther, the structure moves
- * on under a load that is held, a little above the highest multiplier. It comes to rest near by, as a
- * block does that rocks on its own while the others stand: then load control goes on from there. Or it
- * falls: that is its collapse. Where neither is certain the path is followed to its end. */
+/* Load control in large displacements, after the path has turned down or no step converges: relaxes the
+ * structure under a load slightly above the highest multiplier. If it comes to rest, load control goes on
+ * from there; if it falls, that is collapse; if neither is certain, the path is followed to its end. */
 static bool
 hold_load (QnPathTrace *trace)
 {

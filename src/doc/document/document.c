@@ -304,7 +304,7 @@ qn_document_load_recovered (QnDocument *self, const char *text, const char *path
   return TRUE;
 }
 
-/* What a file would hold. */
+/* Content of a project file. */
 static char *
 dup_file_text (QnDocument *self, GError **error)
 {

@@ -13,7 +13,7 @@
 /* Points of the live curve of an analysis in time; when it has more, every other one goes. */
 #define LIVE_POINTS 2000
 
-/* Nothing is said of when an analysis in time ends before it has run for so long, s. */
+/* Running time before the end of an analysis in time is estimated, s. */
 #define LEAST_ELAPSED 0.5
 
 struct _QnJob {

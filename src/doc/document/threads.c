@@ -6,7 +6,7 @@
 /* More than the parts that one structure is taken to gain nothing. */
 #define MOST_THREADS 16
 
-/* What one caller has to do. */
+/* Work of one caller. */
 typedef struct Batch {
   void (*part) (void *data, int32_t i);
   void *data;

@@ -1,4 +1,4 @@
-/* Edits of analyses in time: what they need to begin with, and their ground motions. */
+/* Edits of analyses in time: initial settings and ground motions. */
 #pragma once
 
 #include "doc/edit/edit.h"

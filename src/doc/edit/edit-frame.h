@@ -54,7 +54,7 @@ gboolean qn_edit_rename_beam (QnModel *model, QnId beam, const char *name,
 /* The one force along each of these beams, N/m; zero takes it away. `live`: it grows. */
 gboolean qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live,
                                 QnVec2 value, GError **error);
-/* What the beam carries, dead or live (of the live loads proper): the sum of its line loads. */
+/* Sum of the beam's line loads, dead or live (set 0). */
 QnVec2 qn_model_line_load (const QnModel *model, QnId beam, gboolean live);
 
 /* ---- beams together with blocks (edit-frame-move.c) ---- */

@@ -124,7 +124,7 @@ qn_edit_set_extent (QnProject *draft, QnPartSet set, QnExtentField field, double
 
 /* ---- things ---- */
 
-/* What moves as one; its blocks by name, because their numbers may change under edits. */
+/* A part that moves as one; blocks by name, since edits change numbers. */
 typedef struct Thing {
   GPtrArray *blocks; /* of char * */
   QnId beam;         /* or QN_NONE */

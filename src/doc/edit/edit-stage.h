@@ -16,7 +16,7 @@
 gboolean qn_edit_add_load_set (QnModel *model, GError **error);
 gboolean qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name,
                                   GError **error);
-/* With it go its loads, and stages that drive nothing else. */
+/* Also removes its loads, and stages that drive only this set. */
 gboolean qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error);
 
 /* Adds a load case of factor 1 under a free name ("case 1", …). Cases are counted from 1. */

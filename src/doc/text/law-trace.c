@@ -7,7 +7,7 @@
 /* Points between two turning points of the history. */
 #define POINTS_PER_BRANCH 400
 
-/* What presses a joint while it is sheared, N or Pa. */
+/* Compression of a joint during shear, N or Pa. */
 #define PRESSING_FORCE  1e4
 #define PRESSING_STRESS 1e6
 

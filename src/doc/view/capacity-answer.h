@@ -20,7 +20,7 @@ typedef enum {
   QN_CAPACITY_STATE_COUNT
 } QnCapacityCheck;
 
-/* What the period of a check rests on, or why it is refused: a sentence. Free with g_free(). */
+/* Sentence on the period of a check: its assumptions, or the reason of a refusal. Free with g_free(). */
 char *qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check);
 
 typedef struct QnCapacityAnswer {

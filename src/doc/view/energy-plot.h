@@ -4,7 +4,7 @@
 #include "core/result/result.h"
 #include "render/figure/plot.h"
 
-/* The kinds of QnEnergyKind, and behind them what the balance is wrong by. */
+/* The kinds of QnEnergyKind, then the error of the balance. */
 #define QN_ENERGY_CURVES (QN_ENERGY_KIND_COUNT + 1)
 
 /* A line for each of them at the same times, a few hundred at most: what lies between is left out. The

@@ -8,7 +8,7 @@
 
 #define DIGITS 4
 
-/* What is smaller than this share of its field's largest value is rounding. */
+/* Values below this share of the field's largest value are rounding. */
 #define NOISE 1e-9
 
 static void

@@ -28,7 +28,7 @@ is_given (const QnModel *model, size_t law, const char *const *keys)
   return false;
 }
 
-/* What is true of the laws that joints have. */
+/* Properties of the laws of joints. */
 typedef struct Joints {
   bool tension, slides, dilates;
   GString *uncrushed; /* names of those that carry any compression, or empty */

@@ -114,7 +114,7 @@ same_run (const QnReportRun *a, const QnReportRun *b)
                   == 0);
 }
 
-/* What is asked of a project. */
+/* The question that the analysis of a project answers. */
 static const char *
 question (const QnModel *model)
 {

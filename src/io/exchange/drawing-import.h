@@ -33,7 +33,7 @@ typedef enum {
   QN_ROLE_COUNT
 } QnRole;
 
-/* What becomes of gaps between blocks. */
+/* Treatment of gaps between blocks. */
 typedef enum {
   QN_GAPS_OPEN,   /* they stay, and are reported */
   QN_GAPS_CLOSED, /* blocks grow to the middle */
@@ -64,7 +64,7 @@ typedef struct QnImportLayer {
   gboolean doubtful; /* the name says other things too */
 } QnImportLayer;
 
-/* What was done; every line is translated. */
+/* Report of the import; every line is translated. */
 typedef struct QnImportReport {
   GPtrArray *lines;    /* char *: all of it, in order */
   GPtrArray *warnings; /* char *: what the user must look at, also among the lines */

@@ -34,7 +34,7 @@ typedef struct QnImportWork {
     no_memory; /* some of what was drawn is lost: refused at the next opportunity */
 } QnImportWork;
 
-/* ---- import-work.c: what several steps need ---- */
+/* ---- import-work.c: shared by several steps ---- */
 
 /* Adds a line, translated, to the report, and to its warnings where the user must look. */
 void qn_import_tell (QnImportWork *work, gboolean warn, const char *format, ...)
@@ -52,7 +52,7 @@ void qn_import_add_outline (QnImportWork *work, const QnRing *ring,
 void qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,
                              QnRole role);
 
-/* Keeps those outlines of which `is_kept` says so, in their order. Returns how many went. */
+/* Removes the outlines for which `is_kept` is false, keeps the order. Returns the number removed. */
 gsize qn_import_keep_outlines (QnImportWork *work,
                                gboolean (*is_kept) (const QnOutline *outline,
                                                     gpointer data),
@@ -87,10 +87,10 @@ QnVec2 qn_import_to_metres (const QnImportWork *work, QnVec2 p);
 /* import-outlines.c. Sorts every path into outlines and line work. */
 void qn_import_sort_paths (QnImportWork *work);
 
-/* Leaves out what cannot be a block: outlines that cross themselves or have no area. */
+/* Leaves out outlines that cross themselves or have no area. */
 void qn_import_drop_flawed (QnImportWork *work);
 
-/* Leaves out all but the first of outlines that are the same to the tolerance. Openings stay. */
+/* Leaves out repetitions of an outline, equal within the tolerance. Openings stay. */
 void qn_import_drop_repeated (QnImportWork *work);
 
 /* import-faces.c. Line work of one role into outlines. Outlines that are there already bound faces

@@ -32,7 +32,7 @@ typedef struct Matrix {
   double a, b, c, d, e, f;
 } Matrix;
 
-/* What an element hands on to those in it. */
+/* Properties inherited by the children of an element. */
 typedef struct State {
   Matrix matrix;
   const char *layer;    /* kept by the drawing */
@@ -675,7 +675,7 @@ collect (Importer *importer, const xmlNode *root)
   }
 }
 
-/* What gzip compressed; NULL where it cannot be read or is too large. */
+/* The uncompressed text of a gzip file; NULL: unreadable or too large. */
 static GByteArray *
 inflate (const char *bytes, gsize size)
 {

@@ -17,7 +17,7 @@ gboolean qn_curve_csv_write (const char *path, const QnProject *project,
 gboolean qn_displacements_csv_write (const char *path, const QnProject *project,
                                      const QnResult *result, size_t step, GError **error);
 
-/* Every contact pair at the last equilibrium: forces, state, and what of its bond is lost. */
+/* Every contact pair at the last equilibrium: forces, state, damage of the bond. */
 gboolean qn_contacts_csv_write (const char *path, const QnProject *project,
                                 const QnContacts *contacts, const QnResult *result,
                                 GError **error);

@@ -160,7 +160,7 @@ unicode_escape (const char *escape, gsize *length)
   return 0x10000 + (((gunichar) high - 0xd800) << 10) + ((gunichar) low - 0xdc00);
 }
 
-/* What is wrong with a string, and where; NULL: nothing, and *place is its closing quote. */
+/* Error of a string, at *place; NULL: none, *place is the closing quote. */
 static const char *
 string_problem (const char *quoted, const char **place)
 {

@@ -259,7 +259,7 @@ qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys, gs
   return TRUE;
 }
 
-/* What a value is, for a message; translated. */
+/* Type of a value for a message, translated. */
 static const char *
 describe_type (const cJSON *value)
 {

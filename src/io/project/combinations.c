@@ -90,7 +90,7 @@ reduced (const cJSON *factor, const cJSON *psi)
                                             : 1);
 }
 
-/* What a case may be in a situation. */
+/* Sets the role of a case in a situation. */
 static void
 place_case (Case *c, const cJSON *situation)
 {

@@ -8,7 +8,7 @@
 
 #include <glib/gi18n-lib.h>
 
-/* What analysis and stages have alike. */
+/* Members shared by analysis and stages. */
 #define CONTROL_MEMBERS(type)                                                            \
   {                                                                                      \
     QN_ENTITY ("node", OPTIONAL, NODE, type, control_node),                              \

@@ -63,7 +63,7 @@ gboolean qn_read_support (const QnJsonValue *place, bool support[QN_DOF_COUNT]);
 gboolean qn_read_weight (const QnJsonValue *place, const QnModel *model,
                          double *unit_weight, double *density);
 
-/* `law` or, the same thing under the name that suits its basis, `material`. */
+/* `law`, or its synonym `material`. */
 gboolean qn_read_own_law (const QnJsonValue *place, const QnModel *model, QnId *law);
 
 /* `courses`: lists of lengths. */
@@ -86,7 +86,7 @@ gboolean qn_read_own_name (const QnJsonValue *place, const char *prefix,
 void qn_json_put_weight (GString *json, double unit_weight, double density);
 void qn_json_put_law (GString *json, const QnModel *model, QnId law);
 
-/* `support`, left out where nothing is fixed. */
+/* `support`; left out if no degree of freedom is fixed. */
 void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
 
 /* Appends the members of one entity, and returns its note. */

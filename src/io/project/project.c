@@ -316,7 +316,7 @@ dup_range_path (const QnProject *project, const QnFinding *finding)
   return g_strdup_printf ("%s%s%s", path, *path != '\0' ? "." : "", range->key);
 }
 
-/* What a finding says, without its place. */
+/* Text of a finding without its place. */
 static char *
 dup_finding_message (const QnProject *project, const QnFinding *finding)
 {

@@ -141,7 +141,7 @@ add_unknown (Walk *walk, gsize at)
   add_unproved (walk->unproved, member->str);
 }
 
-/* What depends on where, when, in which language and by which program the file was written. */
+/* Members that depend on place, time, language and program of writing. */
 static gboolean
 is_outside (const char *key)
 {

@@ -32,7 +32,7 @@ write_lines (QnFileWriter *writer, const QnMember *members, const QnResult *resu
   }
 }
 
-/* What is proved of collapse, the interval in which it lies, and whether linear geometry holds so far. */
+/* Proved collapses, the interval of collapse, validity of linear geometry. */
 static void
 write_answer (QnFileWriter *writer, const QnResult *result)
 {
@@ -82,7 +82,7 @@ write_ids (QnFileWriter *writer, const char *text, const QnId *ids, size_t count
   qn_file_writer_puts (writer, count > 0 ? "]" : "[]");
 }
 
-/* What happened on a path; an analysis of another kind has no events. */
+/* Events of a path; other analyses have none. */
 static void
 write_events (QnFileWriter *writer, const QnResult *result)
 {
@@ -121,7 +121,7 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   qn_file_writer_json (writer, "  \"reason\": %s,\n", reason);
 }
 
-/* What the check of the analysis has refused, and the multiplier that is not proved for it. */
+/* Claims refused by the check of the analysis, and the unproved multiplier. */
 static void
 write_refused (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
                const QnResult *result)

@@ -1,4 +1,4 @@
-/* What is not true in a result, in words, translated. */
+/* The false claims of a result as translated text. */
 #pragma once
 
 #include "core/check/result-check.h"

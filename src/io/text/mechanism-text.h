@@ -9,7 +9,7 @@
  * with g_free(). */
 char *qn_mechanism_dup_title (const QnMechanism *mechanism);
 
-/* One sentence: what it is called, and how many joints hinge, slide and open. The caller frees. */
+/* One sentence: name, numbers of hinges, sliding and opening joints. The caller frees. */
 char *qn_mechanism_dup_sentence (const QnMechanism *mechanism);
 
 /* Whole sentences: what the mechanism is called, what the largest bodies do and about which

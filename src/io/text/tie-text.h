@@ -12,7 +12,7 @@ const char *qn_tie_state_text (QnTieState state);
 /* The step at which a tie has its largest force, the first of equal ones; -1 where no step tells it. */
 gssize qn_tie_worst_step (const QnResult *result, gsize tie);
 
-/* What a tie uses of its strength; 0 where nothing limits it. */
+/* Force of a tie over its strength; 0 if the strength is unlimited. */
 double qn_tie_utilisation (const QnTie *tie, double force);
 
 /* "Ties at most: “T” 3 kN, 100 % of its strength (anchor gives), “S” 1.2 kN, 40 %.", those that use most

@@ -23,7 +23,7 @@ settles (const Data *data)
   return data->count > 0 && data->curves[0].settles;
 }
 
-/* What the curves show: displacements, rotations, or some of each. */
+/* Quantity of the curves: displacements, rotations, or both. */
 typedef enum Shown { SHOWN_DISPLACEMENTS, SHOWN_ROTATIONS, SHOWN_BOTH } Shown;
 
 static Shown

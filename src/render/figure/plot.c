@@ -227,7 +227,7 @@ set_line (const Drawing *d, const QnMarks *m, double width)
   cairo_set_dash (d->cr, dashes, m->dash > 0 ? 2 : 0, 0);
 }
 
-/* What has no place interrupts the line; a value between two such is a dot. */
+/* Values that are not finite interrupt the line; a value between two gaps is a dot. */
 static void
 draw_line (const Drawing *d, const QnMarks *m)
 {

@@ -11,7 +11,7 @@
 /* Half the length of a plate, as a part of the structure's diagonal. */
 #define PLATE 0.009
 
-/* What the legend says of ties in a state. */
+/* Legend texts of ties by state. */
 static const char *const state_words[QN_TIE_STATE_COUNT] = {
   [QN_TIE_SLACK] = N_ ("tie, slack"),
   [QN_TIE_ELASTIC] = N_ ("tie, elastic"),

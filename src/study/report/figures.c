@@ -28,7 +28,7 @@ const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT] = {
   [QN_STUDY_FIGURE_MECHANISMS] = "mechanisms",
 };
 
-/* What is drawn of what. */
+/* A figure, its table, and its error. */
 typedef struct Page {
   const QnStudyFigure *figure;
   const QnTable *table;
