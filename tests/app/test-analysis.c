@@ -319,6 +319,11 @@ test_compare_files (void)
   driver_wait (shows_rocking, dialog);
   GtkWidget *moved = gtk_grid_get_child_at (table, 3, row_of (dialog, ROCKING));
   g_assert_cmpfloat (g_ascii_strtod (gtk_label_get_text (GTK_LABEL (moved)), NULL), >, 1);
+  /* The pictures are as high as they need to be at any width. */
+  GtkWidget *pictures = driver_find_id (dialog, "grid");
+  int least;
+  gtk_widget_measure (pictures, GTK_ORIENTATION_VERTICAL, -1, &least, NULL, NULL, NULL);
+  g_assert_cmpint (gtk_widget_get_height (gtk_widget_get_parent (pictures)), >=, least);
   driver_screenshot (dialog, "compare-in-time");
   driver_discard (window);
 }

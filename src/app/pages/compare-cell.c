@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define MARGIN_PX    24.0
+#define LEAST_PX     150
 #define CAPTION_PX   60
 #define WHEEL_FACTOR 1.15
 
@@ -96,7 +97,7 @@ qn_compare_cell_fit_scale (GtkWidget *widget)
 }
 
 void
-qn_compare_cell_redraw (GtkWidget *widget)
+qn_compare_cell_redraw (GtkWidget *widget, gpointer unused)
 {
   gtk_widget_queue_draw (cell_of (widget)->area);
 }
@@ -160,7 +161,16 @@ qn_compare_cell_set_title (GtkWidget *widget, const char *title, const char *abo
   g_autofree char *caption = qn_compare_cell_dup_caption (cell->run, title);
   const char *beneath =
     g_strcmp0 (title, above) == 0 ? strchr (caption, '\n') + 1 : caption;
-  gtk_label_set_text (GTK_LABEL (gtk_widget_get_last_child (widget)), beneath);
+  GtkWidget *label = gtk_widget_get_last_child (widget);
+  int width, height;
+  gtk_label_set_text (GTK_LABEL (label), beneath);
+  /* As high in a wide cell as in the narrowest: a GtkPaned asks how wide its child is at the height that
+   * it has, which may not be less than it needs at its least width. */
+  gtk_widget_set_size_request (label, -1, CAPTION_PX);
+  gtk_widget_measure (label, GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL, NULL, NULL);
+  gtk_widget_measure (label, GTK_ORIENTATION_VERTICAL, MAX (width, LEAST_PX), &height,
+                      NULL, NULL, NULL);
+  gtk_widget_set_size_request (label, -1, height);
   gtk_accessible_update_property (GTK_ACCESSIBLE (cell->area),
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, caption, -1);
 }
@@ -180,7 +190,7 @@ qn_compare_cell_new (QnRun *run, QnCompareView *view)
 
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
   cell->area = g_object_new (QN_TYPE_PAPER_AREA, NULL);
-  gtk_widget_set_size_request (cell->area, 150, 130);
+  gtk_widget_set_size_request (cell->area, LEAST_PX, 130);
   gtk_widget_set_hexpand (cell->area, TRUE);
   gtk_widget_set_vexpand (cell->area, TRUE);
   g_object_set_data_full (G_OBJECT (box), "qn-cell", cell, cell_free);
@@ -198,7 +208,6 @@ qn_compare_cell_new (QnRun *run, QnCompareView *view)
   gtk_label_set_wrap (GTK_LABEL (label), TRUE);
   gtk_label_set_max_width_chars (GTK_LABEL (label), 50);
   gtk_label_set_justify (GTK_LABEL (label), GTK_JUSTIFY_CENTER);
-  gtk_widget_set_size_request (label, -1, CAPTION_PX);
   gtk_box_append (GTK_BOX (box), cell->area);
   gtk_box_append (GTK_BOX (box), label);
   return box;

@@ -32,4 +32,4 @@ QnRun *qn_compare_cell_get_run (GtkWidget *cell);
 double qn_compare_cell_fit_scale (GtkWidget *cell);
 
 /* After a change of what the cell was told to show. */
-void qn_compare_cell_redraw (GtkWidget *cell);
+void qn_compare_cell_redraw (GtkWidget *cell, gpointer unused);

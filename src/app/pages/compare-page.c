@@ -59,12 +59,6 @@ take_scale (GtkWidget *cell, gpointer data)
     *scale = MIN (*scale, fitting);
 }
 
-static void
-redraw_cell (GtkWidget *cell, gpointer data)
-{
-  qn_compare_cell_redraw (cell);
-}
-
 /* One scale for all: that of the one with the least room. */
 static void
 redraw (gpointer data)
@@ -73,7 +67,7 @@ redraw (gpointer data)
   double scale = INFINITY;
   each_cell (compare, take_scale, &scale);
   compare->view.base_scale = isfinite (scale) ? scale : 0.0;
-  each_cell (compare, redraw_cell, NULL);
+  each_cell (compare, qn_compare_cell_redraw, NULL);
 }
 
 static void let_move (Compare *compare, GtkWidget *cell);
@@ -96,9 +90,9 @@ fill (Compare *compare)
     GtkWidget *cell = qn_compare_cell_new (run, &compare->view);
     let_move (compare, cell);
     let_rename (compare, cell);
-    show_name (cell, compare);
     gtk_grid_attach (GTK_GRID (compare->grid), cell, (int) i % columns, (int) i / columns,
                      1, 1);
+    show_name (cell, compare);
   }
   gtk_widget_set_visible (compare->hint, count < 2);
   qn_compare_fill_table (compare);
@@ -460,12 +454,14 @@ on_file_added (gpointer data, const char *path, const GError *error)
 }
 
 static void
-choose (Compare *compare, gboolean folder, const char *title)
+add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
+  Compare *compare = data;
+  gboolean folder = g_str_equal (g_action_get_name (G_ACTION (action)), "add-folders");
   static const char *const suffixes[] = { "quoin", "json", NULL };
   static const QnFileKind kind = { .name = N_ ("Projects and results"),
                                    .suffixes = suffixes };
-  const QnFileQuestion question = { .title = title,
+  const QnFileQuestion question = { .title = folder ? _ ("Add Folders") : _ ("Add Files"),
                                     .accept = _ ("_Open"),
                                     .chosen = on_file_added,
                                     .kind = folder ? NULL : &kind,
@@ -473,18 +469,6 @@ choose (Compare *compare, gboolean folder, const char *title)
                                     .many = TRUE };
   qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
                   &question, compare);
-}
-
-static void
-add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  choose (data, FALSE, _ ("Add Files"));
-}
-
-static void
-add_folders (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  choose (data, TRUE, _ ("Add Folders"));
 }
 
 static void
@@ -605,7 +589,7 @@ add_actions (Compare *compare)
 {
   static const GActionEntry entries[] = {
     { .name = "add-files", .activate = add_files },
-    { .name = "add-folders", .activate = add_folders },
+    { .name = "add-folders", .activate = add_files },
     { .name = "add-path", .activate = add_path, .parameter_type = "s" },
     { .name = "export", .activate = export_sheet },
     { .name = "zoom", .activate = zoom, .parameter_type = "d" },

@@ -372,20 +372,17 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
       on_edges = on_edges || load->kind != QN_LOAD_VEHICLE;
       continue;
     }
-    if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE) {
+    if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE)
       add_force_load (b, load, largest, pick, (QnId) i, color);
-      continue;
-    }
-    if (load->kind == QN_LOAD_LINE) {
+    else if (load->kind == QN_LOAD_LINE)
       add_line_load (b, load, pick, (QnId) i, color);
-      continue;
-    }
-    if (load->kind == QN_LOAD_SETTLEMENT) {
+    else if (load->kind == QN_LOAD_SETTLEMENT) {
       add_settlement (b, load, pick, (QnId) i, color);
       qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 1.4f, color,
                               _ ("%s: settlement"), called);
-      continue;
     }
+    if (load->kind != QN_LOAD_WEIGHT)
+      continue;
     /* Own weight downwards goes without saying: the legend names it, no arrow is spent. */
     bool own = load->vector.x == 0 && load->vector.y < 0 && pick == QN_PICK_DEAD_LOAD;
     if (!own)
