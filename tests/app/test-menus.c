@@ -335,6 +335,52 @@ test_every_button (void)
   }
 }
 
+static gboolean
+is_choice (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_DROP_DOWN (widget) && gtk_widget_get_mapped (widget)
+         && gtk_widget_is_sensitive (widget);
+}
+
+static gboolean
+is_open (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_POPOVER (widget) && gtk_widget_get_mapped (widget);
+}
+
+/* Choices and menus close by Escape and by a click beside them, and nothing is chosen; a choice may be open
+ * when its window goes. */
+static void
+test_beside (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = open_panel ("01-sliding-block.quoin", "analysis");
+  GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), is_choice, NULL);
+  GtkWidget *openers[] = { GTK_WIDGET (window->history_button), choice };
+  g_assert_nonnull (choice);
+  guint chosen = gtk_drop_down_get_selected (GTK_DROP_DOWN (choice));
+  for (gsize i = 0; i < G_N_ELEMENTS (openers); i++)
+    for (int beside = 0; beside < 2; beside++) {
+      gtk_widget_grab_focus (openers[i]);
+      driver_settle ();
+      driver_key ("space");
+      g_assert_nonnull (driver_find_widget (openers[i], is_open, NULL));
+      if (beside)
+        driver_click (window, 0.0, -1.0);
+      else
+        driver_key ("Escape");
+      g_assert_null (driver_find_widget (openers[i], is_open, NULL));
+    }
+  g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, chosen);
+  gtk_widget_grab_focus (choice);
+  driver_settle ();
+  driver_key ("space");
+  g_assert_nonnull (driver_find_widget (choice, is_open, NULL));
+  driver_discard (window);
+}
+
 /* The same of the main menu. */
 static void
 test_main_submenu (void)
@@ -816,6 +862,7 @@ QN_TESTS
   g_test_add_func ("/app/menus/submenu", test_submenu);
   g_test_add_func ("/app/menus/main-submenu", test_main_submenu);
   g_test_add_func ("/app/menus/every-button", test_every_button);
+  g_test_add_func ("/app/menus/beside", test_beside);
   g_test_add_func ("/app/menus/comparison", test_comparison);
   g_test_add_func ("/app/menus/variants", test_variants);
   g_test_add_func ("/app/menus/words", test_words);
