@@ -18,7 +18,7 @@ qn_cracks_csv_write (const char *path, const QnProject *project,
       ? qn_result_cracks (model, contacts, result, result->step_count - 1)
       : g_array_new (FALSE, FALSE, sizeof (QnCrack));
   g_autofree guint *lines = g_new (guint, cracks->len);
-  g_autoptr (GArray) by_line = qn_cracks_by_line (contacts, cracks, lines);
+  g_array_unref (qn_cracks_by_line (contacts, cracks, lines));
   for (guint i = 0; i < cracks->len; i++) {
     const QnCrack *crack = &g_array_index (cracks, QnCrack, i);
     const double numbers[] = { crack->width, crack->mean, crack->at.x, crack->at.y };
