@@ -93,6 +93,7 @@ test_overrides (void)
 {
   g_auto (QnProject) project, combined;
   g_autoptr (GPtrArray) list = make ("en1990", "", &project, NULL);
+  g_assert_nonnull (list);
   g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
   QnLaw *law = &project.model.laws[0];
   law->kind = QN_LAW_MOHR_COULOMB;
@@ -142,6 +143,7 @@ test_left_as_they_are (void)
 {
   g_auto (QnProject) project, plain;
   g_autoptr (GPtrArray) list = make ("en1990", "", &project, NULL);
+  g_assert_nonnull (list);
   test_parse (test_project_text, &plain);
   guint told = 0;
   for (guint i = 0; i < project.warnings->len; i++)
