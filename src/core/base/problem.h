@@ -123,6 +123,7 @@
   X (EARTH_SIDE, "soil must lie to the left or to the right") \
   X (TOO_MANY_EDGE_FORCES, "loads act on more edges than the program handles") \
   X (LOAD_MEETS_NOTHING, "load meets no edge of a block") \
+  X (LOAD_OFF_BLOCK, "force acts outside its block") \
   X (LOAD_SET_UNUSED, "no stage applies this load set") \
   X (STAGE_IDLE, "stage applies no load set") \
   X (STAGE_SETS_APART, "load sets of the stage have different multipliers") \

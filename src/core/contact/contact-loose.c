@@ -172,7 +172,7 @@ report_free_ends (const QnModel *model, QnFindings *findings)
   return done;
 }
 
-/* Surcharges and backfills that lie beside the structure. */
+/* Surcharges and backfills that lie beside the structure, and forces beside their blocks. */
 static bool
 report_loads (const QnModel *model, QnFindings *findings)
 {
@@ -183,13 +183,18 @@ report_loads (const QnModel *model, QnFindings *findings)
     size_t count;
     if (load->kind == QN_LOAD_BACKFILL)
       any = any && qn_load_earth_coefficient (load) > 0;
-    if (!qn_load_is_on_edges (load->kind) || load->kind == QN_LOAD_EDGE || !any
-        || qn_model_edge_forces_of (model, i, &count) != NULL)
+    bool off = load->kind == QN_LOAD_FORCE && load->has_at
+               && lies_off_block (model, load->block, load->at);
+    if (!off
+        && (!qn_load_is_on_edges (load->kind) || load->kind == QN_LOAD_EDGE || !any
+            || qn_model_edge_forces_of (model, i, &count) != NULL))
       continue;
-    QnFinding finding = { .problem = QN_PROBLEM_LOAD_MEETS_NOTHING,
-                          .block_a = QN_NONE,
+    QnFinding finding = { .problem = off ? QN_PROBLEM_LOAD_OFF_BLOCK
+                                         : QN_PROBLEM_LOAD_MEETS_NOTHING,
+                          .block_a = off ? load->block : QN_NONE,
                           .block_b = QN_NONE,
-                          .subject = (QnId) i };
+                          .subject = (QnId) i,
+                          .at = load->at };
     if (!qn_findings_add (findings, finding))
       return false;
   }

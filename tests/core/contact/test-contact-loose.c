@@ -236,6 +236,34 @@ test_free_end (void)
   }
 }
 
+/* A force at the edge of its block and inside is fine, one beside it is told with block and place. */
+static void
+test_force_beside_its_block (void)
+{
+  const double places[] = { 0.5, 1, 1.5 };
+  for (size_t i = 0; i < G_N_ELEMENTS (places); i++) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    test_model_init (&model);
+    test_model_add_base (&model, 0, -1, 3, 1);
+    test_model_add_rectangle (&model, "block", 0, 0, 1, 1);
+    QnLoad *load = qn_model_add_dead_load (&model);
+    load->kind = QN_LOAD_FORCE;
+    load->block = 1;
+    load->vector = qn_vec2 (0, -1000);
+    load->has_at = true;
+    load->at = qn_vec2 (places[i], 0.5);
+    test_detect (&model, &contacts);
+    if (places[i] <= 1) {
+      g_assert_cmpuint (contacts.findings.count, ==, 0);
+      continue;
+    }
+    const QnFinding *off = test_the_finding (&contacts, QN_PROBLEM_LOAD_OFF_BLOCK);
+    g_assert_cmpint (off->block_a, ==, 1);
+    g_assert_cmpfloat (off->at.x, ==, 1.5);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/contact-loose/free-end", test_free_end);
@@ -248,4 +276,5 @@ QN_TESTS
   g_test_add_func ("/contact-loose/any-support-holds", test_any_support_holds);
   g_test_add_func ("/contact-loose/no-support", test_no_support);
   g_test_add_func ("/contact-loose/lonely-support", test_lonely_support);
+  g_test_add_func ("/contact-loose/force-beside-its-block", test_force_beside_its_block);
 }
