@@ -88,17 +88,19 @@ static gboolean
 generate (Dialog *dialog, GError **error)
 {
   g_autoptr (GPtrArray) given = g_ptr_array_new_with_free_func (g_free);
-  double values[MOST_NUMBERS] = { 0 };
+  double friction = 0;
   for (gsize i = 0; i < G_N_ELEMENTS (fields); i++) {
+    double values[MOST_NUMBERS] = { 0 };
     char *key = dup_key (dialog, i, values, error);
     if (key == NULL)
       return FALSE;
     g_ptr_array_add (given, key);
+    friction = values[0];
   }
   g_ptr_array_set_size (given, KEYS);
   g_ptr_array_add (given, NULL);
   return qn_project_generate ("facade-strip", (const char *const *) given->pdata,
-                              values[0], &dialog->project, error);
+                              friction, &dialog->project, error);
 }
 
 static void
