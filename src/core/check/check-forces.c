@@ -105,15 +105,24 @@ same_force (const double *a, const double *b, double tolerance)
          && qn_check_agrees (a[1], b[1], tolerance);
 }
 
-/* Part of a force carried by friction at elongation q of a spring with damaged bond. */
+/* Part of a force carried by friction at elongation q of a spring with damaged bond. Of a normal force
+ *
+ *   stated = (1 - d) kn (q - k) + d kn (q - k - h (s)),   s the slip that explains the shear force,
+ *
+ * the shortening by crushing, -k, is taken into `start` where it has grown on the way. */
 static void
-take_friction (const QnSpring *s, const QnSpringMemory *before, double damage,
-               const double q[2], const double stated[2], double friction[2])
+take_friction (const QnSpring *s, QnSpringMemory *start, double damage, const double q[2],
+               const double stated[2], double friction[2])
 {
-  const double bond[2] = { s->kn * (q[0] - qn_spring_crushed (s, before)), s->ks * q[1] };
-
-  for (int i = 0; i < 2; i++)
-    friction[i] = (stated[i] - (1 - damage) * bond[i]) / damage;
+  friction[1] = (stated[1] - (1 - damage) * s->ks * q[1]) / damage;
+  double before = qn_spring_crushed (s, start);
+  double risen = qn_spring_dilation (s, q[1] - friction[1] / s->ks);
+  double crushed = q[0] - damage * risen - stated[0] / s->kn;
+  if (s->compression > 0 && !s->associative && stated[0] < 0 && crushed < before) {
+    start->opening += crushed - before;
+    before = crushed;
+  }
+  friction[0] = (stated[0] - (1 - damage) * s->kn * (q[0] - before)) / damage;
 }
 
 /* The slip and opening of one spring of a pair, of `b` where `second`, that leave the pair, its bond damaged
@@ -129,7 +138,7 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
   const QnSpring *other = springs->equal ? NULL : second ? &springs->a : &springs->b;
   QnSpringMemory *own = second ? &memory->b : &memory->a;
   const QnSpringMemory *rest = second ? &memory->a : &memory->b;
-  const QnSpringMemory start = second ? before->b : before->a;
+  QnSpringMemory start = second ? before->b : before->a;
   double force[2] = { stated[0], stated[1] };
   double stuck[2] = { 0, 0 },
          strain[2]; /* elongations of the other spring and of this one */
@@ -465,11 +474,12 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
     const QnPairSprings dry = { .a = qn_spring_broken (s), .equal = true };
     const QnPairMemory own = { .a = second ? memory->b : memory->a };
     const QnPairMemory *before = &check->assembly.committed[p];
+    QnSpringMemory start = second ? before->b : before->a;
     const double *strain = springs->equal ? check->assembly.elongations + 2 * p
                            : second       ? memory->qb
                                           : memory->qa;
     double friction[2];
-    take_friction (s, second ? &before->b : &before->a, damage, strain, force, friction);
+    take_friction (s, &start, damage, strain, force, friction);
     return qn_pair_state_of_force (&dry, &own, state, friction, little / damage) == state;
   }
   return qn_pair_state_of_force (springs, memory, state, force, little) == state;
