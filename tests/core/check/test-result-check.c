@@ -54,6 +54,28 @@ add_stage (QnModel *model, uint32_t sets, double target)
   stage->target = target;
 }
 
+/* Prescribes a displacement of block 1. */
+static void
+add_move (QnModel *model, uint32_t sets, QnDof dof, double target, int32_t increments)
+{
+  QnStage *stage = qn_model_add_stage (model, "stage");
+  stage->sets = sets;
+  stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+  stage->control_block = 1;
+  stage->control_dof = dof;
+  stage->control_target = target;
+  stage->increments = increments;
+}
+
+static void
+press (QnModel *model, double force)
+{
+  QnLoad *dead = qn_model_add_dead_load (model);
+  dead->block = 1;
+  dead->kind = QN_LOAD_FORCE;
+  dead->vector = qn_vec2 (0, -force);
+}
+
 static void
 add_force (QnModel *model, const char *set, double fx, double fy)
 {
@@ -127,13 +149,7 @@ test_joint_that_has_risen (void)
   model->live_loads[1].moment = -1e4;
   for (int i = 0; i < 3; i++) {
     static const double targets[] = { 0.01, -0.002, -0.01 };
-    QnStage *stage = qn_model_add_stage (model, "stage");
-    stage->sets = i < 2 ? 1 : 2;
-    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-    stage->control_block = 1;
-    stage->control_dof = i < 2 ? QN_DOF_UX : QN_DOF_RZ;
-    stage->control_target = targets[i];
-    stage->increments = 4;
+    add_move (model, i < 2 ? 1 : 2, i < 2 ? QN_DOF_UX : QN_DOF_RZ, targets[i], 4);
     if (i == 1)
       add_stage (model, 1, 0);
   }
@@ -214,13 +230,7 @@ test_one_bond_broken (void)
   dead->kind = QN_LOAD_WEIGHT;
   dead->vector = qn_vec2 (0, -1);
   add_force (model, "push", 1, 0);
-  QnStage *stage = qn_model_add_stage (model, "stage");
-  stage->sets = 2;
-  stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-  stage->control_block = 1;
-  stage->control_dof = QN_DOF_UX;
-  stage->control_target = 0.01;
-  stage->increments = 10;
+  add_move (model, 2, QN_DOF_UX, 0.01, 10);
   test_run_solve (&run);
   const QnStep *last = &run.result.steps[run.result.step_count - 1];
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
@@ -241,15 +251,8 @@ test_bond_damaged_on_the_way (void)
   double elastic = law->tension / (0.5 * law->kn);
   law->fracture_energy_tension = 20 * law->tension * elastic;
   add_force (model, "lift", 0, 1e4);
-  for (int i = 0; i < 3; i++) {
-    QnStage *stage = qn_model_add_stage (model, "stage");
-    stage->sets = 2;
-    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-    stage->control_block = 1;
-    stage->control_dof = QN_DOF_UY;
-    stage->control_target = 10 * elastic * (i == 1 ? 1 + 3e-4 : 1);
-    stage->increments = 4;
-  }
+  for (int i = 0; i < 3; i++)
+    add_move (model, 2, QN_DOF_UY, 10 * elastic * (i == 1 ? 1 + 3e-4 : 1), 4);
   test_run_solve (&run);
   QnResult *r = &run.result;
   g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
@@ -324,20 +327,11 @@ test_slip_before_an_unknown_way (void)
   law->friction = 0.6;
   double elastic = law->cohesion / (0.5 * law->ks);
   law->fracture_energy_tension = 500 * law->tension * elastic;
-  QnLoad *dead = qn_model_add_dead_load (model);
-  dead->block = 1;
-  dead->kind = QN_LOAD_FORCE;
-  dead->vector = qn_vec2 (0, -4e4);
+  press (model, 4e4);
   add_force (model, "push", 1e4, 0);
-  for (int i = 0; i < 3; i++) {
-    QnStage *stage = qn_model_add_stage (model, "stage");
-    stage->sets = 2;
-    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-    stage->control_block = 1;
-    stage->control_dof = QN_DOF_UX;
-    stage->control_target = elastic * (i == 0 ? 1.601 : i == 1 ? 1.597 : 1.598);
-    stage->increments = 4;
-  }
+  add_move (model, 2, QN_DOF_UX, 1.601 * elastic, 4);
+  add_move (model, 2, QN_DOF_UX, 1.597 * elastic, 4);
+  add_move (model, 2, QN_DOF_UX, 1.598 * elastic, 4);
   test_run_solve (&run);
   QnResult *r = &run.result;
   g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
@@ -379,20 +373,11 @@ test_weaker_bond_on_an_unknown_way (void)
   model->blocks[0].law = 1;
   double elastic = 3.2e4 * (1 / mortar->ks + 1 / concrete->ks);
   mortar->fracture_energy_tension = concrete->fracture_energy_tension = 2e5 * elastic;
-  QnLoad *dead = qn_model_add_dead_load (model);
-  dead->block = 1;
-  dead->kind = QN_LOAD_FORCE;
-  dead->vector = qn_vec2 (0, -4e4);
+  press (model, 4e4);
   add_force (model, "push", 1e4, 0);
-  for (int i = 0; i < 3; i++) {
-    QnStage *stage = qn_model_add_stage (model, "stage");
-    stage->sets = 2;
-    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-    stage->control_block = 1;
-    stage->control_dof = QN_DOF_UX;
-    stage->control_target = elastic * (i == 0 ? 3 : i == 1 ? 0.4 : 1.4);
-    stage->increments = 4;
-  }
+  add_move (model, 2, QN_DOF_UX, 3 * elastic, 4);
+  add_move (model, 2, QN_DOF_UX, 0.4 * elastic, 4);
+  add_move (model, 2, QN_DOF_UX, 1.4 * elastic, 4);
   test_run_solve (&run);
   QnResult *r = &run.result;
   g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
@@ -409,6 +394,24 @@ test_weaker_bond_on_an_unknown_way (void)
   g_assert_true (tells (&run, QN_CLAIM_FORCES));
 }
 
+/* A block on a joint that may be crushed, pressed by a share of its strength. Returns the slip at which its
+ * bond begins to be damaged. */
+static double
+init_crushable (QnModel *model, double share)
+{
+  test_model_init_block_on_plane (model, 1, 0.0001);
+  QnLaw *law = &model->laws[0];
+  law->kind = QN_LAW_MOHR_COULOMB;
+  law->friction = 0.6;
+  law->compression = 1e5;
+  law->cohesion = law->tension = law->compression / 300;
+  const double pressed = share * law->compression;
+  const double elastic = (law->cohesion + law->friction * pressed) / (0.5 * law->ks);
+  law->fracture_energy_tension = 20 * law->cohesion * elastic;
+  press (model, 2 * pressed);
+  return elastic;
+}
+
 /* A joint that was crushed a little on the way of a motion that no step tells: its force agrees without that,
  * but hardly the damage that its bond takes later. */
 static void
@@ -416,32 +419,13 @@ test_crushed_a_little_on_an_unknown_way (void)
 {
   g_auto (TestRun) run = { 0 };
   QnModel *model = &run.model;
-  test_model_init_block_on_plane (model, 1, 0.0001);
-  QnLaw *law = &model->laws[0];
-  law->kind = QN_LAW_MOHR_COULOMB;
-  law->friction = 0.6;
-  law->compression = 1e5;
-  law->cohesion = law->tension = law->compression / 300;
-  const double kn = 0.5 * law->kn, ks = 0.5 * law->ks, pressed = 0.99 * law->compression;
-  const double elastic = (law->cohesion + law->friction * pressed) / ks;
-  law->fracture_energy_tension = 20 * law->cohesion * elastic;
-  QnLoad *dead = qn_model_add_dead_load (model);
-  dead->block = 1;
-  dead->kind = QN_LOAD_FORCE;
-  dead->vector = qn_vec2 (0, -2 * pressed);
+  const double elastic = init_crushable (model, 0.99), most = model->laws[0].compression;
+  const double crushed = -most / (0.5 * model->laws[0].kn);
   add_force (model, "press", 0, -1e3);
   add_force (model, "push", 1e3, 0);
-  for (int i = 0; i < 2; i++) {
-    QnStage *stage = qn_model_add_stage (model, "stage");
-    stage->sets = i == 0 ? 2 : 4;
-    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-    stage->control_block = 1;
-    stage->control_dof = i == 0 ? QN_DOF_UY : QN_DOF_UX;
-    stage->control_target = i == 0 ? -law->compression / kn * (1 + 5e-6) : 1.02 * elastic;
-    stage->increments = 4;
-    if (i == 0)
-      add_stage (model, 2, 0);
-  }
+  add_move (model, 2, QN_DOF_UY, crushed * (1 + 5e-6), 4);
+  add_stage (model, 2, 0);
+  add_move (model, 4, QN_DOF_UX, 1.02 * elastic, 4);
   test_run_solve (&run);
   QnResult *r = &run.result;
   g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
@@ -461,39 +445,20 @@ test_crushed_and_relieved_on_an_unknown_way (void)
 {
   g_auto (TestRun) run = { 0 };
   QnModel *model = &run.model;
-  test_model_init_block_on_plane (model, 1, 0.0001);
-  QnLaw *law = &model->laws[0];
-  law->kind = QN_LAW_MOHR_COULOMB;
-  law->friction = 0.6;
-  law->compression = 1e5;
-  law->cohesion = law->tension = law->compression / 300;
-  const double kn = 0.5 * law->kn, ks = 0.5 * law->ks, pressed = 0.5 * law->compression;
-  const double elastic = (law->cohesion + law->friction * pressed) / ks;
-  law->fracture_energy_tension = 20 * law->cohesion * elastic;
-  const double targets[] = { 1.02 * elastic, -1.5 * law->compression / kn,
-                             -1.3 * law->compression / kn };
-  QnLoad *dead = qn_model_add_dead_load (model);
-  dead->block = 1;
-  dead->kind = QN_LOAD_FORCE;
-  dead->vector = qn_vec2 (0, -2 * pressed);
+  const double elastic = init_crushable (model, 0.5), most = model->laws[0].compression;
+  const double crushed = -most / (0.5 * model->laws[0].kn);
   add_force (model, "push", 1e3, 0);
   add_force (model, "press", 0, -1e3);
-  for (int i = 0; i < 3; i++) {
-    QnStage *stage = qn_model_add_stage (model, "stage");
-    stage->sets = i == 0 ? 2 : 4;
-    stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-    stage->control_block = 1;
-    stage->control_dof = i == 0 ? QN_DOF_UX : QN_DOF_UY;
-    stage->control_target = targets[i];
-    stage->increments = 4;
-  }
+  add_move (model, 2, QN_DOF_UX, 1.02 * elastic, 4);
+  add_move (model, 4, QN_DOF_UY, 1.5 * crushed, 4);
+  add_move (model, 4, QN_DOF_UY, 1.3 * crushed, 4);
   test_run_solve (&run);
   QnResult *r = &run.result;
   g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
   g_assert_cmpfloat (r->pairs[0].damage, >, 0.01);
   g_assert_cmpfloat (r->pairs[0].damage, <, 1);
-  g_assert_cmpfloat (fabs (r->pairs[0].normal_force), <, 0.9 * law->compression);
+  g_assert_cmpfloat (fabs (r->pairs[0].normal_force), <, 0.9 * most);
   size_t first = end_of (r, 1) + 1;
   drop_steps (r, first, r->step_count - 1);
   g_assert_false (tells (&run, QN_CLAIM_FORCES));
