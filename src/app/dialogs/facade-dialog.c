@@ -75,7 +75,7 @@ dup_key (const Dialog *dialog, gsize i, double *values, GError **error)
     g_string_append_printf (text, "%s%s", k > 0 ? "," : "",
                             qn_number_text (values[k], number));
   }
-  /* What is left empty is left out. */
+  /* An empty entry is none: 0. */
   g_string_append (text, count > 0 ? "]" : "0]");
   if (done)
     gtk_widget_remove_css_class (entry, "error");

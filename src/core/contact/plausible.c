@@ -2,6 +2,7 @@
 
 #include "core/base/box.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -525,13 +526,6 @@ examine_sinking (Doubts *d, const QnContacts *contacts)
 
 /* ---- slivers ---- */
 
-static int
-compare_numbers (const void *a, const void *b)
-{
-  const double *p = a, *q = b;
-  return (*p > *q) - (*p < *q);
-}
-
 /* Of a long strip its width, m. */
 static double
 width_of (const QnModel *model, size_t block)
@@ -544,6 +538,15 @@ width_of (const QnModel *model, size_t block)
   return 2 * model->blocks[block].area / perimeter;
 }
 
+/* `width`: the median of all, m; the characteristic length is the root of the median of areas. */
+static bool
+is_sliver (const QnModel *model, size_t block, double width)
+{
+  const double length = model->characteristic_length;
+  return model->blocks[block].area < SLIVER_AREA * length * length
+         && width_of (model, block) < SLIVER_WIDTH * width;
+}
+
 /* With the neighbour that each touches most. */
 static bool
 examine_slivers (Doubts *d, const QnContacts *contacts)
@@ -552,40 +555,42 @@ examine_slivers (Doubts *d, const QnContacts *contacts)
   const size_t n = model->block_count;
   if (n < 10)
     return true;
-  double *sorted = qn_alloc (n, sizeof *sorted), median[2];
-  QnId *slivers = qn_alloc (n, sizeof *slivers);
-  bool done = sorted != NULL && slivers != NULL;
-  for (int k = 0; done && k < 2; k++) {
-    for (size_t i = 0; i < n; i++)
-      sorted[i] = k == 0 ? model->blocks[i].area : width_of (model, i);
-    qsort (sorted, n, sizeof *sorted, compare_numbers);
-    median[k] = sorted[n / 2];
-  }
+  double *sizes = qn_alloc (n, sizeof *sizes);
+  QnId *beside = qn_alloc (n, sizeof *beside);
+  bool done = sizes != NULL && beside != NULL;
+  double width = 0;
   size_t count = 0;
-  for (size_t i = 0; done && i < n; i++)
-    if (model->blocks[i].area < SLIVER_AREA * median[0]
-        && width_of (model, i) < SLIVER_WIDTH * median[1])
-      slivers[count++] = (QnId) i;
-  for (size_t i = 0; done && i < count && 10 * count <= n; i++) {
-    QnFinding finding = { QN_PROBLEM_BLOCK_SLIVER,
-                          slivers[i],
-                          QN_NONE,
-                          model->blocks[slivers[i]].centroid,
-                          0,
-                          QN_NONE,
-                          NULL };
-    double longest = 0;
-    for (size_t f = 0; f < contacts->face_count; f++) {
-      const QnContactFace *face = &contacts->faces[f];
-      if ((face->a != slivers[i] && face->b != slivers[i]) || face->length <= longest)
-        continue;
-      finding.block_b = face->a == slivers[i] ? face->b : face->a;
-      longest = face->length;
-    }
-    done = qn_findings_add (d->findings, finding);
+  if (done) {
+    for (size_t i = 0; i < n; i++)
+      sizes[i] = width_of (model, i);
+    qsort (sizes, n, sizeof *sizes, qn_compare_doubles);
+    width = sizes[n / 2];
   }
-  free (sorted);
-  free (slivers);
+  for (size_t i = 0; done && i < n; i++) {
+    count += is_sliver (model, i, width);
+    sizes[i] = 0; /* from now on the longest face of each */
+    beside[i] = QN_NONE;
+  }
+  const bool any = count > 0 && 10 * count <= n;
+  for (size_t f = 0; any && f < contacts->face_count; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    const QnId ends[2] = { face->a, face->b };
+    for (int k = 0; k < 2; k++)
+      if (face->length > sizes[ends[k]]) {
+        sizes[ends[k]] = face->length;
+        beside[ends[k]] = ends[1 - k];
+      }
+  }
+  for (size_t i = 0; any && done && i < n; i++)
+    done =
+      !is_sliver (model, i, width)
+      || qn_findings_add (d->findings, (QnFinding){ .problem = QN_PROBLEM_BLOCK_SLIVER,
+                                                    .block_a = (QnId) i,
+                                                    .block_b = beside[i],
+                                                    .at = model->blocks[i].centroid,
+                                                    .subject = QN_NONE });
+  free (sizes);
+  free (beside);
   return done;
 }
 
