@@ -1,5 +1,6 @@
 #include "doc/edit/edit-tie.h"
 
+#include "core/base/numbers.h"
 #include "core/base/polygon.h"
 #include "core/model/bar.h"
 #include "doc/edit/edit-frame.h"
@@ -99,13 +100,6 @@ qn_edit_duplicate_tie (QnModel *model, QnId tie, GError **error)
   return TRUE;
 }
 
-static int
-compare_numbers (gconstpointer a, gconstpointer b)
-{
-  const double x = *(const double *) a, y = *(const double *) b;
-  return (x > y) - (x < y);
-}
-
 /* Where a line meets the sides of blocks, as parts of it, in order; 0 and 1 too. */
 static GArray *
 find_sides (const QnModel *model, QnVec2 from, QnVec2 along)
@@ -128,7 +122,7 @@ find_sides (const QnModel *model, QnVec2 from, QnVec2 along)
         g_array_append_val (places, place);
     }
   }
-  g_array_sort (places, compare_numbers);
+  g_array_sort (places, qn_compare_doubles);
   return places;
 }
 
