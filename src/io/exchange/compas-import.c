@@ -262,16 +262,14 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
   const QnDrawingPath *covered = find_covered (drawing);
   if (covered == NULL) {
     if (hollow > 0)
-      qn_drawing_note (drawing, _ ("blocks with holes, which are taken as solid"), 0,
-                       qn_vec2 (NAN, NAN))
+      qn_drawing_note (drawing, _ ("blocks with holes, which are taken as solid"), 0)
         ->count = hollow;
-    QnDrawingNote *note = qn_drawing_note (drawing, _ ("blocks as thick as in the file"),
-                                           0, qn_vec2 (NAN, NAN));
+    QnDrawingNote *note =
+      qn_drawing_note (drawing, _ ("blocks as thick as in the file"), 0);
     note->count = meshes->len;
     note->minor = TRUE;
     if (dense > 0) {
-      note = qn_drawing_note (drawing, _ ("blocks with a density of the file"), 0,
-                              qn_vec2 (NAN, NAN));
+      note = qn_drawing_note (drawing, _ ("blocks with a density of the file"), 0);
       note->count = dense;
       note->minor = TRUE;
     }
@@ -364,8 +362,7 @@ drop_plates (GPtrArray *meshes, QnDrawing *drawing)
       continue;
     g_ptr_array_remove_index (meshes, i);
     if (!taken_apart)
-      qn_drawing_note (drawing, _ ("meshes without thickness left out"), 0,
-                       qn_vec2 (NAN, NAN));
+      qn_drawing_note (drawing, _ ("meshes without thickness left out"), 0);
   }
 }
 
@@ -378,12 +375,11 @@ view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
   for (int view = 0; view < (int) G_N_ELEMENTS (views); view++) {
     g_autofree char *problem = add_view (meshes, view, drawing);
     if (problem == NULL) {
-      QnDrawingNote *note =
-        qn_drawing_note (drawing, _ (views[view].text), 0, qn_vec2 (NAN, NAN));
+      QnDrawingNote *note = qn_drawing_note (drawing, _ (views[view].text), 0);
       note->count = meshes->len;
       note->minor = view == 0;
       if (first != NULL)
-        qn_drawing_note (drawing, first, 0, qn_vec2 (NAN, NAN));
+        qn_drawing_note (drawing, first, 0);
       return TRUE;
     }
     if (first == NULL)

@@ -67,7 +67,7 @@ qn_drawing_path_add (QnDrawingPath *path, QnVec2 point)
 }
 
 QnDrawingNote *
-qn_drawing_note (QnDrawing *drawing, const char *text, guint line, QnVec2 at)
+qn_drawing_note (QnDrawing *drawing, const char *text, guint line)
 {
   for (guint i = 0; i < drawing->notes->len; i++) {
     QnDrawingNote *note = drawing->notes->pdata[i];
@@ -77,7 +77,7 @@ qn_drawing_note (QnDrawing *drawing, const char *text, guint line, QnVec2 at)
     }
   }
   QnDrawingNote *note = g_new (QnDrawingNote, 1);
-  *note = (QnDrawingNote){ g_strdup (text), 1, line, at, FALSE };
+  *note = (QnDrawingNote){ g_strdup (text), 1, line, FALSE };
   g_ptr_array_add (drawing->notes, note);
   return note;
 }
@@ -102,7 +102,7 @@ qn_drawing_drop_unbounded (QnDrawing *drawing)
       g_array_index (drawing->paths, QnDrawingPath, kept++) = *path;
     } else {
       qn_drawing_note (drawing, _ ("shapes with coordinates beyond 1e15 left out"),
-                       path->line, qn_vec2 (NAN, NAN));
+                       path->line);
       g_free (path->points);
     }
   }

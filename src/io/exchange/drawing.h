@@ -36,7 +36,6 @@ typedef struct QnDrawingNote {
   char *text; /* "%u polylines closed" is made of these */
   guint count;
   guint line;     /* of the first; 0 where there is none */
-  QnVec2 at;      /* of the first, in the drawing's unit; NaN where there is none */
   gboolean minor; /* nobody takes it for a part of the structure: texts, dimensions */
 } QnDrawingNote;
 
@@ -64,8 +63,7 @@ void qn_drawing_drop_unbounded (QnDrawing *drawing);
 
 /* Counts something; `text` is translated and says what, in the plural: "texts left out". Returns the
  * drawing's note. */
-QnDrawingNote *qn_drawing_note (QnDrawing *drawing, const char *text, guint line,
-                                QnVec2 at);
+QnDrawingNote *qn_drawing_note (QnDrawing *drawing, const char *text, guint line);
 
 /* Flattened curves, appended to a path whose last point, if it has one, is the start. Angles in
  * rad. */

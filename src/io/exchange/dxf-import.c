@@ -234,7 +234,7 @@ add_insert (Importer *importer, const QnDxfEntity *insert, const Place *place,
     qn_drawing_note (importer->drawing,
                      block == NULL ? _ ("inserts of unknown blocks left out")
                                    : _ ("inserts nested too deeply left out"),
-                     insert->line, qn_vec2 (at->x, at->y));
+                     insert->line);
     return;
   }
   int columns = (int) qn_to_integer (insert->numbers[4], 1, MAX_PATHS);
@@ -270,7 +270,7 @@ add_entity (Importer *importer, const QnDxfEntity *entity, const Place *place,
     qn_drawing_note (drawing,
                      entity->invisible ? _ ("invisible shapes left out")
                                        : _ ("blocks on frozen layers left out"),
-                     entity->line, qn_vec2 (NAN, NAN));
+                     entity->line);
     return;
   }
   if (depth > 0 && entity->kind == QN_DXF_HATCH)
@@ -296,8 +296,7 @@ add_entity (Importer *importer, const QnDxfEntity *entity, const Place *place,
     g_array_append_val (importer->points, point);
   }
   if (!sound) {
-    qn_drawing_note (drawing, _ ("invalid curves left out"), entity->line,
-                     qn_vec2 (NAN, NAN));
+    qn_drawing_note (drawing, _ ("invalid curves left out"), entity->line);
     g_free (path->points);
     g_array_set_size (drawing->paths, drawing->paths->len - 1);
     g_array_set_size (importer->points, first);
@@ -333,7 +332,7 @@ add_rank (Importer *importer, Rank rank)
       continue;
     if (rank == FACES || (rank == HATCHES && entity->numbers[0] == 1))
       qn_drawing_note (importer->drawing, repeat ? left_out : _ (taken[rank]),
-                       entity->line, qn_vec2 (NAN, NAN))
+                       entity->line)
         ->minor = rank == HATCHES && repeat;
     if (repeat)
       continue;
@@ -343,7 +342,7 @@ add_rank (Importer *importer, Rank rank)
             || (entity->point_count == 4 && memcmp (&p[2], &p[3], sizeof *p) == 0)))
       qn_drawing_note (importer->drawing,
                        _ ("triangles of meshes, each of which becomes a block"),
-                       entity->line, qn_vec2 (NAN, NAN));
+                       entity->line);
     importer->faces = importer->faces || rank == FACES;
     add_entity (importer, entity, &world, "0", 0);
   }
@@ -407,7 +406,7 @@ choose_view (Importer *importer)
     : right.y == 0 ? _ ("drawn in the x-z plane and seen from the front; shapes")
     : right.x == 0 ? _ ("drawn in the y-z plane and seen from the side; shapes")
                    : _ ("drawn in an upright plane and seen square to it; shapes"),
-    0, qn_vec2 (NAN, NAN))
+    0)
     ->count = importer->drawing->paths->len;
   guint next = 0;
   for (guint i = 0; flat && i < importer->drawing->paths->len; i++) {

@@ -174,8 +174,7 @@ keep_text (const Scanner *scanner, const Pair *pair, gboolean lower)
 static void
 note (const Scanner *scanner, const char *text)
 {
-  qn_drawing_note (scanner->drawing, text, scanner->entity_line,
-                   qn_vec2 (number_at (scanner, 10, NAN), number_at (scanner, 20, NAN)));
+  qn_drawing_note (scanner->drawing, text, scanner->entity_line);
 }
 
 static gboolean
@@ -436,9 +435,8 @@ take_simple (Scanner *scanner)
     return;
   }
   g_autofree char *text = g_strdup_printf (_ ("%s entities left out"), scanner->type);
-  QnDrawingNote *left_out = qn_drawing_note (
-    scanner->drawing, text, scanner->entity_line,
-    qn_vec2 (number_at (scanner, 10, NAN), number_at (scanner, 20, NAN)));
+  QnDrawingNote *left_out =
+    qn_drawing_note (scanner->drawing, text, scanner->entity_line);
   left_out->minor = is_annotation (scanner->type);
 }
 
@@ -601,7 +599,7 @@ scan_pairs (Scanner *scanner)
     return fail (scanner, 1, _ ("the file is empty"));
   if (!ended)
     qn_drawing_note (scanner->drawing, _ ("file ends without its EOF mark"),
-                     scanner->line, qn_vec2 (NAN, NAN));
+                     scanner->line);
   return TRUE;
 }
 

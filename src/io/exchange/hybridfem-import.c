@@ -45,8 +45,7 @@ qn_hybridfem_import (const char *text, gsize length, const char *name, QnDrawing
   for (guint i = 0; lines[i] != NULL; i++) {
     const char *line = g_strstrip (lines[i]);
     if (starts_with (line, "FE"))
-      qn_drawing_note (drawing, _ ("finite elements left out"), i + 1,
-                       qn_vec2 (NAN, NAN));
+      qn_drawing_note (drawing, _ ("finite elements left out"), i + 1);
     if (!starts_with (line, "Box"))
       continue;
     guint box = i + 1;

@@ -151,8 +151,8 @@ parse_transform (Importer *importer, const char *text, Matrix all, guint line)
     g_autofree char *kind = g_strndup (text, (gsize) (open - text));
     Matrix own;
     if (!transform_of (g_strstrip (g_strdelimit (kind, ",", ' ')), numbers, count, &own))
-      qn_drawing_note (importer->drawing, _ ("transformations that cannot be read"), line,
-                       qn_vec2 (NAN, NAN));
+      qn_drawing_note (importer->drawing, _ ("transformations that cannot be read"),
+                       line);
     all = multiply (&all, &own);
     text = close + 1;
   }
@@ -188,8 +188,7 @@ length_of (Importer *importer, const xmlNode *node, const State *state, const ch
 static void
 note (Importer *importer, const xmlNode *node, const char *text)
 {
-  qn_drawing_note (importer->drawing, text, (guint) xmlGetLineNo (node),
-                   qn_vec2 (NAN, NAN));
+  qn_drawing_note (importer->drawing, text, (guint) xmlGetLineNo (node));
 }
 
 static gboolean
@@ -644,9 +643,7 @@ walk (Importer *importer, const xmlNode *node, State state)
   }
   if (g_strv_contains (others, name)) {
     g_autofree char *text = g_strdup_printf (_ ("%s elements left out"), name);
-    qn_drawing_note (importer->drawing, text, (guint) xmlGetLineNo (node),
-                     qn_vec2 (NAN, NAN))
-      ->minor = TRUE;
+    qn_drawing_note (importer->drawing, text, (guint) xmlGetLineNo (node))->minor = TRUE;
   }
   return TRUE;
 }
@@ -723,8 +720,7 @@ import_document (const xmlDoc *document, const char *name, QnDrawing *drawing,
   qn_svg_style_init (&importer.style);
   collect (&importer, root);
   if (importer.style.odd > 0)
-    qn_drawing_note (drawing, _ ("rules of the style sheet that are not followed"), 0,
-                     qn_vec2 (NAN, NAN))
+    qn_drawing_note (drawing, _ ("rules of the style sheet that are not followed"), 0)
       ->count = importer.style.odd;
   gboolean done = is (root, "svg");
   if (done)
