@@ -5,7 +5,7 @@
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
 #include "doc/view/capacity-settings.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 #include "support/room.h"
 
 #include <math.h>

@@ -9,7 +9,7 @@
 #include "doc/document/picture.h"
 #include "doc/document/recovery.h"
 #include "io/exchange/drawing-import.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 #include "support/room.h"
 #include "support/scratch.h"
 

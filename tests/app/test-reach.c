@@ -6,7 +6,7 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/window/action-table.h"
-#include "io/project/typical-stone.h"
+#include "io/project/typical-joint.h"
 #include "support/room.h"
 
 static const char two_blocks[] =

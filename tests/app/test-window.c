@@ -5,7 +5,7 @@
 #include "app/widgets/settings.h"
 #include "app/window/action-table.h"
 #include "doc/long-analysis.h"
-#include "doc/view/figure-export.h"
+#include "doc/view/figures.h"
 #include "support/room.h"
 
 #include <dlfcn.h>

@@ -1,11 +1,8 @@
 /* Any bytes as a drawing, all the way to a project, with joints of mortar left open, closed or filled.
  * Built once per importer: FUZZ_READER is the function that reads one. */
 #include "fuzz.h"
-#include "io/exchange/compas-import.h"
 #include "io/exchange/drawing-import.h"
-#include "io/exchange/dxf-import.h"
-#include "io/exchange/hybridfem-import.h"
-#include "io/exchange/svg-import.h"
+#include "io/exchange/drawing.h"
 #include "io/text/io-error.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Any bytes as a result file, checked against a project where its blocks are the same. */
 #include "fuzz.h"
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 #include "io/text/io-error.h"
 
 #include <string.h>

@@ -6,7 +6,6 @@
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
-#include "doc/view/figure-export.h"
 #include "doc/view/figures.h"
 #include <glib/gi18n.h>
 

@@ -2,7 +2,7 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
-#include "io/project/typical-stone.h"
+#include "io/project/typical-joint.h"
 #include <glib/gi18n.h>
 
 #define CHANGE N_ ("Set Support")

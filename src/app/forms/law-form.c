@@ -4,8 +4,8 @@
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-face.h"
-#include "doc/text/law-preset.h"
 #include "doc/text/law-text.h"
+#include "doc/text/law-trace.h"
 #include "doc/text/points-text.h"
 #include "io/project/typical-joint.h"
 #include <glib/gi18n.h>

@@ -12,10 +12,10 @@
 #include "doc/document/digest.h"
 #include "doc/view/capacity-answer.h"
 #include "doc/view/capacity-settings.h"
-#include "doc/view/figure-export.h"
+#include "doc/view/figures.h"
 #include "io/exchange/record.h"
-#include "io/project/project-extras.h"
-#include "io/text/file-inside.h"
+#include "io/project/project.h"
+#include "io/text/file-read.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

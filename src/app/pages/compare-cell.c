@@ -1,7 +1,7 @@
 #include "app/pages/compare-cell.h"
 
 #include "app/widgets/paper-area.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 #include "doc/text/explain.h"
 #include "render/backend/draw-cairo.h"
 #include "render/scene/scene-build.h"

@@ -4,7 +4,7 @@
 #include "app/widgets/shortened.h"
 #include "app/widgets/text-unit.h"
 #include "doc/document/run-name.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 #include "doc/text/explain.h"
 #include "doc/text/units.h"
 #include "render/figure/curve-plot.h"

@@ -10,7 +10,7 @@
 #include "core/base/integer.h"
 #include "doc/document/digest.h"
 #include "doc/text/explain.h"
-#include "doc/view/figure-export.h"
+#include "doc/view/figures.h"
 #include "io/project/project-vehicle.h"
 #include "study/report/envelope-figure.h"
 #include <glib/gi18n.h>

@@ -5,7 +5,7 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/settings.h"
 #include "doc/document/bounds.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "doc/view/load-text.h"

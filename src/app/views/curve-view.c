@@ -2,7 +2,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 #include "io/exchange/table-csv.h"
 #include "render/figure/curve-plot.h"
 

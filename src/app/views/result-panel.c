@@ -4,7 +4,7 @@
 #include "app/widgets/choice-list.h"
 #include "app/widgets/context-menu.h"
 #include "doc/document/run-name.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n.h>

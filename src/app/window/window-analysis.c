@@ -1,7 +1,7 @@
 #include "app/window/window-private.h"
 
 #include "app/widgets/settings.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n.h>
 #include <math.h>

@@ -6,7 +6,7 @@
 #include "app/widgets/settings.h"
 #include "doc/document/run-file.h"
 #include "doc/view/cracks-csv.h"
-#include "doc/view/figure-export.h"
+#include "doc/view/figures.h"
 #include "doc/view/report-item.h"
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"

@@ -1,7 +1,7 @@
 /* Printing what the window shows: one page, as figures are exported. */
 #include "app/window/window-private.h"
 
-#include "doc/view/figure-export.h"
+#include "doc/view/figures.h"
 #include <glib/gi18n.h>
 
 #define POINTS_PER_INCH 72.0

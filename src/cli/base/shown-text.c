@@ -1,7 +1,6 @@
 #include "cli/base/shown-text.h"
 
 #include "cli/base/message.h"
-#include "io/text/plain-character.h"
 #include "io/text/text-format.h"
 
 #include <errno.h>

@@ -7,7 +7,7 @@
 #include "doc/document/underlay.h"
 #include "doc/view/recipe.h"
 #include "doc/view/sheet.h"
-#include "io/text/file-inside.h"
+#include "io/text/file-read.h"
 
 #include <glib/gi18n.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 #include "doc/document/digest.h"
 
-#include "io/project/project-extras.h"
 #include "io/project/project-masonry.h"
+#include "io/project/project.h"
 
 /* Of what the file says besides the model, masonry is what blocks follow from. */
 static struct cJSON *

@@ -4,7 +4,7 @@
 #include "doc/edit/edit.h"
 #include "doc/text/explain.h"
 #include "io/project/number-path.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 #include "io/text/file-read.h"
 #include "io/text/file-writer.h"
 #include <glib/gi18n-lib.h>

@@ -7,7 +7,7 @@
 #include "core/base/integer.h"
 #include "doc/document/history-private.h"
 
-#include "io/json/json-parse.h"
+#include "io/json/json-value.h"
 #include "io/text/json-text.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 #include "doc/document/import.h"
 
 #include "doc/edit/edit.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 #include "doc/document/picture.h"
 
 #include "doc/edit/edit.h"
-#include "io/text/file-inside.h"
+#include "io/text/file-read.h"
 #include "render/drawing/photo.h"
 #include "render/drawing/rectify.h"
 #include <glib/gi18n-lib.h>

@@ -1,7 +1,7 @@
 #include "doc/document/run-name.h"
 
 #include "doc/document/document-private.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>
 

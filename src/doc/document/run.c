@@ -1,5 +1,13 @@
 #include "doc/document/run.h"
 
+#include "core/result/first-limit.h"
+#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
+#include "io/text/mechanism-text.h"
+#include "io/text/outcome-text.h"
+
+#include <glib/gi18n-lib.h>
+
 QnRun *
 qn_run_new (const char *name, const char *fingerprint)
 {
@@ -69,4 +77,137 @@ qn_run_step_at (const QnRun *run, double time)
       high = middle;
   }
   return (int) (time - steps[low].time <= steps[high].time - time ? low : high);
+}
+
+static double
+hertz_of (const QnRun *run)
+{
+  return run->omega / (2 * G_PI);
+}
+
+char *
+qn_run_dup_title (const QnRun *run)
+{
+  const QnResult *result = &run->result;
+  if (run->kind == QN_RUN_MODE && run->mode > 0)
+    return run->omega > 0
+             ? g_strdup_printf (_ ("%s: mode %u, %.4g Hz"), run->name, run->mode,
+                                hertz_of (run))
+             : g_strdup_printf (_ ("%s: mode %u, rigid motion"), run->name, run->mode);
+  if (run->kind == QN_RUN_STABILITY && result->outcome == QN_OUTCOME_SNAP)
+    return g_strdup_printf (_ ("%s: %.4f"), run->name, result->first_limit_multiplier);
+  if (run->kind == QN_RUN_STABILITY && result->outcome == QN_OUTCOME_TARGET_REACHED)
+    return g_strdup_printf (_ ("%s: stable"), run->name);
+  if (result->has_unproved_multiplier)
+    return g_strdup_printf (_ ("%s: %.4f, not proved"), run->name,
+                            result->unproved_multiplier);
+  return result->has_collapse_multiplier
+           ? g_strdup_printf (_ ("%s: %.4f"), run->name, result->collapse_multiplier)
+           : g_strdup_printf (_ ("%s: %s"), run->name, qn_explain_outcome_label (result));
+}
+
+char *
+qn_run_dup_explanation (const QnRun *run)
+{
+  if (run->kind == QN_RUN_MODE && run->mode > 0) {
+    const char *about = run->loaded ? _ ("the last equilibrium of the analysis")
+                                    : _ ("the equilibrium under dead load");
+    if (!(run->omega > 0))
+      return g_strdup_printf (
+        _ ("Mode %u of %u about %s: a rigid motion without stiffness."), run->mode,
+        run->mode_count, about);
+    double hertz = hertz_of (run);
+    return g_strdup_printf (_ ("Mode %u of %u about %s: %.5g Hz, period %.4g s."),
+                            run->mode, run->mode_count, about, hertz, 1 / hertz);
+  }
+  if (run->kind == QN_RUN_STABILITY) {
+    const QnResult *result = &run->result;
+    if (result->outcome == QN_OUTCOME_SNAP)
+      return g_strdup_printf (
+        _ ("Stability is lost at a load multiplier of %.6g: the structure buckles as the "
+           "mechanism shows, although the path of the perfect structure may continue."),
+        result->first_limit_multiplier);
+    g_autofree char *reason = qn_explain_outcome (&run->model, result);
+    return result->outcome == QN_OUTCOME_TARGET_REACHED
+             ? g_strdup_printf (_ ("Stable along the whole path. %s"), reason)
+             : g_steal_pointer (&reason);
+  }
+  return qn_explain_outcome (&run->model, &run->result);
+}
+
+char *
+qn_run_dup_mechanism (const QnRun *run)
+{
+  return run->kind == QN_RUN_ANALYSIS
+           ? qn_explain_mechanism (&run->model, &run->contacts, &run->result)
+           : NULL;
+}
+
+char *
+qn_run_dup_mechanism_sentence (const QnRun *run)
+{
+  QnMechanism mechanism;
+  if (run->kind != QN_RUN_ANALYSIS || run->result.mechanism == NULL
+      || qn_mechanism_of_result (&mechanism, &run->model, &run->contacts, &run->result,
+                                 NULL)
+           != QN_OK)
+    return NULL;
+  char *sentence = qn_mechanism_dup_sentence (&mechanism);
+  qn_mechanism_clear (&mechanism);
+  return sentence;
+}
+
+static char *
+describe_event (const QnPathEvent *event, QnUnits units)
+{
+  const QnCount moved = { QN_COUNTED_BLOCKS, event->block_count };
+  g_autofree char *blocks = qn_counts_dup_text (&moved, 1, ", ");
+  if (event->kind == QN_EVENT_KIND_COLLAPSE)
+    return g_strdup_printf (_ ("Multiplier %.4f: collapse, %s"), event->multiplier,
+                            blocks);
+  if (event->kind == QN_EVENT_KIND_BUCKLING)
+    return g_strdup_printf (_ ("Multiplier %.4f: the structure buckles, %s"),
+                            event->multiplier, blocks);
+  QnUnits mm = qn_units_of_motion (units);
+  g_autofree char *before =
+    qn_units_format_full (mm, QN_QUANTITY_LENGTH, event->displacement_before, 3);
+  g_autofree char *after =
+    qn_units_format_full (mm, QN_QUANTITY_LENGTH, event->displacement_after, 3);
+  return g_strdup_printf (
+    _ ("Multiplier %.4f: a jump, the largest displacement grows from %s to %s, %s"),
+    event->multiplier, before, after, blocks);
+}
+
+GPtrArray *
+qn_run_dup_events (const QnRun *run, QnUnits units, guint *told)
+{
+  const QnResult *result = &run->result;
+  GPtrArray *events = g_ptr_array_new_with_free_func (g_free);
+  gulong settles = 0;
+  for (gsize i = 0; i < result->event_count; i++) {
+    const QnPathEvent *event = &result->events[i];
+    if (!qn_result_is_felt (result, event)) {
+      settles++;
+      continue;
+    }
+    g_autofree char *text = describe_event (event, units);
+    g_autofree char *stage =
+      event->stage > 0 ? qn_stage_dup_name (&run->model, event->stage) : NULL;
+    g_ptr_array_add (events, stage != NULL
+                               ? g_strdup_printf (_ ("Stage “%s”. %s"), stage, text)
+                               : g_steal_pointer (&text));
+  }
+  *told = events->len;
+  if (settles > 0)
+    g_ptr_array_add (
+      events, g_strdup_printf (ngettext ("%lu small jump: joints settle",
+                                         "%lu small jumps: joints settle", settles),
+                               settles));
+  return events;
+}
+
+gboolean
+qn_run_has_curve (const QnRun *run)
+{
+  return run->kind != QN_RUN_MODE && run->model.analysis.procedure != QN_PROCEDURE_LIMIT;
 }

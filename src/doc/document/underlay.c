@@ -1,8 +1,8 @@
 #include "doc/document/underlay.h"
 
-#include "io/project/project-extras.h"
 #include "io/project/project-members.h"
-#include "io/text/file-inside.h"
+#include "io/project/project.h"
+#include "io/text/file-read.h"
 #include "io/text/json-text.h"
 #include "render/drawing/photo.h"
 #include "render/drawing/rectify.h"

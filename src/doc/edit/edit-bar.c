@@ -1,7 +1,7 @@
 #include "doc/edit/edit-bar.h"
 
 #include "core/base/polygon.h"
-#include "doc/text/law-preset.h"
+#include "doc/text/law-trace.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>
 

@@ -1,7 +1,7 @@
 #include "doc/edit/edit-gaps.h"
 
 #include "doc/edit/edit-shape.h"
-#include "io/text/width-text.h"
+#include "io/text/text-format.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>
 

@@ -1,8 +1,8 @@
 #include "doc/edit/edit-masonry.h"
 
 #include "core/base/memory.h"
-#include "io/project/project-extras.h"
 #include "io/project/project-masonry.h"
+#include "io/project/project.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #include "doc/view/animation-job.h"
 
 #include "core/base/integer.h"
-#include "doc/view/figure-export.h"
+#include "doc/view/figures.h"
 
 #define TICK_MS 50
 

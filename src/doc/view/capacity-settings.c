@@ -1,9 +1,9 @@
 #include "doc/view/capacity-settings.h"
 
 #include "core/base/numbers.h"
-#include "io/project/project-extras.h"
 #include "io/project/project-members.h"
-#include "io/text/file-inside.h"
+#include "io/project/project.h"
+#include "io/text/file-read.h"
 #include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>

@@ -4,7 +4,7 @@
 #include "doc/document/underlay.h"
 #include "doc/view/figures.h"
 #include "doc/view/recipe.h"
-#include "io/text/file-inside.h"
+#include "io/text/file-read.h"
 #include "io/text/file-writer.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>

@@ -4,6 +4,8 @@
 
 #include "doc/document/document.h"
 #include "doc/view/recipe.h"
+#include "doc/view/view-state.h"
+#include "render/figure/figure.h"
 
 /* Of QnRecipe *, possibly none; NULL with an error where the project's are unreadable. */
 GPtrArray *qn_document_get_figures (QnDocument *document, GError **error);
@@ -30,3 +32,17 @@ void qn_document_allow_figure (QnDocument *document, const QnRecipe *recipe);
  * outside the project's folder that the user has not allowed are refused (QN_IO_ERROR_OUTSIDE). */
 gboolean qn_document_export_figure (QnDocument *document, const QnRecipe *recipe,
                                     const char *path, GError **error);
+
+/* The figure of the present view, with the titles that figures have and windows do not.
+ * Borrows from the state. False where the view needs a result and there is none. */
+gboolean qn_view_state_get_figure (QnViewState *state, QnFigure *figure, GError **error);
+
+/* The figure that a recipe asks for, of what the window shows: its current run, outdated or
+ * not. */
+gboolean qn_view_state_get_figure_as (QnViewState *state, const QnRecipe *recipe,
+                                      QnFigure *figure, GError **error);
+gboolean qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe,
+                                  const char *path, GError **error);
+
+/* Metadata of pictures of a document; borrows from it. */
+void qn_document_get_metadata (QnDocument *document, QnMetadata *metadata);

@@ -2,7 +2,7 @@
 
 #include "core/model/cycles.h"
 #include "doc/edit/edit-stage.h"
-#include "io/project/project-names.h"
+#include "io/project/project-members.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n-lib.h>
 

@@ -2,8 +2,8 @@
 
 #include "core/base/integer.h"
 #include "doc/document/digest.h"
-#include "io/project/project-extras.h"
 #include "io/project/project-members.h"
+#include "io/project/project.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 

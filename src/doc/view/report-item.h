@@ -4,7 +4,7 @@
 
 #include "doc/document/document.h"
 #include "doc/view/report.h"
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 
 typedef struct QnReportItem {
   QnResultFile file;

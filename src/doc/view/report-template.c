@@ -1,7 +1,7 @@
 #include "doc/view/report-template.h"
 
-#include "io/project/project-extras.h"
 #include "io/project/project-members.h"
+#include "io/project/project.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 

@@ -7,7 +7,7 @@
 #include "doc/text/units.h"
 #include "doc/view/report-template.h"
 #include "io/project/project.h"
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 #include "render/figure/pages.h"
 
 /* One result with the project as it was computed, overrides included; all borrowed. */

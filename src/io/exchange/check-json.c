@@ -1,7 +1,7 @@
 #include "io/exchange/check-json.h"
 
 #include "io/exchange/record.h"
-#include "io/project/project-names.h"
+#include "io/project/project-members.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-writer.h"
 

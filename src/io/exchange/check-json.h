@@ -2,7 +2,7 @@
  * key by key. */
 #pragma once
 
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 
 /* A project that was checked, with what was found out about a result of it; all borrowed. */
 typedef struct QnCheckReport {

@@ -1,7 +1,7 @@
-#include "io/exchange/compas-import.h"
 #include "core/base/polygon.h"
 #include "core/base/union-find.h"
-#include "io/json/json-parse.h"
+#include "io/exchange/drawing.h"
+#include "io/json/json-value.h"
 #include "io/text/io-error.h"
 #include "stereotomy/ring.h"
 

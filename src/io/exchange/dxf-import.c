@@ -1,8 +1,8 @@
-#include "io/exchange/dxf-import.h"
 #include "core/base/integer.h"
+#include "io/exchange/drawing.h"
 #include "io/exchange/dxf-scan.h"
+#include "io/text/file-read.h"
 #include "io/text/io-error.h"
-#include "io/text/text-decode.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>

@@ -1,9 +1,6 @@
 /* Which reader a file to import needs. */
-#include "io/exchange/compas-import.h"
 #include "io/exchange/drawing-import.h"
-#include "io/exchange/dxf-import.h"
-#include "io/exchange/hybridfem-import.h"
-#include "io/exchange/svg-import.h"
+#include "io/exchange/drawing.h"
 #include "io/text/file-read.h"
 #include "io/text/io-error.h"
 

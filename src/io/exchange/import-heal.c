@@ -1,5 +1,5 @@
 #include "io/exchange/import-work.h"
-#include "io/text/width-text.h"
+#include "io/text/text-format.h"
 #include "stereotomy/gaps.h"
 #include "stereotomy/polygon-ops.h"
 

@@ -3,7 +3,6 @@
 
 #include "io/text/file-read.h"
 #include "io/text/io-error.h"
-#include "io/text/text-decode.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

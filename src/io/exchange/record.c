@@ -2,7 +2,7 @@
 #include "io/exchange/record-heading.h"
 
 #include "core/dynamics/ground.h"
-#include "io/text/file-inside.h"
+#include "io/text/file-read.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 

@@ -1,5 +1,5 @@
-#include "io/exchange/svg-import.h"
 #include "core/base/polygon.h"
+#include "io/exchange/drawing.h"
 #include "io/exchange/svg-path.h"
 #include "io/exchange/svg-style.h"
 #include "io/text/io-error.h"

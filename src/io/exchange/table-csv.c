@@ -8,7 +8,7 @@
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 #include "io/text/outcome-text.h"
-#include "io/text/plain-character.h"
+#include "io/text/text-format.h"
 
 #include <errno.h>
 #include <glib/gi18n-lib.h>

@@ -1,7 +1,7 @@
 #include "io/json/json-override.h"
 
-#include "io/json/json-parse.h"
 #include "io/json/json-path.h"
+#include "io/json/json-value.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 #include "io/text/nearest-word.h"

@@ -1,7 +1,6 @@
 #include "io/json/json-tokens.h"
 
 #include "core/base/memory.h"
-#include "io/json/json-locate.h"
 #include "io/json/json-path.h"
 #include "io/text/io-error.h"
 

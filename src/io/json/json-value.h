@@ -8,7 +8,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/status.h"
-#include "io/json/json-locate.h"
+#include "io/json/json-path.h"
 
 #include <cjson/cJSON.h>
 #include <glib.h>
@@ -110,3 +110,8 @@ gboolean qn_member_array (const QnJsonValue *object, const char *key, QnNeed nee
 /* One of `names`; choice: an enumeration whose values are their places. */
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                            const char *const *names, int count, void *choice);
+
+/* `text` is NUL-terminated behind `length` bytes. NULL on failure with an error of the file `name`:
+ * "wall.quoin:3:9: laws[0]: …" (QN_IO_ERROR). Free the tree with cJSON_Delete(). Numbers beyond the
+ * range of a double are infinite. */
+cJSON *qn_json_parse (const char *text, gsize length, const char *name, GError **error);

@@ -2,7 +2,6 @@
 #include "core/model/cycles.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-members.h"
-#include "io/project/project-names.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"
 

@@ -1,7 +1,6 @@
 /* contact, with its faces, and bars. */
 #include "io/project/project-inner.h"
 #include "io/project/project-members.h"
-#include "io/project/project-names.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"
 

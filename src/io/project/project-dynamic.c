@@ -1,7 +1,6 @@
 /* analysis.dynamic: ground motions, initial motion, tracks and the time integration. */
 #include "io/project/project-inner.h"
 #include "io/project/project-members.h"
-#include "io/project/project-names.h"
 #include "io/project/project-parts.h"
 
 #include <glib/gi18n-lib.h>

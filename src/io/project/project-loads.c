@@ -3,7 +3,6 @@
 #include "io/project/combinations.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-members.h"
-#include "io/project/project-names.h"
 #include "io/project/project-parts.h"
 #include "io/project/project-vehicle.h"
 #include "io/text/json-text.h"

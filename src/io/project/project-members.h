@@ -128,3 +128,15 @@ void qn_json_put_unusual (GString *json, const char *key, double number, double 
 void qn_json_append_numbers (GString *json, const double *numbers, gsize count);
 void qn_json_put_numbers (GString *json, const char *key, const double *numbers,
                           gsize count);
+
+extern const char *const qn_placement_names[QN_PLACEMENT_COUNT];
+extern const char *const qn_load_kind_names[QN_LOAD_KIND_COUNT];
+extern const char *const qn_dispersal_names[QN_DISPERSAL_COUNT];
+extern const char *const qn_earth_names[QN_EARTH_COUNT];
+extern const char *const qn_procedure_names[QN_PROCEDURE_COUNT];
+extern const char *const qn_bound_choice_names[QN_BOUND_CHOICE_COUNT];
+extern const char *const qn_geometry_names[QN_GEOMETRY_COUNT];
+extern const char *const qn_snap_names[QN_SNAP_THROUGH_COUNT];
+extern const char *const qn_flow_names[QN_FLOW_COUNT];
+extern const char *const qn_follow_names[2]; /* of contacts: that of false first */
+extern const char *const qn_dof_names[QN_DOF_COUNT];

@@ -1,6 +1,6 @@
 #include "core/base/memory.h"
 #include "io/json/json-override.h"
-#include "io/json/json-parse.h"
+#include "io/json/json-value.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
 #include "io/project/project-parts.h"

@@ -1,6 +1,6 @@
 #include "io/project/project-vehicle.h"
 
-#include "io/json/json-parse.h"
+#include "io/json/json-value.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/file-read.h"

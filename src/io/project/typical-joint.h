@@ -32,3 +32,16 @@ gboolean qn_law_make_joint (QnLaw *law, QnTypicalJointKind kind);
 /* The source of a law, translated if it is a typical joint's; NULL where it has none. `holds`: whether
  * the law still has the numbers of the joint; TRUE where the source is no typical joint's. */
 const char *qn_law_get_source (const QnLaw *law, gboolean *holds);
+
+typedef struct QnTypicalStone {
+  const char *name;   /* to be translated */
+  double unit_weight; /* N/m3: the middle of the range that the source gives */
+  const char *source; /* with that range; to be translated */
+} QnTypicalStone;
+
+enum { QN_STONE_COUNT = 8 };
+
+extern const QnTypicalStone qn_typical_stones[QN_STONE_COUNT];
+
+/* The first that weighs as much, or -1. */
+int qn_typical_stone_find (double unit_weight);

@@ -4,8 +4,10 @@
  */
 #pragma once
 
+#include "core/check/result-check.h"
 #include "core/result/result.h"
 #include "io/project/project.h"
+#include "io/result/result-file.h"
 
 /* What the file contains about a contact pair besides its forces. */
 typedef struct QnResultContact {
@@ -71,3 +73,9 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnResultFile, qn_result_file_clear)
 gboolean qn_result_file_match (const QnResultFile *file, const char *name,
                                const QnProject *project, const QnContacts *contacts,
                                gboolean *same_bytes, GError **error);
+
+/* Refuses a file that was computed from another project than this; finds what else is not true. The project was
+ * loaded with the file's overrides, `name` is the result file's. */
+gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
+                                     const QnProject *project, const QnContacts *contacts,
+                                     QnResultFaults *faults, GError **error);

@@ -2,7 +2,7 @@
 
 #include "core/base/integer.h"
 #include "core/base/memory.h"
-#include "io/project/project-names.h"
+#include "io/project/project-members.h"
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,6 +1,6 @@
 #include "core/contact/contact-bars.h"
 #include "core/result/result-contact.h"
-#include "io/project/project-names.h"
+#include "io/project/project-members.h"
 #include "io/result/result-file.h"
 #include "io/result/result-forces.h"
 #include "io/result/result-history.h"

@@ -1,7 +1,7 @@
 #include "io/text/json-text.h"
 
 #include "io/text/number-text.h"
-#include "io/text/plain-character.h"
+#include "io/text/text-format.h"
 
 #include <cjson/cJSON.h>
 

@@ -1,7 +1,7 @@
 #include "io/text/mechanism-text.h"
 
-#include "io/text/hinge-text.h"
 #include "io/text/text-format.h"
+#include "io/text/tie-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

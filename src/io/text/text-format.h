@@ -14,3 +14,19 @@ char *qn_text_vprintf (gboolean *finite, const char *format, va_list arguments)
 
 /* As g_string_append_printf(), in the same manner. */
 void qn_text_append (GString *text, const char *format, ...) G_GNUC_PRINTF (2, 3);
+
+/* "8 to 20 mm (mean 12 mm)", or "12 mm" where the extremes are the same when they are written;
+ * widths in m. The caller frees it. */
+char *qn_widths_dup_text (double narrowest, double mean, double widest);
+
+/* Whether a terminal takes a character for itself: it is no command (line break and tab may be), does
+ * not end the line (U+2028, U+2029), and does not turn the direction of what follows (U+202A to U+202E,
+ * U+2066 to U+2069). */
+static inline gboolean
+qn_is_plain_character (gunichar c)
+{
+  if (c == '\n' || c == '\t')
+    return TRUE;
+  return !g_unichar_iscntrl (c) && !(c >= 0x2028 && c <= 0x202e)
+         && !(c >= 0x2066 && c <= 0x2069);
+}

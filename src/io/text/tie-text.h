@@ -18,3 +18,7 @@ double qn_tie_utilisation (const QnTie *tie, double force);
 /* "Ties at most: “T” 3 kN, 100 % of its strength (anchor gives), “S” 1.2 kN, 40 %.", those that use most
  * first; NULL where there are none or their forces are not known. Free with g_free(). */
 char *qn_ties_dup_text (const QnModel *model, const QnResult *result);
+
+/* "2 plastic hinges: “beam” at “left corner”, “right” at “right corner”.", as they are at the last
+ * step; NULL where no beam yields or its section forces are not known. Free with g_free(). */
+char *qn_hinges_dup_text (const QnModel *model, const QnResult *result);

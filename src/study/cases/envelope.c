@@ -2,9 +2,9 @@
 
 #include "core/base/box.h"
 #include "core/base/integer.h"
-#include "io/project/project-extras.h"
 #include "io/project/project-members.h"
 #include "io/project/project-vehicle.h"
+#include "io/project/project.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"

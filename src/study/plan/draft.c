@@ -1,7 +1,7 @@
 #include "study/plan/draft.h"
 
 #include "core/base/integer.h"
-#include "io/json/json-parse.h"
+#include "io/json/json-value.h"
 #include "io/text/file-read.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"

@@ -1,6 +1,5 @@
 #include "core/base/integer.h"
 #include "io/exchange/record.h"
-#include "io/json/json-parse.h"
 #include "io/json/json-path.h"
 #include "io/json/json-value.h"
 #include "io/project/project-members.h"

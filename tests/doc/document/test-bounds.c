@@ -1,6 +1,6 @@
 #include "doc/document/bounds.h"
 
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 #include "doc/fixture.h"
 #include "support/room.h"
 

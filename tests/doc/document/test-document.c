@@ -1,5 +1,5 @@
 #include "doc/edit/edit.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 
 #include "doc/fixture.h"
 #include "doc/long-analysis.h"

@@ -1,5 +1,5 @@
 #include "doc/document/job.h"
-#include "doc/document/run-text.h"
+#include "doc/document/run.h"
 
 #include "doc/fixture.h"
 #include "doc/long-analysis.h"

@@ -2,7 +2,7 @@
 #include "doc/document/run-name.h"
 
 #include "doc/fixture.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 #include "support/room.h"
 
 static gboolean

@@ -2,7 +2,7 @@
 
 #include "doc/edit/edit-gaps.h"
 #include "doc/fixture.h"
-#include "io/text/width-text.h"
+#include "io/text/text-format.h"
 #include "support/room.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 #include "doc/view/carry-files.h"
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 
 #include "doc/view/view-state.h"
 #include "fixture.h"

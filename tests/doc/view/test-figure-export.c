@@ -1,4 +1,4 @@
-#include "doc/view/figure-export.h"
+#include "doc/view/figures.h"
 
 #include "doc/fixture.h"
 #include "support/room.h"

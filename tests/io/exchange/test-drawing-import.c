@@ -318,7 +318,7 @@ test_refuses (void)
   g_clear_error (&error);
   qn_import_report_clear (&report);
   /* What was left out is told all the same. */
-  qn_drawing_note (&drawing, "meshes left out", 3, qn_vec2 (0, 0));
+  qn_drawing_note (&drawing, "meshes left out", 3);
   g_assert_false (
     qn_drawing_to_project (&drawing, "empty.dxf", &settings, &project, &report, &error));
   g_assert_true (tells (report.warnings, "meshes left out: 1, first at line 3"));

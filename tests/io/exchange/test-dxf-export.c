@@ -1,6 +1,6 @@
 #include "io/exchange/drawing-import.h"
+#include "io/exchange/drawing.h"
 #include "io/exchange/dxf-export.h"
-#include "io/exchange/dxf-import.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/scratch.h"

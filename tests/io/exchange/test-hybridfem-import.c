@@ -1,4 +1,4 @@
-#include "io/exchange/hybridfem-import.h"
+#include "io/exchange/drawing.h"
 #include "io/text/io-error.h"
 #include "support/room.h"
 

@@ -1,4 +1,4 @@
-#include "io/json/json-locate.h"
+#include "io/json/json-path.h"
 #include "support/room.h"
 
 #include <glib.h>

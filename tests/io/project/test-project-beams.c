@@ -2,7 +2,7 @@
  * results that hold their forces. */
 #include "core/path/analysis.h"
 #include "io/project-text.h"
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 #include "support/auto-clear.h"
 #include "support/room.h"
 #include "support/scratch.h"

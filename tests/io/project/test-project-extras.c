@@ -1,4 +1,4 @@
-#include "io/project/project-extras.h"
+#include "io/project/project.h"
 
 #include "io/project-text.h"
 #include "io/text/io-error.h"

@@ -4,7 +4,7 @@
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"
 #include "io/project-text.h"
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 #include "support/auto-clear.h"
 #include "support/room.h"
 #include "support/scratch.h"

@@ -5,7 +5,7 @@
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
 #include "io/exchange/table-csv.h"
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 #include "io/text/fault-text.h"
 #include "io/text/outcome-text.h"
 #include "support/auto-clear.h"

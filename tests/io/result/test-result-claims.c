@@ -1,5 +1,5 @@
 /* Balance and strength at the last step, of an equilibrium found by hand. */
-#include "io/result/result-claims.h"
+#include "io/result/result-file.h"
 
 #include "io/result-fixture.h"
 #include "support/room.h"

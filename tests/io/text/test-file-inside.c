@@ -1,4 +1,4 @@
-#include "io/text/file-inside.h"
+#include "io/text/file-read.h"
 
 #include "io/text/io-error.h"
 #include "support/room.h"

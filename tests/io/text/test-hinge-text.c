@@ -1,4 +1,4 @@
-#include "io/text/hinge-text.h"
+#include "io/text/tie-text.h"
 
 #include "io/project/project.h"
 #include "support/room.h"
