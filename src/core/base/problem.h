@@ -124,6 +124,7 @@
   X (TOO_MANY_EDGE_FORCES, "loads act on more edges than the program handles") \
   X (LOAD_MEETS_NOTHING, "load meets no edge of a block") \
   X (LOAD_OFF_BLOCK, "force acts outside its block") \
+  X (LOAD_BESIDE, "axles stand beside structure and fill: they do not act") \
   X (LOAD_SET_UNUSED, "no stage applies this load set") \
   X (STAGE_IDLE, "stage applies no load set") \
   X (STAGE_SETS_APART, "load sets of the stage have different multipliers") \
@@ -168,6 +169,8 @@
   X (PIER_TOO_NARROW, "pier is too narrow for the arches on it") \
   X (OVERRIDE_UNUSED, "exception names two blocks without a common face") \
   X (DOUBT_TANGENT, "friction is a tangent: is this an angle in degrees?") \
+  X (DOUBT_ANGLE, "angles are in rad: is this in degrees?") \
+  X (DOUBT_APEX, "joints part at cohesion over friction: more tension is never reached") \
   X (DOUBT_STRESS, "strengths and pressures are in Pa: is this in MPa, kPa or another unit?") \
   X (DOUBT_RATIO, "this is a ratio: is it in percent?") \
   X (DOUBT_ENERGY, "energies are in J/m2: is this in N/mm?") \

@@ -172,7 +172,7 @@ report_free_ends (const QnModel *model, QnFindings *findings)
   return done;
 }
 
-/* Surcharges and backfills that lie beside the structure, and forces beside their blocks. */
+/* Surcharges, backfills and axles that lie beside the structure, and forces beside their blocks. */
 static bool
 report_loads (const QnModel *model, QnFindings *findings)
 {
@@ -185,12 +185,14 @@ report_loads (const QnModel *model, QnFindings *findings)
       any = any && qn_load_earth_coefficient (load) > 0;
     bool off = load->kind == QN_LOAD_FORCE && load->has_at
                && lies_off_block (model, load->block, load->at);
-    if (!off
-        && (!qn_load_is_on_edges (load->kind) || load->kind == QN_LOAD_EDGE || !any
-            || qn_model_edge_forces_of (model, i, &count) != NULL))
+    bool nothing = qn_load_is_on_edges (load->kind) && load->kind != QN_LOAD_EDGE && any
+                   && qn_model_edge_forces_of (model, i, &count) == NULL;
+    bool beside = load->kind == QN_LOAD_VEHICLE && load->beside > 0;
+    if (!off && !nothing && !beside)
       continue;
-    QnFinding finding = { .problem = off ? QN_PROBLEM_LOAD_OFF_BLOCK
-                                         : QN_PROBLEM_LOAD_MEETS_NOTHING,
+    QnFinding finding = { .problem = off       ? QN_PROBLEM_LOAD_OFF_BLOCK
+                                     : nothing ? QN_PROBLEM_LOAD_MEETS_NOTHING
+                                               : QN_PROBLEM_LOAD_BESIDE,
                           .block_a = off ? load->block : QN_NONE,
                           .block_b = QN_NONE,
                           .subject = (QnId) i,

@@ -13,9 +13,9 @@ typedef struct QnFinding {
   /* Width of a gap or depth of an overlap, m; PAIRS_BENDING, PAIRS_CRUSHING: computed over true value; with
    * `range`: the number of the project; else 0. */
   double value;
-  /* BEAM_FLOATING, BEAM_END_FREE: beam; TIE_OFF_BLOCK: tie; LOAD_MEETS_NOTHING, LOAD_OFF_BLOCK: load,
-   * dead ones first; PAIRS_…: number of such joints, of which this one is the worst; with `range`: entity;
-   * else QN_NONE. */
+  /* BEAM_FLOATING, BEAM_END_FREE: beam; TIE_OFF_BLOCK: tie; LOAD_…: load, dead ones first;
+   * PAIRS_…: number of such joints, of which this one is the worst; with `range`: entity; else
+   * QN_NONE. */
   QnId subject;
   const struct QnUsualRange *range; /* nullable: `value` is outside of it (plausible.h) */
 } QnFinding;

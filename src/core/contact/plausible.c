@@ -43,7 +43,8 @@ typedef enum {
   DILATION_END, /* the last of those that every basis has, and of the parameters of laws */
   KN,           /* by basis, here and for KS */
   KS = KN + QN_BASIS_COUNT,
-  UNIT_WEIGHT = KS + QN_BASIS_COUNT,
+  APEX = KS + QN_BASIS_COUNT,
+  UNIT_WEIGHT,
   DENSITY,
   THICKNESS,
   BLOCK_SIZE,
@@ -76,7 +77,9 @@ typedef enum {
   FILL = PRESSURE + 2,
   EARTH = FILL + 2,
   SETTLEMENT = EARTH + 2,
+  TURN,
   TARGET,
+  TARGET_TURN,
   PULSE,
   SIGNAL,
   MASS_DAMPING,
@@ -98,6 +101,7 @@ static const QnUsualRange ranges[ROW_COUNT] = {
    * 400 MPa. EN 1993-1-1:2005, table 3.1: steel from 215 MPa; wires 2 GPa. */
   [COHESION] = RANGE (LAW, "cohesion", "Pa", 100, 5e7, STRESS),
   [TENSION] = RANGE (LAW, "tension", "Pa", 100, 5e7, STRESS),
+  [APEX] = RANGE (LAW, "tension", "× cohesion/friction", 0, 1, APEX),
   [COMPRESSION] = RANGE (LAW, "compression", "Pa", 1e4, 1e9, STRESS),
   [YIELD] = RANGE (LAW, "yield", "Pa", 1e4, 5e9, STRESS),
   [STRENGTH] = RANGE (LAW, "strength", "Pa", 1e4, 5e9, STRESS),
@@ -171,7 +175,9 @@ static const QnUsualRange ranges[ROW_COUNT] = {
   [EARTH + 1] = RANGE (LIVE_LOAD, "coefficient", "", 0.05, 30, RATIO),
   /* Over the largest extent of the structure, as the target. */
   [SETTLEMENT] = RANGE (LIVE_LOAD, "value", "× L", 0, 0.5, LENGTH),
+  [TURN] = RANGE (LIVE_LOAD, "value", "rad", 0, 2 * QN_PI, ANGLE),
   [TARGET] = RANGE (ANALYSIS, "control.target", "× L", 0, 2, LENGTH),
+  [TARGET_TURN] = RANGE (ANALYSIS, "control.target", "rad", 0, 2 * QN_PI, ANGLE),
   /* The strongest record has 4 g: IWTH25, Iwate-Miyagi 2008 (S. Aoi et al., Science 322 (2008)
    * 727-730). */
   [PULSE] = RANGE (GROUND_MOTION, "pulse.amplitude", "m/s2", 0, 50, ACCELERATION),
@@ -229,6 +235,9 @@ examine_laws (Doubts *d)
     const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
     examine (d, (Row) (KN + law->basis), i, QN_NONE, law->kn);
     examine (d, (Row) (KS + law->basis), i, QN_NONE, law->ks);
+    if (qn_law_may_bond (law->kind) && law->tension * law->friction > 0)
+      examine (d, APEX, i, QN_NONE,
+               fmin (law->tension * law->friction / law->cohesion, 1e9));
     for (size_t k = 0; k < count; k++) {
       double value = qn_law_get (law, &parameters[k]);
       /* A strength in N or an energy in J depends on the size of what it belongs to. */
@@ -302,11 +311,13 @@ examine_loads (Doubts *d, double extent)
     examine (d, (Row) (FILL + live), index, QN_NONE, load->unit_weight);
     examine (d, (Row) (EARTH + live), index, QN_NONE, load->coefficient);
   }
-  for (size_t i = 0; i < model->live_load_count && extent > 0; i++)
-    if (model->live_loads[i].kind == QN_LOAD_SETTLEMENT
-        && model->live_loads[i].dof != QN_DOF_RZ)
-      examine (d, SETTLEMENT, i, model->live_loads[i].block,
-               model->live_loads[i].value / extent);
+  for (size_t i = 0; i < model->live_load_count && extent > 0; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    bool turns = load->dof == QN_DOF_RZ;
+    if (load->kind == QN_LOAD_SETTLEMENT)
+      examine (d, turns ? TURN : SETTLEMENT, i, load->block,
+               load->value / (turns ? 1 : extent));
+  }
 }
 
 static void
@@ -314,10 +325,12 @@ examine_analysis (Doubts *d, double extent)
 {
   const QnModel *model = d->model;
   const QnAnalysisSettings *analysis = &model->analysis;
-  if (extent > 0 && analysis->control_dof != QN_DOF_RZ
+  bool turns = analysis->control_dof == QN_DOF_RZ;
+  if (extent > 0
       && (analysis->procedure == QN_PROCEDURE_DISPLACEMENT
           || analysis->procedure == QN_PROCEDURE_ARC_LENGTH))
-    examine (d, TARGET, 0, QN_NONE, analysis->control_target / extent);
+    examine (d, turns ? TARGET_TURN : TARGET, 0, QN_NONE,
+             analysis->control_target / (turns ? 1 : extent));
   if (analysis->procedure != QN_PROCEDURE_DYNAMIC)
     return;
   examine (d, MASS_DAMPING, 0, QN_NONE, analysis->dynamic.mass_damping);

@@ -461,9 +461,13 @@ resolve_vehicle (Resolver *r)
   /* What stands farther beside the structure does not press on it. */
   const double margin = qn_box_diagonal (box),
                near[2] = { box.min.x - margin, box.max.x + margin };
+  int32_t beside = 0;
   for (int32_t n = 0; n < load->convoy && status == QN_OK; n++) {
     for (int32_t i = 0; i < vehicle->axle_count && status == QN_OK; i++) {
       double x = qn_load_behind_front (r->model, load, n, vehicle->axles[i].at);
+      double height;
+      find_surface (r, x, &height);
+      beside += isnan (height);
       if (x > near[0] && x < near[1])
         add_source (r, x, vehicle->axles[i].load, 0, shares);
       status = add_shares (r, shares);
@@ -482,6 +486,7 @@ resolve_vehicle (Resolver *r)
       status = add_shares (r, shares);
     }
   }
+  qn_model_load (r->model, r->source)->beside = beside;
   free (shares);
   return status;
 }

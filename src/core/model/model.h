@@ -229,6 +229,7 @@ typedef struct QnLoad {
   bool reversed;   /* it goes to the left, its axles stand to the right of the front */
   int32_t convoy;  /* so many behind each other, >= 1; */
   double headway;  /* m from the end of one to the front of the next */
+  int32_t beside;  /* computed: axles with neither fill nor blocks below them */
   QnDispersal dispersal;
   double width; /* of the structure, m: no load spreads over more; 0: not limited */
   double

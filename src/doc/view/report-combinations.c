@@ -116,7 +116,7 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report, GError **e
       return false;
     }
     worst = multipliers[i] < multipliers[worst] ? i : worst;
-    qn_report_row (cells, report->units, "zwow", (gsize) i + 1, combination->name,
+    qn_report_row (cells, report->units, "zwow", (gsize) i + 1, combination->label,
                    why != NULL                 ? g_steal_pointer (&why)
                    : isfinite (multipliers[i]) ? qn_label_number ("%.4g", multipliers[i])
                                                : g_strdup (_ ("stands")),
@@ -131,7 +131,7 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report, GError **e
     _ ("%u combinations by %s. The multiplier is that of the live loads with "
        "their factors; a combination is met from 1 on. The worst: %s, λ = %s; all: "
        "figure\u00a0%d."),
-    list->len, code, ((const QnCombination *) list->pdata[worst])->name, least,
+    list->len, code, ((const QnCombination *) list->pdata[worst])->label, least,
     qn_pages_next_figure (pages));
   plot_multipliers (pages, multipliers, list->len);
   qn_report_table (pages, cells, COLUMNS);

@@ -55,24 +55,18 @@ qn_report_dup_between (const QnModel *model, QnId a, QnId b)
 static void
 write_faces (QnPages *pages, const QnReport *report)
 {
-  enum { JOINT, BETWEEN, LENGTH, COLUMNS };
   const QnContacts *contacts = report->contacts;
-  size_t rows = count_rows (report, contacts->face_count);
-  g_auto (GStrv) cells = g_new0 (char *, (rows + 1) * COLUMNS + 1);
-  g_autofree double *lengths = g_new (double, rows + 1);
-  cells[JOINT] = g_strdup (_ ("Joint"));
-  cells[BETWEEN] = g_strdup (_ ("Between"));
-  cells[LENGTH] = g_strdup_printf (_ ("Length (%s)"),
-                                   qn_units_symbol (report->units, QN_QUANTITY_LENGTH));
+  const size_t rows = count_rows (report, contacts->face_count);
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  qn_report_row (cells, report->units, "wwu", _ ("Joint"), _ ("Between"),
+                 _ ("Length (%s)"), QN_QUANTITY_LENGTH);
   for (size_t r = 0; r < rows; r++) {
     const QnContactFace *face = &contacts->faces[r];
-    cells[(r + 1) * COLUMNS + JOINT] = g_strdup_printf ("%zu", r);
-    cells[(r + 1) * COLUMNS + BETWEEN] =
-      qn_report_dup_between (&report->project->model, face->a, face->b);
-    lengths[r] = face->length / qn_units_factor (report->units, QN_QUANTITY_LENGTH);
+    qn_report_row (cells, report->units, "zoq", r,
+                   qn_report_dup_between (&report->project->model, face->a, face->b),
+                   QN_QUANTITY_LENGTH, face->length, 4);
   }
-  set_column (cells, rows, COLUMNS, LENGTH, lengths, 0);
-  qn_pages_table (pages, (const char *const *) cells, rows + 1, COLUMNS);
+  qn_report_table (pages, cells, 3);
   tell_rest (pages, contacts->face_count, rows);
 }
 

@@ -27,12 +27,15 @@ const char *const qn_report_section_names[] = {
   "joints",   "certificate", "comparison", "files",     NULL,
 };
 
+/* Adds a section; FALSE with what is wrong where none has this name. */
 static gboolean
-find_section (const char *name, int *section)
+add_section (QnReportTemplate *plan, const char *name, char **problem)
 {
-  for (*section = 0; *section < QN_REPORT_SECTION_COUNT; (*section)++)
-    if (strcmp (qn_report_section_names[*section], name) == 0)
-      return TRUE;
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    if (strcmp (qn_report_section_names[i], name) == 0)
+      return plan->sections[i] = true;
+  g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
+  *problem = g_strdup_printf (_ ("is none of %s"), known);
   return FALSE;
 }
 
@@ -44,16 +47,12 @@ read_sections (const QnJsonValue *object, QnReportTemplate *plan)
     return FALSE;
   if (list.json == NULL)
     return TRUE;
-  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
-    plan->sections[i] = false;
+  memset (plan->sections, 0, sizeof plan->sections);
   while (qn_json_value_next (&list, &element)) {
     const char *name = cJSON_IsString (element.json) ? element.json->valuestring : "";
-    int i;
-    if (!find_section (name, &i)) {
-      g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
-      return qn_json_value_failf (&element, _ ("is none of %s"), known);
-    }
-    plan->sections[i] = true;
+    g_autofree char *problem = NULL;
+    if (!add_section (plan, name, &problem))
+      return qn_json_value_fail (&element, problem);
   }
   return TRUE;
 }
@@ -63,17 +62,13 @@ static gboolean
 set_sections (QnReportTemplate *plan, const char *list, GError **error)
 {
   g_auto (GStrv) names = g_strsplit (list, ",", -1);
-  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
-    plan->sections[i] = false;
+  memset (plan->sections, 0, sizeof plan->sections);
   for (char **name = names; *name != NULL; name++) {
-    int i;
-    if (!find_section (*name, &i)) {
-      g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
-      g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known);
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", *name, reason);
+    g_autofree char *problem = NULL;
+    if (!add_section (plan, *name, &problem)) {
+      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", *name, problem);
       return FALSE;
     }
-    plan->sections[i] = true;
   }
   plan->every_joint = plan->sections[QN_REPORT_JOINTS];
   return TRUE;

@@ -159,6 +159,7 @@ free_combination (gpointer data)
 {
   QnCombination *combination = data;
   g_free (combination->name);
+  g_free (combination->label);
   g_free (combination->factors);
   g_free (combination);
 }
@@ -171,7 +172,8 @@ add_combination (GPtrArray *list, guint first, const Case *cases, gsize count,
   char number[QN_NUMBER_TEXT_SIZE];
   gboolean seismic = cJSON_IsTrue (get (situation, "seismic"));
   g_autofree double *factors = g_new (double, count);
-  g_autoptr (GString) name = g_string_new (get (situation, "name")->valuestring);
+  const char *title = get (situation, "name")->valuestring;
+  g_autoptr (GString) name = g_string_new (title), label = g_string_new (title);
   const char *between = ": ";
   for (gsize i = 0; i < count; i++)
     factors[i] = cases[i].factors[cases[i].choice];
@@ -184,12 +186,17 @@ add_combination (GPtrArray *list, guint first, const Case *cases, gsize count,
     if (factors[i] == 0 || *cases[i].action == '\0')
       continue;
     g_ascii_formatd (number, sizeof number, "%.5g", factors[i]);
+    const char *sign = strchr (number, '.');
     g_string_append_printf (name, "%s%s %s", between, number, cases[i].name);
+    g_string_append_printf (label, "%s%.*s%s%s %s", between, (int) strcspn (number, "."),
+                            number, sign != NULL ? C_ ("decimal sign", ".") : "",
+                            sign != NULL ? sign + 1 : "", cases[i].name);
     between = " + ";
   }
   QnCombination *added = g_new (QnCombination, 1);
   *added = (QnCombination){
     .name = g_string_free (g_steal_pointer (&name), FALSE),
+    .label = g_string_free (g_steal_pointer (&label), FALSE),
     .factors = g_steal_pointer (&factors),
     .friction = seismic ? rules->seismic_friction : rules->friction,
     .strength = seismic ? rules->seismic_strength : rules->strength,

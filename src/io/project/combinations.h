@@ -15,6 +15,7 @@
 
 typedef struct QnCombination {
   char *name;                /* "STR 6.10: 1.35 self + 1.5 wind"; owned */
+  char *label;               /* the same with the decimal sign of the language; owned */
   double *factors;           /* of every load case, times its own; owned */
   double friction, strength; /* what laws are divided by */
 } QnCombination;

@@ -507,15 +507,19 @@ read_voronoi (const QnJsonValue *place, QnRubble *rubble)
 static gboolean
 read_object (const QnJsonValue *place, const QnModel *model, int kind, QnMasonry *masonry)
 {
+  const QnJsonValue turn = qn_json_value_member (place, "rotation");
   masonry->portal.bays = 1;
   masonry->rubble.irregularity = 0.7;
-  return qn_members_check (place, common_members, kind_members[kind],
-                           kind == QN_MASONRY_WALL ? leaf_members : NULL)
-         && qn_members_take (place, common_members, model, masonry)
+  if (!qn_members_check (place, common_members, kind_members[kind],
+                         kind == QN_MASONRY_WALL ? leaf_members : NULL)
+      || !qn_members_take (place, common_members, model, masonry))
+    return FALSE;
+  if (fabs (masonry->rotation) > 2 * QN_PI)
+    qn_json_value_warn (&turn, _ (qn_problem_text (QN_PROBLEM_DOUBT_ANGLE)));
+  return qn_members_take (place, kind_members[kind], model, masonry)
          && qn_read_weight (place, model, &masonry->unit_weight, &masonry->density)
          && qn_read_own_law (place, model, &masonry->law)
          && read_seed (place, "perturbation_seed", &masonry->perturbation_seed)
-         && qn_members_take (place, kind_members[kind], model, masonry)
          && (kind != QN_MASONRY_WALL || read_masonry_wall (place, masonry))
          && (kind != QN_MASONRY_ARCH
              || read_springing (place, masonry->arch.span, &masonry->arch))

@@ -348,6 +348,7 @@ dup_finding_path (const QnProject *project, const QnFinding *finding)
     return qn_project_dup_key_path (project, QN_ENTITY_TIE, finding->subject);
   case QN_PROBLEM_LOAD_MEETS_NOTHING:
   case QN_PROBLEM_LOAD_OFF_BLOCK:
+  case QN_PROBLEM_LOAD_BESIDE:
     return finding->subject < dead
              ? qn_project_dup_key_path (project, QN_ENTITY_DEAD_LOAD, finding->subject)
              : qn_project_dup_key_path (project, QN_ENTITY_LIVE_LOAD,

@@ -82,7 +82,7 @@ dup_soil_text (const QnModel *model, const QnResult *result)
   for (gsize i = 0; ties != NULL && i < model->soil_tie_count; i++)
     full += ties[model->tie_count + i].state == QN_TIE_YIELDS;
   return ties != NULL && model->soil_tie_count > 0
-           ? g_strdup_printf (_ ("The soil presses %u of %u blocks with all of its "
+           ? g_strdup_printf (_ ("The soil presses %u of %u faces with all of its "
                                  "mobilised pressure."),
                               full, (guint) model->soil_tie_count)
            : NULL;

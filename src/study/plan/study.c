@@ -143,13 +143,13 @@ qn_study_case_count (const QnStudy *study)
   return MIN (count, QN_STUDY_MAX_CASES + 1);
 }
 
-const char *
-qn_study_combination_name (const QnStudy *study, gsize parameter, double value)
+const QnCombination *
+qn_study_combination (const QnStudy *study, gsize parameter, double value)
 {
   if (study->combinations == NULL || parameter + 1 != study->parameters->len
       || !(value >= 1 && value <= study->combinations->len))
     return NULL;
-  return ((QnCombination *) study->combinations->pdata[(gsize) value - 1])->name;
+  return study->combinations->pdata[(gsize) value - 1];
 }
 
 static void

@@ -158,9 +158,9 @@ gsize qn_study_case_count (const QnStudy *study);
 gsize qn_parameter_level_count (const QnParameter *parameter);
 double qn_parameter_level (const QnParameter *parameter, gsize level);
 
-/* The name of the combination that a value of a parameter stands for; NULL: it is a number. */
-const char *qn_study_combination_name (const QnStudy *study, gsize parameter,
-                                       double value);
+/* The combination that a value of a parameter stands for; NULL: it is a number. */
+const QnCombination *qn_study_combination (const QnStudy *study, gsize parameter,
+                                           double value);
 
 static inline const QnParameter *
 qn_study_parameter (const QnStudy *study, gsize index)

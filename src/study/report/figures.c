@@ -3,7 +3,7 @@
 #include "core/base/integer.h"
 #include "core/base/numbers.h"
 #include "io/text/io-error.h"
-#include "io/text/number-text.h"
+#include "render/drawing/text.h"
 #include "render/figure/compare-sheet.h"
 #include "render/figure/plot.h"
 #include "study/report/column.h"
@@ -421,13 +421,12 @@ draw_envelope (const Page *page)
     least = !isnan (low[i]) && !(low[least] <= low[i]) ? i : least;
     wide |= high[i] > low[i];
   }
-  char number[QN_NUMBER_TEXT_SIZE], place[QN_NUMBER_TEXT_SIZE];
-  g_ascii_formatd (number, sizeof number, "%.5g", low[least]);
-  g_ascii_formatd (place, sizeof place, "%.4g", at[least]);
-  const char *name = qn_study_combination_name (table->study, parameter, at[least]);
-  char *label = qn_plot_keep (
-    plot, g_strdup_printf (_ ("least: %s at %s"), number, name != NULL ? name : place));
-  QnMarks line = { .kind = name != NULL ? QN_MARKS_POINTS : QN_MARKS_LINE,
+  g_autofree char *number = qn_label_number ("%.5g", low[least]);
+  g_autofree char *place = qn_label_number ("%.4g", at[least]);
+  const QnCombination *of = qn_study_combination (table->study, parameter, at[least]);
+  char *label = qn_plot_keep (plot, g_strdup_printf (_ ("least: %s at %s"), number,
+                                                     of != NULL ? of->label : place));
+  QnMarks line = { .kind = of != NULL ? QN_MARKS_POINTS : QN_MARKS_LINE,
                    .label = wide ? _ ("least value") : NULL,
                    .x = at,
                    .y = low,

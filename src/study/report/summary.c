@@ -131,7 +131,7 @@ append_combinations (GString *text, const QnTable *table, gsize column)
     worst = least[at] < least[worst] ? at : worst;
   }
   for (guint i = 0; i < count; i++) {
-    const char *name = qn_study_combination_name (table->study, parameter, i + 1);
+    const char *name = qn_study_combination (table->study, parameter, i + 1)->label;
     char number[32] = "–";
     if (isfinite (least[i]))
       g_snprintf (number, sizeof number, "%.6g", least[i]);

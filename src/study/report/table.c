@@ -197,8 +197,8 @@ qn_table_write (const QnTable *table, const char *path, GError **error)
                == QN_STUDY_MECHANISM_KIND)
         write_text (writer, row->mechanism);
       else if (k < table->parameters
-               && qn_study_combination_name (table->study, k, number) != NULL)
-        write_text (writer, qn_study_combination_name (table->study, k, number));
+               && qn_study_combination (table->study, k, number) != NULL)
+        write_text (writer, qn_study_combination (table->study, k, number)->name);
       else if (!isnan (number))
         qn_file_writer_number (writer, number);
     }

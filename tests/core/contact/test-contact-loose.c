@@ -264,6 +264,44 @@ test_force_beside_its_block (void)
   }
 }
 
+/* Of two axles 2 m apart the rear one stands on a block, on the fill beside it, or beyond its end. */
+static void
+test_axle_beside (void)
+{
+  static const double ends[] = { 0, -3, -1.5 };
+  static const double places[] = { 2.5, 1, 0 };
+  for (size_t i = 0; i < G_N_ELEMENTS (ends); i++) {
+    g_auto (QnModel) model;
+    g_auto (QnContacts) contacts;
+    test_model_init (&model);
+    test_model_add_base (&model, 0, -1, 3, 1);
+    test_model_add_rectangle (&model, "block", 0, 0, 3, 1);
+    QnLoad *fill = qn_model_add_dead_load (&model);
+    fill->kind = QN_LOAD_FILL;
+    fill->unit_weight = 18e3;
+    fill->surface_count = 2;
+    fill->surface[0] = qn_vec2 (ends[i], 1.5);
+    fill->surface[1] = qn_vec2 (3, 1.5);
+    QnVehicle *cart = qn_model_add_vehicle (&model, "cart");
+    cart->axles[0] = (QnAxle){ 0, 1e4 };
+    cart->axles[1] = (QnAxle){ 2, 1e4 };
+    cart->axle_count = 2;
+    cart->patch[0] = cart->patch[1] = 0.3;
+    QnLoad *load = qn_model_add_live_load (&model);
+    load->kind = QN_LOAD_VEHICLE;
+    load->vehicle = 0;
+    load->position = places[i];
+    test_detect (&model, &contacts);
+    if (i < 2) {
+      g_assert_cmpuint (contacts.findings.count, ==, 0);
+      continue;
+    }
+    g_assert_cmpint (test_the_finding (&contacts, QN_PROBLEM_LOAD_BESIDE)->subject, ==,
+                     1);
+    g_assert_cmpint (model.live_loads[0].beside, ==, 1);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/contact-loose/free-end", test_free_end);
@@ -277,4 +315,5 @@ QN_TESTS
   g_test_add_func ("/contact-loose/no-support", test_no_support);
   g_test_add_func ("/contact-loose/lonely-support", test_lonely_support);
   g_test_add_func ("/contact-loose/force-beside-its-block", test_force_beside_its_block);
+  g_test_add_func ("/contact-loose/axle-beside", test_axle_beside);
 }

@@ -136,7 +136,10 @@ put_load (QnModel *model, const QnUsualRange *range, double number)
   const bool dead = range->entity == QN_ENTITY_DEAD_LOAD;
   const char *key = range->key;
   QnLoad *load;
-  if (strcmp (key, "value") == 0 && !dead) {
+  if (strcmp (range->unit, "rad") == 0) {
+    model->live_loads[1].dof = QN_DOF_RZ;
+    model->live_loads[1].value = number;
+  } else if (strcmp (key, "value") == 0 && !dead) {
     model->live_loads[1].value = -extent_of (model) * number;
   } else if (strcmp (key, "value") == 0) {
     model->dead_loads[1].vector = qn_vec2 (0, number * weight);
@@ -197,6 +200,10 @@ put (QnModel *model, const QnUsualRange *range, double number)
     law->fracture_energy_tension = 100;
   } else if (of_law && strcmp (key, "dilation_end") == 0) {
     law->dilatancy = 0.1;
+  } else if (g_str_has_suffix (range->unit, "friction")) {
+    law->friction = 0.5;
+    law->cohesion = 1e5;
+    number *= 2e5;
   }
   if (of_law && (strcmp (key, "kn") == 0 || strcmp (key, "ks") == 0)) {
     *(strcmp (key, "kn") == 0 ? &law->kn : &law->ks) = number;
@@ -232,7 +239,10 @@ put (QnModel *model, const QnUsualRange *range, double number)
     model->sections[0].area = number;
   } else if (strcmp (key, "control.target") == 0) {
     model->analysis.procedure = QN_PROCEDURE_DISPLACEMENT;
-    model->analysis.control_target = extent_of (model) * number;
+    model->analysis.control_dof =
+      strcmp (range->unit, "rad") == 0 ? QN_DOF_RZ : QN_DOF_UX;
+    model->analysis.control_target =
+      number * (strcmp (range->unit, "rad") == 0 ? 1 : extent_of (model));
   } else {
     model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
     model->live_load_count = 1; /* no settlement in time */

@@ -268,7 +268,7 @@ static void
 test_refused (void)
 {
   static const QnVec2 surface[] = { { 1, 1 }, { -1, 1 } };
-  g_auto (QnModel) model, live, empty;
+  g_auto (QnModel) model, live, empty, before;
   QnDiag diag;
   test_model_init (&model);
   add_block (&model, "b", -1, 1, 0, 1);
@@ -291,6 +291,13 @@ test_refused (void)
   empty.vehicles[0].axle_count = 0;
   g_assert_cmpint (qn_model_prepare (&empty, &diag), ==, QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_VEHICLE_EMPTY);
+
+  test_model_init (&before);
+  add_block (&before, "b", -1, 1, 0, 1);
+  add_axle (&before, 0);
+  before.vehicles[0].axles[0].at = -1.5;
+  g_assert_cmpint (qn_model_prepare (&before, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NEGATIVE);
 }
 
 QN_TESTS

@@ -59,9 +59,12 @@ test_counts (void)
 static const QnCombination *
 find (const GPtrArray *list, const char *name)
 {
-  for (guint i = 0; i < list->len; i++)
-    if (strcmp (((const QnCombination *) list->pdata[i])->name, name) == 0)
-      return list->pdata[i];
+  for (guint i = 0; i < list->len; i++) {
+    const QnCombination *of = list->pdata[i];
+    g_assert_cmpstr (of->label, ==, of->name); /* in English */
+    if (strcmp (of->name, name) == 0)
+      return of;
+  }
   g_error ("no combination %s", name);
 }
 

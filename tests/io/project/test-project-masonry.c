@@ -90,6 +90,26 @@ test_springing (void)
   }
 }
 
+/* Degrees in place of radians are told, angles up to a full turn are not. */
+static void
+test_degrees (void)
+{
+  static const char *const angles[] = { "6.2", "-45" };
+  for (gsize i = 0; i < G_N_ELEMENTS (angles); i++) {
+    g_autofree char *text =
+      g_strdup_printf (HEAD "{ \"kind\": \"arch\", " COMMON
+                            "\"rotation\": %s, \"span\": 6, \"rise\": 2, \"ring\": 0.5, "
+                            "\"voussoirs\": 15 }" TAIL,
+                       angles[i]);
+    QnProject project;
+    g_assert_true (qn_project_parse (text, strlen (text), "test", NULL, &project, NULL));
+    g_assert_cmpuint (project.warnings->len, ==, i);
+    g_assert_true (i == 0
+                   || strstr (project.warnings->pdata[0], "is this in degrees?") != NULL);
+    qn_project_clear (&project);
+  }
+}
+
 static void
 assert_same_blocks (const QnModel *a, const QnModel *b)
 {
@@ -259,6 +279,7 @@ test_names_resolve (void)
 QN_TESTS
 {
   g_test_add_func ("/project-masonry/springing", test_springing);
+  g_test_add_func ("/project-masonry/degrees", test_degrees);
   g_test_add_func ("/project-masonry/round-trip", test_round_trip);
   g_test_add_func ("/project-masonry/struct-round-trip", test_struct_round_trip);
   g_test_add_func ("/project-masonry/detach", test_detach);
