@@ -45,9 +45,9 @@ main (int argc, char **argv)
     seeded_wall_init (&project, (guint32) seed, least, most);
     g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
     double start = bench_cpu_seconds ();
-    g_assert_cmpint (
-      qn_limit_non_associative (&project.model, &contacts, NULL, NULL, &interval, NULL),
-      ==, QN_OK);
+    g_assert_cmpint (qn_limit_non_associative (&project.model, &contacts, INFINITY, NULL,
+                                               NULL, &interval, NULL),
+                     ==, QN_OK);
     walls++;
     found += interval.solution.outcome == QN_OUTCOME_COLLAPSE;
     work += interval.solution.effort.factorizations;

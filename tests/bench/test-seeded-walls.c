@@ -159,13 +159,41 @@ test_found_directly (void)
 
   seeded_wall_init (&project, 207, 20, 600);
   g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (
-    qn_limit_non_associative (&project.model, &contacts, NULL, NULL, &interval, NULL), ==,
-    QN_OK);
+  g_assert_cmpint (qn_limit_non_associative (&project.model, &contacts, INFINITY, NULL,
+                                             NULL, &interval, NULL),
+                   ==, QN_OK);
   g_assert_cmpint (interval.solution.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat (interval.lowest, >, 0);
   g_assert_cmpfloat (interval.highest, <=, interval.associative);
   qn_limit_interval_clear (&interval);
+}
+
+/* Collapses found directly below that of the path: one that the path passes by stands in the solutions, at
+ * the other the structure falls. */
+static void
+test_lower_collapse (void)
+{
+  static const struct {
+    guint32 seed;
+    int most;
+    gboolean falls;
+  } walls[] = { { 251, 600, FALSE }, { 430, 200, TRUE } };
+
+  for (gsize i = 0; i < G_N_ELEMENTS (walls); i++) {
+    g_auto (QnProject) project;
+    g_auto (QnResult) result;
+    QnProcedure found_by;
+    double least, bound;
+    seeded_wall_init (&project, walls[i].seed, 20, walls[i].most);
+    solve (&project, QN_PROCEDURE_LOAD, 10, &result);
+    qn_result_collapse_interval (&result, &least, &found_by, &bound);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpint (result.stop == QN_STOP_FALL, ==, walls[i].falls);
+    g_assert_cmpint (found_by == QN_PROCEDURE_LIMIT, ==, !walls[i].falls);
+    g_assert_cmpint (result.solution_count, ==, walls[i].falls ? 1 : 2);
+    g_assert_cmpfloat (least, <=, result.collapse_multiplier);
+    g_assert_cmpfloat (result.collapse_multiplier, <, bound);
+  }
 }
 
 QN_TESTS
@@ -176,5 +204,6 @@ QN_TESTS
   g_test_add_func ("/bench/seeded-walls/stands", test_stands);
   g_test_add_func ("/bench/seeded-walls/least-collapse", test_least_collapse);
   g_test_add_func ("/bench/seeded-walls/found-directly", test_found_directly);
+  g_test_add_func ("/bench/seeded-walls/lower-collapse", test_lower_collapse);
   g_test_add_func ("/bench/seeded-walls/creeps", test_creeps);
 }

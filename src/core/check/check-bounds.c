@@ -165,18 +165,26 @@ check_solutions (QnCheck *check)
   const QnLimitFigures *limit = &result->limit;
   bool fixed_points = limit->given && limit->flow == QN_FLOW_NON_ASSOCIATIVE;
   double least = INFINITY, greatest = -INFINITY;
+  int32_t own = 0;
 
   for (int32_t i = 0; i < result->solution_count; i++) {
     const QnSolution *solution = &result->solutions[i];
-    least = fmin (least, solution->multiplier);
+    bool rigid = solution->found_by == QN_PROCEDURE_LIMIT; /* has no displacements */
     greatest = fmax (greatest, solution->multiplier);
-    /* Rigid blocks have no displacements. */
-    if (limit->given ? !isnan (solution->displacement) : !is_met (check, solution))
+    if (limit->given == rigid) {
+      least = fmin (least, solution->multiplier);
+      own++;
+    }
+    if (rigid ? !isnan (solution->displacement)
+                  || !(limit->given
+                       || (solution->multiplier < result->collapse_multiplier
+                           && solution->multiplier >= 0))
+              : !is_met (check, solution))
       tell_interval (check, solution->multiplier, NAN);
   }
   /* Only collapses of limit analysis are several. */
-  if (result->solution_count > 1 && !fixed_points)
-    tell_interval (check, result->solutions[1].multiplier, NAN);
+  if (result->solution_count > 0 && own != 1 && !fixed_points)
+    tell_interval (check, result->solutions[0].multiplier, NAN);
   if (result->solution_count == 0) {
     greatest = least = result->collapse_multiplier;
     if (!result->has_collapse_multiplier)

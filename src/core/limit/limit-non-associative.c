@@ -96,6 +96,8 @@ typedef struct Search {
   int32_t count;
   double
     gives; /* of the last collapse: what joints give at most, over the largest velocity */
+  double
+    known; /* what is not below it is of no interest, and one start tells enough; or INFINITY */
   bool cancelled;
   QnProgressFunc progress;
   void *user_data;
@@ -128,15 +130,29 @@ find_least (const Search *search)
   return least;
 }
 
-/* Whether the multipliers may become one with stiffer joints. */
-static bool
-are_same (const Search *search, const Collapse *a, const Collapse *b)
+/* Within what difference two multipliers may become one with stiffer joints. */
+static double
+reach_of (const Search *search, const Collapse *a, const Collapse *b)
 {
   double exact = search->model->analysis.multiplier_tolerance
                  * fmax (fabs (a->multiplier), fabs (b->multiplier));
 
-  return fabs (a->multiplier - b->multiplier)
-         <= exact + search_tuning.reach * (fabs (a->growth) + fabs (b->growth));
+  return exact + search_tuning.reach * (fabs (a->growth) + fabs (b->growth));
+}
+
+static bool
+are_same (const Search *search, const Collapse *a, const Collapse *b)
+{
+  return fabs (a->multiplier - b->multiplier) <= reach_of (search, a, b);
+}
+
+static bool
+is_of_interest (const Search *search, const Collapse *found)
+{
+  const Collapse known = { .multiplier = search->known };
+
+  return search->known == INFINITY
+         || known.multiplier - found->multiplier > reach_of (search, &known, found);
 }
 
 /* Keeps the collapse just found; in place of one that it is, too, with softer joints. */
@@ -254,7 +270,9 @@ seek_all (Search *search, QnDiag *diag)
   QnStatus status = QN_OK;
   int start = search->elastic ? FORCES : REST, again = search_tuning.stiffenings;
 
-  for (; start <= START_COUNT && !found && !status && !search->cancelled;
+  bool once = search->known < INFINITY;
+
+  for (; start <= (once ? REST : START_COUNT) && !found && !status && !search->cancelled;
        start = is_large (search) && start == REST ? START_COUNT : start + 1) {
     if (start == START_COUNT && !search->elastic)
       compliance *= search_tuning.softer;
@@ -263,19 +281,21 @@ seek_all (Search *search, QnDiag *diag)
                    : is_large (search) ? search_tuning.long_run
                                        : search_tuning.budget,
                    &found, diag);
-    if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic)
+    if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic
+        && !once)
       status = seek (search, GO_ON, compliance, search_tuning.again, &found, diag);
     if (search->gives > search_tuning.rigid && again-- > 0) {
       compliance *= 0.5 * search_tuning.rigid / search->gives;
       start--;
     }
   }
-  while (search->count > 0 && !status && !search->cancelled) {
+  while (search->count > 0 && !status && !search->cancelled
+         && is_of_interest (search, find_least (search))) {
     int32_t spent = effort->factorizations - before;
     bool still = stands_still (search, find_least (search));
     /* Stiffer ones take longer. */
     if (spent >= (still ? search_tuning.spare : search_tuning.stiff / 2)
-        || (still && search->elastic))
+        || (still && (search->elastic || once)))
       break;
     if (still)
       return seek (search, REST, search_tuning.softer * compliance,
@@ -295,7 +315,8 @@ conclude (Search *search)
   QnLimitSolution *solution = &interval->solution;
 
   solution->outcome = search->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED;
-  if (search->cancelled || search->count == 0)
+  if (search->cancelled || search->count == 0
+      || !is_of_interest (search, find_least (search)))
     return;
   Collapse *least = &search->found[find_least (search) - search->found];
   double *forces = solution->forces, *velocities = solution->velocities;
@@ -356,12 +377,13 @@ qn_limit_interval_clear (QnLimitInterval *interval)
 }
 
 QnStatus
-qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
+qn_limit_non_associative (const QnModel *model, const QnContacts *contacts, double known,
                           QnProgressFunc progress, void *user_data,
                           QnLimitInterval *interval, QnDiag *diag)
 {
   Search search = { .model = model,
                     .contacts = contacts,
+                    .known = known,
                     .interval = interval,
                     .progress = progress,
                     .user_data = user_data };
@@ -393,6 +415,7 @@ qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *
   Search search = { .model = model,
                     .contacts = contacts,
                     .elastic = true,
+                    .known = INFINITY,
                     .interval = &interval,
                     .progress = progress,
                     .user_data = user_data };

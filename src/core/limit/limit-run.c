@@ -127,13 +127,13 @@ run_associative (const QnModel *model, const QnContacts *contacts,
 }
 
 static QnStatus
-run_non_associative (const QnModel *model, const QnContacts *contacts,
+run_non_associative (const QnModel *model, const QnContacts *contacts, double known,
                      QnProgressFunc progress, void *user_data, QnResult *result,
                      QnDiag *diag)
 {
   QnLimitInterval interval;
-  QnStatus status =
-    qn_limit_non_associative (model, contacts, progress, user_data, &interval, diag);
+  QnStatus status = qn_limit_non_associative (model, contacts, known, progress, user_data,
+                                              &interval, diag);
 
   if (status)
     return status;
@@ -151,8 +151,8 @@ run_non_associative (const QnModel *model, const QnContacts *contacts,
 }
 
 QnStatus
-qn_limit_run (const QnModel *model, const QnContacts *contacts, QnProgressFunc progress,
-              void *user_data, QnResult *result, QnDiag *diag)
+qn_limit_run (const QnModel *model, const QnContacts *contacts, double known,
+              QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
   double start = qn_clock_seconds ();
   QnStatus status =
@@ -160,9 +160,10 @@ qn_limit_run (const QnModel *model, const QnContacts *contacts, QnProgressFunc p
 
   result->limit.flow = model->analysis.flow;
   if (!status)
-    status = model->analysis.flow == QN_FLOW_ASSOCIATIVE
-               ? run_associative (model, contacts, progress, user_data, result, diag)
-               : run_non_associative (model, contacts, progress, user_data, result, diag);
+    status =
+      model->analysis.flow == QN_FLOW_ASSOCIATIVE
+        ? run_associative (model, contacts, progress, user_data, result, diag)
+        : run_non_associative (model, contacts, known, progress, user_data, result, diag);
   result->statistics.seconds = qn_clock_seconds () - start;
   if (status)
     qn_result_clear (result);

@@ -95,9 +95,10 @@ typedef struct QnLimitInterval {
 /* The collapses without associativity that are found directly (collapse.h), from rest and from the
  * associative forces, with joints so stiff that the multiplier does not depend on them any more, by
  * the model's multiplier tolerance. solution.outcome is that of the associative program where this
- * has no optimum; DEAD_LOAD_UNSTABLE where a mechanism goes on without live load. */
+ * has no optimum; DEAD_LOAD_UNSTABLE where a mechanism goes on without live load. Where `known` is finite
+ * (another collapse), only one that lies below it for certain is sought, by one start. */
 QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
-                                   QnProgressFunc progress, void *user_data,
+                                   double known, QnProgressFunc progress, void *user_data,
                                    QnLimitInterval *interval, QnDiag *diag);
 
 void qn_limit_interval_clear (QnLimitInterval *interval);
@@ -120,7 +121,7 @@ QnStatus qn_limit_find_mechanism (const QnModel *model, const QnContacts *contac
                                   double **velocities, QnDiag *diag);
 
 /* The limit analysis of the model's settings, as a result: steps at the dead load and at collapse
- * (rigid blocks have not moved yet), pair forces, mechanism, bounds. */
-QnStatus qn_limit_run (const QnModel *model, const QnContacts *contacts,
+ * (rigid blocks have not moved yet), pair forces, mechanism, bounds. `known`: as above. */
+QnStatus qn_limit_run (const QnModel *model, const QnContacts *contacts, double known,
                        QnProgressFunc progress, void *user_data, QnResult *result,
                        QnDiag *diag);

@@ -159,6 +159,17 @@ qn_model_has_bonds (const QnModel *model)
 }
 
 bool
+qn_model_is_non_associative (const QnModel *model)
+{
+  bool any = false;
+
+  for (size_t i = 0; i < model->law_count; i++)
+    any |= qn_law_may_bond (model->laws[i].kind)
+           && model->laws[i].dilatancy < model->laws[i].friction;
+  return any;
+}
+
+bool
 qn_model_sets_have_force (const QnModel *model, uint32_t sets)
 {
   for (size_t i = 0; i < model->live_load_count; i++) {

@@ -688,6 +688,9 @@ bool qn_model_sets_have_force (const QnModel *model, uint32_t sets);
 /* Whether some law has a bond that may break. */
 bool qn_model_has_bonds (const QnModel *model);
 
+/* Whether joints slide with less dilatancy than friction: then associativity carries more than they do. */
+bool qn_model_is_non_associative (const QnModel *model);
+
 /* Loads of all sets, each times its own factor; factors: QN_MAX_LOAD_SETS. */
 void qn_model_set_forces (const QnModel *model, const double *factors, double *forces);
 

@@ -160,17 +160,29 @@ wants_bound (const QnModel *model, const QnContacts *contacts, const QnResult *r
                  && contacts->pair_count <= QN_BOUND_PAIRS));
 }
 
-/* The linear program beside a path, whose time counts with it. NO_MEMORY is the only error. */
+/* Limit analysis beside a path, whose time counts with it: the associative bound and, where `known` is finite,
+ * collapses below it that are proved. NO_MEMORY is the only error. */
 static QnStatus
-solve_rigid (const QnModel *model, const QnContacts *contacts, QnProgressFunc report,
-             void *report_data, QnLimitSolution *solution, QnResult *result, QnDiag *diag)
+solve_rigid (const QnModel *model, const QnContacts *contacts, double known,
+             QnProgressFunc report, void *report_data, QnResult *found, QnResult *result,
+             QnDiag *diag)
 {
   double start = qn_clock_seconds ();
-  QnStatus status =
-    qn_limit_associative (model, contacts, report, report_data, solution, NULL);
+  QnModel rigid = *model;
 
+  rigid.analysis.procedure = QN_PROCEDURE_LIMIT;
+  rigid.analysis.flow = known < INFINITY ? QN_FLOW_NON_ASSOCIATIVE : QN_FLOW_ASSOCIATIVE;
+  *found = (QnResult){ 0 };
+  QnStatus status =
+    qn_limit_run (&rigid, contacts, known, report, report_data, found, NULL);
+  bool bounded = status == QN_OK && found->has_associative_bound;
+  if (status == QN_OK && known < INFINITY)
+    status = qn_result_prove (&rigid, contacts, found, NULL);
   if (status != QN_OK)
-    solution->outcome = QN_OUTCOME_NOT_CONVERGED;
+    found->outcome = QN_OUTCOME_NOT_CONVERGED;
+  if (found->mechanism_uncertain)
+    found->solution_count = 0;
+  found->has_associative_bound = bounded;
   result->statistics.seconds += qn_clock_seconds () - start;
   return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
 }
@@ -180,16 +192,24 @@ qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
                    QnProgressFunc report, void *report_data, QnResult *result,
                    bool *cancelled, QnDiag *diag)
 {
-  QnLimitSolution solution;
+  QnResult found;
+  bool may_be_lower =
+    result->outcome == QN_OUTCOME_COLLAPSE && result->has_collapse_multiplier
+    && model->analysis.procedure == QN_PROCEDURE_LOAD
+    && qn_model_is_non_associative (model) && !qn_model_has_bonds (model);
 
   if (!wants_bound (model, contacts, result))
     return QN_OK;
   QnStatus status =
-    solve_rigid (model, contacts, report, report_data, &solution, result, diag);
-  result->has_associative_bound = solution.outcome == QN_OUTCOME_COLLAPSE;
-  result->associative_bound = result->has_associative_bound ? solution.upper_bound : 0;
-  *cancelled = solution.outcome == QN_OUTCOME_CANCELLED;
-  qn_limit_solution_clear (&solution);
+    solve_rigid (model, contacts, may_be_lower ? result->collapse_multiplier : INFINITY,
+                 report, report_data, &found, result, diag);
+  result->has_associative_bound = found.has_associative_bound;
+  result->associative_bound = found.has_associative_bound ? found.associative_bound : 0;
+  *cancelled = found.outcome == QN_OUTCOME_CANCELLED;
+  for (int32_t i = 0; may_be_lower && i < found.solution_count; i++)
+    if (found.solutions[i].multiplier < result->collapse_multiplier)
+      qn_result_add_solution (result, found.solutions[i]);
+  qn_result_clear (&found);
   return status;
 }
 
@@ -200,7 +220,7 @@ add_broken_bound (const QnModel *model, const QnContacts *contacts, QnBudget *bu
                   QnResult *result, QnDiag *diag)
 {
   QnModel dry = *model; /* but for its laws */
-  QnLimitSolution solution;
+  QnResult found;
 
   if (!qn_model_has_bonds (model) || !result->has_associative_bound
       || model->analysis.bound == QN_BOUND_NEVER)
@@ -212,12 +232,11 @@ add_broken_bound (const QnModel *model, const QnContacts *contacts, QnBudget *bu
   for (size_t i = 0; i < model->law_count; i++)
     qn_law_break_bond (&dry.laws[i]);
   QnStatus status =
-    solve_rigid (&dry, contacts, qn_budget_go_on, budget, &solution, result, diag);
-  bool collapses = solution.outcome == QN_OUTCOME_COLLAPSE;
-  result->has_broken_bound =
-    collapses || solution.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
-  result->broken_bound = collapses ? solution.lower_bound : 0;
-  qn_limit_solution_clear (&solution);
+    solve_rigid (&dry, contacts, INFINITY, qn_budget_go_on, budget, &found, result, diag);
+  bool collapses = found.outcome == QN_OUTCOME_COLLAPSE;
+  result->has_broken_bound = collapses || found.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  result->broken_bound = collapses ? found.collapse_multiplier : 0;
+  qn_result_clear (&found);
   free (dry.laws);
   return status;
 }
@@ -291,9 +310,9 @@ settle_mechanism (const QnModel *model, const QnContacts *contacts, QnBudget *bu
 
 /* --- The whole ---------------------------------------------------------------------------- */
 
-/* *softens: whether joints may lose strength. */
+/* *softens: whether joints may lose strength. `beyond`: see QnPath. */
 static QnStatus
-follow (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
+follow (const QnModel *model, const QnContacts *contacts, QnBudget *budget, double beyond,
         QnResult *result, bool *softens, QnDiag *diag)
 {
   QnPath path;
@@ -302,11 +321,39 @@ follow (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
     qn_path_setup (&path, model, contacts, qn_budget_go_on, budget, result, diag);
 
   *softens = status == QN_OK && qn_assembly_may_soften (&path.equilibrium.assembly);
+  path.beyond = beyond;
   if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     status = run_in_time (&path, diag);
   else if (status == QN_OK)
     status = qn_path_run (&path, &stands, diag);
   return qn_path_finish (&path, status, budget->start);
+}
+
+/* Follows the path once more by other settings. Where that ends in collapse, not below `least`, that is the
+ * result. *cancelled: it was. */
+static QnStatus
+follow_again (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
+              double beyond, double least, QnResult *result, bool *cancelled,
+              QnDiag *diag)
+{
+  QnResult found;
+  bool softens;
+  QnStatus status = follow (model, contacts, budget, beyond, &found, &softens, diag);
+
+  if (status != QN_OK)
+    return status;
+  *cancelled = found.outcome == QN_OUTCOME_CANCELLED;
+  qn_statistics_add (&found.statistics, &result->statistics);
+  result->statistics = found.statistics;
+  if (found.outcome == QN_OUTCOME_COLLAPSE && found.collapse_multiplier >= least) {
+    QnResult before = *result;
+    *result = found;
+    found = before;
+    result->has_associative_bound = found.has_associative_bound;
+    result->associative_bound = found.associative_bound;
+  }
+  qn_result_clear (&found);
+  return QN_OK;
 }
 
 /* Where bonds break, a load that is held may drive the structure farther than steps can follow. A jack that
@@ -317,26 +364,37 @@ follow_jack (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
              QnResult *result, QnDiag *diag)
 {
   QnModel jacked = *model;
-  QnResult found;
-  bool softens;
+  bool cancelled;
 
   jacked.analysis.procedure = QN_PROCEDURE_WORK;
   double reached = result->step_count > 0
                      ? result->steps[result->step_count - 1].multiplier
                          * (1 - model->analysis.multiplier_tolerance)
                      : 0;
-  QnStatus status = follow (&jacked, contacts, budget, &found, &softens, diag);
-  if (status != QN_OK)
-    return status;
-  qn_statistics_add (&found.statistics, &result->statistics);
-  if (found.outcome == QN_OUTCOME_COLLAPSE && found.collapse_multiplier >= reached) {
-    QnResult held = *result;
-    *result = found;
-    found = held;
-  } else if (found.outcome == QN_OUTCOME_CANCELLED)
+  QnStatus status =
+    follow_again (&jacked, contacts, budget, 0, reached, result, &cancelled, diag);
+  if (status == QN_OK && cancelled)
     result->outcome = QN_OUTCOME_CANCELLED;
-  qn_result_clear (&found);
-  return QN_OK;
+  return status;
+}
+
+/* Does the structure fall where a collapse was found directly, below that of its path? The path is followed to
+ * just below, and the load held just above: where it falls, that is its collapse. */
+static QnStatus
+hold_at_lower (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
+               QnResult *result, QnDiag *diag)
+{
+  QnModel held = *model;
+  QnProcedure found_by = QN_PROCEDURE_LOAD;
+  double least, bound, part = model->analysis.multiplier_tolerance;
+  bool cancelled;
+
+  qn_result_collapse_interval (result, &least, &found_by, &bound);
+  if (found_by != QN_PROCEDURE_LIMIT)
+    return QN_OK;
+  held.analysis.max_multiplier = (1 - part) * least;
+  return follow_again (&held, contacts, budget, (1 + part) * least, 0, result, &cancelled,
+                       diag);
 }
 
 static QnStatus
@@ -347,12 +405,12 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
 
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
     QnStatus status =
-      qn_limit_run (model, contacts, qn_budget_go_on, budget, result, diag);
+      qn_limit_run (model, contacts, INFINITY, qn_budget_go_on, budget, result, diag);
     return status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED
              ? add_broken_bound (model, contacts, budget, result, diag)
              : status;
   }
-  QnStatus status = follow (model, contacts, budget, result, &softens, diag);
+  QnStatus status = follow (model, contacts, budget, 0, result, &softens, diag);
   if (status == QN_OK && softens && model->analysis.procedure == QN_PROCEDURE_LOAD
       && model->stage_count == 0 && result->outcome == QN_OUTCOME_NOT_CONVERGED)
     status = follow_jack (model, contacts, budget, result, diag);
@@ -361,6 +419,8 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
   if (status == QN_OK && result->has_collapse_multiplier)
     status = qn_path_add_bound (model, contacts, qn_budget_go_on, budget, result,
                                 &cancelled, diag);
+  if (status == QN_OK && result->has_collapse_multiplier)
+    status = hold_at_lower (model, contacts, budget, result, diag);
   return status == QN_OK && result->has_collapse_multiplier
            ? add_broken_bound (model, contacts, budget, result, diag)
            : status;

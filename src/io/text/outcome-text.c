@@ -241,17 +241,6 @@ found_by_words (const QnModel *model, QnProcedure procedure)
   return texts[procedure] != NULL ? _ (texts[procedure]) : "";
 }
 
-/* Whether joints slide with less dilatancy than friction: then associativity carries more than they do. */
-static gboolean
-exceeds_joints (const QnModel *model)
-{
-  gboolean any = FALSE;
-  for (gsize i = 0; i < model->law_count; i++)
-    any |= qn_law_may_bond (model->laws[i].kind)
-           && model->laws[i].dilatancy < model->laws[i].friction;
-  return any;
-}
-
 /* That the bound takes the bonds of joints as ductile, and what it is without them; NULL where there are none. */
 static char *
 dup_broken_bond (const QnModel *model, const QnResult *result)
@@ -259,7 +248,7 @@ dup_broken_bond (const QnModel *model, const QnResult *result)
   if (!result->has_broken_bound)
     return NULL;
   return qn_text_printf (
-    exceeds_joints (model)
+    qn_model_is_non_associative (model)
       ? _ ("The bound takes the bonds of joints as ductile, which they are not; with all "
            "of them broken it is %.4f, and joints that slide with less dilatancy than "
            "friction may carry less than that.")
@@ -308,12 +297,25 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
       carried = result->events[i].multiplier;
   for (gint32 i = 0; i < result->solution_count; i++)
     greatest = MAX (greatest, result->solutions[i].multiplier);
+  /* Of a path, one that it passes. */
+  const gboolean passes = found_by == QN_PROCEDURE_LIMIT && !result->limit.given;
+  g_autofree char *passed =
+    passes
+      ? qn_text_printf (_ ("Limit analysis finds forces and a mechanism at %.4f, too: "
+                           "the path passes them, another history of loading may "
+                           "not."),
+                        least)
+      : NULL;
+  if (passes) {
+    least = result->solutions[0].multiplier;
+    found_by = result->solutions[0].found_by;
+  }
   const char *found = found_by_words (model, found_by);
 
   g_autofree char *from =
     carried > (1 + QN_SETTLED) * least ? qn_text_printf (
       _ ("The multiplier was %s: the plateau beyond a peak of %.4f;"), found, carried)
-    : result->solution_count == 1
+    : passes || result->solution_count == 1
       ? qn_text_printf (_ ("The multiplier was %s;"), found)
       : qn_text_printf (
         _ ("The multiplier was %s, the least of %d solutions up to %.4f;"), found,
@@ -327,8 +329,12 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
       : qn_text_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
   g_autofree char *safe = dup_broken_bond (model, result);
   g_autofree char *coarse = dup_coarse_pairs (model, result);
-  const char *parts[] = { from, to, safe != NULL ? safe : coarse,
-                          safe != NULL ? coarse : NULL, NULL };
+  const char *parts[6] = { from, to };
+  gsize count = 2;
+  char *const more[] = { passed, safe, coarse };
+  for (gsize i = 0; i < G_N_ELEMENTS (more); i++)
+    if (more[i] != NULL)
+      parts[count++] = more[i];
   return g_strjoinv (" ", (char **) parts);
 }
 

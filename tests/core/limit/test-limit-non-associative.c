@@ -16,7 +16,8 @@ solve (QnModel *model)
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (
-    qn_limit_non_associative (model, &contacts, NULL, NULL, &interval, NULL), ==, QN_OK);
+    qn_limit_non_associative (model, &contacts, INFINITY, NULL, NULL, &interval, NULL),
+    ==, QN_OK);
   qn_model_clear (model);
   return interval;
 }
@@ -388,7 +389,7 @@ test_cancel (void)
     test_model_init_wall (&model, 6, 0);
     g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
     g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-    g_assert_cmpint (qn_limit_non_associative (&model, &contacts, lose_patience,
+    g_assert_cmpint (qn_limit_non_associative (&model, &contacts, INFINITY, lose_patience,
                                                &patience, &interval, NULL),
                      ==, QN_OK);
     g_assert_cmpint (interval.solution.outcome, ==, QN_OUTCOME_CANCELLED);

@@ -90,8 +90,8 @@ check_differences (QnLawKind wanted)
   QnLimitSensitivity s;
   init_wall (&model, FRICTION, 0);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_limit_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
-                   QN_OK);
+  g_assert_cmpint (qn_limit_run (&model, &contacts, INFINITY, NULL, NULL, &result, NULL),
+                   ==, QN_OK);
   g_assert_cmpint (qn_limit_sensitivity (&model, &contacts, &result, &s, NULL), ==,
                    QN_OK);
   const double found[VARIED_COUNT] = { s.laws[0].friction,  s.laws[0].cohesion,
@@ -131,8 +131,8 @@ test_closed_form (void)
   model.analysis.procedure = QN_PROCEDURE_LIMIT;
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_limit_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
-                   QN_OK);
+  g_assert_cmpint (qn_limit_run (&model, &contacts, INFINITY, NULL, NULL, &result, NULL),
+                   ==, QN_OK);
   g_assert_cmpint (qn_limit_sensitivity (&model, &contacts, &result, &s, NULL), ==,
                    QN_OK);
   g_assert_cmpfloat_with_epsilon (s.laws[0].friction, 1, 1e-6);
