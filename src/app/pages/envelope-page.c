@@ -104,7 +104,10 @@ tell_position (Page *self)
 {
   const QnEnvelope *e = &self->envelope;
   if (isnan (qn_envelope_multiplier (e, self->figure.shown))) {
-    tell (self, self->thread != NULL ? "" : _ ("Nothing collapses at this position."));
+    tell (self, self->thread != NULL ? ""
+                : qn_envelope_is_open (e, self->figure.shown)
+                  ? _ ("The analysis came to no answer at this position.")
+                  : _ ("Nothing collapses at this position."));
     return;
   }
   g_autofree char *words =
@@ -193,15 +196,12 @@ on_tick (GtkWidget *area, GdkFrameClock *clock, gpointer data)
 }
 
 static void
-animate (Page *self)
+animate (Page *self, gboolean on)
 {
   GtkWidget *area = self->base.widgets[AREA];
   if (self->tick != 0)
     gtk_widget_remove_tick_callback (area, self->tick);
-  self->tick =
-    gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (self->base.widgets[ANIMATE]))
-      ? gtk_widget_add_tick_callback (area, on_tick, self, NULL)
-      : 0;
+  self->tick = on ? gtk_widget_add_tick_callback (area, on_tick, self, NULL) : 0;
   self->figure.phase = 1;
   gtk_widget_queue_draw (area);
 }
@@ -289,6 +289,9 @@ show (gpointer data, guint field, QnValue *value)
                          e->count > 0 ? (double) e->count - 1 : 0);
     value->number = (double) self->figure.shown.position;
     return TRUE;
+  case ANIMATE:
+    value->number = self->tick != 0;
+    return TRUE;
   case PROGRESS:
     return self->thread != NULL;
   case STATUS:
@@ -315,7 +318,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   }
   if (field == ANIMATE)
-    animate (self);
+    animate (self, value->number != 0.0);
   if (field == ANIMATE || load == NULL)
     return TRUE;
   if (field == VEHICLES) {

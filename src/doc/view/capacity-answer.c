@@ -648,7 +648,7 @@ qn_capacity_answer_plot (const QnCapacityAnswer *answer)
   const QnCapacity *c = &answer->capacity;
   const gsize states = (gsize) qn_capacity_answer_count_states (answer);
   QnPlot *plot =
-    qn_plot_new (_ ("Spectral displacement [m]"), _ ("Spectral acceleration [m/s²]"));
+    qn_plot_new (_ ("Spectral displacement (m)"), _ ("Spectral acceleration (m/s²)"));
   double *x = qn_plot_keep (plot, g_new (double, c->count));
   double *y = qn_plot_keep (plot, g_new (double, c->count));
   double farthest = c->end, highest = 0;

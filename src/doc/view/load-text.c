@@ -282,6 +282,17 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
            : g_strdup_printf (_ ("%s: %s to %s"), name, sets, "1");
 }
 
+/* Of all axles, N. */
+static double
+vehicle_weight (const QnModel *model, const QnLoad *load)
+{
+  const QnVehicle *vehicle = &model->vehicles[load->vehicle];
+  double sum = 0.0;
+  for (int32_t i = 0; i < vehicle->axle_count; i++)
+    sum += vehicle->axles[i].load;
+  return sum * MAX (load->convoy, 1);
+}
+
 char *
 qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units)
 {
@@ -295,15 +306,18 @@ qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units
     double factor = qn_model_load_factor (model, load);
     if (load->set != 0)
       continue;
-    if (load->kind == QN_LOAD_WEIGHT)
-      weights = true;
-    else if ((load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE)
-             && load->moment == 0.0)
-      forces = true;
-    else
+    QnVec2 force = load->vector;
+    if (load->kind == QN_LOAD_SETTLEMENT || load->moment != 0.0)
       return NULL;
-    sum = qn_vec2_add_scaled (sum, factor, load->vector);
-    total += factor * qn_vec2_length (load->vector);
+    if (load->kind == QN_LOAD_VEHICLE)
+      force.y = -vehicle_weight (model, load);
+    else if (load->kind != QN_LOAD_WEIGHT && load->kind != QN_LOAD_FORCE
+             && load->kind != QN_LOAD_NODE) /* with its factor */
+      force = qn_vec2_scale (1.0 / factor,
+                             qn_model_load_resultant (model, model->dead_load_count + i));
+    *(load->kind == QN_LOAD_WEIGHT ? &weights : &forces) = true;
+    sum = qn_vec2_add_scaled (sum, factor, force);
+    total += factor * qn_vec2_length (force);
   }
   double size = qn_vec2_length (sum);
   if (weights == forces || !(size > ONE_DIRECTION * total))

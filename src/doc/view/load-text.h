@@ -9,7 +9,7 @@
 char *qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units);
 
 /* What a multiplier of the live loads means: "0.234 g" of horizontal weights, "132 kN" of forces in one
- * direction; NULL where they are of several kinds or directions, or grow in stages. The caller frees it. */
+ * direction, of vehicles that of all axles; NULL where they are of several kinds or directions, or grow in stages. The caller frees it. */
 char *qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units);
 
 /* "load on top: top to 2"; of a cyclic protocol at its first stage, and empty at the others. The caller

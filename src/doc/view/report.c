@@ -135,7 +135,7 @@ dup_basis (const QnReportRun *run)
                                                 : _ ("the independent check fails");
   return g_strdup_printf (
     _ ("It rests on %s in %s geometry, on the laws and the pairs of the "
-       "joints as given below; %s."),
+       "joints as given; %s."),
     qn_report_procedure (model), qn_report_geometry (model), check);
 }
 

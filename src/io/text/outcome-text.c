@@ -277,7 +277,7 @@ dup_coarse_pairs (const QnModel *model, const QnResult *result)
   return least > 0 && opens
            ? qn_text_printf (_ ("Joints that open far have %d pairs, whose multipliers "
                                 "have been found up to a tenth too high: compare with "
-                                "%d, \"count\" of \"contact.pairs\"."),
+                                "%d pairs."),
                              least, QN_MOST_LOBATTO_PAIRS)
            : NULL;
 }
@@ -381,11 +381,11 @@ explain_linearity (const QnResult *result)
   if (result->history.width > 0)
     return g_strdup (
       _ ("Blocks move by more than a tenth of their least width, so that linear geometry "
-         "may not hold: solve in large displacements (analysis.geometry=nonlinear)."));
+         "may not hold: solve in large displacements (nonlinear geometry)."));
   return qn_text_printf (
     _ ("At a load multiplier of %.4g a block has moved by a tenth of the least width of "
        "the blocks; linear geometry may not hold beyond: solve in large displacements "
-       "(analysis.geometry=nonlinear)."),
+       "(nonlinear geometry)."),
     result->beyond_linear_multiplier);
 }
 

@@ -107,7 +107,7 @@ qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double s
 /* Between a label and a line through its place, pt. */
 #define LINE_GAP 1.0
 
-/* Width of the line from a joint to its number, where this has moved away, pt. */
+/* Width of the line from a joint or load to its number, where this has moved away, pt. */
 #define LEADER 0.35
 
 /* What the labels of a drawing take of the page, in the order in which they were drawn, and the lines
@@ -280,7 +280,7 @@ draw_text (cairo_t *cr, const QnCommand *command, QnVec2 at, Labels *labels)
   const double unit = labels->camera->unit;
   labels->optional = command->extent > 0;
   labels->beside = command->align_x < 0 || command->align_x > 1;
-  labels->leads = command->pick == QN_PICK_FACE;
+  labels->leads = command->pick != QN_PICK_NOTHING;
   labels->at = at;
   labels->color = command->color;
   qn_text_draw (cr,

@@ -262,6 +262,7 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
     return;
   QnCommand *label = add_size (b, load, qn_vec2_add_scaled (at, -scale, direction),
                                shown / 1000, pressure ? " kPa" : " kN/m", color);
+  qn_command_set_pick (label, pick, index);
   label->align_x = direction.x > 0.3 * most    ? 1.1f
                    : direction.x < -0.3 * most ? -0.1f
                                                : 0.5f;
@@ -338,9 +339,10 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
       QnCommand *circle = qn_scene_stroke (b->scene, QN_LAYER_LOADS, wheel,
                                            G_N_ELEMENTS (wheel), true, 1.2F, color);
       qn_command_set_pick (circle, pick, index);
-      add_size (b, load, qn_vec2 (x, y + 2 * r), vehicle->axles[i].load / 1000, " kN",
-                color)
-        ->align_y = -0.2F;
+      QnCommand *label = add_size (b, load, qn_vec2 (x, y + 2 * r),
+                                   vehicle->axles[i].load / 1000, " kN", color);
+      label->align_y = -0.2F;
+      qn_command_set_pick (label, pick, index);
     }
   free (top.items);
 }

@@ -14,6 +14,9 @@
 
 #define MOST_POSITIONS 10000
 
+/* Places without an answer that are told. */
+#define MOST_NAMED 5
+
 /* ---- settings ---- */
 
 static const char *const ways[] = { "both", "right", "left" };
@@ -246,7 +249,7 @@ solve_at (QnEnvelope *e, QnEnvelopePlace at, QnProgressFunc progress, void *data
       .mechanism = g_steal_pointer (&result.mechanism),
     };
   } else {
-    e->open += result.outcome == QN_OUTCOME_NOT_CONVERGED ? 1 : 0;
+    e->lines[at.line].results[at.position].outcome = result.outcome;
   }
   qn_result_clear (&result);
   qn_model_clear (&moved);
@@ -277,6 +280,12 @@ qn_envelope_multiplier (const QnEnvelope *e, QnEnvelopePlace at)
   return number < (gsize) g_atomic_int_get (&e->done)
            ? e->lines[at.line].results[at.position].collapse_multiplier
            : (double) NAN;
+}
+
+gboolean
+qn_envelope_is_open (const QnEnvelope *e, QnEnvelopePlace at)
+{
+  return e->lines[at.line].results[at.position].outcome == QN_OUTCOME_NOT_CONVERGED;
 }
 
 gboolean
@@ -318,6 +327,23 @@ qn_envelope_dup_factor (const QnEnvelope *e, QnEnvelopePlace at)
     vehicle_of (e, at.line)->name, qn_envelope_multiplier (e, at), e->x[at.position]);
 }
 
+/* Where a line has no answer, by the first few places. */
+static void
+append_open (GString *text, const QnEnvelope *e, gsize line)
+{
+  g_autoptr (GString) places = g_string_new (NULL);
+  gsize count = 0;
+  for (gsize i = 0; i < e->count; i++)
+    if (qn_envelope_is_open (e, (QnEnvelopePlace){ line, i }) && count++ < MOST_NAMED)
+      g_string_append_printf (places, "%s%.6g", count > 1 ? "; " : "", e->x[i]);
+  if (count == 0)
+    return;
+  g_autofree char *name = qn_envelope_dup_line_name (e, line);
+  g_string_append_c (text, '\n');
+  g_string_append_printf (text, _ ("%s: no answer with the front at x = %s%s m"), name,
+                          places->str, count > MOST_NAMED ? "; …" : "");
+}
+
 char *
 qn_envelope_dup_text (const QnEnvelope *e, QnEnvelopePlace at, gboolean whole)
 {
@@ -345,11 +371,8 @@ qn_envelope_dup_text (const QnEnvelope *e, QnEnvelopePlace at, gboolean whole)
                             _ ("All are bounds from above where joints slide: "
                                "non-associative limit analysis or the path may find "
                                "less."));
-  if (whole && e->open > 0)
-    g_string_append_printf (text,
-                            ngettext ("%s%u position has no answer.",
-                                      "%s%u positions have no answer.", e->open),
-                            bounds ? " " : "\n", (guint) e->open);
+  for (gsize k = 0; whole && k < e->line_count; k++)
+    append_open (text, e, k);
   return g_string_free (text, FALSE);
 }
 

@@ -35,7 +35,8 @@ char *qn_envelope_settings_to_json (const QnEnvelopeSettings *settings);
 void qn_envelope_settings_clear (QnEnvelopeSettings *settings);
 
 /* One vehicle on one way: a result for every position, of which multiplier and mechanism are kept. Where
- * the vehicle loads nothing, or nothing collapses, the multiplier is not-a-number. */
+ * the vehicle loads nothing, or nothing collapses, the multiplier is not-a-number; where the analysis came to no
+ * answer, the outcome says so. */
 typedef struct QnEnvelopeLine {
   QnId vehicle;
   bool reversed;
@@ -50,7 +51,6 @@ typedef struct QnEnvelope {
   double *x; /* positions of the front, m, ascending */
   QnEnvelopeLine *lines;
   gsize line_count;
-  gsize open;    /* positions where the analysis came to no answer */
   bool unstable; /* the dead load alone has no stable equilibrium: nothing was found */
   gint done;     /* positions of all lines that are computed, line by line; atomic */
 } QnEnvelope;
@@ -76,6 +76,9 @@ QnStatus qn_envelope_run (QnEnvelope *envelope, QnProgressFunc progress, void *d
 /* The structure with the vehicle there, prepared: qn_model_clear(). */
 QnStatus qn_envelope_move (const QnEnvelope *envelope, QnEnvelopePlace at, QnModel *moved,
                            QnDiag *diag);
+
+/* Whether the analysis came to no answer there. */
+gboolean qn_envelope_is_open (const QnEnvelope *envelope, QnEnvelopePlace at);
 
 /* The multiplier found there; NaN: none. */
 double qn_envelope_multiplier (const QnEnvelope *envelope, QnEnvelopePlace at);

@@ -29,11 +29,16 @@ test_amount (void)
         { .kind = QN_LOAD_FORCE, .set = 1, .vector = { 0, 1000 } } },
       2,
       "0.234\u00a0kN" },
+    { { { .kind = QN_LOAD_VEHICLE, .convoy = 2 } }, 1, "93.6\u00a0kN" },
+    { { { .kind = QN_LOAD_SETTLEMENT } }, 1, NULL },
   };
+  QnVehicle truck = { .axles = { { .load = 5e4 }, { .load = 15e4 } }, .axle_count = 2 };
   const QnUnits units = { .force = QN_FORCE_KN };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     const QnModel model = { .live_loads = (QnLoad *) cases[i].loads,
-                            .live_load_count = cases[i].count };
+                            .live_load_count = cases[i].count,
+                            .vehicles = &truck,
+                            .vehicle_count = 1 };
     g_autofree char *text = qn_live_loads_dup_amount (&model, 0.234, units);
     g_assert_cmpstr (text, ==, cases[i].text);
   }
