@@ -3,152 +3,77 @@
 #include "app/tools/tools.h"
 #include <glib/gi18n.h>
 
-#define SOLVABLE (QN_NEEDS_WORK | QN_NEEDS_MODEL | QN_NEEDS_IDLE)
-#define DRAWN    (QN_NEEDS_WORK | QN_NEEDS_MODEL)
-
-/* An action without a shortcut; one with keys, in its group of the window of shortcuts. */
-#define ACTION(name, needs)                                                              \
+/* In its group of the window of shortcuts. */
+#define KEYED(group, name, reach, keys, label)                                           \
   {                                                                                      \
-    name, needs, NULL, QN_REACH_ALL, QN_GROUP_NONE, NULL                                 \
-  }
-#define KEYED(group, name, needs, reach, keys, label)                                    \
-  {                                                                                      \
-    name, needs, keys, QN_REACH_##reach, QN_GROUP_##group, label                         \
+    name, keys, QN_REACH_##reach, QN_GROUP_##group, label                                \
   }
 
 const QnActionRow qn_action_rows[] = {
   /* Files. */
-  KEYED (FILES, "app.new-window", 0, ALL, "<Control>n", N_ ("New window")),
-  KEYED (FILES, "win.open", 0, ALL, "<Control>o", N_ ("Open")),
-  ACTION ("win.open-path", 0),
-  ACTION ("win.open-example", 0),
-  KEYED (FILES, "win.save", QN_NEEDS_WORK, ALL, "<Control>s", N_ ("Save")),
-  KEYED (FILES, "win.save-as", QN_NEEDS_WORK, ALL, "<Control><Shift>s", N_ ("Save as")),
-  ACTION ("win.save-path", 0),
-  ACTION ("win.keep-history", 0),
-  KEYED (FILES, "win.export", DRAWN, ALL, "<Control>e", N_ ("Export a figure")),
-  KEYED (FILES, "win.repeat-export", QN_NEEDS_WORK | QN_NEEDS_EXPORTED, ALL,
-         "<Control><Shift>e", N_ ("Repeat the last export")),
-  ACTION ("win.figures", QN_NEEDS_WORK),
-  ACTION ("win.export-result", QN_NEEDS_RUN),
-  ACTION ("win.export-drawing", DRAWN),
-  ACTION ("win.export-path", 0),
-  ACTION ("win.compare", 0),
-  ACTION ("win.open-result", DRAWN),
-  ACTION ("win.open-result-path", DRAWN),
-  KEYED (FILES, "win.import", 0, ALL, "<Control>i", N_ ("Import a drawing")),
-  ACTION ("win.facade-strip", 0),
-  ACTION ("win.take-path", 0),
-  ACTION ("win.picture", 0),
-  ACTION ("win.picture-path", 0),
-  ACTION ("win.remove-picture", 0),
-  KEYED (FILES, "win.print", DRAWN, ALL, "<Control>p", N_ ("Print")),
-  ACTION ("win.print-path", DRAWN),
-  KEYED (FILES, "win.close", 0, ALL, "<Control>w", N_ ("Close the window")),
+  KEYED (FILES, "app.new-window", ALL, "<Control>n", N_ ("New window")),
+  KEYED (FILES, "win.open", ALL, "<Control>o", N_ ("Open")),
+  KEYED (FILES, "win.save", ALL, "<Control>s", N_ ("Save")),
+  KEYED (FILES, "win.save-as", ALL, "<Control><Shift>s", N_ ("Save as")),
+  KEYED (FILES, "win.export", ALL, "<Control>e", N_ ("Export a figure")),
+  KEYED (FILES, "win.repeat-export", ALL, "<Control><Shift>e",
+         N_ ("Repeat the last export")),
+  KEYED (FILES, "win.import", ALL, "<Control>i", N_ ("Import a drawing")),
+  KEYED (FILES, "win.print", ALL, "<Control>p", N_ ("Print")),
+  KEYED (FILES, "win.close", ALL, "<Control>w", N_ ("Close the window")),
 
   /* Editing. */
-  KEYED (EDITING, "win.undo", QN_NEEDS_WORK | QN_NEEDS_UNDO, ALL, "<Control>z",
-         N_ ("Undo")),
-  KEYED (EDITING, "win.redo", QN_NEEDS_WORK | QN_NEEDS_REDO, ALL,
-         "<Control><Shift>z <Control>y", N_ ("Redo")),
-  ACTION ("win.go-to-step", QN_NEEDS_WORK),
-  KEYED (EDITING, "win.copy", QN_NEEDS_BLOCKS, NO_ENTRY, "<Control>c", N_ ("Copy")),
-  KEYED (EDITING, "win.cut", QN_NEEDS_BLOCKS, NO_ENTRY, "<Control>x", N_ ("Cut")),
-  KEYED (EDITING, "win.paste", QN_NEEDS_WORK, NO_ENTRY, "<Control>v", N_ ("Paste")),
-  KEYED (EDITING, "win.duplicate", QN_NEEDS_COPYABLE, ALL, "<Control>d",
-         N_ ("Duplicate")),
-  KEYED (EDITING, "win.select-all", QN_NEEDS_MODEL, NO_ENTRY, "<Control>a",
-         N_ ("Select all")),
-  ACTION ("win.select-like", QN_NEEDS_BLOCKS),
-  ACTION ("win.select-faces-like", QN_NEEDS_FACE),
-  KEYED (EDITING, "win.delete", QN_NEEDS_THING, NO_ENTRY, "Delete BackSpace",
-         N_ ("Delete")),
-  ACTION ("win.align", QN_NEEDS_PARTS),
-  ACTION ("win.distribute", QN_NEEDS_PARTS),
-  ACTION ("win.support", QN_NEEDS_BLOCKS),
-  ACTION ("win.joint-law", QN_NEEDS_FACE),
-  ACTION ("win.copy-text", 0),
-  KEYED (EDITING, NULL, 0, ALL, "Menu <Shift>F10", N_ ("Context menu")),
-  KEYED (VIEW, "win.side-panel", 0, ALL, "F9", N_ ("Side panel")),
-  ACTION ("win.detach", QN_NEEDS_BLOCKS),
-  ACTION ("win.mirror", QN_NEEDS_PARTS),
-  ACTION ("win.rotate", QN_NEEDS_PARTS),
-  ACTION ("win.array", QN_NEEDS_PARTS),
-  ACTION ("win.nudge", QN_NEEDS_MOVABLE),
-  KEYED (NONE, "win.nudge((-1.0,0.0))", 0, DRAWING, "Left", NULL),
-  KEYED (NONE, "win.nudge((1.0,0.0))", 0, DRAWING, "Right", NULL),
-  KEYED (NONE, "win.nudge((0.0,1.0))", 0, DRAWING, "Up", NULL),
-  KEYED (NONE, "win.nudge((0.0,-1.0))", 0, DRAWING, "Down", NULL),
-  KEYED (EDITING, NULL, 0, ALL, "Left Right Up Down", N_ ("Move what is selected")),
-  KEYED (EDITING, NULL, 0, ALL, "Left Right Up Down",
+  KEYED (EDITING, "win.undo", ALL, "<Control>z", N_ ("Undo")),
+  KEYED (EDITING, "win.redo", ALL, "<Control><Shift>z <Control>y", N_ ("Redo")),
+  KEYED (EDITING, "win.copy", NO_ENTRY, "<Control>c", N_ ("Copy")),
+  KEYED (EDITING, "win.cut", NO_ENTRY, "<Control>x", N_ ("Cut")),
+  KEYED (EDITING, "win.paste", NO_ENTRY, "<Control>v", N_ ("Paste")),
+  KEYED (EDITING, "win.duplicate", ALL, "<Control>d", N_ ("Duplicate")),
+  KEYED (EDITING, "win.select-all", NO_ENTRY, "<Control>a", N_ ("Select all")),
+  KEYED (EDITING, "win.delete", NO_ENTRY, "Delete BackSpace", N_ ("Delete")),
+  KEYED (EDITING, NULL, ALL, "Menu <Shift>F10", N_ ("Context menu")),
+  KEYED (VIEW, "win.side-panel", ALL, "F9", N_ ("Side panel")),
+  KEYED (NONE, "win.nudge((-1.0,0.0))", DRAWING, "Left", NULL),
+  KEYED (NONE, "win.nudge((1.0,0.0))", DRAWING, "Right", NULL),
+  KEYED (NONE, "win.nudge((0.0,1.0))", DRAWING, "Up", NULL),
+  KEYED (NONE, "win.nudge((0.0,-1.0))", DRAWING, "Down", NULL),
+  KEYED (EDITING, NULL, ALL, "Left Right Up Down", N_ ("Move what is selected")),
+  KEYED (EDITING, NULL, ALL, "Left Right Up Down",
          N_ ("Move the pointer, with a drawing tool")),
-  KEYED (EDITING, NULL, 0, ALL, "Return", N_ ("Click at the pointer")),
-  KEYED (EDITING, NULL, 0, ALL, "Escape", N_ ("Cancel the gesture")),
+  KEYED (EDITING, NULL, ALL, "Return", N_ ("Click at the pointer")),
+  KEYED (EDITING, NULL, ALL, "Escape", N_ ("Cancel the gesture")),
 
-  /* Tools have keys of their own, which their table has. */
-  ACTION ("win.tool", 0),
-  ACTION ("win.draw", 0),
-  KEYED (TOOLS, "win.join", QN_NEEDS_TWO_BLOCKS, NO_ENTRY, "j", N_ ("Join blocks")),
+  KEYED (TOOLS, "win.join", NO_ENTRY, "j", N_ ("Join blocks")),
 
   /* Analysis. */
-  KEYED (ANALYSIS, "win.run-shown", SOLVABLE | QN_NEEDS_READY, ALL, "F5",
-         N_ ("Solve, or run the study")),
-  ACTION ("win.run", SOLVABLE),
-  ACTION ("win.run-limit", SOLVABLE),
-  ACTION ("win.remove-run", QN_NEEDS_RUN),
-  ACTION ("win.run-all", SOLVABLE),
-  ACTION ("win.run-modes", SOLVABLE),
-  KEYED (ANALYSIS, "win.study", DRAWN, ALL, "<Control><Shift>u",
+  KEYED (ANALYSIS, "win.run-shown", ALL, "F5", N_ ("Solve, or run the study")),
+  KEYED (ANALYSIS, "win.study", ALL, "<Control><Shift>u",
          N_ ("Study of uncertain parameters")),
-  KEYED (ANALYSIS, "win.capacity", SOLVABLE, ALL, "<Control><Shift>k",
+  KEYED (ANALYSIS, "win.capacity", ALL, "<Control><Shift>k",
          N_ ("Capacity curve against a spectrum")),
-  ACTION ("win.envelope", DRAWN),
-  ACTION ("win.close-page", 0),
-  ACTION ("win.show-drawing", 0),
-  ACTION ("win.vary", DRAWN),
-  ACTION ("win.move-load", DRAWN),
-  ACTION ("win.run-stability", SOLVABLE),
-  KEYED (ANALYSIS, "win.cancel", QN_NEEDS_JOB, ALL, "<Shift>F5", N_ ("Cancel")),
-  ACTION ("win.pause", QN_NEEDS_JOB),
-  ACTION ("win.live", 0),
-  KEYED (ANALYSIS, "win.play", QN_NEEDS_RUN, DRAWING, "space", N_ ("Play the motion")),
-  KEYED (ANALYSIS, "win.next-step", QN_NEEDS_RUN, NO_ENTRY, "period", N_ ("Next step")),
-  KEYED (ANALYSIS, "win.previous-step", QN_NEEDS_RUN, NO_ENTRY, "comma",
-         N_ ("Previous step")),
+  KEYED (ANALYSIS, "win.cancel", ALL, "<Shift>F5", N_ ("Cancel")),
+  KEYED (ANALYSIS, "win.play", DRAWING, "space", N_ ("Play the motion")),
+  KEYED (ANALYSIS, "win.next-step", NO_ENTRY, "period", N_ ("Next step")),
+  KEYED (ANALYSIS, "win.previous-step", NO_ENTRY, "comma", N_ ("Previous step")),
 
   /* View. */
-  ACTION ("win.view", 0),
-  KEYED (VIEW, "win.view::model", 0, ALL, "<Control>1", N_ ("Model")),
-  KEYED (VIEW, "win.view::contacts", 0, ALL, "<Control>2", N_ ("Contacts")),
-  KEYED (VIEW, "win.view::deformed", 0, ALL, "<Control>3", N_ ("Deformed")),
-  KEYED (VIEW, "win.view::mechanism", 0, ALL, "<Control>4", N_ ("Mechanism")),
-  KEYED (VIEW, "win.view::forces", 0, ALL, "<Control>5", N_ ("Forces")),
-  KEYED (VIEW, "win.view::diagrams", 0, ALL, "<Control>6",
-         N_ ("Section forces of beams")),
-  ACTION ("win.field", QN_NEEDS_RUN),
-  ACTION ("win.diagram", QN_NEEDS_RUN | QN_NEEDS_BEAM_FORCES),
-  KEYED (VIEW, "win.zoom-in", 0, ALL, "<Control>plus <Control>equal", N_ ("Zoom in")),
-  KEYED (VIEW, "win.zoom-out", 0, ALL, "<Control>minus", N_ ("Zoom out")),
-  KEYED (VIEW, "win.fit", 0, ALL, "<Control>0", N_ ("Fit")),
-  KEYED (VIEW, "win.fullscreen", 0, ALL, "F11", N_ ("Full screen")),
-  ACTION ("win.show-panel", 0),
-  ACTION ("win.ghost", 0),
-  ACTION ("win.symbols", 0),
-  ACTION ("win.loads", 0),
-  ACTION ("win.dimensions", 0),
-  ACTION ("win.names", 0),
-  ACTION ("win.values", 0),
-  ACTION ("win.monochrome", 0),
-  ACTION ("win.snap", 0),
-  ACTION ("win.grid", 0),
+  KEYED (VIEW, "win.view::model", ALL, "<Control>1", N_ ("Model")),
+  KEYED (VIEW, "win.view::contacts", ALL, "<Control>2", N_ ("Contacts")),
+  KEYED (VIEW, "win.view::deformed", ALL, "<Control>3", N_ ("Deformed")),
+  KEYED (VIEW, "win.view::mechanism", ALL, "<Control>4", N_ ("Mechanism")),
+  KEYED (VIEW, "win.view::forces", ALL, "<Control>5", N_ ("Forces")),
+  KEYED (VIEW, "win.view::diagrams", ALL, "<Control>6", N_ ("Section forces of beams")),
+  KEYED (VIEW, "win.zoom-in", ALL, "<Control>plus <Control>equal", N_ ("Zoom in")),
+  KEYED (VIEW, "win.zoom-out", ALL, "<Control>minus", N_ ("Zoom out")),
+  KEYED (VIEW, "win.fit", ALL, "<Control>0", N_ ("Fit")),
+  KEYED (VIEW, "win.fullscreen", ALL, "F11", N_ ("Full screen")),
 
   /* General. */
-  KEYED (GENERAL, "app.help", 0, ALL, "F1", N_ ("Help")),
-  KEYED (GENERAL, "win.show-help-overlay", 0, ALL, "<Control>question",
+  KEYED (GENERAL, "app.help", ALL, "F1", N_ ("Help")),
+  KEYED (GENERAL, "win.show-help-overlay", ALL, "<Control>question",
          N_ ("Keyboard shortcuts")),
-  KEYED (GENERAL, "app.preferences", 0, ALL, "<Control>comma", N_ ("Preferences")),
-  ACTION ("app.about", 0),
-  KEYED (GENERAL, "app.quit", 0, ALL, "<Control>q", N_ ("Quit")),
+  KEYED (GENERAL, "app.preferences", ALL, "<Control>comma", N_ ("Preferences")),
+  KEYED (GENERAL, "app.quit", ALL, "<Control>q", N_ ("Quit")),
 };
 const gsize qn_action_row_count = G_N_ELEMENTS (qn_action_rows);
 
@@ -176,7 +101,7 @@ qn_action_dup_tooltip (const char *text, const char *detailed_name)
   const QnActionRow *row = qn_action_find (detailed_name);
   guint keyval = 0;
   GdkModifierType modifiers = 0;
-  if (row == NULL || row->keys == NULL)
+  if (row == NULL)
     return g_strdup (text);
   g_autofree char *key = dup_first_key (row->keys);
   gtk_accelerator_parse (key, &keyval, &modifiers);
@@ -243,7 +168,7 @@ qn_action_add_accelerators (GtkApplication *application)
 {
   for (gsize i = 0; i < qn_action_row_count; i++) {
     const QnActionRow *row = &qn_action_rows[i];
-    if (row->name == NULL || row->keys == NULL || row->reach != QN_REACH_ALL)
+    if (row->name == NULL || row->reach != QN_REACH_ALL)
       continue;
     g_auto (GStrv) keys = g_strsplit (row->keys, " ", -1);
     gtk_application_set_accels_for_action (application, row->name,

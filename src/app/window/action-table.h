@@ -1,31 +1,8 @@
-/* Every action of the program and its windows, with its shortcut, and when it can be carried out.
- * Accelerators, the window of shortcuts and the shortcuts in tooltips are made from this table;
- * actions that menus, buttons and sources name are checked against it. */
+/* Every action that has a shortcut. Accelerators, the window of shortcuts and the shortcuts in tooltips are made
+ * from this table. */
 #pragma once
 
 #include <gtk/gtk.h>
-
-/* What must hold for an action to be enabled; all of them. */
-typedef enum {
-  QN_NEEDS_NOTHING = 0,
-  QN_NEEDS_WORK = 1 << 0,        /* a drawing is shown, not the start page */
-  QN_NEEDS_MODEL = 1 << 1,       /* with blocks or beams */
-  QN_NEEDS_IDLE = 1 << 2,        /* no analysis runs that the user has asked for */
-  QN_NEEDS_JOB = 1 << 3,         /* one does */
-  QN_NEEDS_RUN = 1 << 4,         /* a result is chosen */
-  QN_NEEDS_COPYABLE = 1 << 5,    /* blocks, beams, a load or a bar are selected */
-  QN_NEEDS_BEAM_FORCES = 1 << 6, /* the result has section forces */
-  QN_NEEDS_UNDO = 1 << 7,        /* there is a step to undo */
-  QN_NEEDS_REDO = 1 << 8,        /* there is a step to do again */
-  QN_NEEDS_BLOCKS = 1 << 9,      /* blocks are selected */
-  QN_NEEDS_TWO_BLOCKS = 1 << 10, /* at least two */
-  QN_NEEDS_PARTS = 1 << 11,      /* blocks or beams are selected */
-  QN_NEEDS_MOVABLE = 1 << 12,    /* blocks, beams or an opening are selected */
-  QN_NEEDS_FACE = 1 << 13,       /* a contact face is selected */
-  QN_NEEDS_EXPORTED = 1 << 14,   /* a figure has been exported */
-  QN_NEEDS_THING = 1 << 15,      /* what can be copied, or an opening, is selected */
-  QN_NEEDS_READY = 1 << 16, /* a page in sight that has something to run can run it */
-} QnNeeds;
 
 /* Where the keys of an action work: wherever the focus is, not in entries, in the drawing alone. */
 typedef enum { QN_REACH_ALL, QN_REACH_NO_ENTRY, QN_REACH_DRAWING } QnReach;
@@ -43,8 +20,7 @@ typedef enum {
 
 typedef struct QnActionRow {
   const char *name; /* detailed, e.g. "win.view::model"; NULL: keys without an action */
-  QnNeeds needs;
-  const char *keys; /* accelerators with spaces between them, or NULL */
+  const char *keys; /* accelerators with spaces between them */
   QnReach reach;
   QnActionGroup group;
   const char *label; /* translatable, in the window of shortcuts */

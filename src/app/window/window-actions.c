@@ -10,23 +10,35 @@
 
 #define ZOOM_FACTOR 1.25
 
+/* Of an action: its QnWindowAction. */
+#define ROW "qn-row"
+
 static void
 on_table_action (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  const QnWindowAction *row = g_object_get_data (G_OBJECT (action), "qn-row");
+  const QnWindowAction *row = g_object_get_data (G_OBJECT (action), ROW);
   row->func (data, parameter);
 }
 
-void
-qn_window_add_action_table (QnWindow *self, const QnWindowAction *actions, gsize count)
+/* Keeps what an action does, and when it can be carried out. */
+static void
+set_row (QnWindow *self, const QnWindowAction *row)
 {
-  for (gsize i = 0; i < count; i++) {
-    const char *type = actions[i].parameter;
+  g_object_set_data (
+    G_OBJECT (g_action_map_lookup_action (G_ACTION_MAP (self), row->name)), ROW,
+    (gpointer) row);
+}
+
+static void
+add_table (QnWindow *self, const QnWindowAction *actions)
+{
+  for (; actions->name != NULL; actions++) {
+    const char *type = actions->parameter;
     g_autoptr (GSimpleAction) action =
-      g_simple_action_new (actions[i].name, type != NULL ? G_VARIANT_TYPE (type) : NULL);
-    g_object_set_data (G_OBJECT (action), "qn-row", (gpointer) &actions[i]);
+      g_simple_action_new (actions->name, type != NULL ? G_VARIANT_TYPE (type) : NULL);
     g_signal_connect (action, "activate", G_CALLBACK (on_table_action), self);
     g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
+    set_row (self, actions);
   }
 }
 
@@ -175,6 +187,14 @@ on_field (GSimpleAction *action, GVariant *value, gpointer data)
 }
 
 static void
+on_keep_history (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  g_simple_action_set_state (action, value);
+  qn_document_set_keeps_history (self->document, g_variant_get_boolean (value));
+}
+
+static void
 on_switch (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
@@ -206,6 +226,7 @@ add_stateful_actions (QnWindow *self)
       .state = "'M'",
       .change_state = on_diagram },
     { .name = "side-panel", .state = "true", .change_state = on_side_panel },
+    { .name = "keep-history", .state = "false", .change_state = on_keep_history },
     { .name = "field",
       .parameter_type = "s",
       .state = "'none'",
@@ -237,18 +258,34 @@ void
 qn_window_add_actions (QnWindow *self)
 {
   static const QnWindowAction actions[] = {
-    { "draw", NULL, new_drawing },
-    { "zoom-in", NULL, zoom_in },
-    { "zoom-out", NULL, zoom_out },
-    { "fit", NULL, fit },
-    { "play", NULL, play },
-    { "next-step", NULL, next_step },
-    { "previous-step", NULL, previous_step },
-    { "show-panel", "s", show_panel },
-    { "fullscreen", NULL, toggle_fullscreen },
+    { "draw", NULL, new_drawing, 0 },
+    { "zoom-in", NULL, zoom_in, 0 },
+    { "zoom-out", NULL, zoom_out, 0 },
+    { "fit", NULL, fit, 0 },
+    { "play", NULL, play, QN_NEEDS_RUN },
+    { "next-step", NULL, next_step, QN_NEEDS_RUN },
+    { "previous-step", NULL, previous_step, QN_NEEDS_RUN },
+    { "show-panel", "s", show_panel, 0 },
+    { "fullscreen", NULL, toggle_fullscreen, 0 },
+    { .name = NULL },
   };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+  static const QnWindowAction stateful[] = {
+    { "field", .needs = QN_NEEDS_RUN },
+    { "diagram", .needs = QN_NEEDS_RUN | QN_NEEDS_BEAM_FORCES },
+  };
+  const QnWindowAction *const tables[] = { actions,
+                                           qn_window_edit_actions,
+                                           qn_window_file_actions,
+                                           qn_window_import_actions,
+                                           qn_window_analysis_actions,
+                                           qn_window_export_actions,
+                                           qn_window_page_actions,
+                                           qn_window_print_actions };
+  for (gsize i = 0; i < G_N_ELEMENTS (tables); i++)
+    add_table (self, tables[i]);
   add_stateful_actions (self);
+  for (gsize i = 0; i < G_N_ELEMENTS (stateful); i++)
+    set_row (self, &stateful[i]);
 }
 
 static QnNeeds
@@ -304,27 +341,31 @@ find_facts (QnWindow *self)
   return all;
 }
 
+static void
+set_state (QnWindow *self, const char *name, GVariant *state)
+{
+  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), name);
+  g_simple_action_set_state (G_SIMPLE_ACTION (action), state);
+}
+
 void
 qn_window_update_actions (QnWindow *self)
 {
   QnNeeds facts = find_facts (self);
-  for (gsize i = 0; i < qn_action_row_count; i++) {
-    const QnActionRow *row = &qn_action_rows[i];
-    if (row->needs == QN_NEEDS_NOTHING)
-      continue;
-    GAction *action =
-      g_action_map_lookup_action (G_ACTION_MAP (self), row->name + strlen ("win."));
-    g_simple_action_set_enabled (G_SIMPLE_ACTION (action), (row->needs & ~facts) == 0);
+  g_auto (GStrv) names = g_action_group_list_actions (G_ACTION_GROUP (self));
+  for (char **name = names; *name != NULL; name++) {
+    GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), *name);
+    const QnWindowAction *row = g_object_get_data (G_OBJECT (action), ROW);
+    if (row != NULL)
+      g_simple_action_set_enabled (G_SIMPLE_ACTION (action), (row->needs & ~facts) == 0);
   }
   /* Loads have a switch for the model, and one for results. */
-  GAction *loads = g_action_map_lookup_action (G_ACTION_MAP (self), "loads");
-  g_simple_action_set_state (
-    G_SIMPLE_ACTION (loads),
-    g_variant_new_boolean (qn_view_state_get_switch (self->state, "loads")));
-  GAction *view = g_action_map_lookup_action (G_ACTION_MAP (self), "view");
-  g_simple_action_set_state (
-    G_SIMPLE_ACTION (view),
-    g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
+  set_state (self, "loads",
+             g_variant_new_boolean (qn_view_state_get_switch (self->state, "loads")));
+  set_state (self, "view",
+             g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
+  set_state (self, "keep-history",
+             g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
 }
 
 /* ---- keys without an accelerator, which entries and the drawing's gestures see first ---- */

@@ -347,18 +347,14 @@ qn_window_connect_analysis (QnWindow *self)
   on_job_changed (self);
 }
 
-void
-qn_window_add_analysis_actions (QnWindow *self)
-{
-  static const QnWindowAction actions[] = {
-    { "run", NULL, run },
-    { "run-shown", NULL, run_shown },
-    { "cancel", NULL, cancel },
-    { "pause", NULL, pause_or_resume },
-    { "run-limit", "s", run_limit },
-    { "run-all", NULL, run_all },
-    { "run-modes", "s", run_modes },
-    { "run-stability", NULL, run_stability },
-  };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
-}
+const QnWindowAction qn_window_analysis_actions[] = {
+  { "run", NULL, run, QN_NEEDS_SOLVABLE },
+  { "run-shown", NULL, run_shown, QN_NEEDS_SOLVABLE | QN_NEEDS_READY },
+  { "cancel", NULL, cancel, QN_NEEDS_JOB },
+  { "pause", NULL, pause_or_resume, QN_NEEDS_JOB },
+  { "run-limit", "s", run_limit, QN_NEEDS_SOLVABLE },
+  { "run-all", NULL, run_all, QN_NEEDS_SOLVABLE },
+  { "run-modes", "s", run_modes, QN_NEEDS_SOLVABLE },
+  { "run-stability", NULL, run_stability, QN_NEEDS_SOLVABLE },
+  { .name = NULL },
+};

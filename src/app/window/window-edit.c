@@ -558,33 +558,29 @@ paste (QnWindow *self, GVariant *parameter)
                                  on_clipboard_text, g_object_ref (self));
 }
 
-void
-qn_window_add_edit_actions (QnWindow *self)
-{
-  static const QnWindowAction actions[] = {
-    { "delete", NULL, delete_selected },
-    { "detach", NULL, detach },
-    { "mirror", "s", mirror },
-    { "rotate", "d", rotate },
-    { "duplicate", NULL, duplicate },
-    { "join", NULL, join },
-    { "array", "(iddd)", array },
-    { "nudge", "(dd)", nudge },
-    { "align", "s", align },
-    { "distribute", "s", distribute },
-    { "support", "s", hold },
-    { "joint-law", "s", set_joint_law },
-    { "copy-text", "s", copy_text },
-    { "undo", NULL, undo },
-    { "redo", NULL, redo },
-    { "go-to-step", "i", go_to_step },
-    { "remove-run", NULL, remove_run },
-    { "select-all", NULL, select_all },
-    { "select-like", "s", select_like },
-    { "select-faces-like", "s", select_faces_like },
-    { "copy", NULL, copy },
-    { "cut", NULL, cut },
-    { "paste", NULL, paste },
-  };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
-}
+const QnWindowAction qn_window_edit_actions[] = {
+  { "delete", NULL, delete_selected, QN_NEEDS_THING },
+  { "detach", NULL, detach, QN_NEEDS_BLOCKS },
+  { "mirror", "s", mirror, QN_NEEDS_PARTS },
+  { "rotate", "d", rotate, QN_NEEDS_PARTS },
+  { "duplicate", NULL, duplicate, QN_NEEDS_COPYABLE },
+  { "join", NULL, join, QN_NEEDS_TWO_BLOCKS },
+  { "array", "(iddd)", array, QN_NEEDS_PARTS },
+  { "nudge", "(dd)", nudge, QN_NEEDS_MOVABLE },
+  { "align", "s", align, QN_NEEDS_PARTS },
+  { "distribute", "s", distribute, QN_NEEDS_PARTS },
+  { "support", "s", hold, QN_NEEDS_BLOCKS },
+  { "joint-law", "s", set_joint_law, QN_NEEDS_FACE },
+  { "copy-text", "s", copy_text, 0 },
+  { "undo", NULL, undo, QN_NEEDS_WORK | QN_NEEDS_UNDO },
+  { "redo", NULL, redo, QN_NEEDS_WORK | QN_NEEDS_REDO },
+  { "go-to-step", "i", go_to_step, QN_NEEDS_WORK },
+  { "remove-run", NULL, remove_run, QN_NEEDS_RUN },
+  { "select-all", NULL, select_all, QN_NEEDS_MODEL },
+  { "select-like", "s", select_like, QN_NEEDS_BLOCKS },
+  { "select-faces-like", "s", select_faces_like, QN_NEEDS_FACE },
+  { "copy", NULL, copy, QN_NEEDS_BLOCKS },
+  { "cut", NULL, cut, QN_NEEDS_BLOCKS },
+  { "paste", NULL, paste, QN_NEEDS_WORK },
+  { .name = NULL },
+};

@@ -15,61 +15,6 @@
 
 /* ---- what is written ---- */
 
-/* The project as it was solved, whatever has been drawn since. */
-static QnProject
-solved_project (QnWindow *self, const QnRun *run)
-{
-  QnProject project = *qn_document_get_project (self->document);
-  project.model = run->model;
-  return project;
-}
-
-static gboolean
-write_curve (QnWindow *self, const char *path, GError **error)
-{
-  const QnRun *run = qn_document_get_run (self->document);
-  QnProject project = solved_project (self, run);
-  return qn_curve_csv_write (path, &project, &run->result, error);
-}
-
-static gboolean
-write_contacts (QnWindow *self, const char *path, GError **error)
-{
-  const QnRun *run = qn_document_get_run (self->document);
-  QnProject project = solved_project (self, run);
-  return qn_contacts_csv_write (path, &project, &run->contacts, &run->result, error);
-}
-
-static gboolean
-write_cracks (QnWindow *self, const char *path, GError **error)
-{
-  const QnRun *run = qn_document_get_run (self->document);
-  QnProject project = solved_project (self, run);
-  return qn_cracks_csv_write (path, &project, &run->contacts, &run->result, error);
-}
-
-static gboolean
-write_beams (QnWindow *self, const char *path, GError **error)
-{
-  const QnRun *run = qn_document_get_run (self->document);
-  QnProject project = solved_project (self, run);
-  return qn_beams_csv_write (path, &project, &run->result, error);
-}
-
-static gboolean
-write_steps (QnWindow *self, const char *path, GError **error)
-{
-  const QnRun *run = qn_document_get_run (self->document);
-  return qn_vtu_export (&run->model, &run->contacts, &run->result, path, error);
-}
-
-static gboolean
-write_result (QnWindow *self, const char *path, GError **error)
-{
-  return qn_document_write_result (self->document, qn_document_get_run (self->document),
-                                   path, error);
-}
-
 static void
 on_report_written (GObject *source, GAsyncResult *result, gpointer data)
 {
@@ -103,57 +48,56 @@ write_report (QnWindow *self, const char *path)
   qn_window_update_actions (self);
 }
 
-/* In metres, as it is drawn. */
-static gboolean
-write_drawing (QnWindow *self, const char *path, GError **error)
-{
-  return qn_dxf_export (qn_document_get_model (self->document),
-                        qn_document_get_contacts (self->document), NULL, 1.0, 1.0, path,
-                        error);
-}
-
 /* ---- choosing the file ---- */
 
-typedef gboolean (*WriteFunc) (QnWindow *window, const char *path, GError **error);
+enum { RESULT, REPORT, STEPS, CURVE, CONTACTS, CRACKS, BEAMS, DRAWING };
 
 /* By the parameter of the action "export-result". */
 static const struct {
-  const char *name;
-  const char *title;
-  const char *file;
+  const char *name, *title, *file;
   const char *endings[2];
-  WriteFunc write;
 } exports[] = {
-  { "result", N_ ("Export Result File"), N_ ("result.json"), { ".json" }, write_result },
-  { "report", N_ ("Export Report"), N_ ("report.pdf"), { ".pdf" }, NULL },
-  { "steps",
-    N_ ("Export Steps for ParaView"),
-    N_ ("steps.pvd"),
-    { ".pvd" },
-    write_steps },
-  { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), { ".csv" }, write_curve },
-  { "contacts",
-    N_ ("Export Contacts as Table"),
-    N_ ("contacts.csv"),
-    { ".csv" },
-    write_contacts },
-  { "cracks",
-    N_ ("Export Cracks as Table"),
-    N_ ("cracks.csv"),
-    { ".csv" },
-    write_cracks },
-  { "beams",
-    N_ ("Export Section Forces as Table"),
-    N_ ("beams.csv"),
-    { ".csv" },
-    write_beams },
-  { "drawing",
-    N_ ("Export Drawing as DXF"),
-    N_ ("drawing.dxf"),
-    { ".dxf" },
-    write_drawing },
+  [RESULT] = { "result", N_ ("Export Result File"), N_ ("result.json"), { ".json" } },
+  [REPORT] = { "report", N_ ("Export Report"), N_ ("report.pdf"), { ".pdf" } },
+  [STEPS] = { "steps", N_ ("Export Steps for ParaView"), N_ ("steps.pvd"), { ".pvd" } },
+  [CURVE] = { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), { ".csv" } },
+  [CONTACTS] = { "contacts",
+                 N_ ("Export Contacts as Table"),
+                 N_ ("contacts.csv"),
+                 { ".csv" } },
+  [CRACKS] = { "cracks", N_ ("Export Cracks as Table"), N_ ("cracks.csv"), { ".csv" } },
+  [BEAMS] = { "beams",
+              N_ ("Export Section Forces as Table"),
+              N_ ("beams.csv"),
+              { ".csv" } },
+  [DRAWING] = { "drawing", N_ ("Export Drawing as DXF"), N_ ("drawing.dxf"), { ".dxf" } },
 };
-#define DRAWING (G_N_ELEMENTS (exports) - 1)
+
+/* Results with the project as it was solved, whatever has been drawn since; the drawing in metres. */
+static gboolean
+write_file (QnWindow *self, gsize i, const char *path, GError **error)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  QnProject project = *qn_document_get_project (self->document);
+  if (i == DRAWING)
+    return qn_dxf_export (&project.model, qn_document_get_contacts (self->document), NULL,
+                          1.0, 1.0, path, error);
+  project.model = run->model;
+  switch (i) {
+  case RESULT:
+    return qn_document_write_result (self->document, run, path, error);
+  case STEPS:
+    return qn_vtu_export (&run->model, &run->contacts, &run->result, path, error);
+  case CURVE:
+    return qn_curve_csv_write (path, &project, &run->result, error);
+  case BEAMS:
+    return qn_beams_csv_write (path, &project, &run->result, error);
+  case CONTACTS:
+    return qn_contacts_csv_write (path, &project, &run->contacts, &run->result, error);
+  default:
+    return qn_cracks_csv_write (path, &project, &run->contacts, &run->result, error);
+  }
+}
 
 static void
 export_to (QnWindow *self, gsize i, const char *path)
@@ -161,11 +105,11 @@ export_to (QnWindow *self, gsize i, const char *path)
   g_autoptr (GError) error = NULL;
   if (i != DRAWING && qn_document_get_run (self->document) == NULL)
     return;
-  if (exports[i].write == NULL) {
+  if (i == REPORT) {
     write_report (self, path);
     return;
   }
-  if (!exports[i].write (self, path, &error)) {
+  if (!write_file (self, i, path, &error)) {
     qn_window_show_error (self, error->message);
     return;
   }
@@ -243,9 +187,7 @@ export_figure (QnWindow *self, GVariant *parameter)
 static void
 choose_report (GtkWindow *window)
 {
-  for (gsize i = 0; i < DRAWING; i++)
-    if (exports[i].write == NULL)
-      choose_file (QN_WINDOW (window), i);
+  choose_file (QN_WINDOW (window), REPORT);
 }
 
 static void
@@ -320,17 +262,13 @@ open_result (QnWindow *self, GVariant *parameter)
   qn_window_choose_file (self, &results);
 }
 
-void
-qn_window_add_export_actions (QnWindow *self)
-{
-  static const QnWindowAction actions[] = {
-    { "export", NULL, export_figure },
-    { "repeat-export", NULL, repeat_export },
-    { "export-result", "s", export_result },
-    { "export-drawing", NULL, export_drawing },
-    { "export-path", "(ss)", export_path },
-    { "open-result", NULL, open_result },
-    { "open-result-path", "s", open_result_path },
-  };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
-}
+const QnWindowAction qn_window_export_actions[] = {
+  { "export", NULL, export_figure, QN_NEEDS_DRAWN },
+  { "repeat-export", NULL, repeat_export, QN_NEEDS_WORK | QN_NEEDS_EXPORTED },
+  { "export-result", "s", export_result, QN_NEEDS_RUN },
+  { "export-drawing", NULL, export_drawing, QN_NEEDS_DRAWN },
+  { "export-path", "(ss)", export_path, 0 },
+  { "open-result", NULL, open_result, QN_NEEDS_DRAWN },
+  { "open-result-path", "s", open_result_path, QN_NEEDS_DRAWN },
+  { .name = NULL },
+};

@@ -364,39 +364,13 @@ close_window (QnWindow *self, GVariant *parameter)
   gtk_window_close (GTK_WINDOW (self));
 }
 
-/* ---- history in the file ---- */
-
-static void
-on_keep_history (GSimpleAction *action, GVariant *value, gpointer data)
-{
-  QnWindow *self = data;
-  g_simple_action_set_state (action, value);
-  qn_document_set_keeps_history (self->document, g_variant_get_boolean (value));
-}
-
-static void
-update_keep_history (QnWindow *self)
-{
-  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), "keep-history");
-  g_simple_action_set_state (
-    G_SIMPLE_ACTION (action),
-    g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
-}
-
-void
-qn_window_add_file_actions (QnWindow *self)
-{
-  const GActionEntry entry = { .name = "keep-history",
-                               .state = "false",
-                               .change_state = on_keep_history };
-  g_action_map_add_action_entries (G_ACTION_MAP (self), &entry, 1, self);
-  g_signal_connect_object (self->document, "history-changed",
-                           G_CALLBACK (update_keep_history), self, G_CONNECT_SWAPPED);
-  static const QnWindowAction actions[] = {
-    { "open", NULL, open_dialog },         { "open-path", "s", open_path },
-    { "open-example", "s", open_example }, { "save", NULL, save },
-    { "save-as", NULL, save_as },          { "save-path", "s", save_to_path },
-    { "close", NULL, close_window },
-  };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
-}
+const QnWindowAction qn_window_file_actions[] = {
+  { "open", NULL, open_dialog, 0 },
+  { "open-path", "s", open_path, 0 },
+  { "open-example", "s", open_example, 0 },
+  { "save", NULL, save, QN_NEEDS_WORK },
+  { "save-as", NULL, save_as, QN_NEEDS_WORK },
+  { "save-path", "s", save_to_path, 0 },
+  { "close", NULL, close_window, 0 },
+  { .name = NULL },
+};

@@ -142,13 +142,12 @@ picture (QnWindow *self, GVariant *parameter)
   qn_window_choose_file (self, &pictures);
 }
 
-void
-qn_window_add_import_actions (QnWindow *self)
-{
-  static const QnWindowAction actions[] = {
-    { "import", NULL, import_drawing },    { "facade-strip", NULL, facade_strip },
-    { "take-path", "s", take_path },       { "picture", NULL, picture },
-    { "picture-path", "s", picture_path }, { "remove-picture", NULL, remove_picture },
-  };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
-}
+const QnWindowAction qn_window_import_actions[] = {
+  { "import", NULL, import_drawing, 0 },
+  { "facade-strip", NULL, facade_strip, 0 },
+  { "take-path", "s", take_path, 0 },
+  { "picture", NULL, picture, 0 },
+  { "picture-path", "s", picture_path, 0 },
+  { "remove-picture", NULL, remove_picture, 0 },
+  { .name = NULL },
+};

@@ -274,19 +274,15 @@ qn_window_open_study (QnWindow *self, const char *path)
   return show_study (self, path) != NULL;
 }
 
-void
-qn_window_add_page_actions (QnWindow *self)
-{
-  static const QnWindowAction actions[] = {
-    { "compare", NULL, compare },
-    { "envelope", NULL, envelope },
-    { "capacity", NULL, capacity },
-    { "figures", NULL, figures },
-    { "study", NULL, study },
-    { "vary", "(sd)", vary },
-    { "move-load", "ad", move_load },
-    { "close-page", NULL, close_page },
-    { "show-drawing", NULL, show_drawing },
-  };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
-}
+const QnWindowAction qn_window_page_actions[] = {
+  { "compare", NULL, compare, 0 },
+  { "envelope", NULL, envelope, QN_NEEDS_DRAWN },
+  { "capacity", NULL, capacity, QN_NEEDS_SOLVABLE },
+  { "figures", NULL, figures, QN_NEEDS_WORK },
+  { "study", NULL, study, QN_NEEDS_DRAWN },
+  { "vary", "(sd)", vary, QN_NEEDS_DRAWN },
+  { "move-load", "ad", move_load, QN_NEEDS_DRAWN },
+  { "close-page", NULL, close_page, 0 },
+  { "show-drawing", NULL, show_drawing, 0 },
+  { .name = NULL },
+};

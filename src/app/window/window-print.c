@@ -86,12 +86,8 @@ print_path (QnWindow *self, GVariant *parameter)
             g_variant_get_string (parameter, NULL));
 }
 
-void
-qn_window_add_print_actions (QnWindow *self)
-{
-  static const QnWindowAction actions[] = {
-    { "print", NULL, print },
-    { "print-path", "s", print_path },
-  };
-  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
-}
+const QnWindowAction qn_window_print_actions[] = {
+  { "print", NULL, print, QN_NEEDS_DRAWN },
+  { "print-path", "s", print_path, QN_NEEDS_DRAWN },
+  { .name = NULL },
+};

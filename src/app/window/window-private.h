@@ -90,6 +90,7 @@ struct _QnWindow {
   QN_WINDOW_CHILDREN (CHILD)
 #undef CHILD
   GtkWidget *playback;
+  int panel_width;    /* px that the side panel asks for, where it has them */
   gboolean is_narrow; /* too narrow for drawing and side panel beside each other */
   gboolean is_tight;  /* too narrow for any drawing beside the side panel */
   gboolean is_small;  /* too narrow for a title between all buttons */
@@ -113,20 +114,15 @@ void qn_window_add_context_menu (QnWindow *window);
 /* window-help.c: pages of the manual. */
 void qn_window_add_help_pages (QnWindow *window);
 
-/* window-edit.c: actions that change the drawing. */
-void qn_window_add_edit_actions (QnWindow *window);
-
 /* Takes over a value that is being typed, as leaving its field does. */
 void qn_window_commit_entry (QnWindow *window);
 
 /* window-files.c: open, save, close. */
-void qn_window_add_file_actions (QnWindow *window);
 void qn_window_remember_recent (const char *path);
 /* Asks about unsaved changes; TRUE when the window may close at once. */
 gboolean qn_window_may_close (QnWindow *window);
 
 /* window-import.c: drawings of other programs, pictures, dropped files. */
-void qn_window_add_import_actions (QnWindow *window);
 void qn_window_accept_drops (QnWindow *window);
 /* Opens, imports or lays behind the drawing, by the kind of file. */
 void qn_window_take_file (QnWindow *window, const char *path);
@@ -135,11 +131,7 @@ void qn_window_take_file (QnWindow *window, const char *path);
 void qn_window_choose_file (QnWindow *window, const QnFileKind *kind);
 
 /* window-analysis.c: run, progress, live mode. */
-void qn_window_add_analysis_actions (QnWindow *window);
 void qn_window_connect_analysis (QnWindow *window);
-
-/* window-export.c: figures, animations, tables, comparison. */
-void qn_window_add_export_actions (QnWindow *window);
 
 /* A result file of the project: added to the runs and shown. */
 void qn_window_open_result (QnWindow *window, const char *path);
@@ -148,7 +140,6 @@ void qn_window_open_result (QnWindow *window, const char *path);
 void qn_window_show_work (QnWindow *window);
 
 /* window-pages.c: pages under the drawing. */
-void qn_window_add_page_actions (QnWindow *window);
 void qn_window_remove_pages (QnWindow *window);
 /* The one in sight, or NULL. */
 GtkWidget *qn_window_get_page (QnWindow *window);
@@ -162,14 +153,38 @@ void qn_window_show_drawing (QnWindow *window, gboolean alone);
 /* Opens the project that a study file names, and shows the study. */
 gboolean qn_window_open_study (QnWindow *window, const char *path);
 
-/* window-print.c */
-void qn_window_add_print_actions (QnWindow *window);
+/* What must hold for an action to be enabled; all of them. */
+typedef enum {
+  QN_NEEDS_NOTHING = 0,
+  QN_NEEDS_WORK = 1 << 0,        /* a drawing is shown, not the start page */
+  QN_NEEDS_MODEL = 1 << 1,       /* with blocks or beams */
+  QN_NEEDS_IDLE = 1 << 2,        /* no analysis runs that the user has asked for */
+  QN_NEEDS_JOB = 1 << 3,         /* one does */
+  QN_NEEDS_RUN = 1 << 4,         /* a result is chosen */
+  QN_NEEDS_COPYABLE = 1 << 5,    /* blocks, beams, a load or a bar are selected */
+  QN_NEEDS_BEAM_FORCES = 1 << 6, /* the result has section forces */
+  QN_NEEDS_UNDO = 1 << 7,        /* there is a step to undo */
+  QN_NEEDS_REDO = 1 << 8,        /* there is a step to do again */
+  QN_NEEDS_BLOCKS = 1 << 9,      /* blocks are selected */
+  QN_NEEDS_TWO_BLOCKS = 1 << 10, /* at least two */
+  QN_NEEDS_PARTS = 1 << 11,      /* blocks or beams are selected */
+  QN_NEEDS_MOVABLE = 1 << 12,    /* blocks, beams or an opening are selected */
+  QN_NEEDS_FACE = 1 << 13,       /* a contact face is selected */
+  QN_NEEDS_EXPORTED = 1 << 14,   /* a figure has been exported */
+  QN_NEEDS_THING = 1 << 15,      /* what can be copied, or an opening, is selected */
+  QN_NEEDS_READY = 1 << 16, /* a page in sight that has something to run can run it */
+} QnNeeds;
 
-/* Adds actions that call func (window) or, with a parameter type, func (window, value). */
+#define QN_NEEDS_DRAWN    (QN_NEEDS_WORK | QN_NEEDS_MODEL)
+#define QN_NEEDS_SOLVABLE (QN_NEEDS_DRAWN | QN_NEEDS_IDLE)
+
+/* Actions of one source; the last has no name. */
 typedef struct QnWindowAction {
   const char *name;
   const char *parameter; /* type of the parameter, or NULL */
   void (*func) (QnWindow *window, GVariant *parameter);
+  QnNeeds needs;
 } QnWindowAction;
-void qn_window_add_action_table (QnWindow *window, const QnWindowAction *actions,
-                                 gsize count);
+extern const QnWindowAction qn_window_edit_actions[], qn_window_file_actions[],
+  qn_window_import_actions[], qn_window_analysis_actions[], qn_window_export_actions[],
+  qn_window_page_actions[], qn_window_print_actions[];

@@ -463,9 +463,10 @@ place_message (GtkOverlay *overlay, GtkWidget *message, GdkRectangle *place,
 static void
 on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
 {
-  int panel = 0;
-  gtk_widget_measure (GTK_WIDGET (self->side_stack), GTK_ORIENTATION_HORIZONTAL, -1,
-                      &panel, NULL, NULL, NULL);
+  if (!gtk_widget_has_css_class (self->side_panel, "fitted"))
+    gtk_widget_measure (GTK_WIDGET (self->side_stack), GTK_ORIENTATION_HORIZONTAL, -1,
+                        &self->panel_width, NULL, NULL, NULL);
+  const int panel = self->panel_width;
   const double text = qn_text_unit (GTK_WIDGET (self)) / QN_TEXT_UNIT;
   gboolean narrow = width < DRAWING_WIDTH + panel;
   gboolean tight = width < LEAST_DRAWING * text + panel,
@@ -481,6 +482,11 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
     self->is_tight = tight;
     qn_window_arrange (self);
   }
+  /* Large text asks for more than there may be. */
+  if (width < panel)
+    gtk_widget_add_css_class (self->side_panel, "fitted");
+  else
+    gtk_widget_remove_css_class (self->side_panel, "fitted");
   if (narrow == self->is_narrow)
     return;
   self->is_narrow = narrow;
@@ -549,13 +555,6 @@ qn_window_init (QnWindow *self)
   self->tool_settings.masonry.unit_weight = QN_IMPORT_DEFAULTS.unit_weight;
   qn_canvas_set_state (self->canvas, self->state, &self->tool_settings, &qn_tool_select);
   qn_window_add_actions (self);
-  qn_window_add_edit_actions (self);
-  qn_window_add_file_actions (self);
-  qn_window_add_import_actions (self);
-  qn_window_add_analysis_actions (self);
-  qn_window_add_export_actions (self);
-  qn_window_add_print_actions (self);
-  qn_window_add_page_actions (self);
   qn_window_add_keys (self);
   build_tools (self);
   build_panels (self);
