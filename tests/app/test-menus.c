@@ -538,7 +538,7 @@ test_variants (void)
   gtk_widget_grab_focus (entry);
   driver_key ("ctrl+a");
   driver_type ("rough");
-  driver_key ("Return");
+  driver_key ("Tab"); /* leaving takes it, too */
   g_assert_cmpstr (run->name, ==, "rough, load control");
   driver_screenshot (GTK_WIDGET (window), "run-name");
   driver_discard (window);

@@ -9,8 +9,9 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-/* What an entry tells by itself, while it shows a refusal. */
+/* What an entry tells by itself, while it shows a refusal; what it has shown or was last taken of it. */
 #define TOOLTIP "qn-tooltip"
+#define KNOWN   "qn-known"
 
 static GMenuModel *make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data);
 
@@ -162,8 +163,15 @@ take_checks (GtkWidget *box)
 }
 
 static void
+know_text (GtkWidget *entry, const char *text)
+{
+  g_object_set_data_full (G_OBJECT (entry), KNOWN, g_strdup (text), g_free);
+}
+
+static void
 show_text (GtkEditable *entry, const char *text)
 {
+  know_text (GTK_WIDGET (entry), text);
   if (!g_str_equal (gtk_editable_get_text (entry), text))
     gtk_editable_set_text (entry, text);
 }
@@ -187,6 +195,8 @@ show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
       gtk_check_button_set_label (GTK_CHECK_BUTTON (widget), value->text);
   } else if (GTK_IS_SWITCH (widget))
     gtk_switch_set_active (GTK_SWITCH (widget), on);
+  else if (GTK_IS_TOGGLE_BUTTON (widget))
+    gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (widget), on);
   else if (GTK_IS_SPIN_BUTTON (widget))
     gtk_spin_button_set_value (GTK_SPIN_BUTTON (widget), value->number);
   else if (GTK_IS_RANGE (widget))
@@ -366,6 +376,8 @@ take_value (GtkWidget *widget)
     value.number = gtk_check_button_get_active (GTK_CHECK_BUTTON (widget));
   else if (GTK_IS_SWITCH (widget))
     value.number = gtk_switch_get_active (GTK_SWITCH (widget));
+  else if (GTK_IS_TOGGLE_BUTTON (widget))
+    value.number = gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (widget));
   else if (GTK_IS_SPIN_BUTTON (widget))
     value.number = gtk_spin_button_get_value (GTK_SPIN_BUTTON (widget));
   else if (GTK_IS_RANGE (widget))
@@ -490,6 +502,8 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   Entered entered = { .form = form,
                       .field = field_of (form, widget),
                       .value = take_value (widget) };
+  if (entered.value.text != NULL)
+    know_text (widget, entered.value.text);
   GtkWidget *popover = gtk_widget_get_ancestor (widget, GTK_TYPE_POPOVER);
   if (popover != NULL && GTK_IS_BUTTON (widget))
     gtk_popover_popdown (GTK_POPOVER (popover));
@@ -568,6 +582,18 @@ on_list_key (GtkEventControllerKey *keys, guint key, guint code, GdkModifierType
   return wanted != NULL && (removes || gtk_widget_grab_focus (wanted));
 }
 
+/* Not while the window goes, nor what was taken, or refused, already. */
+static void
+on_left (GtkEventController *focus, QnBoundForm *form)
+{
+  GtkWidget *entry = gtk_event_controller_get_widget (focus);
+  if (gtk_widget_get_mapped (entry)
+      && g_strcmp0 (gtk_editable_get_text (GTK_EDITABLE (entry)),
+                    g_object_get_data (G_OBJECT (entry), KNOWN))
+           != 0)
+    on_entered (entry, form);
+}
+
 static void
 on_refused (QnQuantityEntry *entry, const char *reason, QnBoundForm *form)
 {
@@ -591,6 +617,7 @@ connect (QnBoundForm *form, GtkWidget *widget)
     { gtk_spin_button_get_type, "value-changed", G_CALLBACK (on_entered) },
     { gtk_range_get_type, "value-changed", G_CALLBACK (on_entered) },
     { gtk_entry_get_type, "activate", G_CALLBACK (on_entered) },
+    { gtk_toggle_button_get_type, "toggled", G_CALLBACK (on_entered) },
     { gtk_button_get_type, "clicked", G_CALLBACK (on_entered) },
   };
   /* Where buttons have little room their words go below each other. */
@@ -609,6 +636,11 @@ connect (QnBoundForm *form, GtkWidget *widget)
       g_signal_connect (widget, signals[i].signal, signals[i].callback, form);
       break;
     }
+  if (GTK_IS_ENTRY (widget) && !QN_IS_QUANTITY_ENTRY (widget)) { /* which do so */
+    GtkEventController *focus = gtk_event_controller_focus_new ();
+    g_signal_connect (focus, "leave", G_CALLBACK (on_left), form);
+    gtk_widget_add_controller (widget, focus);
+  }
   if (GTK_IS_LIST_BOX (widget)) {
     GtkEventController *keys = gtk_event_controller_key_new ();
     g_signal_connect (keys, "key-pressed", G_CALLBACK (on_list_key), form);
@@ -624,14 +656,20 @@ connect (QnBoundForm *form, GtkWidget *widget)
 
 /* ---- context menus ---- */
 
-/* A button that does something with what the form is about, and can be pressed now. */
+/* A button that does something with what the form is about; and that can be pressed now. */
+static gboolean
+is_named (GtkWidget *button)
+{
+  return !GTK_IS_TOGGLE_BUTTON (button)
+         && gtk_button_get_label (GTK_BUTTON (button)) != NULL
+         && gtk_actionable_get_action_name (GTK_ACTIONABLE (button)) == NULL;
+}
+
 static gboolean
 is_command (GtkWidget *widget)
 {
-  return GTK_IS_BUTTON (widget) && !GTK_IS_TOGGLE_BUTTON (widget)
-         && gtk_button_get_label (GTK_BUTTON (widget)) != NULL
-         && gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)) == NULL
-         && gtk_widget_get_visible (widget) && gtk_widget_get_sensitive (widget);
+  return GTK_IS_BUTTON (widget) && is_named (widget) && gtk_widget_get_visible (widget)
+         && gtk_widget_get_sensitive (widget);
 }
 
 /* The buttons of the form, for the row of a list that was clicked or has the focus, or for what a
@@ -678,7 +716,7 @@ add_menus (QnBoundForm *form)
   gtk_widget_insert_action_group (form->root, "form", G_ACTION_GROUP (group));
   gboolean any = FALSE;
   for (guint i = 0; i < form->kind->field_count; i++)
-    any = any || GTK_IS_BUTTON (form->widgets[i]);
+    any = any || (GTK_IS_BUTTON (form->widgets[i]) && is_named (form->widgets[i]));
   for (guint i = 0; any && i < form->kind->field_count; i++)
     if (GTK_IS_DROP_DOWN (form->widgets[i]) && form->kind->fields[i].step == NULL)
       qn_context_menu_attach (form->widgets[i], make_menu, form);
@@ -768,6 +806,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
     const char *signal;
   } signals[] = { { QN_FOLLOW_SELECTION, qn_canvas_get_selection (canvas), "changed" },
                   { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "runs-changed" },
+                  { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "job-changed" },
                   { QN_FOLLOW_VIEW, qn_canvas_get_state (canvas), "changed" } };
   GCallback callback = G_CALLBACK (qn_bound_form_show);
   qn_watch (form->root, qn_canvas_get_document (canvas), "changed", callback, form);

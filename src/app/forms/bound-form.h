@@ -9,7 +9,7 @@
  * How widgets show a value: QnQuantityEntry its number; GtkDropDown, GtkListBox the row; check
  * buttons, switches, toggle buttons whether they are on; scales and spin buttons their number;
  * entries and labels the text; a vertical box has a check for each row, and a bit of the number
- * says whether it is on. Plain buttons and lists call with no value but the row. */
+ * says whether it is on. Plain buttons and lists call with no value but the row. What was typed into an entry is taken by Enter, and where it loses the focus. */
 #pragma once
 
 #include "app/canvas/canvas.h"
@@ -62,7 +62,7 @@ typedef struct QnBoundForm QnBoundForm;
 
 typedef enum {
   QN_FOLLOW_SELECTION = 1 << 0,
-  QN_FOLLOW_RUNS = 1 << 1,
+  QN_FOLLOW_RUNS = 1 << 1, /* and the analysis that runs */
   QN_FOLLOW_VIEW = 1 << 2, /* what the view state shows, such as the step */
   QN_FOLLOW_TOOL = 1 << 3
 } QnFollow;

@@ -1,3 +1,4 @@
+#include "app/forms/bound-form.h"
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
@@ -10,68 +11,37 @@
 #include <glib/gi18n.h>
 
 typedef struct Panel {
-  QnViewState *state;
-  GtkWidget *empty, *content, *curve;
-  GtkDropDown *runs, *stage, *onion;
-  GtkEditable *name;
+  QnBoundForm base;
+  GtkWidget *curve;
 } Panel;
+
+#define FIELDS(FIELD, MEMBER)                                                            \
+  FIELD (EMPTY, "empty", NULL)                                                           \
+  FIELD (CONTENT, "content", NULL)                                                       \
+  FIELD (RUNS, "runs", NULL)                                                             \
+  FIELD (NAME, "run_name", NULL)                                                         \
+  FIELD (STAGE, "stage", NULL)                                                           \
+  FIELD (ONION, "onion", NULL)                                                           \
+  FIELD (VIEWS, "views", NULL)                                                           \
+  FIELD (TABLES, "tables", NULL)
+QN_FORM_FIELDS;
 
 static QnDocument *
 document_of (const Panel *panel)
 {
-  return qn_view_state_get_document (panel->state);
+  return qn_canvas_get_document (panel->base.canvas);
 }
 
-static const QnRun *
-run_of (const Panel *panel)
+static QnViewState *
+state_of (const Panel *panel)
 {
-  return qn_document_get_run (document_of (panel));
+  return qn_canvas_get_state (panel->base.canvas);
 }
 
-/* Runs after edits and cases of studies have no name of their own. */
-static void
-update_name (Panel *panel)
-{
-  const QnRun *run = run_of (panel);
-  const char *label = run != NULL ? run->label : NULL;
-  gtk_widget_set_visible (GTK_WIDGET (panel->name), label != NULL);
-  if (label != NULL && g_strcmp0 (gtk_editable_get_text (panel->name), label) != 0)
-    gtk_editable_set_text (panel->name, label);
-}
-
-static void
-on_run_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
-{
-  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
-  guint row = gtk_drop_down_get_selected (choice);
-  if (row < runs->len)
-    qn_document_set_run (document_of (panel), g_ptr_array_index (runs, row));
-}
-
-static void
-on_onion_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
-{
-  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
-  guint row = gtk_drop_down_get_selected (choice);
-  qn_view_state_set_onion (
-    panel->state, row > 0 && row <= runs->len ? g_ptr_array_index (runs, row - 1) : NULL);
-}
-
-static void
-on_named (Panel *panel)
-{
-  const QnRun *run = run_of (panel);
-  g_autoptr (GError) error = NULL;
-  if (!gtk_widget_get_mapped (GTK_WIDGET (panel->name))) /* the window goes */
-    return;
-  if (run == NULL
-      || !qn_document_rename_run (document_of (panel), run,
-                                  gtk_editable_get_text (panel->name), &error))
-    update_name (panel);
-}
+/* ---- what is shown ---- */
 
 static char *
-dup_run_title (Panel *panel, const QnRun *run)
+dup_run_title (const Panel *panel, const QnRun *run)
 {
   const char *mark =
     qn_document_get_run_age (document_of (panel), run) == QN_RUN_OTHER_MODEL ? "⚠ " : "";
@@ -79,94 +49,135 @@ dup_run_title (Panel *panel, const QnRun *run)
   return g_strconcat (mark, title, NULL);
 }
 
+/* The runs, with the row of `chosen` among them; -1: none. */
 static void
-update_runs (Panel *panel)
+add_runs (const Panel *panel, const QnRun *chosen, QnValue *value)
 {
   const GPtrArray *runs = qn_document_get_runs (document_of (panel));
-  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
-  guint selected = GTK_INVALID_LIST_POSITION, onion = 0;
-  g_ptr_array_add (names, g_strdup (C_ ("run", "None")));
+  const guint before = value->row_count;
   for (guint i = 0; i < runs->len; i++) {
-    const QnRun *run = g_ptr_array_index (runs, i);
-    g_ptr_array_add (names, dup_run_title (panel, run));
-    if (run == run_of (panel))
-      selected = i;
-    if (run == qn_view_state_get_onion (panel->state))
-      onion = i + 1;
+    qn_value_take_row (value, dup_run_title (panel, runs->pdata[i]));
+    if (runs->pdata[i] == chosen)
+      value->number = before + i;
   }
-  update_name (panel);
-  g_ptr_array_add (names, NULL);
-  const char *const *all = (const char *const *) names->pdata;
-  qn_choice_list_fill (panel->runs, all + 1, selected, panel);
-  /* There may not be room for all of it. */
-  gtk_widget_set_tooltip_text (GTK_WIDGET (panel->runs),
-                               selected < runs->len ? all[selected + 1] : NULL);
-  qn_choice_list_fill (panel->onion, all, onion, panel);
-  gtk_widget_set_visible (GTK_WIDGET (panel->onion), runs->len > 1);
 }
 
-/* ---- stages ---- */
-
-/* The end of the chosen one. */
+/* Those that the run came to, behind the dead load. */
 static void
-on_stage_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
+add_stages (const QnRun *run, QnValue *value)
 {
-  const QnRun *run = run_of (panel);
   size_t first = 0, last = 0;
-  if (run == NULL
-      || !qn_result_stage_steps (
-        &run->result, (int32_t) gtk_drop_down_get_selected (choice), &first, &last))
-    return;
-  if (!qn_view_needs_result (qn_view_state_get_view (panel->state))
-      || qn_view_state_get_view (panel->state) == QN_VIEW_MECHANISM)
-    qn_view_state_set_view (panel->state, QN_VIEW_DEFORMED);
-  qn_view_state_set_step (panel->state, (int) last);
+  qn_value_add_row (value, _ ("Dead load"));
+  for (int32_t i = 1; i <= (int32_t) run->model.stage_count; i++) {
+    if (!qn_result_stage_steps (&run->result, i, &first, &last))
+      return;
+    g_autofree char *name = qn_stage_dup_name (&run->model, i);
+    qn_value_take_row (value, g_strdup_printf (_ ("%s, to %.4g"), name,
+                                               run->result.steps[last].multiplier));
+  }
 }
 
-/* The stage of the step that is shown. */
+static gboolean
+has_stages (const QnRun *run)
+{
+  return run != NULL && run->model.stage_count > 0 && run->result.step_count > 0;
+}
+
+/* That of the step that is shown. */
+static int32_t
+shown_stage (const Panel *panel, const QnRun *run)
+{
+  int step = qn_view_state_get_step (state_of (panel));
+  const gsize last = run->result.step_count - 1;
+  return run->result.steps[step == QN_STEP_LAST ? last : MIN ((gsize) step, last)].stage;
+}
+
 static void
 follow_stage (Panel *panel)
 {
-  const QnRun *run = run_of (panel);
-  gsize count = run != NULL ? run->result.step_count : 0;
-  if (count == 0 || run->model.stage_count == 0)
-    return;
-  int step = qn_view_state_get_step (panel->state);
-  const QnStep *at = &run->result.steps[step == QN_STEP_LAST ? count - 1 : (gsize) step];
-  qn_choice_list_select (panel->stage, (guint) at->stage, panel);
+  const QnRun *run = qn_document_get_run (document_of (panel));
+  if (has_stages (run))
+    qn_choice_list_select (GTK_DROP_DOWN (panel->base.widgets[STAGE]),
+                           (guint) shown_stage (panel, run), panel);
 }
 
-static void
-update (Panel *panel)
+static gboolean
+show (gpointer data, guint field, QnValue *value)
 {
-  const QnRun *run = run_of (panel);
-  gboolean busy = qn_document_get_job (document_of (panel)) != NULL;
-  gtk_widget_set_visible (panel->content, run != NULL || busy);
-  gtk_widget_set_visible (panel->empty, run == NULL && !busy);
-  update_runs (panel);
-  /* Limit analysis and modes follow no path; without an equilibrium there is none. */
-  gtk_widget_set_visible (panel->curve,
-                          busy || run == NULL
-                            || (qn_run_has_curve (run) && run->result.step_count > 0));
-  /* Those that the run came to, behind the dead load. */
-  gboolean any = run != NULL && run->model.stage_count > 0 && run->result.step_count > 0;
-  gtk_widget_set_visible (GTK_WIDGET (panel->stage), any);
-  if (!any)
-    return;
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, _ ("Dead load"));
-  size_t first = 0, last = 0;
-  for (int32_t i = 1; i <= (int32_t) run->model.stage_count; i++) {
-    if (!qn_result_stage_steps (&run->result, i, &first, &last))
-      break;
-    g_autofree char *name = qn_stage_dup_name (&run->model, i);
-    g_autofree char *line =
-      g_strdup_printf (_ ("%s, to %.4g"), name, run->result.steps[last].multiplier);
-    g_strv_builder_add (names, line);
+  Panel *panel = data;
+  QnDocument *document = document_of (panel);
+  const QnRun *run = qn_document_get_run (document);
+  const gboolean busy = qn_document_get_job (document) != NULL;
+  value->number = -1;
+  switch (field) {
+  case EMPTY:
+    return run == NULL && !busy;
+  case CONTENT:
+    /* Limit analysis and modes follow no path; without an equilibrium there is none. */
+    gtk_widget_set_visible (panel->curve,
+                            busy || run == NULL
+                              || (qn_run_has_curve (run) && run->result.step_count > 0));
+    return run != NULL || busy;
+  case RUNS:
+    add_runs (panel, run, value);
+    /* There may not be room for all of it. */
+    gtk_widget_set_tooltip_text (panel->base.widgets[RUNS],
+                                 value->number < 0 ? NULL
+                                                   : value->rows[qn_value_int (value)]);
+    return TRUE;
+  case NAME: /* runs after edits and cases of studies have none of their own */
+    value->text = g_strdup (run != NULL ? run->label : NULL);
+    return value->text != NULL;
+  case STAGE:
+    if (!has_stages (run))
+      return FALSE;
+    add_stages (run, value);
+    value->number = shown_stage (panel, run);
+    return TRUE;
+  case ONION:
+    qn_value_add_row (value, C_ ("run", "None"));
+    value->number = 0;
+    add_runs (panel, qn_view_state_get_onion (state_of (panel)), value);
+    return value->row_count > 2;
+  default:
+    return TRUE;
   }
-  g_auto (GStrv) strings = g_strv_builder_end (names);
-  qn_choice_list_fill (panel->stage, (const char *const *) strings, 0, panel);
-  follow_stage (panel);
+}
+
+/* ---- what is chosen ---- */
+
+/* The end of a stage. */
+static void
+go_to_stage (const Panel *panel, const QnRun *run, int32_t stage)
+{
+  QnViewState *state = state_of (panel);
+  const QnView view = qn_view_state_get_view (state);
+  size_t first = 0, last = 0;
+  if (run == NULL || !qn_result_stage_steps (&run->result, stage, &first, &last))
+    return;
+  if (!qn_view_needs_result (view) || view == QN_VIEW_MECHANISM)
+    qn_view_state_set_view (state, QN_VIEW_DEFORMED);
+  qn_view_state_set_step (state, (int) last);
+}
+
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  const Panel *panel = data;
+  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
+  const QnRun *run = qn_document_get_run (document_of (panel));
+  const guint row = (guint) qn_value_int (value);
+  if (field == RUNS && row < runs->len)
+    qn_document_set_run (document_of (panel), runs->pdata[row]);
+  else if (field == ONION)
+    qn_view_state_set_onion (state_of (panel),
+                             row > 0 && row <= runs->len ? runs->pdata[row - 1] : NULL);
+  else if (field == STAGE)
+    go_to_stage (panel, run, (int32_t) row);
+  else if (field == NAME)
+    return run != NULL
+           && qn_document_rename_run (document_of (panel), run, value->text, error);
+  return TRUE;
 }
 
 /* What can be done with the run that is shown. */
@@ -179,53 +190,24 @@ make_run_menu (GtkWidget *runs, QnMenuPlace *place, gpointer data)
   return G_MENU_MODEL (g_object_ref (gtk_builder_get_object (builder, "run")));
 }
 
-static GtkDropDown *
-take_choice (GtkBuilder *builder, const char *id, GCallback chosen, Panel *panel)
-{
-  GtkDropDown *choice = GTK_DROP_DOWN (qn_builder_get_widget (builder, id));
-  qn_choice_list_prepare (choice);
-  g_signal_connect (choice, "notify::selected", chosen, panel);
-  return choice;
-}
-
 GtkWidget *
 qn_result_panel_new (QnCanvas *canvas)
 {
+  static const QnFormKind kind =
+    QN_FORM_KIND ("result-panel", Panel, .follows = QN_FOLLOW_RUNS);
   QnViewState *state = qn_canvas_get_state (canvas);
-  QnDocument *document = qn_view_state_get_document (state);
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("result-panel");
-  GtkWidget *box = qn_builder_take_widget (builder, "panel");
-  GtkBox *views = GTK_BOX (qn_builder_get_widget (builder, "views"));
-  GtkBox *tables = GTK_BOX (qn_builder_get_widget (builder, "tables"));
-  Panel *panel = g_new (Panel, 1);
-  *panel = (Panel){
-    .state = state,
-    .empty = qn_builder_get_widget (builder, "empty"),
-    .content = qn_builder_get_widget (builder, "content"),
-    .curve = qn_curve_view_new (state),
-    .runs = take_choice (builder, "runs", G_CALLBACK (on_run_chosen), panel),
-    .stage = take_choice (builder, "stage", G_CALLBACK (on_stage_chosen), panel),
-    .onion = take_choice (builder, "onion", G_CALLBACK (on_onion_chosen), panel),
-  };
-  panel->name = GTK_EDITABLE (qn_builder_get_widget (builder, "run_name"));
-  g_signal_connect_swapped (panel->name, "activate", G_CALLBACK (on_named), panel);
-  GtkEventController *focus = gtk_event_controller_focus_new ();
-  g_signal_connect_swapped (focus, "leave", G_CALLBACK (on_named), panel);
-  gtk_widget_add_controller (GTK_WIDGET (panel->name), focus);
-  qn_context_menu_attach (GTK_WIDGET (panel->runs), make_run_menu, NULL);
-  gtk_box_append (views, qn_answer_card_new (document));
+  Panel *panel = qn_bound_form_new (&kind, canvas);
+  GtkBox *views = GTK_BOX (panel->base.widgets[VIEWS]);
+  GtkBox *tables = GTK_BOX (panel->base.widgets[TABLES]);
+  panel->curve = qn_curve_view_new (state);
+  gtk_box_append (views, qn_answer_card_new (document_of (panel)));
   gtk_box_append (views, qn_inspector_new (canvas));
   gtk_box_append (views, panel->curve);
   gtk_box_append (views, qn_energy_view_new (state));
   gtk_box_append (tables, qn_step_table_new (state));
   gtk_box_append (tables, qn_contact_table_new (canvas));
   gtk_box_append (tables, qn_beam_table_new (canvas));
-
-  qn_own (box, panel);
-  qn_watch (box, document, "runs-changed", G_CALLBACK (update), panel);
-  qn_watch (box, document, "job-changed", G_CALLBACK (update), panel);
-  qn_watch (box, document, "changed", G_CALLBACK (update_runs), panel);
-  qn_watch (box, state, "changed", G_CALLBACK (follow_stage), panel);
-  update (panel);
-  return box;
+  qn_context_menu_attach (panel->base.widgets[RUNS], make_run_menu, NULL);
+  qn_watch (panel->base.root, state, "changed", G_CALLBACK (follow_stage), panel);
+  return qn_bound_form_show (panel);
 }

@@ -30,7 +30,7 @@ dup_examples_folder (void)
 /* ---- thumbnails, drawn one by one while the window is idle ---- */
 
 typedef struct Thumbnail {
-  GtkPicture *picture;
+  GtkDrawingArea *area;
   char *path;
 } Thumbnail;
 
@@ -38,9 +38,18 @@ static void
 thumbnail_free (gpointer data)
 {
   Thumbnail *thumbnail = data;
-  g_object_unref (thumbnail->picture);
+  g_object_unref (thumbnail->area);
   g_free (thumbnail->path);
   g_free (thumbnail);
+}
+
+static void
+draw_thumbnail (GtkDrawingArea *area, cairo_t *cr, int width, int height,
+                gpointer surface)
+{
+  cairo_set_source_surface (cr, surface, 0.5 * (width - THUMBNAIL_WIDTH),
+                            0.5 * (height - THUMBNAIL_HEIGHT));
+  cairo_paint (cr);
 }
 
 static gboolean
@@ -51,18 +60,13 @@ on_idle (gpointer data)
   if (!qn_project_load (thumbnail->path, NULL, &project, NULL))
     return G_SOURCE_REMOVE;
   cairo_surface_t *surface =
-    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT);
+    cairo_image_surface_create (CAIRO_FORMAT_RGB24, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT);
   cairo_t *cr = cairo_create (surface);
   qn_preview_draw (&project.model, FALSE, cr, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT, NULL);
   cairo_destroy (cr);
   qn_project_clear (&project);
-  gsize stride = (gsize) cairo_image_surface_get_stride (surface);
-  g_autoptr (GBytes) bytes =
-    g_bytes_new (cairo_image_surface_get_data (surface), stride * THUMBNAIL_HEIGHT);
-  g_autoptr (GdkTexture) texture = gdk_memory_texture_new (
-    THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT, GDK_MEMORY_DEFAULT, bytes, stride);
-  gtk_picture_set_paintable (thumbnail->picture, GDK_PAINTABLE (texture));
-  cairo_surface_destroy (surface);
+  gtk_drawing_area_set_draw_func (thumbnail->area, draw_thumbnail, surface,
+                                  (GDestroyNotify) cairo_surface_destroy);
   return G_SOURCE_REMOVE;
 }
 
@@ -121,8 +125,8 @@ add_examples (GtkFlowBox *flow)
     gtk_widget_set_focusable (gtk_widget_get_parent (button), FALSE);
 
     Thumbnail *thumbnail = g_new (Thumbnail, 1);
-    *thumbnail = (Thumbnail){ g_object_ref (
-                                GTK_PICTURE (qn_builder_get_widget (builder, "picture"))),
+    *thumbnail = (Thumbnail){ g_object_ref (GTK_DRAWING_AREA (
+                                gtk_builder_get_object (builder, "picture"))),
                               g_strdup (path) };
     g_idle_add_full (G_PRIORITY_LOW, on_idle, thumbnail, thumbnail_free);
   }
