@@ -425,6 +425,10 @@ run (GSimpleAction *action, GVariant *parameter, gpointer data)
   Page *self = data;
   g_autoptr (GError) error = NULL;
   forget (self);
+  if (load_of (self) == NULL) {
+    on_changed (self); /* which says so */
+    return;
+  }
   if (!qn_envelope_init (&self->envelope, qn_document_get_model (self->document),
                          &self->settings, &error)) {
     tell (self, error->message);

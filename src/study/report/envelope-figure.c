@@ -12,10 +12,11 @@
 #define CURVE_TOP   5.0
 #define MARGIN      10.0 /* pt */
 
-/* Of the frame's width, what the axis of positions takes about; room for the wheels and what they weigh, of
- * the structure's width. */
+/* Of the frame's width, what the axis of positions takes about; room for the wheels, of the structure's width, and
+ * for what they weigh, pt. */
 #define AXIS_SHARE  0.87
 #define WHEEL_SHARE 0.08
+#define LABEL_ROOM  9.0
 
 /* The structure with the surface of its fill, m. */
 static QnBox
@@ -118,12 +119,14 @@ qn_envelope_draw (cairo_t *cr, const QnPage *page, void *data, GError **error)
   g_autoptr (QnPlot) plot = make_plot (figure, &box);
   QnFrame below = whole;
   double scale = AXIS_SHARE * whole.width / (plot->x.high - plot->x.low);
-  double height = fmin (scale * (box.max.y - box.min.y) + MARGIN * page->unit,
+  const double room = LABEL_ROOM * page->unit;
+  double height = fmin (scale * (box.max.y - box.min.y) + MARGIN * page->unit + room,
                         (1 - CURVE_SHARE) * whole.height);
   below.y += height;
   below.height -= height;
   qn_plot_draw (plot, cr, page->unit, &below, &figure->place);
-  return draw_structure (figure, cr, page, whole.y, height, box.max.y, error);
+  return draw_structure (figure, cr, page, whole.y, height,
+                         box.max.y + room / figure->place.x_scale, error);
 }
 
 gboolean
