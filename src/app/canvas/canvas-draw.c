@@ -506,6 +506,23 @@ overlap (QnBox a, QnBox b)
   return width > 0.0 && height > 0.0 ? width * height : 0.0;
 }
 
+/* What a box on the screen hides of what is filled. */
+static double
+hidden_by (const QnCanvas *self, const QnScene *scene, QnBox box)
+{
+  double sum = 0.0;
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->kind != QN_COMMAND_FILL)
+      continue;
+    QnBox part = qn_box_of_points (qn_scene_points (scene, command), command->count);
+    QnVec2 low = qn_camera_to_screen (&self->camera, part.min);
+    QnVec2 high = qn_camera_to_screen (&self->camera, part.max);
+    sum += overlap (box, (QnBox){ { low.x, high.y }, { high.x, low.y } });
+  }
+  return sum;
+}
+
 /* In the corner where it hides least of the structure: the lower left one, then the upper ones, below
  * the choice of view. Foundations are below, so that the lower right one, where buttons are, is none.
  */
@@ -520,15 +537,12 @@ place_legend (QnCanvas *self, const QnScene *scene, QnFurniture *furniture)
     { left, top },
     { right, top },
   };
-  QnVec2 low = qn_camera_to_screen (&self->camera, scene->box.min);
-  QnVec2 high = qn_camera_to_screen (&self->camera, scene->box.max);
-  QnBox structure = { { low.x, high.y }, { high.x, low.y } };
   double least = INFINITY;
   QnVec2 best = corners[0];
   for (gsize i = 0; i < G_N_ELEMENTS (corners); i++) {
     furniture->x = corners[i].x;
     furniture->y = corners[i].y;
-    double hidden = overlap (legend_box (furniture), structure);
+    double hidden = hidden_by (self, scene, legend_box (furniture));
     if (hidden < least) {
       least = hidden;
       best = corners[i];

@@ -28,6 +28,21 @@ static const struct {
   { "unit_weight", N_ ("unit weight"), " N/m³" },
   { "size", N_ ("size"), " m" },
   { "value", N_ ("force"), " N" },
+  { "laws", N_ ("laws of joints"), "" },
+  { "masonry", N_ ("masonry"), "" },
+  { "walls", N_ ("walls"), "" },
+  { "blocks", N_ ("blocks"), "" },
+  { "sections", N_ ("sections"), "" },
+  { "beams", N_ ("beams"), "" },
+  { "bars", N_ ("bars"), "" },
+  { "ties", N_ ("ties"), "" },
+  { "contact", N_ ("contacts"), "" },
+  { "loads", N_ ("loads"), "" },
+  { "gravity", N_ ("gravity"), " m/s²" },
+  { "analysis", N_ ("analysis"), "" },
+  { "procedure", N_ ("method"), "" },
+  { "geometry", N_ ("geometry"), "" },
+  { "increments", N_ ("increments"), "" },
 };
 
 typedef struct Changes {
