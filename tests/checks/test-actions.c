@@ -1,4 +1,4 @@
-/* Every action that menus, buttons, sources and tests name stands in the table of actions. */
+/* Every action that menus, buttons, sources and tests name is one of the program or its windows. */
 #include "source-tree.h"
 #include "support/room.h"
 
@@ -30,12 +30,42 @@ check_text (GHashTable *known, const char *path, const char *text, GString *comp
       complain (complaints, "%s names the unknown action %s", path, (char *) name);
 }
 
+/* Words that begin the rows of arrays, and rows that are words alone. */
+static void
+collect_rows (const char *text, const char *prefix, GHashTable *names)
+{
+  g_autoptr (GRegex) array =
+    g_regex_new ("\\[\\] = \\{(.*?)\n?\\};", G_REGEX_DOTALL, 0, NULL);
+  g_autoptr (GRegex) word =
+    g_regex_new ("[{,]\\s*(?:\\.name = )?\"([a-z][a-z-]+)\"", 0, 0, NULL);
+  g_autoptr (GMatchInfo) match = NULL;
+  for (g_regex_match (array, text, 0, &match); g_match_info_matches (match);
+       g_match_info_next (match, NULL)) {
+    g_autofree char *rows = g_match_info_fetch (match, 0);
+    g_autoptr (GMatchInfo) inner = NULL;
+    for (g_regex_match (word, rows, 0, &inner); g_match_info_matches (inner);
+         g_match_info_next (inner, NULL)) {
+      g_autofree char *name = g_match_info_fetch (inner, 1);
+      g_hash_table_add (names, g_strconcat (prefix, name, NULL));
+    }
+  }
+}
+
+/* Those of windows, of the program, and GTK's that have keys. */
 static GHashTable *
 known_actions (void)
 {
+  static const char *const suffixes[] = { ".c", NULL };
   GHashTable *known = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-  g_autofree char *table = source_tree_read ("src/app/window/action-table.c");
-  collect_names (table, known);
+  g_autoptr (GPtrArray) files = source_tree_files ("src/app/window", suffixes);
+  for (guint i = 0; i < files->len; i++) {
+    g_autofree char *text = source_tree_read (files->pdata[i]);
+    if (g_str_has_suffix (files->pdata[i], "action-table.c"))
+      collect_names (text, known);
+    else
+      collect_rows (text, strstr (files->pdata[i], "application") ? "app." : "win.",
+                    known);
+  }
   return known;
 }
 
