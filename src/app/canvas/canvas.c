@@ -4,7 +4,7 @@
 #include "app/widgets/settings.h"
 #include "app/widgets/text-unit.h"
 #include "doc/edit/edit-place.h"
-#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
 #include "io/project/project-masonry.h"
 #include <glib/gi18n.h>
 

@@ -4,7 +4,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-bar.h"
-#include "doc/text/points-text.h"
+#include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 #include <string.h>

@@ -4,7 +4,6 @@
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-face.h"
-#include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>

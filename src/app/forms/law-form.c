@@ -6,7 +6,7 @@
 #include "doc/edit/edit-face.h"
 #include "doc/text/law-text.h"
 #include "doc/text/law-trace.h"
-#include "doc/text/points-text.h"
+#include "doc/view/pair-text.h"
 #include "io/project/typical-joint.h"
 #include <glib/gi18n.h>
 #include <stdlib.h>

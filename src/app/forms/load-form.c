@@ -6,8 +6,8 @@
 #include "app/widgets/settings.h"
 #include "core/model/edge-load.h"
 #include "doc/edit/edit-stage.h"
-#include "doc/text/points-text.h"
 #include "doc/view/load-text.h"
+#include "doc/view/pair-text.h"
 #include "io/project/project-vehicle.h"
 #include <glib/gi18n.h>
 

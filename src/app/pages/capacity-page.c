@@ -9,7 +9,6 @@
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
 
-#include "doc/document/digest.h"
 #include "doc/view/capacity-answer.h"
 #include "doc/view/capacity-settings.h"
 #include "doc/view/figures.h"

@@ -8,10 +8,10 @@
 #include "app/widgets/help.h"
 #include "app/widgets/text-unit.h"
 #include "core/base/integer.h"
-#include "doc/document/digest.h"
 #include "doc/text/explain.h"
 #include "doc/view/figures.h"
 #include "io/project/project-vehicle.h"
+#include "io/project/project.h"
 #include "study/report/envelope-figure.h"
 #include <glib/gi18n.h>
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
-#include "doc/text/path-text.h"
+#include "doc/text/explain.h"
 #include "io/text/io-error.h"
 #include "study/report/output-text.h"
 #include <glib/gi18n.h>

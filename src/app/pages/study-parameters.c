@@ -5,7 +5,7 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "core/base/integer.h"
-#include "doc/text/path-text.h"
+#include "doc/text/explain.h"
 #include "io/text/number-text.h"
 #include <glib/gi18n.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #include "app/widgets/build-tree.h"
 #include "app/widgets/chooser.h"
 #include "core/base/integer.h"
-#include "doc/text/path-text.h"
+#include "doc/text/explain.h"
 #include "io/text/io-error.h"
 #include "study/report/column.h"
 #include "study/report/output-text.h"

@@ -6,7 +6,6 @@
 #include "app/widgets/settings.h"
 #include "doc/document/bounds.h"
 #include "doc/document/run.h"
-#include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "doc/view/load-text.h"
 #include "doc/view/report-template.h"

@@ -2,7 +2,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
-#include "doc/view/energy-plot.h"
+#include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

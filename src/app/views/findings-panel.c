@@ -5,7 +5,6 @@
 #include "app/widgets/quantity-entry.h"
 #include "doc/edit/edit-gaps.h"
 #include "doc/edit/repair.h"
-#include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n.h>
 

@@ -10,7 +10,7 @@
 #include "app/window/action-table.h"
 #include "doc/document/import.h"
 #include "doc/document/run-file.h"
-#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
 #include "io/exchange/drawing-import.h"
 #include <glib/gi18n.h>
 #include <string.h>

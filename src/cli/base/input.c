@@ -1,7 +1,7 @@
 #include "cli/base/input.h"
 
 #include "cli/base/message.h"
-#include "doc/document/threads.h"
+#include "doc/document/job.h"
 #include "io/exchange/record.h"
 #include "io/text/outcome-text.h"
 

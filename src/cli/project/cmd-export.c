@@ -2,7 +2,7 @@
 #include "cli/base/message.h"
 #include "cli/base/subcommand.h"
 #include "doc/edit/edit.h"
-#include "doc/view/cracks-csv.h"
+#include "doc/view/sheet.h"
 #include "io/exchange/drawing-import.h"
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"

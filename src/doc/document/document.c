@@ -1,6 +1,5 @@
 #include "doc/document/document-private.h"
 
-#include "doc/document/digest.h"
 #include "doc/edit/edit.h"
 #include "doc/text/explain.h"
 #include "io/project/number-path.h"

@@ -7,7 +7,9 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/base/workers.h"
 #include "doc/document/run.h"
+
 #include <gio/gio.h>
 
 #define QN_TYPE_JOB (qn_job_get_type ())
@@ -77,3 +79,8 @@ typedef enum {
 
 /* Diagnosis of the analysis, with its place; valid after a failed finish. */
 const QnDiag *qn_job_get_diag (QnJob *job);
+
+/* As many threads as there are processors, the caller's among them: started when they are first needed,
+ * shared by all callers and kept until the process ends. Where none can be started, the caller's thread
+ * does everything. May be called from any thread. */
+const QnWorkers *qn_threads_get (void);

@@ -1,9 +1,9 @@
 #include "doc/view/figures.h"
 
-#include "doc/document/digest.h"
 #include "doc/document/picture.h"
 #include "doc/document/underlay.h"
 #include "doc/edit/edit.h"
+#include "io/project/project.h"
 #include "io/result/result-file.h"
 
 #include <glib/gi18n-lib.h>

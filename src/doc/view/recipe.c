@@ -1,7 +1,6 @@
 #include "doc/view/recipe.h"
 
 #include "core/base/integer.h"
-#include "doc/document/digest.h"
 #include "io/project/project-members.h"
 #include "io/project/project.h"
 #include "io/text/io-error.h"

@@ -2,7 +2,6 @@
 #include "doc/view/report-parts.h"
 
 #include "core/model/bar.h"
-#include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "doc/text/law-text.h"
 #include "doc/view/load-text.h"

@@ -3,8 +3,8 @@
 
 #include "core/result/curve-motion.h"
 #include "doc/text/explain.h"
-#include "doc/view/energy-plot.h"
 #include "doc/view/ground-preview.h"
+#include "doc/view/sheet.h"
 #include "io/text/outcome-text.h"
 #include "io/text/tie-text.h"
 #include "render/drawing/text.h"

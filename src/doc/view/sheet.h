@@ -2,8 +2,11 @@
  * sheet, and both as tables. */
 #pragma once
 
+#include "core/contact/contacts.h"
+#include "core/result/result.h"
 #include "io/project/project.h"
 #include "render/figure/curve-plot.h"
+#include "render/figure/plot.h"
 
 /* A result with its project; all borrowed. */
 typedef struct QnSheetRun {
@@ -48,3 +51,16 @@ gboolean qn_energy_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *ru
 gboolean qn_comparison_export (const QnSheetRun *runs, gsize count, int columns,
                                const char *title, gboolean monochrome, const char *path,
                                const QnOutput *output, GError **error);
+
+/* Every joint that has opened at the last equilibrium, the widest first: its blocks, its largest width and
+ * where that is, the mean over its length, and the number of its line of joints. Only the header where there is no equilibrium. */
+gboolean qn_cracks_csv_write (const char *path, const QnProject *project,
+                              const QnContacts *contacts, const QnResult *result,
+                              GError **error);
+
+/* The kinds of QnEnergyKind, then the error of the balance. */
+#define QN_ENERGY_CURVES (QN_ENERGY_KIND_COUNT + 1)
+
+/* A line for each of them at the same times, a few hundred at most: what lies between is left out. The
+ * unit, "J", "kJ" or "MJ", goes by the largest energy. */
+QnPlot *qn_energy_plot (const QnHistory *history, const char **unit);

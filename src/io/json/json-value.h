@@ -115,3 +115,19 @@ gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed ne
  * "wall.quoin:3:9: laws[0]: …" (QN_IO_ERROR). Free the tree with cJSON_Delete(). Numbers beyond the
  * range of a double are infinite. */
 cJSON *qn_json_parse (const char *text, gsize length, const char *name, GError **error);
+
+/* The one of `words` that the fewest slips of typing make of `word`: a letter too many, missing, wrong,
+ * or two exchanged, each of them one (optimal string alignment, F. J. Damerau, Communications of the
+ * ACM 7 (1964) 171-176; bytes, not characters). NULL where two slips or more would be more than a
+ * third of the longer of the two. */
+const char *qn_nearest_word (const char *word, const char *const *words, gsize count);
+
+/* Replaces or adds one value of `root`, whose members and elements keep their order. The part
+ * behind the first "=" is JSON, or else taken as a plain string. Missing objects on the way
+ * are added; elements of arrays must be there. Errors: QN_IO_ERROR (_OVERRIDE where the path
+ * leads nowhere), their messages starting with the override. */
+gboolean qn_json_override (cJSON *root, const char *override, GError **error);
+
+/* The path part of a well-formed override as qn_json_path_append_ writes it, or NULL; free with
+ * g_free(). */
+char *qn_json_override_dup_path (const char *override);

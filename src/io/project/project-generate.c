@@ -1,10 +1,12 @@
 #include "io/project/project-generate.h"
 
-#include "io/project/project-facade.h"
+#include "io/json/json-value.h"
+#include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <string.h>
 
 typedef struct Kind Kind;
@@ -178,4 +180,279 @@ qn_project_generate (const char *kind_name, const char *const *keys, double fric
                        project->warnings->pdata[0]);
   qn_project_clear (project);
   return FALSE;
+}
+
+#define MOST_STOREYS 20
+#define MOST_COURSES 100
+
+/* A floor that holds the wall is the uppermost tenth of its storey. */
+#define HELD_PART 0.1
+
+/* Numbers of a key; those of storeys above the last are like it. */
+typedef struct List {
+  double values[MOST_STOREYS];
+  gsize count;
+} List;
+
+enum {
+  STOREYS,
+  THICKNESS,
+  BEARING,
+  COURSES,
+  WIDTH,
+  UNIT_WEIGHT,
+  FLOORS, /* from here on 0 is a number too */
+  FLOOR_FRICTION,
+  FLOOR_INERTIA,
+  HELD,
+  TIES,
+  FLANKS,
+  THRUST,
+  PARAPET,
+  KEY_COUNT
+};
+
+static const char *const names[KEY_COUNT] = {
+  "storeys",     "thickness", "bearing",        "courses",       "width",
+  "unit_weight", "floors",    "floor_friction", "floor_inertia", "held",
+  "ties",        "flanks",    "thrust",         "parapet",
+};
+
+static const char usual[] =
+  "{ \"storeys\": [3, 3], \"thickness\": 0.5, \"bearing\": 0.2, \"courses\": 4, "
+  "\"width\": 1, \"unit_weight\": 18000, \"floors\": 0, \"floor_friction\": 0, "
+  "\"floor_inertia\": 1, \"held\": 0, \"ties\": 0, \"flanks\": 0, \"thrust\": 0, "
+  "\"parapet\": 0 }";
+
+/* One storey as all keys make it: levels and places in m, forces in N. */
+typedef struct Storey {
+  double foot, wall, top; /* courses are from foot to wall, a floor that holds above */
+  double inner, bearing;  /* x of the inner face, and of what the floor brings */
+  double floor, tie;
+  gboolean held;
+  char name[32]; /* of the block below the floor */
+} Storey;
+
+static double
+at (const List *list, gsize storey)
+{
+  return list->values[MIN (storey, list->count - 1)];
+}
+
+static gboolean
+read_list (const QnJsonValue *keys, int key, List *list)
+{
+  const QnJsonValue value = qn_json_value_member (keys, names[key]);
+  const QnRange range = key < FLOORS ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE;
+  QnJsonValue number = { 0 };
+  list->count = 1;
+  if (!cJSON_IsArray (value.json))
+    return qn_json_value_number (&value, range, list->values);
+  list->count = (gsize) cJSON_GetArraySize (value.json);
+  if (list->count == 0 || list->count > MOST_STOREYS)
+    return qn_json_value_failf (&value, _ ("expected up to %d numbers"), MOST_STOREYS);
+  while (qn_json_value_next (&value, &number))
+    if (!qn_json_value_number (&number, range, &list->values[number.index]))
+      return FALSE;
+  return TRUE;
+}
+
+/* Numbers that a key may have: two of a parapet, those of storeys, or one. */
+static gsize
+most_numbers (int key, const List *lists)
+{
+  const gsize storeys = lists[STOREYS].count;
+  if (key == STOREYS)
+    return MOST_STOREYS;
+  if (key == PARAPET)
+    return 2;
+  return key == THICKNESS || key == BEARING || key == FLOORS || key == HELD || key == TIES
+             || key == FLANKS
+           ? storeys
+           : 1;
+}
+
+/* Nothing that is given is left out in silence. */
+static gboolean
+check_list (const QnJsonValue *keys, int key, const List *lists)
+{
+  const QnJsonValue value = qn_json_value_member (keys, names[key]);
+  const List *list = &lists[key];
+  const gsize most = most_numbers (key, lists);
+  const double *last = &list->values[list->count - 1];
+  if (list->count > most)
+    return qn_json_value_failf (&value, _ ("expected up to %d numbers"), (int) most);
+  if (key == PARAPET && *last > 0 && (list->count < 2 || !(list->values[0] > 0)))
+    return qn_json_value_fail (&value, _ ("expected two numbers"));
+  const int whole = key == HELD ? (int) lists[STOREYS].count : MOST_COURSES;
+  for (gsize i = 0; (key == HELD || key == COURSES) && i < list->count; i++)
+    if (list->values[i] != floor (list->values[i]) || list->values[i] > whole)
+      return qn_json_value_failf (&value, _ ("expected a whole number from 1 to %d"),
+                                  whole);
+  return TRUE;
+}
+
+static gboolean
+read_keys (const QnJsonValue *keys, List *lists)
+{
+  const QnJsonValue bearing = qn_json_value_member (keys, names[BEARING]);
+  if (!qn_json_value_check_keys (keys, names, KEY_COUNT))
+    return FALSE;
+  for (int k = 0; k < KEY_COUNT; k++)
+    if (!read_list (keys, k, &lists[k]) || !check_list (keys, k, lists))
+      return FALSE;
+  for (gsize i = 0; i < lists[STOREYS].count; i++)
+    if (at (&lists[BEARING], i) > at (&lists[THICKNESS], i))
+      return qn_json_value_fail (&bearing, _ ("more than the thickness"));
+  return TRUE;
+}
+
+static void
+make_storeys (const List *lists, Storey *storeys)
+{
+  double foot = 0;
+  for (gsize i = 0; i < lists[STOREYS].count; i++) {
+    Storey *s = &storeys[i];
+    const double height = at (&lists[STOREYS], i), inner = -at (&lists[THICKNESS], i);
+    *s = (Storey){
+      .foot = foot,
+      .top = foot + height,
+      .inner = inner,
+      .bearing = round (1e6 * (inner + at (&lists[BEARING], i) / 2)) / 1e6,
+      .floor = at (&lists[FLOORS], i),
+      .tie = at (&lists[TIES], i),
+    };
+    for (gsize k = 0; k < lists[HELD].count; k++)
+      s->held |= lists[HELD].values[k] == (double) i + 1;
+    s->wall = s->held ? (1 - HELD_PART) * height : height;
+    if (s->held)
+      g_snprintf (s->name, sizeof s->name, "floor.%zu", i + 1);
+    else
+      g_snprintf (s->name, sizeof s->name, "%zu.%d", i + 1,
+                  (int) at (&lists[COURSES], 0));
+    foot = s->top;
+  }
+}
+
+/* One block with its outer face on x = 0; what is held stays upright. */
+static void
+add_block (QnFileWriter *out, const char *name, double inner, double foot, double top,
+           const List *lists, gboolean held)
+{
+  qn_file_writer_json (
+    out,
+    ", { \"name\": %s, \"vertices\": [[%f, %f], [0, %f], [0, %f], [%f, %f]], "
+    "\"thickness\": %f, \"unit_weight\": %f, \"support\": [%i, false, %i] }",
+    name, inner, foot, foot, top, inner, top, at (&lists[WIDTH], 0),
+    at (&lists[UNIT_WEIGHT], 0), held, held);
+}
+
+static void
+add_blocks (QnFileWriter *out, const List *lists, const Storey *storeys)
+{
+  const int courses = (int) at (&lists[COURSES], 0);
+  const double *parapet = lists[PARAPET].values;
+  for (gsize i = 0; i < lists[STOREYS].count; i++) {
+    const Storey *s = &storeys[i];
+    for (int c = 0; c < courses; c++) {
+      g_autofree char *name = g_strdup_printf ("%zu.%d", i + 1, c + 1);
+      add_block (out, name, s->inner, s->foot + s->wall * c / courses,
+                 s->foot + s->wall * (c + 1) / courses, lists, FALSE);
+    }
+    if (s->held)
+      add_block (out, s->name, s->inner, s->foot + s->wall, s->top, lists, TRUE);
+  }
+  const double top = storeys[lists[STOREYS].count - 1].top;
+  if (lists[PARAPET].count == 2)
+    add_block (out, "parapet", -parapet[1], top, top + parapet[0], lists, FALSE);
+}
+
+/* From a block at a level to the ground. */
+static void
+add_tie (QnFileWriter *out, const char *kind, gsize i, const Storey *s, const char *block,
+         double level, double anchor)
+{
+  g_autofree char *name = g_strdup_printf ("%s.%zu", kind, i + 1);
+  if (anchor > 0)
+    qn_file_writer_json (
+      out,
+      ", { \"name\": %s, \"ends\": [{ \"block\": %s, \"at\": [%f, %f] }, { \"at\": "
+      "[%f, %f] }], \"area\": 0.0003, \"elasticity\": 2.1e11, \"anchor\": %f }",
+      name, block, s->inner, level, s->inner - 4, level, anchor);
+}
+
+static void
+add_force (QnFileWriter *out, const Storey *s, double x, double along, double up)
+{
+  if (along != 0 || up != 0)
+    qn_file_writer_json (out,
+                         ", { \"kind\": \"force\", \"block\": %s, \"value\": [%f, %f], "
+                         "\"at\": [%f, %f] }",
+                         s->name, along, up, x, s->top);
+}
+
+static char *
+dup_project (const List *lists, double friction)
+{
+  Storey storeys[MOST_STOREYS];
+  QnFileWriter *out = qn_file_writer_new_in_memory ();
+  const gsize count = lists[STOREYS].count;
+  const double inertia = at (&lists[FLOOR_INERTIA], 0);
+  double inner = 0;
+  gsize length;
+  make_storeys (lists, storeys);
+  for (gsize i = 0; i < count; i++)
+    inner = fmin (inner, storeys[i].inner);
+  qn_file_writer_json (
+    out,
+    "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [{ \"name\": \"dry joint\", "
+    "\"kind\": \"coulomb\", \"kn\": 1e9, \"ks\": 1e9, \"friction\": %f }], \"blocks\": "
+    "[{ \"name\": \"ground\", \"vertices\": [[%f, -0.5], [1, -0.5], [1, 0], [%f, 0]], "
+    "\"thickness\": %f, \"unit_weight\": %f, \"support\": [true, true, true] }",
+    friction, inner - 1, inner - 1, at (&lists[WIDTH], 0), at (&lists[UNIT_WEIGHT], 0));
+  add_blocks (out, lists, storeys);
+  qn_file_writer_puts (out, "], \"ties\": [");
+  for (gsize i = 0; i < count; i++) {
+    const Storey *s = &storeys[i];
+    const int courses = (int) at (&lists[COURSES], 0);
+    g_autofree char *middle = g_strdup_printf ("%zu.%d", i + 1, (courses + 1) / 2);
+    add_tie (out, "friction", i, s, s->name, s->top,
+             at (&lists[FLOOR_FRICTION], 0) * s->floor);
+    add_tie (out, "tie", i, s, s->name, s->top, s->tie);
+    add_tie (out, "flank", i, s, middle, s->foot + s->wall / 2, at (&lists[FLANKS], i));
+  }
+  qn_file_writer_puts (out,
+                       "], \"contact\": { \"law\": \"dry joint\" }, \"loads\": { "
+                       "\"dead\": [{ \"kind\": \"weight\", \"direction\": [0, -1] }");
+  for (gsize i = 0; i < count; i++)
+    add_force (out, &storeys[i], storeys[i].bearing, 0, -storeys[i].floor);
+  add_force (out, &storeys[count - 1], storeys[count - 1].inner, at (&lists[THRUST], 0),
+             0);
+  qn_file_writer_puts (out,
+                       "], \"live\": [{ \"kind\": \"weight\", \"direction\": [1, 0] }");
+  for (gsize i = 0; i < count; i++)
+    if (!storeys[i].held)
+      add_force (out, &storeys[i], storeys[i].bearing, storeys[i].floor * inertia, 0);
+  qn_file_writer_puts (out, "] }, \"analysis\": { \"procedure\": \"limit\" }, "
+                            "\"capacity\": { \"mechanism\": true } }");
+  return qn_file_writer_steal (out, &length);
+}
+
+char *
+qn_facade_dup_project (const char *const *overrides, double friction, GError **error)
+{
+  List lists[KEY_COUNT];
+  QnReader reader = { .name = "facade-strip", .overrides = overrides };
+  cJSON *document = cJSON_Parse (usual);
+  gboolean ok = document != NULL;
+  for (; ok && *overrides != NULL; overrides++)
+    ok = qn_json_override (document, *overrides, error);
+  const QnJsonValue keys = qn_json_value_root (&reader, document);
+  if (ok && !read_keys (&keys, lists)) {
+    reader.error->code = QN_IO_ERROR_OVERRIDE; /* somebody has just typed it */
+    g_propagate_error (error, reader.error);
+    ok = FALSE;
+  }
+  cJSON_Delete (document);
+  return ok ? dup_project (lists, friction) : NULL;
 }

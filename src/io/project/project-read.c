@@ -1,5 +1,4 @@
 #include "core/base/memory.h"
-#include "io/json/json-override.h"
 #include "io/json/json-value.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"

@@ -91,3 +91,11 @@ gboolean qn_result_read_ids (QnJson *json, gsize at, size_t block_count, QnId **
  * text is too short for them, which `refusal` says, or memory runs out. */
 void *qn_result_room (QnJson *json, gsize at, size_t count, size_t size,
                       const char *refusal);
+
+/* Adds these members to a step that is being written, where the result has them. */
+void qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t step);
+
+/* Reads them of a step, at these tokens (0: none), into a result with steps and pairs: all steps have
+ * forces and states or none, and some have damage. */
+gboolean qn_result_forces_read (QnJson *json, gsize at, gsize forces, gsize states,
+                                gsize damage, QnResult *result, size_t step);

@@ -1,5 +1,5 @@
 /* What makes a result outdated, and what does not. */
-#include "doc/document/digest.h"
+#include "io/project/project.h"
 #include "support/room.h"
 
 #include <string.h>

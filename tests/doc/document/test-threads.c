@@ -1,4 +1,4 @@
-#include "doc/document/threads.h"
+#include "doc/document/job.h"
 
 #include "core/linalg/block-lu.h"
 #include "core/linalg/sparse.h"

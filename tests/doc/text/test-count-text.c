@@ -1,4 +1,4 @@
-#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
 #include "support/room.h"
 
 static void

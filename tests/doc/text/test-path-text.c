@@ -1,5 +1,5 @@
 /* Places of a project file in words. */
-#include "doc/text/path-text.h"
+#include "doc/text/explain.h"
 
 #include "support/room.h"
 

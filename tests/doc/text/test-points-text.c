@@ -1,4 +1,4 @@
-#include "doc/text/points-text.h"
+#include "doc/view/pair-text.h"
 
 #include "core/law/law.h"
 #include "support/locale.h"

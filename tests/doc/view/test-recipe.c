@@ -1,5 +1,5 @@
-#include "doc/document/digest.h"
 #include "doc/view/recipe.h"
+#include "io/project/project.h"
 #include "io/text/io-error.h"
 #include "support/instructions.h"
 

@@ -1,4 +1,4 @@
-#include "io/json/json-override.h"
+#include "io/json/json-value.h"
 
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"

@@ -1,4 +1,4 @@
-#include "io/text/nearest-word.h"
+#include "io/json/json-value.h"
 #include "support/room.h"
 
 /* One slip of each kind, the nearer of two, and words that are near none. */
