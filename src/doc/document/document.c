@@ -217,13 +217,7 @@ static char *
 take_history (QnProject *project)
 {
   char *json = qn_project_dup_extra (project, QN_HISTORY_MEMBER);
-  if (json == NULL)
-    return NULL;
-  struct cJSON *rest = qn_project_extras_with (project, QN_HISTORY_MEMBER, NULL, NULL);
-  if (rest != NULL) {
-    qn_project_extras_free (project->extras);
-    project->extras = rest;
-  }
+  qn_project_put_extra (project, QN_HISTORY_MEMBER, NULL);
   return json;
 }
 
@@ -310,14 +304,11 @@ dup_file_text (QnDocument *self, GError **error)
   if (!self->keeps_history)
     return g_strdup (self->text->text);
   g_autofree char *json = qn_history_to_json (self->history, self->text->text);
-  struct cJSON *extras =
-    qn_project_extras_with (&self->project, QN_HISTORY_MEMBER, json, error);
-  if (extras == NULL)
-    return NULL;
   QnProject draft = self->project;
-  draft.extras = extras;
-  char *text = qn_project_to_text (&draft, NULL);
-  qn_project_extras_free (extras);
+  draft.extras = cJSON_Duplicate (self->project.extras, 1);
+  gboolean done = qn_project_set_extra (&draft, QN_HISTORY_MEMBER, json, error);
+  char *text = done ? qn_project_to_text (&draft, NULL) : NULL;
+  cJSON_Delete (draft.extras);
   return text;
 }
 
@@ -576,14 +567,10 @@ qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
   QnProject draft;
   if (!qn_project_copy (&self->project, &draft, error))
     return FALSE;
-  struct cJSON *extras = qn_project_extras_with (&draft, member, json, error);
-  if (extras == NULL) {
-    qn_project_clear (&draft);
-    return FALSE;
-  }
-  qn_project_extras_free (draft.extras);
-  draft.extras = extras;
-  return step_to (self, name, key, &draft, error);
+  if (qn_project_set_extra (&draft, member, json, error))
+    return step_to (self, name, key, &draft, error);
+  qn_project_clear (&draft);
+  return FALSE;
 }
 
 QnEditHistory *

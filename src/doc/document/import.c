@@ -89,11 +89,8 @@ take_over (QnProject *draft, gpointer data, GError **error)
   const cJSON *extra = imported->extras != NULL ? imported->extras->child : NULL;
   for (; extra != NULL; extra = extra->next) {
     g_autofree char *json = qn_project_dup_extra (imported, extra->string);
-    cJSON *extras = qn_project_extras_with (draft, extra->string, json, error);
-    if (extras == NULL)
+    if (!qn_project_set_extra (draft, extra->string, json, error))
       return FALSE;
-    qn_project_extras_free (draft->extras);
-    draft->extras = extras;
   }
   return TRUE;
 }

@@ -44,15 +44,9 @@ close_list (QnProject *draft, QnMasonries *list, GError **error)
     qn_masonry_append_json (json, &list->items[i], &draft->model);
   }
   g_string_append_c (json, ']');
-  struct cJSON *extras =
-    qn_project_extras_with (draft, QN_MASONRY_MEMBER, json->str, error);
+  gboolean done = qn_project_set_extra (draft, QN_MASONRY_MEMBER, json->str, error)
+                  && qn_edit_rebuild_masonry (&draft->model, NULL, list, error);
   g_string_free (json, TRUE);
-  gboolean done =
-    extras != NULL && qn_edit_rebuild_masonry (&draft->model, NULL, list, error);
-  if (extras != NULL) {
-    qn_project_extras_free (draft->extras);
-    draft->extras = extras;
-  }
   qn_masonries_clear (list);
   return done;
 }

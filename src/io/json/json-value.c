@@ -183,8 +183,7 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
   g_free (path);
 }
 
-/* Members of one object follow each other, so that its entry is the last one. What memory does
- * not hold is not kept. */
+/* Members of one object follow each other, so that its entry is the last one. */
 void
 qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member)
 {
@@ -193,15 +192,11 @@ qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member)
     return;
   if (reader->unknown == NULL)
     reader->unknown = cJSON_CreateObject ();
-  if (reader->unknown == NULL)
-    return;
   char *path = dup_path (object);
   cJSON *first = reader->unknown->child, *owner = first != NULL ? first->prev : NULL;
   if (owner == NULL || strcmp (owner->string, path) != 0)
     owner = cJSON_AddObjectToObject (reader->unknown, path);
-  cJSON *copy = owner != NULL ? cJSON_Duplicate (member, 1) : NULL;
-  if (copy != NULL && !cJSON_AddItemToObject (owner, member->string, copy))
-    cJSON_Delete (copy);
+  cJSON_AddItemToObject (owner, member->string, cJSON_Duplicate (member, 1));
   g_free (path);
 }
 
@@ -431,64 +426,50 @@ qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
 /* Objects with more members than this find duplicate keys by a table. */
 #define MANY_MEMBERS 32
 
+/* Trees are of the memory of GLib, which has all it is asked for or ends the program. */
+static void __attribute__ ((constructor)) take_memory_of_glib (void)
+{
+  cJSON_InitHooks (&(cJSON_Hooks){ g_malloc, g_free });
+}
+
 /* The value at a token; NULL with the error set. */
 static cJSON *
 build (QnJson *json, gsize at)
 {
   const QnJsonToken *token = &json->tokens[at];
   const gboolean object = token->type == QN_JSON_OBJECT;
-  cJSON *value = NULL;
-  g_autofree char *text =
-    token->type == QN_JSON_STRING ? qn_json_dup_string (json, at) : NULL;
-  switch (token->type) {
-  case QN_JSON_OBJECT:
-    value = cJSON_CreateObject ();
-    break;
-  case QN_JSON_ARRAY:
-    value = cJSON_CreateArray ();
-    break;
-  case QN_JSON_STRING:
-    value = cJSON_CreateString (text);
-    break;
-  case QN_JSON_NUMBER:
-    value = cJSON_CreateNumber (qn_json_number (json, at));
-    break;
-  case QN_JSON_TRUE:
-  case QN_JSON_FALSE:
-    value = cJSON_CreateBool (token->type == QN_JSON_TRUE);
-    break;
-  case QN_JSON_NULL:
-    value = cJSON_CreateNull ();
-    break;
-  case QN_JSON_KEY:
-    g_return_val_if_reached (NULL);
+  if (token->type == QN_JSON_STRING) {
+    g_autofree char *text = qn_json_dup_string (json, at);
+    return cJSON_CreateString (text);
   }
-  if (value == NULL)
-    qn_json_no_memory (json);
-  if (value == NULL || token->next == at + 1)
-    return value;
+  if (token->type == QN_JSON_NUMBER)
+    return cJSON_CreateNumber (qn_json_number (json, at));
+  if (token->type == QN_JSON_NULL)
+    return cJSON_CreateNull ();
+  if (!object && token->type != QN_JSON_ARRAY)
+    return cJSON_CreateBool (token->type == QN_JSON_TRUE);
 
+  cJSON *value = object ? cJSON_CreateObject () : cJSON_CreateArray ();
   g_autoptr (GHashTable) keys = object && qn_json_count (json, at) > MANY_MEMBERS
                                   ? g_hash_table_new (g_str_hash, g_str_equal)
                                   : NULL;
   for (gsize i = at + 1; i < token->next; i = json->tokens[i].next) {
     cJSON *item = build (json, i + object);
     g_autofree char *key = object ? qn_json_dup_string (json, i) : NULL;
-    gboolean twice =
-      object && item != NULL
-      && (keys != NULL ? g_hash_table_contains (keys, key)
-                       : cJSON_GetObjectItemCaseSensitive (value, key) != NULL);
-    if (item == NULL || twice
-        || !(object ? cJSON_AddItemToObject (value, key, item)
-                    : cJSON_AddItemToArray (value, item))) {
-      if (twice)
-        qn_json_fail (json, i, _ ("key is given twice"));
-      else
-        qn_json_no_memory (json);
-      cJSON_Delete (item);
+    if (item != NULL && object
+        && (keys != NULL ? g_hash_table_contains (keys, key)
+                         : cJSON_GetObjectItemCaseSensitive (value, key) != NULL)) {
+      qn_json_fail (json, i, _ ("key is given twice"));
+      g_clear_pointer (&item, cJSON_Delete);
+    }
+    if (item == NULL) {
       cJSON_Delete (value);
       return NULL;
     }
+    if (object)
+      cJSON_AddItemToObject (value, key, item);
+    else
+      cJSON_AddItemToArray (value, item);
     if (keys != NULL)
       g_hash_table_add (keys, item->string);
   }
@@ -603,7 +584,7 @@ dup_obstacle (const cJSON *parent, const cJSON *container, const QnJsonStep *ste
                       : g_strdup_printf (_ ("there is no list %s"), before);
 }
 
-/* The value that a step leads to; an object that is missing is added. NULL when out of memory. */
+/* The value that a step leads to; an object that is missing is added. */
 static cJSON *
 descend (cJSON *container, const QnJsonStep *step)
 {
@@ -613,41 +594,27 @@ descend (cJSON *container, const QnJsonStep *step)
   return member != NULL ? member : cJSON_AddObjectToObject (container, step->key);
 }
 
-/* Puts `value` (owned) where the last step says; FALSE when out of memory. */
-static gboolean
-place (cJSON *container, const QnJsonStep *step, cJSON *value)
+/* Puts a value, as JSON or else as a string, where the last step says. */
+static void
+place (cJSON *container, const QnJsonStep *step, const char *text)
 {
-  gboolean placed;
+  cJSON *value = qn_json_parse (text, strlen (text), "", NULL);
+  if (value == NULL)
+    value = cJSON_CreateString (text);
   if (step->key == NULL)
-    placed = cJSON_ReplaceItemInArray (container, (int) step->index, value);
-  else if (cJSON_GetObjectItemCaseSensitive (container, step->key) != NULL)
-    placed = cJSON_ReplaceItemInObjectCaseSensitive (container, step->key, value);
-  else
-    placed = cJSON_AddItemToObject (container, step->key, value);
-  if (!placed)
-    cJSON_Delete (value);
-  return placed;
-}
-
-/* The value as JSON or else as a string; NULL when out of memory. */
-static cJSON *
-parse_value (const char *text)
-{
-  g_autoptr (GError) error = NULL;
-  cJSON *value = qn_json_parse (text, strlen (text), "", &error);
-  return value != NULL || g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY)
-           ? value
-           : cJSON_CreateString (text);
+    cJSON_ReplaceItemInArray (container, (int) step->index, value);
+  else if (!cJSON_ReplaceItemInObjectCaseSensitive (container, step->key, value))
+    cJSON_AddItemToObject (container, step->key, value);
 }
 
 /* "laws[7].kn=1": the project has no such place */
 static gboolean
-fail_override (GError **error, int code, const char *override, const char *message)
+fail_override (GError **error, const char *override, const char *message)
 {
   GString *quoted = g_string_new (NULL);
   char *valid = g_utf8_make_valid (override, -1);
   qn_json_append_string (quoted, valid);
-  g_set_error (error, QN_IO_ERROR, code, "%s: %s", quoted->str, message);
+  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", quoted->str, message);
   g_free (valid);
   g_string_free (quoted, TRUE);
   return FALSE;
@@ -660,29 +627,26 @@ apply (cJSON *root, const GArray *path, const char *override, const char *text,
 {
   cJSON *container = root, *parent = NULL;
   g_autoptr (GString) before = g_string_new (NULL);
-  for (guint i = 0; container != NULL && i < path->len; i++) {
+  for (guint i = 0; i < path->len; i++) {
     const QnJsonStep *step = &g_array_index (path, QnJsonStep, i);
     g_autofree char *obstacle = dup_obstacle (parent, container, step, before->str);
     if (obstacle != NULL) {
       g_autofree char *message =
         g_strconcat (_ ("the project has no such place"), ": ", obstacle, NULL);
-      return fail_override (error, QN_IO_ERROR_OVERRIDE, override, message);
+      return fail_override (error, override, message);
     }
-    if (i + 1 < path->len) {
-      parent = container;
-      container = descend (parent, step);
-      if (step->key != NULL)
-        qn_json_path_append_key (before, step->key);
-      else
-        qn_json_path_append_index (before, step->index);
-      continue;
+    if (i + 1 == path->len) {
+      place (container, step, text);
+      break;
     }
-    cJSON *value = parse_value (text);
-    if (value != NULL && place (container, step, value))
-      return TRUE;
-    container = NULL;
+    parent = container;
+    container = descend (parent, step);
+    if (step->key != NULL)
+      qn_json_path_append_key (before, step->key);
+    else
+      qn_json_path_append_index (before, step->index);
   }
-  return fail_override (error, QN_IO_ERROR_NO_MEMORY, override, _ ("not enough memory"));
+  return TRUE;
 }
 
 gboolean
@@ -693,7 +657,7 @@ qn_json_override (cJSON *root, const char *override, GError **error)
     g_utf8_validate (override, -1, NULL) ? parse_path (override, &text) : NULL;
   if (path == NULL)
     return fail_override (
-      error, QN_IO_ERROR_OVERRIDE, override,
+      error, override,
       strchr (override, '=') == NULL
         ? _ ("an override has the form path=value")
         : _ ("the path has keys parted by points, and numbers of elements in "

@@ -107,33 +107,26 @@ dup_owner_of_path (QnModel *model, const LoadStarts *starts, const char *path,
   return dup_note_owner (number);
 }
 
-gboolean
+void
 qn_project_keep_inner (QnProject *project, cJSON *unknown)
 {
-  cJSON *kept = unknown != NULL ? cJSON_CreateObject () : NULL;
-  gboolean done = unknown == NULL || kept != NULL;
+  cJSON *kept = cJSON_CreateObject ();
   int32_t number = 0;
   const LoadStarts starts = find_load_starts (&project->model);
-  while (done && unknown != NULL && unknown->child != NULL) {
+  while (unknown != NULL && unknown->child != NULL) {
     cJSON *members = cJSON_DetachItemViaPointer (unknown, unknown->child);
-    char *owner = dup_owner_of_path (&project->model, &starts, members->string, ++number);
+    g_autofree char *owner =
+      dup_owner_of_path (&project->model, &starts, members->string, ++number);
     if (owner != NULL)
-      done = cJSON_AddItemToObject (kept, owner, members);
-    if (owner == NULL || !done)
+      cJSON_AddItemToObject (kept, owner, members);
+    else
       cJSON_Delete (members);
-    g_free (owner);
   }
   cJSON_Delete (unknown);
-  if (done && kept != NULL && kept->child != NULL) {
-    if (project->extras == NULL)
-      project->extras = cJSON_CreateObject ();
-    done = project->extras != NULL
-           && cJSON_AddItemToObject (project->extras, QN_INNER_MEMBER, kept);
-    if (done)
-      kept = NULL;
-  }
-  cJSON_Delete (kept);
-  return done;
+  if (kept->child != NULL)
+    qn_project_put_extra (project, QN_INNER_MEMBER, kept);
+  else
+    cJSON_Delete (kept);
 }
 
 GHashTable *

@@ -10,9 +10,8 @@
 /* Where the project's extras keep them; no member of a document may be called that. */
 #define QN_INNER_MEMBER "\x01inner"
 
-/* Takes over what the reader found unknown: an object of objects by their paths, or NULL. FALSE
- * where memory runs out. */
-gboolean qn_project_keep_inner (QnProject *project, cJSON *unknown);
+/* Takes over what the reader found unknown: an object of objects by their paths, or NULL. */
+void qn_project_keep_inner (QnProject *project, cJSON *unknown);
 
 /* Of a project, by owner; NULL where there are none. Free with g_hash_table_unref(). */
 GHashTable *qn_project_index_inner (const QnProject *project);

@@ -141,14 +141,8 @@ keep_extras (const QnJsonValue *root, cJSON *document, QnProject *project)
           ? !qn_json_value_unknown (&place, project_keys, key)
           : !check_extra (&place))
       return FALSE;
-    if (project->extras == NULL)
-      project->extras = cJSON_CreateObject ();
     cJSON_DetachItemViaPointer (document, child);
-    if (project->extras == NULL
-        || !cJSON_AddItemToObject (project->extras, child->string, child)) {
-      cJSON_Delete (child);
-      return qn_json_value_no_memory (root);
-    }
+    qn_project_put_extra (project, child->string, child);
   }
   return TRUE;
 }
@@ -220,9 +214,7 @@ read_project (QnProject *project, GError **error)
   if (document != NULL) {
     QnJsonValue root = qn_json_value_root (&reader, document);
     read_document (&root, document, project);
-    if (!qn_project_keep_inner (project, g_steal_pointer (&reader.unknown))
-        && reader.error == NULL)
-      qn_json_value_no_memory (&root);
+    qn_project_keep_inner (project, reader.unknown);
     cJSON_Delete (document);
     if (reader.dropped_warnings > 0)
       g_ptr_array_add (

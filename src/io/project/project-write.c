@@ -232,21 +232,15 @@ qn_project_save (const QnProject *project, const char *path, GError **error)
   return saved;
 }
 
-/* Of what the file says besides the model, masonry is what blocks follow from. */
-static struct cJSON *
-masonry_alone (const QnProject *project)
-{
-  QnProject empty = { 0 };
-  g_autofree char *json = qn_project_dup_extra (project, QN_MASONRY_MEMBER);
-  return json != NULL ? qn_project_extras_with (&empty, QN_MASONRY_MEMBER, json, NULL)
-                      : NULL;
-}
-
 char *
 qn_model_digest_like (const QnProject *project, const QnProjectText *text)
 {
   QnProject bare = *project;
-  bare.extras = masonry_alone (project);
+  const cJSON *masonry =
+    cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
+  bare.extras = NULL;
+  if (masonry != NULL) /* of what is besides the model, this is what blocks follow from */
+    qn_project_put_extra (&bare, QN_MASONRY_MEMBER, cJSON_Duplicate (masonry, 1));
   bare.model.title = NULL;
   /* Neither title nor sources change an answer. */
   g_autofree QnLaw *laws =
@@ -255,7 +249,7 @@ qn_model_digest_like (const QnProject *project, const QnProjectText *text)
     laws[i].source = NULL;
   bare.model.laws = laws;
   QnProjectText *canonical = qn_project_write (&bare, project, text);
-  qn_project_extras_free (bare.extras);
+  cJSON_Delete (bare.extras);
   char *digest = g_compute_checksum_for_data (
     G_CHECKSUM_SHA256, (const guchar *) canonical->text, canonical->length);
   qn_project_text_free (canonical);

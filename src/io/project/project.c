@@ -65,17 +65,12 @@ gboolean
 qn_project_copy (const QnProject *project, QnProject *copy, GError **error)
 {
   *copy = (QnProject){ 0 };
-  /* No member has an empty name: this is a plain copy. */
-  cJSON *extras = qn_project_extras_with (project, "", NULL, error);
-  if (extras == NULL)
-    return FALSE;
   if (qn_model_copy (&project->model, &copy->model, NULL) != QN_OK) {
-    cJSON_Delete (extras);
     g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
                          _ ("not enough memory"));
     return FALSE;
   }
-  copy->extras = extras;
+  copy->extras = cJSON_Duplicate (project->extras, 1);
   copy->name = g_strdup (project->name);
   copy->path = g_strdup (project->path);
   copy->warnings = g_ptr_array_ref (project->warnings);
@@ -387,37 +382,28 @@ qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findin
   return lines;
 }
 
-/* The value of a JSON text, or NULL with an error that starts with the member's name. */
-cJSON *
-qn_project_extras_with (const QnProject *project, const char *member, const char *json,
-                        GError **error)
+void
+qn_project_put_extra (QnProject *project, const char *member, cJSON *value)
+{
+  if (project->extras == NULL)
+    project->extras = cJSON_CreateObject ();
+  if (value == NULL)
+    cJSON_DeleteItemFromObjectCaseSensitive (project->extras, member);
+  else if (cJSON_GetObjectItemCaseSensitive (project->extras, member) != NULL)
+    cJSON_ReplaceItemInObjectCaseSensitive (project->extras, member, value);
+  else
+    cJSON_AddItemToObject (project->extras, member, value);
+}
+
+gboolean
+qn_project_set_extra (QnProject *project, const char *member, const char *json,
+                      GError **error)
 {
   cJSON *value = json != NULL ? qn_json_parse (json, strlen (json), member, error) : NULL;
   if (json != NULL && value == NULL)
-    return NULL;
-
-  cJSON *extras = project->extras != NULL ? cJSON_Duplicate (project->extras, 1)
-                                          : cJSON_CreateObject ();
-  gboolean done = extras != NULL;
-  if (done && value == NULL)
-    cJSON_DeleteItemFromObjectCaseSensitive (extras, member);
-  else if (done)
-    done = cJSON_ReplaceItemInObjectCaseSensitive (extras, member, value)
-           || cJSON_AddItemToObject (extras, member, value);
-  if (done)
-    return extras;
-
-  cJSON_Delete (value);
-  cJSON_Delete (extras);
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", member,
-               _ ("not enough memory"));
-  return NULL;
-}
-
-void
-qn_project_extras_free (cJSON *extras)
-{
-  cJSON_Delete (extras);
+    return FALSE;
+  qn_project_put_extra (project, member, value);
+  return TRUE;
 }
 
 char *

@@ -119,12 +119,12 @@ GPtrArray *qn_project_dup_finding_texts (const QnProject *project,
  * not kept. */
 QnReader qn_project_reader (const QnProject *project);
 
-/* The members of `project` with one replaced or, where `json` is NULL, removed, as an object
- * that the caller owns (cJSON_Delete). Not changed itself, `project` may share its parts with
- * others. NULL with an error in the domain QN_IO_ERROR where `json` is not JSON. */
-cJSON *qn_project_extras_with (const QnProject *project, const char *member,
-                               const char *json, GError **error);
-void qn_project_extras_free (cJSON *extras);
+/* Replaces a member or, where the value is NULL, removes it; the first takes the value over. FALSE
+ * with an error in the domain QN_IO_ERROR, that starts with the member's name, where `json` is not
+ * JSON. */
+void qn_project_put_extra (QnProject *project, const char *member, cJSON *value);
+gboolean qn_project_set_extra (QnProject *project, const char *member, const char *json,
+                               GError **error);
 
 /* Value of a member as JSON text, or NULL. Free with g_free(). */
 char *qn_project_dup_extra (const QnProject *project, const char *member);

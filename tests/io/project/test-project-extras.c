@@ -4,7 +4,6 @@
 #include "io/text/io-error.h"
 #include "support/room.h"
 
-#include <cjson/cJSON.h>
 #include <string.h>
 
 static void
@@ -14,16 +13,12 @@ expect_extra (const QnProject *project, const char *member, const char *expected
   g_assert_cmpstr (json, ==, expected);
 }
 
-/* Puts the members with one changed in place of the project's own. */
 static void
 change (QnProject *project, const char *member, const char *json)
 {
   GError *error = NULL;
-  cJSON *extras = qn_project_extras_with (project, member, json, &error);
+  g_assert_true (qn_project_set_extra (project, member, json, &error));
   g_assert_no_error (error);
-  g_assert_nonnull (extras);
-  qn_project_extras_free (project->extras);
-  project->extras = extras;
 }
 
 static void
@@ -52,7 +47,7 @@ test_not_json (void)
   g_auto (QnProject) project;
   g_autoptr (GError) error = NULL;
   test_parse (test_project_text, &project);
-  g_assert_null (qn_project_extras_with (&project, "view", "{", &error));
+  g_assert_false (qn_project_set_extra (&project, "view", "{", &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_cmpstr (error->message, ==, "view:1:2: text ends inside an object");
 }
