@@ -237,6 +237,16 @@ test_above_ground (void)
   }
 }
 
+/* A corner that turns out along its crack, by hand with and without its tie. */
+static void
+test_corner_wedge (void)
+{
+  g_autofree char *example = cli_example ("64-corner-wedge.quoin");
+  cli_says ("alpha0 0.69048", "capacity", example, NULL);
+  cli_says ("alpha0 0.37048", "capacity", example, "--set", "ties=[]", NULL);
+  cli_says ("between 0.69047619", "limit", example, NULL);
+}
+
 /* Strips of façades by the hand numbers of docs/method/capacity.md: about the foot, about a floor, bending
  * between floors. What no strip has is refused. */
 static void
@@ -410,6 +420,7 @@ QN_TESTS
   g_test_add_func ("/capacity/block", test_block);
   g_test_add_func ("/capacity/above-ground", test_above_ground);
   g_test_add_func ("/capacity/facade-strip", test_facade_strip);
+  g_test_add_func ("/capacity/corner-wedge", test_corner_wedge);
   g_test_add_func ("/capacity/gable", test_gable);
   g_test_add_func ("/capacity/mechanism", test_mechanism);
   g_test_add_func ("/capacity/kept", test_kept);

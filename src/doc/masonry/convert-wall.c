@@ -25,6 +25,17 @@ typedef struct Hole {
   double bearing;    /* of a lintel in course `top`, in units; 0: none */
 } Hole;
 
+/* Appends, as one gap or block with the last where `joined` and both are of a kind. */
+static void
+append_piece (GArray *pieces, Piece piece, gboolean joined)
+{
+  Piece *last = pieces->len > 0 ? &g_array_index (pieces, Piece, pieces->len - 1) : NULL;
+  if (joined && last != NULL && last->gap == piece.gap)
+    last->right = piece.right;
+  else
+    g_array_append_val (pieces, piece);
+}
+
 static Courses *
 read_courses (const QnWall *wall)
 {
@@ -34,13 +45,8 @@ read_courses (const QnWall *wall)
     double x = 0.0;
     for (; entry < wall->course_ends[course]; entry++) {
       double end = x + fabs (wall->lengths[entry]);
-      Piece piece = { x, end, wall->lengths[entry] < 0.0 };
-      Piece *last =
-        pieces->len > 0 ? &g_array_index (pieces, Piece, pieces->len - 1) : NULL;
-      if (last != NULL && last->gap && piece.gap)
-        last->right = end;
-      else
-        g_array_append_val (pieces, piece);
+      const gboolean gap = wall->lengths[entry] < 0.0;
+      append_piece (pieces, (Piece){ x, end, gap }, gap);
       x = end;
     }
     g_ptr_array_add (courses, pieces);
@@ -110,17 +116,6 @@ has_joint (const GArray *pieces, double at)
       return TRUE;
   }
   return FALSE;
-}
-
-/* Appends, as one block with the last where `joined`. */
-static void
-append_piece (GArray *pieces, Piece piece, gboolean joined)
-{
-  Piece *last = pieces->len > 0 ? &g_array_index (pieces, Piece, pieces->len - 1) : NULL;
-  if (joined && last != NULL && !last->gap && !piece.gap)
-    last->right = piece.right;
-  else
-    g_array_append_val (pieces, piece);
 }
 
 /* The course with what lies between `left` and `right` laid like its sister. */

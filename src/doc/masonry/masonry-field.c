@@ -133,12 +133,11 @@ qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field)
   if (masonry->rubble.relaxed
       && (field == QN_MASONRY_RUBBLE_TOP || field == QN_MASONRY_RUBBLE_IRREGULARITY))
     return FALSE;
+  const QnArch *arch = qn_masonry_get_arch (masonry);
   if (f->type == TYPE_SPRINGING)
-    return (int) masonry->kind == f->kind && qn_masonry_get_arch (masonry) != NULL
-           && qn_masonry_get_arch (masonry)->shape == QN_ARCH_CIRCULAR;
+    return arch != NULL && arch->shape == QN_ARCH_CIRCULAR;
   if (field == QN_MASONRY_ARCH_HAUNCH || field == QN_MASONRY_PORTAL_HAUNCH)
-    return (int) masonry->kind == f->kind && qn_masonry_get_arch (masonry) != NULL
-           && qn_masonry_get_arch (masonry)->shape == QN_ARCH_THREE_CENTRED;
+    return arch != NULL && arch->shape == QN_ARCH_THREE_CENTRED;
   if (masonry->kind == QN_MASONRY_PORTAL && field >= QN_MASONRY_PORTAL_RISE
       && field <= QN_MASONRY_PORTAL_BACKING)
     return !(masonry->portal.lintel_height > 0.0);

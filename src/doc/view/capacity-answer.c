@@ -4,6 +4,7 @@
 #include "core/path/analysis.h"
 #include "doc/document/job.h"
 #include "doc/text/explain.h"
+#include "doc/view/report-parts.h"
 #include "doc/view/sheet.h"
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
@@ -53,30 +54,17 @@ dup_ratio (double ratio)
 GPtrArray *
 qn_capacity_answer_make_table (const QnCapacityAnswer *answer, QnUnits units)
 {
-  const char *unit = qn_units_symbol (units, QN_QUANTITY_LENGTH);
   GPtrArray *cells = g_ptr_array_new_with_free_func (g_free);
-  g_ptr_array_add (cells, g_strdup (_ ("State")));
-  g_ptr_array_add (cells, g_strdup (_ ("Code")));
-  g_ptr_array_add (cells, g_strdup_printf (_ ("Capacity (%s)"), unit));
-  g_ptr_array_add (cells, g_strdup (_ ("a* (m/s²)")));
-  g_ptr_array_add (cells, g_strdup (_ ("Period (s)")));
-  g_ptr_array_add (cells, g_strdup_printf (_ ("Demand (%s)"), unit));
-  g_ptr_array_add (cells, g_strdup (_ ("Ratio")));
+  qn_report_row (cells, units, "wwuwwuw", _ ("State"), _ ("Code"), _ ("Capacity (%s)"),
+                 QN_QUANTITY_LENGTH, _ ("a* (m/s²)"), _ ("Period (s)"), _ ("Demand (%s)"),
+                 QN_QUANTITY_LENGTH, _ ("Ratio"));
   for (int k = 0; k < qn_capacity_answer_count_states (answer); k++) {
     const QnCapacityState *s = &answer->states[k];
-    const struct {
-      QnQuantity quantity;
-      double value;
-    } numbers[] = { { QN_QUANTITY_LENGTH, s->capacity },
-                    { QN_QUANTITY_NUMBER, s->acceleration },
-                    { QN_QUANTITY_TIME, s->period },
-                    { QN_QUANTITY_LENGTH, s->demand } };
-    g_ptr_array_add (cells, g_strdup (check_name ((QnCapacityCheck) k)));
-    g_ptr_array_add (cells, g_strdup (check_code ((QnCapacityCheck) k)));
-    for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
-      g_ptr_array_add (cells,
-                       qn_units_format (units, numbers[i].quantity, numbers[i].value, 4));
-    g_ptr_array_add (cells, s->refused ? g_strdup (_ ("refused")) : dup_ratio (s->ratio));
+    qn_report_row (cells, units, "wwqqqqo", check_name ((QnCapacityCheck) k),
+                   check_code ((QnCapacityCheck) k), QN_QUANTITY_LENGTH, s->capacity, 4,
+                   QN_QUANTITY_NUMBER, s->acceleration, 4, QN_QUANTITY_TIME, s->period, 4,
+                   QN_QUANTITY_LENGTH, s->demand, 4,
+                   s->refused ? g_strdup (_ ("refused")) : dup_ratio (s->ratio));
   }
   return cells;
 }
@@ -527,23 +515,15 @@ may_go_on (const QnProgress *progress, void *data)
   return !g_cancellable_is_cancelled (work->cancellable);
 }
 
-static QnCapacityEnd
-find_capacity (CapacityWork *work)
-{
-  QnStatus status = qn_contacts_detect (&work->model, &work->contacts, &work->diag);
-  if (status == QN_OK)
-    status = qn_contacts_require_sound (&work->model, &work->contacts, &work->diag);
-  return status == QN_OK
-           ? qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
-                                      may_go_on, work, &work->reason, &work->diag)
-           : QN_CAPACITY_REFUSED;
-}
-
 static void
 find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
 {
   CapacityWork *work = data;
-  QnCapacityEnd end = find_capacity (work);
+  QnCapacityEnd end = QN_CAPACITY_REFUSED;
+  if (qn_contacts_detect (&work->model, &work->contacts, &work->diag) == QN_OK
+      && qn_contacts_require_sound (&work->model, &work->contacts, &work->diag) == QN_OK)
+    end = qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
+                                   may_go_on, work, &work->reason, &work->diag);
   g_autofree char *refused =
     end == QN_CAPACITY_REFUSED ? qn_explain_diag (&work->model, &work->diag) : NULL;
   if (end == QN_CAPACITY_FOUND) {

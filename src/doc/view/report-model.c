@@ -11,9 +11,9 @@
 #include <math.h>
 
 static char *
-dup_quantity (const QnReport *report, QnQuantity quantity, double value)
+dup_quantity (QnUnits units, QnQuantity quantity, double value, int digits)
 {
-  return qn_label_power (qn_units_format_full (report->units, quantity, value, 5));
+  return qn_label_power (qn_units_format_full (units, quantity, value, digits));
 }
 
 /* Box around the blocks and the weight of those that are free. */
@@ -47,9 +47,9 @@ qn_report_write_model (QnPages *pages, const QnReport *report, GError **error)
   gsize first = model->block_count > 0 || model->beam_count == 0 ? 0 : 3;
   gsize end = G_N_ELEMENTS (counts) - (model->beam_count > 0 ? 0 : 1);
   g_autofree char *number = qn_counts_dup_text (counts + first, end - first, ", ");
-  g_autofree char *width = dup_quantity (report, QN_QUANTITY_LENGTH, size.x);
-  g_autofree char *height = dup_quantity (report, QN_QUANTITY_LENGTH, size.y);
-  g_autofree char *force = dup_quantity (report, QN_QUANTITY_FORCE, weight);
+  g_autofree char *width = dup_quantity (report->units, QN_QUANTITY_LENGTH, size.x, 5);
+  g_autofree char *height = dup_quantity (report->units, QN_QUANTITY_LENGTH, size.y, 5);
+  g_autofree char *force = dup_quantity (report->units, QN_QUANTITY_FORCE, weight, 5);
   g_autofree char *text =
     first > 0 ? g_strdup_printf (_ ("%s; %s wide, %s high: figure\u00a0%d."), number,
                                  width, height, qn_pages_next_figure (pages))
@@ -70,13 +70,13 @@ dup_law_numbers (const QnLaw *law, QnUnits units)
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   g_autoptr (GString) text = g_string_new (NULL);
-  g_autofree char *kn = qn_label_power (
-    qn_units_format_full (units, qn_law_quantity ("kn", law->basis), law->kn, 6));
-  g_autofree char *ks = qn_label_power (
-    qn_units_format_full (units, qn_law_quantity ("ks", law->basis), law->ks, 6));
+  g_autofree char *kn =
+    dup_quantity (units, qn_law_quantity ("kn", law->basis), law->kn, 6);
+  g_autofree char *ks =
+    dup_quantity (units, qn_law_quantity ("ks", law->basis), law->ks, 6);
   if (law->elasticity > 0) {
-    g_autofree char *E = qn_label_power (qn_units_format_full (
-      units, qn_law_quantity ("elasticity", law->basis), law->elasticity, 6));
+    g_autofree char *E = dup_quantity (units, qn_law_quantity ("elasticity", law->basis),
+                                       law->elasticity, 6);
     g_string_append_printf (text,
                             law->arrangement == QN_ARRANGEMENT_GRID
                               ? _ ("E = %s, ν = %.6g, blocks in a grid: ")
@@ -88,9 +88,8 @@ dup_law_numbers (const QnLaw *law, QnUnits units)
     double value = qn_law_get (law, &parameters[i]);
     if (!isfinite (value) || (value == 0 && parameters[i].positive))
       continue; /* not given, which is not 0 */
-    g_autofree char *number = qn_units_format_full (
-      units, qn_law_quantity (parameters[i].key, law->basis), value, 6);
-    number = qn_label_power (number);
+    g_autofree char *number =
+      dup_quantity (units, qn_law_quantity (parameters[i].key, law->basis), value, 6);
     g_string_append_printf (text, "; %s: %s", _ (qn_law_number_word (parameters[i].key)),
                             number);
   }
@@ -108,8 +107,7 @@ append_number (GString *text, const char *symbol, QnQuantity quantity, double va
                           .stress = QN_STRESS_MPA };
   if (value == 0)
     return;
-  g_autofree char *number =
-    qn_label_power (qn_units_format_full (units, quantity, value, 6));
+  g_autofree char *number = dup_quantity (units, quantity, value, 6);
   g_string_append_printf (text, "%s%s = %s%s", text->len > 0 ? ", " : "", symbol, number,
                           unit);
 }
