@@ -499,15 +499,17 @@ test_changed_elsewhere (void)
   g_rmdir (folder);
 }
 
+/* The dialog that GTK shows where no portal does, whichever of its interfaces asked for it. */
 static GtkFileChooser *
 begin_choosing (QnWindow *window, const char *action, const char *shown,
                 const char *hidden)
 {
   driver_activate (window, action);
-  g_assert_true (GTK_IS_FILE_CHOOSER_NATIVE (window->chooser));
-  GtkFileChooser *chooser = GTK_FILE_CHOOSER (window->chooser);
-  g_assert_true (gtk_native_dialog_get_visible (GTK_NATIVE_DIALOG (chooser)));
-  g_assert_true (gtk_native_dialog_get_modal (GTK_NATIVE_DIALOG (chooser)));
+  g_assert_nonnull (window->chooser);
+  GtkWidget *dialog = driver_find_other ();
+  g_assert_true (GTK_IS_FILE_CHOOSER (dialog));
+  g_assert_true (gtk_window_get_modal (GTK_WINDOW (dialog)));
+  GtkFileChooser *chooser = GTK_FILE_CHOOSER (dialog);
   g_autoptr (GListModel) filters = gtk_file_chooser_get_filters (chooser);
   g_assert_cmpuint (g_list_model_get_n_items (filters), ==, 1);
   g_autoptr (GtkFilter) filter = g_list_model_get_item (filters, 0);
@@ -521,11 +523,12 @@ begin_choosing (QnWindow *window, const char *action, const char *shown,
 }
 
 static void
-respond (QnWindow *window, int response)
+respond (QnWindow *window, GtkFileChooser *chooser, int response)
 {
-  gtk_native_dialog_hide (GTK_NATIVE_DIALOG (window->chooser));
-  g_signal_emit_by_name (window->chooser, "response", response);
+  gtk_dialog_response (GTK_DIALOG (chooser), response);
+  driver_settle ();
   g_assert_null (window->chooser);
+  g_assert_null (driver_find_other ());
 }
 
 typedef struct Choice {
@@ -555,8 +558,9 @@ test_choosers (void)
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
   driver_pass_over_gtk ();
   for (gsize i = 0; i < G_N_ELEMENTS (choosers); i++) {
-    begin_choosing (window, choosers[i][0], choosers[i][1], choosers[i][2]);
-    respond (window, GTK_RESPONSE_CANCEL);
+    GtkFileChooser *chooser =
+      begin_choosing (window, choosers[i][0], choosers[i][1], choosers[i][2]);
+    respond (window, chooser, GTK_RESPONSE_CANCEL);
   }
 
   g_autofree char *path = driver_example_path ("../examples/05-stack.quoin");
@@ -565,7 +569,7 @@ test_choosers (void)
     begin_choosing (window, choosers[0][0], choosers[0][1], choosers[0][2]);
   gtk_file_chooser_set_file (chooser, file, NULL);
   driver_wait (is_chosen, &(Choice){ chooser, file });
-  respond (window, GTK_RESPONSE_ACCEPT);
+  respond (window, chooser, GTK_RESPONSE_ACCEPT);
   QnWindow *opened = qn_window_find_path (driver_application (), path);
   g_assert_nonnull (opened);
   g_assert_cmpuint (model_of (opened)->block_count, >, 0);
@@ -575,7 +579,7 @@ test_choosers (void)
   g_autoptr (GFile) folder = g_file_get_parent (file);
   g_assert_nonnull (beside);
   g_assert_true (g_file_equal (beside, folder));
-  respond (opened, GTK_RESPONSE_CANCEL);
+  respond (opened, chooser, GTK_RESPONSE_CANCEL);
   driver_discard (opened);
   driver_discard (window);
 }
@@ -751,7 +755,7 @@ test_broken (void)
   g_rmdir (folder);
 }
 
-/* Escape closes every window that is no main one. */
+/* Escape closes every window that is no main one, and so does the end of the main one. */
 static void
 test_escape (void)
 {
@@ -761,7 +765,7 @@ test_escape (void)
                                          "app.preferences",
                                          "app.about",
                                          "app.help",
-                                         "win.show-help-overlay" };
+                                         "win.shortcuts" };
   driver_pass_over_gtk ();
   QnWindow *window = driver_open_example ("06-arch.quoin");
   driver_activate (window, "win.run");
@@ -772,6 +776,13 @@ test_escape (void)
     g_assert_nonnull (driver_find_other ());
     driver_key ("Escape");
     g_assert_null (driver_find_other ());
+    driver_activate (window, actions[i]);
+    g_assert_nonnull (driver_find_other ());
+    driver_discard (window);
+    g_assert_null (driver_find_other ());
+    window = driver_open_example ("06-arch.quoin");
+    driver_activate (window, "win.run");
+    driver_wait_for_job (window);
   }
   driver_discard (window);
 }

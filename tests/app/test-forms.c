@@ -196,7 +196,7 @@ static const struct {
   { "import", "win.take-path", "dxf/wall-clutter.dxf", "Import" },
   { "preferences", "app.preferences", NULL, "Preferences" },
   { "help", "app.help", NULL, "Help" },
-  { "shortcuts", "win.show-help-overlay", NULL, NULL },
+  { "shortcuts", "win.shortcuts", NULL, NULL },
   { "about", "app.about", NULL, NULL },
   { "compare", "win.compare", NULL, NULL },
   { "animation", "win.export-result", "animation", "Export Animation" },

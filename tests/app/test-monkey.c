@@ -84,7 +84,7 @@ spare_choosers (GtkWidget *widget)
 {
   static const char *const actions[] = {
     "open",        "import",        "picture",        "save",  "save-as",
-    "open-result", "export-result", "export-drawing", "print", "show-help-overlay"
+    "open-result", "export-result", "export-drawing", "print", "shortcuts"
   };
   for (gsize i = 0; QN_IS_WINDOW (widget) && i < G_N_ELEMENTS (actions); i++) {
     g_autoptr (GSimpleAction) idle = g_simple_action_new (

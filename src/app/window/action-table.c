@@ -1,6 +1,7 @@
 #include "app/window/action-table.h"
 
 #include "app/tools/tools.h"
+#include "app/widgets/dialog.h"
 #include <glib/gi18n.h>
 
 /* In its group of the window of shortcuts. */
@@ -70,8 +71,7 @@ const QnActionRow qn_action_rows[] = {
 
   /* General. */
   KEYED (GENERAL, "app.help", ALL, "F1", N_ ("Help")),
-  KEYED (GENERAL, "win.show-help-overlay", ALL, "<Control>question",
-         N_ ("Keyboard shortcuts")),
+  KEYED (GENERAL, "win.shortcuts", ALL, "<Control>question", N_ ("Keyboard shortcuts")),
   KEYED (GENERAL, "app.preferences", ALL, "<Control>comma", N_ ("Preferences")),
   KEYED (GENERAL, "app.quit", ALL, "<Control>q", N_ ("Quit")),
 };
@@ -86,13 +86,6 @@ qn_action_find (const char *detailed_name)
   return NULL;
 }
 
-static char *
-dup_first_key (const char *keys)
-{
-  const char *end = strchr (keys, ' ');
-  return end != NULL ? g_strndup (keys, (gsize) (end - keys)) : g_strdup (keys);
-}
-
 /* ---- tooltips ---- */
 
 char *
@@ -103,8 +96,8 @@ qn_action_dup_tooltip (const char *text, const char *detailed_name)
   GdkModifierType modifiers = 0;
   if (row == NULL)
     return g_strdup (text);
-  g_autofree char *key = dup_first_key (row->keys);
-  gtk_accelerator_parse (key, &keyval, &modifiers);
+  g_auto (GStrv) keys = g_strsplit (row->keys, " ", 2);
+  gtk_accelerator_parse (keys[0], &keyval, &modifiers);
   g_autofree char *shown = gtk_accelerator_get_label (keyval, modifiers);
   return g_strdup_printf ("%s (%s)", text, shown);
 }
@@ -176,54 +169,58 @@ qn_action_add_accelerators (GtkApplication *application)
   }
 }
 
-/* ---- the window of shortcuts, which GTK makes of a description alone ---- */
+/* ---- the window of shortcuts ---- */
 
 static void
-describe_shortcut (GString *xml, const char *label, const char *keys)
+add_shortcut (GtkGrid *grid, int row, const char *label, const char *accelerators)
 {
-  g_autofree char *text = g_markup_printf_escaped (
-    "<child><object class='GtkShortcutsShortcut'><property name='title'>%s</property>"
-    "<property name='accelerator'>%s</property></object></child>",
-    label, keys);
-  g_string_append (xml, text);
-}
-
-static void
-describe_group (GString *xml, QnActionGroup group, const char *title)
-{
-  g_autofree char *head = g_markup_printf_escaped (
-    "<child><object class='GtkShortcutsGroup'><property name='title'>%s</property>",
-    title);
-  g_string_append (xml, head);
-  for (int i = 0; group == QN_GROUP_TOOLS && qn_tools[i] != NULL; i++)
-    describe_shortcut (xml, _ (qn_tools[i]->label), qn_tools[i]->accel);
-  for (gsize i = 0; i < qn_action_row_count; i++) {
-    const QnActionRow *row = &qn_action_rows[i];
-    if (row->group != group)
-      continue;
-    g_autofree char *first = dup_first_key (row->keys);
-    describe_shortcut (xml, _ (row->label), row->name != NULL ? first : row->keys);
+  g_auto (GStrv) keys = g_strsplit (accelerators, " ", -1);
+  GtkWidget *keycaps = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 4);
+  for (char **key = keys; *key != NULL; key++) {
+    guint keyval = 0;
+    GdkModifierType modifiers = 0;
+    gtk_accelerator_parse (*key, &keyval, &modifiers);
+    g_autofree char *shown = gtk_accelerator_get_label (keyval, modifiers);
+    GtkWidget *keycap = gtk_label_new (shown);
+    gtk_widget_add_css_class (keycap, "keycap");
+    gtk_box_append (GTK_BOX (keycaps), keycap);
   }
-  g_string_append (xml, "</object></child>");
+  GtkWidget *words = gtk_label_new (label);
+  gtk_widget_set_halign (words, GTK_ALIGN_START);
+  gtk_grid_attach (grid, keycaps, 0, row, 1, 1);
+  gtk_grid_attach (grid, words, 1, row, 1, 1);
 }
 
-GtkShortcutsWindow *
-qn_action_new_shortcuts_window (void)
+void
+qn_action_show_shortcuts (GtkWindow *parent)
 {
   static const char *const titles[QN_GROUP_COUNT] = {
     [QN_GROUP_FILES] = N_ ("Files"), [QN_GROUP_EDITING] = N_ ("Editing"),
     [QN_GROUP_TOOLS] = N_ ("Tools"), [QN_GROUP_ANALYSIS] = N_ ("Analysis"),
     [QN_GROUP_VIEW] = N_ ("View"),   [QN_GROUP_GENERAL] = N_ ("General"),
   };
-  g_autoptr (GString) xml = g_string_new (
-    "<interface><object class='GtkShortcutsWindow' id='help_overlay'>"
-    "<property name='modal'>1</property><child><object class='GtkShortcutsSection'>"
-    "<property name='section-name'>shortcuts</property>"
-    "<property name='max-height'>12</property>");
-  for (QnActionGroup group = QN_GROUP_FILES; group < QN_GROUP_COUNT; group++)
-    describe_group (xml, group, _ (titles[group]));
-  g_string_append (xml, "</object></child></object></interface>");
-  g_autoptr (GtkBuilder) builder = gtk_builder_new_from_string (xml->str, -1);
-  return GTK_SHORTCUTS_WINDOW (
-    g_object_ref (gtk_builder_get_object (builder, "help_overlay")));
+  GtkWidget *dialog = qn_dialog_new (parent, _ ("Keyboard shortcuts"), 1100, 680);
+  GtkWidget *scrolled = gtk_scrolled_window_new ();
+  GtkWidget *columns = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 36);
+  GtkGrid *grid = NULL;
+  gtk_widget_add_css_class (columns, "shortcuts");
+  for (int group = QN_GROUP_FILES, row = 0; group < QN_GROUP_COUNT; group++) {
+    if (grid == NULL || group == QN_GROUP_TOOLS || group == QN_GROUP_ANALYSIS) {
+      grid = GTK_GRID (gtk_grid_new ());
+      gtk_box_append (GTK_BOX (columns), GTK_WIDGET (grid));
+    }
+    GtkWidget *title = gtk_label_new (_ (titles[group]));
+    gtk_widget_add_css_class (title, "heading");
+    gtk_widget_set_halign (title, GTK_ALIGN_START);
+    gtk_grid_attach (grid, title, 0, row++, 2, 1);
+    for (int i = 0; group == QN_GROUP_TOOLS && qn_tools[i] != NULL; i++)
+      add_shortcut (grid, row++, _ (qn_tools[i]->label), qn_tools[i]->accel);
+    for (gsize i = 0; i < qn_action_row_count; i++)
+      if ((int) qn_action_rows[i].group == group)
+        add_shortcut (grid, row++, _ (qn_action_rows[i].label), qn_action_rows[i].keys);
+  }
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scrolled), columns);
+  gtk_widget_set_focusable (scrolled, TRUE); /* for the keys that scroll */
+  gtk_window_set_child (GTK_WINDOW (dialog), scrolled);
+  gtk_window_present (GTK_WINDOW (dialog));
 }

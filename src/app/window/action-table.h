@@ -46,5 +46,5 @@ char *qn_action_dup_for_key (guint keyval, GdkModifierType modifiers,
 /* Sets the accelerators that work everywhere. */
 void qn_action_add_accelerators (GtkApplication *application);
 
-/* The window of shortcuts, for one main window. */
-GtkShortcutsWindow *qn_action_new_shortcuts_window (void);
+/* Shows the window of shortcuts over a main window. */
+void qn_action_show_shortcuts (GtkWindow *parent);

@@ -115,10 +115,14 @@ show_panel (QnWindow *self, GVariant *parameter)
 static void
 toggle_fullscreen (QnWindow *self, GVariant *parameter)
 {
-  if (gtk_window_is_fullscreen (GTK_WINDOW (self)))
-    gtk_window_unfullscreen (GTK_WINDOW (self));
-  else
-    gtk_window_fullscreen (GTK_WINDOW (self));
+  g_object_set (self, "fullscreened", !gtk_window_is_fullscreen (GTK_WINDOW (self)),
+                NULL);
+}
+
+static void
+show_shortcuts (QnWindow *self, GVariant *parameter)
+{
+  qn_action_show_shortcuts (GTK_WINDOW (self));
 }
 
 /* ---- actions with a state ---- */
@@ -267,6 +271,7 @@ qn_window_add_actions (QnWindow *self)
     { "previous-step", NULL, previous_step, QN_NEEDS_RUN },
     { "show-panel", "s", show_panel, 0 },
     { "fullscreen", NULL, toggle_fullscreen, 0 },
+    { "shortcuts", NULL, show_shortcuts, 0 },
     { .name = NULL },
   };
   static const QnWindowAction stateful[] = {

@@ -565,9 +565,6 @@ qn_window_init (QnWindow *self)
   bind_settings (self);
   g_signal_connect (self, "realize", G_CALLBACK (on_realize), NULL);
   qn_window_add_context_menu (self);
-  g_autoptr (GtkShortcutsWindow) shortcuts = qn_action_new_shortcuts_window ();
-  gtk_application_window_set_help_overlay (GTK_APPLICATION_WINDOW (self), shortcuts);
-
   qn_window_accept_drops (self);
   update_counts (self);
   update_history (self);
