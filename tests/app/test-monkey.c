@@ -82,10 +82,10 @@ shown_toplevels (gboolean dialogs)
 static void
 spare_choosers (GtkWidget *widget)
 {
-  static const char *const actions[] = {
-    "open",        "import",        "picture",        "save",  "save-as",
-    "open-result", "export-result", "export-drawing", "print", "shortcuts"
-  };
+  static const char *const actions[] = { "open",          "import",         "picture",
+                                         "save",          "save-as",        "open-result",
+                                         "export-result", "export-drawing", "print",
+                                         "shortcuts" };
   for (gsize i = 0; QN_IS_WINDOW (widget) && i < G_N_ELEMENTS (actions); i++) {
     g_autoptr (GSimpleAction) idle = g_simple_action_new (
       actions[i],
