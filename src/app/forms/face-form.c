@@ -1,15 +1,11 @@
-/* The selected contact faces: their blocks, law and pairs, and the forces after a run. */
+/* The selected contact faces: their blocks, law and pairs. */
 #include "app/forms/bound-form.h"
-#include "app/forms/joint-view.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-face.h"
 #include "doc/text/explain.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
-
-/* Pairs that are told in words; a joint with more has the diagram. */
-#define MOST_TOLD_PAIRS 6
 
 /* Rows of the list of placements: as all contacts, then those of QnPlacement. */
 enum { ROW_AS_ALL };
@@ -24,9 +20,7 @@ enum { ROW_AS_ALL };
   FIELD (OFFSET, "offset", CHANGE)                                                       \
   FIELD (COUNT, "count", CHANGE)                                                         \
   FIELD (POSITIONS, "positions", CHANGE)                                                 \
-  FIELD (RESET, "reset", N_ ("Remove Exceptions"))                                       \
-  FIELD (VIEW, "view", NULL)                                                             \
-  FIELD (STATES, "states", NULL)
+  FIELD (RESET, "reset", N_ ("Remove Exceptions"))
 QN_FORM_FIELDS;
 
 static const QnId *
@@ -81,46 +75,6 @@ dup_facts (const QnBoundForm *form, const QnId *ids, guint count)
                           contents, law_a, law_b);
 }
 
-static char *
-dup_states (const QnJointPlot *plot)
-{
-  QnUnits units = qn_settings_get_units ();
-  GString *text = g_string_new (NULL);
-  guint counts[QN_PAIR_STATE_COUNT] = { 0 };
-  gboolean told = plot->count <= MOST_TOLD_PAIRS;
-  for (gsize i = 0; i < plot->count; i++) {
-    const QnJointPoint *point = &plot->points[i];
-    counts[point->state]++;
-    if (!told)
-      continue;
-    g_autofree char *n =
-      qn_units_format_full (units, QN_QUANTITY_FORCE, point->normal, 4);
-    g_autofree char *t = qn_units_format_full (units, QN_QUANTITY_FORCE, point->shear, 4);
-    g_string_append_printf (text, _ ("%s%s %d: %s, N %s, T %s"), i > 0 ? "\n" : "",
-                            _ ("Pair"), (int) i + 1, qn_explain_pair_state (point->state),
-                            n, t);
-  }
-  if (told)
-    return g_string_free (text, FALSE);
-  g_string_free (text, TRUE);
-  return qn_explain_pairs (counts);
-}
-
-/* Of a single joint at the step that is shown; FALSE without a run of these contacts. The points are
- * the caller's to free. */
-static gboolean
-fill_plot (const QnBoundForm *form, const QnId *ids, guint count, QnJointPlot *plot)
-{
-  QnDocument *document = qn_canvas_get_document (form->canvas);
-  const QnRun *run = qn_document_get_run (document);
-  int step = qn_view_state_get_step (qn_canvas_get_state (form->canvas));
-  return count == 1 && run != NULL && run->result.pairs != NULL
-         && qn_document_get_run_age (document, run) != QN_RUN_OTHER_MODEL
-         && (gsize) ids[0] < run->contacts.face_count
-         && qn_joint_plot_fill (plot, &run->model, &run->contacts, &run->result, step,
-                                ids[0]);
-}
-
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -132,7 +86,6 @@ show (gpointer data, guint field, QnValue *value)
     qn_model_find_override (model, &contacts_of (form)->faces[ids[0]]);
   gboolean own = override != NULL && override->has_pairs;
   const QnPairRule *rule = own ? &override->pairs : &model->contact.pairs;
-  QnJointPlot plot = { 0 };
   switch (field) {
   case TITLE:
     value->text = count == 1
@@ -161,19 +114,8 @@ show (gpointer data, guint field, QnValue *value)
   case POSITIONS: /* without any those of the ends are there to start from */
     value->text = qn_pair_rule_dup_positions (rule);
     return own && rule->placement == QN_PLACEMENT_EXPLICIT;
-  case RESET:
-    return override != NULL;
-  case VIEW:
-    if (!fill_plot (form, ids, count, &plot))
-      return FALSE;
-    qn_joint_view_set_plot (form->widgets[VIEW], &plot);
-    return TRUE;
   default:
-    if (!fill_plot (form, ids, count, &plot))
-      return FALSE;
-    value->text = dup_states (&plot);
-    free (plot.points);
-    return TRUE;
+    return override != NULL;
   }
 }
 
@@ -215,14 +157,5 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
          && qn_edit_set_face_pairs (model, set, &rule, error);
 }
 
-/* As it is before anything is shown. */
-static void
-init (gpointer data)
-{
-  QnBoundForm *form = data;
-  qn_joint_view_init (form->widgets[VIEW]);
-}
-
-const QnFormKind qn_face_form = QN_FORM_KIND (
-  "face-form", QnBoundForm, .look = look,
-  .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW, .init = init);
+const QnFormKind qn_face_form =
+  QN_FORM_KIND ("face-form", QnBoundForm, .look = look, .follows = QN_FOLLOW_SELECTION);

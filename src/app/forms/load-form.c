@@ -20,8 +20,6 @@ enum { ROW_DEAD, ROW_LIVE };
 typedef struct Form {
   QnBoundForm base;
   int32_t shown;    /* list */
-  int selected;     /* load of it, or -1: that of the selection */
-  int wanted;       /* to be selected once an edit has added it; -1: nothing */
   gboolean settles; /* about settlements, not about the other loads */
 } Form;
 
@@ -91,9 +89,10 @@ QN_FORM_FIELDS;
 static const QnLoad *
 selected_load (const Form *form)
 {
-  return form->selected >= 0 ? qn_model_get_load (qn_canvas_get_model (form->base.canvas),
-                                                  form->shown, (gsize) form->selected)
-                             : NULL;
+  return form->base.selected >= 0
+           ? qn_model_get_load (qn_canvas_get_model (form->base.canvas), form->shown,
+                                (gsize) form->base.selected)
+           : NULL;
 }
 
 /* Number in the model of a load of the list; QN_NONE for none. */
@@ -146,12 +145,12 @@ look (gpointer data)
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   if (form->shown > (int32_t) model->load_set_count)
     form->shown = 0;
-  if (form->wanted >= 0
-      && (gsize) form->wanted < qn_model_count_loads (model, form->shown))
-    select_load (form, form->wanted);
-  const int before = form->selected;
+  if (form->base.wanted >= 0
+      && (gsize) form->base.wanted < qn_model_count_loads (model, form->shown))
+    select_load (form, form->base.wanted);
+  const int before = form->base.selected;
   const int32_t list = form->shown;
-  form->wanted = form->selected = -1;
+  form->base.wanted = form->base.selected = -1;
   for (int live = 0; live < 2; live++) {
     QnId id =
       qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
@@ -164,8 +163,8 @@ look (gpointer data)
       form->shown = list;
       continue;
     }
-    form->selected = (int) index;
-    if (form->selected != before)
+    form->base.selected = (int) index;
+    if (form->base.selected != before)
       qn_bound_form_reveal (form);
   }
   return TRUE;
@@ -214,66 +213,59 @@ static gpointer
 subject (gpointer data, QnModel *model, guint field)
 {
   const Form *form = data;
-  return form->selected >= 0
-           ? (QnLoad *) qn_model_get_load (model, form->shown, (gsize) form->selected)
-           : NULL;
+  return form->base.selected >= 0 ? (QnLoad *) qn_model_get_load (
+           model, form->shown, (gsize) form->base.selected)
+                                  : NULL;
 }
 
-/* Whether a load of its kind has the number. */
+#define KIND(kind) (1u << QN_LOAD_##kind)
+
+/* Which loads have a number. */
+static const guint kinds[FIELD_COUNT] = {
+  [WHERE] = KIND (EDGE),
+  [EDGE] = KIND (EDGE),
+  [EDGE_COUNT] = KIND (EDGE),
+  [PART_FROM] = KIND (EDGE),
+  [PART_TO] = KIND (EDGE),
+  [INTENSITY_FROM] = KIND (EDGE),
+  [INTENSITY_TO] = KIND (EDGE),
+  [NORMAL] = KIND (EDGE),
+  [X] = KIND (WEIGHT) | KIND (FORCE) | KIND (NODE) | KIND (LINE) | KIND (EDGE),
+  [Y] = KIND (WEIGHT) | KIND (FORCE) | KIND (NODE) | KIND (LINE) | KIND (EDGE),
+  [MOMENT] = KIND (FORCE) | KIND (NODE),
+  [COMPONENT] = KIND (SETTLEMENT),
+  [DISTANCE] = KIND (SETTLEMENT),
+  [SOIL_SIDE] = KIND (BACKFILL),
+  [FROM] = KIND (SURCHARGE) | KIND (BACKFILL),
+  [TO] = KIND (SURCHARGE) | KIND (BACKFILL),
+  [PRESSURE] = KIND (SURCHARGE) | KIND (BACKFILL),
+  [UNIT_WEIGHT] = KIND (SURCHARGE) | KIND (BACKFILL) | KIND (FILL),
+  [LEVEL] = KIND (SURCHARGE),
+  [EARTH] = KIND (BACKFILL),
+  [COEFFICIENT] = KIND (BACKFILL),
+  [FRICTION_ANGLE] = KIND (BACKFILL) | KIND (FILL),
+  [SURFACE] = KIND (FILL),
+  [MOBILISATION] = KIND (FILL),
+  [SOIL_STIFFNESS] = KIND (FILL),
+  [VEHICLE] = KIND (VEHICLE),
+  [POSITION] = KIND (VEHICLE),
+  [REVERSED] = KIND (VEHICLE),
+  [CONVOY] = KIND (VEHICLE),
+  [HEADWAY] = KIND (VEHICLE),
+  [DISPERSAL] = KIND (VEHICLE),
+  [WIDTH] = KIND (VEHICLE),
+  [EFFECTIVE] = KIND (VEHICLE),
+};
+
 static gboolean
 has_number (const QnLoad *load, guint field)
 {
-  const gboolean edge = load->kind == QN_LOAD_EDGE, soil = load->kind == QN_LOAD_BACKFILL;
-  const gboolean fill = soil || load->kind == QN_LOAD_SURCHARGE;
-  switch (field) {
-  case WHERE:
-  case PART_FROM:
-  case PART_TO:
-  case INTENSITY_FROM:
-  case INTENSITY_TO:
-  case NORMAL:
-    return edge;
-  case EDGE:
-  case EDGE_COUNT:
-    return edge && !load->has_side;
-  case X:
-  case Y:
-    return edge ? !load->normal
-                : load->kind != QN_LOAD_SETTLEMENT && !qn_load_is_on_edges (load->kind);
-  case MOMENT:
-    return load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE;
-  case COMPONENT:
-  case DISTANCE:
-    return load->kind == QN_LOAD_SETTLEMENT;
-  case FROM:
-  case TO:
-  case PRESSURE:
-    return fill;
-  case UNIT_WEIGHT:
-    return fill || load->kind == QN_LOAD_FILL;
-  case SURFACE:
-  case MOBILISATION:
-  case SOIL_STIFFNESS:
-    return load->kind == QN_LOAD_FILL;
-  case VEHICLE:
-  case POSITION:
-  case REVERSED:
-  case CONVOY:
-  case HEADWAY:
-  case DISPERSAL:
-  case WIDTH:
-  case EFFECTIVE:
-    return load->kind == QN_LOAD_VEHICLE;
-  case FRICTION_ANGLE:
-    return (soil && load->earth != QN_EARTH_GIVEN) || load->kind == QN_LOAD_FILL;
-  case LEVEL:
-    return fill && !soil;
-  case SOIL_SIDE:
-  case EARTH:
-    return soil;
-  default:
-    return soil && load->earth == QN_EARTH_GIVEN;
-  }
+  const gboolean given = load->earth == QN_EARTH_GIVEN;
+  return (kinds[field] & 1u << load->kind) != 0
+         && !((field == EDGE || field == EDGE_COUNT) && load->has_side)
+         && !((field == X || field == Y) && load->kind == QN_LOAD_EDGE && load->normal)
+         && !(field == FRICTION_ANGLE && load->kind == QN_LOAD_BACKFILL && given)
+         && !(field == COEFFICIENT && !given);
 }
 
 static gboolean
@@ -351,7 +343,7 @@ show (gpointer data, guint field, QnValue *value)
   case LOADS:
     if (shows_any (form))
       add_loads (form, value, model);
-    value->number = form->selected;
+    value->number = form->base.selected;
     return TRUE;
   case EMPTY:
     value->text = g_strdup (
@@ -364,12 +356,12 @@ show (gpointer data, guint field, QnValue *value)
   case CHOOSE_EDGE:
     return selected_load (form) != NULL && selected_load (form)->kind == QN_LOAD_EDGE;
   case UP:
-    value->disabled = form->selected <= 0;
+    value->disabled = form->base.selected <= 0;
     return TRUE;
   case DOWN:
     value->disabled =
-      form->selected < 0
-      || (gsize) form->selected + 1 >= qn_model_count_loads (model, form->shown);
+      form->base.selected < 0
+      || (gsize) form->base.selected + 1 >= qn_model_count_loads (model, form->shown);
     return TRUE;
   case DUPLICATE:
   case REMOVE:
@@ -478,7 +470,7 @@ add (Form *form, QnModel *model, guint field, GError **error)
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error))
       || !qn_edit_append_load (model, form->shown, load, error))
     return FALSE;
-  form->wanted = (int) qn_model_count_loads (model, form->shown) - 1;
+  form->base.wanted = (int) qn_model_count_loads (model, form->shown) - 1;
   return TRUE;
 }
 
@@ -486,7 +478,7 @@ static gboolean
 change (const Form *form, QnModel *model, guint field, const QnValue *value,
         GError **error)
 {
-  QnLoad load = *qn_model_get_load (model, form->shown, (gsize) form->selected);
+  QnLoad load = *qn_model_get_load (model, form->shown, (gsize) form->base.selected);
   const QnLoad before = load;
   switch (field) {
   case WHERE:
@@ -518,14 +510,15 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
   default:
     break;
   }
-  return qn_edit_replace_load (model, form->shown, (gsize) form->selected, load, error);
+  return qn_edit_replace_load (model, form->shown, (gsize) form->base.selected, load,
+                               error);
 }
 
 /* What is selected in another list is let go of. */
 static void
 show_list (Form *form, int32_t list)
 {
-  if (form->selected >= 0)
+  if (form->base.selected >= 0)
     select_load (form, -1);
   form->shown = list;
 }
@@ -535,7 +528,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   Form *form = data;
   QnModel *model = draft != NULL ? &draft->model : NULL;
-  const int selected = form->selected;
+  const int selected = form->base.selected;
   switch (field) {
   case LIST:
     show_list (form, (int32_t) value->number - ROW_LIVE);
@@ -559,13 +552,14 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     select_load (form, -1); /* an equal one would take its place */
     return qn_edit_remove_load (model, form->shown, (gsize) selected, error);
   case DUPLICATE:
-    form->wanted = form->selected + 1;
+    form->base.wanted = form->base.selected + 1;
     return qn_edit_duplicate_load (model, form->shown != QN_DEAD_LOADS,
-                                   id_of (form, form->selected), error);
+                                   id_of (form, form->base.selected), error);
   case UP:
   case DOWN:
     return qn_edit_move_load (model, form->shown != QN_DEAD_LOADS,
-                              id_of (form, form->selected), field == UP ? -1 : 1, error);
+                              id_of (form, form->base.selected), field == UP ? -1 : 1,
+                              error);
   case ADD_WEIGHT:
   case ADD_FORCE:
   case ADD_LINE:
@@ -587,7 +581,6 @@ init (gpointer data)
 {
   Form *form = data;
   form->shown = QN_DEAD_LOADS;
-  form->selected = form->wanted = -1;
 }
 
 static void

@@ -1,4 +1,4 @@
-#include "app/pages/compare-cell.h"
+#include "app/pages/compare-private.h"
 
 #include "app/widgets/paper-area.h"
 #include "doc/document/run.h"

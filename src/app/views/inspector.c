@@ -1,14 +1,22 @@
 #include "app/forms/form.h"
-#include "app/forms/joint-view.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/text-unit.h"
+#include "doc/text/explain.h"
 #include "doc/view/inspect.h"
+#include "render/figure/joint-plot.h"
 #include <glib/gi18n.h>
+#include <stdlib.h>
+
+/* The plot's text over that of the window: it is small. */
+#define TEXT_SHARE 0.8
 
 typedef struct Inspector {
   QnCanvas *canvas;
   GtkWidget *box, *title, *rows, *diagram;
+  QnJointPlot
+    plot; /* normal against shear force with the cone, and both along the joint */
 } Inspector;
 
 static GtkWidget *
@@ -52,15 +60,50 @@ has_result (Inspector *inspector)
 }
 
 static void
+draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  QnJointPlot plot = ((const Inspector *) data)->plot;
+  if (plot.count == 0)
+    return;
+  QnUnits units = qn_settings_get_units ();
+  const char *force = qn_units_symbol (units, QN_QUANTITY_FORCE);
+  g_autofree char *normal = g_strdup_printf (_ ("N, %s"), force);
+  g_autofree char *shear = g_strdup_printf (_ ("T, %s"), force);
+  g_autofree char *size = qn_units_format (units, QN_QUANTITY_LENGTH, plot.length, 4);
+  g_autofree char *along = g_strdup_printf (_ ("along the joint, %s %s"), size,
+                                            qn_units_symbol (units, QN_QUANTITY_LENGTH));
+  plot.force_factor = qn_units_factor (units, QN_QUANTITY_FORCE);
+  plot.length_factor = qn_units_factor (units, QN_QUANTITY_LENGTH);
+  plot.normal_label = normal;
+  plot.shear_label = shear;
+  plot.along_label = along;
+  qn_joint_plot_draw (&plot, cr, width, height,
+                      TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
+}
+
+/* The plot in words. */
+static char *
+dup_description (const QnJointPlot *plot)
+{
+  guint states[QN_PAIR_STATE_COUNT] = { 0 };
+  for (gsize i = 0; i < plot->count; i++)
+    states[plot->points[i].state]++;
+  return qn_explain_pairs (states);
+}
+
+static void
 show_diagram (Inspector *inspector, const QnStepView *view, QnInspected what)
 {
-  QnJointPlot plot = { 0 };
+  free (inspector->plot.points);
+  inspector->plot = (QnJointPlot){ 0 };
   gboolean shown = what.kind == QN_INSPECTED_JOINT && view->pairs != NULL
-                   && qn_joint_plot_fill (&plot, view->model, view->contacts,
+                   && qn_joint_plot_fill (&inspector->plot, view->model, view->contacts,
                                           view->result, (int) view->step, what.id);
-  if (shown)
-    qn_joint_view_set_plot (inspector->diagram, &plot);
+  g_autofree char *description = dup_description (&inspector->plot);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (inspector->diagram),
+                                  GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, description, -1);
   gtk_widget_set_visible (inspector->diagram, shown);
+  gtk_widget_queue_draw (inspector->diagram);
 }
 
 static void
@@ -96,20 +139,29 @@ update (Inspector *inspector)
   qn_step_view_clear (&view);
 }
 
+static void
+inspector_free (gpointer data, GObject *box)
+{
+  Inspector *inspector = data;
+  free (inspector->plot.points);
+  g_free (inspector);
+}
+
 GtkWidget *
 qn_inspector_new (QnCanvas *canvas)
 {
   g_autoptr (GtkBuilder) builder = qn_builder_new ("inspector");
-  Inspector *inspector = g_new (Inspector, 1);
+  Inspector *inspector = g_new0 (Inspector, 1);
   *inspector = (Inspector){ .canvas = canvas,
                             .box = qn_builder_take_widget (builder, "inspector"),
                             .title = qn_builder_get_widget (builder, "title"),
                             .rows = qn_builder_get_widget (builder, "rows"),
                             .diagram = qn_builder_get_widget (builder, "diagram") };
-  qn_joint_view_init (inspector->diagram);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (inspector->diagram), draw, inspector,
+                                  NULL);
   GtkWidget *box = inspector->box;
   QnDocument *document = qn_canvas_get_document (canvas);
-  qn_own (box, inspector);
+  g_object_weak_ref (G_OBJECT (box), inspector_free, inspector);
   qn_watch (box, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update),
             inspector);
   qn_watch (box, document, "runs-changed", G_CALLBACK (update), inspector);

@@ -52,6 +52,7 @@ show (QnWindow *self, GtkWidget *page)
     gtk_widget_set_visible (self->page_box, TRUE);
   }
   gtk_stack_set_visible_child (self->pages, page);
+  gtk_widget_set_visible (self->info_bar, FALSE); /* about what was in sight before */
   if (self->is_narrow)
     g_action_group_change_action_state (G_ACTION_GROUP (self), "side-panel",
                                         g_variant_new_boolean (FALSE));
