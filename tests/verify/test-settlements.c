@@ -104,11 +104,12 @@ test_middle_support (void)
   g_assert_cmpfloat_with_epsilon (r[7], weight / 2 + pier, 1e-6 * weight);
 }
 
-/* A semicircular arch of radius 5 m and thickness 1 m between two abutments. */
+#define RADIUS 5.0 /* m, of the middle line of arches */
+
+/* A semicircular arch with a ring of this thickness, of so many voussoirs, between two abutments. */
 static void
-init_arch (TestRun *run)
+init_arch (TestRun *run, double ring, int count)
 {
-  enum { COUNT = 21 };
   test_model_init (&run->model);
   run->model.laws[0].kn = run->model.laws[0].ks = 1e9;
   for (int side = 0; side < 2; side++) {
@@ -117,11 +118,11 @@ init_arch (TestRun *run)
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = true;
   }
-  for (int i = 0; i < COUNT; i++) {
+  for (int i = 0; i < count; i++) {
     QnVec2 v[4];
     for (int k = 0; k < 4; k++) {
-      double angle = G_PI * (1 - (double) (i + k / 2) / COUNT);
-      double radius = k == 1 || k == 2 ? 5.5 : 4.5;
+      double angle = G_PI * (1 - (double) (i + k / 2) / count);
+      double radius = RADIUS + (k == 1 || k == 2 ? 0.5 : -0.5) * ring;
       v[k] = qn_vec2 (radius * cos (angle), radius * sin (angle));
     }
     v[0].y = fabs (v[0].y) < 1e-12 ? 0 : v[0].y;
@@ -142,7 +143,7 @@ test_least_thrust (void)
 {
   const double push = 55e3;
   TestRun run;
-  init_arch (&run);
+  init_arch (&run, 1, 21);
   add_settlement (&run.model, 1, QN_DOF_UX, SPREAD);
   run.model.analysis.increments = 20;
   test_run_solve (&run);
@@ -153,7 +154,7 @@ test_least_thrust (void)
   test_run_clear (&run);
 
   g_auto (QnLimitSolution) solution;
-  init_arch (&run);
+  init_arch (&run, 1, 21);
   run.model.laws[0].dilatancy = run.model.laws[0].friction;
   run.model.blocks[1].support[QN_DOF_UX] = false;
   for (int live = 0; live < 2; live++) {
@@ -178,9 +179,81 @@ test_least_thrust (void)
   qn_model_clear (&run.model);
 }
 
+/* Of a part of a ring between two angles from the crown: area, and its centroid. */
+static double
+part_of_ring (const double radius[2], double from, double to, QnVec2 *centroid)
+{
+  const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
+  const double area = (radius[1] * radius[1] - radius[0] * radius[0]) * half;
+  const double r =
+    2.0 / 3 * (pow (radius[1], 3) - pow (radius[0], 3)) * sin (half) / area;
+  *centroid = qn_vec2 (r * sin (middle), r * cos (middle));
+  return area;
+}
+
+/* What the thrust of the half arch lacks to pass through the extrados at the springing, when that has moved
+ * out by x: between a hinge at the extrados of the crown and one at the intrados at the angle a the arch has
+ * turned, the part below has gone with the abutment. *thrust: over the unit weight. */
+static double
+lack_at_springing (const double radius[2], double a, double x, double *thrust)
+{
+  const QnVec2 crown = qn_vec2 (0, radius[1]);
+  const QnVec2 foot = qn_vec2 (radius[0] * sin (a), radius[0] * cos (a));
+  const double length = qn_vec2_length (qn_vec2_sub (crown, foot));
+  const double height = sqrt (length * length - (foot.x + x) * (foot.x + x));
+  const double turned = acos (height / length) - atan2 (foot.x, crown.y - foot.y);
+  QnVec2 upper, lower;
+  double above = part_of_ring (radius, 0, a, &upper);
+  double below = part_of_ring (radius, a, G_PI / 2, &lower);
+  QnVec2 g = qn_vec2_sub (upper, crown);
+  double lever =
+    g.x * cos (turned) - g.y * sin (turned); /* of the part above, from the crown */
+  *thrust = above * (foot.x + x - lever) / height;
+  return above * (radius[1] + x - lever) + below * (radius[1] - lower.x)
+         - *thrust * (foot.y + height);
+}
+
+/* An arch on spreading supports collapses when a fifth hinge opens at the springing, its first three being
+ * at the crown and where the thrust is least (the theory of Ochsendorf 2002, whose program ArchSpread in the
+ * appendix does this step by step). */
+static void
+test_spread (void)
+{
+  static const double rings[] = { 0.6, 1, 1.25 };
+  enum { COUNT = 36 };
+  for (gsize i = 0; i < G_N_ELEMENTS (rings); i++) {
+    const double radius[2] = { RADIUS - 0.5 * rings[i], RADIUS + 0.5 * rings[i] };
+    double hinge = 0, most = 0, thrust, low = 0, high = 0.25 * RADIUS;
+    for (int k = 1; k < COUNT / 2; k++) {
+      lack_at_springing (radius, G_PI * k / COUNT, 0, &thrust);
+      hinge = thrust > most ? G_PI * k / COUNT : hinge;
+      most = fmax (most, thrust);
+    }
+    for (int k = 0; k < 60; k++) {
+      double x = 0.5 * (low + high);
+      *(lack_at_springing (radius, hinge, x, &thrust) > 0 ? &low : &high) = x;
+    }
+    TestRun run;
+    init_arch (&run, rings[i], COUNT);
+    run.model.laws[0].kn = run.model.laws[0].ks = 1e10;
+    run.model.laws[0].friction = 5; /* nothing slides: from 2.5 down the thick one does */
+    run.model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    run.model.analysis.increments = 100;
+    add_settlement (&run.model, 1, QN_DOF_UX, 3 * low);
+    test_run_solve (&run);
+    double found = 1.5 * run.result.collapse_multiplier * low;
+    g_test_message ("ring %g m, hinge at %.0f degrees: collapse at %.5f m of %.5f m",
+                    rings[i], hinge * 180 / G_PI, 2 * found, 2 * low);
+    g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (found / low, 1, 1e-3);
+    test_run_clear (&run);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/verify/settlements/clamped-beam", test_clamped_beam);
   g_test_add_func ("/verify/settlements/middle-support", test_middle_support);
   g_test_add_func ("/verify/settlements/least-thrust", test_least_thrust);
+  g_test_add_func ("/verify/settlements/spread", test_spread);
 }
